@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * An axis-parallel rectangle that keeps circles inside. Its four walls are half-planes: the left
+ * one is everything with {@code x <= xmin}, also above and below the rectangle.
+ *
+ * @param xmin the x coordinate of the left wall, finite
+ * @param ymin the y coordinate of the bottom wall, finite
+ * @param xmax the x coordinate of the right wall, finite, greater than xmin
+ * @param ymax the y coordinate of the top wall, finite, greater than ymin
+ */
+public record Bounds(double xmin, double ymin, double xmax, double ymax) implements Obstacle {
+
+  /**
+   * Checks the components.
+   *
+   * @param xmin the x coordinate of the left wall
+   * @param ymin the y coordinate of the bottom wall
+   * @param xmax the x coordinate of the right wall
+   * @param ymax the y coordinate of the top wall
+   * @throws IllegalArgumentException if a coordinate is NaN or infinite, or a maximum is not
+   *     greater than its minimum
+   */
+  public Bounds {
+    Check.finite("xmin", xmin);
+    Check.finite("ymin", ymin);
+    Check.finite("xmax", xmax);
+    Check.finite("ymax", ymax);
+    if (!(xmax > xmin)) {
+      throw Check.refused("xmax", xmax, "more than xmin, " + xmin);
+    }
+    if (!(ymax > ymin)) {
+      throw Check.refused("ymax", ymax, "more than ymin, " + ymin);
+    }
+  }
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * Checks of what comes from outside. Each message names the thing, its value and what was expected;
+ * each condition is written so that NaN fails it.
+ */
+final class Check {
+
+  private Check() {}
+
+  static void finite(String name, double value) {
+    if (!(Math.abs(value) <= Double.MAX_VALUE)) {
+      throw refused(name, value, "a finite number");
+    }
+  }
+
+  static void notNegative(String name, double value) {
+    if (!(value >= 0 && value <= Double.MAX_VALUE)) {
+      throw refused(name, value, "a finite number, at least 0");
+    }
+  }
+
+  static void positive(String name, double value) {
+    if (!(value > 0 && value <= Double.MAX_VALUE)) {
+      throw refused(name, value, "a finite number, more than 0");
+    }
+  }
+
+  /** A mass: sums and quotients of two within these limits neither overflow nor underflow. */
+  static void mass(String name, double value) {
+    if (!((value >= 0x1p-500 && value <= 0x1p500) || value == Double.POSITIVE_INFINITY)) {
+      throw refused(name, value, "a number from 2^-500 to 2^500, or infinity");
+    }
+  }
+
+  /** A length of time: 0 or more, {@code +infinity} included. */
+  static void duration(String name, double value) {
+    if (!(value >= 0)) {
+      throw refused(name, value, "at least 0 (infinity is allowed)");
+    }
+  }
+
+  static RefusedException refused(String name, Object value, String expected) {
+    return new RefusedException(name, value, expected);
+  }
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * An end of a line: a static circle of radius zero.
+ *
+ * @param x the x coordinate, finite
+ * @param y the y coordinate, finite
+ */
+public record Endpoint(double x, double y) implements Obstacle {
+
+  /**
+   * Checks the components.
+   *
+   * @param x the x coordinate
+   * @param y the y coordinate
+   * @throws IllegalArgumentException if a coordinate is NaN or infinite
+   */
+  public Endpoint {
+    Check.finite("x", x);
+    Check.finite("y", y);
+  }
+}

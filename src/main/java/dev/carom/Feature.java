@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * The part of an obstacle that is hit: for a line, the Voronoi region in which the centre of the
+ * circle lies at contact.
+ */
+public enum Feature {
+  /** The open inside of a line, from either side; also a wall of bounds. */
+  SIDE,
+  /** The first end (ax, ay) of a line: the centre projects on it or before it. */
+  START,
+  /** The second end (bx, by) of a line: the centre projects on it or beyond it. */
+  END,
+  /** A peg, a single endpoint, or another moving circle. */
+  CIRCLE
+}

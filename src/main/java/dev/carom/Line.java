@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * A static segment of finite length and zero thickness, solid from both sides, as in {@code
+ * java.awt.geom.Line2D}. Zero length is allowed: the line is then a point, its start.
+ *
+ * @param ax the x coordinate of the start, finite
+ * @param ay the y coordinate of the start, finite
+ * @param bx the x coordinate of the end, finite
+ * @param by the y coordinate of the end, finite
+ */
+public record Line(double ax, double ay, double bx, double by) implements Obstacle {
+
+  /**
+   * Checks the components.
+   *
+   * @param ax the x coordinate of the start
+   * @param ay the y coordinate of the start
+   * @param bx the x coordinate of the end
+   * @param by the y coordinate of the end
+   * @throws IllegalArgumentException if a coordinate is NaN or infinite
+   */
+  public Line {
+    Check.finite("ax", ax);
+    Check.finite("ay", ay);
+    Check.finite("bx", bx);
+    Check.finite("by", by);
+  }
+
+  /**
+   * A line between two points.
+   *
+   * @param start the start
+   * @param end the end
+   */
+  public Line(Vec2 start, Vec2 end) {
+    this(start.x(), start.y(), end.x(), end.y());
+  }
+
+  /**
+   * The first end.
+   *
+   * @return the point (ax, ay)
+   */
+  public Endpoint start() {
+    return new Endpoint(ax, ay);
+  }
+
+  /**
+   * The second end.
+   *
+   * @return the point (bx, by)
+   */
+  public Endpoint end() {
+    return new Endpoint(bx, by);
+  }
+
+  /**
+   * The length of this line.
+   *
+   * @return {@code |b - a|}, 0 for a line that is a point; infinite if it exceeds the range of a
+   *     double
+   */
+  public double length() {
+    return StrictMath.hypot(bx - ax, by - ay);
+  }
+
+  /**
+   * The point of this segment that is nearest to a given point: {@code a + s (b - a)} with {@code s
+   * = (p - a).(b - a) / |b - a|^2}, held within 0..1. Computed in plain doubles.
+   *
+   * @param p any point
+   * @return the nearest point; an end itself where s leaves 0..1; the start if this line has length
+   *     zero
+   */
+  public Vec2 closestPoint(Vec2 p) {
+    double s = fraction(p);
+    if (!(s > 0)) {
+      return new Vec2(ax, ay);
+    }
+    return s >= 1 ? new Vec2(bx, by) : pointAt(s);
+  }
+
+  /**
+   * The foot of the perpendicular from a given point on the infinite line through this segment.
+   * Computed in plain doubles.
+   *
+   * @param p any point
+   * @return {@code a + s (b - a)} for any real s; the start if this line has length zero
+   * @throws IllegalArgumentException if the foot lies outside the range of doubles
+   */
+  public Vec2 closestPointInfinite(Vec2 p) {
+    double s = fraction(p);
+    return Double.isNaN(s) ? new Vec2(ax, ay) : pointAt(s);
+  }
+
+  /** s = (p - a).w / w.w with w = b - a, as cosine times lengths; NaN for zero length. */
+  private double fraction(Vec2 p) {
+    double half = Double.isInfinite(bx - ax) || Double.isInfinite(by - ay) ? 0.5 : 1;
+    double wx = half * bx - half * ax;
+    double wy = half * by - half * ay;
+    double dx = half * p.x() - half * ax;
+    double dy = half * p.y() - half * ay;
+    double w = Math.max(Math.abs(wx), Math.abs(wy));
+    double d = Math.max(Math.abs(dx), Math.abs(dy));
+    double ux = wx / w;
+    double uy = wy / w;
+    double along = d == 0 ? 0 : (dx / d) * ux + (dy / d) * uy;
+    // Lengths last: their quotient may be infinite.
+    return along == 0 ? 0 * ux : along / (ux * ux + uy * uy) * (d / w);
+  }
+
+  private Vec2 pointAt(double s) {
+    return new Vec2(between(s, ax, bx), between(s, ay, by));
+  }
+
+  /** a + s (b - a), also where b - a overflows. */
+  private static double between(double s, double a, double b) {
+    double w = b - a;
+    return Double.isInfinite(w) ? (1 - s) * a + s * b : Math.fma(s, w, a);
+  }
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * A point or a vector of the plane: a position, a velocity or a direction.
+ *
+ * <p>Units are the caller's: lengths in one unit of length, velocities in that unit per unit of
+ * time. The x axis points right; whether y points up or down is the caller's choice, nothing in
+ * this package depends on it.
+ *
+ * @param x the first component, finite
+ * @param y the second component, finite
+ */
+public record Vec2(double x, double y) {
+
+  /** The origin, and the velocity of rest. */
+  public static final Vec2 ZERO = new Vec2(0, 0);
+
+  /**
+   * Checks the components.
+   *
+   * @param x the first component
+   * @param y the second component
+   * @throws IllegalArgumentException if a component is NaN or infinite
+   */
+  public Vec2 {
+    Check.finite("x", x);
+    Check.finite("y", y);
+  }
+
+  /**
+   * The length of this vector.
+   *
+   * @return {@code sqrt(x^2 + y^2)}, without intermediate overflow; infinite if it exceeds the
+   *     range of a double
+   */
+  public double length() {
+    return StrictMath.hypot(x, y);
+  }
+}

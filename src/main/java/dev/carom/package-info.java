@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+
+/**
+ * Circles that move and bounce: against lines and their endpoints, against pegs and walls. Every
+ * impact inside a step is found and resolved at its own moment, whatever the speed.
+ *
+ * <h2>Four layers</h2>
+ *
+ * Each uses only those before it, and each is of use alone.
+ *
+ * <ol>
+ *   <li>Geometry: the records {@link dev.carom.Vec2}, {@link dev.carom.Circle}, {@link
+ *       dev.carom.Line}, {@link dev.carom.Endpoint} and {@link dev.carom.Bounds}. They are checked
+ *       when they are made, so no other method meets a NaN in one.
+ *   <li>Detector: {@link dev.carom.SweptCircle} answers when a moving circle meets an obstacle or
+ *       another circle. Its hot form takes and returns doubles, {@code +infinity} for never.
+ *   <li>Resolver: {@link dev.carom.Resolver} follows one circle through given obstacles for a given
+ *       time, all bounces included.
+ *   <li>World: {@link dev.carom.Scene} says what is there at time 0, {@link dev.carom.SceneFile}
+ *       reads and writes it, {@link dev.carom.World} sets it in motion.
+ * </ol>
+ *
+ * <h2>Conventions</h2>
+ *
+ * <ul>
+ *   <li>Units are the caller's: any unit of length, any unit of time, speeds in the one per the
+ *       other. There are no tuned constants that a unit could be too large or too small for.
+ *   <li>The x axis points right. Whether y points up or down changes nothing but the names of two
+ *       walls: the bottom one is that at the smaller y.
+ *   <li>A normal is a unit vector from the obstacle to the circle; of two circles, from the second
+ *       to the first. Lines are solid from both sides, so their direction matters only for which
+ *       end is called {@linkplain dev.carom.Feature#START start}.
+ *   <li>Restitution acts along the normal: 1 is elastic, 0 keeps no motion along it, above 1 is a
+ *       bumper. That of an impact is the product of the two parties'.
+ *   <li>An impact is the first moment at which the distance is at most the radius and falling. To
+ *       touch and leave, or to slide along, is none; to overlap and come nearer is one, at once.
+ *       Positions are never corrected.
+ *   <li>Numbers out of their range throw {@link java.lang.IllegalArgumentException}, numbers of
+ *       things that do not exist {@link java.lang.IndexOutOfBoundsException}. The messages name the
+ *       thing, the value and what was expected.
+ * </ul>
+ *
+ * <h2>Determinism</h2>
+ *
+ * Trajectories are computed with {@code + - * /}, square root and fused multiply-add alone, in a
+ * fixed order: the same scene gives the same impacts, bit for bit, on every Java 17 or newer
+ * virtual machine. Nor does it matter how the time is cut into steps, as long as it ends at the
+ * same moment and nothing is edited between.
+ *
+ * <h2>Threads</h2>
+ *
+ * Records, scenes and all static methods may be used by any number of threads at once. A {@link
+ * dev.carom.World} and a {@link dev.carom.SceneBuilder} belong to one thread at a time; different
+ * worlds share nothing, even if they are made of the same scene.
+ *
+ * <h2>What the method gives up</h2>
+ *
+ * <ul>
+ *   <li>Only circles move, and straight on between impacts: no rotation, friction, stacking,
+ *       polygons or forces. Gravity and steering are velocities that the caller sets between steps.
+ *   <li>Nothing comes to rest by a threshold. A circle caught in a narrow place costs every one of
+ *       its bounces; where they would never end, the world stops them by a rule and reports it.
+ *   <li>Each question is answered for the doubles that it is asked with, but a trajectory is a
+ *       chain of rounded states, and every bounce off a curved obstacle magnifies what went before.
+ *   <li>A scene refuses circles so small, beside its coordinates, that rounding could carry one
+ *       through a line.
+ * </ul>
+ */
+package dev.carom;
