@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.util.Optional;
+
+/** The friendly form of the detector: from records to the record of an impact. */
+final class Casts {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private Casts() {}
+
+  static Optional<Impact> line(Circle circle, Vec2 v, Line line, double T) {
+    int contact =
+        SegmentSweep.contact(
+            circle.x(),
+            circle.y(),
+            circle.radius(),
+            v.x(),
+            v.y(),
+            line.ax(),
+            line.ay(),
+            line.bx(),
+            line.by());
+    double t =
+        SegmentSweep.time(
+            contact,
+            circle.x(),
+            circle.y(),
+            circle.radius(),
+            v.x(),
+            v.y(),
+            line.ax(),
+            line.ay(),
+            line.bx(),
+            line.by(),
+            T);
+    if (t == NEVER) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        switch (contact & ~SegmentSweep.NOW) {
+          case SegmentSweep.START ->
+              end(circle, v, line.start(), line.end(), t, line, Feature.START);
+          case SegmentSweep.END -> end(circle, v, line.end(), line.start(), t, line, Feature.END);
+          case SegmentSweep.LEFT -> side(1, circle, v, line, t);
+          default -> side(-1, circle, v, line, t);
+        });
+  }
+
+  private static Impact end(
+      Circle circle, Vec2 v, Endpoint end, Endpoint other, double t, Line line, Feature feature) {
+    Vec2 normal =
+        slides(circle, v, end, other, t)
+            ? slideNormal(v, end, other)
+            : DiskSweep.normal(
+                circle.x(),
+                circle.y(),
+                circle.radius(),
+                v.x(),
+                v.y(),
+                end.x(),
+                end.y(),
+                0,
+                0,
+                0,
+                t);
+    Vec2 point = new Vec2(end.x(), end.y());
+    return new Impact(t, line, feature, point, normal, approach(v, Vec2.ZERO, normal));
+  }
+
+  /** Whether a point particle comes to an end over the line's side, not from beyond the end. */
+  private static boolean slides(Circle circle, Vec2 v, Endpoint end, Endpoint other, double t) {
+    return circle.radius() == 0
+        && t > 0
+        && Predicates.dot(v.x(), v.y(), 0, 0, other.x(), other.y(), end.x(), end.y()) < 0;
+  }
+
+  /** The side's normal, against the velocity: the limit of the normals from before. */
+  private static Vec2 slideNormal(Vec2 v, Endpoint end, Endpoint other) {
+    int drift = Predicates.cross(other.x(), other.y(), end.x(), end.y(), v.x(), v.y(), 0, 0);
+    return Directions.normal(-drift, end.x(), end.y(), other.x(), other.y());
+  }
+
+  private static Impact side(int side, Circle circle, Vec2 v, Line line, double t) {
+    Vec2 normal = Directions.normal(side, line.ax(), line.ay(), line.bx(), line.by());
+    Vec2 point = line.closestPoint(place(circle, v, t));
+    return new Impact(t, line, Feature.SIDE, point, normal, approach(v, Vec2.ZERO, normal));
+  }
+
+  static Optional<Impact> bounds(Circle circle, Vec2 v, Bounds bounds, double T) {
+    double wallX = v.x() < 0 ? bounds.xmin() : bounds.xmax();
+    double wallY = v.y() < 0 ? bounds.ymin() : bounds.ymax();
+    double tx = SweptCircle.wall(circle.x(), circle.radius(), v.x(), wallX, T);
+    double ty = SweptCircle.wall(circle.y(), circle.radius(), v.y(), wallY, T);
+    if (tx == NEVER && ty == NEVER) {
+      return Optional.empty();
+    }
+    boolean vertical = tx <= ty;
+    Vec2 normal = vertical ? new Vec2(v.x() < 0 ? 1 : -1, 0) : new Vec2(0, v.y() < 0 ? 1 : -1);
+    double t = Math.min(tx, ty);
+    Vec2 centre = place(circle, v, t);
+    Vec2 point = vertical ? new Vec2(wallX, centre.y()) : new Vec2(centre.x(), wallY);
+    return Optional.of(
+        new Impact(t, bounds, Feature.SIDE, point, normal, Math.abs(vertical ? v.x() : v.y())));
+  }
+
+  /** Disk 1 against disk 2, which is reported as the given obstacle. */
+  static Optional<Impact> disk(
+      Circle c1, Vec2 v1, Circle c2, Vec2 v2, Obstacle obstacle, double T) {
+    int contact =
+        DiskSweep.contact(
+            c1.x(),
+            c1.y(),
+            c1.radius(),
+            v1.x(),
+            v1.y(),
+            c2.x(),
+            c2.y(),
+            c2.radius(),
+            v2.x(),
+            v2.y());
+    double t =
+        DiskSweep.time(
+            contact,
+            c1.x(),
+            c1.y(),
+            c1.radius(),
+            v1.x(),
+            v1.y(),
+            c2.x(),
+            c2.y(),
+            c2.radius(),
+            v2.x(),
+            v2.y(),
+            T);
+    if (t == NEVER) {
+      return Optional.empty();
+    }
+    Vec2 normal =
+        DiskSweep.normal(
+            c1.x(),
+            c1.y(),
+            c1.radius(),
+            v1.x(),
+            v1.y(),
+            c2.x(),
+            c2.y(),
+            c2.radius(),
+            v2.x(),
+            v2.y(),
+            t);
+    Vec2 centre = place(c2, v2, t);
+    Vec2 point =
+        new Vec2(
+            Math.fma(c2.radius(), normal.x(), centre.x()),
+            Math.fma(c2.radius(), normal.y(), centre.y()));
+    return Optional.of(
+        new Impact(t, obstacle, Feature.CIRCLE, point, normal, approach(v1, v2, normal)));
+  }
+
+  private static Vec2 place(Circle circle, Vec2 v, double t) {
+    return new Vec2(Math.fma(v.x(), t, circle.x()), Math.fma(v.y(), t, circle.y()));
+  }
+
+  /** The speed along the normal at which the distance falls: -(v1 - v2).n. */
+  private static double approach(Vec2 v1, Vec2 v2, Vec2 n) {
+    return Math.max(0, -((v1.x() - v2.x()) * n.x() + (v1.y() - v2.y()) * n.y()));
+  }
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/** Unit vectors, each component within 1e-15 of the true one. */
+final class Directions {
+
+  /** Range of components whose squares neither underflow nor overflow. */
+  private static final double LEAST = 0x1p-400;
+
+  private static final double MOST = 0x1p400;
+
+  private Directions() {}
+
+  /** (a - b) / |a - b| for two different points. */
+  static Vec2 unit(double ax, double ay, double bx, double by) {
+    double x = ax - bx;
+    double y = ay - by;
+    double size = Math.max(Math.abs(x), Math.abs(y));
+    if (!(size > LEAST && size < MOST)) {
+      return Exact.unit(ax, ay, bx, by);
+    }
+    double length = Math.sqrt(x * x + y * y);
+    return new Vec2(x / length, y / length);
+  }
+
+  /** The unit normal of the line from a to b: the left one for side +1, the right one for -1. */
+  static Vec2 normal(int side, double ax, double ay, double bx, double by) {
+    Vec2 w = unit(bx, by, ax, ay);
+    return new Vec2(-side * w.y(), side * w.x());
+  }
+}

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.DoubleDouble.crossTail;
+import static dev.carom.DoubleDouble.differenceTail;
+import static dev.carom.DoubleDouble.productTail;
+import static dev.carom.DoubleDouble.sumTail;
+
+/**
+ * When a moving disk meets the flat side of a line that {@link SegmentSweep#contact} found it to
+ * meet: {@code |cross(w, d)| - |cross(w, v)| t = r |w|}, with {@code w = b - a}, {@code d = p - a}.
+ */
+final class SideSweep {
+
+  /** Corrections before exact numbers take over. */
+  private static final int STEPS = 3;
+
+  /** Range within which underflow stays far below the bounds of a step. */
+  private static final double LEAST = 0x1p-250;
+
+  private static final double MOST = 0x1p250;
+
+  /**
+   * Of the window's polynomial: cross(w, d) has 4, cross(w, v) T has 3 + 1, their difference 1; the
+   * square 2 x 5 + 1; r^2 w.w has 6; the difference 1: 12 u, and two more.
+   */
+  private static final double WINDOW_BOUND = 14 * 0x1p-53;
+
+  private SideSweep() {}
+
+  /** The time of impact, {@code +infinity} if it is later than the window's end T. */
+  static double time(
+      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by, double T) {
+    int order = 0;
+    if (T < Double.POSITIVE_INFINITY) {
+      order = compareTime(side, px, py, r, vx, vy, ax, ay, bx, by, T);
+      if (order > 0) {
+        return Double.POSITIVE_INFINITY;
+      }
+    }
+    double t = time(side, px, py, r, vx, vy, ax, ay, bx, by);
+    if (order < 0 || t < T) {
+      return t;
+    }
+    if (t > T || T == Double.POSITIVE_INFINITY) {
+      return Double.POSITIVE_INFINITY;
+    }
+    Exact.Side exact = Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by);
+    return exact.compareTime(Dyadic.of(T)) <= 0 ? t : Double.POSITIVE_INFINITY;
+  }
+
+  /**
+   * The correctly rounded time of impact.
+   *
+   * <p>The plain quotient is corrected by {@link #step} until the correction is known well enough
+   * to round; if it never is (a gap lost to cancellation), exact numbers decide.
+   *
+   * @param side +1 if the disk is left of the line, -1 if right
+   */
+  static double time(
+      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double reach = r * Math.sqrt(wx * wx + wy * wy);
+    double c = side * (wx * (py - ay) - wy * (px - ax));
+    double speed = -side * (wx * vy - wy * vx);
+    double t = Math.max(0, (c - reach) / speed);
+    for (int i = 0; i < STEPS; i++) {
+      double step = step(side, px, py, r, vx, vy, ax, ay, bx, by, t, reach) / speed;
+      double error = stepError(px - ax, py - ay, vx, vy, wx, wy, reach, speed, t, step);
+      double low = t + (step - error);
+      if (low == t + (step + error) && low > LEAST) {
+        return low;
+      }
+      t = Math.max(0, t + step);
+    }
+    return Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by).time();
+  }
+
+  /**
+   * What is left of the gap at time t, times |w|: {@code h - r |w| = (h^2 - r^2 w.w) / (h + r
+   * |w|)}, {@code h = side cross(w, e)}, {@code e = d + v t}. All that cancels is kept as head and
+   * tail.
+   *
+   * @param reach fl(r |w|)
+   */
+  private static double step(
+      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by, double t, double reach) {
+    // e = d + v t
+    double dx = px - ax;
+    double dy = py - ay;
+    double mx = vx * t;
+    double my = vy * t;
+    double ex = dx + mx;
+    double ey = dy + my;
+    double exl = sumTail(dx, mx, ex) + (differenceTail(px, ax, dx) + productTail(vx, t, mx));
+    double eyl = sumTail(dy, my, ey) + (differenceTail(py, ay, dy) + productTail(vy, t, my));
+    // h = side cross(w, e)
+    double wx = bx - ax;
+    double wy = by - ay;
+    double wxl = differenceTail(bx, ax, wx);
+    double wyl = differenceTail(by, ay, wy);
+    double h0 = wx * ey - wy * ex;
+    double h1 = crossTail(wx, wxl, wy, wyl, ex, exl, ey, eyl, h0);
+    double h = side * (h0 + h1);
+    if (r == 0) {
+      return h;
+    }
+    double hl = sumTail(side * h0, side * h1, h);
+    // h^2 - r^2 w.w
+    double xx = wx * wx;
+    double yy = wy * wy;
+    double ww = xx + yy;
+    double wwl =
+        sumTail(xx, yy, ww)
+            + (productTail(wx, wxl, wx, wxl, xx) + productTail(wy, wyl, wy, wyl, yy));
+    double rr = r * r;
+    double f = rr * ww;
+    double fl = productTail(rr, productTail(r, r, rr), ww, wwl, f);
+    double hh = h * h;
+    double residue = hh - f;
+    double tail = differenceTail(hh, f, residue) + (productTail(h, hl, h, hl, hh) - fl);
+    return (residue + tail) / (h + reach);
+  }
+
+  /**
+   * A bound of the error of a step in time; NaN where none is known.
+   *
+   * <p>With {@code X = |dx| + |vx t|}, Y likewise: e loses 6 u^2 X, 6 u^2 Y in its tails; so h
+   * loses 6 + 64 u^2 of {@code M = |wx| Y + |wy| X}, and {@code (h^2 - r^2 w.w) / (h + r |w|)} that
+   * twice over 2 h, plus 2 x 32 u^2 of h^2 over 2 h <= M / 2: less than 128 u^2 M. The divisions by
+   * {@code h + r |w|} (6 u) and by the speed (3 u of its terms, and 2 more) err in proportion to
+   * the step.
+   */
+  private static double stepError(
+      double dx, double dy, double vx, double vy, double wx, double wy, double reach, double speed,
+      double t, double step) {
+    double x = Math.abs(dx) + Math.abs(vx * t);
+    double y = Math.abs(dy) + Math.abs(vy * t);
+    double m = Math.abs(wx) * y + Math.abs(wy) * x;
+    if (!(m > LEAST && m < MOST && speed > LEAST && t < MOST && reach < MOST)) {
+      return Double.NaN;
+    }
+    double lean = 16 * 0x1p-53 * (Math.abs(wx * vy) + Math.abs(wy * vx));
+    return (128 * 0x1p-106 * m + Math.abs(step) * lean) / speed;
+  }
+
+  /**
+   * The sign of the time of impact less the end T of the window, as far as plain doubles tell: +1
+   * later, -1 earlier, 0 in doubt. It is that of {@code c |c| - r^2 w.w}, {@code c = |cross(w, d)|
+   * - |cross(w, v)| T}.
+   */
+  static int compareTime(
+      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by, double T) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double dx = px - ax;
+    double dy = py - ay;
+    double c = side * ((wx * dy - wy * dx) + (wx * vy - wy * vx) * T);
+    double m = Math.abs(wx * dy) + Math.abs(wy * dx) + (Math.abs(wx * vy) + Math.abs(wy * vx)) * T;
+    double rr = r * r;
+    double ww = wx * wx + wy * wy;
+    double s = c * Math.abs(c) - rr * ww;
+    double bound =
+        Math.fma(WINDOW_BOUND, m * m + rr * ww, 0x1p-1000 * ((1 + m) * (1 + T) + rr + ww));
+    return s > bound ? 1 : s < -bound ? -1 : 0;
+  }
+}

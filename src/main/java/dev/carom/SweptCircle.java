@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.util.Optional;
+
+/**
+ * The detector: when does a moving circle first touch an obstacle, or another moving circle? Pure
+ * functions, without a world.
+ *
+ * <p>An impact is the smallest t in the closed window [0, T] at which the distance between the two
+ * is at most the radius and falling (strictly; judged just after t at t = 0, just before it later).
+ * So:
+ *
+ * <ul>
+ *   <li>apart and meeting within the window: an impact at the moment of first contact;
+ *   <li>touching or overlapping at the start and moving inward: an impact at 0; positions are never
+ *       nudged;
+ *   <li>touching or overlapping at the start and moving apart, along, or not at all: none;
+ *   <li>a graze, which reaches the radius with no speed along the normal: none;
+ *   <li>the centre exactly on a line, endpoint or peg's centre at the start: none, it cannot come
+ *       nearer;
+ *   <li>a point particle (radius 0) that reaches an obstacle later: an impact.
+ * </ul>
+ *
+ * <p>Whether there is an impact, and which feature is hit, is decided as if in real arithmetic on
+ * the given doubles; a projection exactly on an end of a line is that end, a line of zero length is
+ * its start. The time is the correctly rounded one. A time beyond the range of doubles exceeds
+ * every finite T; with {@code T = +infinity} it is {@code +infinity}, which is a miss too.
+ *
+ * <p>The hot form takes and returns doubles, {@code +infinity} = never, and allocates nothing
+ * unless a query is so close to a tie that only exact arithmetic decides it. The friendly form,
+ * {@code cast}, takes records and returns the {@link Impact}.
+ *
+ * <p>In all of them lengths share one unit, times another; coordinates and velocities are finite,
+ * radii finite and at least 0, the window's end T at least 0, {@code +infinity} included; anything
+ * else is an {@link IllegalArgumentException} that names it.
+ *
+ * <p>Method: a circle against a segment is a point against a capsule, its Minkowski sum with a disk
+ * (C. Ericson, Real-Time Collision Detection, 2005, 5.5). Decisions are signs of polynomials that
+ * climb from doubles to exact numbers only in doubt (J. R. Shewchuk, Adaptive Precision
+ * Floating-Point Arithmetic, Discrete and Computational Geometry 18, 1997).
+ */
+public final class SweptCircle {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private SweptCircle() {}
+
+  /**
+   * A moving circle against a line.
+   *
+   * @param px the x coordinate of the centre
+   * @param py the y coordinate of the centre
+   * @param r the radius
+   * @param vx the x component of the velocity
+   * @param vy the y component of the velocity
+   * @param ax the x coordinate of the line's start
+   * @param ay the y coordinate of the line's start
+   * @param bx the x coordinate of the line's end
+   * @param by the y coordinate of the line's end
+   * @param T the end of the window
+   * @return the time of impact, {@code +infinity} = never
+   * @throws IllegalArgumentException if a number is outside its range
+   */
+  public static double line(
+      double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
+      double by, double T) {
+    if (!(0 * (px + py + r + vx + vy + ax + ay + bx + by) == 0 && r >= 0 && T >= 0)) {
+      checkCircle(px, py, r, vx, vy, T);
+      new Line(ax, ay, bx, by);
+    }
+    int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
+    return SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, T);
+  }
+
+  /**
+   * A moving circle against a peg, or against a single endpoint: a peg of radius 0.
+   *
+   * @param px the x coordinate of the centre
+   * @param py the y coordinate of the centre
+   * @param r the radius
+   * @param vx the x component of the velocity
+   * @param vy the y component of the velocity
+   * @param cx the x coordinate of the peg's centre
+   * @param cy the y coordinate of the peg's centre
+   * @param R the radius of the peg
+   * @param T the end of the window
+   * @return the time of impact, {@code +infinity} = never
+   * @throws IllegalArgumentException if a number is outside its range
+   */
+  public static double peg(
+      double px, double py, double r, double vx, double vy, double cx, double cy, double R,
+      double T) {
+    return pair(px, py, r, vx, vy, cx, cy, R, 0, 0, T);
+  }
+
+  /**
+   * A moving circle against the four walls around it.
+   *
+   * @param px the x coordinate of the centre
+   * @param py the y coordinate of the centre
+   * @param r the radius
+   * @param vx the x component of the velocity
+   * @param vy the y component of the velocity
+   * @param xmin the x coordinate of the left wall
+   * @param ymin the y coordinate of the bottom wall
+   * @param xmax the x coordinate of the right wall, greater than xmin
+   * @param ymax the y coordinate of the top wall, greater than ymin
+   * @param T the end of the window
+   * @return the time of the first impact with a wall, {@code +infinity} = never
+   * @throws IllegalArgumentException if a number is outside its range
+   */
+  public static double bounds(
+      double px, double py, double r, double vx, double vy, double xmin, double ymin, double xmax,
+      double ymax, double T) {
+    if (!(0 * (px + py + r + vx + vy + xmin + ymin + xmax + ymax) == 0
+        && r >= 0
+        && T >= 0
+        && xmax > xmin
+        && ymax > ymin)) {
+      checkCircle(px, py, r, vx, vy, T);
+      new Bounds(xmin, ymin, xmax, ymax);
+    }
+    double tx = wall(px, r, vx, vx < 0 ? xmin : xmax, T);
+    double ty = wall(py, r, vy, vy < 0 ? ymin : ymax, T);
+    return Math.min(tx, ty);
+  }
+
+  /**
+   * Two moving circles.
+   *
+   * @param x1 the x coordinate of the first circle's centre
+   * @param y1 the y coordinate of the first circle's centre
+   * @param r1 the radius of the first circle
+   * @param vx1 the x component of the first circle's velocity
+   * @param vy1 the y component of the first circle's velocity
+   * @param x2 the x coordinate of the second circle's centre
+   * @param y2 the y coordinate of the second circle's centre
+   * @param r2 the radius of the second circle
+   * @param vx2 the x component of the second circle's velocity
+   * @param vy2 the y component of the second circle's velocity
+   * @param T the end of the window
+   * @return the time of impact, {@code +infinity} = never
+   * @throws IllegalArgumentException if a number is outside its range
+   */
+  public static double pair(
+      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
+      double vx2, double vy2, double T) {
+    if (!(0 * (x1 + y1 + r1 + vx1 + vy1 + x2 + y2 + r2 + vx2 + vy2) == 0
+        && r1 >= 0
+        && r2 >= 0
+        && T >= 0)) {
+      checkCircle(x1, y1, r1, vx1, vy1, T);
+      checkCircle(x2, y2, r2, vx2, vy2, T);
+    }
+    int contact = DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
+    return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T);
+  }
+
+  /**
+   * A moving circle against an obstacle of any kind.
+   *
+   * @param circle the circle at the start of its motion
+   * @param velocity its velocity
+   * @param obstacle a line, an endpoint, a peg or bounds; a wall of bounds is reported as {@link
+   *     Feature#SIDE}, of two that are hit at once the vertical one
+   * @param T the end of the window
+   * @return the impact, empty for a miss
+   * @throws IllegalArgumentException if T is NaN or negative
+   */
+  public static Optional<Impact> cast(Circle circle, Vec2 velocity, Obstacle obstacle, double T) {
+    Check.duration("T", T);
+    if (obstacle instanceof Line line) {
+      return Casts.line(circle, velocity, line, T);
+    }
+    if (obstacle instanceof Bounds bounds) {
+      return Casts.bounds(circle, velocity, bounds, T);
+    }
+    if (obstacle instanceof Endpoint end) {
+      return Casts.disk(circle, velocity, new Circle(end.x(), end.y(), 0), Vec2.ZERO, end, T);
+    }
+    return Casts.disk(circle, velocity, (Circle) obstacle, Vec2.ZERO, obstacle, T);
+  }
+
+  /**
+   * Two moving circles.
+   *
+   * @param first the first circle at the start of its motion
+   * @param v1 its velocity
+   * @param second the second circle at the start of its motion
+   * @param v2 its velocity
+   * @param T the end of the window
+   * @return the impact, its normal from the second circle to the first; empty for a miss
+   * @throws IllegalArgumentException if T is NaN or negative
+   */
+  public static Optional<Impact> cast(Circle first, Vec2 v1, Circle second, Vec2 v2, double T) {
+    Check.duration("T", T);
+    return Casts.disk(first, v1, second, v2, second, T);
+  }
+
+  /** The time of impact with the wall ahead, within the window. */
+  static double wall(double p, double r, double v, double wall, double T) {
+    double t = WallSweep.time(p, r, v, wall);
+    return t > T || (t == T && WallSweep.roundedDown(p, r, v, wall, t)) ? NEVER : t;
+  }
+
+  private static void checkCircle(double px, double py, double r, double vx, double vy, double T) {
+    new Circle(px, py, r);
+    Check.finite("vx", vx);
+    Check.finite("vy", vy);
+    Check.duration("T", T);
+  }
+}

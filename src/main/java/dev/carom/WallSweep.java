@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.DoubleDouble.differenceTail;
+
+/**
+ * A disk that moves against a wall, on one axis: from above ({@code v < 0}) against everything at
+ * or below the wall, from below ({@code v > 0}) against everything at or above it. A disk at rest
+ * on that axis hits neither.
+ *
+ * <p>With the signed distance s of the centre in front of the wall, {@code s = p - wall} or {@code
+ * wall - p}, the contact is at {@code t = (s - r) / |v|}, or at 0 if {@code s <= r} already.
+ */
+final class WallSweep {
+
+  private static final double LEAST = 0x1p-500;
+
+  private static final double MOST = 0x1p500;
+
+  private WallSweep() {}
+
+  /**
+   * The correctly rounded time of impact, {@code +infinity} for a disk at rest.
+   *
+   * @param wall the wall that the disk moves towards
+   */
+  static double time(double p, double r, double v, double wall) {
+    if (v == 0) {
+      return Double.POSITIVE_INFINITY;
+    }
+    double front = v < 0 ? p : wall;
+    double back = v < 0 ? wall : p;
+    // s = front - back = h + l, exactly; h is the nearest double, so h > r or h < r tells of s too.
+    double h = front - back;
+    double l = differenceTail(front, back, h);
+    if (h < r || (h == r && l <= 0)) {
+      return 0;
+    }
+    double speed = Math.abs(v);
+    double g = h - r;
+    double gl = differenceTail(h, r, g) + l;
+    double gap = g + gl;
+    double t = gap / speed;
+    // The quotient's remainder is exact; gl is rounded, by u^2 of h at most.
+    double rest = (Math.fma(-t, speed, g) + gl) / speed;
+    double error = 0x1p-50 * Math.abs(rest) + 0x1p-104 * (h / speed);
+    double low = t + (rest - error);
+    if (low == t + (rest + error) && low > LEAST && low < MOST && g > LEAST && h < MOST) {
+      return low;
+    }
+    return Exact.wallTime(p, r, v, wall);
+  }
+
+  /** Whether the true time of impact is later than its rounding t. */
+  static boolean roundedDown(double p, double r, double v, double wall, double t) {
+    return t < Double.POSITIVE_INFINITY && Exact.compareWallTime(p, r, v, wall, t) > 0;
+  }
+}
