@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * What does a flight hit first? The broad search: it passes over whatever certainly is not hit,
+ * decides the rest by the detector, and keeps the earliest impact; of equal times the smallest
+ * code.
+ *
+ * <p>Every question is put to the detector on the start of the flight, so that the answer does not
+ * depend on the way in which the search comes to ask it.
+ */
+final class BroadSearch {
+
+  /**
+   * Cells that a first search may look ahead of what is asked for; each further one, twice that.
+   */
+  static final int FIRST_REACH = 16;
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private final Obstacles obstacles;
+  private final double extent;
+  private final double[] lines;
+  private final double[] pegs;
+
+  // The flight under search, and the best impact found so far.
+  private double px;
+  private double py;
+  private double vx;
+  private double vy;
+  private double r;
+
+  /** A line is certainly passed if both its ends lie further than this on one side, times |v|. */
+  private double clear;
+
+  private int last;
+  private Jam jam;
+  private double best;
+  private int bestCode;
+  private int bestContact;
+
+  BroadSearch(Obstacles obstacles) {
+    this.obstacles = obstacles;
+    lines = obstacles.lines;
+    pegs = obstacles.pegs;
+    extent = obstacles.extent();
+  }
+
+  /**
+   * Extends what is known ahead of a mover: up to its next impact, or beyond the time asked for.
+   *
+   * @param grid where its obstacles are listed, or null to ask them all
+   * @param needed the time, from the start of the flight, up to which it must be known
+   */
+  void extend(Mover mover, Grid grid, double needed) {
+    start(mover);
+    double ahead = wallAhead();
+    double known = explore(mover, grid, needed, ahead);
+    if (known >= ahead) {
+      walls();
+      known = best;
+    }
+    mover.cleared = known;
+    mover.next = known == best && known != NEVER ? bestCode : Mover.NOTHING;
+    mover.contact = bestContact;
+  }
+
+  /** Looks at lines and pegs, and tells up to where, or up to the wall ahead, the path is known. */
+  private double explore(Mover mover, Grid grid, double needed, double ahead) {
+    if (obstacles.size() == 0) {
+      return ahead;
+    }
+    if (grid != null && grid.resolves(px, py)) {
+      int reach = mover.reach;
+      mover.reach = Math.min(2 * reach, 1 << 28);
+      return walk(grid, mover.cleared, needed, ahead, reach);
+    }
+    for (int code = Obstacles.WALLS; code < obstacles.end; code++) {
+      if (!passed(code, px, py, vx, vy, clear)) {
+        consider(code);
+      }
+    }
+    return best;
+  }
+
+  private void start(Mover mover) {
+    px = mover.x;
+    py = mover.y;
+    vx = mover.vx;
+    vy = mover.vy;
+    r = mover.radius;
+    last = mover.last;
+    jam = mover.jam;
+    best = NEVER;
+    bestCode = Mover.NOTHING;
+    bestContact = 0;
+    // cross(p - a, v) errs by at most 4 u (|dx vy| + |dy vx|) <= 6 u |d|max |v|, u = 2^-53; r |v|
+    // by 4
+    // u of itself. |d|max is below the sum taken here.
+    double vv = vx * vx + vy * vy;
+    double size = Math.abs(px) + Math.abs(py) + extent + r;
+    double speed = vv > 0x1p-800 && vv < 0x1p800 ? Math.sqrt(vv) : NEVER;
+    clear = 2 * speed * (r + 0x1p-48 * size);
+  }
+
+  /**
+   * A time at or shortly before that of the next wall: it is found only if nothing comes before.
+   */
+  private double wallAhead() {
+    Bounds b = obstacles.bounds;
+    if (b == null) {
+      return NEVER;
+    }
+    return Math.min(
+        wallAhead(px, vx, b.xmin(), b.xmax(), Obstacles.LEFT),
+        wallAhead(py, vy, b.ymin(), b.ymax(), Obstacles.BOTTOM));
+  }
+
+  private double wallAhead(double p, double v, double low, double high, int lowCode) {
+    if (v == 0 || skipped(v < 0 ? lowCode : lowCode + 1)) {
+      return NEVER;
+    }
+    double h = v < 0 ? p - low : high - p;
+    // The differences err by u |h| and u |h - r|, u = 2^-53, the quotient by u of itself.
+    return Math.max(0, (h - r - 0x1p-50 * (Math.abs(h) + r)) / Math.abs(v));
+  }
+
+  /** The two walls that the flight moves towards. */
+  private void walls() {
+    Bounds b = obstacles.bounds;
+    if (b != null) {
+      wall(px, vx, b.xmin(), b.xmax(), Obstacles.LEFT);
+      wall(py, vy, b.ymin(), b.ymax(), Obstacles.BOTTOM);
+    }
+  }
+
+  private void wall(double p, double v, double low, double high, int lowCode) {
+    int code = v < 0 ? lowCode : lowCode + 1;
+    double t = WallSweep.time(p, r, v, v < 0 ? low : high);
+    if (!skipped(code)) {
+      keep(t, code, 0);
+    }
+  }
+
+  /** The thing just hit cannot be hit again in this flight: it is convex. */
+  private boolean skipped(int code) {
+    return code == last || (jam != null && jam.makesInert(code));
+  }
+
+  private void consider(int code) {
+    if (code == bestCode || skipped(code)) {
+      return;
+    }
+    if (code < obstacles.firstPeg) {
+      considerLine(code);
+    } else {
+      considerPeg(code);
+    }
+  }
+
+  private void considerLine(int code) {
+    int k = (code - Obstacles.WALLS) * Scene.LINE;
+    double ax = lines[k];
+    double ay = lines[k + 1];
+    double bx = lines[k + 2];
+    double by = lines[k + 3];
+    int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
+    if (contact != SegmentSweep.MISS) {
+      keep(SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, NEVER), code, contact);
+    }
+  }
+
+  private void considerPeg(int code) {
+    int k = (code - obstacles.firstPeg) * Scene.PEG;
+    double cx = pegs[k];
+    double cy = pegs[k + 1];
+    double radius = pegs[k + 2];
+    int contact = DiskSweep.contact(px, py, r, vx, vy, cx, cy, radius, 0, 0);
+    if (contact != DiskSweep.MISS) {
+      keep(DiskSweep.time(contact, px, py, r, vx, vy, cx, cy, radius, 0, 0, NEVER), code, contact);
+    }
+  }
+
+  private void keep(double t, int code, int contact) {
+    if (t < best || (t == best && code < bestCode)) {
+      best = t;
+      bestCode = code;
+      bestContact = contact;
+    }
+  }
+
+  /**
+   * Visits the cells along the path, from the time {@code from} on, until the best impact or the
+   * wall ahead lies in what was visited, or what is needed is known and {@code reach} cells were
+   * visited, or the grid ends.
+   *
+   * @return up to where the path is known
+   */
+  private double walk(Grid grid, double from, double needed, double ahead, int reach) {
+    double start = grid.contains(px, py) ? from : grid.entry(px, py, vx, vy, from);
+    if (!(start < ahead)) {
+      return ahead;
+    }
+    double x = px;
+    double y = py;
+    double ux = vx;
+    double uy = vy;
+    int column = grid.column(Math.fma(ux, start, x));
+    int row = grid.row(Math.fma(uy, start, y));
+    int stepX = ux < 0 ? -1 : 1;
+    int stepY = uy < 0 ? -1 : 1;
+    // When the next column and the next row are entered, and what one more takes.
+    double perX = ux == 0 ? NEVER : grid.cell / Math.abs(ux);
+    double perY = uy == 0 ? NEVER : grid.cell / Math.abs(uy);
+    double nextX = ux == 0 ? NEVER : (grid.columnEdge(column, stepX) - x) / ux;
+    double nextY = uy == 0 ? NEVER : (grid.rowEdge(row, stepY) - y) / uy;
+    double limit = ahead;
+    for (int visited = 0; ; visited++) {
+      int cell = row * grid.columns + column;
+      int end = grid.starts[cell + 1];
+      for (int i = grid.starts[cell]; i < end; i++) {
+        int code = grid.codes[i];
+        if (!passed(code, x, y, ux, uy, clear)) {
+          consider(code);
+          limit = Math.min(best, ahead);
+        }
+      }
+      double left = Math.min(nextX, nextY);
+      if (limit <= left) {
+        return limit;
+      }
+      if (visited >= reach && left > needed) {
+        return left;
+      }
+      if (nextX <= nextY) {
+        column += stepX;
+        nextX += perX;
+        if (column < 0 || column >= grid.columns) {
+          return limit;
+        }
+      } else {
+        row += stepY;
+        nextY += perY;
+        if (row < 0 || row >= grid.rows) {
+          return limit;
+        }
+      }
+    }
+  }
+
+  /**
+   * Whether both ends of a line lie on one side of the path and further from it than the radius.
+   */
+  private boolean passed(int code, double x, double y, double ux, double uy, double clear) {
+    if (code >= obstacles.firstPeg) {
+      return false;
+    }
+    int k = (code - Obstacles.WALLS) * Scene.LINE;
+    double a = (x - lines[k]) * uy - (y - lines[k + 1]) * ux;
+    double b = (x - lines[k + 2]) * uy - (y - lines[k + 3]) * ux;
+    // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
+    return Math.abs(a + b) - Math.abs(a - b) > clear;
+  }
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * The straight motion of one circle between two impacts.
+ *
+ * @param t0 the time at which it starts
+ * @param x0 the x coordinate of the centre then
+ * @param y0 the y coordinate of the centre then
+ * @param vx the x component of the velocity
+ * @param vy the y component of the velocity
+ */
+public record Flight(double t0, double x0, double y0, double vx, double vy) {
+
+  /**
+   * Where the centre is at a given time.
+   *
+   * @param t a time, as a rule at or after {@link #t0()}
+   * @return the centre {@code (x0, y0) + (vx, vy) (t - t0)}
+   * @throws IllegalArgumentException if the place lies outside the range of doubles
+   */
+  public Vec2 at(double t) {
+    return new Vec2(Math.fma(vx, t - t0, x0), Math.fma(vy, t - t0, y0));
+  }
+}

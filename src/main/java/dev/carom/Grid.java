@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * Square cells over the lines and pegs of a scene; each cell lists every one that a circle of at
+ * most a given radius could touch while its centre is in the cell.
+ *
+ * <p>Lists are made for cells grown by a margin of 2^-8 of their size. A path of at most 2^14 cells
+ * inside the grid is followed with an error below 2^-30 cells, so rounding can put it into a
+ * neighbour of the true cell only where both lists hold what matters.
+ */
+final class Grid {
+
+  /** Cells an axis at most. */
+  private static final int MOST = 1 << 13;
+
+  private static final double MARGIN = 0x1p-8;
+
+  final double cell;
+  final int columns;
+  final int rows;
+
+  /** The codes listed in cell i stand at starts[i] .. starts[i + 1] - 1. */
+  final int[] starts;
+
+  final int[] codes;
+
+  private final double xmin;
+  private final double ymin;
+  private final double xmax;
+  private final double ymax;
+
+  /** Multiplies, where the walk cannot afford a division. */
+  private final double perCell;
+
+  private final Obstacles obstacles;
+  private final double radius;
+
+  /**
+   * Lists all obstacles for circles of up to the given radius.
+   *
+   * @param cell the size of a cell, or 0 to have it chosen
+   */
+  Grid(Obstacles obstacles, double radius, double cell) {
+    this.obstacles = obstacles;
+    this.radius = radius;
+    double[] box = box();
+    double width = box[2] - box[0];
+    double height = box[3] - box[1];
+    this.cell = cell > 0 ? cell : chosen(width, height);
+    xmin = box[0] - this.cell;
+    ymin = box[1] - this.cell;
+    columns = (int) Math.ceil(width / this.cell) + 2;
+    rows = (int) Math.ceil(height / this.cell) + 2;
+    xmax = xmin + columns * this.cell;
+    ymax = ymin + rows * this.cell;
+    perCell = 1 / this.cell;
+    starts = new int[columns * rows + 1];
+    codes = list();
+  }
+
+  /** About two cells an obstacle, none smaller than the radius: measured, the optimum is flat. */
+  private double chosen(double width, double height) {
+    double fair = Math.sqrt(width * height / obstacles.size()) / 2;
+    double least = Math.max(width, height) / MOST;
+    return Math.max(Math.max(fair, radius), least);
+  }
+
+  /** The box around all obstacles, grown by the radius: outside of it none can be hit. */
+  private double[] box() {
+    double[] box = {
+      Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
+      Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
+    };
+    for (int code = Obstacles.WALLS; code < obstacles.end; code++) {
+      int k = obstacles.offset(code);
+      if (code < obstacles.firstPeg) {
+        include(box, obstacles.lines[k], obstacles.lines[k + 1], radius);
+        include(box, obstacles.lines[k + 2], obstacles.lines[k + 3], radius);
+      } else {
+        include(box, obstacles.pegs[k], obstacles.pegs[k + 1], radius + obstacles.pegs[k + 2]);
+      }
+    }
+    return box;
+  }
+
+  private static void include(double[] box, double x, double y, double radius) {
+    box[0] = Math.min(box[0], x - radius);
+    box[1] = Math.min(box[1], y - radius);
+    box[2] = Math.max(box[2], x + radius);
+    box[3] = Math.max(box[3], y + radius);
+  }
+
+  int cells() {
+    return columns * rows;
+  }
+
+  /** Whether a path from this place can be followed to within the margin: 2^-40 of its size is. */
+  boolean resolves(double x, double y) {
+    return (Math.abs(x) + Math.abs(y) + Math.abs(xmin) + Math.abs(ymin)) * 0x1p-40 < cell;
+  }
+
+  boolean contains(double x, double y) {
+    return x >= xmin && x <= xmax && y >= ymin && y <= ymax;
+  }
+
+  /**
+   * When a path from (x, y) along (vx, vy) is first inside, at {@code from} or later; {@code
+   * +infinity} if it never is.
+   */
+  double entry(double x, double y, double vx, double vy, double from) {
+    double enter = Math.max(enter(x, vx, xmin, xmax, from), enter(y, vy, ymin, ymax, from));
+    double leave = Math.min(leave(x, vx, xmin, xmax), leave(y, vy, ymin, ymax));
+    return enter <= leave ? enter : Double.POSITIVE_INFINITY;
+  }
+
+  private static double enter(double p, double v, double low, double high, double from) {
+    if (v == 0) {
+      return p >= low && p <= high ? from : Double.POSITIVE_INFINITY;
+    }
+    return Math.max(from, ((v < 0 ? high : low) - p) / v);
+  }
+
+  private static double leave(double p, double v, double low, double high) {
+    return v == 0 ? Double.POSITIVE_INFINITY : ((v < 0 ? low : high) - p) / v;
+  }
+
+  int column(double x) {
+    return Math.max(0, Math.min(columns - 1, (int) ((x - xmin) * perCell)));
+  }
+
+  int row(double y) {
+    return Math.max(0, Math.min(rows - 1, (int) ((y - ymin) * perCell)));
+  }
+
+  /** The edge through which a column is left, towards smaller x for step -1. */
+  double columnEdge(int column, int step) {
+    return xmin + (step < 0 ? column : column + 1) * cell;
+  }
+
+  double rowEdge(int row, int step) {
+    return ymin + (step < 0 ? row : row + 1) * cell;
+  }
+
+  /** Counts, then fills: two passes over the obstacles. */
+  private int[] list() {
+    int cells = columns * rows;
+    int[] counts = new int[cells + 1];
+    for (int code = Obstacles.WALLS; code < obstacles.end; code++) {
+      visit(code, counts, null);
+    }
+    for (int i = 0; i < cells; i++) {
+      starts[i + 1] = starts[i] + counts[i];
+      counts[i] = starts[i];
+    }
+    int[] listed = new int[starts[cells]];
+    for (int code = Obstacles.WALLS; code < obstacles.end; code++) {
+      visit(code, counts, listed);
+    }
+    return listed;
+  }
+
+  /** Puts a code into the list of every cell that it can reach into, or only counts it. */
+  private void visit(int code, int[] counts, int[] listed) {
+    int k = obstacles.offset(code);
+    if (code < obstacles.firstPeg) {
+      double[] l = obstacles.lines;
+      visit(code, l[k], l[k + 1], l[k + 2], l[k + 3], radius, counts, listed);
+    } else {
+      double[] p = obstacles.pegs;
+      visit(code, p[k], p[k + 1], p[k], p[k + 1], radius + p[k + 2], counts, listed);
+    }
+  }
+
+  private void visit(
+      int code, double ax, double ay, double bx, double by, double reach, int[] counts,
+      int[] listed) {
+    double grown = reach + MARGIN * cell;
+    int left = column(Math.min(ax, bx) - grown);
+    int right = column(Math.max(ax, bx) + grown);
+    int bottom = row(Math.min(ay, by) - grown);
+    int top = row(Math.max(ay, by) + grown);
+    double wx = bx - ax;
+    double wy = by - ay;
+    // A cell's centre c is out of reach if |cross(w, c - a)| > grown |w| + (|wx| + |wy|) cell / 2.
+    double strip =
+        (grown * Math.sqrt(wx * wx + wy * wy) + (Math.abs(wx) + Math.abs(wy)) * cell / 2)
+            * (1 + 0x1p-20);
+    for (int row = bottom; row <= top; row++) {
+      double dy = ymin + (row + 0.5) * cell - ay;
+      for (int column = left; column <= right; column++) {
+        double dx = xmin + (column + 0.5) * cell - ax;
+        if (!(Math.abs(wx * dy - wy * dx) > strip)) {
+          int i = row * columns + column;
+          if (listed != null) {
+            listed[counts[i]] = code;
+          }
+          counts[i]++;
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.util.Arrays;
+
+/**
+ * The impacts of a world's last step, one row each, read without allocation. Valid until the next
+ * step of that world, which overwrites it.
+ *
+ * <p>Rows stand in the order of time; at equal times, of the circle's number; the impacts of one
+ * circle, in the order in which they happened. Rows are numbered from 0.
+ */
+public final class ImpactLog {
+
+  /** Doubles of one row: time, contact x and y, normal x and y, approach speed. */
+  private static final int ROW = 6;
+
+  /** Rows that are sorted by insertion. */
+  private static final int FEW = 32;
+
+  private int size;
+  private double[] numbers = new double[16 * ROW];
+  private int[] circles = new int[16];
+  private int[] obstacles = new int[16];
+  private ObstacleKind[] kinds = new ObstacleKind[16];
+  private Feature[] features = new Feature[16];
+  private boolean[] jammed = new boolean[16];
+
+  /** The rows in the order of time; before {@link #sort}, of their arrival. */
+  private int[] order = new int[16];
+
+  private int[] scratch = new int[16];
+
+  ImpactLog() {}
+
+  /**
+   * The number of impacts.
+   *
+   * @return at least 0
+   */
+  public int size() {
+    return size;
+  }
+
+  /**
+   * When.
+   *
+   * @param row a row, 0..{@link #size()} - 1
+   * @return the time of impact on the world's clock, the nearest double
+   * @throws IndexOutOfBoundsException if there is no such row
+   */
+  public double time(int row) {
+    return numbers[at(row) * ROW];
+  }
+
+  /**
+   * Which circle.
+   *
+   * @param row a row, 0..{@link #size()} - 1
+   * @return the id of the circle
+   * @throws IndexOutOfBoundsException if there is no such row
+   */
+  public int circle(int row) {
+    return circles[at(row)];
+  }
+
+  /**
+   * The kind of thing it hit.
+   *
+   * @param row a row, 0..{@link #size()} - 1
+   * @return the kind
+   * @throws IndexOutOfBoundsException if there is no such row
+   */
+  public ObstacleKind kind(int row) {
+    return kinds[at(row)];
+  }
+
+  /**
+   * Which thing of that kind it hit.
+   *
+   * @param row a row, 0..{@link #size()} - 1
+   * @return the number of the line or peg in its scene; of a wall, 0 left, 1 right, 2 bottom, 3 top
+   * @throws IndexOutOfBoundsException if there is no such row
+   */
+  public int obstacle(int row) {
+    return obstacles[at(row)];
+  }
+
+  /**
+   * The part of the obstacle that was hit.
+   *
+   * @param row a row, 0..{@link #size()} - 1
+   * @return the feature
+   * @throws IndexOutOfBoundsException if there is no such row
+   */
+  public Feature feature(int row) {
+    return features[at(row)];
+  }
+
+  /**
+   * The x coordinate of the contact point.
+   *
+   * @param row a row, 0..{@link #size()} - 1
+   * @return the coordinate
+   * @throws IndexOutOfBoundsException if there is no such row
+   */
+  public double x(int row) {
+    return numbers[at(row) * ROW + 1];
+  }
+
+  /**
+   * The y coordinate of the contact point.
+   *
+   * @param row a row, 0..{@link #size()} - 1
+   * @return the coordinate
+   * @throws IndexOutOfBoundsException if there is no such row
+   */
+  public double y(int row) {
+    return numbers[at(row) * ROW + 2];
+  }
+
+  /**
+   * The x component of the unit normal, which points from the obstacle to the circle.
+   *
+   * @param row a row, 0..{@link #size()} - 1
+   * @return the component
+   * @throws IndexOutOfBoundsException if there is no such row
+   */
+  public double nx(int row) {
+    return numbers[at(row) * ROW + 3];
+  }
+
+  /**
+   * The y component of the unit normal, which points from the obstacle to the circle.
+   *
+   * @param row a row, 0..{@link #size()} - 1
+   * @return the component
+   * @throws IndexOutOfBoundsException if there is no such row
+   */
+  public double ny(int row) {
+    return numbers[at(row) * ROW + 4];
+  }
+
+  /**
+   * The speed at which the circle approached the obstacle, along the normal.
+   *
+   * @param row a row, 0..{@link #size()} - 1
+   * @return at least 0
+   * @throws IndexOutOfBoundsException if there is no such row
+   */
+  public double speed(int row) {
+    return numbers[at(row) * ROW + 5];
+  }
+
+  /**
+   * Whether this impact left its circle jammed: see {@link World} on scenes that would not end.
+   *
+   * @param row a row, 0..{@link #size()} - 1
+   * @return true in the row at which a circle jams, false in every other
+   * @throws IndexOutOfBoundsException if there is no such row
+   */
+  public boolean jammed(int row) {
+    return jammed[at(row)];
+  }
+
+  void clear() {
+    size = 0;
+  }
+
+  /** Adds a row, to be completed by {@link #set}. */
+  void add(double time, int circle, ObstacleKind kind, int obstacle, Feature feature) {
+    if (size == circles.length) {
+      grow();
+    }
+    numbers[size * ROW] = time;
+    circles[size] = circle;
+    obstacles[size] = obstacle;
+    kinds[size] = kind;
+    features[size] = feature;
+    jammed[size] = false;
+    order[size] = size;
+    size++;
+  }
+
+  /** Completes the row added last. */
+  void set(double x, double y, double nx, double ny, double speed) {
+    int k = (size - 1) * ROW;
+    numbers[k + 1] = x;
+    numbers[k + 2] = y;
+    numbers[k + 3] = nx;
+    numbers[k + 4] = ny;
+    numbers[k + 5] = speed;
+  }
+
+  /** Marks the row added last as the one at which its circle jams. */
+  void setJammed() {
+    jammed[size - 1] = true;
+  }
+
+  /**
+   * Puts the rows into the order of time. Stable: rows arrive circle by circle, and those of one
+   * circle as they happened.
+   */
+  void sort() {
+    if (size <= FEW) {
+      insert(0, size);
+      return;
+    }
+    for (int i = 0; i < size; i += FEW) {
+      insert(i, Math.min(i + FEW, size));
+    }
+    for (int width = FEW; width < size; width *= 2) {
+      for (int i = 0; i < size; i += 2 * width) {
+        merge(i, Math.min(i + width, size), Math.min(i + 2 * width, size));
+      }
+      int[] merged = scratch;
+      scratch = order;
+      order = merged;
+    }
+  }
+
+  private void insert(int from, int to) {
+    for (int i = from + 1; i < to; i++) {
+      int row = order[i];
+      double time = numbers[row * ROW];
+      int k = i - 1;
+      while (k >= from && numbers[order[k] * ROW] > time) {
+        order[k + 1] = order[k];
+        k--;
+      }
+      order[k + 1] = row;
+    }
+  }
+
+  private void merge(int from, int middle, int to) {
+    int i = from;
+    int k = middle;
+    for (int out = from; out < to; out++) {
+      boolean second = i == middle || (k < to && numbers[order[k] * ROW] < numbers[order[i] * ROW]);
+      scratch[out] = second ? order[k++] : order[i++];
+    }
+  }
+
+  private void grow() {
+    int capacity = 2 * size;
+    numbers = Arrays.copyOf(numbers, capacity * ROW);
+    circles = Arrays.copyOf(circles, capacity);
+    obstacles = Arrays.copyOf(obstacles, capacity);
+    kinds = Arrays.copyOf(kinds, capacity);
+    features = Arrays.copyOf(features, capacity);
+    jammed = Arrays.copyOf(jammed, capacity);
+    order = Arrays.copyOf(order, capacity);
+    scratch = new int[capacity];
+  }
+
+  private int at(int row) {
+    if (row < 0 || row >= size) {
+      throw new IndexOutOfBoundsException(
+          "row " + row + " does not exist: the log has " + size + " of them, from 0");
+    }
+    return order[row];
+  }
+}

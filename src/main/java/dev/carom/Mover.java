@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.DoubleDouble.sumTail;
+
+/**
+ * One circle in flight: the state that {@link BroadSearch} looks ahead from and {@link Response}
+ * changes. A world loads a circle into its one mover, lets it advance, and stores it again.
+ *
+ * <p>Times are kept as head and tail, the nearest double and what it leaves: about 106 bits. So an
+ * impact is placed as accurately after a million frames as after one, and a sum of times does not
+ * depend on how the steps were cut.
+ */
+final class Mover {
+
+  /** Nothing hit yet, or since the last edit. */
+  static final int NOTHING = -1;
+
+  /** The flight: where it started, how it moves, and when it started. */
+  double x;
+
+  double y;
+  double vx;
+  double vy;
+  double t;
+  double tl;
+
+  int id;
+  double radius;
+  double restitution;
+
+  /** What was hit last: it is not there for this flight. */
+  int last;
+
+  /** Where the circle is stuck between things; as a rule null. */
+  Jam jam;
+
+  /** Up to where the flight is known to be free, counted from its start. */
+  double cleared;
+
+  /** What is hit at {@link #cleared}, or NOTHING if the search went no further. */
+  int next;
+
+  /** How the detector names that contact; see {@link SegmentSweep}. */
+  int contact;
+
+  /** Cells that the next search may go beyond what is asked for. */
+  int reach;
+
+  /** Impacts since the centre was last elsewhere than at the anchor; see {@link Jam}. */
+  int stuck;
+
+  double anchorX;
+  double anchorY;
+
+  /** Puts a circle at the start of its first flight, at time 0. */
+  void start(int id, double x, double y, double radius, double vx, double vy, double restitution) {
+    this.id = id;
+    this.x = x;
+    this.y = y;
+    this.radius = radius;
+    this.vx = vx;
+    this.vy = vy;
+    this.restitution = restitution;
+    t = 0;
+    tl = 0;
+    last = NOTHING;
+    jam = null;
+    stuck = 0;
+    anchorX = x;
+    anchorY = y;
+    newFlight();
+  }
+
+  /** Forgets what was found ahead. */
+  void newFlight() {
+    cleared = 0;
+    next = NOTHING;
+    reach = BroadSearch.FIRST_REACH;
+  }
+
+  /** When something is to be done: at the next impact, or where what is known ahead ends. */
+  double due() {
+    return cleared == Double.POSITIVE_INFINITY ? cleared : after(cleared);
+  }
+
+  /** The head of the time that is dt after the start of the flight. */
+  double after(double dt) {
+    double s = t + dt;
+    return s + (sumTail(t, dt, s) + tl);
+  }
+
+  /** The tail of {@link #after}. */
+  double afterTail(double dt, double head) {
+    double s = t + dt;
+    double l = sumTail(t, dt, s) + tl;
+    return sumTail(s, l, head);
+  }
+
+  /** Flies on for dt, to a new start of a flight. */
+  void fly(double dt) {
+    x = Math.fma(vx, dt, x);
+    y = Math.fma(vy, dt, y);
+    double head = after(dt);
+    tl = afterTail(dt, head);
+    t = head;
+  }
+}

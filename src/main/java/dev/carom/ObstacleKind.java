@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/** What a circle of a world hit; simultaneous impacts are taken in this order. */
+public enum ObstacleKind {
+  /** A wall of the bounds: number 0 is the left one, 1 the right, 2 the bottom, 3 the top one. */
+  WALL,
+  /** A line of the scene. */
+  LINE,
+  /** A peg of the scene. */
+  PEG
+}

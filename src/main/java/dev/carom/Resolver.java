@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Reflects a circle and continues: the way of one circle among obstacles for a given time, with all
+ * its bounces. For own game loops and aiming lines; no world is needed. Immutable, safe for use by
+ * several threads.
+ *
+ * <pre>{@code
+ * Resolver resolver = Resolver.of(List.of(new Line(0, 0, 100, 0), new Circle(50, 40, 5)));
+ * Trajectory path = resolver.trace(new Circle(10, 20, 2), new Vec2(3, -4), 60);
+ * Vec2 end = path.end();
+ * }</pre>
+ *
+ * <p>The first impacts are those of {@link SweptCircle}; of simultaneous ones walls come first,
+ * then lines, then pegs and endpoints, each in their order. The thing just hit cannot be hit again
+ * before another one is. A circle that gets stuck is treated as {@link World} tells.
+ */
+public final class Resolver {
+
+  /** Impacts in one trace; a trace that needs more is {@link Outcome#UNFINISHED}. */
+  public static final int IMPACTS_PER_TRACE = 100_000;
+
+  /** That of a world with one circle. */
+  private static final int PATIENCE = 1_010;
+
+  private final Obstacles obstacles;
+
+  /** What a code of {@link Obstacles} stands for, from the first line on. */
+  private final List<Obstacle> things;
+
+  private Resolver(Obstacles obstacles, List<Obstacle> things) {
+    this.obstacles = obstacles;
+    this.things = things;
+  }
+
+  /**
+   * Resolves among elastic obstacles.
+   *
+   * @param obstacles lines, pegs, endpoints and at most one bounds
+   * @return the resolver
+   * @throws IllegalArgumentException if there is more than one bounds
+   */
+  public static Resolver of(List<? extends Obstacle> obstacles) {
+    SceneBuilder builder = Scene.builder();
+    List<Obstacle> lines = new ArrayList<>();
+    List<Obstacle> pegs = new ArrayList<>();
+    for (Obstacle obstacle : obstacles) {
+      if (obstacle instanceof Line line) {
+        builder.line(line.ax(), line.ay(), line.bx(), line.by());
+        lines.add(line);
+      } else if (obstacle instanceof Bounds bounds) {
+        add(builder, bounds);
+      } else {
+        Circle peg =
+            obstacle instanceof Endpoint end ? new Circle(end.x(), end.y(), 0) : (Circle) obstacle;
+        builder.peg(peg.x(), peg.y(), peg.radius());
+        pegs.add(obstacle);
+      }
+    }
+    lines.addAll(pegs);
+    return new Resolver(Obstacles.of(builder.build()), List.copyOf(lines));
+  }
+
+  private static void add(SceneBuilder builder, Bounds bounds) {
+    try {
+      builder.bounds(bounds.xmin(), bounds.ymin(), bounds.xmax(), bounds.ymax());
+    } catch (IllegalStateException second) {
+      throw new IllegalArgumentException(
+          "obstacles hold a second " + bounds + ": expected one bounds");
+    }
+  }
+
+  /**
+   * Resolves among the lines, pegs and bounds of a scene, with their restitutions; its circles are
+   * not there.
+   *
+   * @param scene the scene
+   * @return the resolver
+   */
+  public static Resolver of(Scene scene) {
+    List<Obstacle> things = new ArrayList<>();
+    for (int i = 0; i < scene.lineCount(); i++) {
+      things.add(scene.line(i));
+    }
+    for (int i = 0; i < scene.pegCount(); i++) {
+      things.add(scene.peg(i));
+    }
+    return new Resolver(Obstacles.of(scene), List.copyOf(things));
+  }
+
+  /**
+   * The way of an elastic circle.
+   *
+   * @param circle the circle at the start
+   * @param velocity its velocity at the start
+   * @param duration how long to go on, finite and at least 0
+   * @return its flights and impacts; times count from the start
+   * @throws IllegalArgumentException if the duration is NaN, infinite or negative
+   */
+  public Trajectory trace(Circle circle, Vec2 velocity, double duration) {
+    return trace(circle, velocity, 1, duration);
+  }
+
+  /**
+   * The way of a circle with a restitution of its own.
+   *
+   * @param circle the circle at the start
+   * @param velocity its velocity at the start
+   * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
+   * @param duration how long to go on, finite and at least 0
+   * @return its flights and impacts; times count from the start
+   * @throws IllegalArgumentException if the restitution or the duration is NaN, infinite or
+   *     negative
+   */
+  public Trajectory trace(Circle circle, Vec2 velocity, double restitution, double duration) {
+    Check.notNegative("restitution", restitution);
+    Check.notNegative("duration", duration);
+    Mover mover = new Mover();
+    mover.start(
+        0, circle.x(), circle.y(), circle.radius(), velocity.x(), velocity.y(), restitution);
+    BroadSearch search = new BroadSearch(obstacles);
+    Response response = new Response(obstacles, PATIENCE);
+    ImpactLog log = new ImpactLog();
+    List<Flight> flights = new ArrayList<>(List.of(flight(mover)));
+    List<Impact> impacts = new ArrayList<>();
+    search.extend(mover, null, duration);
+    while (mover.due() <= duration) {
+      if (impacts.size() == IMPACTS_PER_TRACE) {
+        return new Trajectory(flights, impacts, mover.t, Outcome.UNFINISHED);
+      }
+      int code = mover.next;
+      log.clear();
+      response.resolve(mover, log);
+      impacts.add(impact(code, log));
+      flights.add(flight(mover));
+      search.extend(mover, null, duration);
+    }
+    return new Trajectory(flights, impacts, duration, Outcome.COMPLETE);
+  }
+
+  private static Flight flight(Mover m) {
+    return new Flight(m.t, m.x, m.y, m.vx, m.vy);
+  }
+
+  private Impact impact(int code, ImpactLog log) {
+    Obstacle obstacle =
+        code < Obstacles.WALLS ? obstacles.bounds : things.get(code - Obstacles.WALLS);
+    return new Impact(
+        log.time(0),
+        obstacle,
+        log.feature(0),
+        new Vec2(log.x(0), log.y(0)),
+        new Vec2(log.nx(0), log.ny(0)),
+        log.speed(0));
+  }
+
+  /**
+   * Reflects a velocity: {@code v - (1 + e) (v.n) / (n.n) n} if it points against the normal.
+   *
+   * @param velocity the velocity before
+   * @param normal the normal, of any length but zero, pointing away from the obstacle
+   * @param restitution finite and at least 0: 1 is elastic, 0 keeps no motion along the normal
+   * @return the velocity after; the same one if it does not point against the normal
+   * @throws IllegalArgumentException if the normal is zero, or the restitution NaN, infinite or
+   *     negative
+   */
+  public static Vec2 reflect(Vec2 velocity, Vec2 normal, double restitution) {
+    Check.notNegative("restitution", restitution);
+    if (normal.x() == 0 && normal.y() == 0) {
+      throw Check.refused("normal", normal, "a vector other than zero");
+    }
+    double nn = normal.x() * normal.x() + normal.y() * normal.y();
+    double vn = velocity.x() * normal.x() + velocity.y() * normal.y();
+    if (vn >= 0) {
+      return velocity;
+    }
+    double j = (1 + restitution) * vn / nn;
+    return new Vec2(Math.fma(-j, normal.x(), velocity.x()), Math.fma(-j, normal.y(), velocity.y()));
+  }
+}
