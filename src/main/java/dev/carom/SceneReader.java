@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.Reader;
+import java.util.Arrays;
+
+/** Reads the rows of a scene file into a builder. */
+final class SceneReader {
+
+  private static final int RADIUS = SceneRowKind.CIRCLE.names().indexOf("radius");
+  private static final int MASS = SceneRowKind.CIRCLE.names().indexOf("mass");
+
+  private final String file;
+  private final SceneBuilder builder = Scene.builder();
+
+  /** Line and column of each circle's radius: what is wrong with it may show at the end only. */
+  private int[] radiusPlaces = new int[32];
+
+  private int circles;
+  private int wallLine;
+  private int collideLine;
+
+  SceneReader(String file) {
+    this.file = file;
+  }
+
+  Scene read(Reader in) throws IOException {
+    BufferedReader lines = new BufferedReader(in);
+    String text = lines.readLine();
+    if (text != null && text.startsWith("\ufeff")) {
+      text = text.substring(1);
+    }
+    for (int line = 1; text != null; line++) {
+      SceneRow row = SceneRow.of(file, line, text);
+      if (row != null) {
+        read(row);
+      }
+      text = lines.readLine();
+    }
+    return build();
+  }
+
+  private void read(SceneRow row) throws SceneFormatException {
+    try {
+      switch (row.kind()) {
+        case WALL -> wall(row);
+        case LINE -> builder.line(row.number(1), row.number(2), row.number(3), row.number(4));
+        case PEG -> builder.peg(row.number(1), row.number(2), row.number(3));
+        case CIRCLE -> circle(row);
+        case COLLIDE -> collide(row);
+      }
+      options(row);
+    } catch (RefusedException e) {
+      throw row.error(e);
+    }
+  }
+
+  private void wall(SceneRow row) throws SceneFormatException {
+    wallLine = only(row, wallLine);
+    builder.bounds(row.number(1), row.number(2), row.number(3), row.number(4));
+  }
+
+  private void circle(SceneRow row) throws SceneFormatException {
+    builder.circle(row.number(1), row.number(2), row.number(3), row.number(4), row.number(5));
+    if (row.plain() > MASS) {
+      builder.mass(isInfinite(row.field(MASS)) ? Double.POSITIVE_INFINITY : row.number(MASS));
+    }
+    keepPlace(row);
+  }
+
+  private static boolean isInfinite(String mass) {
+    return mass.equals("inf") || mass.equals("Infinity");
+  }
+
+  private void keepPlace(SceneRow row) {
+    if (2 * circles == radiusPlaces.length) {
+      radiusPlaces = Arrays.copyOf(radiusPlaces, 4 * circles);
+    }
+    radiusPlaces[2 * circles] = row.line();
+    radiusPlaces[2 * circles + 1] = row.column(RADIUS);
+    circles++;
+  }
+
+  private void collide(SceneRow row) throws SceneFormatException {
+    collideLine = only(row, collideLine);
+    String value = row.field(1);
+    if (value.equals("1")) {
+      throw row.error(1, "collide is 1: expected 0, this version has no circles that collide");
+    }
+    if (!value.equals("0")) {
+      throw row.error(1, "collide is " + SceneText.quoted(value) + ": expected 0 or 1");
+    }
+  }
+
+  /** Refuses a second row of a kind; the line of the first one is 0 as long as there is none. */
+  private static int only(SceneRow row, int first) throws SceneFormatException {
+    if (first > 0) {
+      throw row.error(
+          0, "a second " + row.field(0) + " row, after line " + first + ": expected one only");
+    }
+    return row.line();
+  }
+
+  private void options(SceneRow row) throws SceneFormatException {
+    for (int i = row.plain(); i < row.size(); i++) {
+      if (row.kind() == SceneRowKind.COLLIDE) {
+        throw row.error(i, SceneText.quoted(row.field(i)) + " is out of place: expected no more");
+      }
+      if (!row.key(i).equals("restitution")) {
+        throw row.error(
+            i, "key " + SceneText.quoted(row.key(i)) + " is unknown: expected restitution=NUMBER");
+      }
+      if (i > row.plain()) {
+        throw row.error(i, "restitution is given twice: expected once");
+      }
+      builder.restitution(row.option(i));
+    }
+  }
+
+  private Scene build() throws SceneFormatException {
+    try {
+      return builder.build();
+    } catch (RefusedException e) {
+      int place = 2 * builder.firstTooSmall();
+      throw new SceneFormatException(
+          file, radiusPlaces[place], radiusPlaces[place + 1], e.reason());
+    }
+  }
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * The things of one kind while a scene is built: a row of doubles for each, which begins with
+ * coordinates and ends with the restitution.
+ */
+final class SceneRows {
+
+  private final String kind;
+  private final int width;
+  private final int coordinates;
+  private final DoubleList values = new DoubleList();
+
+  SceneRows(String kind, int width, int coordinates) {
+    this.kind = kind;
+    this.width = width;
+    this.coordinates = coordinates;
+  }
+
+  int count() {
+    return values.size() / width;
+  }
+
+  /** The name of thing i in messages, as "line 3"; there is one bounds at most. */
+  String name(int i) {
+    return kind.equals("bounds") ? kind : kind + " " + i;
+  }
+
+  double get(int i, int column) {
+    return values.get(i * width + column);
+  }
+
+  void add(double... row) {
+    values.add(row);
+  }
+
+  void setLastRestitution(double e) {
+    values.setLast(e);
+  }
+
+  double largestCoordinate() {
+    double largest = 0;
+    for (int i = 0; i < count(); i++) {
+      for (int column = 0; column < coordinates; column++) {
+        largest = Math.max(largest, Math.abs(get(i, column)));
+      }
+    }
+    return largest;
+  }
+
+  double[] toArray() {
+    return values.toArray();
+  }
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.io.IOException;
+
+/** Writes the rows of a scene file. */
+final class SceneWriter {
+
+  private final Appendable out;
+  private final StringBuilder row = new StringBuilder();
+
+  SceneWriter(Appendable out) {
+    this.out = out;
+  }
+
+  void write(Scene scene) throws IOException {
+    if (scene.bounds != null) {
+      Bounds b = scene.bounds;
+      begin("wall", b.xmin(), b.ymin(), b.xmax(), b.ymax());
+      end(scene.boundsRestitution);
+    }
+    for (int i = 0; i < scene.lineCount(); i++) {
+      Line line = scene.line(i);
+      begin("line", line.ax(), line.ay(), line.bx(), line.by());
+      end(scene.lineRestitution(i));
+    }
+    for (int i = 0; i < scene.pegCount(); i++) {
+      Circle peg = scene.peg(i);
+      begin("peg", peg.x(), peg.y(), peg.radius());
+      end(scene.pegRestitution(i));
+    }
+    for (int i = 0; i < scene.circleCount(); i++) {
+      Circle c = scene.circle(i);
+      Vec2 v = scene.velocity(i);
+      begin("circle", c.x(), c.y(), c.radius(), v.x(), v.y());
+      mass(scene.mass(i));
+      end(scene.circleRestitution(i));
+    }
+  }
+
+  /** {@link Double#toString(double)} has digits enough to read back the same bits. */
+  private void begin(String kind, double... numbers) {
+    row.append(kind);
+    for (double number : numbers) {
+      row.append(',').append(number);
+    }
+  }
+
+  private void mass(double mass) {
+    if (mass == Double.POSITIVE_INFINITY) {
+      row.append(",inf");
+    } else if (mass != 1) {
+      row.append(',').append(mass);
+    }
+  }
+
+  private void end(double restitution) throws IOException {
+    if (restitution != 1) {
+      row.append(",restitution=").append(restitution);
+    }
+    out.append(row.append('\n'));
+    row.setLength(0);
+  }
+}
