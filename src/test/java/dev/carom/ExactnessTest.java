@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import dev.carom.oracle.Answer;
+import dev.carom.oracle.CaseFile;
+import dev.carom.oracle.Detector;
+import dev.carom.oracle.Families;
+import dev.carom.oracle.Family;
+import dev.carom.oracle.Judge;
+import dev.carom.oracle.PairQuery;
+import dev.carom.oracle.Part;
+import dev.carom.oracle.SegmentQuery;
+import dev.carom.oracle.Tally;
+import dev.carom.oracle.WallQuery;
+import java.util.Optional;
+import java.util.StringJoiner;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * The promise of exactness against the oracle: no wrong decision, no time beyond 1 ulp, no normal
+ * beyond 1e-15, in the committed cases and in generated queries of every family.
+ *
+ * <p>More queries, and others: {@code mvn -pl src test -Dtest=ExactnessTest
+ * -Dcarom.queries=10000000 -Dcarom.seed=2}. Prints a table.
+ */
+class ExactnessTest {
+  private static final long QUERIES = Long.getLong("carom.queries", 46_000);
+  private static final long SEED = Long.getLong("carom.seed", 1);
+  private static final int CHUNK = 500;
+
+  private final Judge judge = new Judge(new Library());
+
+  static Stream<String> files() {
+    return CaseFile.names().stream();
+  }
+
+  @ParameterizedTest
+  @MethodSource("files")
+  void answersTheCommittedCases(String name) {
+    Tally tally = new Tally();
+    CaseFile.read(name).forEach(row -> judge.judge(row.query(), tally, name));
+    assertEquals(0, tally.failures(), tally::firstFailure);
+  }
+
+  @Test
+  void answersGeneratedQueries() {
+    StringJoiner table = new StringJoiner("\n", "\n", "\n").add(Tally.HEAD);
+    StringJoiner failures = new StringJoiner("\n");
+    Tally total = new Tally();
+    for (Family family : Families.all()) {
+      Tally tally = judge(family);
+      table.add(tally.row(family.name()));
+      total = total.plus(tally);
+      if (tally.failures() > 0) {
+        failures.add(tally.firstFailure());
+      }
+    }
+    System.out.println(table.add(total.row("all")));
+    assertEquals(0, total.failures(), failures::toString);
+  }
+
+  /** The share of one family, in chunks that each have their own seed. */
+  private Tally judge(Family family) {
+    int chunks = (int) Math.max(1, QUERIES / Families.all().size() / CHUNK);
+    return IntStream.range(0, chunks)
+        .parallel()
+        .mapToObj(chunk -> judge.judge(family, SEED * 1_000_000 + chunk, CHUNK))
+        .reduce(new Tally(), Tally::plus);
+  }
+
+  /** {@link SweptCircle} as the judge sees it: its two forms, which must agree to the bit. */
+  private static final class Library implements Detector {
+
+    @Override
+    public Answer line(SegmentQuery q) {
+      double time =
+          SweptCircle.line(
+              q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by(), q.end());
+      Line line = new Line(q.ax(), q.ay(), q.bx(), q.by());
+      return answer(time, cast(q.px(), q.py(), q.r(), q.vx(), q.vy(), line, q.end()));
+    }
+
+    @Override
+    public Answer pair(PairQuery q) {
+      double time =
+          SweptCircle.pair(
+              q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), q.x2(), q.y2(), q.r2(), q.vx2(), q.vy2(),
+              q.end());
+      Circle first = new Circle(q.x1(), q.y1(), q.r1());
+      Circle second = new Circle(q.x2(), q.y2(), q.r2());
+      Vec2 v1 = new Vec2(q.vx1(), q.vy1());
+      Vec2 v2 = new Vec2(q.vx2(), q.vy2());
+      Answer answer = answer(time, SweptCircle.cast(first, v1, second, v2, q.end()));
+      if (q.isPeg()) {
+        assertEquals(answer, peg(q, second), "the second circle at rest is a peg");
+      }
+      return answer;
+    }
+
+    private static Answer peg(PairQuery q, Circle peg) {
+      double time =
+          SweptCircle.peg(
+              q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), q.x2(), q.y2(), q.r2(), q.end());
+      Answer answer = answer(time, cast(q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), peg, q.end()));
+      if (q.r2() == 0) {
+        Endpoint point = new Endpoint(q.x2(), q.y2());
+        Optional<Impact> same = cast(q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), point, q.end());
+        assertEquals(answer, answer(time, same), "a peg of radius 0 is an endpoint");
+      }
+      return answer;
+    }
+
+    @Override
+    public Answer bounds(WallQuery q) {
+      double time =
+          SweptCircle.bounds(
+              q.px(), q.py(), q.r(), q.vx(), q.vy(), q.xmin(), q.ymin(), q.xmax(), q.ymax(),
+              q.end());
+      Bounds bounds = new Bounds(q.xmin(), q.ymin(), q.xmax(), q.ymax());
+      return answer(time, cast(q.px(), q.py(), q.r(), q.vx(), q.vy(), bounds, q.end()));
+    }
+
+    private static Optional<Impact> cast(
+        double px, double py, double r, double vx, double vy, Obstacle obstacle, double end) {
+      return SweptCircle.cast(new Circle(px, py, r), new Vec2(vx, vy), obstacle, end);
+    }
+
+    private static Answer answer(double time, Optional<Impact> impact) {
+      double castTime = impact.map(Impact::time).orElse(Double.POSITIVE_INFINITY);
+      assertEquals(time, castTime, "the hot and the friendly form differ in time");
+      return impact
+          .map(i -> new Answer(time, part(i), i.normal().x(), i.normal().y()))
+          .orElse(Answer.MISS);
+    }
+
+    private static Part part(Impact impact) {
+      return Part.valueOf(impact.feature().name());
+    }
+  }
+}

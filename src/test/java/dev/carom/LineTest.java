@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class LineTest {
+
+  private static final Line LINE = new Line(1, 1, 5, 1);
+
+  @Test
+  void endsAreThePointsItWasMadeOf() {
+    Line line = new Line(new Vec2(1, 2), new Vec2(3, 4));
+    assertThat(line).isEqualTo(new Line(1, 2, 3, 4));
+    assertThat(line.start()).isEqualTo(new Endpoint(1, 2));
+    assertThat(line.end()).isEqualTo(new Endpoint(3, 4));
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY})
+  void refusesWhatIsNotFinite(double bad) {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new Line(bad, 0, 1, 1))
+        .withMessage("ax is " + bad + ": expected a finite number");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new Line(0, bad, 1, 1))
+        .withMessage("ay is " + bad + ": expected a finite number");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new Line(0, 0, bad, 1))
+        .withMessage("bx is " + bad + ": expected a finite number");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new Line(0, 0, 1, bad))
+        .withMessage("by is " + bad + ": expected a finite number");
+  }
+
+  @Test
+  void length() {
+    assertThat(new Line(1, 1, 4, 5).length()).isEqualTo(5);
+    assertThat(new Line(4, 5, 1, 1).length()).isEqualTo(5);
+    assertThat(new Line(1, 1, 1, 1).length()).isZero();
+    assertThat(new Line(0, 0, 0x3p1000, 0x4p1000).length()).isEqualTo(0x5p1000);
+  }
+
+  /**
+   *
+   *
+   * <pre>
+   *      p    p    p
+   *   p  a---------b  p
+   *      p    p    p
+   * </pre>
+   */
+  @ParameterizedTest
+  @CsvSource({
+    "2, 7,  2, 1", // above the inside
+    "2, -7,  2, 1", // below it
+    "3, 1,  3, 1", // on it
+    "1, 9,  1, 1", // above the start
+    "5, 9,  5, 1", // above the end
+    "0, 1,  1, 1", // before the start
+    "6, 1,  5, 1", // beyond the end
+    "-3, 4,  1, 1",
+    "99, -4,  5, 1",
+  })
+  void closestPointStaysOnTheSegment(double x, double y, double atX, double atY) {
+    assertThat(LINE.closestPoint(new Vec2(x, y))).isEqualTo(new Vec2(atX, atY));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"2, 7,  2, 1", "1, 9,  1, 1", "0, 1,  0, 1", "-3, 4,  -3, 1", "99, -4,  99, 1"})
+  void closestPointInfiniteGoesOnBeyondTheEnds(double x, double y, double atX, double atY) {
+    assertThat(LINE.closestPointInfinite(new Vec2(x, y))).isEqualTo(new Vec2(atX, atY));
+  }
+
+  @Test
+  void aLineOfLengthZeroGivesItsStart() {
+    Line point = new Line(2, 3, 2, 3);
+    assertThat(point.closestPoint(new Vec2(7, -8))).isEqualTo(new Vec2(2, 3));
+    assertThat(point.closestPointInfinite(new Vec2(7, -8))).isEqualTo(new Vec2(2, 3));
+    assertThat(point.closestPoint(new Vec2(2, 3))).isEqualTo(new Vec2(2, 3));
+    assertThat(point.closestPointInfinite(new Vec2(2, 3))).isEqualTo(new Vec2(2, 3));
+  }
+
+  /** The squares of these lengths would overflow or vanish. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0x1p-1000, 0x1p-600, 1, 0x1p600, 0x1p1000})
+  void closestPointScalesExactly(double scale) {
+    Line line = new Line(scale, scale, 5 * scale, 3 * scale);
+    Vec2 p = new Vec2(3 * scale, 7 * scale);
+    assertThat(line.closestPoint(p)).isEqualTo(new Vec2(5 * scale, 3 * scale));
+    assertThat(line.closestPointInfinite(p)).isEqualTo(new Vec2(5 * scale, 3 * scale));
+    Vec2 q = new Vec2(4 * scale, 0);
+    assertThat(line.closestPoint(q)).isEqualTo(new Vec2(3 * scale, 2 * scale));
+    assertThat(line.closestPointInfinite(q)).isEqualTo(new Vec2(3 * scale, 2 * scale));
+  }
+
+  @Test
+  void theFootIsPerpendicularAndTheClosestPointIsTheNearest() {
+    SplittableRandom random = new SplittableRandom(1);
+    for (int i = 0; i < 1_000; i++) {
+      Line line = new Line(any(random), any(random), any(random), any(random));
+      Vec2 p = new Vec2(any(random), any(random));
+      Vec2 foot = line.closestPointInfinite(p);
+      double dot =
+          (p.x() - foot.x()) * (line.bx() - line.ax())
+              + (p.y() - foot.y()) * (line.by() - line.ay());
+      assertThat(dot).isCloseTo(0, within(1e-9));
+      double nearest = distance(p, line.closestPoint(p));
+      for (double s = 0; s <= 1; s += 0.125) {
+        double x = line.ax() + s * (line.bx() - line.ax());
+        double y = line.ay() + s * (line.by() - line.ay());
+        assertThat(nearest).isLessThanOrEqualTo(distance(p, new Vec2(x, y)) + 1e-12);
+      }
+    }
+  }
+
+  @Test
+  void mirrorsAreExactAndSwappedEndsChangeNothingButRounding() {
+    SplittableRandom random = new SplittableRandom(2);
+    for (int i = 0; i < 1_000; i++) {
+      Line line = new Line(any(random), any(random), any(random), any(random));
+      Vec2 p = new Vec2(any(random), any(random));
+      Vec2 closest = line.closestPoint(p);
+      Line mirrored = new Line(-line.ax(), line.ay(), -line.bx(), line.by());
+      assertThat(mirrored.closestPoint(new Vec2(-p.x(), p.y())))
+          .isEqualTo(new Vec2(-closest.x(), closest.y()));
+      Line swapped = new Line(line.bx(), line.by(), line.ax(), line.ay());
+      assertThat(distance(swapped.closestPoint(p), closest)).isLessThan(1e-12);
+    }
+  }
+
+  private static double any(SplittableRandom random) {
+    return random.nextDouble(-100, 100);
+  }
+
+  private static double distance(Vec2 p, Vec2 q) {
+    return new Vec2(p.x() - q.x(), p.y() - q.y()).length();
+  }
+}

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+
+import java.util.function.IntFunction;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class SceneTest {
+
+  /** Two of each kind, every number of its own. */
+  private static SceneBuilder full() {
+    return Scene.builder()
+        .bounds(-1, -2, 801, 602)
+        .restitution(0.5)
+        .line(11, 12, 13, 14)
+        .line(21, 22, 23, 24)
+        .restitution(0.25)
+        .peg(31, 32, 33)
+        .restitution(1.5)
+        .peg(41, 42, 0)
+        .circle(51, 52, 53, 54, 55)
+        .mass(56)
+        .restitution(0)
+        .circle(61, 62, 63, 64, 65);
+  }
+
+  @Test
+  void givesBackWhatWasAdded() {
+    Scene scene = full().build();
+    assertThat(scene.bounds()).contains(new Bounds(-1, -2, 801, 602));
+    assertThat(scene.lineCount()).isEqualTo(2);
+    assertThat(scene.line(0)).isEqualTo(new Line(11, 12, 13, 14));
+    assertThat(scene.line(1)).isEqualTo(new Line(21, 22, 23, 24));
+    assertThat(scene.pegCount()).isEqualTo(2);
+    assertThat(scene.peg(0)).isEqualTo(new Circle(31, 32, 33));
+    assertThat(scene.peg(1)).isEqualTo(new Circle(41, 42, 0));
+    assertThat(scene.circleCount()).isEqualTo(2);
+    assertThat(scene.circle(0)).isEqualTo(new Circle(51, 52, 53));
+    assertThat(scene.circle(1)).isEqualTo(new Circle(61, 62, 63));
+    assertThat(scene.velocity(0)).isEqualTo(new Vec2(54, 55));
+    assertThat(scene.velocity(1)).isEqualTo(new Vec2(64, 65));
+  }
+
+  @Test
+  void restitutionAndMassBelongToTheThingAddedLast() {
+    Scene scene = full().build();
+    assertThat(scene.boundsRestitution()).isEqualTo(0.5);
+    assertThat(scene.lineRestitution(0)).isEqualTo(1);
+    assertThat(scene.lineRestitution(1)).isEqualTo(0.25);
+    assertThat(scene.pegRestitution(0)).isEqualTo(1.5);
+    assertThat(scene.pegRestitution(1)).isEqualTo(1);
+    assertThat(scene.circleRestitution(0)).isZero();
+    assertThat(scene.circleRestitution(1)).isEqualTo(1);
+    assertThat(scene.mass(0)).isEqualTo(56);
+    assertThat(scene.mass(1)).isEqualTo(1);
+  }
+
+  @Test
+  void anEmptySceneIsOpen() {
+    Scene scene = Scene.builder().build();
+    assertThat(scene.bounds()).isEmpty();
+    assertThat(scene.boundsRestitution()).isEqualTo(1);
+    assertThat(scene.circleCount() + scene.lineCount() + scene.pegCount()).isZero();
+    assertThat(scene).hasToString("Scene[circles=0, lines=0, pegs=0, bounds=none]");
+  }
+
+  @Test
+  void theExampleOfTheJavadoc() {
+    Scene scene =
+        Scene.builder()
+            .bounds(0, 0, 800, 600)
+            .line(300, 200, 500, 400)
+            .restitution(0.9)
+            .circle(100, 100, 10, 4, 3)
+            .build();
+    assertThat(scene)
+        .hasToString(
+            "Scene[circles=1, lines=1, pegs=0,"
+                + " bounds=Bounds[xmin=0.0, ymin=0.0, xmax=800.0, ymax=600.0]]");
+    assertThat(scene.lineRestitution(0)).isEqualTo(0.9);
+  }
+
+  static Stream<Arguments> lookups() {
+    Scene scene = full().build();
+    return Stream.of(
+        lookup("circle", scene::circle),
+        lookup("circle", scene::velocity),
+        lookup("circle", scene::mass),
+        lookup("circle", scene::circleRestitution),
+        lookup("line", scene::line),
+        lookup("line", scene::lineRestitution),
+        lookup("peg", scene::peg),
+        lookup("peg", scene::pegRestitution));
+  }
+
+  private static Arguments lookup(String kind, IntFunction<?> get) {
+    return Arguments.of(kind, get);
+  }
+
+  @ParameterizedTest
+  @MethodSource("lookups")
+  void namesWhatDoesNotExist(String kind, IntFunction<?> get) {
+    for (int i : new int[] {2, -1, Integer.MAX_VALUE, Integer.MIN_VALUE}) {
+      assertThatExceptionOfType(IndexOutOfBoundsException.class)
+          .isThrownBy(() -> get.apply(i))
+          .withMessage(kind + " " + i + " does not exist: the scene has 2 of them, from 0");
+    }
+  }
+
+  @Test
+  void equalScenesHoldTheSameThings() {
+    Scene scene = full().build();
+    assertThat(full().build()).isEqualTo(scene).hasSameHashCodeAs(scene);
+    assertThat(scene).isNotEqualTo(null).isNotEqualTo("scene");
+  }
+
+  static Stream<SceneBuilder> changed() {
+    return Stream.of(
+        full().mass(2),
+        full().restitution(0.5),
+        full().line(1, 2, 3, 4),
+        full().peg(1, 2, 3),
+        full().circle(1, 2, 3, 4, 5));
+  }
+
+  @ParameterizedTest
+  @MethodSource("changed")
+  void anyDifferenceMakesScenesUnequal(SceneBuilder changed) {
+    assertThat(changed.build()).isNotEqualTo(full().build());
+  }
+
+  @Test
+  void boundsAndTheirRestitutionCountForEquality() {
+    Scene open = Scene.builder().build();
+    Scene closed = Scene.builder().bounds(0, 0, 1, 1).build();
+    Scene wider = Scene.builder().bounds(0, 0, 2, 1).build();
+    Scene soft = Scene.builder().bounds(0, 0, 1, 1).restitution(0.5).build();
+    assertThat(closed).isNotEqualTo(open).isNotEqualTo(wider).isNotEqualTo(soft);
+    assertThat(open).isNotEqualTo(closed);
+  }
+
+  @Test
+  void zerosOfEitherSignAreNotTheSameBits() {
+    Scene plus = Scene.builder().line(0.0, 1, 2, 3).build();
+    Scene minus = Scene.builder().line(-0.0, 1, 2, 3).build();
+    assertThat(plus).isNotEqualTo(minus);
+  }
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class TrajectoryTest {
+
+  /** A point between two posts at x = 0 and x = 10: right, left, right. */
+  private static final Trajectory BETWEEN_POSTS =
+      new Trajectory(
+          List.of(
+              new Flight(0, 5, 1, 5, 0), new Flight(1, 10, 1, -5, 0), new Flight(3, 0, 1, 5, 0)),
+          List.of(post(1, 10, -1), post(3, 0, 1)),
+          4,
+          Outcome.COMPLETE);
+
+  private static Impact post(double time, double x, double normal) {
+    return new Impact(
+        time, new Endpoint(x, 1), Feature.CIRCLE, new Vec2(x, 1), new Vec2(normal, 0), 5);
+  }
+
+  @Test
+  void placesBetweenImpacts() {
+    assertThat(BETWEEN_POSTS.at(0)).isEqualTo(new Vec2(5, 1));
+    assertThat(BETWEEN_POSTS.at(0.5)).isEqualTo(new Vec2(7.5, 1));
+    assertThat(BETWEEN_POSTS.at(2)).isEqualTo(new Vec2(5, 1));
+    assertThat(BETWEEN_POSTS.at(3.5)).isEqualTo(new Vec2(2.5, 1));
+    assertThat(BETWEEN_POSTS.end()).isEqualTo(new Vec2(5, 1));
+  }
+
+  @Test
+  void theVelocityAtAnImpactIsTheOneAfterIt() {
+    assertThat(BETWEEN_POSTS.velocityAt(Math.nextDown(1.0))).isEqualTo(new Vec2(5, 0));
+    assertThat(BETWEEN_POSTS.velocityAt(1)).isEqualTo(new Vec2(-5, 0));
+    assertThat(BETWEEN_POSTS.velocityAt(3)).isEqualTo(new Vec2(5, 0));
+    assertThat(BETWEEN_POSTS.velocityAt(4)).isEqualTo(new Vec2(5, 0));
+  }
+
+  /** In a corner two impacts share one moment; the flight between them lasts no time. */
+  @Test
+  void ofFlightsThatStartTogetherTheLastCounts() {
+    Trajectory corner =
+        new Trajectory(
+            List.of(
+                new Flight(0, 1, 1, -1, -1), new Flight(1, 0, 0, 1, -1), new Flight(1, 0, 0, 1, 1)),
+            List.of(post(1, 0, 1), post(1, 0, 1)),
+            2,
+            Outcome.COMPLETE);
+    assertThat(corner.velocityAt(1)).isEqualTo(new Vec2(1, 1));
+    assertThat(corner.velocityAt(0.5)).isEqualTo(new Vec2(-1, -1));
+    assertThat(corner.end()).isEqualTo(new Vec2(1, 1));
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 3, 7, 64, 100})
+  void findsEachOfManyFlights(int count) {
+    List<Flight> flights = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      flights.add(new Flight(i, i, 0, 1, i));
+    }
+    Trajectory trajectory = new Trajectory(flights, List.of(), count, Outcome.COMPLETE);
+    for (int i = 0; i < count; i++) {
+      assertThat(trajectory.velocityAt(i)).isEqualTo(new Vec2(1, i));
+      assertThat(trajectory.velocityAt(i + 0.5)).isEqualTo(new Vec2(1, i));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {Double.NaN, -Double.MIN_VALUE, 4.000001, Double.POSITIVE_INFINITY})
+  void refusesTimesOutsideOfIt(double t) {
+    String message = "t is " + t + ": expected a time from 0 to the trajectory's duration, 4.0";
+    assertThatIllegalArgumentException().isThrownBy(() -> BETWEEN_POSTS.at(t)).withMessage(message);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> BETWEEN_POSTS.velocityAt(t))
+        .withMessage(message);
+  }
+
+  @Test
+  void keepsItsOwnCopies() {
+    List<Flight> flights = new ArrayList<>(List.of(new Flight(0, 0, 0, 1, 0)));
+    List<Impact> impacts = new ArrayList<>();
+    Trajectory trajectory = new Trajectory(flights, impacts, 1, Outcome.UNFINISHED);
+    flights.clear();
+    impacts.add(post(1, 0, 1));
+    assertThat(trajectory.flights()).hasSize(1);
+    assertThat(trajectory.impacts()).isEmpty();
+    assertThatThrownBy(() -> trajectory.flights().clear())
+        .isInstanceOf(UnsupportedOperationException.class);
+  }
+}

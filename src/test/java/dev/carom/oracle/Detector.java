@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.oracle;
+
+/** The code under test, as the oracle sees it: the one seam between the two. */
+public interface Detector {
+  Answer line(SegmentQuery query);
+
+  Answer pair(PairQuery query);
+
+  Answer bounds(WallQuery query);
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.oracle;
+
+/**
+ * Compares a detector with the oracle: the decisions (hit or miss, and the feature), the times of
+ * impact and the normals.
+ */
+public final class Judge {
+  private static final double NORMAL_BOUND = 1e-15;
+
+  private final Detector detector;
+
+  public Judge(Detector detector) {
+    this.detector = detector;
+  }
+
+  /** Asks for queries of a family and judges the answers; a seed always gives the same queries. */
+  public Tally judge(Family family, long seed, int queries) {
+    Draw draw = new Draw(seed * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
+    Tally tally = new Tally();
+    for (int i = 0; i < queries; i++) {
+      Query query = family.next(draw);
+      judge(query, tally, family.name() + ", seed " + seed + ", query " + i);
+    }
+    return tally;
+  }
+
+  /** Judges the answer to one query; the name of its source begins the description of a failure. */
+  public void judge(Query query, Tally tally, String source) {
+    Contact truth = query.truth();
+    tally.queries++;
+    tally.hits += truth.hit() ? 1 : 0;
+    try {
+      Answer answer = query.ask(detector);
+      if (!agrees(truth, answer)) {
+        tally.wrongDecisions++;
+        tally.note(describe("wrong decision", source, query, truth, answer.toString()));
+      } else if (truth.hit()) {
+        judgeHit(query, truth, answer, tally, source);
+      }
+    } catch (RuntimeException | AssertionError e) {
+      tally.wrongDecisions++;
+      tally.note(describe("threw", source, query, truth, e.toString()));
+    }
+  }
+
+  /** The same feature or miss, and the time of a miss is infinite. */
+  private static boolean agrees(Contact truth, Answer answer) {
+    return truth.part() == answer.part()
+        && (truth.hit() || answer.time() == Double.POSITIVE_INFINITY);
+  }
+
+  private static void judgeHit(
+      Query query, Contact truth, Answer answer, Tally tally, String source) {
+    Moment moment = truth.moment();
+    double time = answer.time();
+    tally.worstUlps = Math.max(tally.worstUlps, Math.abs(moment.errorInUlps(time)));
+    if (moment.nearest() != time) {
+      tally.notNearest++;
+      if (!moment.withinOneUlp(time)) {
+        tally.beyondOneUlp++;
+        tally.note(describe("time beyond 1 ulp", source, query, truth, answer.toString()));
+      }
+    }
+    double error = truth.normalError(answer.nx(), answer.ny());
+    tally.worstNormal = Math.max(tally.worstNormal, error);
+    if (!(error <= NORMAL_BOUND)) {
+      tally.badNormals++;
+      tally.note(describe("normal beyond 1e-15", source, query, truth, answer.toString()));
+    }
+  }
+
+  private static String describe(
+      String what, String source, Query query, Contact truth, String answer) {
+    return String.join(
+        "\n  ",
+        what + ": " + source,
+        query.hex(),
+        query.toString(),
+        "is   " + truth + " rounded " + Double.toHexString(truth.time()),
+        "said " + answer);
+  }
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.oracle;
+
+/**
+ * An exact time that is not negative: {@code (x + y sqrt(z)) / d} with {@code d > 0}. All moments
+ * of contact have this form, because they solve linear or quadratic equations with exact
+ * coefficients. Every comparison is the sign of a {@link Surd}; digits serve only to find the
+ * double to compare with.
+ */
+public final class Moment {
+  /** The time 0. */
+  public static final Moment ZERO = new Moment(Surd.of(Dyadic.ZERO), Dyadic.ONE);
+
+  private static final int BITS = 128;
+
+  private final Surd numerator;
+  private final Dyadic denominator;
+  private Dyadic digits;
+  private double rounded = Double.NaN;
+
+  /** The moment {@code numerator / denominator}; the denominator must be positive. */
+  public Moment(Surd numerator, Dyadic denominator) {
+    if (denominator.signum() <= 0) {
+      throw new IllegalArgumentException("denominator " + denominator);
+    }
+    this.numerator = numerator;
+    this.denominator = denominator;
+  }
+
+  /** The sign of this time. */
+  public int sign() {
+    return numerator.sign();
+  }
+
+  /** {@code alpha + beta t}, times the (positive) denominator: a linear function of this time. */
+  public Surd linear(Dyadic alpha, Dyadic beta) {
+    return numerator.linear(alpha.times(denominator), beta);
+  }
+
+  /** {@code alpha + beta t} to about 120 bits. */
+  public Dyadic linearDigits(Dyadic alpha, Dyadic beta) {
+    return linear(alpha, beta).approximate(BITS).over(denominator, BITS);
+  }
+
+  /** The sign of {@code t - other}. */
+  public int compareTo(Dyadic other) {
+    return linear(other.negate(), Dyadic.ONE).sign();
+  }
+
+  /** The sign of {@code t - other}, for another time without a root. */
+  int compareToRational(Moment other) {
+    return linear(other.numerator.x().negate(), other.denominator).sign();
+  }
+
+  /** Whether this time is at most the given end of a window, which may be infinite. */
+  public boolean within(double end) {
+    return end == Double.POSITIVE_INFINITY
+        ? Double.isFinite(nearest())
+        : compareTo(Dyadic.of(end)) <= 0;
+  }
+
+  /** This time to about 120 bits. */
+  public Dyadic digits() {
+    if (digits == null) {
+      digits = numerator.approximate(BITS).over(denominator, BITS);
+    }
+    return digits;
+  }
+
+  /** The correctly rounded time: the nearest double, of two the even one; infinite beyond range. */
+  public double nearest() {
+    if (Double.isNaN(rounded)) {
+      rounded = round();
+    }
+    return rounded;
+  }
+
+  private double round() {
+    double guess = Math.min(digits().near(), Double.MAX_VALUE);
+    while (guess < Double.POSITIVE_INFINITY && roundsAbove(guess)) {
+      guess = Math.nextUp(guess);
+    }
+    while (guess > 0 && !roundsAbove(Math.nextDown(guess))) {
+      guess = Math.nextDown(guess);
+    }
+    return guess;
+  }
+
+  /** Whether this time rounds to a double above the given finite one. */
+  private boolean roundsAbove(double below) {
+    Dyadic above =
+        below == Double.MAX_VALUE ? Dyadic.powerOfTwo(1024) : Dyadic.of(Math.nextUp(below));
+    int side = compareTo(Dyadic.of(below).plus(above).shift(-1));
+    boolean belowIsEven = (Double.doubleToRawLongBits(below) & 1) == 0;
+    return side > 0 || (side == 0 && !belowIsEven);
+  }
+
+  /** Whether {@code |candidate - t| <= 1 ulp}, exactly; the ulp is that of t itself. */
+  public boolean withinOneUlp(double candidate) {
+    if (!Double.isFinite(candidate)) {
+      return false;
+    }
+    Dyadic ulp = Dyadic.of(ulp());
+    Dyadic value = Dyadic.of(candidate);
+    return compareTo(value.minus(ulp)) >= 0 && compareTo(value.plus(ulp)) <= 0;
+  }
+
+  /** {@code (candidate - t) / ulp(t)}, rounded; infinite for a candidate that is not finite. */
+  public double errorInUlps(double candidate) {
+    if (!Double.isFinite(candidate)) {
+      return Double.POSITIVE_INFINITY;
+    }
+    return Dyadic.of(candidate).minus(digits()).over(Dyadic.of(ulp()), BITS).near();
+  }
+
+  /** The ulp of the greatest double that is not above t. */
+  private double ulp() {
+    double rounded = Math.min(nearest(), Double.MAX_VALUE);
+    boolean above = compareTo(Dyadic.of(rounded)) < 0;
+    return Math.ulp(above ? Math.nextDown(rounded) : rounded);
+  }
+
+  @Override
+  public String toString() {
+    return digits().toString();
+  }
+}

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.oracle;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * The oracle against two others: the committed cases, which another program made, and a second
+ * method of its own. {@code -Dcarom.oracle.queries=10000} asks more of each family.
+ */
+class OracleTest {
+  private static final MathContext DIGITS = new MathContext(100);
+  private static final int QUERIES = Integer.getInteger("carom.oracle.queries", 150);
+
+  static Stream<String> files() {
+    return CaseFile.names().stream();
+  }
+
+  static Stream<Family> families() {
+    return Families.all().stream();
+  }
+
+  @ParameterizedTest
+  @MethodSource("files")
+  void answersTheCommittedCases(String name) {
+    List<CaseFile> cases = CaseFile.read(name);
+    assertEquals(12, cases.size());
+    for (CaseFile expected : cases) {
+      Contact truth = expected.query().truth();
+      assertEquals(expected.part(), truth.part(), expected.toString());
+      if (truth.hit()) {
+        assertEquals(expected.time(), truth.time(), expected.toString());
+        BigDecimal digits = truth.moment().digits().toBigDecimal(DIGITS);
+        BigDecimal error = digits.subtract(expected.digits()).abs();
+        BigDecimal bound = expected.digits().movePointLeft(33);
+        assertTrue(error.compareTo(bound) <= 0, expected.toString());
+        assertTrue(truth.normalError(expected.nx(), expected.ny()) <= 1e-15, expected.toString());
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("families")
+  void agreesWithTheSecondMethod(Family family) {
+    Draw draw = new Draw(family.name().hashCode());
+    for (int i = 0; i < QUERIES; i++) {
+      Query query = family.next(draw);
+      if (query instanceof SegmentQuery q) {
+        assertSame(query, BisectionCheck.of(q), Part.START);
+      } else if (query instanceof PairQuery q) {
+        assertSame(query, BisectionCheck.of(q), Part.CIRCLE);
+      } else if (query instanceof WallQuery q) {
+        BigDecimal time = WallCheck.time(q);
+        double rounded = time == null ? Double.POSITIVE_INFINITY : time.doubleValue();
+        assertEquals(rounded, query.truth().time(), query.hex());
+      }
+    }
+  }
+
+  /** The second method knows two circles as a point and a line that is only its start. */
+  private static void assertSame(Query query, BisectionCheck.Verdict second, Part start) {
+    Contact truth = query.truth();
+    assertEquals(second.part() == Part.START ? start : second.part(), truth.part(), query.hex());
+    if (truth.hit()) {
+      double low = second.low().digits(DIGITS).doubleValue();
+      double high = second.high().digits(DIGITS).doubleValue();
+      assertTrue(truth.time() == low || truth.time() == high, query.hex());
+      double error = truth.normalError(second.nx().doubleValue(), second.ny().doubleValue());
+      assertTrue(error <= 0x1p-53, query.hex() + ", normal off by " + error);
+    }
+  }
+
+  /** Of -8 BigInteger.bitLength is 3, of 8 it is 4: once this made a tie of two surds a win. */
+  @Test
+  void comparesNegativePowersOfTwo() {
+    assertEquals(0, new Surd(Dyadic.of(-8), Dyadic.of(2), Dyadic.of(16)).sign());
+    assertEquals(0, Dyadic.of(-8).compareTo(Dyadic.of(-1).shift(3)));
+    assertEquals(-1, new Surd(Dyadic.of(-8), Dyadic.of(2), Dyadic.of(15)).sign());
+  }
+
+  @Test
+  void roundsToNearestAndTiesToEven() {
+    Dyadic half = Dyadic.of(Math.ulp(1.0)).shift(-1);
+    assertEquals(1.0, exactly(Dyadic.ONE.plus(half)).nearest());
+    double odd = Math.nextUp(1.0);
+    assertEquals(Math.nextUp(odd), exactly(Dyadic.of(odd).plus(half)).nearest());
+    assertEquals(0.0, exactly(Dyadic.of(Double.MIN_VALUE).shift(-1)).nearest());
+    Dyadic limit = Dyadic.powerOfTwo(1024).minus(Dyadic.powerOfTwo(970));
+    assertEquals(Double.POSITIVE_INFINITY, exactly(limit).nearest());
+    assertEquals(Double.MAX_VALUE, exactly(limit.minus(half)).nearest());
+  }
+
+  @Test
+  void judgesOneUlpExactly() {
+    Moment justAboveOne = exactly(Dyadic.ONE.plus(Dyadic.powerOfTwo(-300)));
+    assertTrue(justAboveOne.withinOneUlp(1.0));
+    assertTrue(justAboveOne.withinOneUlp(Math.nextUp(1.0)));
+    assertTrue(!justAboveOne.withinOneUlp(Math.nextUp(Math.nextUp(1.0))));
+    Moment one = exactly(Dyadic.ONE);
+    assertTrue(one.withinOneUlp(Math.nextDown(1.0)));
+    assertEquals(1.0, one.errorInUlps(Math.nextUp(1.0)));
+  }
+
+  /** Without this a judge that lets everything pass would go unnoticed. */
+  @Test
+  void findsTheErrorsOfTheTextbook() {
+    Judge judge = new Judge(new Textbook());
+    for (String name : List.of("seg_fast", "seg_near_tie_corner", "seg_voronoi_edge")) {
+      assertTrue(total(judge, name).wrongDecisions() > 0, name);
+    }
+    for (String name : List.of("seg_shallow", "circ_size_ratio", "wall_far")) {
+      assertTrue(total(judge, name).beyondOneUlp() > 0, name);
+    }
+  }
+
+  private static Tally total(Judge judge, String name) {
+    return families()
+        .filter(family -> family.name().equals(name))
+        .map(family -> judge.judge(family, 1, 1000))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private static Moment exactly(Dyadic time) {
+    return new Moment(Surd.of(time), Dyadic.ONE);
+  }
+}
