@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/** Names lines of a chart beside their right ends, instead of in a legend, without overlap. */
+final class LineLabels {
+
+  private static final double GAP = 38;
+  private static final double LEADER = 14;
+
+  private record Label(double y, String text, String detail, Color color) {}
+
+  private final List<Label> labels = new ArrayList<>();
+
+  /**
+   * Adds the label of a line that ends at a height, in pixels; the detail stands below the text.
+   */
+  LineLabels add(double y, String text, String detail, Color color) {
+    labels.add(new Label(y, text, detail, color));
+    return this;
+  }
+
+  /** Draws them right of x, between two heights. */
+  void draw(Graphics2D g, double x, double top, double bottom) {
+    List<Label> sorted = new ArrayList<>(labels);
+    sorted.sort(Comparator.comparingDouble(Label::y));
+    double[] places =
+        spread(sorted.stream().mapToDouble(Label::y).toArray(), top + GAP / 2, bottom - GAP / 2);
+    for (int i = 0; i < places.length; i++) {
+      draw(g, sorted.get(i), x, places[i]);
+    }
+  }
+
+  private static void draw(Graphics2D g, Label label, double x, double y) {
+    g.setColor(label.color());
+    g.setStroke(Style.line(Style.HAIR));
+    g.draw(new Line2D.Double(x + 2, label.y(), x + LEADER, y));
+    float left = (float) (x + LEADER + 5);
+    g.setFont(Style.bold(13));
+    g.drawString(label.text(), left, (float) y - 1);
+    g.setColor(Style.QUIET);
+    g.setFont(Style.font(12));
+    g.drawString(label.detail(), left, (float) y + 14);
+  }
+
+  /** Moves ascending places apart, as little as it takes from above, then back from below. */
+  static double[] spread(double[] wanted, double top, double bottom) {
+    double[] places = wanted.clone();
+    double least = top;
+    for (int i = 0; i < places.length; i++) {
+      places[i] = Math.max(places[i], least);
+      least = places[i] + GAP;
+    }
+    double most = bottom;
+    for (int i = places.length - 1; i >= 0; i--) {
+      places[i] = Math.min(places[i], most);
+      most = places[i] - GAP;
+    }
+    return places;
+  }
+}

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.nio.charset.StandardCharsets;
+import java.util.function.Consumer;
+import javax.imageio.ImageIO;
+import org.jfree.svg.SVGGraphics2D;
+import org.jfree.svg.SVGHints;
+import org.jfree.svg.ViewBox;
+
+/**
+ * Something to look at, of a fixed size, that can be had as pixels and as vectors.
+ *
+ * @param width in pixels, greater than 0
+ * @param height in pixels, greater than 0
+ * @param title what it shows, for those who cannot see it
+ * @param painter draws it
+ */
+record Picture(int width, int height, String title, Consumer<Graphics2D> painter) {
+
+  /** Pixels of an image for each pixel of the picture: sharp on dense screens too. */
+  private static final int DENSITY = 2;
+
+  private static final String FONTS = "Helvetica, Arial, DejaVu Sans, sans-serif";
+
+  /** Draws it in pixels, so many for one of the picture. */
+  BufferedImage image(int density) {
+    BufferedImage image =
+        new BufferedImage(density * width, density * height, BufferedImage.TYPE_INT_RGB);
+    Graphics2D g = image.createGraphics();
+    try {
+      g.scale(density, density);
+      paint(g);
+    } finally {
+      g.dispose();
+    }
+    return image;
+  }
+
+  /** The bytes of a PNG file. */
+  byte[] png() throws IOException {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    if (!ImageIO.write(image(DENSITY), "png", out)) {
+      throw new IOException("this Java has no PNG writer");
+    }
+    return out.toByteArray();
+  }
+
+  /** The bytes of an SVG file, without anything that differs from run to run. */
+  byte[] svg() {
+    SVGGraphics2D g = new SVGGraphics2D(width, height);
+    g.setDefsKeyPrefix("d");
+    g.setGeomDoubleConverter(Picture::shorten);
+    g.setTransformDoubleConverter(Picture::shorten);
+    g.setFontFunction(family -> FONTS);
+    g.setRenderingHint(SVGHints.KEY_ELEMENT_TITLE, title);
+    g.setRenderingHint(SVGHints.KEY_BEGIN_GROUP, "picture");
+    paint(g);
+    g.setRenderingHint(SVGHints.KEY_END_GROUP, "picture");
+    ViewBox whole = new ViewBox(0, 0, width, height); // lets a page scale it
+    return (g.getSVGElement(null, true, whole, null, null) + "\n").getBytes(StandardCharsets.UTF_8);
+  }
+
+  private void paint(Graphics2D g) {
+    Style.smooth(g);
+    g.setColor(Style.PAPER);
+    g.fillRect(0, 0, width, height);
+    painter.accept(g);
+  }
+
+  /** A hundredth of a pixel is more than an eye can see. */
+  private static String shorten(double x) {
+    BigDecimal rounded = BigDecimal.valueOf(x).setScale(2, RoundingMode.HALF_EVEN);
+    return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
+  }
+}

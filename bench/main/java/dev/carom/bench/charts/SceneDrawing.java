@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import dev.carom.Bounds;
+import dev.carom.Circle;
+import dev.carom.Line;
+import dev.carom.Scene;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import java.math.BigDecimal;
+import java.util.function.IntConsumer;
+
+/**
+ * Draws a scene and its circles on anything that Java can draw on: a window, an image, an SVG. What
+ * is solid is dark, what moves is blue; an arrow starts at the centre of its circle and ends where
+ * the centre would be some time later, were nothing in the way. A circle that glows is orange with
+ * a heavier outline.
+ *
+ * <p>Widths are in pixels at any scale, and nothing is so small that it vanishes. Immutable.
+ */
+public final class SceneDrawing {
+
+  /** Nothing is drawn with a smaller radius, in pixels. */
+  private static final double LEAST_RADIUS = 1;
+
+  /** The longest arrow, as a part of the scene's diagonal, at the most. */
+  private static final double LONGEST_ARROW = 0.04;
+
+  /** Room around the scene, in pixels: an arrow that points through a wall still ends in it. */
+  private static final double MARGIN = 20;
+
+  private static final double ARROWHEAD = 5;
+  private static final Color ARROW = Style.mix(Style.BLUE, Style.INK, 0.5);
+
+  private final Scene scene;
+  private final Rectangle2D extent;
+  private final double arrowTime;
+  private final double margin;
+
+  private SceneDrawing(Scene scene, Rectangle2D extent, double arrowTime, double margin) {
+    this.scene = scene;
+    this.extent = extent;
+    this.arrowTime = arrowTime;
+    this.margin = margin;
+  }
+
+  /**
+   * Starts with arrows whose time suits the speeds at time 0: 1, 2, 3 or 5 times a power of ten.
+   *
+   * @param scene what to draw; if it has no bounds, what is there at time 0 must fit
+   * @return the drawing
+   */
+  public static SceneDrawing of(Scene scene) {
+    Rectangle2D extent = SceneExtent.of(scene);
+    double longest = LONGEST_ARROW * Math.hypot(extent.getWidth(), extent.getHeight());
+    return new SceneDrawing(scene, extent, roundDown(longest / fastest(scene)), MARGIN);
+  }
+
+  /**
+   * The same with other arrows.
+   *
+   * @param time the time of motion that an arrow shows, at least 0; at 0 there are no arrows
+   * @return the drawing
+   */
+  public SceneDrawing withArrowTime(double time) {
+    return new SceneDrawing(scene, extent, time, margin);
+  }
+
+  /**
+   * The same with another margin.
+   *
+   * @param pixels the room around the scene, at least 0
+   * @return the drawing
+   */
+  public SceneDrawing withMargin(double pixels) {
+    return new SceneDrawing(scene, extent, arrowTime, pixels);
+  }
+
+  /**
+   * The time of motion that an arrow shows.
+   *
+   * @return at least 0
+   */
+  public double arrowTime() {
+    return arrowTime;
+  }
+
+  /**
+   * The size of an area that the scene and its margin fill.
+   *
+   * @param width in pixels, not to be exceeded
+   * @param height in pixels, not to be exceeded
+   * @return the largest such size
+   */
+  public Dimension size(int width, int height) {
+    double scale = scale(width, height);
+    int across = (int) Math.round(scale * extent.getWidth() + 2 * margin);
+    int up = (int) Math.round(scale * extent.getHeight() + 2 * margin);
+    return new Dimension(Math.min(across, width), Math.min(up, height));
+  }
+
+  /**
+   * Where things come to lie: as large as possible in the middle of an area, y upwards.
+   *
+   * @param area in pixels, y downwards
+   * @return the map from the scene to pixels
+   */
+  public AffineTransform transform(Rectangle2D area) {
+    double scale = scale(area.getWidth(), area.getHeight());
+    double x = area.getCenterX() - scale * extent.getCenterX();
+    double y = area.getCenterY() + scale * extent.getCenterY();
+    return new AffineTransform(scale, 0, 0, -scale, x, y);
+  }
+
+  private double scale(double width, double height) {
+    double across = Math.max(1, width - 2 * margin) / extent.getWidth();
+    double up = Math.max(1, height - 2 * margin) / extent.getHeight();
+    return Math.min(across, up);
+  }
+
+  /**
+   * Draws the scene with its circles at a moment.
+   *
+   * @param to what to draw on; left as it was, but for the picture
+   * @param area where on it, in pixels; nothing is drawn outside
+   * @param still the circles
+   */
+  public void draw(Graphics2D to, Rectangle2D area, Still still) {
+    Graphics2D g = (Graphics2D) to.create();
+    try {
+      Style.smooth(g);
+      g.clip(area);
+      AffineTransform map = transform(area);
+      bounds(g, map);
+      obstacles(g, map);
+      circles(still, i -> circle(g, map, still, i));
+      circles(still, i -> arrow(g, map, still, i));
+    } finally {
+      g.dispose();
+    }
+  }
+
+  private void bounds(Graphics2D g, AffineTransform map) {
+    if (scene.bounds().isEmpty()) {
+      return;
+    }
+    Bounds b = scene.bounds().get();
+    Rectangle2D floor = new Rectangle2D.Double();
+    floor.setFrameFromDiagonal(point(map, b.xmin(), b.ymin()), point(map, b.xmax(), b.ymax()));
+    g.setColor(Style.FLOOR);
+    g.fill(floor);
+    double half = Style.FIRM / 2; // the inner edge of the line is the wall
+    floor.setFrameFromDiagonal(
+        floor.getMinX() - half,
+        floor.getMinY() - half,
+        floor.getMaxX() + half,
+        floor.getMaxY() + half);
+    g.setColor(Style.INK);
+    g.setStroke(Style.line(Style.FIRM));
+    g.draw(floor);
+  }
+
+  private void obstacles(Graphics2D g, AffineTransform map) {
+    g.setColor(Style.INK);
+    g.setStroke(Style.line(Style.FIRM));
+    for (int i = 0; i < scene.pegCount(); i++) {
+      Circle peg = scene.peg(i);
+      g.fill(disk(map, peg.x(), peg.y(), peg.radius()));
+    }
+    for (int i = 0; i < scene.lineCount(); i++) {
+      Line line = scene.line(i);
+      g.draw(new Line2D.Double(point(map, line.ax(), line.ay()), point(map, line.bx(), line.by())));
+    }
+  }
+
+  /** The glowing ones last, on top. */
+  private static void circles(Still still, IntConsumer each) {
+    for (int i = 0; i < still.count(); i++) {
+      if (!still.glows(i)) {
+        each.accept(i);
+      }
+    }
+    for (int i = 0; i < still.count(); i++) {
+      if (still.glows(i)) {
+        each.accept(i);
+      }
+    }
+  }
+
+  private static void circle(Graphics2D g, AffineTransform map, Still still, int i) {
+    Ellipse2D disk = disk(map, still.x(i), still.y(i), still.radius(i));
+    boolean glows = still.glows(i);
+    g.setColor(glows ? Style.veil(Style.ORANGE, 0.8) : Style.veil(Style.SKY, 0.4));
+    g.fill(disk);
+    g.setColor(glows ? Style.VERMILION : Style.BLUE);
+    g.setStroke(Style.line(glows ? Style.FIRM : Style.THIN));
+    g.draw(disk);
+  }
+
+  private void arrow(Graphics2D g, AffineTransform map, Still still, int i) {
+    double speed = Math.hypot(still.vx(i), still.vy(i));
+    if (speed == 0 || arrowTime == 0) {
+      return;
+    }
+    Point2D from = ahead(map, still, i, 0);
+    Point2D to = ahead(map, still, i, arrowTime);
+    g.setColor(ARROW);
+    g.setStroke(Style.line(Style.THIN));
+    g.draw(new Line2D.Double(from, between(from, to, 1 - Math.min(1, 3 / from.distance(to)))));
+    g.fill(head(from, to));
+  }
+
+  private static Point2D ahead(AffineTransform map, Still still, int i, double time) {
+    double x = still.x(i) + time * still.vx(i);
+    double y = still.y(i) + time * still.vy(i);
+    return point(map, x, y);
+  }
+
+  private static Point2D between(Point2D a, Point2D b, double share) {
+    double x = a.getX() + share * (b.getX() - a.getX());
+    double y = a.getY() + share * (b.getY() - a.getY());
+    return new Point2D.Double(x, y);
+  }
+
+  private static Point2D point(AffineTransform map, double x, double y) {
+    return map.transform(new Point2D.Double(x, y), null);
+  }
+
+  /** A triangle that ends at the end of the arrow, no longer than the arrow. */
+  private static Path2D head(Point2D from, Point2D to) {
+    double length = from.distance(to);
+    double size = Math.min(ARROWHEAD, length);
+    double ux = (to.getX() - from.getX()) / length * size;
+    double uy = (to.getY() - from.getY()) / length * size;
+    Path2D head = new Path2D.Double();
+    head.moveTo(to.getX(), to.getY());
+    head.lineTo(to.getX() - ux - 0.45 * uy, to.getY() - uy + 0.45 * ux);
+    head.lineTo(to.getX() - ux + 0.45 * uy, to.getY() - uy - 0.45 * ux);
+    head.closePath();
+    return head;
+  }
+
+  private static Ellipse2D disk(AffineTransform map, double x, double y, double radius) {
+    Point2D center = point(map, x, y);
+    double r = Math.max(LEAST_RADIUS, radius * map.getScaleX());
+    return new Ellipse2D.Double(center.getX() - r, center.getY() - r, 2 * r, 2 * r);
+  }
+
+  private static double fastest(Scene scene) {
+    double fastest = 0;
+    for (int i = 0; i < scene.circleCount(); i++) {
+      fastest = Math.max(fastest, scene.velocity(i).length());
+    }
+    return fastest;
+  }
+
+  /**
+   * The largest of 1, 2, 3 or 5 times a power of ten that is not above a number; 0 for infinity.
+   */
+  private static double roundDown(double x) {
+    if (!(x > 0 && x < Double.POSITIVE_INFINITY)) {
+      return 0;
+    }
+    int exponent = (int) Math.floor(Math.log10(x));
+    double lead = x / Math.pow(10, exponent);
+    int digit = lead >= 5 ? 5 : lead >= 3 ? 3 : lead >= 2 ? 2 : 1;
+    return BigDecimal.valueOf(digit, -exponent).doubleValue(); // 0.3, not 3 times 0.1
+  }
+}

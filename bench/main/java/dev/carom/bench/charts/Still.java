@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import dev.carom.Scene;
+import dev.carom.World;
+import java.util.BitSet;
+
+/** The circles of a scene at one moment, kept: where they are, how they move, which ones glow. */
+public final class Still {
+
+  /** Doubles of one circle: x, y, radius, vx, vy. */
+  private static final int CIRCLE = 5;
+
+  private final double[] numbers;
+  private final BitSet glowing = new BitSet();
+
+  private Still(int circles) {
+    numbers = new double[CIRCLE * circles];
+  }
+
+  /**
+   * A scene at time 0.
+   *
+   * @param scene the scene
+   * @return its circles
+   */
+  public static Still of(Scene scene) {
+    Still still = new Still(scene.circleCount());
+    for (int i = 0; i < scene.circleCount(); i++) {
+      double radius = scene.circle(i).radius();
+      double vx = scene.velocity(i).x();
+      double vy = scene.velocity(i).y();
+      still.set(i, scene.circle(i).x(), scene.circle(i).y(), radius, vx, vy);
+    }
+    return still;
+  }
+
+  /**
+   * A world as it stands.
+   *
+   * @param world the world; it may move on
+   * @return its circles, without glow
+   */
+  public static Still of(World world) {
+    Still still = new Still(world.circleCount());
+    for (int i = 0; i < world.circleCount(); i++) {
+      still.set(i, world.x(i), world.y(i), world.radius(i), world.vx(i), world.vy(i));
+    }
+    return still;
+  }
+
+  /**
+   * A world as it stands, with the circles that hit something lately glowing.
+   *
+   * @param world the world; it may move on
+   * @param glow of the same world
+   * @return its circles
+   */
+  public static Still of(World world, Glow glow) {
+    Still still = of(world);
+    for (int i = 0; i < still.count(); i++) {
+      still.glowing.set(i, glow.of(i));
+    }
+    return still;
+  }
+
+  private void set(int i, double x, double y, double radius, double vx, double vy) {
+    int k = CIRCLE * i;
+    numbers[k] = x;
+    numbers[k + 1] = y;
+    numbers[k + 2] = radius;
+    numbers[k + 3] = vx;
+    numbers[k + 4] = vy;
+  }
+
+  /**
+   * The number of circles.
+   *
+   * @return at least 0
+   */
+  public int count() {
+    return numbers.length / CIRCLE;
+  }
+
+  double x(int i) {
+    return numbers[CIRCLE * i];
+  }
+
+  double y(int i) {
+    return numbers[CIRCLE * i + 1];
+  }
+
+  double radius(int i) {
+    return numbers[CIRCLE * i + 2];
+  }
+
+  double vx(int i) {
+    return numbers[CIRCLE * i + 3];
+  }
+
+  double vy(int i) {
+    return numbers[CIRCLE * i + 4];
+  }
+
+  boolean glows(int i) {
+    return glowing.get(i);
+  }
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+
+/** Checks of numbers from the command line; what fails them is a usage error. */
+final class Bounded {
+
+  private Bounded() {}
+
+  static void atLeast(int least, String option, int value, CommandSpec spec) {
+    if (value < least) {
+      throw refused(option, Integer.toString(value), "at least " + least, spec);
+    }
+  }
+
+  static void positive(String option, double value, CommandSpec spec) {
+    if (!(value > 0 && value <= Double.MAX_VALUE)) {
+      throw refused(option, Decimals.shortest(value), "a finite number, more than 0", spec);
+    }
+  }
+
+  private static ParameterException refused(
+      String option, String value, String expected, CommandSpec spec) {
+    return new ParameterException(
+        spec.commandLine(), option + " is " + value + ": expected " + expected);
+  }
+}

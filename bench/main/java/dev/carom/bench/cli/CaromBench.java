@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import java.util.Set;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ParameterException;
+
+/** The command line as a whole: its commands, what runs without one, and how errors are told. */
+@Command(
+    name = "carom-bench",
+    description = {
+      "Measures Carom: speed and accuracy of circles that move and bounce.",
+      "Without a command it replays the published experiment."
+    },
+    mixinStandardHelpOptions = true,
+    versionProvider = Version.class,
+    synopsisSubcommandLabel = "[COMMAND]",
+    footer = {"", "Exit code: 0 done, 1 a failed run or bad data, 2 a wrong command line."},
+    subcommands = {ReplayCommand.class, SimulateCommand.class, CastCommand.class, JmhCommand.class})
+public final class CaromBench {
+
+  private static final String DEFAULT_COMMAND = "replay";
+  private static final Set<String> OWN_OPTIONS = Set.of("-h", "--help", "-V", "--version");
+
+  /** Made by {@link #commandLine}. */
+  CaromBench() {}
+
+  /**
+   * Runs one command. Options without a command are those of {@code replay}.
+   *
+   * @param args the command and its options
+   * @return the exit code: 0 done, 1 failed, 2 a wrong command line
+   */
+  public static int execute(String... args) {
+    return execute(commandLine(), args);
+  }
+
+  static int execute(CommandLine commandLine, String... args) {
+    return commandLine.execute(withCommand(args));
+  }
+
+  static CommandLine commandLine() {
+    return new CommandLine(new CaromBench())
+        .setParameterExceptionHandler((e, args) -> explainUsage(e))
+        .setExecutionExceptionHandler((e, commandLine, parsed) -> Failure.explain(e, commandLine));
+  }
+
+  private static String[] withCommand(String... args) {
+    boolean named = args.length > 0 && (!args[0].startsWith("-") || OWN_OPTIONS.contains(args[0]));
+    if (named) {
+      return args;
+    }
+    String[] more = new String[args.length + 1];
+    more[0] = DEFAULT_COMMAND;
+    System.arraycopy(args, 0, more, 1, args.length);
+    return more;
+  }
+
+  private static int explainUsage(ParameterException e) {
+    CommandLine commandLine = e.getCommandLine();
+    String command = commandLine.getCommandSpec().qualifiedName();
+    commandLine.getErr().printf("%s: %s (see %s --help)%n", command, e.getMessage(), command);
+    return CommandLine.ExitCode.USAGE;
+  }
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import dev.carom.Circle;
+import dev.carom.Impact;
+import dev.carom.Line;
+import dev.carom.SweptCircle;
+import dev.carom.Vec2;
+import java.util.Optional;
+
+/** The two questions that a file can ask, and the columns in which it does. */
+enum CastQuery {
+  /** A moving circle against a line. */
+  LINE("ax,ay,bx,by,px,py,r,vx,vy,T") {
+    @Override
+    Optional<Impact> cast(double[] q) {
+      Line line = new Line(q[0], q[1], q[2], q[3]);
+      return SweptCircle.cast(new Circle(q[4], q[5], q[6]), new Vec2(q[7], q[8]), line, q[9]);
+    }
+  },
+  /** Two moving circles. */
+  PAIR("x1,y1,r1,vx1,vy1,x2,y2,r2,vx2,vy2,T") {
+    @Override
+    Optional<Impact> cast(double[] q) {
+      Circle first = new Circle(q[0], q[1], q[2]);
+      Circle second = new Circle(q[5], q[6], q[7]);
+      return SweptCircle.cast(first, new Vec2(q[3], q[4]), second, new Vec2(q[8], q[9]), q[10]);
+    }
+  };
+
+  private final String header;
+
+  CastQuery(String header) {
+    this.header = header;
+  }
+
+  /** The names of the columns, in order, as they stand in the file. */
+  String header() {
+    return header;
+  }
+
+  /** Asks the question: one number for each column. */
+  abstract Optional<Impact> cast(double[] query);
+
+  /** What a number in a column must be. */
+  static String expectation(String column) {
+    return switch (column.charAt(0)) {
+      case 'r' -> "a finite number, at least 0";
+      case 'T' -> "a number, at least 0";
+      default -> "a finite number";
+    };
+  }
+
+  /** Whether a number is what its column expects. */
+  static boolean accepts(String column, double value) {
+    boolean finite = Math.abs(value) <= Double.MAX_VALUE;
+    return switch (column.charAt(0)) {
+      case 'r' -> finite && value >= 0;
+      case 'T' -> value >= 0;
+      default -> finite;
+    };
+  }
+}

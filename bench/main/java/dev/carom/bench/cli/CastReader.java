@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import java.io.IOException;
+import java.io.Reader;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import org.apache.commons.csv.CSVFormat;
+import org.apache.commons.csv.CSVParser;
+import org.apache.commons.csv.CSVRecord;
+
+/**
+ * Reads a file of queries as a whole: its header says what is asked, further columns are passed
+ * over. Everything malformed is an error that names file, line and column (in chars, from 1) and
+ * what was expected there.
+ */
+final class CastReader {
+
+  /** Numbers are never quoted; taken as they stand, columns can be counted. */
+  private static final CSVFormat FORMAT = CSVFormat.DEFAULT.builder().setQuote(null).get();
+
+  private final String file;
+  private final List<double[]> queries = new ArrayList<>();
+  private CastQuery kind;
+  private List<String> columns;
+  private CSVRecord row;
+  private long line;
+
+  CastReader(String file) {
+    this.file = file;
+  }
+
+  /** What the header asks for. */
+  CastQuery kind() {
+    return kind;
+  }
+
+  /** One array a row, one number a column. */
+  List<double[]> queries() {
+    return queries;
+  }
+
+  /**
+   * Reads to the end.
+   *
+   * @param in where to read; it is not closed
+   * @throws IOException if the text is malformed
+   * @throws java.io.UncheckedIOException if reading fails
+   */
+  void read(Reader in) throws IOException {
+    CSVParser parser = CSVParser.builder().setReader(in).setFormat(FORMAT).get();
+    Iterator<CSVRecord> rows = parser.iterator();
+    if (!rows.hasNext()) {
+      throw new IOException(file + ":1:1: the file is empty: expected " + headers());
+    }
+    row = rows.next();
+    line = parser.getCurrentLineNumber();
+    readHeader();
+    while (rows.hasNext()) {
+      row = rows.next();
+      line = parser.getCurrentLineNumber();
+      readQuery();
+    }
+  }
+
+  private void readHeader() throws IOException {
+    List<String> found = row.stream().map(String::strip).toList();
+    for (CastQuery candidate : CastQuery.values()) {
+      columns = List.of(candidate.header().split(","));
+      if (found.size() >= columns.size() && found.subList(0, columns.size()).equals(columns)) {
+        kind = candidate;
+        return;
+      }
+    }
+    throw malformed(0, "the header is \"" + String.join(",", row) + "\"", headers());
+  }
+
+  private static String headers() {
+    return CastQuery.LINE.header() + " or " + CastQuery.PAIR.header();
+  }
+
+  private void readQuery() throws IOException {
+    double[] query = new double[columns.size()];
+    for (int i = 0; i < query.length; i++) {
+      if (i >= row.size()) {
+        throw malformed(i, columns.get(i) + " is missing", CastQuery.expectation(columns.get(i)));
+      }
+      query[i] = number(columns.get(i), row.get(i), i);
+    }
+    queries.add(query);
+  }
+
+  private double number(String column, String text, int i) throws IOException {
+    double value;
+    try {
+      value = Double.parseDouble(text);
+    } catch (NumberFormatException e) {
+      value = Double.NaN;
+    }
+    if (!CastQuery.accepts(column, value)) {
+      throw malformed(i, column + " is \"" + text + "\"", CastQuery.expectation(column));
+    }
+    return value;
+  }
+
+  private IOException malformed(int field, String found, String expected) {
+    boolean missing = field >= row.size();
+    int column = missing ? 0 : 1;
+    for (int i = 0; i < Math.min(field, row.size()); i++) {
+      column += row.get(i).length() + 1;
+    }
+    return new IOException(
+        file + ":" + line + ":" + column + ": " + found + ": expected " + expected);
+  }
+}

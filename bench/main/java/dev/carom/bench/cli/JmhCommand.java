@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Unmatched;
+
+/** Hands everything to JMH. */
+@Command(
+    name = "jmh",
+    description = "Runs JMH's own command line: single queries, one frame, building a world.",
+    customSynopsis = "carom-bench jmh [JMH OPTIONS] [REGEXP]...",
+    footer = {"", "JMH explains its options with: jmh -h", "It lists the benchmarks with: jmh -l"})
+final class JmhCommand implements Callable<Integer> {
+
+  @Option(names = "--help", usageHelp = true, description = "Show this help.")
+  @SuppressWarnings("unused") // only picocli looks at it
+  private boolean help;
+
+  @Unmatched private final List<String> rest = new ArrayList<>();
+
+  @Override
+  public Integer call() throws IOException {
+    org.openjdk.jmh.Main.main(rest.toArray(String[]::new));
+    return 0;
+  }
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import org.apache.commons.csv.CSVFormat;
+import org.apache.commons.csv.CSVPrinter;
+
+/**
+ * A CSV file that appears as a whole or not at all: rows go to a draft beside it, which {@link
+ * #commit} puts in its place and {@link #close} without it throws away.
+ */
+final class OutputFile implements AutoCloseable {
+
+  private static final CSVFormat FORMAT =
+      CSVFormat.DEFAULT.builder().setRecordSeparator('\n').get();
+
+  private final Path target;
+  private final Path draft;
+  private final CSVPrinter printer;
+
+  /** Opens a file that is to have this header, or nothing if there is no path. */
+  static OutputFile open(Path target, String... header) throws IOException {
+    return target == null ? null : new OutputFile(target, header);
+  }
+
+  /** A file that is no regular one (a pipe, a device) has no draft. */
+  private OutputFile(Path target, String... header) throws IOException {
+    this.target = target;
+    boolean special = Files.exists(target) && !Files.isRegularFile(target);
+    draft = special ? target : target.resolveSibling(target.getFileName() + ".draft");
+    printer = new CSVPrinter(openDraft(), FORMAT);
+    printer.printRecord((Object[]) header);
+  }
+
+  private Writer openDraft() throws IOException {
+    try {
+      return Files.newBufferedWriter(draft);
+    } catch (IOException e) {
+      throw new IOException(target + ": cannot be written", e);
+    }
+  }
+
+  void row(Object... fields) throws IOException {
+    printer.printRecord(fields);
+  }
+
+  void commit() throws IOException {
+    printer.close();
+    if (!draft.equals(target)) {
+      Files.move(draft, target, StandardCopyOption.REPLACE_EXISTING);
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    printer.close();
+    if (!draft.equals(target)) {
+      Files.deleteIfExists(draft);
+    }
+  }
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import dev.carom.Scene;
+import dev.carom.bench.charts.Pictures;
+import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.replay.Budget;
+import dev.carom.bench.replay.ReplayJson;
+import dev.carom.bench.replay.ReplayPlan;
+import dev.carom.bench.replay.ReplayResult;
+import dev.carom.bench.replay.ReplayRun;
+import dev.carom.bench.replay.ReplayTable;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import org.openjdk.jmh.runner.RunnerException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Replays the published experiment with this library and with the published algorithm. */
+@Command(
+    name = "replay",
+    description = {
+      "Replays the published experiment, by Carom and by the published algorithm ('poster') in the"
+          + " same run, and tells whether 60 frames per second are met.",
+      "Runs when no command is given."
+    },
+    mixinStandardHelpOptions = true,
+    sortOptions = false)
+final class ReplayCommand implements Callable<Integer> {
+
+  @Spec private CommandSpec spec;
+
+  @Mixin private SceneOptions scene;
+
+  @Option(
+      names = "--frames",
+      paramLabel = "N",
+      defaultValue = "600",
+      description = "Frames of one replay (default: ${DEFAULT-VALUE}).")
+  private int frames;
+
+  @Option(
+      names = "--forks",
+      paramLabel = "N",
+      defaultValue = "5",
+      description =
+          "Fresh virtual machines per method, with 20 measured replays each (default:"
+              + " ${DEFAULT-VALUE}).")
+  private int forks;
+
+  @Option(
+      names = "--warm-up",
+      paramLabel = "MS",
+      defaultValue = "1500",
+      description = "How long each of them plays before (default: ${DEFAULT-VALUE}).")
+  private int warmUpMillis;
+
+  @Option(names = "--json", paramLabel = "FILE", description = "Write the figures as JSON.")
+  private Path json;
+
+  @Option(
+      names = "--pictures",
+      paramLabel = "DIR",
+      description = "Write pictures of the scene and a chart of the frame times.")
+  private Path pictures;
+
+  @Override
+  public Integer call() throws IOException, CannotPlaceException, RunnerException {
+    ReplayPlan plan = plan();
+    prepareFolders();
+    ReplayResult result = measure(plan);
+    spec.commandLine().getOut().print(ReplayTable.render(result));
+    spec.commandLine().getOut().flush();
+    if (json != null) {
+      ReplayJson.of(result).write(json);
+    }
+    if (pictures != null) {
+      Pictures.write(
+          result.plan().scene(), frames, result.typicalReplay(), Budget.MILLIS, pictures);
+    }
+    return 0;
+  }
+
+  /** Before the long work, not after it: a folder that cannot be made. */
+  private void prepareFolders() throws IOException {
+    if (json != null) {
+      Files.createDirectories(json.toAbsolutePath().getParent());
+    }
+    if (pictures != null) {
+      Files.createDirectories(pictures);
+    }
+  }
+
+  private ReplayPlan plan() throws IOException, CannotPlaceException {
+    Bounded.atLeast(1, "--frames", frames, spec);
+    Bounded.atLeast(1, "--forks", forks, spec);
+    Bounded.atLeast(0, "--warm-up", warmUpMillis, spec);
+    Scene measured = scene.scene();
+    return new ReplayPlan(scene.name(), measured, scene.others(), frames, forks, warmUpMillis);
+  }
+
+  private static ReplayResult measure(ReplayPlan plan) throws IOException, RunnerException {
+    try (Progress progress = Progress.start("replay", plan.steps())) {
+      return ReplayRun.run(plan, progress::step);
+    }
+  }
+}

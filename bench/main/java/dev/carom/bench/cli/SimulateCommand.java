@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import dev.carom.Scene;
+import dev.carom.SceneFile;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Plays a scene from a file and writes what happens. */
+@Command(
+    name = "simulate",
+    description = {
+      "Plays a scene and writes positions and impacts.",
+      "Times count in the scene's own unit from 0; frame k ends at k times the length of a frame."
+    },
+    mixinStandardHelpOptions = true,
+    sortOptions = false)
+final class SimulateCommand implements Callable<Integer> {
+
+  @Spec private CommandSpec spec;
+
+  @Option(names = "--scene", paramLabel = "FILE", required = true, description = "The scene.")
+  private Path file;
+
+  @Option(
+      names = "--frames",
+      paramLabel = "N",
+      required = true,
+      description = "How many frames to play.")
+  private int frames;
+
+  @Option(
+      names = "--dt",
+      paramLabel = "D",
+      defaultValue = "1",
+      description = "The length of a frame (default: ${DEFAULT-VALUE}).")
+  private double dt;
+
+  @Option(
+      names = "--positions",
+      paramLabel = "OUT.csv",
+      description = "Write frame,circle,x,y after every frame.")
+  private Path positions;
+
+  @Option(
+      names = "--impacts",
+      paramLabel = "OUT.csv",
+      description =
+          "Write time,circle,obstacle,feature,x,y,nx,ny,speed of every impact: x,y is the contact"
+              + " point, nx,ny the unit normal to the circle, speed the approach speed.")
+  private Path impacts;
+
+  @Override
+  public Integer call() throws IOException {
+    Bounded.atLeast(0, "--frames", frames, spec);
+    Bounded.positive("--dt", dt, spec);
+    Scene scene = SceneFile.read(file);
+    try (OutputFile positionsFile = OutputFile.open(positions, Recorder.POSITIONS);
+        OutputFile impactsFile = OutputFile.open(impacts, Recorder.IMPACTS)) {
+      Recorder recorder = new Recorder(positionsFile, impactsFile);
+      Simulation simulation = new Simulation(scene, recorder);
+      simulation.play(frames, dt);
+      recorder.commit();
+      spec.commandLine().getOut().println(simulation.summary());
+    }
+    return 0;
+  }
+}

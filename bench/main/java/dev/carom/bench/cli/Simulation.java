@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import dev.carom.ImpactLog;
+import dev.carom.ObstacleKind;
+import dev.carom.Outcome;
+import dev.carom.Scene;
+import dev.carom.World;
+import java.io.IOException;
+import java.util.Locale;
+
+/** A scene played frame by frame, in front of a recorder. */
+final class Simulation {
+
+  private final World world;
+  private final Recorder recorder;
+  private long impacts;
+  private long wallImpacts;
+  private long jammed;
+
+  Simulation(Scene scene, Recorder recorder) {
+    world = new World(scene);
+    this.recorder = recorder;
+  }
+
+  /** Frame k ends at k dt, rounded once: time does not gather the rounding of frames. */
+  void play(int frames, double dt) throws IOException {
+    for (int frame = 1; frame <= frames; frame++) {
+      Outcome outcome;
+      do {
+        outcome = world.advanceTo(frame * dt);
+        count(world.impacts());
+        recorder.recordImpacts(world.impacts());
+      } while (outcome == Outcome.UNFINISHED);
+      recorder.recordPositions(frame, world);
+    }
+  }
+
+  private void count(ImpactLog log) {
+    impacts += log.size();
+    for (int row = 0; row < log.size(); row++) {
+      wallImpacts += log.kind(row) == ObstacleKind.WALL ? 1 : 0;
+      jammed += log.jammed(row) ? 1 : 0;
+    }
+  }
+
+  /** What happened, in a line. */
+  String summary() {
+    String line =
+        String.format(
+            Locale.ROOT,
+            "time %s: %,d circles, %,d impacts, %,d of them with walls",
+            Decimals.shortest(world.now()),
+            world.circleCount(),
+            impacts,
+            wallImpacts);
+    return jammed == 0 ? line : line + String.format(Locale.ROOT, ", %,d times jammed", jammed);
+  }
+}

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.jmh;
+
+import dev.carom.SweptCircle;
+import java.util.SplittableRandom;
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/**
+ * One query of each kind: the time of impact of one circle of radius 10, aimed at a point of the
+ * obstacle from about 100 px away, within one unit of time. A few thousand different queries take
+ * turns, so that no branch is learnt by heart.
+ */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.NANOSECONDS)
+@Fork(2)
+@Warmup(iterations = 3, time = 1)
+@Measurement(iterations = 5, time = 1)
+public class QueryBenchmark {
+
+  private static final int QUERIES = 4096;
+  private static final int WIDTH = 6;
+  private static final double RADIUS = 10;
+  private static final double HALF_LINE = 50;
+
+  /** Centre, velocity and the unit vector of a line, per query. The line's middle is the origin. */
+  private final double[] aimed = new double[QUERIES * WIDTH];
+
+  private int next;
+
+  /** Draws the queries. */
+  public QueryBenchmark() {
+    SplittableRandom random = new SplittableRandom(1);
+    for (int k = 0; k < aimed.length; k += WIDTH) {
+      double from = random.nextDouble(2 * Math.PI);
+      double distance = random.nextDouble(80, 120);
+      double line = from + Math.PI / 2 + random.nextDouble(-1, 1);
+      aimed[k] = distance * Math.cos(from);
+      aimed[k + 1] = distance * Math.sin(from);
+      aimed[k + 2] = -1.5 * aimed[k] + random.nextDouble(-5, 5);
+      aimed[k + 3] = -1.5 * aimed[k + 1] + random.nextDouble(-5, 5);
+      aimed[k + 4] = Math.cos(line);
+      aimed[k + 5] = Math.sin(line);
+    }
+  }
+
+  private int query() {
+    next = next + 1 & QUERIES - 1;
+    return next * WIDTH;
+  }
+
+  /**
+   * Asks about a line that is shifted along itself, the origin at a given along from its middle.
+   */
+  private double line(int k, double sign, double middle) {
+    double ux = aimed[k + 4];
+    double uy = aimed[k + 5];
+    double a = middle - HALF_LINE;
+    double b = middle + HALF_LINE;
+    return SweptCircle.line(
+        aimed[k],
+        aimed[k + 1],
+        RADIUS,
+        sign * aimed[k + 2],
+        sign * aimed[k + 3],
+        a * ux,
+        a * uy,
+        b * ux,
+        b * uy,
+        1);
+  }
+
+  /**
+   * A circle that hits the inside of a line.
+   *
+   * @return the time of impact
+   */
+  @Benchmark
+  public double lineSide() {
+    return line(query(), 1, 0);
+  }
+
+  /**
+   * A circle that is aimed at an end of a line.
+   *
+   * @return the time of impact
+   */
+  @Benchmark
+  public double lineEndpoint() {
+    return line(query(), 1, HALF_LINE);
+  }
+
+  /**
+   * A circle that flies away from a line.
+   *
+   * @return infinity
+   */
+  @Benchmark
+  public double lineMiss() {
+    return line(query(), -1, 0);
+  }
+
+  /**
+   * A circle that is aimed at a peg.
+   *
+   * @return the time of impact
+   */
+  @Benchmark
+  public double peg() {
+    int k = query();
+    return SweptCircle.peg(
+        aimed[k], aimed[k + 1], RADIUS, aimed[k + 2], aimed[k + 3], 0, 0, RADIUS, 1);
+  }
+
+  /**
+   * A circle within bounds that flies away from their middle.
+   *
+   * @return the time of impact
+   */
+  @Benchmark
+  public double bounds() {
+    int k = query();
+    return SweptCircle.bounds(
+        aimed[k], aimed[k + 1], RADIUS, -aimed[k + 2], -aimed[k + 3], -130, -130, 130, 130, 1);
+  }
+
+  /**
+   * Two moving circles that are aimed at each other.
+   *
+   * @return the time of impact
+   */
+  @Benchmark
+  public double pair() {
+    int k = query();
+    double vx = aimed[k + 2] / 2;
+    double vy = aimed[k + 3] / 2;
+    return SweptCircle.pair(aimed[k], aimed[k + 1], RADIUS, vx, vy, 0, 0, RADIUS, -vx, -vy, 1);
+  }
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.methods;
+
+import dev.carom.ImpactLog;
+import dev.carom.ObstacleKind;
+import dev.carom.Outcome;
+import dev.carom.Scene;
+import dev.carom.World;
+
+/**
+ * This library, used as a game would: one {@code step(1)} a frame. Its impacts are read from the
+ * log of the last step.
+ *
+ * <p>The library has no counter of square roots. They are counted by rule: one for each impact with
+ * a line or a peg (a miss takes none, a time of impact at most one), none for a wall.
+ */
+final class CaromMethod implements Method {
+
+  private final World world;
+
+  CaromMethod(Scene scene) {
+    world = new World(scene);
+  }
+
+  @Override
+  public void frame() {
+    if (world.step(1) != Outcome.COMPLETE) {
+      throw new IllegalStateException(
+          "carom spent its budget of work before the end of a frame, at time " + world.now());
+    }
+  }
+
+  @Override
+  public int impacts() {
+    return world.impacts().size() - wallImpacts();
+  }
+
+  @Override
+  public int wallImpacts() {
+    ImpactLog log = world.impacts();
+    int walls = 0;
+    for (int row = 0; row < log.size(); row++) {
+      walls += log.kind(row) == ObstacleKind.WALL ? 1 : 0;
+    }
+    return walls;
+  }
+
+  @Override
+  public int squareRoots() {
+    return impacts();
+  }
+
+  @Override
+  public double x(int circle) {
+    return world.x(circle);
+  }
+
+  @Override
+  public double y(int circle) {
+    return world.y(circle);
+  }
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.replay;
+
+import dev.carom.Scene;
+import dev.carom.bench.methods.Methods;
+import java.util.List;
+
+/**
+ * What to replay.
+ *
+ * @param name what to call the scene
+ * @param scene the scene that is measured
+ * @param others scenes to play in between, at least one
+ * @param frames of one replay, at least 1
+ * @param forks virtual machines per method, at least 1
+ * @param warmUpMillis how long each of them plays before its first measured replay
+ */
+public record ReplayPlan(
+    String name, Scene scene, List<Scene> others, int frames, int forks, int warmUpMillis) {
+
+  /**
+   * The work of a run, to show its progress.
+   *
+   * @return the number of virtual machines it starts
+   */
+  public int steps() {
+    return forks * Methods.values().length;
+  }
+}

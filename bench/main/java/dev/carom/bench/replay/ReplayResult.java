@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.replay;
+
+import dev.carom.bench.methods.Methods;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+
+/** What a run found: the figures of each method, and one replay's raw frame times for a chart. */
+public final class ReplayResult {
+
+  private final ReplayPlan plan;
+  private final Map<Methods, List<Samples>> samples;
+  private final Machine machine;
+  private final Map<Methods, Figures> figures = new EnumMap<>(Methods.class);
+
+  ReplayResult(ReplayPlan plan, Map<Methods, List<Samples>> samples, Machine machine) {
+    this.plan = plan;
+    this.samples = samples;
+    this.machine = machine;
+    for (Methods method : Methods.values()) {
+      Counts counts = Counts.of(method.start(plan.scene()), plan.frames());
+      figures.put(method, Figures.of(method.label(), counts, samples.get(method)));
+    }
+  }
+
+  /**
+   * What was replayed.
+   *
+   * @return the plan
+   */
+  public ReplayPlan plan() {
+    return plan;
+  }
+
+  /**
+   * Where it was replayed.
+   *
+   * @return the machine
+   */
+  public Machine machine() {
+    return machine;
+  }
+
+  /**
+   * The figures of every method.
+   *
+   * @return one row a method, in the order of {@link Methods}
+   */
+  public List<Figures> figures() {
+    return List.copyOf(figures.values());
+  }
+
+  /**
+   * The figures of one method.
+   *
+   * @param method the method
+   * @return its row
+   */
+  public Figures figures(Methods method) {
+    return figures.get(method);
+  }
+
+  /**
+   * How many times faster than the published algorithm we are.
+   *
+   * @return the ratio of the two means
+   */
+  public double ratioToPoster() {
+    return figures(Methods.POSTER).mean() / figures(Methods.CAROM).mean();
+  }
+
+  /**
+   * The raw frame times of the replay by Carom whose slowest frame is the median one.
+   *
+   * @return nanoseconds, one for each frame
+   */
+  public double[] typicalReplay() {
+    List<double[]> replays =
+        samples.get(Methods.CAROM).stream()
+            .flatMap(fork -> fork.replays().stream())
+            .map(nanos -> Arrays.stream(nanos).asDoubleStream().toArray())
+            .sorted(Comparator.comparingDouble(ReplayResult::greatest))
+            .toList();
+    return replays.get((replays.size() - 1) / 2);
+  }
+
+  private static double greatest(double[] nanos) {
+    return Arrays.stream(nanos).max().orElseThrow();
+  }
+}

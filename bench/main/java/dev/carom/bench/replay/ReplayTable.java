@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.replay;
+
+import dev.carom.Scene;
+import dev.carom.bench.methods.Methods;
+import java.util.Locale;
+import java.util.function.Function;
+
+/** The figures for people: what was replayed, the verdict, and one column a method. */
+public final class ReplayTable {
+
+  private static final int LABEL = 38;
+  private static final int COLUMN = 16;
+
+  private final ReplayResult result;
+  private final StringBuilder text = new StringBuilder();
+
+  private ReplayTable(ReplayResult result) {
+    this.result = result;
+  }
+
+  /**
+   * Renders the figures.
+   *
+   * @param result what a run found
+   * @return lines of text, the last one ended as the others are
+   */
+  public static String render(ReplayResult result) {
+    ReplayTable table = new ReplayTable(result);
+    table.head();
+    table.verdict();
+    table.times();
+    table.budget();
+    table.work();
+    table.foot();
+    return table.text.toString();
+  }
+
+  private void head() {
+    ReplayPlan plan = result.plan();
+    Scene scene = plan.scene();
+    Machine machine = result.machine();
+    line("scene    %s", plan.name());
+    line(
+        "         %,d circles, %,d lines, %,d pegs",
+        scene.circleCount(), scene.lineCount(), scene.pegCount());
+    line(
+        "run      %,d frames, %d replays in each of %d fresh virtual machines per method",
+        plan.frames(), ReplayBenchmark.REPLAYS, plan.forks());
+    line("machine  %s; %s %s", machine.cpu(), machine.jdk(), machine.flags());
+    line("");
+  }
+
+  /** By the typical replay, so that one hiccup of the machine in minutes does not decide. */
+  private void verdict() {
+    Figures carom = result.figures(Methods.CAROM);
+    Figures poster = result.figures(Methods.POSTER);
+    line(
+        "%s: the slowest frame of a replay takes %s us of the %,.0f us that 60 FPS allow;",
+        carom.worst() <= Budget.MICROS ? "BUDGET MET" : "BUDGET MISSED",
+        us(carom.worst()),
+        Budget.MICROS);
+    line("%,d of all %,d frames exceeded them.", carom.framesOverBudget(), carom.samples());
+    line(
+        "A frame of carom takes %s us on average: %s times as fast as poster in the same run",
+        us(carom.mean()), us(result.ratioToPoster()));
+    line("(%s times by the medians).", us(poster.median() / carom.median()));
+    line("");
+  }
+
+  private void times() {
+    row("us per frame", Figures::name, "published 2010");
+    row("mean", f -> us(f.mean()), us(Budget.PUBLISHED_MICROS));
+    row("  by fork, least and most", f -> us(f.leastForkMean()) + " .. " + us(f.mostForkMean()));
+    row("median", f -> us(f.median()));
+    row("p95", f -> us(f.p95()));
+    row("p99", f -> us(f.p99()));
+    row("worst of %,d (median over replays)".formatted(result.plan().frames()), f -> us(f.worst()));
+    row("worst of all", f -> us(f.worstOfAll()));
+    int cold = Math.min(Figures.COLD_FRAMES, result.plan().frames());
+    row("cold start, first %d frames: mean".formatted(cold), f -> us(f.coldMean()));
+    row("cold start, first %d frames: worst".formatted(cold), f -> us(f.coldWorst()));
+    line("");
+  }
+
+  private void budget() {
+    row("frames per second", f -> whole(Math.round(f.fps())), us(Budget.PUBLISHED_FPS));
+    row(
+        "share of the 16.67 ms budget",
+        f -> percent(f.shareOfBudget()),
+        percent(Budget.PUBLISHED_MICROS / Budget.MICROS));
+    row(
+        "frames over budget, of %,d".formatted(result.figures(Methods.CAROM).samples()),
+        f -> whole(f.framesOverBudget()));
+    line("");
+  }
+
+  private void work() {
+    int frames = result.plan().frames();
+    row("impacts with lines and pegs", f -> whole(f.counts().impacts()));
+    row("impacts with walls", f -> whole(f.counts().wallImpacts()));
+    row("square roots per frame", f -> us((double) f.counts().squareRoots() / frames));
+    row("bytes allocated per frame", f -> us(f.bytesPerFrame()));
+    line("");
+  }
+
+  private void foot() {
+    line(
+        "Times include two time stamps a frame; an empty pair takes %.0f ns. Walls cost their time",
+        result.figures(Methods.CAROM).emptyPairNanos());
+    line("but are not counted as lines. Carom's square roots are counted by rule: one for each");
+    line("impact with a line or a peg. Published: 100 circles and 100 lines, Java 6, Core 2 Duo.");
+  }
+
+  private void row(String label, Function<Figures, String> cell, String... published) {
+    text.append(pad(label, -LABEL));
+    for (Figures figures : result.figures()) {
+      text.append(pad(cell.apply(figures), COLUMN));
+    }
+    for (String cellOfPublished : published) {
+      text.append(pad(cellOfPublished, COLUMN));
+    }
+    text.append('\n');
+  }
+
+  private void line(String format, Object... values) {
+    text.append(String.format(Locale.ROOT, format, values).stripTrailing()).append('\n');
+  }
+
+  private static String pad(String cell, int width) {
+    return String.format(Locale.ROOT, "%" + width + "s", cell);
+  }
+
+  private static String whole(long value) {
+    return String.format(Locale.ROOT, "%,d", value);
+  }
+
+  /** Three places are enough below a thousand, none above. */
+  private static String us(double value) {
+    if (value == 0 || value >= 1000) {
+      return whole(Math.round(value));
+    }
+    return String.format(Locale.ROOT, value < 10 ? "%.2f" : "%.1f", value);
+  }
+
+  private static String percent(double share) {
+    return String.format(Locale.ROOT, share < 0.1 ? "%.4f %%" : "%.0f %%", 100 * share);
+  }
+}

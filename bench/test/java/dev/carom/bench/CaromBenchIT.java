@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Starts the finished jar as a person would, its output redirected to a file. */
+class CaromBenchIT {
+
+  private static final Path JAR = Path.of("target/carom-bench.jar").toAbsolutePath();
+  private static final Path JAVA = Path.of(System.getProperty("java.home"), "bin", "java");
+
+  @TempDir private Path folder;
+
+  private Path output;
+
+  private int run(String... args) throws IOException, InterruptedException {
+    output = folder.resolve("output.txt");
+    // Another JMH run on the same machine disturbs figures, which are not looked at here.
+    List<String> command =
+        new ArrayList<>(List.of(JAVA.toString(), "-Djmh.ignoreLock=true", "-jar", JAR.toString()));
+    command.addAll(Arrays.asList(args));
+    Process process =
+        new ProcessBuilder(command)
+            .redirectErrorStream(true)
+            .redirectOutput(output.toFile())
+            .directory(new File(folder.toString()))
+            .start();
+    assertThat(process.waitFor(5, TimeUnit.MINUTES)).isTrue();
+    return process.exitValue();
+  }
+
+  @Test
+  void replaysTheExperiment() throws IOException, InterruptedException {
+    int exitCode =
+        run(
+            "replay",
+            "--frames",
+            "60",
+            "--forks",
+            "1",
+            "--warm-up",
+            "100",
+            "--json",
+            "figures.json");
+
+    assertThat(output).content().contains("BUDGET").contains("published 2010").contains("poster");
+    assertThat(exitCode).isZero();
+    JsonNode json = JsonMapper.builder().build().readTree(folder.resolve("figures.json").toFile());
+    assertThat(json.get("frames").asInt()).isEqualTo(60);
+    assertThat(json.get("methods")).hasSize(2);
+    assertThat(json.get("methods").get(0).get("mean_us").asDouble()).isPositive();
+    assertThat(json.get("methods").get(0).get("impacts").asInt()).isPositive();
+  }
+
+  @Test
+  void castsFromAFile() throws IOException, InterruptedException {
+    Path queries = folder.resolve("queries.csv");
+    Files.writeString(queries, "ax,ay,bx,by,px,py,r,vx,vy,T\n0,0,0,10,-15,4,5,20,0,1\n");
+
+    assertThat(run("cast", queries.toString())).isZero();
+    assertThat(output).hasContent("hit,feature,t,nx,ny\n1,SIDE,0.5,-1.0,0.0\n");
+  }
+
+  @Test
+  void tellsWrongDataByItsExitCode() throws IOException, InterruptedException {
+    assertThat(run("cast", "nosuch.csv")).isEqualTo(1);
+    assertThat(output).content().contains("nosuch.csv: no such file").doesNotContain("\tat ");
+    assertThat(run("--frames")).isEqualTo(2);
+    assertThat(run("jmh", "-l")).isZero();
+    assertThat(output)
+        .content()
+        .contains("QueryBenchmark.lineSide")
+        .contains("WorldBenchmark.build");
+  }
+}

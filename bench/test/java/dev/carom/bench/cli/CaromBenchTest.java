@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class CaromBenchTest {
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "replay ", "simulate ", "cast ", "jmh "})
+  void everyCommandExplainsItself(String command) {
+    Cli help = Cli.run((Object[]) (command + "--help").split(" "));
+
+    assertThat(help.exitCode()).isZero();
+    assertThat(help.out()).startsWith("Usage: carom-bench " + command.strip());
+    assertThat(help.err()).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "nosuch                         | Unmatched argument at index 0: 'nosuch'",
+        "replay --frames x              | '--frames': 'x' is not an int",
+        "replay --frames 0              | --frames is 0: expected at least 1",
+        "replay --forks 0               | --forks is 0: expected at least 1",
+        "--circles 0                    | circles is 0: expected at least 1",
+        "replay --radius NaN            | radius is NaN: expected more than 0 and at most 300",
+        "replay --speed 10..1           | highest speed is 1.0: expected a finite number",
+        "replay --speed fast            | 'fast' is not a speed, or a range such as 1..10",
+        "replay --scene a.csv --seed 2  | --scene and --seed exclude each other",
+        "simulate --frames 3            | Missing required option: '--scene=FILE'",
+        "simulate --scene a.csv --frames -1       | --frames is -1: expected at least 0",
+        "simulate --scene a.csv --frames 1 --dt 0 | --dt is 0.0: expected a finite number",
+        "cast                           | Missing required parameter: 'FILE|-'"
+      })
+  void wrongCommandLinesAreOneLineAndExitCodeTwo(String words, String message) {
+    Cli run = Cli.run((Object[]) words.split(" "));
+
+    assertThat(run.exitCode()).isEqualTo(2);
+    assertThat(run.out()).isEmpty();
+    assertThat(run.err()).contains(message).contains("--help)").hasLineCount(1);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      value = {
+        "simulate --frames 1 --scene %; line 2 is bad;2:12: radius is \"x\"",
+        "replay --scene %; line 2 is bad;2:12: radius is \"x\"",
+        "cast nosuch.csv; ;nosuch.csv: no such file",
+        "simulate --frames 1 --scene nosuch.csv; ;nosuch.csv: no such file",
+        "replay --crosses 1000; ;of 1000: none of 100,000 places fits"
+      })
+  void badDataIsOneLineAndExitCodeOne(
+      String words, String why, String message, @TempDir Path folder) throws Exception {
+    Path scene = folder.resolve("scene.csv");
+    Files.writeString(scene, "wall,0,0,800,600\ncircle,1,2,x,0,0\n");
+
+    Cli run = Cli.run((Object[]) words.replace("%", scene.toString()).split(" "));
+
+    assertThat(run.exitCode()).as(why).isEqualTo(1);
+    assertThat(run.out()).isEmpty();
+    assertThat(run.err()).contains(message).hasLineCount(1);
+  }
+}

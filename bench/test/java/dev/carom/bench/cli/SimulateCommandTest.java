@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class SimulateCommandTest {
+
+  /** One circle between a wall, a peg and a line, with times that are exact. */
+  private static final String SCENE =
+      """
+      wall,0,0,100,100
+      peg,50,90,2
+      line,30,0,30,40
+      line,60,0,60,40
+      circle,40,20,5,10,0
+      circle,50,73,5,0,10
+      circle,15,80,5,-8,0
+      """;
+
+  @TempDir private Path folder;
+
+  private Path scene;
+  private Path positions;
+  private Path impacts;
+
+  @BeforeEach
+  void write() throws IOException {
+    scene = folder.resolve("scene.csv");
+    positions = folder.resolve("positions.csv");
+    impacts = folder.resolve("impacts.csv");
+    Files.writeString(scene, SCENE);
+  }
+
+  @Test
+  void writesPositionsAfterEveryFrame() throws IOException {
+    Cli run = Cli.run("simulate", "--scene", scene, "--frames", 2, "--positions", positions);
+
+    assertThat(run.exitCode()).isZero();
+    assertThat(positions)
+        .hasContent(
+            """
+            frame,circle,x,y
+            1,0,50.0,20.0
+            1,1,50.0,83.0
+            1,2,7.0,80.0
+            2,0,50.0,20.0
+            2,1,50.0,73.0
+            2,2,11.0,80.0
+            """);
+  }
+
+  @Test
+  void writesImpactsInTheOrderOfTime() throws IOException {
+    Cli run = Cli.run("simulate", "--scene", scene, "--frames", 2, "--impacts", impacts);
+
+    assertThat(impacts)
+        .hasContent(
+            """
+            time,circle,obstacle,feature,x,y,nx,ny,speed
+            1.0,1,peg 0,CIRCLE,50.0,88.0,0.0,-1.0,10.0
+            1.25,2,wall left,SIDE,0.0,80.0,1.0,0.0,8.0
+            1.5,0,line 1,SIDE,60.0,20.0,-1.0,0.0,10.0
+            """);
+    assertThat(run.out())
+        .isEqualToNormalizingNewlines("time 2.0: 3 circles, 3 impacts, 1 of them with walls\n");
+  }
+
+  @Test
+  void aFrameIsAsLongAsAsked() throws IOException {
+    Cli.run(
+        "simulate",
+        "--scene",
+        scene,
+        "--frames",
+        8,
+        "--dt",
+        0.25,
+        "--positions",
+        positions,
+        "--impacts",
+        impacts);
+
+    assertThat(positions).content().contains("\n4,1,50.0,83.0\n").contains("\n8,2,11.0,80.0\n");
+    assertThat(impacts).content().contains("\n1.25,2,wall left").contains("\n1.5,0,line 1");
+  }
+
+  @Test
+  void writesNothingWhenTheOtherFileCannotBeWritten() {
+    Path nowhere = folder.resolve("nowhere/impacts.csv");
+
+    Cli run =
+        Cli.run(
+            "simulate",
+            "--scene",
+            scene,
+            "--frames",
+            1,
+            "--positions",
+            positions,
+            "--impacts",
+            nowhere);
+
+    assertThat(run.exitCode()).isEqualTo(1);
+    assertThat(run.err()).contains(nowhere + ": cannot be written").hasLineCount(1);
+    assertThat(folder.toFile().list()).containsExactly("scene.csv");
+  }
+}

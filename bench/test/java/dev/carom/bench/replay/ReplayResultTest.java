@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.replay;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.experiment.Crosses;
+import dev.carom.bench.methods.Methods;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ReplayResultTest {
+
+  private static final Machine MACHINE = new Machine("a processor, 2 cores", "a jdk", "-Xmx1g");
+
+  private ReplayResult result;
+
+  @BeforeEach
+  void makeUp() throws CannotPlaceException {
+    result = result(2_000, 100_000);
+  }
+
+  private static ReplayResult result(long carom, long poster) throws CannotPlaceException {
+    Crosses crosses = Crosses.canonical(1);
+    ReplayPlan plan = new ReplayPlan("a scene", crosses.scene(), List.of(), 3, 1, 0);
+    return new ReplayResult(
+        plan, Map.of(Methods.CAROM, samples(carom), Methods.POSTER, samples(poster)), MACHINE);
+  }
+
+  private static List<Samples> samples(long nanos) {
+    long[] slow = {nanos, nanos, 3 * nanos};
+    long[] times = {nanos, nanos, nanos};
+    long[] fast = {nanos, nanos, nanos / 2};
+    return List.of(new Samples(slow, List.of(slow, times, fast), 25, 0));
+  }
+
+  @Test
+  void jsonHasTheFieldsThatOthersReadAndNoMore(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("figures.json");
+    ReplayJson.of(result).write(file);
+
+    JsonNode json = JsonMapper.builder().build().readTree(file.toFile());
+
+    assertThat(json.fieldNames())
+        .toIterable()
+        .containsExactly(
+            "scene",
+            "frames",
+            "budget_ms",
+            "published_fps",
+            "methods",
+            "ratio_to_poster",
+            "machine");
+    assertThat(json.get("machine").fieldNames())
+        .toIterable()
+        .containsExactly("cpu", "jdk", "flags");
+    assertThat(json.get("methods").get(0).fieldNames())
+        .toIterable()
+        .containsExactly(
+            "name",
+            "impacts",
+            "mean_us",
+            "median_us",
+            "p95_us",
+            "p99_us",
+            "worst_us",
+            "frames_over_budget",
+            "fps",
+            "alloc_bytes_per_frame");
+    assertThat(json.get("published_fps").asDouble()).isEqualTo(19.2);
+    assertThat(json.get("ratio_to_poster").asDouble()).isEqualTo(50);
+    assertThat(json.get("methods").get(0).get("median_us").asDouble()).isEqualTo(2);
+    assertThat(json.get("methods").get(1).get("name").asText()).isEqualTo("poster");
+  }
+
+  @Test
+  void theTableSaysAtAGlanceWhetherTheBudgetIsMet() throws CannotPlaceException {
+    assertThat(ReplayTable.render(result))
+        .contains("BUDGET MET: the slowest frame of a replay takes 2.00 us of the 16,667 us")
+        .contains("50.0 times as fast as poster")
+        .contains("52,083");
+    assertThat(ReplayTable.render(result(18_000_000, 100_000_000)))
+        .contains("BUDGET MISSED: the slowest frame of a replay takes 18,000 us")
+        .contains("8 of all 9 frames exceeded them.");
+  }
+
+  @Test
+  void theTableIsAligned() {
+    String table = ReplayTable.render(result);
+
+    List<String> rows =
+        table.lines().filter(row -> row.matches("(mean|median|p99|worst).*")).toList();
+    assertThat(rows).hasSize(5);
+    assertThat(rows.subList(1, 5)).allSatisfy(row -> assertThat(row).hasSize(70));
+    assertThat(table.lines())
+        .allSatisfy(line -> assertThat(line.length()).isLessThanOrEqualTo(100));
+  }
+
+  @Test
+  void theTypicalReplayIsTheMedianOne() {
+    assertThat(Arrays.stream(result.typicalReplay()).max()).hasValue(2000);
+  }
+}
