@@ -123,6 +123,9 @@ final class DiskSweep {
     if (t > T || T == Double.POSITIVE_INFINITY) {
       return Double.POSITIVE_INFINITY;
     }
+    if (Rungs.COUNT != null) {
+      Rungs.COUNT.decision(false);
+    }
     Exact.Disks disks = Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
     return disks.compareTime(Dyadic.of(T)) <= 0 ? t : Double.POSITIVE_INFINITY;
   }
@@ -146,6 +149,9 @@ final class DiskSweep {
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
       double vx2, double vy2) {
     double t = estimate(x1 - x2, y1 - y2, r1 + r2, vx1 - vx2, vy1 - vy2);
+    if (Rungs.COUNT != null) {
+      Rungs.COUNT.roots++;
+    }
     for (int i = 0; i < STEPS && t > 0; i++) {
       double c = step(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t);
       double error = stepError(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t, c);
@@ -154,6 +160,9 @@ final class DiskSweep {
         return low;
       }
       t += c;
+    }
+    if (Rungs.COUNT != null) {
+      Rungs.COUNT.exactTimes++;
     }
     return Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).time();
   }

@@ -74,6 +74,7 @@ final class Flights {
       grid[i] = grids.of(circle.radius());
       mover.start(
           i, circle.x(), circle.y(), circle.radius(), v.x(), v.y(), scene.circleRestitution(i));
+      search.extend(mover, grid[i], 0);
       store(i);
     }
   }

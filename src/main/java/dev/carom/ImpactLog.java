@@ -12,7 +12,10 @@ import java.util.Arrays;
  */
 public final class ImpactLog {
 
-  /** Doubles of one row: time, contact x and y, normal x and y, approach speed. */
+  /**
+   * Doubles of one row: time, contact x and y, normal n of any length, and v.n before the impact.
+   * The root that makes n a unit vector is taken by who reads it.
+   */
   private static final int ROW = 6;
 
   /** Rows that are sorted by insertion. */
@@ -127,7 +130,8 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public double nx(int row) {
-    return numbers[at(row) * ROW + 3];
+    int k = at(row) * ROW;
+    return numbers[k + 3] / length(k);
   }
 
   /**
@@ -138,7 +142,8 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public double ny(int row) {
-    return numbers[at(row) * ROW + 4];
+    int k = at(row) * ROW;
+    return numbers[k + 4] / length(k);
   }
 
   /**
@@ -149,7 +154,8 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public double speed(int row) {
-    return numbers[at(row) * ROW + 5];
+    int k = at(row) * ROW;
+    return Math.max(0, -numbers[k + 5] / length(k));
   }
 
   /**
@@ -161,6 +167,12 @@ public final class ImpactLog {
    */
   public boolean jammed(int row) {
     return jammed[at(row)];
+  }
+
+  private double length(int k) {
+    double nx = numbers[k + 3];
+    double ny = numbers[k + 4];
+    return Math.sqrt(nx * nx + ny * ny);
   }
 
   void clear() {
@@ -182,14 +194,14 @@ public final class ImpactLog {
     size++;
   }
 
-  /** Completes the row added last. */
-  void set(double x, double y, double nx, double ny, double speed) {
+  /** Completes the row added last, with a normal of any length and v.n. */
+  void set(double x, double y, double nx, double ny, double vn) {
     int k = (size - 1) * ROW;
     numbers[k + 1] = x;
     numbers[k + 2] = y;
     numbers[k + 3] = nx;
     numbers[k + 4] = ny;
-    numbers[k + 5] = speed;
+    numbers[k + 5] = vn;
   }
 
   /** Marks the row added last as the one at which its circle jams. */

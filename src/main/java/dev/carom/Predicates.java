@@ -199,9 +199,10 @@ final class Predicates {
 
   /** The sign of a value with terms of the given sum; UNDECIDED if the bound does not allow it. */
   private static int decided(double value, double terms, double factor) {
-    if (terms >= TINY && factor <= LARGE && Math.abs(value) > BOUND * terms) {
-      return value > 0 ? 1 : -1;
+    boolean certain = terms >= TINY && factor <= LARGE && Math.abs(value) > BOUND * terms;
+    if (Rungs.COUNT != null) {
+      Rungs.COUNT.decision(certain);
     }
-    return UNDECIDED;
+    return certain ? (value > 0 ? 1 : -1) : UNDECIDED;
   }
 }

@@ -50,18 +50,17 @@ final class Response {
     m.fly(m.cleared);
     locate(m, code);
     double nn = nx * nx + ny * ny;
-    double length = Math.sqrt(nn);
     double vn = dot(m.vx, m.vy, nx, ny);
     log.add(
         m.t, m.id, obstacles.kind(code), obstacles.index(code), obstacles.feature(code, m.contact));
-    log.set(contactX, contactY, nx / length, ny / length, Math.max(0, -vn / length));
+    log.set(contactX, contactY, nx, ny, vn);
     countStuck(m, code);
     double e = m.stuck > patience ? 0 : m.restitution * obstacles.restitution(code);
     if (vn < 0) {
       reflect(m, code, e, vn / nn);
     }
     if (m.stuck > 2 * patience) {
-      jam(m, -vn / length);
+      jam(m, -vn / Math.sqrt(nn));
       log.setJammed();
     }
     m.last = code;

@@ -46,6 +46,9 @@ final class SideSweep {
     if (t > T || T == Double.POSITIVE_INFINITY) {
       return Double.POSITIVE_INFINITY;
     }
+    if (Rungs.COUNT != null) {
+      Rungs.COUNT.decision(false);
+    }
     Exact.Side exact = Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by);
     return exact.compareTime(Dyadic.of(T)) <= 0 ? t : Double.POSITIVE_INFINITY;
   }
@@ -67,6 +70,9 @@ final class SideSweep {
     double c = side * (wx * (py - ay) - wy * (px - ax));
     double speed = -side * (wx * vy - wy * vx);
     double t = Math.max(0, (c - reach) / speed);
+    if (Rungs.COUNT != null) {
+      Rungs.COUNT.roots++;
+    }
     for (int i = 0; i < STEPS; i++) {
       double step = step(side, px, py, r, vx, vy, ax, ay, bx, by, t, reach) / speed;
       double error = stepError(px - ax, py - ay, vx, vy, wx, wy, reach, speed, t, step);
@@ -75,6 +81,9 @@ final class SideSweep {
         return low;
       }
       t = Math.max(0, t + step);
+    }
+    if (Rungs.COUNT != null) {
+      Rungs.COUNT.exactTimes++;
     }
     return Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by).time();
   }

@@ -48,6 +48,9 @@ final class WallSweep {
     if (low == t + (rest + error) && low > LEAST && low < MOST && g > LEAST && h < MOST) {
       return low;
     }
+    if (Rungs.COUNT != null) {
+      Rungs.COUNT.exactTimes++;
+    }
     return Exact.wallTime(p, r, v, wall);
   }
 

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * Counts which rung of precision answers. Nothing is counted unless the system property {@code
+ * dev.carom.rungs} is true when this class is loaded; if it is not, the counting vanishes from the
+ * compiled code, for {@link #COUNT} is then a constant null. Not safe for use by several threads.
+ */
+final class Rungs {
+
+  static final Rungs COUNT = Boolean.getBoolean("dev.carom.rungs") ? new Rungs() : null;
+
+  /** Decisions that plain doubles left open. */
+  long doubtfulDecisions;
+
+  /** Decisions that double-double left open too. */
+  long exactDecisions;
+
+  /** Square roots of doubles: one for each time of impact but those of walls. */
+  long roots;
+
+  /** Times of impact, walls' included, that double-double could not round. */
+  long exactTimes;
+
+  private Rungs() {}
+
+  void decision(boolean certain) {
+    doubtfulDecisions++;
+    if (!certain) {
+      exactDecisions++;
+    }
+  }
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A step allocates nothing, once the log has grown to the size that the scene needs. */
+class AllocationTest {
+
+  /** Frames after which the log's arrays have their size: those of the busiest frame are before. */
+  private static final int WARM_UP = 3_000;
+
+  @ParameterizedTest
+  @ValueSource(strings = {"base-1.csv", "base-2.csv", "base-3.csv", "fast-1.csv", "radii.csv"})
+  void framesAllocateNothing(String file) throws ReflectiveOperationException {
+    Scene scene = TestScenes.read(file);
+    for (int i = 0; i < 3; i++) {
+      frames(new World(scene), 600);
+    }
+    World world = new World(scene);
+    frames(world, WARM_UP);
+    Meter meter = new Meter();
+    assertThat(measured(meter, () -> frames(world, 600))).isEqualTo(measured(meter, () -> {}));
+  }
+
+  private static long measured(Meter meter, Runnable work) throws ReflectiveOperationException {
+    long least = Long.MAX_VALUE;
+    for (int i = 0; i < 3; i++) {
+      long before = meter.bytes();
+      work.run();
+      least = Math.min(least, meter.bytes() - before);
+    }
+    return least;
+  }
+
+  private static void frames(World world, int count) {
+    for (int i = 0; i < count; i++) {
+      world.step(1);
+      read(world);
+    }
+  }
+
+  private static double sum;
+
+  private static void read(World world) {
+    ImpactLog log = world.impacts();
+    for (int row = 0; row < log.size(); row++) {
+      sum += log.time(row) + log.x(row) + log.kind(row).ordinal() + log.feature(row).ordinal();
+    }
+    for (int i = 0; i < world.circleCount(); i++) {
+      sum += world.x(i) + world.y(i) + world.vx(i) + world.vy(i);
+    }
+  }
+
+  /**
+   * The bytes that this thread has allocated. By reflection: the library's module, in which tests
+   * run, reads java.base only.
+   */
+  private static final class Meter {
+    private final Object bean;
+    private final Method allocated;
+
+    Meter() throws ReflectiveOperationException {
+      bean =
+          Class.forName("java.lang.management.ManagementFactory")
+              .getMethod("getThreadMXBean")
+              .invoke(null);
+      allocated =
+          Class.forName("com.sun.management.ThreadMXBean")
+              .getMethod("getCurrentThreadAllocatedBytes");
+    }
+
+    long bytes() throws IllegalAccessException, InvocationTargetException {
+      return (Long) allocated.invoke(bean);
+    }
+  }
+}

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** "It always ends, and says how": circles that jam, and steps that run out of their budget. */
+class EndsTest {
+
+  /** N of a world with one circle: 1,000 + 10 x circles. */
+  private static final int PATIENCE = 1_010;
+
+  private static long jammed(Run run) {
+    return run.impacts().stream().filter(Run.Row::jammed).count();
+  }
+
+  // Infinitely many impacts in finite time.
+
+  /**
+   * Each bounce takes half of what leads it across, nothing stops what leads it in: infinitely many
+   * impacts before the tip, where it stops.
+   *
+   * <pre>
+   *               ____....---
+   *   <====----   o ->  (comes from the right)
+   *               ''''---....
+   * </pre>
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.5, 1, 2, 5})
+  void anInelasticWedgeJams(double opening) {
+    Scene scene =
+        Scene.builder()
+            .line(0, 0, 100, opening)
+            .restitution(0.5)
+            .line(0, 0, 100, -opening)
+            .restitution(0.5)
+            .circle(50, 0, 0.1, -1, 0.01)
+            .build();
+    Run run = Run.advance(new World(scene), 1000);
+    assertThat(jammed(run)).isEqualTo(1);
+    assertThat(run.impacts().get(run.impacts().size() - 1).jammed()).as("the last row").isTrue();
+    assertThat(run.impacts()).hasSizeBetween(2 * PATIENCE, 4 * PATIENCE);
+    // It rests where it touches both lines: at the distance radius |w| / opening from the tip.
+    double tip = 0.1 * Math.hypot(100, opening) / opening;
+    Run.State end = run.end().get(0);
+    assertThat(end.x()).isCloseTo(tip, within(1e-12));
+    assertThat(end.y()).isCloseTo(0, within(1e-12));
+    assertThat(Math.hypot(end.vx(), end.vy())).isZero();
+  }
+
+  @Test
+  void aJammedCircleStaysSo() {
+    SceneBuilder wedge =
+        Scene.builder()
+            .line(0, 0, 100, 1)
+            .restitution(0.5)
+            .line(0, 0, 100, -1)
+            .restitution(0.5)
+            .circle(50, 0, 0.1, -1, 0.01);
+    World world = new World(wedge.build());
+    world.advanceTo(100);
+    Run.State before = Run.states(world).get(0);
+    Run later = Run.advance(world, 1e3, 1e6, 1e9);
+    assertThat(later.impacts()).isEmpty();
+    assertThat(later.end()).containsExactly(before);
+  }
+
+  /** The counts do not start anew at a step, even at steps of no length. */
+  @Test
+  void stepsDoNotResetTheCounts() {
+    Scene scene =
+        Scene.builder()
+            .line(0, 0, 100, 1)
+            .restitution(0.5)
+            .line(0, 0, 100, -1)
+            .restitution(0.5)
+            .circle(50, 0, 0.1, -1, 0.01)
+            .build();
+    Run whole = Run.advance(new World(scene), 100);
+    World world = new World(scene);
+    double[] times = new double[4001];
+    for (int i = 0; i < times.length; i++) {
+      times[i] = i == times.length - 1 ? 100 : 40 + i * 0x1p-16;
+    }
+    assertThat(Run.advance(world, times)).isEqualTo(whole);
+  }
+
+  /**
+   * A corridor of exactly one diameter, the motion neither along nor across it: it bounces without
+   * getting anywhere until it may keep no motion across, and then it slides.
+   *
+   * <pre>
+   *   =================
+   *       ( o )  ->
+   *   =================
+   * </pre>
+   */
+  @Test
+  void aStraightCorridorOfOneDiameterIsSlidThrough() {
+    List<SceneBuilder> corridors =
+        List.of(
+            Scene.builder().line(-100, 0, 100, 0).line(-100, 4, 100, 4),
+            Scene.builder().bounds(-100, 0, 100, 4));
+    for (SceneBuilder corridor : corridors) {
+      Run run = Run.advance(new World(corridor.circle(0, 2, 2, 1, 1).build()), 60);
+      assertThat(run.impacts()).hasSizeBetween(PATIENCE, 2 * PATIENCE + 10);
+      assertThat(run.impacts()).allMatch(row -> row.time() == 0);
+      Run.State end = run.end().get(0);
+      assertThat(end.x()).isCloseTo(60, within(1e-12));
+      assertThat(end.y()).isCloseTo(2, within(1e-12));
+      assertThat(end.vx()).isCloseTo(1, within(1e-15));
+      assertThat(end.vy()).isCloseTo(0, within(1e-15));
+    }
+  }
+
+  /** The lines along (4, 3), five apart; v is (4, 3.5), of which (4.24, 3.18) leads along them. */
+  @Test
+  void aSlantedCorridorOfOneDiameterIsSlidThrough() {
+    Scene scene =
+        Scene.builder()
+            .line(-400, -300, 400, 300)
+            .line(-403, -296, 397, 304)
+            .circle(-1.5, 2, 2.5, 4, 3.5)
+            .build();
+    Run run = Run.advance(new World(scene), 60);
+    assertThat(run.impacts()).hasSizeBetween(PATIENCE, 4 * PATIENCE);
+    Run.State end = run.end().get(0);
+    assertThat(end.x()).isCloseTo(-1.5 + 60 * 4.24, within(1e-9));
+    assertThat(end.y()).isCloseTo(2 + 60 * 3.18, within(1e-9));
+    assertThat(end.vx()).isCloseTo(4.24, within(1e-12));
+    assertThat(end.vy()).isCloseTo(3.18, within(1e-12));
+  }
+
+  /**
+   * No number is exact here, and rounding may leave less room than the diameter, or some ulps more:
+   * then 1e16 impacts are to be made, and the budget ends each call. Resting circles keep it small.
+   */
+  @ParameterizedTest
+  @CsvSource({"1,0.3", "1,0.33", "3,-0.7", "0.1,1", "7,5"})
+  void corridorsOfAboutOneDiameterNeverGainEnergy(double wx, double wy) {
+    double nx = -wy / Math.hypot(wx, wy);
+    double ny = wx / Math.hypot(wx, wy);
+    for (int ulps = -2; ulps <= 2; ulps++) {
+      SceneBuilder builder =
+          Scene.builder()
+              .line(-99 * wx, -99 * wy, 99 * wx, 99 * wy)
+              .line(4 * nx - 99 * wx, 4 * ny - 99 * wy, 4 * nx + 99 * wx, 4 * ny + 99 * wy)
+              .circle(2 * nx, 2 * ny, 2 + ulps * Math.ulp(2.0), 1, 0.5);
+      for (int i = 0; i < 399; i++) {
+        builder.circle(500, 500, 1, 0, 0);
+      }
+      World world = new World(builder.build());
+      Outcome outcome = world.advanceTo(20);
+      assertThat(outcome == Outcome.COMPLETE).isEqualTo(world.now() == 20);
+      assertThat(world.impacts().size()).isLessThanOrEqualTo(10_000);
+      assertThat(Math.hypot(world.vx(0), world.vy(0))).isLessThan(Math.hypot(1, 0.5) + 1e-12);
+      double across = world.x(0) * nx + world.y(0) * ny;
+      assertThat(across).as("stays between the lines").isCloseTo(2, within(1e-12));
+    }
+  }
+
+  @Test
+  void betweenTwoPegsThatLeaveNoRoomItStops() {
+    Scene scene =
+        Scene.builder()
+            .peg(0, 0, 1)
+            .peg(4, 0, 1)
+            .peg(2, -Math.sqrt(3), 0)
+            .circle(2, 0, Math.sqrt(3), 0.5, -1)
+            .build();
+    World world = new World(scene);
+    assertThat(world.advanceTo(10)).isEqualTo(Outcome.COMPLETE);
+    assertThat(world.impacts().size()).isLessThan(4 * PATIENCE);
+    assertThat(world.y(0)).isGreaterThan(-1e-9);
+  }
+
+  /** Each wall adds half: infinitely many impacts in finite time, and no largest speed. */
+  @ParameterizedTest
+  @CsvSource({"4,0", "4,3.5"})
+  void bumpersAboveOneOnAllSidesEndInADefinedState(double vx, double vy) {
+    World world =
+        new World(
+            Scene.builder()
+                .bounds(0, 0, 10, 10)
+                .restitution(1.5)
+                .circle(5, 4, 1.5, vx, vy)
+                .build());
+    Outcome outcome = world.advanceTo(60);
+    for (int call = 1; call < 5 && outcome == Outcome.UNFINISHED; call++) {
+      outcome = world.advanceTo(60);
+    }
+    assertThat(outcome).isEqualTo(Outcome.COMPLETE);
+    assertThat(world.x(0)).isBetween(1.5 - 1e-9, 8.5 + 1e-9);
+    assertThat(world.y(0)).isBetween(1.5 - 1e-9, 8.5 + 1e-9);
+    assertThat(world.vx(0)).isFinite();
+    assertThat(world.vy(0)).isFinite();
+  }
+
+  // The budget of a step.
+
+  /** With 800 circles each may make 10,000 impacts a call; circles 3 and 5 need far more. */
+  private static Scene busy() {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 64, 64);
+    for (int i = 0; i < 800; i++) {
+      double speed = i == 3 ? 0x1p22 + 0.5 : i == 5 ? 0x1p21 : 1 + i / 64.0;
+      builder.circle(8 + i % 48, 32, 1, speed, 0.25);
+    }
+    return builder.build();
+  }
+
+  private static final double LONG = 0.5;
+
+  @Test
+  void aStepThatSpendsItsBudgetSaysSo() {
+    World world = new World(busy());
+    assertThat(world.advanceTo(LONG)).isEqualTo(Outcome.UNFINISHED);
+    assertThat(world.now()).isPositive().isLessThan(LONG);
+    assertThat(world.impacts().size()).isPositive();
+  }
+
+  @Test
+  void anUnfinishedWorldStandsAtAnEarlierTimeAsAWhole() {
+    World world = new World(busy());
+    world.advanceTo(LONG);
+    World reference = new World(busy());
+    Run expected = Run.advance(reference, pieces(world.now()));
+    assertThat(Run.states(world)).isEqualTo(expected.end());
+    assertThat(Run.rows(world.impacts())).isEqualTo(expected.impacts());
+  }
+
+  @Test
+  void furtherCallsGoOnAndNothingIsDropped() {
+    World world = new World(busy());
+    List<Run.Row> rows = new ArrayList<>();
+    int calls = 0;
+    Outcome outcome;
+    do {
+      double before = world.now();
+      outcome = world.advanceTo(LONG);
+      rows.addAll(Run.rows(world.impacts()));
+      assertThat(world.now()).isGreaterThan(before);
+      calls++;
+    } while (outcome == Outcome.UNFINISHED);
+    assertThat(world.now()).isEqualTo(LONG);
+    assertThat(calls).isGreaterThan(2);
+    assertThat(new Run(rows, Run.states(world)))
+        .isEqualTo(Run.advance(new World(busy()), pieces(LONG)));
+  }
+
+  /** 16 calls, each within the budget. */
+  private static double[] pieces(double end) {
+    double[] times = new double[16];
+    for (int i = 0; i < times.length; i++) {
+      times[i] = end * (i + 1) / times.length;
+    }
+    return times;
+  }
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.util.Random;
+
+/** Scenes drawn at random; overlaps are allowed, as they are in a world. */
+final class RandomScenes {
+
+  private RandomScenes() {}
+
+  /** Draws the parts of one kind of scene. */
+  interface Recipe {
+    SceneBuilder draw(Random random);
+  }
+
+  private static double between(Random random, double low, double high) {
+    return low + random.nextDouble() * (high - low);
+  }
+
+  private static void lines(SceneBuilder builder, Random random, int count, double length) {
+    for (int i = 0; i < count; i++) {
+      double x = between(random, 0, 800);
+      double y = between(random, 0, 600);
+      builder.line(
+          x, y, x + between(random, -length, length), y + between(random, -length, length));
+    }
+  }
+
+  private static void pegs(SceneBuilder builder, Random random, int count, double radius) {
+    for (int i = 0; i < count; i++) {
+      builder.peg(between(random, 0, 800), between(random, 0, 600), random.nextInt(4) * radius / 3);
+    }
+  }
+
+  /** Radii from 1 to the largest one, each power of two about as often. */
+  private static void circles(SceneBuilder builder, Random random, int count, double largest) {
+    for (int i = 0; i < count; i++) {
+      double radius = Math.scalb(1 + random.nextDouble(), random.nextInt(7)) % largest + 1;
+      builder.circle(
+          between(random, 50, 750),
+          between(random, 50, 550),
+          radius,
+          random.nextGaussian() * 6,
+          random.nextGaussian() * 6);
+    }
+  }
+
+  /** Short lines and pegs in bounds. */
+  static SceneBuilder mixed(Random random) {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600);
+    lines(builder, random, 60, 30);
+    pegs(builder, random, 40, 12);
+    circles(builder, random, 60, 20);
+    return builder;
+  }
+
+  /** A few lines right across, others axis-parallel, some points. */
+  static SceneBuilder longLines(Random random) {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600);
+    lines(builder, random, 8, 900);
+    for (int i = 0; i < 12; i++) {
+      double x = Math.rint(between(random, 0, 800));
+      double y = Math.rint(between(random, 0, 600));
+      builder.line(x, y, x + 200 * (i % 2), y + 200 * (i / 2 % 2));
+    }
+    circles(builder, random, 60, 12);
+    return builder;
+  }
+
+  /** Radii from 1 to 100 among few obstacles. */
+  static SceneBuilder mixedRadii(Random random) {
+    SceneBuilder builder = Scene.builder().bounds(-200, -200, 1000, 800);
+    lines(builder, random, 15, 60);
+    pegs(builder, random, 5, 30);
+    circles(builder, random, 80, 99);
+    return builder;
+  }
+
+  /** No bounds; circles come from far away, some past everything, some never. */
+  static SceneBuilder open(Random random) {
+    SceneBuilder builder = Scene.builder();
+    lines(builder, random, 60, 50);
+    pegs(builder, random, 30, 12);
+    for (int i = 0; i < 100; i++) {
+      double angle = random.nextDouble() * 2 * Math.PI;
+      double distance = between(random, 500, 1e5);
+      double x = 400 + distance * Math.cos(angle);
+      double y = 300 + distance * Math.sin(angle);
+      double duration = between(random, 100, 500);
+      double radius = between(random, 1, 40);
+      double aimX = between(random, 0, 800);
+      double aimY = between(random, 0, 600);
+      if (i % 5 == 0) {
+        builder.circle(x, y, radius, 0, aimY - y > 0 ? 30 : -30);
+      } else {
+        builder.circle(x, y, radius, (aimX - x) / duration, (aimY - y) / duration);
+      }
+    }
+    return builder;
+  }
+
+  /** Whole numbers on a lattice: ties, joints, exact contacts, paths along the edges of cells. */
+  static SceneBuilder lattice(Random random) {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 640, 640);
+    for (int i = 0; i < 80; i++) {
+      int x = 20 * (1 + random.nextInt(30));
+      int y = 20 * (1 + random.nextInt(30));
+      boolean level = random.nextBoolean();
+      builder.line(x, y, level ? x + 20 : x, level ? y : y + 20);
+    }
+    for (int i = 0; i < 10; i++) {
+      builder.peg(20 * (1 + random.nextInt(30)), 20 * (1 + random.nextInt(30)), 5);
+    }
+    for (int i = 0; i < 60; i++) {
+      int x = 10 * (1 + random.nextInt(62));
+      int y = 10 * (1 + random.nextInt(62));
+      double[] speeds = {-5, -2.5, 0, 2.5, 5};
+      builder.circle(
+          x, y, 5 << random.nextInt(2), speeds[random.nextInt(5)], speeds[random.nextInt(5)]);
+    }
+    return builder;
+  }
+}

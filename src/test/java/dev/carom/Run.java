@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.UnaryOperator;
+
+/**
+ * What a run of a world left: all its impacts in order, and how its circles move at the end. Two
+ * runs are equal if they are so to the bit: records compare doubles by their bits.
+ */
+record Run(List<Row> impacts, List<State> end) {
+
+  /** One row of an impact log. */
+  record Row(
+      double time,
+      int circle,
+      ObstacleKind kind,
+      int obstacle,
+      Feature feature,
+      double x,
+      double y,
+      double nx,
+      double ny,
+      double speed,
+      boolean jammed) {}
+
+  /** Where a circle is, and its velocity. */
+  record State(double x, double y, double vx, double vy) {}
+
+  /** Advances a world to each of the given times in turn. */
+  static Run advance(World world, double... times) {
+    List<Row> impacts = new ArrayList<>();
+    for (double time : times) {
+      finish(world, time, impacts);
+    }
+    return new Run(impacts, states(world));
+  }
+
+  /** Steps a world a number of times. */
+  static Run step(World world, double dt, int count) {
+    List<Row> impacts = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      if (world.step(dt) != Outcome.COMPLETE) {
+        throw new AssertionError("unfinished at " + world.now());
+      }
+      impacts.addAll(rows(world.impacts()));
+    }
+    return new Run(impacts, states(world));
+  }
+
+  private static void finish(World world, double time, List<Row> impacts) {
+    if (world.advanceTo(time) != Outcome.COMPLETE) {
+      throw new AssertionError("unfinished at " + world.now());
+    }
+    impacts.addAll(rows(world.impacts()));
+  }
+
+  /** The rows of a log. */
+  static List<Row> rows(ImpactLog log) {
+    List<Row> rows = new ArrayList<>();
+    for (int i = 0; i < log.size(); i++) {
+      rows.add(
+          new Row(
+              log.time(i),
+              log.circle(i),
+              log.kind(i),
+              log.obstacle(i),
+              log.feature(i),
+              log.x(i),
+              log.y(i),
+              log.nx(i),
+              log.ny(i),
+              log.speed(i),
+              log.jammed(i)));
+    }
+    return rows;
+  }
+
+  /** The states of all circles now. */
+  static List<State> states(World world) {
+    List<State> states = new ArrayList<>();
+    for (int i = 0; i < world.circleCount(); i++) {
+      states.add(new State(world.x(i), world.y(i), world.vx(i), world.vy(i)));
+    }
+    return states;
+  }
+
+  /** This run's impacts of one circle. */
+  List<Row> of(int circle) {
+    return impacts.stream().filter(row -> row.circle() == circle).toList();
+  }
+
+  /** The impacts, each changed. */
+  List<Row> map(UnaryOperator<Row> change) {
+    return impacts.stream().map(change).toList();
+  }
+}

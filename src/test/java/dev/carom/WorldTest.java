@@ -1,0 +1,557 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.tuple;
+import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A world on scenes whose course can be worked out by hand. */
+class WorldTest {
+
+  private static World world(SceneBuilder builder) {
+    return new World(builder.build());
+  }
+
+  private static void assertAt(World world, int id, double x, double y) {
+    assertThat(new Vec2(world.x(id), world.y(id))).isEqualTo(new Vec2(x, y));
+  }
+
+  /** Velocities are rounded at each impact, by some ulps. */
+  private static void assertMoves(World world, int id, double vx, double vy) {
+    assertThat(world.vx(id)).isCloseTo(vx, within(2e-15));
+    assertThat(world.vy(id)).isCloseTo(vy, within(2e-15));
+  }
+
+  /** A circle falls onto the floor, with a second one that flies past. */
+  private static SceneBuilder floor() {
+    return Scene.builder().line(-100, 0, 100, 0).circle(0, 10, 2, 1, -4).circle(0, 20, 2, 0, 8);
+  }
+
+  // Clock and places.
+
+  @Test
+  void startsAtTimeZeroAsTheSceneSays() {
+    Scene scene = floor().build();
+    World world = new World(scene);
+    assertThat(world.now()).isZero();
+    assertThat(world.scene()).isSameAs(scene);
+    assertThat(world.circleCount()).isEqualTo(2);
+    assertThat(world.impacts().size()).isZero();
+    assertThat(world.radius(1)).isEqualTo(2);
+    assertAt(world, 0, 0, 10);
+    assertMoves(world, 1, 0, 8);
+  }
+
+  @Test
+  void fliesStraightUntilItsImpact() {
+    World world = world(floor());
+    world.step(1.5);
+    assertAt(world, 0, 1.5, 4);
+    assertMoves(world, 0, 1, -4);
+    assertAt(world, 1, 0, 32);
+    assertThat(world.impacts().size()).isZero();
+  }
+
+  @Test
+  void bouncesInsideAStepAndUsesTheRestOfIt() {
+    World world = world(floor());
+    assertThat(world.step(3)).isEqualTo(Outcome.COMPLETE);
+    assertThat(world.now()).isEqualTo(3);
+    assertAt(world, 0, 3, 6);
+    assertMoves(world, 0, 1, 4);
+  }
+
+  @Test
+  void theLogHoldsAllOfAnImpact() {
+    World world = world(floor());
+    world.step(3);
+    ImpactLog log = world.impacts();
+    assertThat(log.size()).isEqualTo(1);
+    assertThat(log.time(0)).isEqualTo(2);
+    assertThat(log.circle(0)).isZero();
+    assertThat(log.kind(0)).isEqualTo(ObstacleKind.LINE);
+    assertThat(log.obstacle(0)).isZero();
+    assertThat(log.feature(0)).isEqualTo(Feature.SIDE);
+    assertThat(log.x(0)).isCloseTo(2, within(1e-14));
+    assertThat(log.y(0)).isZero();
+    assertThat(log.nx(0)).isZero();
+    assertThat(log.ny(0)).isEqualTo(1);
+    assertThat(log.speed(0)).isEqualTo(4);
+    assertThat(log.jammed(0)).isFalse();
+  }
+
+  @Test
+  void anImpactAtTheEndOfAStepBelongsToIt() {
+    World world = world(floor());
+    world.step(2);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertAt(world, 0, 2, 2);
+    assertMoves(world, 0, 1, 4);
+    world.step(1);
+    assertThat(world.impacts().size()).isZero();
+  }
+
+  @Test
+  void anImpactJustAfterAStepBelongsToTheNext() {
+    World world = world(floor());
+    world.advanceTo(Math.nextDown(2.0));
+    assertThat(world.impacts().size()).isZero();
+    assertMoves(world, 0, 1, -4);
+    world.advanceTo(2);
+    assertThat(world.impacts().size()).isEqualTo(1);
+  }
+
+  @Test
+  void theLogIsAlwaysTheSameAndHoldsOnlyTheLastStep() {
+    World world = world(floor());
+    ImpactLog log = world.impacts();
+    world.step(2);
+    assertThat(log.size()).isEqualTo(1);
+    world.step(0);
+    assertThat(log.size()).isZero();
+    assertThat(world.impacts()).isSameAs(log);
+  }
+
+  @Test
+  void aStepOfZeroTakesTheImpactsOfNow() {
+    World world = world(Scene.builder().line(-9, 0, 9, 0).circle(0, 1, 2, 0, -4));
+    assertThat(world.step(0)).isEqualTo(Outcome.COMPLETE);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.impacts().time(0)).isZero();
+    assertMoves(world, 0, 0, 4);
+    assertAt(world, 0, 0, 1);
+  }
+
+  @Test
+  void advanceToGoesThereExactly() {
+    World world = world(floor());
+    world.advanceTo(0.1);
+    world.advanceTo(0.3);
+    assertThat(world.now()).isEqualTo(0.3);
+    assertThat(world.advanceTo(0.3)).isEqualTo(Outcome.COMPLETE);
+  }
+
+  @Test
+  void aWorldWithoutCirclesHasAClock() {
+    World world = world(Scene.builder().bounds(0, 0, 9, 9).line(1, 1, 2, 2));
+    assertThat(world.step(7)).isEqualTo(Outcome.COMPLETE);
+    assertThat(world.now()).isEqualTo(7);
+  }
+
+  // Arguments.
+
+  @ParameterizedTest
+  @ValueSource(doubles = {Double.NaN, -1, -Double.MIN_VALUE, Double.POSITIVE_INFINITY})
+  void refusesASenselessStep(double dt) {
+    World world = world(floor());
+    world.advanceTo(1);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> world.step(dt))
+        .withMessageContaining("dt is " + dt)
+        .withMessageContaining("expected");
+    assertThat(world.now()).isEqualTo(1);
+    assertAt(world, 0, 1, 6);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {Double.NaN, -1, 0.999, Double.POSITIVE_INFINITY})
+  void refusesToGoBack(double t) {
+    World world = world(floor());
+    world.advanceTo(1);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> world.advanceTo(t))
+        .withMessageContaining("t is " + t)
+        .withMessageContaining("1.0");
+    assertThat(world.now()).isEqualTo(1);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {-1, 2, Integer.MIN_VALUE, Integer.MAX_VALUE})
+  void refusesCirclesThatDoNotExist(int id) {
+    World world = world(floor());
+    String message = "circle " + id;
+    for (Runnable query :
+        List.<Runnable>of(
+            () -> world.x(id),
+            () -> world.y(id),
+            () -> world.vx(id),
+            () -> world.vy(id),
+            () -> world.radius(id))) {
+      assertThatExceptionOfType(IndexOutOfBoundsException.class)
+          .isThrownBy(query::run)
+          .withMessageContaining(message)
+          .withMessageContaining("2");
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {-1, 1, 15, Integer.MAX_VALUE})
+  void refusesRowsThatDoNotExist(int row) {
+    World world = world(floor());
+    world.step(3);
+    ImpactLog log = world.impacts();
+    for (Runnable query :
+        List.<Runnable>of(
+            () -> log.time(row),
+            () -> log.circle(row),
+            () -> log.kind(row),
+            () -> log.obstacle(row),
+            () -> log.feature(row),
+            () -> log.x(row),
+            () -> log.y(row),
+            () -> log.nx(row),
+            () -> log.ny(row),
+            () -> log.speed(row),
+            () -> log.jammed(row))) {
+      assertThatExceptionOfType(IndexOutOfBoundsException.class)
+          .isThrownBy(query::run)
+          .withMessageContaining("row " + row);
+    }
+  }
+
+  // The order of the log.
+
+  @Test
+  void impactsStandInTheOrderOfTimeThenOfCircles() {
+    SceneBuilder builder = Scene.builder().line(-1000, 0, 1000, 0);
+    for (int i = 0; i < 100; i++) {
+      builder.circle(i, 2 + (i * 37 % 100) / 2, 2, 0, -1);
+    }
+    World world = world(builder);
+    world.step(100);
+    List<Run.Row> rows = Run.rows(world.impacts());
+    assertThat(rows).hasSize(100);
+    for (int i = 1; i < rows.size(); i++) {
+      Run.Row before = rows.get(i - 1);
+      Run.Row row = rows.get(i);
+      assertThat(row.time()).isGreaterThanOrEqualTo(before.time());
+      if (row.time() == before.time()) {
+        assertThat(row.circle()).isGreaterThan(before.circle());
+      }
+    }
+  }
+
+  /** Two things are touched at t = 2, one at the left, one below; each turns another component. */
+  private static Stream<Arguments> simultaneous() {
+    return Stream.of(
+        arguments(Scene.builder().bounds(5, 5, 99, 99), "WALL 0, WALL 2"),
+        arguments(Scene.builder().line(0, 5, 40, 5).bounds(5, 0, 99, 99), "WALL 0, LINE 0"),
+        arguments(Scene.builder().line(5, 0, 5, 40).bounds(0, 5, 99, 99), "WALL 2, LINE 0"),
+        arguments(Scene.builder().line(0, 5, 40, 5).line(5, 0, 5, 40), "LINE 0, LINE 1"),
+        arguments(Scene.builder().line(5, 0, 5, 40).line(0, 5, 40, 5), "LINE 0, LINE 1"),
+        arguments(Scene.builder().peg(10, 2, 3).line(5, 0, 5, 40), "LINE 0, PEG 0"),
+        arguments(Scene.builder().peg(10, 2, 3).bounds(5, 0, 99, 99), "WALL 0, PEG 0"),
+        arguments(Scene.builder().peg(10, 2, 3).peg(3, 10, 2), "PEG 0, PEG 1"),
+        arguments(Scene.builder().peg(3, 10, 2).peg(10, 2, 3), "PEG 0, PEG 1"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("simultaneous")
+  void simultaneousImpactsAreTakenByKindThenByNumber(SceneBuilder builder, String expected) {
+    Scene scene = builder.circle(12, 12, 5, -1, -1).build();
+    for (Machinery machinery : List.of(Machinery.EACH, Machinery.cells(7))) {
+      World world = new World(scene, machinery);
+      world.advanceTo(2);
+      List<Run.Row> rows = Run.rows(world.impacts());
+      assertThat(rows).allMatch(row -> row.time() == 2);
+      assertThat(
+              rows.stream()
+                  .map(row -> row.kind() + " " + row.obstacle())
+                  .collect(Collectors.joining(", ")))
+          .isEqualTo(expected);
+      assertMoves(world, 0, 1, 1);
+    }
+  }
+
+  // Lines that join, and circles that rest.
+
+  /**
+   * The circle comes down exactly on the joint. Both lines are hit by their ends at once; the first
+   * one turns the circle round, and then it does not approach the second.
+   *
+   * <pre>
+   *            o
+   *            v
+   *   =========*=========
+   * </pre>
+   */
+  @Test
+  void twoLinesInARowAreHitOnceAtTheirJoint() {
+    World world =
+        world(Scene.builder().line(0, 0, 10, 0).line(10, 0, 20, 0).circle(10, 8, 2, 0, -3));
+    world.advanceTo(4);
+    ImpactLog log = world.impacts();
+    assertThat(log.size()).isEqualTo(1);
+    assertThat(log.time(0)).isEqualTo(2);
+    assertThat(log.obstacle(0)).isZero();
+    assertThat(log.feature(0)).isEqualTo(Feature.END);
+    assertAt(world, 0, 10, 8);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"9.999999,0", "10.000001,1", "5,0", "15,1"})
+  void besideTheJointTheNearerLineIsHitOnItsSide(double x, int line) {
+    World world =
+        world(Scene.builder().line(0, 0, 10, 0).line(10, 0, 20, 0).circle(x, 8, 2, 0, -3));
+    world.advanceTo(4);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.impacts().obstacle(0)).isEqualTo(line);
+    assertThat(world.impacts().feature(0)).isEqualTo(Feature.SIDE);
+    assertAt(world, 0, x, 8);
+  }
+
+  /** No ghost of the joint: the second line's start does not stop what slides over it. */
+  @Test
+  void aCircleSlidesOverAJoint() {
+    World world = world(Scene.builder().line(0, 0, 10, 0).line(10, 0, 20, 0).circle(3, 2, 2, 1, 0));
+    world.advanceTo(100);
+    assertThat(world.impacts().size()).isZero();
+    assertAt(world, 0, 103, 2);
+  }
+
+  /**
+   * A roof: above its ridge the ends of both lines are met.
+   *
+   * <pre>
+   *         o
+   *         v
+   *      _.=*=._
+   *   .=         =.
+   * </pre>
+   */
+  @Test
+  void twoLinesBentAwayAreHitOnceAtTheirJoint() {
+    World world =
+        world(Scene.builder().line(0, -4, 8, 0).line(8, 0, 16, -4).circle(8, 8, 2, 0, -3));
+    world.advanceTo(4);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.impacts().feature(0)).isEqualTo(Feature.END);
+    assertThat(world.impacts().ny(0)).isEqualTo(1);
+    assertAt(world, 0, 8, 8);
+  }
+
+  /**
+   * A right-angled valley: falling into the middle, the circle hits both sides at once and goes
+   * back up as it came.
+   *
+   * <pre>
+   *   \   o   /
+   *    \  v  /
+   *     \   /
+   *      \ /
+   * </pre>
+   */
+  @Test
+  void twoLinesBentTowardsAreHitOneAfterTheOther() {
+    World world =
+        world(Scene.builder().line(-32, 32, 0, 0).line(0, 0, 32, 32).circle(0, 16, 2, 0, -1));
+    world.advanceTo(32);
+    List<Run.Row> rows = Run.rows(world.impacts());
+    assertThat(rows).extracting(Run.Row::obstacle).containsExactly(0, 1);
+    double t = 16 - 2 * Math.sqrt(2);
+    for (Run.Row row : rows) {
+      assertThat(row.time()).isCloseTo(t, within(1e-14));
+      assertThat(row.feature()).isEqualTo(Feature.SIDE);
+      assertThat(row.speed()).isCloseTo(Math.sqrt(0.5), within(1e-15));
+    }
+    assertThat(world.vx(0)).isCloseTo(0, within(1e-15));
+    assertThat(world.vy(0)).isCloseTo(1, within(1e-15));
+    assertThat(world.y(0)).isCloseTo(16 + 32 - 2 * t, within(1e-13));
+  }
+
+  /** A circle in a corner of two lines, touching both. */
+  private static SceneBuilder corner(double vx, double vy) {
+    return Scene.builder().line(0, 0, 10, 0).line(0, 0, 0, 10).circle(2, 2, 2, vx, vy);
+  }
+
+  @Test
+  void restingAgainstTwoLinesNothingHappens() {
+    World world = world(corner(0, 0));
+    world.advanceTo(1e6);
+    assertThat(world.impacts().size()).isZero();
+    assertAt(world, 0, 2, 2);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1,0", "0,1", "1,1"})
+  void leavingTwoLinesAlongOneOfThemNothingHappens(double vx, double vy) {
+    World world = world(corner(vx, vy));
+    world.advanceTo(5);
+    assertThat(world.impacts().size()).isZero();
+    assertAt(world, 0, 2 + 5 * vx, 2 + 5 * vy);
+  }
+
+  @Test
+  void movingIntoOneOfTwoTouchedLinesTurnsRoundNow() {
+    World world = world(corner(-1, 0));
+    world.advanceTo(5);
+    assertThat(Run.rows(world.impacts())).extracting(Run.Row::obstacle).containsExactly(1);
+    assertThat(world.impacts().time(0)).isZero();
+    assertAt(world, 0, 7, 2);
+  }
+
+  @Test
+  void movingIntoBothOfTwoTouchedLinesTurnsRoundNow() {
+    World world = world(corner(-1, -2));
+    world.advanceTo(3);
+    assertThat(Run.rows(world.impacts())).extracting(Run.Row::obstacle).containsExactly(0, 1);
+    assertThat(Run.rows(world.impacts())).extracting(Run.Row::time).containsExactly(0.0, 0.0);
+    assertAt(world, 0, 5, 8);
+    assertMoves(world, 0, 1, 2);
+  }
+
+  // Restitution.
+
+  /** Restitutions of the obstacle and of the circle, and what their product leaves of 4. */
+  @ParameterizedTest
+  @CsvSource({"1,1,4", "0.5,1,2", "1,0.5,2", "0,1,0", "1,0,0", "2,1,8", "0.5,0.5,1", "0.25,4,4"})
+  void restitutionActsAlongTheNormalAlone(double obstacle, double circle, double left) {
+    List<SceneBuilder> floors =
+        List.of(
+            Scene.builder().line(-100, 0, 100, 0),
+            Scene.builder().line(100, 0, -100, 0),
+            Scene.builder().bounds(-100, 0, 100, 100));
+    for (SceneBuilder floor : floors) {
+      World world = world(floor.restitution(obstacle).circle(0, 10, 2, 3, -4).restitution(circle));
+      world.advanceTo(2);
+      assertThat(world.impacts().size()).isEqualTo(1);
+      assertMoves(world, 0, 3, left);
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1,1,4", "0.5,1,2", "0,1,0", "2,0.75,6"})
+  void endpointsAndPegsHaveARestitutionToo(double obstacle, double circle, double left) {
+    List<SceneBuilder> below =
+        List.of(
+            Scene.builder().line(0, 0, 0, -10),
+            Scene.builder().peg(0, 0, 0),
+            Scene.builder().peg(0, -3, 3));
+    for (SceneBuilder builder : below) {
+      World world =
+          world(builder.restitution(obstacle).circle(0, 10, 2, 0, -4).restitution(circle));
+      world.advanceTo(2);
+      assertThat(world.impacts().size()).isEqualTo(1);
+      assertMoves(world, 0, 0, left);
+    }
+  }
+
+  @Test
+  void withoutRestitutionTheCircleSlidesOn() {
+    World world =
+        world(Scene.builder().line(-100, 0, 100, 0).restitution(0).circle(0, 10, 2, 3, -4));
+    world.advanceTo(20);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.x(0)).isEqualTo(60);
+    assertThat(world.y(0)).isCloseTo(2, within(1e-14));
+  }
+
+  /** Each bounce keeps half: the times form a geometric series, the gaps 8, 16, 32, ... long. */
+  @Test
+  void halfRestitutionBetweenWallsDoublesEachFlight() {
+    World world =
+        world(Scene.builder().bounds(-10, 0, 10, 10).restitution(0.5).circle(0, 5, 2, 2, 0));
+    world.advanceTo(4 + 16 + 32 + 64);
+    assertThat(Run.rows(world.impacts()))
+        .extracting(Run.Row::time)
+        .containsExactly(4.0, 20.0, 52.0, 116.0);
+    assertThat(Run.rows(world.impacts()))
+        .extracting(Run.Row::speed)
+        .containsExactly(2.0, 1.0, 0.5, 0.25);
+  }
+
+  // Walls, pegs, open scenes.
+
+  /** Left 0, right 1, bottom 2, top 3; at t = 3 and t = 9 two of them at once. */
+  @Test
+  void theFourWallsAreNumbered() {
+    World world = world(Scene.builder().bounds(0, 0, 20, 10).circle(10, 5, 2, 8, 1));
+    world.advanceTo(9);
+    assertThat(Run.rows(world.impacts()))
+        .extracting(Run.Row::time, Run.Row::obstacle)
+        .containsExactly(
+            tuple(1.0, 1),
+            tuple(3.0, 0),
+            tuple(3.0, 3),
+            tuple(5.0, 1),
+            tuple(7.0, 0),
+            tuple(9.0, 1),
+            tuple(9.0, 2));
+    assertThat(Run.rows(world.impacts()))
+        .allMatch(row -> row.kind() == ObstacleKind.WALL && row.feature() == Feature.SIDE);
+  }
+
+  @Test
+  void aPegTurnsACircleByItsNormal() {
+    // Contact at the offset (9, 12): v.n = -25/5, v' = v + 10 n = (-1 + 6, -7 + 8)
+    World world = world(Scene.builder().peg(0, 0, 7).circle(9 + 1, 12 + 7, 8, -1, -7));
+    world.advanceTo(1);
+    ImpactLog log = world.impacts();
+    assertThat(log.kind(0)).isEqualTo(ObstacleKind.PEG);
+    assertThat(log.feature(0)).isEqualTo(Feature.CIRCLE);
+    assertThat(log.time(0)).isEqualTo(1);
+    assertThat(world.vx(0)).isCloseTo(-1 + 2 * 6.2 * 0.6, within(1e-14));
+    assertThat(world.vy(0)).isCloseTo(-7 + 2 * 6.2 * 0.8, within(1e-14));
+    assertThat(log.x(0)).isCloseTo(4.2, within(1e-14));
+    assertThat(log.y(0)).isCloseTo(5.6, within(1e-14));
+  }
+
+  /** The circle that has left everything behind flies on for ever, and so exactly. */
+  @Test
+  void aCircleLeavesAnOpenScene() {
+    World world = world(floor());
+    world.advanceTo(0x1p40);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertAt(world, 0, 0x1p40, 2 + 4 * (0x1p40 - 2));
+    assertAt(world, 1, 0, 20 + 0x1p43);
+  }
+
+  @Test
+  void aCircleThatLeavesTheRangeOfDoublesHitsNothingAnyMore() {
+    World world = world(Scene.builder().line(0, 0, 1, 0).circle(0, 5, 2, 1e300, 0));
+    assertThat(world.advanceTo(1e10)).isEqualTo(Outcome.COMPLETE);
+    assertThat(world.x(0)).isEqualTo(Double.POSITIVE_INFINITY);
+    assertThat(world.y(0)).isEqualTo(5);
+    assertThat(world.step(1)).isEqualTo(Outcome.COMPLETE);
+  }
+
+  /** No threshold: at 1e-9 and at 1e9 a frame the same bounces follow. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0x1p-100, 0x1p-30, 1, 0x1p30, 0x1p100})
+  void everySpeedBouncesAlike(double s) {
+    World slow = world(Scene.builder().bounds(0, 0, 20, 10).circle(10, 5, 2, 8, 1));
+    World world = world(Scene.builder().bounds(0, 0, 20, 10).circle(10, 5, 2, 8 * s, s));
+    Run expected = Run.advance(slow, 100);
+    Run run = Run.advance(world, 100 / s);
+    assertThat(run.impacts()).hasSameSizeAs(expected.impacts()).hasSizeGreaterThan(50);
+    for (int i = 0; i < run.impacts().size(); i++) {
+      assertThat(run.impacts().get(i).time() * s).isEqualTo(expected.impacts().get(i).time());
+      assertThat(run.impacts().get(i).x()).isEqualTo(expected.impacts().get(i).x());
+      assertThat(run.impacts().get(i).y()).isEqualTo(expected.impacts().get(i).y());
+    }
+  }
+
+  @Test
+  void theModelSaysWhatIsUsed() {
+    SceneBuilder empty = Scene.builder().bounds(0, 0, 9, 9).circle(4, 4, 1, 1, 1);
+    assertThat(world(empty).model()).contains("no lines or pegs");
+    assertThat(world(floor()).model()).contains("each of 1 lines and pegs");
+    assertThat(new World(TestScenes.read("base-1.csv")).model())
+        .contains("100 lines and pegs in 1 grid of");
+    assertThat(new World(TestScenes.read("base-1.csv"), Machinery.EACH).model())
+        .contains("each of 100 lines and pegs");
+  }
+}
