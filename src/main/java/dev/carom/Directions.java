@@ -20,12 +20,13 @@ final class Directions {
       return Exact.unit(ax, ay, bx, by);
     }
     double length = Math.sqrt(x * x + y * y);
-    return new Vec2(x / length, y / length);
+    return new Vec2(x / length + 0.0, y / length + 0.0);
   }
 
   /** The unit normal of the line from a to b: the left one for side +1, the right one for -1. */
   static Vec2 normal(int side, double ax, double ay, double bx, double by) {
     Vec2 w = unit(bx, by, ax, ay);
-    return new Vec2(-side * w.y(), side * w.x());
+    // + 0 turns -0 into 0.
+    return new Vec2(-side * w.y() + 0.0, side * w.x() + 0.0);
   }
 }

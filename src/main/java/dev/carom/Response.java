@@ -32,6 +32,7 @@ final class Response {
 
   private final Obstacles obstacles;
   private final int patience;
+  private final Impulse impulse = new Impulse();
 
   // The impact in hand: the contact point and the unnormalized normal.
   private double contactX;
@@ -49,34 +50,41 @@ final class Response {
     int code = m.next;
     m.fly(m.cleared);
     locate(m, code);
-    double nn = nx * nx + ny * ny;
     double vn = dot(m.vx, m.vy, nx, ny);
     log.add(
         m.t, m.id, obstacles.kind(code), obstacles.index(code), obstacles.feature(code, m.contact));
     log.set(contactX, contactY, nx, ny, vn);
-    countStuck(m, code);
-    double e = m.stuck > patience ? 0 : m.restitution * obstacles.restitution(code);
+    boolean stuck = countStuck(m, code, m.flown * (Math.abs(m.vx) + Math.abs(m.vy)));
+    double e = stuck ? 0 : m.restitution * obstacles.restitution(code);
     if (vn < 0) {
-      reflect(m, code, e, vn / nn);
+      reflect(m, code, e);
     }
-    if (m.stuck > 2 * patience) {
-      jam(m, -vn / Math.sqrt(nn));
+    if (isJammed(m)) {
+      jam(m, -vn / Math.sqrt(nx * nx + ny * ny));
       log.setJammed();
     }
     m.last = code;
     m.newFlight();
   }
 
-  /** v -= (1 + e) (v.n) / (n.n) n; a wall's normal is a unit vector on one axis. */
-  private void reflect(Mover m, int code, double e, double share) {
+  private void reflect(Mover m, int code, double e) {
     if (code >= Obstacles.WALLS) {
-      double j = (1 + e) * share;
-      m.vx = Math.fma(-j, nx, m.vx);
-      m.vy = Math.fma(-j, ny, m.vy);
+      impulse.of(1 + e, m.vx, m.vy, nx, ny);
+      m.vx = impulse.change(m.vx, -1, nx);
+      m.vy = impulse.change(m.vy, -1, ny);
     } else if (code <= Obstacles.RIGHT) {
       m.vx *= -e;
     } else {
       m.vy *= -e;
+    }
+    stopBeyondRange(m);
+  }
+
+  /** A circle that an impact would make faster than doubles can tell stops. */
+  static void stopBeyondRange(Mover m) {
+    if (!(Math.abs(m.vx) <= Double.MAX_VALUE && Math.abs(m.vy) <= Double.MAX_VALUE)) {
+      m.vx = 0;
+      m.vy = 0;
     }
   }
 
@@ -158,27 +166,32 @@ final class Response {
   private void normal(double x, double y) {
     double size = Math.max(Math.abs(x), Math.abs(y));
     if (size > LEAST && size < MOST) {
-      nx = x;
-      ny = y;
+      // + 0 turns -0 into 0.
+      nx = x + 0.0;
+      ny = y + 0.0;
     } else {
       int exponent = Math.getExponent(size);
-      nx = Math.scalb(x, -exponent);
-      ny = Math.scalb(y, -exponent);
+      nx = Math.scalb(x, -exponent) + 0.0;
+      ny = Math.scalb(y, -exponent) + 0.0;
     }
   }
 
   /** a.b to within two ulps, whatever cancels (W. Kahan's difference of products). */
-  private static double dot(double ax, double ay, double bx, double by) {
+  static double dot(double ax, double ay, double bx, double by) {
     double p = ay * by;
     return Math.fma(ax, bx, p) + Math.fma(ay, by, -p);
   }
 
-  private void countStuck(Mover m, int code) {
-    if (m.jam != null && m.jam.isInert()) {
-      m.jam = null;
-    }
+  /**
+   * Counts an impact, and tells whether the circle is stuck: for more impacts than patience allows
+   * its clock has not moved, or it has not left its place and what it hit came from no further.
+   *
+   * @param way what the two moved against each other since the circle's last impact
+   */
+  boolean countStuck(Mover m, int code, double way) {
     double size = Math.max(Math.max(Math.abs(m.anchorX), Math.abs(m.anchorY)), m.radius) * PLACE;
-    if (Math.abs(m.x - m.anchorX) <= size && Math.abs(m.y - m.anchorY) <= size) {
+    boolean here = Math.abs(m.x - m.anchorX) <= size && Math.abs(m.y - m.anchorY) <= size;
+    if (m.standsStill || (here && way <= size)) {
       m.stuck++;
     } else {
       m.stuck = 0;
@@ -189,11 +202,15 @@ final class Response {
     if (m.stuck > patience) {
       m.jam = Jam.with(m.jam, code);
     }
+    return m.stuck > patience;
+  }
+
+  boolean isJammed(Mover m) {
+    return m.stuck > 2 * patience;
   }
 
   /** Lets the circle slide along what it touches if that is all it does; stops it otherwise. */
   private void jam(Mover m, double approach) {
-    m.stuck = 0;
     m.jam = m.jam.made();
     if (!(approach <= ROUNDING * (Math.abs(m.vx) + Math.abs(m.vy)))) {
       m.vx = 0;

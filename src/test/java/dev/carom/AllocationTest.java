@@ -25,6 +25,7 @@ class AllocationTest {
     frames(world, WARM_UP);
     Meter meter = new Meter();
     assertThat(measured(meter, () -> frames(world, 600))).isEqualTo(measured(meter, () -> {}));
+    assertThat(sum).isFinite();
   }
 
   private static long measured(Meter meter, Runnable work) throws ReflectiveOperationException {
@@ -49,7 +50,8 @@ class AllocationTest {
   private static void read(World world) {
     ImpactLog log = world.impacts();
     for (int row = 0; row < log.size(); row++) {
-      sum += log.time(row) + log.x(row) + log.kind(row).ordinal() + log.feature(row).ordinal();
+      sum += log.time(row) + log.x(row) + log.nx(row) + log.speed(row);
+      sum += log.kind(row) == ObstacleKind.WALL ? 1 : log.feature(row) == Feature.END ? 2 : 3;
     }
     for (int i = 0; i < world.circleCount(); i++) {
       sum += world.x(i) + world.y(i) + world.vx(i) + world.vy(i);

@@ -142,6 +142,7 @@ class MachineryTest {
             case WALL -> row.obstacle();
             case LINE -> lines.get(row.obstacle());
             case PEG -> pegs.get(row.obstacle());
+            default -> circles.get(row.obstacle());
           };
       return new Run.Row(
           row.time(),

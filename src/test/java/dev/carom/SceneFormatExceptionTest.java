@@ -160,8 +160,6 @@ class SceneFormatExceptionTest {
 
   @Test
   void circlesThatCollide() {
-    assertRefused(
-        "collide, 1", 10, "collide is 1: expected 0, this version has no circles that collide");
     assertRefused("collide", 8, "0|1 is missing: expected collide,0|1");
     assertRefused("collide,0,0", 11, "\"0\" is one field too many: expected collide,0|1");
     assertRefused("collide,2", 9, "collide is \"2\": expected 0 or 1");

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import dev.carom.oracle.PairQuery;
+import dev.carom.oracle.Part;
+import dev.carom.oracle.Query;
+import dev.carom.oracle.SegmentQuery;
+import dev.carom.oracle.WallQuery;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.lang.invoke.MethodHandle;
+import java.lang.invoke.MethodHandles;
+import java.lang.reflect.Method;
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.Map;
+
+/**
+ * A copy of the detector for itself, read from the same class files by a class loader of its own,
+ * with some of its rounding bounds scaled.
+ */
+final class PatchedDetector {
+  private final MethodHandle lineContact;
+  private final MethodHandle lineTime;
+  private final MethodHandle pairContact;
+  private final MethodHandle pairTime;
+  private final MethodHandle bounds;
+
+  /**
+   * What is hit and when.
+   *
+   * @param part null for no answer at all, from exact numbers asked for the time of what is a miss
+   * @param time infinite for a miss
+   */
+  record Reply(Part part, double time) {}
+
+  private PatchedDetector(Map<RoundingBound, Double> factors) {
+    Loader loader = new Loader(factors);
+    lineContact = loader.handle("SegmentSweep", "contact", 9, 10);
+    lineTime = loader.handle("SegmentSweep", "time", 10, 10);
+    pairContact = loader.handle("DiskSweep", "contact", 10, 11);
+    pairTime = loader.handle("DiskSweep", "time", 11, 11);
+    bounds = loader.handle("SweptCircle", "bounds", 10, 10);
+  }
+
+  /** The detector with one bound scaled down: 1 for none, 0 to remove it. */
+  static PatchedDetector scaled(RoundingBound bound, double factor) {
+    return new PatchedDetector(Map.of(bound, factor));
+  }
+
+  /** The last rung alone: with infinite bounds nothing but exact numbers decides. */
+  static PatchedDetector exact() {
+    Map<RoundingBound, Double> factors = new EnumMap<>(RoundingBound.class);
+    for (RoundingBound bound : RoundingBound.values()) {
+      if (bound.isBound()) {
+        factors.put(bound, Double.POSITIVE_INFINITY);
+      }
+    }
+    return new PatchedDetector(factors);
+  }
+
+  /** The numbers of a query in the order of the detector's arguments. */
+  static double[] arguments(Query query) {
+    double[] n = query.numbers();
+    return query instanceof SegmentQuery
+        ? new double[] {n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], n[9]}
+        : n;
+  }
+
+  /** The answer to a query with these arguments. */
+  Reply ask(Query query, double... arguments) {
+    try {
+      if (query instanceof WallQuery) {
+        return reply(Part.SIDE, (double) bounds.invokeExact(arguments));
+      }
+      boolean pair = query instanceof PairQuery;
+      int contact = (int) (pair ? pairContact : lineContact).invokeExact(arguments);
+      double time = (double) (pair ? pairTime : lineTime).invokeExact(contact, arguments);
+      return reply(pair ? Part.CIRCLE : linePart(contact & ~SegmentSweep.NOW), time);
+    } catch (ArithmeticException e) {
+      return new Reply(null, Double.NaN);
+    } catch (RuntimeException | Error e) {
+      throw e;
+    } catch (Throwable e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  private static Reply reply(Part part, double time) {
+    return new Reply(time == Double.POSITIVE_INFINITY ? Part.NONE : part, time);
+  }
+
+  private static Part linePart(int contact) {
+    return contact == SegmentSweep.START
+        ? Part.START
+        : contact == SegmentSweep.END ? Part.END : Part.SIDE;
+  }
+
+  /** Reads class files of the library; what they need besides is the platform's. */
+  private static final class Loader extends ClassLoader {
+    private final Map<RoundingBound, Double> factors;
+
+    Loader(Map<RoundingBound, Double> factors) {
+      super(getPlatformClassLoader());
+      this.factors = factors;
+    }
+
+    /**
+     * A static method that takes doubles, perhaps an int before them.
+     *
+     * @param doubles how many it takes
+     * @param given how many it is to be given, in an array
+     */
+    MethodHandle handle(String className, String name, int doubles, int given) {
+      try {
+        Method method = find(loadClass("dev.carom." + className), name, doubles);
+        method.setAccessible(true);
+        MethodHandle handle = MethodHandles.lookup().unreflect(method);
+        Class<?>[] ignored = new Class<?>[given - doubles];
+        Arrays.fill(ignored, double.class);
+        return MethodHandles.dropArguments(handle, method.getParameterCount(), ignored)
+            .asSpreader(double[].class, given);
+      } catch (ReflectiveOperationException e) {
+        throw new IllegalStateException(e);
+      }
+    }
+
+    private static Method find(Class<?> owner, String name, int doubles)
+        throws NoSuchMethodException {
+      Class<?>[] types = new Class<?>[doubles];
+      Arrays.fill(types, double.class);
+      if (!name.equals("time")) {
+        return owner.getDeclaredMethod(name, types);
+      }
+      Class<?>[] more = new Class<?>[doubles + 1];
+      System.arraycopy(types, 0, more, 1, doubles);
+      more[0] = int.class;
+      return owner.getDeclaredMethod(name, more);
+    }
+
+    /** Not the parent first: it would find the module that is being tested. */
+    @Override
+    protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+      synchronized (getClassLoadingLock(name)) {
+        Class<?> loaded = findLoadedClass(name);
+        if (loaded != null) {
+          return loaded;
+        }
+        return name.startsWith("dev.carom.") ? findClass(name) : super.loadClass(name, resolve);
+      }
+    }
+
+    @Override
+    protected Class<?> findClass(String name) throws ClassNotFoundException {
+      String file = name.substring(name.lastIndexOf('.') + 1) + ".class";
+      try (InputStream in = SweptCircle.class.getResourceAsStream(file)) {
+        if (in == null) {
+          throw new ClassNotFoundException(name);
+        }
+        ConstantPool pool = new ConstantPool(in.readAllBytes());
+        factors.forEach((bound, factor) -> bound.scale(name, pool, factor));
+        byte[] classFile = pool.classFile();
+        return defineClass(name, classFile, 0, classFile.length);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+    }
+  }
+}

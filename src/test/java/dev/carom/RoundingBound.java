@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import dev.carom.oracle.PairQuery;
+import dev.carom.oracle.Query;
+import dev.carom.oracle.SegmentQuery;
+import dev.carom.oracle.WallQuery;
+import java.lang.reflect.Field;
+import java.util.Arrays;
+
+/**
+ * The constants on which the detector's certainty rests: bounds of rounding errors, and limits of
+ * the range in which those hold.
+ *
+ * <p>Two are not here. {@code MOST}, an upper limit of three sweeps: what overflows is infinite or
+ * not a number, and leaves the answer open by itself. And the slope's share in the error of a step
+ * of {@link DiskSweep}, 6 u: where the slope errs, so do f and the curvature, and their shares are
+ * always more.
+ */
+enum RoundingBound {
+  DISK_DOT(DiskSweep.class, "DOT_BOUND"),
+  /** The slope's 6 u is the same entry of the pool; only decisions tell whether this one counts. */
+  DISK_GAP(DiskSweep.class, "GAP_BOUND"),
+  DISK_REACH(DiskSweep.class, "REACH_BOUND"),
+  DISK_WINDOW(DiskSweep.class, "WINDOW_BOUND"),
+  /** What a place loses, in the error of a step, and so the whole of f's share. */
+  DISK_PLACE(DiskSweep.class, Kind.BOUND, 0x1p-103),
+  /**
+   * The step must be a quarter, at most, of what the slope allows before the curvature may be
+   * neglected.
+   */
+  DISK_CURVATURE(DiskSweep.class, Kind.LEAST, 4),
+  DISK_TINY(DiskSweep.class, "TINY"),
+  DISK_LEAST(DiskSweep.class, "LEAST"),
+  SEGMENT_PLACE(SegmentSweep.class, "PLACE_BOUND"),
+  SEGMENT_SPEED(SegmentSweep.class, "SPEED_BOUND"),
+  SEGMENT_STRIP(SegmentSweep.class, "STRIP_BOUND"),
+  SEGMENT_CORNER(SegmentSweep.class, "CORNER_BOUND"),
+  SEGMENT_TINY(SegmentSweep.class, "TINY"),
+  SIDE_WINDOW(SideSweep.class, "WINDOW_BOUND"),
+  /** What h loses, in the error of a step. */
+  SIDE_PLACE(SideSweep.class, Kind.BOUND, 128 * 0x1p-106),
+  /** What the divisions lose, in the error of a step. */
+  SIDE_LEAN(SideSweep.class, Kind.BOUND, 16 * 0x1p-53),
+  SIDE_TINY(SideSweep.class, Kind.LEAST, 0x1p-1000),
+  SIDE_LEAST(SideSweep.class, "LEAST"),
+  /** Of the gap's tail and of the remainder: each is so generous that it covers the other. */
+  WALL_REST(WallSweep.class, Kind.BOUND, 0x1p-104, 0x1p-50),
+  WALL_LEAST(WallSweep.class, "LEAST"),
+  PREDICATES(Predicates.class, "BOUND"),
+  PREDICATES_TINY(Predicates.class, "TINY"),
+  PREDICATES_LARGE(Predicates.class, "LARGE");
+
+  /** What a constant does. */
+  enum Kind {
+    /** Bounds an error: none at 0. */
+    BOUND,
+    /** Keeps small numbers out: none at 0. */
+    LEAST,
+    /** Keeps large numbers out: none at infinity. */
+    MOST
+  }
+
+  private final Class<?> owner;
+  private final Kind kind;
+
+  @SuppressWarnings("ImmutableEnumChecker") // never handed out
+  private final double[] values;
+
+  RoundingBound(Class<?> owner, String field) {
+    this(owner, kind(field), read(owner, field));
+  }
+
+  RoundingBound(Class<?> owner, Kind kind, double... values) {
+    this.owner = owner;
+    this.kind = kind;
+    this.values = values;
+  }
+
+  private static Kind kind(String field) {
+    return field.endsWith("BOUND") ? Kind.BOUND : field.equals("LARGE") ? Kind.MOST : Kind.LEAST;
+  }
+
+  private static double read(Class<?> owner, String field) {
+    try {
+      Field constant = owner.getDeclaredField(field);
+      constant.setAccessible(true);
+      return constant.getDouble(null);
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  boolean isBound() {
+    return kind == Kind.BOUND;
+  }
+
+  /** The first value; a bound as a multiple of u = 2^-53 or of u^2. */
+  String inUnits() {
+    double value = values[0];
+    if (!isBound()) {
+      return "2^" + Math.getExponent(value);
+    }
+    return value > 0x1p-60 ? value * 0x1p53 + " u" : value * 0x1p106 + " u^2";
+  }
+
+  /** Whether a query can come to this constant at all. */
+  boolean concerns(Query query) {
+    if (owner == Predicates.class) {
+      return !(query instanceof WallQuery);
+    }
+    return query instanceof SegmentQuery
+        ? owner != WallSweep.class
+        : query instanceof PairQuery ? owner == DiskSweep.class : owner == WallSweep.class;
+  }
+
+  /** Weakens this bound in a class file of its class: by a factor, 0 to remove it. */
+  void scale(String className, ConstantPool pool, double factor) {
+    if (owner.getName().equals(className)) {
+      for (double value : values) {
+        pool.replace(value, kind == Kind.MOST ? value / factor : value * factor);
+      }
+    }
+  }
+
+  /** Whether a static constant of a class is this one. */
+  boolean is(Field constant) {
+    return constant.getDeclaringClass() == owner
+        && Arrays.stream(values).anyMatch(value -> value == read(owner, constant.getName()));
+  }
+}

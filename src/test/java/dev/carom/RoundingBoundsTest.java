@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.carom.PatchedDetector.Reply;
+import dev.carom.oracle.Brinks;
+import dev.carom.oracle.Contact;
+import dev.carom.oracle.Draw;
+import dev.carom.oracle.Families;
+import dev.carom.oracle.Family;
+import dev.carom.oracle.Query;
+import java.lang.reflect.Field;
+import java.lang.reflect.Modifier;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.StringJoiner;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/**
+ * No rounding bound is violated: the ladder answers as exact numbers alone do. And none is idle:
+ * without it a query is answered wrongly. Prints a table of how much of each is needed.
+ *
+ * <p>More queries, and others: {@code mvn -pl src test -Dtest=RoundingBoundsTest
+ * -Dcarom.queries=10000000 -Dcarom.seed=2}.
+ */
+class RoundingBoundsTest {
+  private static final long QUERIES = Long.getLong("carom.queries", 106_000);
+  private static final long SEED = Long.getLong("carom.seed", 1);
+  private static final int CHUNK = 500;
+
+  private final PatchedDetector exact = PatchedDetector.exact();
+  private final List<Slack> slacks = Stream.of(RoundingBound.values()).map(Slack::new).toList();
+  private final List<String> violations = new ArrayList<>();
+
+  /** A query and its exact answer. */
+  private record Known(Query query, double[] arguments, Reply truth) {}
+
+  @Test
+  void everyBoundHoldsAndIsNeeded() {
+    List<Family> families = new ArrayList<>(Families.all());
+    families.addAll(Brinks.all());
+    long chunks = Math.max(1, QUERIES / families.size() / CHUNK);
+    for (long chunk = 0; chunk < chunks; chunk++) {
+      for (Family family : families) {
+        ask(family, SEED * 1_000_000 + chunk);
+      }
+    }
+    StringJoiner table = new StringJoiner("\n", "\n", "\n").add(Slack.HEAD);
+    slacks.forEach(slack -> table.add(slack.row()));
+    System.out.println(table);
+    assertEquals(List.of(), violations);
+    slacks.forEach(RoundingBoundsTest::assertNeeded);
+  }
+
+  private void ask(Family family, long seed) {
+    Draw draw = new Draw(seed * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
+    List<Query> queries = Stream.generate(() -> family.next(draw)).limit(CHUNK).toList();
+    List<Known> known = queries.stream().map(this::known).toList();
+    slacks.parallelStream().forEach(slack -> ask(slack, family.name(), known));
+  }
+
+  private Known known(Query query) {
+    double[] arguments = PatchedDetector.arguments(query);
+    return new Known(query, arguments, exact.ask(query, arguments));
+  }
+
+  private void ask(Slack slack, String family, List<Known> known) {
+    for (Known k : known) {
+      if (slack.bound().concerns(k.query())
+          && slack.isViolatedBy(family, k.query(), k.arguments(), k.truth())) {
+        synchronized (violations) {
+          violations.add(slack.bound() + ", " + family + ": " + k.query().hex());
+        }
+      }
+    }
+  }
+
+  /** The oracle, too, says that the mistake is one. */
+  private static void assertNeeded(Slack slack) {
+    Query query = slack.witness();
+    assertNotNull(query, () -> "no mistake without " + slack.bound());
+    double[] arguments = PatchedDetector.arguments(query);
+    Contact contact = query.truth();
+    Reply truth = new Reply(contact.part(), contact.time());
+    String source = slack.bound() + ": " + query.hex();
+    assertEquals(truth, PatchedDetector.scaled(slack.bound(), 1).ask(query, arguments), source);
+    assertNotEquals(truth, slack.mistake(), source);
+  }
+
+  @Test
+  void noBoundIsLeftOut() {
+    Stream.of(
+            DiskSweep.class, SegmentSweep.class, SideSweep.class, WallSweep.class, Predicates.class)
+        .flatMap(owner -> Arrays.stream(owner.getDeclaredFields()))
+        .filter(field -> Modifier.isStatic(field.getModifiers()) && field.getType() == double.class)
+        .filter(field -> !field.getName().equals("MOST"))
+        .forEach(RoundingBoundsTest::assertListed);
+  }
+
+  private static void assertListed(Field constant) {
+    assertTrue(
+        Arrays.stream(RoundingBound.values()).anyMatch(bound -> bound.is(constant)),
+        () -> "not tested: " + constant);
+  }
+}
