@@ -5,17 +5,19 @@ import java.util.Arrays;
 
 /**
  * The things between which a circle is stuck. They are gathered while it makes impact after impact
- * without getting anywhere; once it is jammed they are inert: not there, until something else
- * changes its velocity. Immutable.
+ * without getting anywhere; once it is jammed they are inert: not there for it, until it gets away
+ * or something comes from further off. Immutable.
  */
 final class Jam {
 
-  private static final Jam EMPTY = new Jam(new int[0], false);
+  private static final Jam EMPTY = new Jam(new int[0], 0);
 
   private final int[] codes;
-  private final boolean inert;
 
-  private Jam(int[] codes, boolean inert) {
+  /** The first so many codes are inert. */
+  private final int inert;
+
+  private Jam(int[] codes, int inert) {
     this.codes = codes;
     this.inert = inert;
   }
@@ -23,30 +25,27 @@ final class Jam {
   /** A jam, or none yet, with one more thing. */
   static Jam with(Jam jam, int code) {
     Jam old = jam == null ? EMPTY : jam;
-    if (old.contains(code)) {
+    int n = old.codes.length;
+    if (contains(old.codes, n, code)) {
       return old;
     }
-    int[] more = Arrays.copyOf(old.codes, old.codes.length + 1);
-    more[old.codes.length] = code;
-    return new Jam(more, false);
+    int[] more = Arrays.copyOf(old.codes, n + 1);
+    more[n] = code;
+    return new Jam(more, old.inert);
   }
 
-  /** The same things, made inert. */
+  /** The same things, all made inert. */
   Jam made() {
-    return new Jam(codes, true);
-  }
-
-  boolean isInert() {
-    return inert;
+    return inert == codes.length ? this : new Jam(codes, codes.length);
   }
 
   boolean makesInert(int code) {
-    return inert && contains(code);
+    return contains(codes, inert, code);
   }
 
-  private boolean contains(int code) {
-    for (int other : codes) {
-      if (other == code) {
+  private static boolean contains(int[] codes, int first, int code) {
+    for (int i = 0; i < first; i++) {
+      if (codes[i] == code) {
         return true;
       }
     }

@@ -7,8 +7,9 @@ package dev.carom;
  *
  * @param grid whether to use grids
  * @param cell the size of their cells, 0 to have it chosen
+ * @param pairCells how many times the largest diameter the cells of circles that collide measure
  */
-record Machinery(boolean grid, double cell) {
+record Machinery(boolean grid, double cell, double pairCells) {
 
   /** Up to this many lines and pegs are looked at one by one: measured, a grid gains nothing. */
   private static final int FEW = 8;
@@ -16,15 +17,20 @@ record Machinery(boolean grid, double cell) {
   /** Beyond this size of coordinates, products of them with a grid's cells could overflow. */
   private static final double LARGEST = 0x1p400;
 
-  static final Machinery EACH = new Machinery(false, 0);
+  static final Machinery EACH = new Machinery(false, 0, 1);
 
   static Machinery cells(double cell) {
-    return new Machinery(true, cell);
+    return new Machinery(true, cell, 1);
+  }
+
+  /** The same with cells of another size for circles that collide. */
+  Machinery withPairCells(double diameters) {
+    return new Machinery(grid, cell, diameters);
   }
 
   static Machinery choose(Scene scene) {
     Obstacles obstacles = Obstacles.of(scene);
     boolean ordinary = obstacles.extent() < LARGEST;
-    return new Machinery(obstacles.size() > FEW && ordinary, 0);
+    return new Machinery(obstacles.size() > FEW && ordinary, 0, 1);
   }
 }

@@ -29,6 +29,12 @@ final class Mover {
   double radius;
   double restitution;
 
+  /** How long the flight has lasted. */
+  double flown;
+
+  /** Whether the time that the flight lasted is too short for its clock. */
+  boolean standsStill;
+
   /** What was hit last: it is not there for this flight. */
   int last;
 
@@ -74,6 +80,7 @@ final class Mover {
 
   /** Forgets what was found ahead. */
   void newFlight() {
+    flown = 0;
     cleared = 0;
     next = NOTHING;
     reach = BroadSearch.FIRST_REACH;
@@ -102,7 +109,10 @@ final class Mover {
     x = Math.fma(vx, dt, x);
     y = Math.fma(vy, dt, y);
     double head = after(dt);
-    tl = afterTail(dt, head);
+    double tail = afterTail(dt, head);
+    standsStill = head == t && tail == tl;
     t = head;
+    tl = tail;
+    flown += dt;
   }
 }

@@ -8,5 +8,7 @@ public enum ObstacleKind {
   /** A line of the scene. */
   LINE,
   /** A peg of the scene. */
-  PEG
+  PEG,
+  /** Another moving circle. */
+  CIRCLE
 }

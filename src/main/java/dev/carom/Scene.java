@@ -39,6 +39,7 @@ public final class Scene {
   final double[] pegs;
   final double[] masses;
   final Bounds bounds;
+  final boolean collide;
   final double boundsRestitution;
 
   Scene(SceneBuilder from) {
@@ -46,6 +47,7 @@ public final class Scene {
     lines = from.lines.toArray();
     pegs = from.pegs.toArray();
     masses = from.masses.toArray();
+    collide = from.collide;
     double[] b = from.bounds.toArray();
     boolean closed = b.length == BOUNDS;
     bounds = closed ? new Bounds(b[0], b[1], b[2], b[3]) : null;
@@ -190,6 +192,15 @@ public final class Scene {
   }
 
   /**
+   * Whether circles collide with each other.
+   *
+   * @return false if they ignore each other
+   */
+  public boolean collide() {
+    return collide;
+  }
+
+  /**
    * The restitution of the four walls.
    *
    * @return at least 0; 1 is elastic, and 1 if the scene has no bounds
@@ -209,6 +220,7 @@ public final class Scene {
     return other instanceof Scene that
         && Arrays.equals(circles, that.circles)
         && Arrays.equals(masses, that.masses)
+        && collide == that.collide
         && Arrays.equals(lines, that.lines)
         && Arrays.equals(pegs, that.pegs)
         && Objects.equals(bounds, that.bounds)

@@ -17,6 +17,7 @@ public final class SceneBuilder {
   final SceneRows pegs = new SceneRows("peg", Scene.PEG, 2);
   final SceneRows bounds = new SceneRows("bounds", Scene.BOUNDS, 4);
   final DoubleList masses = new DoubleList();
+  boolean collide;
 
   /** The rows whose last one is the thing added last; null before the first. */
   private SceneRows last;
@@ -114,7 +115,7 @@ public final class SceneBuilder {
 
   /**
    * Sets the mass of the circle just added; without it, it is 1. Masses have no effect as long as
-   * circles ignore each other, and in this version they do.
+   * circles ignore each other.
    *
    * @param m a number from 2^-500 to 2^500, or infinity: a circle that nothing deflects
    * @return this builder
@@ -127,6 +128,17 @@ public final class SceneBuilder {
     }
     check(circles, circles.count() - 1, () -> Check.mass("mass", m));
     masses.setLast(m);
+    return this;
+  }
+
+  /**
+   * Lets circles collide with each other; without it they ignore each other.
+   *
+   * @param collide whether they do
+   * @return this builder
+   */
+  public SceneBuilder collide(boolean collide) {
+    this.collide = collide;
     return this;
   }
 

@@ -33,8 +33,8 @@ import java.util.concurrent.ThreadLocalRandom;
  *   <li>{@code wall} is the {@linkplain Bounds bounds}; there is at most one such row.
  *   <li>The mass of a circle is 1 if not given; {@code inf} or {@code Infinity} stand for an
  *       infinite one. It has no effect as long as circles ignore each other.
- *   <li>{@code collide,0} says that circles ignore each other, which is so without it too. {@code
- *       collide,1} is refused: this version has no circles that collide.
+ *   <li>{@code collide,1} says that circles collide with each other; with {@code collide,0}, or
+ *       without such a row, they ignore each other.
  *   <li>Any row but {@code collide} may end in {@code restitution=NUMBER}; without it, it is 1.
  *   <li>Blank lines, spaces and tabs around fields, {@code #} comments on lines of their own or
  *       after a row, either kind of line end, and a byte order mark are passed over.

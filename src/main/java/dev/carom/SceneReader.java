@@ -86,12 +86,10 @@ final class SceneReader {
   private void collide(SceneRow row) throws SceneFormatException {
     collideLine = only(row, collideLine);
     String value = row.field(1);
-    if (value.equals("1")) {
-      throw row.error(1, "collide is 1: expected 0, this version has no circles that collide");
-    }
-    if (!value.equals("0")) {
+    if (!value.equals("0") && !value.equals("1")) {
       throw row.error(1, "collide is " + SceneText.quoted(value) + ": expected 0 or 1");
     }
+    builder.collide(value.equals("1"));
   }
 
   /** Refuses a second row of a kind; the line of the first one is 0 as long as there is none. */

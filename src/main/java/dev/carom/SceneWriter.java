@@ -14,6 +14,9 @@ final class SceneWriter {
   }
 
   void write(Scene scene) throws IOException {
+    if (scene.collide) {
+      out.append("collide,1\n");
+    }
     if (scene.bounds != null) {
       Bounds b = scene.bounds;
       begin("wall", b.xmin(), b.ymin(), b.xmax(), b.ymax());

@@ -2,8 +2,8 @@
 package dev.carom;
 
 /**
- * A scene in motion: circles that fly straight, bounce off lines, pegs and bounds, and ignore each
- * other.
+ * A scene in motion: circles that fly straight, bounce off lines, pegs and bounds, and collide with
+ * each other or ignore each other, as the scene says.
  *
  * <p>A circle's flight is kept as its start until its next impact; places are computed from it when
  * they are asked for, never accumulated. A step resolves every impact in it, each at its own
@@ -16,15 +16,20 @@ package dev.carom;
  * within 4 ulps loses its motion along each further normal (restitution 0); after N more it is
  * <i>jammed</i>: the things it touches are not there for it any more if it approaches them by no
  * more than rounding, so that it slides along them, else it stops; the log says so, and the next
- * impact with anything else ends that. Steps do not reset the counts. Independently a circle makes
- * at most {@link #IMPACTS_PER_CALL} / circles impacts, but at least 10,000, in one call of {@link
- * #step} or {@link #advanceTo}: if that is not enough, the call returns {@link Outcome#UNFINISHED},
- * with the whole world at an earlier time, nothing dropped; the next call goes on.
+ * impact with anything else ends that. Steps do not reset the counts. Of two circles that jam each
+ * other both are inert for each other; a circle's impacts count as at one place only while what
+ * hits it comes from as near.
+ *
+ * <p>Independently there is a budget of work for one call of {@link #step} or {@link #advanceTo}.
+ * If circles ignore each other, each may make 4,000,000 / circles impacts, at least 10,000; if they
+ * collide, all together may take 200,000 + 1,000 x circles events (impacts, and circles that leave
+ * a cell). If that is not enough, the call returns {@link Outcome#UNFINISHED}, with the whole world
+ * at an earlier time, nothing dropped; the next call goes on.
  *
  * <p><b>Accuracy.</b> Each question is answered exactly on the doubles with which it is asked, and
  * each impact's state is rounded once; a scene multiplies such roundings from impact to impact. A
  * circle that flies out of the range of doubles has infinite coordinates from then on, and hits
- * nothing.
+ * nothing; one that an impact would make faster than doubles can tell stops.
  *
  * <p>Uses +, -, *, /, sqrt and fma only, in a fixed order: the same run gives the same bits on
  * every Java virtual machine. Not safe for use by several threads; worlds do not share anything
@@ -32,15 +37,10 @@ package dev.carom;
  */
 public final class World {
 
-  /** What {@link #step} shares among all circles: the impacts in one call. */
-  public static final int IMPACTS_PER_CALL = 4_000_000;
-
-  private static final int LEAST_IMPACTS_PER_CALL = 10_000;
-
   private final Scene scene;
-  private final Flights flights;
   private final ImpactLog log = new ImpactLog();
-  private final int allowance;
+  private final Engine engine;
+  private final Circles circles;
   private double now;
 
   /**
@@ -54,9 +54,9 @@ public final class World {
 
   World(Scene scene, Machinery machinery) {
     this.scene = scene;
-    flights = new Flights(scene, machinery, log);
-    allowance =
-        Math.max(LEAST_IMPACTS_PER_CALL, IMPACTS_PER_CALL / Math.max(1, scene.circleCount()));
+    engine =
+        scene.collide ? new Collisions(scene, machinery, log) : new Flights(scene, machinery, log);
+    circles = engine.circles();
   }
 
   /**
@@ -107,10 +107,10 @@ public final class World {
 
   private Outcome advance(double end) {
     log.clear();
-    double reached = flights.advance(end, allowance);
+    double reached = engine.advance(end);
     log.sort();
     now = reached;
-    return reached == end && !flights.unfinished() ? Outcome.COMPLETE : Outcome.UNFINISHED;
+    return reached == end && !engine.unfinished() ? Outcome.COMPLETE : Outcome.UNFINISHED;
   }
 
   /**
@@ -128,7 +128,7 @@ public final class World {
    * @return at least 0
    */
   public int circleCount() {
-    return flights.count();
+    return circles.count;
   }
 
   /**
@@ -139,7 +139,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double x(int id) {
-    return flights.x(checked(id), now);
+    return circles.x(checked(id), now);
   }
 
   /**
@@ -150,7 +150,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double y(int id) {
-    return flights.y(checked(id), now);
+    return circles.y(checked(id), now);
   }
 
   /**
@@ -161,7 +161,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double vx(int id) {
-    return flights.vx(checked(id));
+    return circles.vx(checked(id));
   }
 
   /**
@@ -172,7 +172,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double vy(int id) {
-    return flights.vy(checked(id));
+    return circles.vy(checked(id));
   }
 
   /**
@@ -183,7 +183,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double radius(int id) {
-    return flights.radius(checked(id));
+    return circles.radius(checked(id));
   }
 
   /**
@@ -193,13 +193,13 @@ public final class World {
    * @return a phrase to be read, not to be taken apart
    */
   public String model() {
-    return flights.model().toString();
+    return engine.model();
   }
 
   private int checked(int id) {
-    if (id < 0 || id >= flights.count()) {
+    if (id < 0 || id >= circles.count) {
       throw new IndexOutOfBoundsException(
-          "circle " + id + " does not exist: the world has " + flights.count() + ", from 0");
+          "circle " + id + " does not exist: the world has " + circles.count + ", from 0");
     }
     return id;
   }
