@@ -85,4 +85,10 @@ class CaromBenchIT {
         .contains("QueryBenchmark.lineSide")
         .contains("WorldBenchmark.build");
   }
+
+  @Test
+  void tellsTheRungs() throws IOException, InterruptedException {
+    assertThat(run("rungs", "--queries", "10")).isZero();
+    assertThat(output).content().contains("\nseg_uniform ").contains("\nall ");
+  }
 }

@@ -73,7 +73,7 @@ final class Palette {
   }
 
   private static int cell(int rgb) {
-    return (rgb >> 19 & 31) << 10 | (rgb >> 11 & 31) << 5 | rgb >> 3 & 31;
+    return ((rgb >> 19 & 31) << 10) | ((rgb >> 11 & 31) << 5) | (rgb >> 3 & 31);
   }
 
   private static int mean(long[] cell) {
@@ -99,7 +99,7 @@ final class Palette {
   int index(int rgb) {
     int cell = cell(rgb);
     if (nearest[cell] < 0) {
-      nearest[cell] = search(rgb & 0xF8F8F8 | 0x040404); // by cell, not by who asks first
+      nearest[cell] = search((rgb & 0xF8F8F8) | 0x040404); // by cell, not by who asks first
     }
     return nearest[cell];
   }

@@ -17,7 +17,13 @@ import picocli.CommandLine.ParameterException;
     versionProvider = Version.class,
     synopsisSubcommandLabel = "[COMMAND]",
     footer = {"", "Exit code: 0 done, 1 a failed run or bad data, 2 a wrong command line."},
-    subcommands = {ReplayCommand.class, SimulateCommand.class, CastCommand.class, JmhCommand.class})
+    subcommands = {
+      ReplayCommand.class,
+      SimulateCommand.class,
+      CastCommand.class,
+      RungsCommand.class,
+      JmhCommand.class
+    })
 public final class CaromBench {
 
   private static final String DEFAULT_COMMAND = "replay";

@@ -12,7 +12,9 @@ import picocli.CommandLine.Unmatched;
 /** Hands everything to JMH. */
 @Command(
     name = "jmh",
-    description = "Runs JMH's own command line: single queries, one frame, building a world.",
+    description =
+        "Runs JMH's own command line: single queries, what exactness costs, one"
+            + " frame, building a world.",
     customSynopsis = "carom-bench jmh [JMH OPTIONS] [REGEXP]...",
     footer = {"", "JMH explains its options with: jmh -h", "It lists the benchmarks with: jmh -l"})
 final class JmhCommand implements Callable<Integer> {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
+import dev.carom.RungCounts;
 import dev.carom.Scene;
 import dev.carom.bench.charts.Pictures;
 import dev.carom.bench.experiment.CannotPlaceException;
@@ -71,6 +72,7 @@ final class ReplayCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException, CannotPlaceException, RunnerException {
+    RungCounts.enable();
     ReplayPlan plan = plan();
     prepareFolders();
     ReplayResult result = measure(plan);

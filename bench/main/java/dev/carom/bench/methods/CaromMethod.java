@@ -4,19 +4,19 @@ package dev.carom.bench.methods;
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
 import dev.carom.Outcome;
+import dev.carom.RungCounts;
 import dev.carom.Scene;
 import dev.carom.World;
 
 /**
  * This library, used as a game would: one {@code step(1)} a frame. Its impacts are read from the
- * log of the last step.
- *
- * <p>The library has no counter of square roots. They are counted by rule: one for each impact with
- * a line or a peg (a miss takes none, a time of impact at most one), none for a wall.
+ * log of the last step. Its square roots are those that the library counts, if the process has it
+ * count ({@link RungCounts#enable}); where frames are timed it does not.
  */
 final class CaromMethod implements Method {
 
   private final World world;
+  private long rootsBefore;
 
   CaromMethod(Scene scene) {
     world = new World(scene);
@@ -24,6 +24,7 @@ final class CaromMethod implements Method {
 
   @Override
   public void frame() {
+    rootsBefore = RungCounts.rootsSoFar();
     if (world.step(1) != Outcome.COMPLETE) {
       throw new IllegalStateException(
           "carom spent its budget of work before the end of a frame, at time " + world.now());
@@ -47,7 +48,7 @@ final class CaromMethod implements Method {
 
   @Override
   public int squareRoots() {
-    return impacts();
+    return Math.toIntExact(RungCounts.now().roots() - rootsBefore);
   }
 
   @Override

@@ -25,7 +25,8 @@ public interface Method {
   int wallImpacts();
 
   /**
-   * The square roots of the last frame, those spent on finding and resolving impacts.
+   * The square roots of the last frame, those spent on finding and resolving impacts. No other
+   * method may have moved since that frame began.
    *
    * @return at least 0
    */

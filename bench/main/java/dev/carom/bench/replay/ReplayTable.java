@@ -108,8 +108,8 @@ public final class ReplayTable {
     line(
         "Times include two time stamps a frame; an empty pair takes %.0f ns. Walls cost their time",
         result.figures(Methods.CAROM).emptyPairNanos());
-    line("but are not counted as lines. Carom's square roots are counted by rule: one for each");
-    line("impact with a line or a peg. Published: 100 circles and 100 lines, Java 6, Core 2 Duo.");
+    line("but are not counted as lines. Square roots are those of times of impact, as counted by");
+    line("each method. Published: 100 circles and 100 lines, Java 6, Core 2 Duo.");
   }
 
   private void row(String label, Function<Figures, String> cell, String... published) {

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class CaromBenchTest {
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "replay ", "simulate ", "cast ", "jmh "})
+  @ValueSource(strings = {"", "replay ", "simulate ", "cast ", "rungs ", "jmh "})
   void everyCommandExplainsItself(String command) {
     Cli help = Cli.run((Object[]) (command + "--help").split(" "));
 
@@ -38,6 +38,7 @@ class CaromBenchTest {
         "simulate --frames 3            | Missing required option: '--scene=FILE'",
         "simulate --scene a.csv --frames -1       | --frames is -1: expected at least 0",
         "simulate --scene a.csv --frames 1 --dt 0 | --dt is 0.0: expected a finite number",
+        "rungs --queries 0              | --queries is 0: expected at least 1",
         "cast                           | Missing required parameter: 'FILE|-'"
       })
   void wrongCommandLinesAreOneLineAndExitCodeTwo(String words, String message) {

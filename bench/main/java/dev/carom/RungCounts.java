@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * The library's counts of its rungs of precision, for the harness. They are private to the
+ * library's package, which on the class path this class shares; no other class of the harness does.
+ *
+ * @param doubtfulDecisions decisions that plain doubles left open
+ * @param exactDecisions of them, those that double-double left open too
+ * @param roots square roots of doubles
+ * @param exactTimes times of impact that double-double could not round
+ */
+public record RungCounts(long doubtfulDecisions, long exactDecisions, long roots, long exactTimes) {
+
+  private static final String PROPERTY = "dev.carom.rungs";
+
+  /**
+   * Has this process count, for all its life; it is slower then. Call it before the library's first
+   * query.
+   *
+   * @throws IllegalStateException if it is too late
+   */
+  public static void enable() {
+    System.setProperty(PROPERTY, "true");
+    if (Rungs.COUNT == null) {
+      throw new IllegalStateException("the library has already been used without being counted");
+    }
+  }
+
+  /**
+   * All counts of this process so far.
+   *
+   * @return the counts
+   * @throws IllegalStateException unless they are enabled
+   */
+  public static RungCounts now() {
+    Rungs count = Rungs.COUNT;
+    if (count == null) {
+      throw new IllegalStateException("nothing is counted in this process");
+    }
+    return new RungCounts(
+        count.doubtfulDecisions, count.exactDecisions, count.roots, count.exactTimes);
+  }
+
+  /**
+   * The square roots of this process so far, at no cost in a process that does not count.
+   *
+   * @return the count, 0 unless counts are enabled
+   */
+  public static long rootsSoFar() {
+    return Rungs.COUNT == null ? 0 : Rungs.COUNT.roots;
+  }
+
+  /**
+   * What was counted since an earlier moment.
+   *
+   * @param before the counts then
+   * @return the differences
+   */
+  public RungCounts since(RungCounts before) {
+    return new RungCounts(
+        doubtfulDecisions - before.doubtfulDecisions,
+        exactDecisions - before.exactDecisions,
+        roots - before.roots,
+        exactTimes - before.exactTimes);
+  }
+}

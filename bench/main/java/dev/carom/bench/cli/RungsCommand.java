@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import dev.carom.bench.rungs.RungShare;
+import dev.carom.bench.rungs.RungSurvey;
+import dev.carom.bench.rungs.RungTable;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Tells how often the detector needed more precision. */
+@Command(
+    name = "rungs",
+    description = {
+      "Tells which rung of precision answers, by family of queries: whether plain doubles decide,"
+          + " double-double, or exact numbers; and which of the latter two rounds the time of an"
+          + " impact after time 0."
+    },
+    mixinStandardHelpOptions = true,
+    sortOptions = false)
+final class RungsCommand implements Callable<Integer> {
+
+  private static final String[] COLUMNS = {
+    "family",
+    "queries",
+    "plain",
+    "double_double",
+    "exact",
+    "times",
+    "times_double_double",
+    "times_exact"
+  };
+
+  @Spec private CommandSpec spec;
+
+  @Option(
+      names = "--queries",
+      paramLabel = "N",
+      defaultValue = "10000",
+      description = "Queries of each family (default: ${DEFAULT-VALUE}).")
+  private int queries;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "S",
+      defaultValue = "1",
+      description = "Another seed, other queries (default: ${DEFAULT-VALUE}).")
+  private long seed;
+
+  @Option(names = "--csv", paramLabel = "FILE", description = "Write the counts as CSV.")
+  private Path csv;
+
+  @Override
+  public Integer call() throws IOException {
+    Bounded.atLeast(1, "--queries", queries, spec);
+    try (OutputFile file = OutputFile.open(csv, COLUMNS)) {
+      List<RungShare> shares = survey();
+      spec.commandLine().getOut().print(RungTable.render(shares));
+      spec.commandLine().getOut().flush();
+      if (file != null) {
+        write(shares, file);
+      }
+    }
+    return 0;
+  }
+
+  private List<RungShare> survey() {
+    try (Progress progress = Progress.start("rungs", RungSurvey.families())) {
+      return RungSurvey.of(queries, seed, progress::step);
+    }
+  }
+
+  private static void write(List<RungShare> shares, OutputFile file) throws IOException {
+    for (RungShare s : shares) {
+      file.row(
+          s.family(),
+          s.queries(),
+          s.plain(),
+          s.doubleDouble(),
+          s.exact(),
+          s.times(),
+          s.doubleDoubleTimes(),
+          s.exactTimes());
+    }
+    file.commit();
+  }
+}
