@@ -61,15 +61,16 @@ final class PatchedDetector {
   }
 
   /** The numbers of a query in the order of the detector's arguments. */
-  static double[] arguments(Query query) {
+  private static double[] arguments(Query query) {
     double[] n = query.numbers();
     return query instanceof SegmentQuery
         ? new double[] {n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], n[9]}
         : n;
   }
 
-  /** The answer to a query with these arguments. */
-  Reply ask(Query query, double... arguments) {
+  /** The answer to a query. */
+  Reply ask(Query query) {
+    double[] arguments = arguments(query);
     try {
       if (query instanceof WallQuery) {
         return reply(Part.SIDE, (double) bounds.invokeExact(arguments));

@@ -39,7 +39,7 @@ class RoundingBoundsTest {
   private final List<String> violations = new ArrayList<>();
 
   /** A query and its exact answer. */
-  private record Known(Query query, double[] arguments, Reply truth) {}
+  private record Known(Query query, Reply truth) {}
 
   @Test
   void everyBoundHoldsAndIsNeeded() {
@@ -66,14 +66,12 @@ class RoundingBoundsTest {
   }
 
   private Known known(Query query) {
-    double[] arguments = PatchedDetector.arguments(query);
-    return new Known(query, arguments, exact.ask(query, arguments));
+    return new Known(query, exact.ask(query));
   }
 
   private void ask(Slack slack, String family, List<Known> known) {
     for (Known k : known) {
-      if (slack.bound().concerns(k.query())
-          && slack.isViolatedBy(family, k.query(), k.arguments(), k.truth())) {
+      if (slack.bound().concerns(k.query()) && slack.isViolatedBy(family, k.query(), k.truth())) {
         synchronized (violations) {
           violations.add(slack.bound() + ", " + family + ": " + k.query().hex());
         }
@@ -85,11 +83,10 @@ class RoundingBoundsTest {
   private static void assertNeeded(Slack slack) {
     Query query = slack.witness();
     assertNotNull(query, () -> "no mistake without " + slack.bound());
-    double[] arguments = PatchedDetector.arguments(query);
     Contact contact = query.truth();
     Reply truth = new Reply(contact.part(), contact.time());
     String source = slack.bound() + ": " + query.hex();
-    assertEquals(truth, PatchedDetector.scaled(slack.bound(), 1).ask(query, arguments), source);
+    assertEquals(truth, PatchedDetector.scaled(slack.bound(), 1).ask(query), source);
     assertNotEquals(truth, slack.mistake(), source);
   }
 

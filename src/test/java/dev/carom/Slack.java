@@ -32,9 +32,9 @@ final class Slack {
   }
 
   /** Asks a query whose answer is known; whether the whole bound, and more, would be needed. */
-  boolean isViolatedBy(String name, Query query, double[] arguments, Reply truth) {
+  boolean isViolatedBy(String name, Query query, Reply truth) {
     queries++;
-    Reply reply = detector.ask(query, arguments);
+    Reply reply = detector.ask(query);
     while (!reply.equals(truth)) {
       if (witness == null) {
         family = name;
@@ -46,7 +46,7 @@ final class Slack {
       }
       factor = bound.isBound() && factor > 0 ? 2 * factor : first();
       detector = PatchedDetector.scaled(bound, factor);
-      reply = detector.ask(query, arguments);
+      reply = detector.ask(query);
     }
     return false;
   }
