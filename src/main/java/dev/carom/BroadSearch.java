@@ -18,7 +18,7 @@ final class BroadSearch {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /** Least product of speed and size for which underflow stays beneath the error of {@link #clear}. */
+  /** Least speed times size for which underflow stays beneath the bound of {@link #clear}. */
   private static final double LEAST = 0x1p-900;
 
   private final Obstacles obstacles;
@@ -101,8 +101,8 @@ final class BroadSearch {
     double large = Math.max(Math.abs(vx), Math.abs(vy));
     double small = Math.min(Math.abs(vx), Math.abs(vy));
     double speed = large + 0.4143 * small;
-    // cross(p - a, v) errs by at most 4 u (|dx vy| + |dy vx|) <= 6 u |d|max |v|, u = 2^-53, twice that
-    // in a sum of two and its rounding; r |v| by 4 u of itself. |d|max is below the sum taken here.
+    // cross(p - a, v) errs by at most 4 u (|dx vy| + |dy vx|) <= 6 u |d|max |v|, u = 2^-53, a sum
+    // of two by twice that and its rounding; r |v| by 4 u of itself. |d|max is below the sum here.
     double size = Math.abs(px) + Math.abs(py) + extent + r;
     clear = speed * size > LEAST ? 2 * speed * (r + 0x1p-48 * size) : NEVER;
   }

@@ -6,16 +6,17 @@ import static dev.carom.DoubleDouble.sumTail;
 /**
  * Circles that collide: event after event, in the order of time.
  *
- * <p>Each circle has one event in a calendar, the first of three: it meets something that stands still
- * (or the end of what is known of that), it meets another circle, or it leaves a cell. When a circle's
- * velocity changes, its count goes up, and what was foreseen for it is foreseen anew; that another
- * circle foresaw a meeting with it is noticed there by the count.
+ * <p>Each circle has one event in a calendar, the first of three: it meets something that stands
+ * still (or the end of what is known of that), it meets another circle, or it leaves a cell. When a
+ * circle's velocity changes, its count goes up, and what was foreseen for it is foreseen anew; that
+ * another circle foresaw a meeting with it is noticed there by the count.
  *
- * <p>When two circles meet depends on their two flights alone: the search starts where the later one
- * starts, from the place of the other one then. So neither the cells through which they found each
- * other nor the steps of the caller change a bit of it.
+ * <p>When two circles meet depends on their two flights alone: the search starts where the later
+ * one starts, from the place of the other one then. So neither the cells through which they found
+ * each other nor the steps of the caller change a bit of it.
  *
- * <p>Simultaneous events are taken by kind (wall, line, peg, pair), then by the numbers of what meets.
+ * <p>Simultaneous events are taken by kind (wall, line, peg, pair), then by the numbers of what
+ * meets.
  */
 final class Collisions implements Engine, Neighbors.Visitor {
 
@@ -42,6 +43,9 @@ final class Collisions implements Engine, Neighbors.Visitor {
   private final EventQueue queue;
   private final long budget;
   private boolean unfinished;
+
+  /** The time of the last event. */
+  private double reached;
 
   /** How often each circle's velocity changed, modulo 2^32. */
   private final int[] counts;
@@ -106,7 +110,6 @@ final class Collisions implements Engine, Neighbors.Visitor {
   @Override
   public double advance(double end) {
     unfinished = false;
-    double reached = 0;
     for (long events = 0; ; events++) {
       int i = queue.first();
       if (i == EventQueue.NONE || queue.time(i) > end) {
@@ -116,7 +119,8 @@ final class Collisions implements Engine, Neighbors.Visitor {
         unfinished = true;
         return reached;
       }
-      reached = queue.time(i);
+      // A crossing may be noticed late by rounding: time does not go back for it.
+      reached = Math.max(reached, queue.time(i));
       happen(i);
     }
   }
@@ -157,9 +161,10 @@ final class Collisions implements Engine, Neighbors.Visitor {
     double tau = approach(low, high, NEVER);
     circles.load(low, circles.mover);
     circles.load(high, other);
-    together(circles.mover, other);
+    Mover early = together(circles.mover, other);
     circles.mover.fly(tau);
     other.fly(tau);
+    early.standsStill &= early.flown == tau;
     pairs.resolve(circles.mover, other, log);
     changed(low, circles.mover);
     changed(high, other);
@@ -213,8 +218,8 @@ final class Collisions implements Engine, Neighbors.Visitor {
   private double startTail;
 
   /**
-   * When two circles meet, counted from the later start of their flights; {@code +infinity} for never,
-   * and for certainly later than a given time.
+   * When two circles meet, counted from the later start of their flights; {@code +infinity} for
+   * never, and for certainly later than a given time.
    */
   private double approach(int i, int j, double before) {
     double[] s = circles.state;
@@ -249,16 +254,17 @@ final class Collisions implements Engine, Neighbors.Visitor {
       return NEVER;
     }
     // Rounded up far beyond what its own rounding took, so that nothing is later that is not.
-    double window = before == NEVER ? NEVER : (before - startHead) * (1 + 0x1p-40) + before * 0x1p-50;
-    if (contact == DiskSweep.LATER && window < NEVER
-        && DiskSweep.compareTime(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, Math.max(0, window)) > 0) {
-      return NEVER;
+    if (contact == DiskSweep.LATER && before < NEVER) {
+      double window = Math.max(0, (before - startHead) * (1 + 0x1p-40) + before * 0x1p-50);
+      if (DiskSweep.compareTime(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, window) > 0) {
+        return NEVER;
+      }
     }
     return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
   }
 
-  /** Brings the one whose flight started earlier to the start of the other's. */
-  private static void together(Mover a, Mover b) {
+  /** Brings the one whose flight started earlier to the start of the other's, and returns it. */
+  private static Mover together(Mover a, Mover b) {
     double later = (b.t - a.t) + (b.tl - a.tl);
     Mover early = later > 0 ? a : b;
     Mover late = later > 0 ? b : a;
@@ -267,6 +273,7 @@ final class Collisions implements Engine, Neighbors.Visitor {
     early.flown = Math.abs(later);
     early.t = late.t;
     early.tl = late.tl;
+    return early;
   }
 
   /** Puts the first of a circle's events into the calendar. */

@@ -5,8 +5,8 @@ import java.util.TreeMap;
 
 /**
  * Which circles are near which: levels of {@link Cells}, one for each power of two among the radii,
- * with cells a little wider than that level's largest diameter. A circle lists itself on its own level
- * and on every coarser one. Two circles that touch then have centres in cells that are the same or
+ * with cells a little wider than that level's largest diameter. A circle lists itself on its own
+ * level and on every coarser one. Two circles that touch then have centres in cells that are the same or
  * next to each other on the level of the larger one, so a circle finds all that it can touch among
  * those listed around it on its own level, and among the larger ones of each coarser level.
  */
@@ -171,7 +171,9 @@ final class Neighbors {
     rows[at] = row;
     list.add(i, wrapped(column), wrapped(row));
     for (int side = -1; side <= 1; side++) {
-      visitCell(i, level, wrapped(column) + (dx != 0 ? dx : side), wrapped(row) + (dy != 0 ? dy : side), visitor);
+      int nextColumn = wrapped(column) + (dx != 0 ? dx : side);
+      int nextRow = wrapped(row) + (dy != 0 ? dy : side);
+      visitCell(i, level, nextColumn, nextRow, visitor);
     }
     newFlight(i);
   }

@@ -7,8 +7,6 @@ import java.util.Locale;
 /** The shares for people: one row a family, and one for all. */
 public final class RungTable {
 
-  private static final String ROW = "%-24s %9s %9s %9s %9s %9s %9s%n";
-
   private RungTable() {}
 
   /**
@@ -38,7 +36,8 @@ public final class RungTable {
   }
 
   private static String row(Object... cells) {
-    return String.format(Locale.ROOT, ROW, cells).stripTrailing() + "\n";
+    return String.format(Locale.ROOT, "%-24s %9s %9s %9s %9s %9s %9s", cells).stripTrailing()
+        + "\n";
   }
 
   /** A dash for none at all, which a rounded 0.00 need not be. */
