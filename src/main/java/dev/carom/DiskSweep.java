@@ -227,8 +227,8 @@ final class DiskSweep {
    * <p>With {@code X = |dx| + |ux t|}, Y likewise: e loses 8 u^2 X, 8 u^2 Y in its tails; so f
    * loses 16 u^2 M, {@code M = |ex| X + |ey| Y}, and 48 u^2 M for its squares and sums (|f| is
    * small, so r^2 is near e.e <= M): 64 u^2 M, divided by {@code |f'| = 2 |s|}, s = u.e. The slope
-   * s errs by 5 u of its terms, and by what e loses. The curvature of f leaves {@code a c^2 / 2|s|},
-   * at most twice that while {@code a |c| < |s| / 4}.
+   * s errs by 5 u of its terms, and by what e loses. The curvature of f leaves {@code a c^2 /
+   * 2|s|}, at most twice that while {@code a |c| < |s| / 4}.
    */
   private static double stepError(
       double x1, double y1, double r1, double vx1, double vy1,

@@ -6,9 +6,10 @@ import java.util.TreeMap;
 /**
  * Which circles are near which: levels of {@link Cells}, one for each power of two among the radii,
  * with cells a little wider than that level's largest diameter. A circle lists itself on its own
- * level and on every coarser one. Two circles that touch then have centres in cells that are the same or
- * next to each other on the level of the larger one, so a circle finds all that it can touch among
- * those listed around it on its own level, and among the larger ones of each coarser level.
+ * level and on every coarser one. Two circles that touch then have centres in cells that are the
+ * same or next to each other on the level of the larger one, so a circle finds all that it can
+ * touch among those listed around it on its own level, and among the larger ones of each coarser
+ * level.
  */
 final class Neighbors {
 
