@@ -83,7 +83,6 @@ final class DiskSweep {
     if (g < -bound || (!(g > bound) && Predicates.gap(x1, y1, x2, y2, r1, r2) <= 0)) {
       return NOW;
     }
-    // reach = a r^2 - cross(u, d)^2
     double a = ux * ux + uy * uy;
     double kx = ux * dy;
     double ky = uy * dx;
@@ -148,13 +147,26 @@ final class DiskSweep {
   static double time(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
       double vx2, double vy2) {
-    double t = estimate(x1 - x2, y1 - y2, r1 + r2, vx1 - vx2, vy1 - vy2);
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double ux = vx1 - vx2;
+    double uy = vy1 - vy2;
+    double r = r1 + r2;
+    double a = ux * ux + uy * uy;
+    double bx = ux * dx;
+    double by = uy * dy;
+    double far = Math.abs(dx) + Math.abs(dy);
+    double fast = Math.abs(ux) + Math.abs(uy);
+    double t = estimate(dx, dy, r, ux, uy, a, bx + by);
     if (Rungs.COUNT != null) {
       Rungs.COUNT.roots++;
     }
     for (int i = 0; i < STEPS && t > 0; i++) {
-      double c = step(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t);
-      double error = stepError(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t, c);
+      // Half of -f'(t) = -2 u.(d + u t)
+      double slope = -(bx + by + a * t);
+      double c = 0.5 * residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) / slope;
+      double terms = Math.abs(bx) + Math.abs(by) + a * t;
+      double error = stepError(far + fast * t, r, a, slope, terms, c);
       double low = t + (c - error);
       if (low == t + (c + error) && low > LEAST) {
         return low;
@@ -168,51 +180,41 @@ final class DiskSweep {
   }
 
   /** t = g / (-b + sqrt(reach)): nothing cancels but g and, near a graze, reach. */
-  private static double estimate(double dx, double dy, double r, double ux, double uy) {
+  private static double estimate(
+      double dx, double dy, double r, double ux, double uy, double a, double b) {
     double k = ux * dy - uy * dx;
-    double reach = (ux * ux + uy * uy) * (r * r) - k * k;
+    double reach = a * (r * r) - k * k;
     double g = (dx * dx + dy * dy) - r * r;
-    return g / (Math.sqrt(Math.max(0, reach)) - (ux * dx + uy * dy));
+    return g / (Math.sqrt(Math.max(0, reach)) - b);
   }
 
-  /**
-   * One step of Newton's method: {@code -f(t) / f'(t) = -(e.e - r^2) / (2 u.e)} at {@code e = d + u
-   * t}. All that cancels is kept as head and tail.
-   */
-  private static double step(
+  /** {@code f(t) = e.e - r^2} at {@code e = d + u t}. What cancels is kept as head and tail. */
+  private static double residue(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
       double vx2, double vy2, double t) {
-    double ex = place(x1, x2, vx1, vx2, t);
-    double ey = place(y1, y2, vy1, vy2, t);
-    double exl = placeTail(x1, x2, vx1, vx2, t, ex);
-    double eyl = placeTail(y1, y2, vy1, vy2, t, ey);
+    double hx = (x1 - x2) + (vx1 - vx2) * t;
+    double hy = (y1 - y2) + (vy1 - vy2) * t;
+    double lx = terms(x1, x2, vx1, vx2, t);
+    double ly = terms(y1, y2, vy1, vy2, t);
+    // Where d and u t cancel, what they leave outgrows u of e: it is added first.
+    double ex = hx + lx;
+    double ey = hy + ly;
+    double exl = sumTail(hx, lx, ex);
+    double eyl = sumTail(hy, ly, ey);
     double r = r1 + r2;
     double rl = sumTail(r1, r2, r);
-    // f = ex^2 + ey^2 - r^2
     double xx = ex * ex;
     double yy = ey * ey;
     double rr = r * r;
     double ee = xx + yy;
     double f = ee - rr;
-    double fl =
-        (sumTail(xx, yy, ee) + differenceTail(ee, rr, f))
+    return f
+        + ((sumTail(xx, yy, ee) + differenceTail(ee, rr, f))
             + ((productTail(ex, exl, ex, exl, xx) + productTail(ey, eyl, ey, eyl, yy))
-                - productTail(r, rl, r, rl, rr));
-    return -0.5 * (f + fl) / ((vx1 - vx2) * ex + (vy1 - vy2) * ey);
+                - productTail(r, rl, r, rl, rr)));
   }
 
-  /** The head of e = d + u t on one axis: the terms' tails, where they cancel, belong to it. */
-  private static double place(double x1, double x2, double v1, double v2, double t) {
-    return ((x1 - x2) + (v1 - v2) * t) + terms(x1, x2, v1, v2, t);
-  }
-
-  /** The tail of e for its head. */
-  private static double placeTail(
-      double x1, double x2, double v1, double v2, double t, double head) {
-    return sumTail((x1 - x2) + (v1 - v2) * t, terms(x1, x2, v1, v2, t), head);
-  }
-
-  /** What d + u t leaves behind before its head and tail are parted, below 4 u of X. */
+  /** What d + u t on one axis leaves behind when it is rounded, below 4 u of its terms. */
   private static double terms(double x1, double x2, double v1, double v2, double t) {
     double d = x1 - x2;
     double u = v1 - v2;
@@ -222,38 +224,24 @@ final class DiskSweep {
   }
 
   /**
-   * A bound of the error of a step c; NaN where none is known.
+   * A bound of the error of a Newton step {@code c = f / 2 s}, s the slope {@code -u.e}; NaN where
+   * none is known.
    *
-   * <p>With {@code X = |dx| + |ux t|}, Y likewise: e loses 8 u^2 X, 8 u^2 Y in its tails; so f
-   * loses 16 u^2 M, {@code M = |ex| X + |ey| Y}, and 48 u^2 M for its squares and sums (|f| is
-   * small, so r^2 is near e.e <= M): 64 u^2 M, divided by {@code |f'| = 2 |s|}, s = u.e. The slope
-   * s errs by 5 u of its terms, and by what e loses. The curvature of f leaves {@code a c^2 /
-   * 2|s|}, at most twice that while {@code a |c| < |s| / 4}.
+   * <p>With X the sum of the absolute values of d's and u t's components: e loses 8 u^2 X in its
+   * tails, so f loses 16 u^2 |e| X, and 48 u^2 |e| X for its squares and sums; |e| is below 3/2 r
+   * while {@code a |c| < s / 4}, for then e is within |u| |c| of a place at the distance r and |u|
+   * |c| < |e| / 4. That makes 2^-100 (3/2 r) X / 2 s. The slope errs by 6 u of its terms. The
+   * curvature of f leaves {@code a c^2 / 2 s}, at most twice that.
    */
   private static double stepError(
-      double x1, double y1, double r1, double vx1, double vy1,
-      double x2, double y2, double r2, double vx2, double vy2, double t, double c) {
-    double ux = vx1 - vx2;
-    double uy = vy1 - vy2;
-    double ex = place(x1, x2, vx1, vx2, t);
-    double ey = place(y1, y2, vy1, vy2, t);
-    double x = Math.abs(x1 - x2) + Math.abs(ux * t);
-    double y = Math.abs(y1 - y2) + Math.abs(uy * t);
-    double sx = ux * ex;
-    double sy = uy * ey;
-    double s = -(sx + sy);
-    double a = ux * ux + uy * uy;
-    double r = r1 + r2;
+      double x, double r, double a, double slope, double terms, double c) {
     double size = Math.abs(c);
-    if (!(4 * a * size < s && a > LEAST && a < MOST && r * r > LEAST && r * r < MOST)) {
+    if (!(4 * a * size < slope && a > LEAST && a < MOST && r * r > LEAST && r * r < MOST)) {
       return Double.NaN;
     }
-    double lx = 0x1p-103 * x;
-    double ly = 0x1p-103 * y;
-    double m = (Math.abs(ex) + lx) * lx + (Math.abs(ey) + ly) * ly;
-    double lean =
-        6 * 0x1p-53 * (Math.abs(sx) + Math.abs(sy)) + (Math.abs(ux) * lx + Math.abs(uy) * ly);
-    return (8 * m + size * (2 * lean + a * size)) / s;
+    double lost = 0x1p-103 * x;
+    double lean = 8 * 0x1p-53 * terms;
+    return (8 * lost * (1.5 * r + lost) + size * (2 * lean + a * size)) / slope;
   }
 
   /**
@@ -274,22 +262,23 @@ final class DiskSweep {
     double dy = y1 - y2;
     double ux = vx1 - vx2;
     double uy = vy1 - vy2;
-    double r = r1 + r2;
     double mx = ux * T;
     double my = uy * T;
     double ex = dx + mx;
     double ey = dy + my;
     double x = Math.abs(dx) + Math.abs(mx);
     double y = Math.abs(dy) + Math.abs(my);
-    double rr = r * r;
-    double g = (ex * ex + ey * ey) - rr;
-    double bound = Math.fma(WINDOW_BOUND, x * x + y * y + rr, 0x1p-1000 * ((1 + x + y) * (1 + T)));
-    if (g < -bound) {
+    double s = ux * ex + uy * ey;
+    double lean = Math.fma(WINDOW_BOUND, Math.abs(ux) * x + Math.abs(uy) * y, TINY * (1 + T));
+    if (s > lean) {
       return -1;
     }
-    double s = ux * ex + uy * ey;
-    double lean = Math.fma(WINDOW_BOUND, Math.abs(ux) * x + Math.abs(uy) * y, 0x1p-1000 * (1 + T));
-    return s > lean ? -1 : g > bound && s < -lean ? 1 : 0;
+    double r = r1 + r2;
+    double rr = r * r;
+    double g = (ex * ex + ey * ey) - rr;
+    double bound =
+        Math.fma(WINDOW_BOUND, x * x + y * y + rr, TINY * ((1 + x + y) * (1 + T)));
+    return g < -bound ? -1 : g > bound && s < -lean ? 1 : 0;
   }
 
   /**
@@ -300,17 +289,29 @@ final class DiskSweep {
   static Vec2 normal(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
       double vx2, double vy2, double t) {
-    double c = t > 0 ? step(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) : 0;
-    double error = stepError(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t, c);
-    double speed = Math.abs(vx1 - vx2) + Math.abs(vy1 - vy2);
-    if (t > 0 && !(error * speed < 0x1p-54 * (r1 + r2))) {
-      return Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).normal();
-    }
     if (t == 0) {
       return Directions.unit(x1, y1, x2, y2);
     }
+    double ux = vx1 - vx2;
+    double uy = vy1 - vy2;
+    double r = r1 + r2;
+    double a = ux * ux + uy * uy;
+    double bx = ux * (x1 - x2);
+    double by = uy * (y1 - y2);
+    double fast = Math.abs(ux) + Math.abs(uy);
+    double x = Math.abs(x1 - x2) + Math.abs(y1 - y2) + fast * t;
+    double slope = -(bx + by + a * t);
+    double c = 0.5 * residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) / slope;
+    double error = stepError(x, r, a, slope, Math.abs(bx) + Math.abs(by) + a * t, c);
+    if (!(error * fast < 0x1p-54 * r)) {
+      return Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).normal();
+    }
     return Directions.unit(
-        place(x1, x2, vx1, vx2, t) + (vx1 - vx2) * c, place(y1, y2, vy1, vy2, t) + (vy1 - vy2) * c,
-        0, 0);
+        place(x1, x2, vx1, vx2, t, c), place(y1, y2, vy1, vy2, t, c), 0, 0);
+  }
+
+  /** d + u (t + c) on one axis. */
+  private static double place(double x1, double x2, double v1, double v2, double t, double c) {
+    return ((x1 - x2) + (v1 - v2) * t) + (terms(x1, x2, v1, v2, t) + (v1 - v2) * c);
   }
 }

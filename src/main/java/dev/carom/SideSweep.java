@@ -119,7 +119,12 @@ final class SideSweep {
       return h;
     }
     double hl = sumTail(side * h0, side * h1, h);
-    // h^2 - r^2 w.w
+    return gap(h, hl, wx, wxl, wy, wyl, r) / (h + reach);
+  }
+
+  /** h^2 - r^2 w.w. */
+  private static double gap(
+      double h, double hl, double wx, double wxl, double wy, double wyl, double r) {
     double xx = wx * wx;
     double yy = wy * wy;
     double ww = xx + yy;
@@ -131,8 +136,7 @@ final class SideSweep {
     double fl = productTail(rr, productTail(r, r, rr), ww, wwl, f);
     double hh = h * h;
     double residue = hh - f;
-    double tail = differenceTail(hh, f, residue) + (productTail(h, hl, h, hl, hh) - fl);
-    return (residue + tail) / (h + reach);
+    return residue + (differenceTail(hh, f, residue) + (productTail(h, hl, h, hl, hh) - fl));
   }
 
   /**

@@ -13,23 +13,19 @@ import java.util.Arrays;
  * the range in which those hold.
  *
  * <p>Two are not here. {@code MOST}, an upper limit of three sweeps: what overflows is infinite or
- * not a number, and leaves the answer open by itself. And the slope's share in the error of a step
- * of {@link DiskSweep}, 6 u: where the slope errs, so do f and the curvature, and their shares are
- * always more.
+ * not a number, and leaves the answer open by itself. And the condition of {@link DiskSweep} that a
+ * step be a quarter, at most, of what the slope allows: where it is not, the slope's share is more
+ * than an ulp of the time already.
  */
 enum RoundingBound {
   DISK_DOT(DiskSweep.class, "DOT_BOUND"),
-  /** The slope's 6 u is the same entry of the pool; only decisions tell whether this one counts. */
   DISK_GAP(DiskSweep.class, "GAP_BOUND"),
   DISK_REACH(DiskSweep.class, "REACH_BOUND"),
   DISK_WINDOW(DiskSweep.class, "WINDOW_BOUND"),
   /** What a place loses, in the error of a step, and so the whole of f's share. */
   DISK_PLACE(DiskSweep.class, Kind.BOUND, 0x1p-103),
-  /**
-   * The step must be a quarter, at most, of what the slope allows before the curvature may be
-   * neglected.
-   */
-  DISK_CURVATURE(DiskSweep.class, Kind.LEAST, 4),
+  /** What the slope loses, in the error of a step. */
+  DISK_SLOPE(DiskSweep.class, Kind.BOUND, 8 * 0x1p-53),
   DISK_TINY(DiskSweep.class, "TINY"),
   DISK_LEAST(DiskSweep.class, "LEAST"),
   SEGMENT_PLACE(SegmentSweep.class, "PLACE_BOUND"),

@@ -85,13 +85,21 @@ final class FrameTimeChart {
           + " within "
           + budgetText;
     }
-    return "Above " + budgetText + ": " + Durations.number(over, 9) + " of " + all + " frames";
+    return "Above "
+        + budgetText
+        + ": "
+        + Durations.number((double) over, 9)
+        + " of "
+        + all
+        + " frames";
   }
 
   private String subtitle() {
     long none = Arrays.stream(nanos).filter(t -> t == 0).count();
     String triangles =
-        none == 0 ? "" : "; triangles: " + Durations.number(none, 9) + " too short for the clock";
+        none == 0
+            ? ""
+            : "; triangles: " + Durations.number((double) none, 9) + " too short for the clock";
     return "Time of each frame of one replay, on a logarithmic scale" + triangles;
   }
 
