@@ -230,18 +230,20 @@ final class DiskSweep {
    * <p>With X the sum of the absolute values of d's and u t's components: e loses 8 u^2 X in its
    * tails, so f loses 16 u^2 |e| X, and 48 u^2 |e| X for its squares and sums; |e| is below 3/2 r
    * while {@code a |c| < s / 4}, for then e is within |u| |c| of a place at the distance r and |u|
-   * |c| < |e| / 4. That makes 2^-100 (3/2 r) X / 2 s. The slope errs by 6 u of its terms. The
-   * curvature of f leaves {@code a c^2 / 2 s}, at most twice that.
+   * |c| < |e| / 4. That makes 2^-100 (3/2 r) X / 2 s. The slope errs by 6 u of its terms, and may
+   * be smaller by that much: the least that it can be divides. The curvature of f leaves {@code a
+   * c^2 / 2 s}, at most twice that.
    */
   private static double stepError(
       double x, double r, double a, double slope, double terms, double c) {
     double size = Math.abs(c);
-    if (!(4 * a * size < slope && a > LEAST && a < MOST && r * r > LEAST && r * r < MOST)) {
+    double lean = 8 * 0x1p-53 * terms;
+    double least = slope - lean;
+    if (!(4 * a * size < least && a > LEAST && a < MOST && r * r > LEAST && r * r < MOST)) {
       return Double.NaN;
     }
     double lost = 0x1p-103 * x;
-    double lean = 8 * 0x1p-53 * terms;
-    return (8 * lost * (1.5 * r + lost) + size * (2 * lean + a * size)) / slope;
+    return (8 * lost * (1.5 * r + lost) + size * (2 * lean + a * size)) / least;
   }
 
   /**

@@ -143,10 +143,11 @@ final class SideSweep {
    * A bound of the error of a step in time; NaN where none is known.
    *
    * <p>With {@code X = |dx| + |vx t|}, Y likewise: e loses 6 u^2 X, 6 u^2 Y in its tails; so h
-   * loses 6 + 64 u^2 of {@code M = |wx| Y + |wy| X}, and {@code (h^2 - r^2 w.w) / (h + r |w|)} that
-   * twice over 2 h, plus 2 x 32 u^2 of h^2 over 2 h <= M / 2: less than 128 u^2 M. The divisions by
-   * {@code h + r |w|} (6 u) and by the speed (3 u of its terms, and 2 more) err in proportion to
-   * the step.
+   * loses D = 6 + 64 u^2 of {@code M = |wx| Y + |wy| X}. {@code h^2 - r^2 w.w} loses 2 h D and 2 x
+   * 32 u^2 of h^2 <= h M, divided by {@code h + r |w|} >= h; and that sum, D itself, in proportion
+   * to the quotient, which is below h: 3 D + 32 u^2 M, less than 256 u^2 M. The divisions by {@code
+   * h + r |w|} (6 u) and by the speed (3 u of its terms, and 2 more) err in proportion to the step;
+   * the least that the speed can be divides.
    */
   private static double stepError(
       double dx, double dy, double vx, double vy, double wx, double wy, double reach, double speed,
@@ -154,11 +155,12 @@ final class SideSweep {
     double x = Math.abs(dx) + Math.abs(vx * t);
     double y = Math.abs(dy) + Math.abs(vy * t);
     double m = Math.abs(wx) * y + Math.abs(wy) * x;
-    if (!(m > LEAST && m < MOST && speed > LEAST && t < MOST && reach < MOST)) {
+    double lean = 16 * 0x1p-53 * (Math.abs(wx * vy) + Math.abs(wy * vx));
+    double least = speed - lean;
+    if (!(m > LEAST && m < MOST && least > LEAST && t < MOST && reach < MOST)) {
       return Double.NaN;
     }
-    double lean = 16 * 0x1p-53 * (Math.abs(wx * vy) + Math.abs(wy * vx));
-    return (128 * 0x1p-106 * m + Math.abs(step) * lean) / speed;
+    return (256 * 0x1p-106 * m + Math.abs(step) * lean) / least;
   }
 
   /**

@@ -35,7 +35,7 @@ enum RoundingBound {
   SEGMENT_TINY(SegmentSweep.class, "TINY"),
   SIDE_WINDOW(SideSweep.class, "WINDOW_BOUND"),
   /** What h loses, in the error of a step. */
-  SIDE_PLACE(SideSweep.class, Kind.BOUND, 128 * 0x1p-106),
+  SIDE_PLACE(SideSweep.class, Kind.BOUND, 256 * 0x1p-106),
   /** What the divisions lose, in the error of a step. */
   SIDE_LEAN(SideSweep.class, Kind.BOUND, 16 * 0x1p-53),
   SIDE_TINY(SideSweep.class, Kind.LEAST, 0x1p-1000),
