@@ -19,7 +19,7 @@ final class EventQueue {
   /** No event. */
   static final int NONE = -1;
 
-  // Where an event is, if not in a bucket.
+  // Where an event is, if not in a bucket: nowhere, or at place IN_HEAP - place of the heap.
   private static final int NOWHERE = -1;
   private static final int IN_HEAP = -2;
 
@@ -39,7 +39,7 @@ final class EventQueue {
   private double perBucket = 1;
   private int current;
 
-  // A heap of events at or before the current bucket; one whose time has changed since is stale.
+  // A heap of the events at or before the current bucket.
   private int[] heapIds = new int[16];
   private double[] heapTimes = new double[16];
   private int heapSize;
@@ -64,16 +64,13 @@ final class EventQueue {
   void set(int i, double time, double tail, long rank) {
     if (place[i] >= 0) {
       unlink(i);
+    } else if (place[i] <= IN_HEAP) {
+      remove(IN_HEAP - place[i]);
     }
-    boolean waiting = place[i] == IN_HEAP && times[i] == time;
     times[i] = time;
     tails[i] = tail;
     ranks[i] = rank;
-    if (waiting) {
-      resort();
-    } else {
-      insert(i);
-    }
+    insert(i);
   }
 
   double time(int i) {
@@ -82,18 +79,12 @@ final class EventQueue {
 
   /** The circle whose event is first, or NONE. */
   int first() {
-    while (true) {
-      while (heapSize > 0) {
-        int i = heapIds[0];
-        if (place[i] == IN_HEAP && times[i] == heapTimes[0]) {
-          return i;
-        }
-        pop();
-      }
+    while (heapSize == 0) {
       if (!turn()) {
         return NONE;
       }
     }
+    return heapIds[0];
   }
 
   private void insert(int i) {
@@ -104,7 +95,6 @@ final class EventQueue {
     }
     double bucket = (t - base) * perBucket;
     if (bucket < current + 1) {
-      place[i] = IN_HEAP;
       push(i);
     } else {
       link(i, bucket < buckets ? (int) bucket : beyond);
@@ -124,7 +114,6 @@ final class EventQueue {
 
   private void drain(int bucket) {
     for (int i = heads[bucket]; i != NONE; i = next[i]) {
-      place[i] = IN_HEAP;
       push(i);
     }
     heads[bucket] = NONE;
@@ -188,23 +177,23 @@ final class EventQueue {
       heapIds = Arrays.copyOf(heapIds, 2 * heapSize);
       heapTimes = Arrays.copyOf(heapTimes, 2 * heapSize);
     }
-    heapIds[heapSize] = i;
-    heapTimes[heapSize] = times[i];
+    put(heapSize, i, times[i]);
     up(heapSize++);
   }
 
-  private void pop() {
+  private void remove(int k) {
     heapSize--;
-    heapIds[0] = heapIds[heapSize];
-    heapTimes[0] = heapTimes[heapSize];
-    down(0);
-  }
-
-  /** Restores the order where an event in the heap changed its tail or rank; rare. */
-  private void resort() {
-    for (int k = heapSize / 2; k >= 0; k--) {
+    if (k < heapSize) {
+      put(k, heapIds[heapSize], heapTimes[heapSize]);
+      up(k);
       down(k);
     }
+  }
+
+  private void put(int k, int i, double time) {
+    heapIds[k] = i;
+    heapTimes[k] = time;
+    place[i] = IN_HEAP - k;
   }
 
   private void up(int k) {
@@ -241,10 +230,8 @@ final class EventQueue {
 
   private void swap(int a, int b) {
     int id = heapIds[a];
-    heapIds[a] = heapIds[b];
-    heapIds[b] = id;
     double time = heapTimes[a];
-    heapTimes[a] = heapTimes[b];
-    heapTimes[b] = time;
+    put(a, heapIds[b], heapTimes[b]);
+    put(b, id, time);
   }
 }

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Comparator;
+import java.util.Random;
+import java.util.TreeSet;
+import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The calendar gives the same order as a sorted set, whatever is set, moved and taken. */
+class EventQueueTest {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private record Event(double time, double tail, long rank, int circle) {
+    static final Comparator<Event> ORDER =
+        Comparator.comparingDouble(Event::time)
+            .thenComparingDouble(Event::tail)
+            .thenComparingLong(Event::rank)
+            .thenComparingInt(Event::circle);
+  }
+
+  /** The queue, and beside it what it must agree with. */
+  private static final class Twin {
+
+    final EventQueue queue;
+    final TreeSet<Event> sorted = new TreeSet<>(Event.ORDER);
+    final Event[] events;
+
+    Twin(int count) {
+      queue = new EventQueue(count);
+      events = new Event[count];
+    }
+
+    void set(int circle, double time, double tail, long rank) {
+      if (events[circle] != null) {
+        sorted.remove(events[circle]);
+      }
+      events[circle] = new Event(time, tail, rank, circle);
+      if (time < NEVER) {
+        sorted.add(events[circle]);
+      }
+      queue.set(circle, time, tail, rank);
+    }
+
+    int first() {
+      int first = queue.first();
+      assertThat(first).isEqualTo(sorted.isEmpty() ? EventQueue.NONE : sorted.first().circle());
+      return first;
+    }
+  }
+
+  /** Takes events and sets others in their place, as a world does: never before the last taken. */
+  private static void play(int count, long seed, DoubleUnaryOperator next) {
+    Random random = new Random(seed);
+    Twin twin = new Twin(count);
+    for (int i = 0; i < count; i++) {
+      twin.set(i, next.applyAsDouble(0), random.nextInt(3), rank(random, i));
+    }
+    for (int step = 0; step < 30_000; step++) {
+      int first = twin.first();
+      if (first == EventQueue.NONE) {
+        return;
+      }
+      double now = twin.events[first].time();
+      twin.set(first, next.applyAsDouble(now), random.nextInt(3), rank(random, first));
+      for (int k = random.nextInt(3); k > 0; k--) {
+        int i = random.nextInt(count);
+        twin.set(i, next.applyAsDouble(now), random.nextInt(3), rank(random, i));
+      }
+    }
+  }
+
+  /** Ranks differ between circles, as those of a world do. */
+  private static long rank(Random random, int circle) {
+    return (long) random.nextInt(50) << 31 | circle;
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 10, 100, 1000})
+  void timesSpreadAsThoseOfImpacts(int count) {
+    Random random = new Random(count);
+    play(count, 1, now -> now - Math.log(1 - random.nextDouble()));
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 3, 10, 100, 1000})
+  void manyAtOneTime(int count) {
+    Random random = new Random(count);
+    play(count, 2, now -> now + random.nextInt(3));
+    play(count, 3, now -> Math.rint(now + random.nextDouble()));
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {2, 30, 300})
+  void soonFarAndNever(int count) {
+    Random random = new Random(count);
+    play(
+        count,
+        4,
+        now ->
+            switch (random.nextInt(8)) {
+              case 0 -> NEVER;
+              case 1 -> now + 1e300 * random.nextDouble();
+              case 2 -> now;
+              case 3 -> now + 1e-300;
+              case 4 -> now + 1e9 * random.nextDouble();
+              default -> now + random.nextDouble();
+            });
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0x1p-1074, 1e-300, 1e300, Double.MAX_VALUE / 4})
+  void timesOfAnySize(double unit) {
+    Random random = new Random(7);
+    play(100, 5, now -> Math.max(now, unit * (1 + random.nextInt(3))));
+    play(100, 6, now -> Math.min(Double.MAX_VALUE, now + unit * random.nextInt(2)));
+  }
+
+  @Test
+  void isEmptyAtFirstAndAgain() {
+    Twin twin = new Twin(3);
+    twin.first();
+    twin.set(1, 5, 0, 1);
+    twin.set(0, NEVER, 0, 0);
+    assertThat(twin.first()).isEqualTo(1);
+    twin.set(1, NEVER, 0, 1);
+    assertThat(twin.first()).isEqualTo(EventQueue.NONE);
+    twin.set(2, 1, 0, 2);
+    twin.set(1, 1, -1, 2);
+    assertThat(twin.first()).isEqualTo(1);
+    assertThat(twin.queue.time(2)).isEqualTo(1);
+  }
+
+  @Test
+  void isMadeForNoneToo() {
+    assertThat(new EventQueue(0).first()).isEqualTo(EventQueue.NONE);
+  }
+
+  /**
+   * An event put off and set to its old time again, with a later rank: what stood in the heap for
+   * it before must not pass for it.
+   */
+  @Test
+  void anEventPutOffAndBackStandsWhereItsNewRankPutsIt() {
+    Twin twin = new Twin(2);
+    twin.set(0, 1, 0, 1);
+    twin.set(1, 1, 0, 5);
+    twin.first();
+    twin.set(0, 1e9, 0, 1);
+    twin.set(0, 1, 0, 10);
+    assertThat(twin.first()).isEqualTo(1);
+  }
+}
