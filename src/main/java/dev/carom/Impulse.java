@@ -32,10 +32,10 @@ final class Impulse {
     tail = (rest + (f * vnl - j * nnl)) / nn;
   }
 
-  /** v + share j n on one axis, rounded once. */
-  double change(double v, double share, double n) {
+  /** v + share j n on one axis, rounded once; the share as head and tail. */
+  double change(double v, double share, double shareTail, double n) {
     double s = share * j;
-    double sl = productTail(share, j, s) + share * tail;
+    double sl = productTail(share, j, s) + (share * tail + shareTail * j);
     double p = s * n;
     double w = v + p;
     return w + (sumTail(v, p, w) + (productTail(s, n, p) + sl * n));

@@ -4,48 +4,42 @@ package dev.carom;
 import java.util.Arrays;
 
 /**
- * The things between which a circle is stuck. They are gathered while it makes impact after impact
- * without getting anywhere; once it is jammed they are inert: not there for it, until it gets away
- * or something comes from further off. Immutable.
+ * The things that are inert for a jammed circle: not there, until it gets away or something comes
+ * from further off. Immutable; null stands for none.
  */
 final class Jam {
 
-  private static final Jam EMPTY = new Jam(new int[0], 0);
-
   private final int[] codes;
 
-  /** The first so many codes are inert. */
-  private final int inert;
-
-  private Jam(int[] codes, int inert) {
+  private Jam(int[] codes) {
     this.codes = codes;
-    this.inert = inert;
   }
 
   /** A jam, or none yet, with one more thing. */
   static Jam with(Jam jam, int code) {
-    Jam old = jam == null ? EMPTY : jam;
-    int n = old.codes.length;
-    if (contains(old.codes, n, code)) {
-      return old;
+    if (jam == null) {
+      return new Jam(new int[] {code});
     }
-    int[] more = Arrays.copyOf(old.codes, n + 1);
-    more[n] = code;
-    return new Jam(more, old.inert);
+    if (jam.makesInert(code)) {
+      return jam;
+    }
+    int[] more = Arrays.copyOf(jam.codes, jam.codes.length + 1);
+    more[jam.codes.length] = code;
+    return new Jam(more);
   }
 
-  /** The same things, all made inert. */
-  Jam made() {
-    return inert == codes.length ? this : new Jam(codes, codes.length);
+  /** What is left of a jam when the codes below the first one of circles are dropped. */
+  static Jam ofCircles(Jam jam, int first) {
+    if (jam == null) {
+      return null;
+    }
+    int[] left = Arrays.stream(jam.codes).filter(code -> code >= first).toArray();
+    return left.length == jam.codes.length ? jam : left.length == 0 ? null : new Jam(left);
   }
 
   boolean makesInert(int code) {
-    return contains(codes, inert, code);
-  }
-
-  private static boolean contains(int[] codes, int first, int code) {
-    for (int i = 0; i < first; i++) {
-      if (codes[i] == code) {
+    for (int other : codes) {
+      if (other == code) {
         return true;
       }
     }

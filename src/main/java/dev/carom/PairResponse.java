@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import static dev.carom.DoubleDouble.sumTail;
+
 /**
  * What a collision does to two velocities: with the offset {@code n = x1 - x2}, of any length, and
- * {@code u = v1 - v2}, the impulse is {@code J = (1 + e) (u.n) / ((w1 + w2) (n.n))}, w = 1/m the
- * inverse masses, and {@code v1 -= w1 J n}, {@code v2 += w2 J n}. A circle of infinite mass goes on
- * as it was; two of them pass through each other, which is reported.
+ * {@code u = v1 - v2}, the part of u along n is turned round and scaled by e, and shared out by the
+ * masses: {@code v1 -= m2 / (m1 + m2) J n}, {@code v2 += m1 / (m1 + m2) J n} with {@code J = (1 +
+ * e) (u.n) / (n.n)}. A circle of infinite mass goes on as it was; two of them pass through each
+ * other, which is reported.
  */
 final class PairResponse {
 
-  private final double[] inverseMasses;
+  private final double[] masses;
   private final int firstCode;
   private final Response response;
   private final Impulse impulse = new Impulse();
@@ -18,10 +21,7 @@ final class PairResponse {
   PairResponse(double[] masses, int firstCode, Response response) {
     this.firstCode = firstCode;
     this.response = response;
-    inverseMasses = new double[masses.length];
-    for (int i = 0; i < masses.length; i++) {
-      inverseMasses[i] = 1 / masses[i];
-    }
+    this.masses = masses;
   }
 
   /** Whether two circles just hit each other and neither changed since, or are jammed together. */
@@ -49,30 +49,41 @@ final class PairResponse {
     log.add(a.t, a.id, ObstacleKind.CIRCLE, b.id, Feature.CIRCLE);
     log.set(Math.fma(share, nx, b.x), Math.fma(share, ny, b.y), nx, ny, un);
     double speed = Math.abs(ux) + Math.abs(uy);
-    boolean stuckA = response.countStuck(a, firstCode + b.id, a.flown * speed);
-    boolean stuckB = response.countStuck(b, firstCode + a.id, b.flown * speed);
-    double w1 = inverseMasses[a.id];
-    double w2 = inverseMasses[b.id];
-    if (un < 0 && w1 + w2 > 0) {
-      double e = stuckA || stuckB ? 0 : a.restitution * b.restitution;
-      impulse.of(1 + e, ux, uy, nx, ny);
-      double share1 = w1 / (w1 + w2);
-      double share2 = w2 / (w1 + w2);
-      a.vx = impulse.change(a.vx, -share1, nx);
-      a.vy = impulse.change(a.vy, -share1, ny);
-      b.vx = impulse.change(b.vx, share2, nx);
-      b.vy = impulse.change(b.vy, share2, ny);
-      Response.stopBeyondRange(a);
-      Response.stopBeyondRange(b);
+    boolean stuckA = response.countStuck(a, a.flown * speed);
+    boolean stuckB = response.countStuck(b, b.flown * speed);
+    if (un < 0) {
+      impulse.of(1 + (stuckA || stuckB ? 0 : a.restitution * b.restitution), ux, uy, nx, ny);
+      push(a, -1, masses[b.id], masses[a.id], nx, ny);
+      push(b, 1, masses[a.id], masses[b.id], nx, ny);
     }
     if (response.isJammed(a) && response.isJammed(b)) {
-      a.jam = a.jam.made();
-      b.jam = b.jam.made();
+      a.jam = Jam.with(a.jam, firstCode + b.id);
+      b.jam = Jam.with(b.jam, firstCode + a.id);
       log.setJammed();
     }
     a.last = firstCode + b.id;
     b.last = firstCode + a.id;
     a.newFlight();
     b.newFlight();
+  }
+
+  /**
+   * Gives a circle its share of the impulse, the other's mass over the sum of both, which is kept
+   * as head and tail: rounded alike at each impact of two masses, it would let the energy drift. A
+   * line along which a jammed circle slid is there for it again.
+   */
+  private void push(Mover m, int sign, double other, double own, double nx, double ny) {
+    m.jam = Jam.ofCircles(m.jam, firstCode);
+    if (own == Double.POSITIVE_INFINITY) {
+      return;
+    }
+    boolean all = other == Double.POSITIVE_INFINITY;
+    double sum = other + own;
+    double share = all ? 1 : other / sum;
+    double rest = Math.fma(-share, sum, other) - share * sumTail(other, own, sum);
+    double tail = all ? 0 : rest / sum;
+    m.vx = impulse.change(m.vx, sign * share, sign * tail, nx);
+    m.vy = impulse.change(m.vy, sign * share, sign * tail, ny);
+    Response.stopBeyondRange(m);
   }
 }

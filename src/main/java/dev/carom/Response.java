@@ -54,13 +54,13 @@ final class Response {
     log.add(
         m.t, m.id, obstacles.kind(code), obstacles.index(code), obstacles.feature(code, m.contact));
     log.set(contactX, contactY, nx, ny, vn);
-    boolean stuck = countStuck(m, code, m.flown * (Math.abs(m.vx) + Math.abs(m.vy)));
+    boolean stuck = countStuck(m, m.flown * (Math.abs(m.vx) + Math.abs(m.vy)));
     double e = stuck ? 0 : m.restitution * obstacles.restitution(code);
     if (vn < 0) {
       reflect(m, code, e);
     }
     if (isJammed(m)) {
-      jam(m, -vn / Math.sqrt(nx * nx + ny * ny));
+      jam(m, code, -vn / Math.sqrt(nx * nx + ny * ny));
       log.setJammed();
     }
     m.last = code;
@@ -70,8 +70,8 @@ final class Response {
   private void reflect(Mover m, int code, double e) {
     if (code >= Obstacles.WALLS) {
       impulse.of(1 + e, m.vx, m.vy, nx, ny);
-      m.vx = impulse.change(m.vx, -1, nx);
-      m.vy = impulse.change(m.vy, -1, ny);
+      m.vx = impulse.change(m.vx, -1, 0, nx);
+      m.vy = impulse.change(m.vy, -1, 0, ny);
     } else if (code <= Obstacles.RIGHT) {
       m.vx *= -e;
     } else {
@@ -188,7 +188,7 @@ final class Response {
    *
    * @param way what the two moved against each other since the circle's last impact
    */
-  boolean countStuck(Mover m, int code, double way) {
+  boolean countStuck(Mover m, double way) {
     double size = Math.max(Math.max(Math.abs(m.anchorX), Math.abs(m.anchorY)), m.radius) * PLACE;
     boolean here = Math.abs(m.x - m.anchorX) <= size && Math.abs(m.y - m.anchorY) <= size;
     if (m.standsStill || (here && way <= size)) {
@@ -199,9 +199,6 @@ final class Response {
       m.anchorY = m.y;
       m.jam = null;
     }
-    if (m.stuck > patience) {
-      m.jam = Jam.with(m.jam, code);
-    }
     return m.stuck > patience;
   }
 
@@ -209,12 +206,17 @@ final class Response {
     return m.stuck > 2 * patience;
   }
 
-  /** Lets the circle slide along what it touches if that is all it does; stops it otherwise. */
-  private void jam(Mover m, double approach) {
-    m.jam = m.jam.made();
-    if (!(approach <= ROUNDING * (Math.abs(m.vx) + Math.abs(m.vy)))) {
+  /**
+   * Lets the circle slide along what it hit if that is all it does; stops it otherwise, and what it
+   * slid along is there for it again.
+   */
+  private void jam(Mover m, int code, double approach) {
+    if (approach <= ROUNDING * (Math.abs(m.vx) + Math.abs(m.vy))) {
+      m.jam = Jam.with(m.jam, code);
+    } else {
       m.vx = 0;
       m.vy = 0;
+      m.jam = Jam.ofCircles(m.jam, obstacles.end);
     }
   }
 }

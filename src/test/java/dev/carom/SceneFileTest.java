@@ -220,6 +220,24 @@ class SceneFileTest {
   }
 
   @Test
+  void circlesThatCollideAndTheirMassesReadBack() throws IOException {
+    Scene scene =
+        Scene.builder()
+            .circle(1, 2, 3, 4, 5)
+            .mass(1.0 / 3)
+            .circle(10, 2, 3, 4, 5)
+            .mass(Double.POSITIVE_INFINITY)
+            .collide(true)
+            .build();
+    assertThat(written(scene))
+        .contains("collide,1\n", "circle,1.0,2.0,3.0,4.0,5.0,0.3333333333333333\n");
+    assertThat(read(written(scene))).isEqualTo(scene);
+    assertThat(read(written(scene)).collide()).isTrue();
+    assertThat(read("circle,1,2,3,4,5\ncollide,1\ncircle,11,2,3,4,5").collide()).isTrue();
+    assertThat(read("collide,0\ncircle,1,2,3,4,5").collide()).isFalse();
+  }
+
+  @Test
   void manyRows() throws IOException {
     Scene scene = read("circle,1,2,3,4,5\n".repeat(100_000));
     assertThat(scene.circleCount()).isEqualTo(100_000);

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Two circles of a world, or few: when they collide, what the log says, and when they do not. */
+class CollisionTest {
+
+  private static SceneBuilder colliding() {
+    return Scene.builder().collide(true);
+  }
+
+  private static Run run(SceneBuilder builder) {
+    return Run.advance(new World(builder.build()), 100);
+  }
+
+  @Test
+  void theLogNamesBothAndPointsFromTheSecondToTheFirst() {
+    Run run = run(colliding().circle(0, 0, 1, 2, 0).circle(12, 0, 3, -2, 0));
+    assertThat(run.impacts())
+        .containsExactly(
+            new Run.Row(2, 0, ObstacleKind.CIRCLE, 1, Feature.CIRCLE, 5, 0, -1, 0, 4, false));
+    assertThat(run.end().get(0).vx()).isEqualTo(-2);
+    assertThat(run.end().get(1).vx()).isEqualTo(2);
+    assertThat(run.end().get(0).x()).isEqualTo(4 - 2 * 98);
+  }
+
+  @Test
+  void circlesThatIgnoreEachOtherDoNotCollide() {
+    Run run = run(Scene.builder().circle(0, 0, 1, 2, 0).circle(12, 0, 3, -2, 0));
+    assertThat(run.impacts()).isEmpty();
+  }
+
+  @Test
+  void anObliqueCollision() {
+    Run run = run(colliding().circle(0, 0, 2.5, 1, 0).circle(13, 4, 2.5, 0, 0));
+    Run.Row row = run.impacts().get(0);
+    assertThat(row.time()).isEqualTo(10);
+    assertThat(row.nx()).isCloseTo(-0.6, within(1e-16));
+    assertThat(row.ny()).isCloseTo(-0.8, within(1e-16));
+    assertThat(row.speed()).isCloseTo(0.6, within(1e-16));
+    assertThat(run.end().get(0).vx()).isCloseTo(0.64, within(1e-15));
+    assertThat(run.end().get(0).vy()).isCloseTo(-0.48, within(1e-15));
+    assertThat(run.end().get(1).vx()).isCloseTo(0.36, within(1e-15));
+    assertThat(run.end().get(1).vy()).isCloseTo(0.48, within(1e-15));
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {2, 1.5, 1e-3})
+  void touchingOrOverlappingAndApproachingIsAnImpactAtTheStart(double distance) {
+    Run run = run(colliding().circle(0, 0, 1, 1, 0).circle(distance, 0, 1, 0, 0));
+    assertThat(run.impacts()).hasSize(1);
+    assertThat(run.impacts().get(0).time()).isZero();
+    assertThat(run.end().get(0)).as("never nudged").isEqualTo(new Run.State(0, 0, 0, 0));
+    assertThat(run.end().get(1).vx()).isEqualTo(1);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {2, 1.5, 1e-3})
+  void touchingOrOverlappingAndLeavingIsNone(double distance) {
+    assertThat(run(colliding().circle(0, 0, 1, -1, 0).circle(distance, 0, 1, 0, 0)).impacts())
+        .isEmpty();
+    assertThat(run(colliding().circle(0, 0, 1, 0, 1).circle(distance, 0, 1, 0, 0)).impacts())
+        .as("tangentially")
+        .isEmpty();
+    assertThat(run(colliding().circle(0, 0, 1, 3, 1).circle(distance, 0, 1, 3, 1)).impacts())
+        .as("with the same velocity")
+        .isEmpty();
+  }
+
+  @Test
+  void concentricCirclesCannotComeNearer() {
+    Run run = run(colliding().circle(5, 5, 1, 1, 2).circle(5, 5, 7, -1, 0));
+    assertThat(run.impacts()).isEmpty();
+  }
+
+  @Test
+  void aGrazeIsNone() {
+    assertThat(run(colliding().circle(0, 0, 1, 1, 0).circle(10, 2, 1, 0, 0)).impacts()).isEmpty();
+    assertThat(
+            run(colliding().circle(0, 0, 1, 1, 0).circle(10, Math.nextDown(2), 1, 0, 0)).impacts())
+        .hasSize(1);
+  }
+
+  @Test
+  void veryDifferentSizes() {
+    Run run =
+        run(colliding().circle(0, 0, 1000, 0, 0).mass(1e6).circle(1020, 0, 1, -1, 0).mass(1e-6));
+    assertThat(run.impacts()).hasSize(1);
+    assertThat(run.impacts().get(0).time()).isEqualTo(19);
+    assertThat(run.end().get(1).vx()).isCloseTo(1, within(1e-11));
+  }
+
+  @Test
+  void anInfiniteMassGoesItsWay() {
+    Run run =
+        run(
+            colliding()
+                .circle(0, 0, 1, 1, 0)
+                .mass(Double.POSITIVE_INFINITY)
+                .circle(12, 0, 1, 0, 0)
+                .circle(20, 0, 1, -1, 0)
+                .mass(1e-6));
+    assertThat(run.end().get(0)).isEqualTo(new Run.State(100, 0, 1, 0));
+    assertThat(run.end().get(1).x()).isGreaterThan(102);
+  }
+
+  @Test
+  void twoInfiniteMassesPassThroughEachOtherOnce() {
+    Run run =
+        run(
+            colliding()
+                .circle(0, 0, 1, 1, 0)
+                .mass(Double.POSITIVE_INFINITY)
+                .circle(10, 0, 1, -1, 0)
+                .mass(Double.POSITIVE_INFINITY));
+    assertThat(run.impacts()).hasSize(1);
+    assertThat(run.impacts().get(0).time()).isEqualTo(4);
+    assertThat(run.end())
+        .containsExactly(new Run.State(100, 0, 1, 0), new Run.State(-90, 0, -1, 0));
+  }
+
+  /** Of one time, the lower numbers first; the middle one is hit from both sides. */
+  @Test
+  void simultaneousCollisionsAreTakenByNumber() {
+    Run run = run(colliding().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).circle(5, 0, 1, -1, 0));
+    assertThat(run.impacts().stream().map(Run.Row::time)).containsOnly(3.0);
+    assertThat(run.impacts().get(0).obstacle()).isEqualTo(1);
+    assertThat(run.impacts().get(1).obstacle()).isEqualTo(2);
+    assertThat(run.end().stream().map(Run.State::vx)).containsExactly(0.0, -1.0, 1.0);
+  }
+
+  @Test
+  void anInelasticPairGoesOnTogether() {
+    Run run = run(colliding().circle(0, 0, 1, 1, 0).restitution(0).circle(10, 0, 1, 0, 0).mass(3));
+    assertThat(run.impacts()).hasSize(1);
+    assertThat(run.end().get(0).vx()).isEqualTo(0.25);
+    assertThat(run.end().get(1).vx()).isEqualTo(0.25);
+  }
+
+  @Test
+  void slowCirclesCollideLikeFastOnes() {
+    for (double speed : new double[] {1e-9, 1e-3, 1e3, 1e9}) {
+      SceneBuilder builder = colliding().circle(0, 0, 1, speed, 0).circle(12, 0, 1, 0, 0);
+      Run run = Run.advance(new World(builder.build()), 11 / speed);
+      assertThat(run.impacts()).hasSize(1);
+      assertThat(run.end().get(1).vx()).isEqualTo(speed);
+    }
+  }
+
+  /**
+   * Two circles fill a box from wall to wall; a third, heavy one comes down between them. A wall
+   * that was inert for a jammed circle once stayed so when the heavy one pushed it on: it left the
+   * box.
+   */
+  @Test
+  void squeezedAgainstAWallACircleStaysInside() {
+    World world =
+        new World(
+            Scene.builder()
+                .collide(true)
+                .bounds(0, 0, 4, 100)
+                .circle(1, 30, 1, 0, 0)
+                .restitution(0)
+                .circle(3, 30, 1, 0, 0)
+                .restitution(0)
+                .circle(2, 60, 1, 0, -1e-3)
+                .mass(100)
+                .restitution(0)
+                .build());
+    for (int call = 0; call < 20 && world.now() < 1e5; call++) {
+      world.advanceTo(1e5);
+    }
+    assertThat(world.now()).isEqualTo(1e5);
+    for (int i = 0; i < 3; i++) {
+      assertThat(world.x(i)).isBetween(1 - 1e-9, 3 + 1e-9);
+      assertThat(world.y(i)).isBetween(1 - 1e-9, 99 + 1e-9);
+    }
+  }
+}

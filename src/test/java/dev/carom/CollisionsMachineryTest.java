@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * How circles that collide are found - cells, grids, the calendar, steps - changes the cost and no
+ * bit of the result: it is that of asking everyone about everything before each event.
+ */
+class CollisionsMachineryTest {
+
+  private static final double[] PAIR_CELLS = {1.5, 2, 5, 1000};
+  private static final int SEEDS = 2;
+  private static final double END = 30;
+
+  /** Draws a scene with a number of circles. */
+  private interface Recipe {
+    SceneBuilder draw(Random random, int count);
+  }
+
+  static Stream<Arguments> recipes() {
+    return Stream.of(
+        recipe("mixed", CollidingScenes::mixed),
+        recipe("open", CollidingScenes::open),
+        recipe("gas", CollidingScenes::gas),
+        recipe("inelastic", CollidingScenes::inelastic),
+        recipe("lattice", CollidingScenes::lattice));
+  }
+
+  private static Arguments recipe(String name, Recipe recipe) {
+    return Arguments.of(name, recipe);
+  }
+
+  private static Scene draw(Object recipe, int count, long seed) {
+    return ((Recipe) recipe).draw(new Random(seed), count).build();
+  }
+
+  // Against the plain way.
+
+  @ParameterizedTest(name = "{0}")
+  @MethodSource("recipes")
+  void thePlainWayGivesTheSameImpacts(String name, Object recipe) {
+    int impacts = 0;
+    for (int seed = 0; seed < SEEDS; seed++) {
+      impacts += assertThePlainWayGivesTheSame(draw(recipe, 30, seed));
+    }
+    assertThat(impacts).isGreaterThan(30);
+  }
+
+  /** One ulp is a good part of a radius there: cells may not trust their rounding. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e6, 1e9, 1e12})
+  void thePlainWayGivesTheSameFarFromTheOrigin(double far) {
+    for (int seed = 0; seed < SEEDS; seed++) {
+      SceneBuilder builder = Scene.builder().bounds(far, -far, far + 400, 300 - far).collide(true);
+      Random random = new Random(seed);
+      for (int i = 0; i < 30; i++) {
+        builder.circle(
+            far + 10 + random.nextInt(380),
+            random.nextInt(280) - far + 10,
+            8,
+            random.nextInt(11) - 5,
+            random.nextInt(3) - 1);
+      }
+      assertThePlainWayGivesTheSame(builder.build());
+    }
+  }
+
+  /** Some hundred impacts and the rest of those at the time of the last one. */
+  private static int assertThePlainWayGivesTheSame(Scene scene) {
+    World world = new World(scene);
+    List<Run.Row> rows = new ArrayList<>();
+    while (rows.size() < 300 && world.now() < 100) {
+      world.step(0.25);
+      rows.addAll(Run.rows(world.impacts()));
+    }
+    ImpactLog plain = new BruteForce(scene).advance(world.now(), rows.size() + 1);
+    assertThat(Run.rows(plain)).isEqualTo(rows);
+    return rows.size();
+  }
+
+  // Forced.
+
+  @ParameterizedTest(name = "{0}")
+  @MethodSource("recipes")
+  void cellsAndGridsOfAnySizeGiveTheSame(String name, Object recipe) {
+    for (int seed = 10; seed < 10 + SEEDS; seed++) {
+      Scene scene = draw(recipe, 60, seed);
+      Run chosen = Run.advance(new World(scene), 0.5, 10, 25);
+      for (double diameters : PAIR_CELLS) {
+        for (Machinery grid : List.of(Machinery.EACH, Machinery.cells(17), Machinery.cells(200))) {
+          World world = new World(scene, grid.withPairCells(diameters));
+          assertThat(Run.advance(world, 0.5, 10, 25)).as("cells %s", diameters).isEqualTo(chosen);
+        }
+      }
+    }
+  }
+
+  // Frames.
+
+  @ParameterizedTest(name = "{0}")
+  @MethodSource("recipes")
+  void stepsOfAnyLengthGiveTheSame(String name, Object recipe) {
+    for (int seed = 20; seed < 20 + SEEDS; seed++) {
+      Scene scene = draw(recipe, 60, seed);
+      Run whole = Run.advance(new World(scene), END);
+      assertThat(Run.step(new World(scene), 1, 30)).isEqualTo(whole);
+      assertThat(Run.step(new World(scene), 0.5, 60)).isEqualTo(whole);
+      Random random = new Random(seed);
+      for (int slices : new int[] {2, 10, 1000}) {
+        double[] times = random.doubles(slices, 0, END).sorted().toArray();
+        times[slices - 1] = END;
+        assertThat(Run.advance(new World(scene), times)).as("%s slices", slices).isEqualTo(whole);
+      }
+      assertThat(Run.advance(new World(scene), aroundImpacts(whole))).isEqualTo(whole);
+    }
+  }
+
+  /** Times at the impacts, and one ulp before and after each. */
+  private static double[] aroundImpacts(Run whole) {
+    double[] around =
+        whole.impacts().stream()
+            .mapToDouble(Run.Row::time)
+            .flatMap(
+                t -> Arrays.stream(new double[] {Math.max(0, Math.nextDown(t)), t, Math.nextUp(t)}))
+            .filter(t -> t <= END)
+            .sorted()
+            .toArray();
+    double[] times = Arrays.copyOf(around, around.length + 1);
+    times[around.length] = END;
+    return times;
+  }
+
+  @Test
+  void lookingChangesNothing() {
+    Scene scene = CollidingScenes.gas(new Random(1), 60).build();
+    World watched = new World(scene);
+    for (int frame = 0; frame < 100; frame++) {
+      watched.step(1);
+      Run.states(watched);
+    }
+    assertThat(Run.states(watched)).isEqualTo(Run.advance(new World(scene), 100).end());
+  }
+
+  // Order.
+
+  /** Without ties the order of circles and obstacles changes no bit of times and motions. */
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5})
+  void theOrderOfThingsChangesNoBit(long seed) {
+    Scene scene = withoutOverlaps(CollidingScenes.mixed(new Random(seed), 60).build());
+    List<Integer> circles = shuffled(scene.circleCount(), new Random(seed));
+    List<Integer> lines = shuffled(scene.lineCount(), new Random(seed));
+    List<Integer> pegs = shuffled(scene.pegCount(), new Random(seed));
+    Run run = Run.advance(new World(scene), 60);
+    Run other = Run.advance(new World(part(scene, circles, lines, pegs)), 60);
+
+    List<Seen> renamed = new ArrayList<>();
+    for (Run.Row row : other.impacts()) {
+      int obstacle =
+          switch (row.kind()) {
+            case WALL -> row.obstacle();
+            case LINE -> lines.get(row.obstacle());
+            case PEG -> pegs.get(row.obstacle());
+            case CIRCLE -> circles.get(row.obstacle());
+          };
+      renamed.add(Seen.of(row, circles.get(row.circle()), obstacle));
+    }
+    List<Seen> first = new ArrayList<>();
+    for (Run.Row row : run.impacts()) {
+      first.add(Seen.of(row, row.circle(), row.obstacle()));
+    }
+    assertThat(run.impacts()).hasSizeGreaterThan(50);
+    assertThat(renamed).isEqualTo(first);
+    for (int i = 0; i < circles.size(); i++) {
+      assertThat(other.end().get(i)).isEqualTo(run.end().get(circles.get(i)));
+    }
+  }
+
+  /** A row in which the lower number comes first; the contact point is that of the one named. */
+  private record Seen(
+      double time, int circle, ObstacleKind kind, int obstacle, double nx, double ny, double v) {
+
+    static Seen of(Run.Row row, int circle, int obstacle) {
+      boolean turned = row.kind() == ObstacleKind.CIRCLE && circle > obstacle;
+      double sign = turned ? -1 : 1;
+      return new Seen(
+          row.time(),
+          turned ? obstacle : circle,
+          row.kind(),
+          turned ? circle : obstacle,
+          sign * row.nx() + 0.0,
+          sign * row.ny() + 0.0,
+          row.speed());
+    }
+  }
+
+  private static List<Integer> shuffled(int count, Random random) {
+    List<Integer> order = new ArrayList<>(IntStream.range(0, count).boxed().toList());
+    Collections.shuffle(order, random);
+    return order;
+  }
+
+  /** The scene without the circles that have an impact at time 0, all of which would be ties. */
+  private static Scene withoutOverlaps(Scene scene) {
+    World world = new World(scene);
+    world.step(0);
+    List<Integer> early = new ArrayList<>();
+    for (Run.Row row : Run.rows(world.impacts())) {
+      early.add(row.circle());
+      if (row.kind() == ObstacleKind.CIRCLE) {
+        early.add(row.obstacle());
+      }
+    }
+    return part(
+        scene,
+        IntStream.range(0, scene.circleCount()).filter(i -> !early.contains(i)).boxed().toList(),
+        IntStream.range(0, scene.lineCount()).boxed().toList(),
+        IntStream.range(0, scene.pegCount()).boxed().toList());
+  }
+
+  private static Scene part(
+      Scene scene, List<Integer> circles, List<Integer> lines, List<Integer> pegs) {
+    SceneBuilder builder = Scene.builder().collide(true);
+    scene.bounds().ifPresent(b -> builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax()));
+    for (int i : lines) {
+      Line l = scene.line(i);
+      builder.line(l.ax(), l.ay(), l.bx(), l.by());
+    }
+    for (int i : pegs) {
+      Circle p = scene.peg(i);
+      builder.peg(p.x(), p.y(), p.radius());
+    }
+    for (int i : circles) {
+      Circle c = scene.circle(i);
+      Vec2 v = scene.velocity(i);
+      builder.circle(c.x(), c.y(), c.radius(), v.x(), v.y()).mass(scene.mass(i));
+    }
+    return builder.build();
+  }
+}
