@@ -73,6 +73,28 @@ class SimulateCommandTest {
   }
 
   @Test
+  void aCollisionIsOneRowOfTheLowerNumber() throws IOException {
+    Files.writeString(scene, "circle,12,0,3,-2,0\ncircle,0,0,1,2,0,1\ncollide,1\n");
+    Cli.run("simulate", "--scene", scene, "--frames", 3, "--impacts", impacts);
+
+    assertThat(impacts)
+        .hasContent(
+            """
+            time,circle,obstacle,feature,x,y,nx,ny,speed
+            2.0,0,circle 1,CIRCLE,5.0,0.0,1.0,0.0,4.0
+            """);
+  }
+
+  @Test
+  void aReplayRefusesCirclesThatCollide() throws IOException {
+    Files.writeString(scene, "circle,1,2,3,0,0\ncollide,1\n");
+    Cli run = Cli.run("replay", "--scene", scene);
+
+    assertThat(run.exitCode()).isEqualTo(2);
+    assertThat(run.err()).contains("its circles collide").hasLineCount(1);
+  }
+
+  @Test
   void aFrameIsAsLongAsAsked() throws IOException {
     Cli.run(
         "simulate",

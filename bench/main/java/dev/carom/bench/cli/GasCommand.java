@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import dev.carom.Scene;
+import dev.carom.SceneFile;
+import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.experiment.Gas;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Plays a gas of circles that collide, and tells how fast and how well energy is kept. */
+@Command(
+    name = "gas",
+    description = {
+      "Plays a gas of circles that collide: collisions per second, time per frame, energy kept.",
+      "The published algorithm knows no collisions between circles, so there is nothing beside it."
+    },
+    mixinStandardHelpOptions = true,
+    sortOptions = false)
+final class GasCommand implements Callable<Integer> {
+
+  @Spec private CommandSpec spec;
+
+  @Option(
+      names = "--circles",
+      paramLabel = "N",
+      defaultValue = "1000",
+      description = "How many circles (default: ${DEFAULT-VALUE}).")
+  private int circles;
+
+  @Option(
+      names = "--packing",
+      paramLabel = "ETA",
+      defaultValue = "0.2",
+      description = "The part of the bounds that they cover (default: ${DEFAULT-VALUE}).")
+  private double packing;
+
+  @Option(
+      names = "--spread",
+      paramLabel = "R",
+      defaultValue = "1",
+      description = "Radii are uniform from 1 to R (default: ${DEFAULT-VALUE}).")
+  private double spread;
+
+  @Option(names = "--heavy", description = "Masses are radii squared; without it, all are 1.")
+  private boolean heavy;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      defaultValue = "1",
+      description = "Which of the random scenes (default: ${DEFAULT-VALUE}).")
+  private long seed;
+
+  @Option(
+      names = "--frames",
+      paramLabel = "N",
+      defaultValue = "600",
+      description = "Frames of one replay, each one unit of time (default: ${DEFAULT-VALUE}).")
+  private int frames;
+
+  @Option(
+      names = "--replays",
+      paramLabel = "N",
+      defaultValue = "5",
+      description =
+          "Replays, of which the fastest counts; those before warm up (default: ${DEFAULT-VALUE}).")
+  private int replays;
+
+  @Option(
+      names = "--save",
+      paramLabel = "FILE",
+      description = "Write the scene, for simulate and for others.")
+  private Path save;
+
+  @Override
+  public Integer call() throws IOException, CannotPlaceException {
+    Bounded.atLeast(1, "--frames", frames, spec);
+    Bounded.atLeast(1, "--replays", replays, spec);
+    Scene scene = generator().scene();
+    if (save != null) {
+      SceneFile.write(scene, save);
+    }
+    GasReplay best = GasReplay.play(scene, frames);
+    for (int i = 1; i < replays; i++) {
+      GasReplay next = GasReplay.play(scene, frames);
+      best = next.nanos() < best.nanos() ? next : best;
+    }
+    print(best);
+    return 0;
+  }
+
+  private Gas generator() {
+    try {
+      return new Gas(circles, packing, spread, heavy, seed);
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+    }
+  }
+
+  private void print(GasReplay best) {
+    PrintWriter out = spec.commandLine().getOut();
+    out.printf(
+        Locale.ROOT,
+        "gas      --seed %d --circles %d --packing %s --spread %s%s%n",
+        seed,
+        circles,
+        Decimals.plain(packing),
+        Decimals.plain(spread),
+        heavy ? " --heavy" : "");
+    out.printf(Locale.ROOT, "run      %,d frames, the fastest of %,d replays%n", frames, replays);
+    out.printf(
+        Locale.ROOT,
+        "impacts  %,d between circles, %,d with walls%n",
+        best.collisions(),
+        best.wallImpacts());
+    out.printf(
+        Locale.ROOT,
+        "speed    %,.0f collisions per second, %,.1f us per frame%n",
+        best.collisions() * 1e9 / best.nanos(),
+        best.nanos() / 1e3 / frames);
+    out.printf(Locale.ROOT, "energy   changed by %.1e of itself%n", best.energyChange());
+    out.flush();
+  }
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.SceneFile;
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class GasCommandTest {
+
+  @Test
+  void tellsSpeedAndEnergy() {
+    Cli run = Cli.run("gas", "--circles", 50, "--frames", 20, "--replays", 2, "--heavy");
+
+    assertThat(run.exitCode()).isZero();
+    assertThat(run.out().lines())
+        .satisfiesExactly(
+            line ->
+                assertThat(line)
+                    .isEqualTo("gas      --seed 1 --circles 50 --packing 0.2 --spread 1 --heavy"),
+            line -> assertThat(line).isEqualTo("run      20 frames, the fastest of 2 replays"),
+            line ->
+                assertThat(line).matches("impacts  [\\d,]+ between circles, [\\d,]+ with walls"),
+            line ->
+                assertThat(line)
+                    .matches("speed    [\\d,]+ collisions per second, [\\d,.]+ us per frame"),
+            line -> assertThat(line).matches("energy   changed by -?\\d\\.\\de[-+]\\d+ of itself"));
+  }
+
+  @Test
+  void savesTheSceneForOthers(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("gas.csv");
+    Cli.run("gas", "--circles", 9, "--frames", 1, "--replays", 1, "--save", file);
+
+    assertThat(SceneFile.read(file).collide()).isTrue();
+    assertThat(SceneFile.read(file).circleCount()).isEqualTo(9);
+    assertThat(Cli.run("simulate", "--scene", file, "--frames", 1).exitCode()).isZero();
+  }
+
+  @Test
+  void refusesWhatIsNoGas() {
+    Cli usage = Cli.run("gas", "--packing", 2);
+    assertThat(usage.exitCode()).isEqualTo(2);
+    assertThat(usage.err()).contains("packing is 2.0: expected").hasLineCount(1);
+    Cli room = Cli.run("gas", "--packing", 0.9);
+    assertThat(room.exitCode()).isEqualTo(1);
+    assertThat(room.err()).contains("no room for circle 1 of 1000").hasLineCount(1);
+  }
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.experiment;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.carom.Bounds;
+import dev.carom.Circle;
+import dev.carom.Scene;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class GasTest {
+
+  /** What the bits of a gas add up to, on every machine and for ever. */
+  private static final long HASH = -7068357480412015196L;
+
+  @Test
+  void theSameSeedGivesTheSameBitsEverywhere() throws CannotPlaceException {
+    Scene scene = new Gas(100, 0.2, 2, true, 1).scene();
+    long hash = 17;
+    for (int i = 0; i < scene.circleCount(); i++) {
+      Circle c = scene.circle(i);
+      for (double value :
+          new double[] {
+            c.x(), c.y(), c.radius(), scene.velocity(i).x(), scene.velocity(i).y(), scene.mass(i)
+          }) {
+        hash = 31 * hash + Double.doubleToRawLongBits(value);
+      }
+    }
+    assertThat(hash).isEqualTo(HASH);
+    assertThat(new Gas(100, 0.2, 2, true, 1).scene()).isEqualTo(scene);
+    assertThat(new Gas(100, 0.2, 2, true, 2).scene()).isNotEqualTo(scene);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1, 0.5, 1", "10, 0.3, 1", "1000, 0.7, 1", "1000, 0.2, 2", "500, 0.01, 10"})
+  void circlesCoverWhatWasAskedAndOverlapNothing(int n, double packing, double spread)
+      throws CannotPlaceException {
+    Scene scene = new Gas(n, packing, spread, false, 3).scene();
+
+    assertThat(scene.collide()).isTrue();
+    assertThat(scene.circleCount()).isEqualTo(n);
+    Bounds bounds = scene.bounds().orElseThrow();
+    double covered = 0;
+    for (int i = 0; i < n; i++) {
+      Circle c = scene.circle(i);
+      double r = c.radius();
+      assertThat(r).isBetween(1.0, spread);
+      assertThat(scene.mass(i)).isEqualTo(1);
+      covered += Math.PI * r * r;
+      assertThat(c.x()).isBetween(r - 1e-9, bounds.xmax() - r + 1e-9);
+      assertThat(c.y()).isBetween(r - 1e-9, bounds.ymax() - r + 1e-9);
+      for (int j = 0; j < i; j++) {
+        Circle d = scene.circle(j);
+        assertThat(Math.hypot(c.x() - d.x(), c.y() - d.y())).isGreaterThan(r + d.radius() - 1e-9);
+      }
+    }
+    assertThat(covered / (bounds.xmax() * bounds.ymax())).isCloseTo(packing, within(1e-12));
+  }
+
+  /** Temperature 1, whatever the mass: the mean energy is 1, its standard error 1 / sqrt(n). */
+  @Test
+  void hasTemperatureOne() throws CannotPlaceException {
+    int n = 20_000;
+    Scene scene = new Gas(n, 0.1, 2, true, 5).scene();
+    double energy = 0;
+    for (int i = 0; i < n; i++) {
+      double v = scene.velocity(i).length();
+      energy += scene.mass(i) * v * v / 2;
+    }
+    assertThat(energy / n).isCloseTo(1, within(5 / Math.sqrt(n)));
+  }
+
+  @Test
+  void saysSoWhereThereIsNoRoom() {
+    assertThatThrownBy(() -> new Gas(100, 0.8, 1, false, 1).scene())
+        .isInstanceOf(CannotPlaceException.class)
+        .hasMessageStartingWith("no room for circle 1 of 100:");
+  }
+
+  @Test
+  void refusesWhatIsNoGas() {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new Gas(0, 0.2, 1, false, 1))
+        .withMessage("circles is 0: expected at least 1");
+    assertThatIllegalArgumentException().isThrownBy(() -> new Gas(1, 0, 1, false, 1));
+    assertThatIllegalArgumentException().isThrownBy(() -> new Gas(1, Double.NaN, 1, false, 1));
+    assertThatIllegalArgumentException().isThrownBy(() -> new Gas(1, 0.2, 0.5, false, 1));
+  }
+}
