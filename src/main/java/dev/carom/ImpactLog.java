@@ -22,19 +22,29 @@ public final class ImpactLog {
   private static final int FEW = 32;
 
   private int size;
-  private double[] numbers = new double[16 * ROW];
-  private int[] circles = new int[16];
-  private int[] obstacles = new int[16];
-  private ObstacleKind[] kinds = new ObstacleKind[16];
-  private Feature[] features = new Feature[16];
-  private boolean[] jammed = new boolean[16];
+  private double[] numbers;
+  private int[] circles;
+  private int[] obstacles;
+  private ObstacleKind[] kinds;
+  private Feature[] features;
+  private boolean[] jammed;
 
   /** The rows in the order of time; before {@link #sort}, of their arrival. */
-  private int[] order = new int[16];
+  private int[] order;
 
-  private int[] scratch = new int[16];
+  private int[] scratch;
 
-  ImpactLog() {}
+  /** With room for some rows; it grows as needed. */
+  ImpactLog(int rows) {
+    numbers = new double[rows * ROW];
+    circles = new int[rows];
+    obstacles = new int[rows];
+    kinds = new ObstacleKind[rows];
+    features = new Feature[rows];
+    jammed = new boolean[rows];
+    order = new int[rows];
+    scratch = new int[rows];
+  }
 
   /**
    * The number of impacts.

@@ -124,7 +124,7 @@ public final class Resolver {
         0, circle.x(), circle.y(), circle.radius(), velocity.x(), velocity.y(), restitution);
     BroadSearch search = new BroadSearch(obstacles);
     Response response = new Response(obstacles, PATIENCE);
-    ImpactLog log = new ImpactLog();
+    ImpactLog log = new ImpactLog(1);
     List<Flight> flights = new ArrayList<>(List.of(flight(mover)));
     List<Impact> impacts = new ArrayList<>();
     search.extend(mover, null, duration);

@@ -37,8 +37,13 @@ package dev.carom;
  */
 public final class World {
 
+  /** Rows for which a new log has room: one a circle, within these limits. */
+  private static final int LOG_LEAST = 16;
+
+  private static final int LOG_MOST = 4096;
+
   private final Scene scene;
-  private final ImpactLog log = new ImpactLog();
+  private final ImpactLog log;
   private final Engine engine;
   private final Circles circles;
   private double now;
@@ -54,6 +59,7 @@ public final class World {
 
   World(Scene scene, Machinery machinery) {
     this.scene = scene;
+    log = new ImpactLog(Math.max(LOG_LEAST, Math.min(LOG_MOST, scene.circleCount())));
     engine =
         scene.collide ? new Collisions(scene, machinery, log) : new Flights(scene, machinery, log);
     circles = engine.circles();

@@ -17,7 +17,7 @@ final class BruteForce {
   private final Mover[] movers;
   private final Response response;
   private final PairResponse pairs;
-  private final ImpactLog log = new ImpactLog();
+  private final ImpactLog log = new ImpactLog(16);
 
   // The first event found so far: when, of what rank, and what it is.
   private double time;

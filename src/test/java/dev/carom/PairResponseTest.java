@@ -15,7 +15,7 @@ class PairResponseTest {
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
-  private final ImpactLog log = new ImpactLog();
+  private final ImpactLog log = new ImpactLog(16);
   private final Mover a = new Mover();
   private final Mover b = new Mover();
 
