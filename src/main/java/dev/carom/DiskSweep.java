@@ -56,6 +56,20 @@ final class DiskSweep {
    */
   static final double TINY = 0x1p-1000;
 
+  /**
+   * Of the window's polynomial: a place d + u T has 1, 1 + 1 and 1 u of its terms' sum X; its
+   * square 2 x 3 + 1, the sum 1, r^2 has 3, the difference 1: 9 u of X^2 + Y^2 + r^2, and two more.
+   */
+  private static final double WINDOW_BOUND = 11 * 0x1p-53;
+
+  /** Newton steps before exact numbers take over; near a graze the plain root is a poor start. */
+  private static final int STEPS = 4;
+
+  /** Range of squares within which underflow stays far below the bounds of a step. */
+  private static final double LEAST = 0x1p-500;
+
+  private static final double MOST = 0x1p500;
+
   private DiskSweep() {}
 
   /** Whether two disks touch while approaching, now or later. */
@@ -128,14 +142,6 @@ final class DiskSweep {
     Exact.Disks disks = Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
     return disks.compareTime(Dyadic.of(T)) <= 0 ? t : Double.POSITIVE_INFINITY;
   }
-
-  /** Newton steps before exact numbers take over; near a graze the plain root is a poor start. */
-  private static final int STEPS = 4;
-
-  /** Range of squares within which underflow stays far below the bounds of a step. */
-  private static final double LEAST = 0x1p-500;
-
-  private static final double MOST = 0x1p500;
 
   /**
    * The correctly rounded time of an impact that {@link #contact} found to come LATER.
@@ -245,12 +251,6 @@ final class DiskSweep {
     double lost = 0x1p-103 * x;
     return (8 * lost * (1.5 * r + lost) + size * (2 * lean + a * size)) / least;
   }
-
-  /**
-   * Of the window's polynomial: a place d + u T has 1, 1 + 1 and 1 u of its terms' sum X; its
-   * square 2 x 3 + 1, the sum 1, r^2 has 3, the difference 1: 9 u of X^2 + Y^2 + r^2, and two more.
-   */
-  private static final double WINDOW_BOUND = 11 * 0x1p-53;
 
   /**
    * The sign of the time of impact less the end T of the window, as far as plain doubles tell: +1
