@@ -152,7 +152,7 @@ final class Casts {
             t);
     Vec2 centre = place(c2, v2, t);
     Vec2 point =
-        new Vec2(
+        within(
             Math.fma(c2.radius(), normal.x(), centre.x()),
             Math.fma(c2.radius(), normal.y(), centre.y()));
     return Optional.of(
@@ -160,7 +160,16 @@ final class Casts {
   }
 
   private static Vec2 place(Circle circle, Vec2 v, double t) {
-    return new Vec2(Math.fma(v.x(), t, circle.x()), Math.fma(v.y(), t, circle.y()));
+    return within(Math.fma(v.x(), t, circle.x()), Math.fma(v.y(), t, circle.y()));
+  }
+
+  /** The point (x, y), or where a coordinate overflowed, the largest double instead. */
+  private static Vec2 within(double x, double y) {
+    return new Vec2(within(x), within(y));
+  }
+
+  private static double within(double x) {
+    return Math.max(-Double.MAX_VALUE, Math.min(x, Double.MAX_VALUE));
   }
 
   /** The speed along the normal at which the distance falls: -(v1 - v2).n. */

@@ -8,7 +8,8 @@ package dev.carom;
  * @param obstacle what was hit; of two moving circles the second one, as it stood at the start
  * @param feature the part that was hit
  * @param point the contact point: on the obstacle; of two circles the point where they touch; where
- *     they overlap at the start, the point of the obstacle nearest to the centre
+ *     they overlap at the start, the point of the obstacle nearest to the centre; a coordinate
+ *     beyond the range of doubles is the largest one
  * @param normal unit vector from the obstacle to the circle (of two circles: from the second to the
  *     first), each component within 1e-15 of the true one
  * @param approachSpeed the speed at which the distance falls at contact: {@code -v.n}, greater than

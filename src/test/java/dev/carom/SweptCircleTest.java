@@ -617,4 +617,19 @@ class SweptCircleTest {
     refused(() -> SweptCircle.cast(c, Vec2.ZERO, FLOOR, -0.5), "T", -0.5);
     refused(() -> SweptCircle.cast(c, Vec2.ZERO, c, Vec2.ZERO, Double.NaN), "T", Double.NaN);
   }
+
+  /** The pair runs out of the range of doubles before it meets: its point is at the edge of it. */
+  @Test
+  void aContactPointBeyondTheRangeOfDoublesIsTheLargestOne() {
+    Impact impact =
+        SweptCircle.cast(
+                new Circle(-0x1.c17p1021, -0x1.524p1021, 0x1.a8p1014),
+                new Vec2(0x1.08p1014, 0x1.84p1015),
+                new Circle(0x1.868p1018, -0x1.6fp1017, 0),
+                new Vec2(0x1.9p1013, 0x1.7p1015),
+                0x1.93e5939a08ceap99)
+            .orElseThrow();
+    assertThat(impact.time()).isEqualTo(1000);
+    assertThat(impact.point().y()).isEqualTo(Double.MAX_VALUE);
+  }
 }
