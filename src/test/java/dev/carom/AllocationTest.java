@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -13,6 +14,9 @@ class AllocationTest {
 
   /** Frames after which the log's arrays have their size: those of the busiest frame are before. */
   private static final int WARM_UP = 3_000;
+
+  /** One ulp more than the radius away: plain doubles leave open whether that touches. */
+  private static final double TOUCHING = Math.nextUp(1.0);
 
   @ParameterizedTest
   @ValueSource(strings = {"base-1.csv", "base-2.csv", "base-3.csv", "fast-1.csv", "radii.csv"})
@@ -25,6 +29,26 @@ class AllocationTest {
     frames(world, WARM_UP);
     Meter meter = new Meter();
     assertThat(measured(meter, () -> frames(world, 600))).isEqualTo(measured(meter, () -> {}));
+    assertThat(sum).isFinite();
+  }
+
+  /** The first two rungs: plain doubles, and a tie to 2e-16 that double-double decides. */
+  @Test
+  void queriesAllocateNothing() throws ReflectiveOperationException {
+    Runnable queries =
+        () -> {
+          for (int i = 0; i < 20_000; i++) {
+            sum += SweptCircle.line(5, 7 + i % 12, 1, 0.25, -1, 0, 0, 10, 0, 1e6);
+            sum += SweptCircle.pair(0, 0, 1, 1, 0.01, 9 + i % 100, 0, 2, 0, 0, 1e6);
+            sum += SweptCircle.line(5, TOUCHING, 1, 0, 1, 0, 0, 10, 0, 1) > 0 ? 1 : 0;
+            sum += SweptCircle.peg(0, TOUCHING, 1, 1, 1, 0, 0, 0, 1) > 0 ? 1 : 0;
+          }
+        };
+    for (int i = 0; i < 20; i++) {
+      queries.run();
+    }
+    Meter meter = new Meter();
+    assertThat(measured(meter, queries)).isEqualTo(measured(meter, () -> {}));
     assertThat(sum).isFinite();
   }
 
