@@ -97,6 +97,7 @@ final class DiskSweep {
     if (g < -bound || (!(g > bound) && Predicates.gap(x1, y1, x2, y2, r1, r2) <= 0)) {
       return NOW;
     }
+    // reach = a r^2 - cross(u, d)^2
     double a = ux * ux + uy * uy;
     double kx = ux * dy;
     double ky = uy * dx;
@@ -122,25 +123,18 @@ final class DiskSweep {
     if (contact != LATER) {
       return contact == NOW ? 0 : Double.POSITIVE_INFINITY;
     }
-    int order = 0;
     if (T < Double.POSITIVE_INFINITY) {
-      order = compareTime(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T);
+      int order = compareTime(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T);
+      if (order == 0) {
+        Rungs.exactDecision();
+        Exact.Disks disks = Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
+        order = disks.compareTime(Dyadic.of(T));
+      }
       if (order > 0) {
         return Double.POSITIVE_INFINITY;
       }
     }
-    double t = time(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
-    if (order < 0 || t < T) {
-      return t;
-    }
-    if (t > T || T == Double.POSITIVE_INFINITY) {
-      return Double.POSITIVE_INFINITY;
-    }
-    if (Rungs.COUNT != null) {
-      Rungs.COUNT.decision(false);
-    }
-    Exact.Disks disks = Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
-    return disks.compareTime(Dyadic.of(T)) <= 0 ? t : Double.POSITIVE_INFINITY;
+    return time(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
   }
 
   /**

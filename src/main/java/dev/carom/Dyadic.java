@@ -116,9 +116,4 @@ final class Dyadic {
     // underflow.
     return Math.scalb((double) integer, unit);
   }
-
-  /** The nearest double of a number of either sign, to within one ulp. */
-  double toDouble() {
-    return m.signum() < 0 ? -negate().floor() : floor();
-  }
 }

@@ -24,6 +24,13 @@ final class Rungs {
 
   private Rungs() {}
 
+  /** Counts a decision that goes from plain doubles to exact numbers at once. */
+  static void exactDecision() {
+    if (COUNT != null) {
+      COUNT.decision(false);
+    }
+  }
+
   void decision(boolean certain) {
     doubtfulDecisions++;
     if (!certain) {

@@ -32,25 +32,18 @@ final class SideSweep {
   static double time(
       int side, double px, double py, double r, double vx, double vy, double ax, double ay,
       double bx, double by, double T) {
-    int order = 0;
     if (T < Double.POSITIVE_INFINITY) {
-      order = compareTime(side, px, py, r, vx, vy, ax, ay, bx, by, T);
+      int order = compareTime(side, px, py, r, vx, vy, ax, ay, bx, by, T);
+      if (order == 0) {
+        Rungs.exactDecision();
+        Exact.Side exact = Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by);
+        order = exact.compareTime(Dyadic.of(T));
+      }
       if (order > 0) {
         return Double.POSITIVE_INFINITY;
       }
     }
-    double t = time(side, px, py, r, vx, vy, ax, ay, bx, by);
-    if (order < 0 || t < T) {
-      return t;
-    }
-    if (t > T || T == Double.POSITIVE_INFINITY) {
-      return Double.POSITIVE_INFINITY;
-    }
-    if (Rungs.COUNT != null) {
-      Rungs.COUNT.decision(false);
-    }
-    Exact.Side exact = Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by);
-    return exact.compareTime(Dyadic.of(T)) <= 0 ? t : Double.POSITIVE_INFINITY;
+    return time(side, px, py, r, vx, vy, ax, ay, bx, by);
   }
 
   /**
