@@ -78,10 +78,13 @@ final class BroadSearch {
       mover.reach = Math.min(2 * reach, 1 << 28);
       return walk(grid, mover.cleared, needed, ahead, reach);
     }
-    for (int code = Obstacles.WALLS; code < obstacles.end; code++) {
+    for (int code = Obstacles.WALLS; code < obstacles.endOfLines; code++) {
       if (!passed(code, px, py, vx, vy, clear)) {
         consider(code);
       }
+    }
+    for (int code = Obstacles.PEGS; code < obstacles.endOfPegs; code++) {
+      consider(code);
     }
     return best;
   }
@@ -155,7 +158,7 @@ final class BroadSearch {
     if (code == bestCode || skipped(code)) {
       return;
     }
-    if (code < obstacles.firstPeg) {
+    if (code < Obstacles.PEGS) {
       considerLine(code);
     } else {
       considerPeg(code);
@@ -175,7 +178,7 @@ final class BroadSearch {
   }
 
   private void considerPeg(int code) {
-    int k = (code - obstacles.firstPeg) * Scene.PEG;
+    int k = (code - Obstacles.PEGS) * Scene.PEG;
     double cx = pegs[k];
     double cy = pegs[k + 1];
     double radius = pegs[k + 2];
@@ -256,7 +259,7 @@ final class BroadSearch {
    * Whether both ends of a line lie on one side of the path and further from it than the radius.
    */
   private boolean passed(int code, double x, double y, double ux, double uy, double clear) {
-    if (code >= obstacles.firstPeg) {
+    if (code >= Obstacles.PEGS) {
       return false;
     }
     int k = (code - Obstacles.WALLS) * Scene.LINE;

@@ -70,7 +70,7 @@ final class Collisions implements Engine, Neighbors.Visitor {
     search = new BroadSearch(obstacles);
     int patience = 1_000 + 10 * count;
     response = new Response(obstacles, patience);
-    pairs = new PairResponse(scene.masses, obstacles.end, response);
+    pairs = new PairResponse(scene.masses, response);
     budget = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * count;
     counts = new int[count];
     meetings = new double[count];
@@ -296,7 +296,7 @@ final class Collisions implements Engine, Neighbors.Visitor {
       kind = PAIR;
       time = meetings[i];
       tail = meetingTails[i];
-      rank = (long) (obstacles.end + Math.min(i, partners[i])) << 31 | Math.max(i, partners[i]);
+      rank = (long) (Obstacles.CIRCLES + Math.min(i, partners[i])) << 31 | Math.max(i, partners[i]);
     }
     kinds[i] = kind;
     queue.set(i, time, tail, rank);

@@ -72,14 +72,14 @@ final class Grid {
       Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
       Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
     };
-    for (int code = Obstacles.WALLS; code < obstacles.end; code++) {
+    for (int code = Obstacles.WALLS; code < obstacles.endOfLines; code++) {
       int k = obstacles.offset(code);
-      if (code < obstacles.firstPeg) {
-        include(box, obstacles.lines[k], obstacles.lines[k + 1], radius);
-        include(box, obstacles.lines[k + 2], obstacles.lines[k + 3], radius);
-      } else {
-        include(box, obstacles.pegs[k], obstacles.pegs[k + 1], radius + obstacles.pegs[k + 2]);
-      }
+      include(box, obstacles.lines[k], obstacles.lines[k + 1], radius);
+      include(box, obstacles.lines[k + 2], obstacles.lines[k + 3], radius);
+    }
+    for (int code = Obstacles.PEGS; code < obstacles.endOfPegs; code++) {
+      int k = obstacles.offset(code);
+      include(box, obstacles.pegs[k], obstacles.pegs[k + 1], radius + obstacles.pegs[k + 2]);
     }
     return box;
   }
@@ -146,24 +146,29 @@ final class Grid {
   private int[] list() {
     int cells = columns * rows;
     int[] counts = new int[cells + 1];
-    for (int code = Obstacles.WALLS; code < obstacles.end; code++) {
-      visit(code, counts, null);
-    }
+    visitAll(counts, null);
     for (int i = 0; i < cells; i++) {
       starts[i + 1] = starts[i] + counts[i];
       counts[i] = starts[i];
     }
     int[] listed = new int[starts[cells]];
-    for (int code = Obstacles.WALLS; code < obstacles.end; code++) {
+    visitAll(counts, listed);
+    return listed;
+  }
+
+  private void visitAll(int[] counts, int[] listed) {
+    for (int code = Obstacles.WALLS; code < obstacles.endOfLines; code++) {
       visit(code, counts, listed);
     }
-    return listed;
+    for (int code = Obstacles.PEGS; code < obstacles.endOfPegs; code++) {
+      visit(code, counts, listed);
+    }
   }
 
   /** Puts a code into the list of every cell that it can reach into, or only counts it. */
   private void visit(int code, int[] counts, int[] listed) {
     int k = obstacles.offset(code);
-    if (code < obstacles.firstPeg) {
+    if (code < Obstacles.PEGS) {
       double[] l = obstacles.lines;
       visit(code, l[k], l[k + 1], l[k + 2], l[k + 3], radius, counts, listed);
     } else {

@@ -3,7 +3,8 @@ package dev.carom;
 
 /**
  * The things that stand still, in flat arrays. Each has one code, and the codes stand in the order
- * in which simultaneous impacts are taken: the four walls, then the lines, then the pegs.
+ * in which simultaneous impacts are taken: the four walls, then the lines, then the pegs; those of
+ * moving circles follow. A code does not change when things are added.
  */
 final class Obstacles {
 
@@ -14,8 +15,14 @@ final class Obstacles {
   static final int BOTTOM = 2;
   static final int TOP = 3;
 
-  /** The number of codes of walls, used or not. */
+  /** The number of codes of walls, used or not: the code of the first line. */
   static final int WALLS = 4;
+
+  /** The code of the first peg. */
+  static final int PEGS = 1 << 28;
+
+  /** The code of the first moving circle. */
+  static final int CIRCLES = 1 << 29;
 
   private static final Feature[] LINE_FEATURES = {
     null, Feature.SIDE, Feature.SIDE, Feature.START, Feature.END
@@ -32,18 +39,18 @@ final class Obstacles {
 
   private final double boundsRestitution;
 
-  /** The code of the first peg, and the code after the last one. */
-  final int firstPeg;
+  /** The code after the last line, and the one after the last peg. */
+  final int endOfLines;
 
-  final int end;
+  final int endOfPegs;
 
   Obstacles(double[] lines, double[] pegs, Bounds bounds, double boundsRestitution) {
     this.lines = lines;
     this.pegs = pegs;
     this.bounds = bounds;
     this.boundsRestitution = boundsRestitution;
-    firstPeg = WALLS + lines.length / Scene.LINE;
-    end = firstPeg + pegs.length / Scene.PEG;
+    endOfLines = WALLS + lines.length / Scene.LINE;
+    endOfPegs = PEGS + pegs.length / Scene.PEG;
   }
 
   static Obstacles of(Scene scene) {
@@ -52,28 +59,26 @@ final class Obstacles {
 
   /** The number of lines and pegs. */
   int size() {
-    return end - WALLS;
+    return (endOfLines - WALLS) + (endOfPegs - PEGS);
   }
 
   ObstacleKind kind(int code) {
-    return code < WALLS
-        ? ObstacleKind.WALL
-        : code < firstPeg ? ObstacleKind.LINE : ObstacleKind.PEG;
+    return code < WALLS ? ObstacleKind.WALL : code < PEGS ? ObstacleKind.LINE : ObstacleKind.PEG;
   }
 
   /** The number of a thing among those of its kind. */
   int index(int code) {
-    return code < WALLS ? code : code < firstPeg ? code - WALLS : code - firstPeg;
+    return code < WALLS ? code : code < PEGS ? code - WALLS : code - PEGS;
   }
 
   /** The place of a line's or a peg's numbers in its array. */
   int offset(int code) {
-    return code < firstPeg ? (code - WALLS) * Scene.LINE : (code - firstPeg) * Scene.PEG;
+    return code < PEGS ? (code - WALLS) * Scene.LINE : (code - PEGS) * Scene.PEG;
   }
 
   /** The feature that a contact of the detector's code means. */
   Feature feature(int code, int contact) {
-    if (code >= firstPeg) {
+    if (code >= PEGS) {
       return Feature.CIRCLE;
     }
     return code < WALLS ? Feature.SIDE : LINE_FEATURES[contact & ~SegmentSweep.NOW];
@@ -83,7 +88,7 @@ final class Obstacles {
     if (code < WALLS) {
       return boundsRestitution;
     }
-    return code < firstPeg ? lines[offset(code) + 4] : pegs[offset(code) + 3];
+    return code < PEGS ? lines[offset(code) + 4] : pegs[offset(code) + 3];
   }
 
   /** The largest absolute coordinate of all lines and pegs; 0 without any. */

@@ -13,13 +13,10 @@ import static dev.carom.DoubleDouble.sumTail;
 final class PairResponse {
 
   private final double[] masses;
-  private final int firstCode;
   private final Response response;
   private final Impulse impulse = new Impulse();
 
-  /** The code of circle i, for what was hit last, is the first one plus i. */
-  PairResponse(double[] masses, int firstCode, Response response) {
-    this.firstCode = firstCode;
+  PairResponse(double[] masses, Response response) {
     this.response = response;
     this.masses = masses;
   }
@@ -28,12 +25,15 @@ final class PairResponse {
   boolean skips(Circles circles, int i, int j) {
     int lastI = circles.codes[i * Circles.CODES + Circles.LAST];
     int lastJ = circles.codes[j * Circles.CODES + Circles.LAST];
-    if (lastI == firstCode + j && lastJ == firstCode + i) {
+    if (lastI == Obstacles.CIRCLES + j && lastJ == Obstacles.CIRCLES + i) {
       return true;
     }
     Jam a = circles.jam(i);
     Jam b = circles.jam(j);
-    return a != null && b != null && a.makesInert(firstCode + j) && b.makesInert(firstCode + i);
+    return a != null
+        && b != null
+        && a.makesInert(Obstacles.CIRCLES + j)
+        && b.makesInert(Obstacles.CIRCLES + i);
   }
 
   /**
@@ -57,12 +57,12 @@ final class PairResponse {
       push(b, 1, masses[a.id], masses[b.id], nx, ny);
     }
     if (response.isJammed(a) && response.isJammed(b)) {
-      a.jam = Jam.with(a.jam, firstCode + b.id);
-      b.jam = Jam.with(b.jam, firstCode + a.id);
+      a.jam = Jam.with(a.jam, Obstacles.CIRCLES + b.id);
+      b.jam = Jam.with(b.jam, Obstacles.CIRCLES + a.id);
       log.setJammed();
     }
-    a.last = firstCode + b.id;
-    b.last = firstCode + a.id;
+    a.last = Obstacles.CIRCLES + b.id;
+    b.last = Obstacles.CIRCLES + a.id;
     a.newFlight();
     b.newFlight();
   }
@@ -73,7 +73,7 @@ final class PairResponse {
    * line along which a jammed circle slid is there for it again.
    */
   private void push(Mover m, int sign, double other, double own, double nx, double ny) {
-    m.jam = Jam.ofCircles(m.jam, firstCode);
+    m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
     if (own == Double.POSITIVE_INFINITY) {
       return;
     }

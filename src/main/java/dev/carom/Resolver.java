@@ -29,12 +29,15 @@ public final class Resolver {
 
   private final Obstacles obstacles;
 
-  /** What a code of {@link Obstacles} stands for, from the first line on. */
-  private final List<Obstacle> things;
+  private final List<Line> lines;
 
-  private Resolver(Obstacles obstacles, List<Obstacle> things) {
+  /** Circles and endpoints. */
+  private final List<Obstacle> pegs;
+
+  private Resolver(Obstacles obstacles, List<Line> lines, List<Obstacle> pegs) {
     this.obstacles = obstacles;
-    this.things = things;
+    this.lines = List.copyOf(lines);
+    this.pegs = List.copyOf(pegs);
   }
 
   /**
@@ -46,7 +49,7 @@ public final class Resolver {
    */
   public static Resolver of(List<? extends Obstacle> obstacles) {
     SceneBuilder builder = Scene.builder();
-    List<Obstacle> lines = new ArrayList<>();
+    List<Line> lines = new ArrayList<>();
     List<Obstacle> pegs = new ArrayList<>();
     for (Obstacle obstacle : obstacles) {
       if (obstacle instanceof Line line) {
@@ -61,8 +64,7 @@ public final class Resolver {
         pegs.add(obstacle);
       }
     }
-    lines.addAll(pegs);
-    return new Resolver(Obstacles.of(builder.build()), List.copyOf(lines));
+    return new Resolver(Obstacles.of(builder.build()), lines, pegs);
   }
 
   private static void add(SceneBuilder builder, Bounds bounds) {
@@ -82,14 +84,15 @@ public final class Resolver {
    * @return the resolver
    */
   public static Resolver of(Scene scene) {
-    List<Obstacle> things = new ArrayList<>();
+    List<Line> lines = new ArrayList<>();
     for (int i = 0; i < scene.lineCount(); i++) {
-      things.add(scene.line(i));
+      lines.add(scene.line(i));
     }
+    List<Obstacle> pegs = new ArrayList<>();
     for (int i = 0; i < scene.pegCount(); i++) {
-      things.add(scene.peg(i));
+      pegs.add(scene.peg(i));
     }
-    return new Resolver(Obstacles.of(scene), List.copyOf(things));
+    return new Resolver(Obstacles.of(scene), lines, pegs);
   }
 
   /**
@@ -148,7 +151,11 @@ public final class Resolver {
 
   private Impact impact(int code, ImpactLog log) {
     Obstacle obstacle =
-        code < Obstacles.WALLS ? obstacles.bounds : things.get(code - Obstacles.WALLS);
+        switch (obstacles.kind(code)) {
+          case WALL -> obstacles.bounds;
+          case LINE -> lines.get(obstacles.index(code));
+          default -> pegs.get(obstacles.index(code));
+        };
     return new Impact(
         log.time(0),
         obstacle,

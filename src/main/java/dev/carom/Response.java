@@ -92,7 +92,7 @@ final class Response {
   private void locate(Mover m, int code) {
     if (code < Obstacles.WALLS) {
       locateOnWall(m, code);
-    } else if (code < obstacles.firstPeg) {
+    } else if (code < Obstacles.PEGS) {
       locateOnLine(m, obstacles.offset(code));
     } else {
       locateOnPeg(m, obstacles.offset(code));
@@ -216,7 +216,7 @@ final class Response {
     } else {
       m.vx = 0;
       m.vy = 0;
-      m.jam = Jam.ofCircles(m.jam, obstacles.end);
+      m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
     }
   }
 }

@@ -3,6 +3,8 @@ package dev.carom;
 
 import static dev.carom.DoubleDouble.sumTail;
 
+import java.util.stream.IntStream;
+
 /**
  * Circles that collide, the plain way: no cells, no grid, no calendar and no memory. Before each
  * event every circle is asked about every obstacle and every other circle, by the public detector,
@@ -14,6 +16,7 @@ final class BruteForce {
 
   private final Scene scene;
   private final Obstacles obstacles;
+  private final int[] codes;
   private final Mover[] movers;
   private final Response response;
   private final PairResponse pairs;
@@ -30,8 +33,13 @@ final class BruteForce {
   BruteForce(Scene scene) {
     this.scene = scene;
     obstacles = Obstacles.of(scene);
+    codes =
+        IntStream.concat(
+                IntStream.range(0, obstacles.endOfLines),
+                IntStream.range(Obstacles.PEGS, obstacles.endOfPegs))
+            .toArray();
     response = new Response(obstacles, 1_000 + 10 * scene.circleCount());
-    pairs = new PairResponse(scene.masses, obstacles.end, response);
+    pairs = new PairResponse(scene.masses, response);
     movers = new Mover[scene.circleCount()];
     for (int i = 0; i < movers.length; i++) {
       Circle c = scene.circle(i);
@@ -109,7 +117,7 @@ final class BruteForce {
   private void lookAtObstacles(Mover m) {
     double best = NEVER;
     int code = Mover.NOTHING;
-    for (int k = 0; k < obstacles.end; k++) {
+    for (int k : codes) {
       boolean there = k != m.last && (m.jam == null || !m.jam.makesInert(k));
       double t = there ? sweep(m, k) : NEVER;
       if (t < best) {
@@ -122,7 +130,7 @@ final class BruteForce {
     if (code == Mover.NOTHING) {
       return;
     }
-    if (code >= Obstacles.WALLS && code < obstacles.firstPeg) {
+    if (code >= Obstacles.WALLS && code < Obstacles.PEGS) {
       Line l = scene.line(code - Obstacles.WALLS);
       m.contact =
           SegmentSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, l.ax(), l.ay(), l.bx(), l.by());
@@ -135,12 +143,12 @@ final class BruteForce {
     if (code < Obstacles.WALLS) {
       return sweepWall(m, code);
     }
-    if (code < obstacles.firstPeg) {
+    if (code < Obstacles.PEGS) {
       Line l = scene.line(code - Obstacles.WALLS);
       return SweptCircle.line(
           m.x, m.y, m.radius, m.vx, m.vy, l.ax(), l.ay(), l.bx(), l.by(), NEVER);
     }
-    Circle p = scene.peg(code - obstacles.firstPeg);
+    Circle p = scene.peg(code - Obstacles.PEGS);
     return SweptCircle.peg(m.x, m.y, m.radius, m.vx, m.vy, p.x(), p.y(), p.radius(), NEVER);
   }
 
@@ -161,8 +169,8 @@ final class BruteForce {
   }
 
   private void lookAtPair(Mover a, Mover b) {
-    int ofA = obstacles.end + a.id;
-    int ofB = obstacles.end + b.id;
+    int ofA = Obstacles.CIRCLES + a.id;
+    int ofB = Obstacles.CIRCLES + b.id;
     boolean justHit = a.last == ofB && b.last == ofA;
     boolean inert =
         a.jam != null && b.jam != null && a.jam.makesInert(ofB) && b.jam.makesInert(ofA);
