@@ -25,6 +25,7 @@ final class BroadSearch {
   private final double extent;
   private final double[] lines;
   private final double[] pegs;
+  private final boolean special;
 
   // The flight under search, and the best impact found so far.
   private double px;
@@ -38,6 +39,11 @@ final class BroadSearch {
 
   private int last;
   private Jam jam;
+
+  /** Sensors up to here, and of those met just here up to this code, were reported before. */
+  private double sensed;
+
+  private int sensedCode;
   private double best;
   private int bestCode;
   private int bestContact;
@@ -46,6 +52,7 @@ final class BroadSearch {
     this.obstacles = obstacles;
     lines = obstacles.lines;
     pegs = obstacles.pegs;
+    special = obstacles.special;
     extent = obstacles.extent();
   }
 
@@ -64,8 +71,9 @@ final class BroadSearch {
       known = best;
     }
     mover.cleared = known;
-    mover.next = known == best && known != NEVER ? bestCode : Mover.NOTHING;
-    mover.contact = bestContact;
+    boolean hits = known == best && known != NEVER;
+    mover.next = hits ? bestCode : Mover.NOTHING;
+    mover.contact = hits ? bestContact : 0;
   }
 
   /** Looks at lines and pegs, and tells up to where, or up to the wall ahead, the path is known. */
@@ -97,6 +105,8 @@ final class BroadSearch {
     r = mover.radius;
     last = mover.last;
     jam = mover.jam;
+    sensed = mover.cleared;
+    sensedCode = mover.contact;
     best = NEVER;
     bestCode = Mover.NOTHING;
     bestContact = 0;
@@ -171,6 +181,9 @@ final class BroadSearch {
     double ay = lines[k + 1];
     double bx = lines[k + 2];
     double by = lines[k + 3];
+    if (special && obstacles.isOneWay(code) && !stops(ax, ay, bx, by)) {
+      return;
+    }
     int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
     if (contact != SegmentSweep.MISS) {
       keep(SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, NEVER), code, contact);
@@ -188,12 +201,38 @@ final class BroadSearch {
     }
   }
 
+  /** Whether a one-way line is there: the centre is strictly left of it and moves to the right. */
+  private boolean stops(double ax, double ay, double bx, double by) {
+    return Predicates.cross(bx, by, ax, ay, px, py, ax, ay) > 0
+        && Predicates.cross(bx, by, ax, ay, vx, vy, 0, 0) < 0;
+  }
+
   private void keep(double t, int code, int contact) {
-    if (t < best || (t == best && code < bestCode)) {
+    if (special && !comesFirst(t, code)) {
+      return;
+    }
+    if (t < best || (t == best && (special || code < bestCode))) {
       best = t;
       bestCode = code;
       bestContact = contact;
     }
+  }
+
+  /**
+   * Among sensors and others: whether an impact comes before the best one. Of simultaneous ones
+   * those with sensors are first, which change nothing; a sensor met before, or touched at the
+   * start, is not met again.
+   */
+  private boolean comesFirst(double t, int code) {
+    boolean sensor = obstacles.isSensor(code);
+    if (sensor && !(t > sensed || (t == sensed && t > 0 && code > sensedCode))) {
+      return false;
+    }
+    if (t != best) {
+      return t < best;
+    }
+    boolean bestSensor = obstacles.isSensor(bestCode);
+    return sensor == bestSensor ? code < bestCode : sensor;
   }
 
   /**

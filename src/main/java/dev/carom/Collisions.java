@@ -36,7 +36,7 @@ final class Collisions implements Engine, Neighbors.Visitor {
   private final String model;
   private final Obstacles obstacles;
   private final BroadSearch search;
-  private final Response response;
+  private final ObstacleResponse response;
   private final PairResponse pairs;
   private final ImpactLog log;
   private final Neighbors neighbors;
@@ -69,8 +69,8 @@ final class Collisions implements Engine, Neighbors.Visitor {
     grid = new Grid[count];
     search = new BroadSearch(obstacles);
     int patience = 1_000 + 10 * count;
-    response = new Response(obstacles, patience);
-    pairs = new PairResponse(scene.masses, response);
+    response = new ObstacleResponse(obstacles, patience);
+    pairs = new PairResponse(scene.masses, scene.circleTraits, response);
     budget = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * count;
     counts = new int[count];
     meetings = new double[count];
@@ -145,9 +145,14 @@ final class Collisions implements Engine, Neighbors.Visitor {
       schedule(i);
       return;
     }
-    response.resolve(m, log);
-    changed(i, m);
-    foresee(i);
+    if (response.resolve(m, log)) {
+      changed(i, m);
+      foresee(i);
+    } else {
+      search.extend(m, grid[i], m.cleared);
+      circles.store(i);
+      schedule(i);
+    }
   }
 
   private void meet(int i) {

@@ -24,7 +24,7 @@ final class Flights implements Engine {
 
   private final Model model;
   private final BroadSearch search;
-  private final Response response;
+  private final ObstacleResponse response;
   private final ImpactLog log;
   private final Journal journal;
   private boolean unfinished;
@@ -40,7 +40,7 @@ final class Flights implements Engine {
     grid = new Grid[count];
     journal = new Journal(Math.min(count, JOURNAL), Circles.STATE, Circles.CODES);
     search = new BroadSearch(obstacles);
-    response = new Response(obstacles, 1_000 + 10 * count);
+    response = new ObstacleResponse(obstacles, 1_000 + 10 * count);
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
       grid[i] = grids.of(circles.mover.radius);

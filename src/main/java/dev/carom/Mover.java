@@ -4,8 +4,9 @@ package dev.carom;
 import static dev.carom.DoubleDouble.sumTail;
 
 /**
- * One circle in flight: the state that {@link BroadSearch} looks ahead from and {@link Response}
- * changes. A world loads a circle into its one mover, lets it advance, and stores it again.
+ * One circle in flight: the state that {@link BroadSearch} looks ahead from and {@link
+ * ObstacleResponse} changes. A world loads a circle into its one mover, lets it advance, and stores
+ * it again.
  *
  * <p>Times are kept as head and tail, the nearest double and what it leaves: about 106 bits. So an
  * impact is placed as accurately after a million frames as after one, and a sum of times does not
@@ -47,7 +48,10 @@ final class Mover {
   /** What is hit at {@link #cleared}, or NOTHING if the search went no further. */
   int next;
 
-  /** How the detector names that contact; see {@link SegmentSweep}. */
+  /**
+   * How the detector names that contact, see {@link SegmentSweep}; if there is none, the code of
+   * the sensor that was met at {@link #cleared}, else 0.
+   */
   int contact;
 
   /** Cells that the next search may go beyond what is asked for. */
@@ -83,6 +87,7 @@ final class Mover {
     flown = 0;
     cleared = 0;
     next = NOTHING;
+    contact = 0;
     reach = BroadSearch.FIRST_REACH;
   }
 

@@ -39,22 +39,33 @@ final class Obstacles {
 
   private final double boundsRestitution;
 
+  /** {@link Traits} of lines and pegs, null if none has any. */
+  private final byte[] lineTraits;
+
+  private final byte[] pegTraits;
+
+  /** Whether any line or peg has a trait that matters to a search. */
+  final boolean special;
+
   /** The code after the last line, and the one after the last peg. */
   final int endOfLines;
 
   final int endOfPegs;
 
-  Obstacles(double[] lines, double[] pegs, Bounds bounds, double boundsRestitution) {
-    this.lines = lines;
-    this.pegs = pegs;
-    this.bounds = bounds;
-    this.boundsRestitution = boundsRestitution;
+  private Obstacles(Scene scene) {
+    lines = scene.lines;
+    pegs = scene.pegs;
+    bounds = scene.bounds;
+    boundsRestitution = Traits.halts(scene.boundsTraits) ? 0 : scene.boundsRestitution;
+    lineTraits = scene.lineTraits;
+    pegTraits = scene.pegTraits;
+    special = lineTraits != null || pegTraits != null;
     endOfLines = WALLS + lines.length / Scene.LINE;
     endOfPegs = PEGS + pegs.length / Scene.PEG;
   }
 
   static Obstacles of(Scene scene) {
-    return new Obstacles(scene.lines, scene.pegs, scene.bounds, scene.boundsRestitution);
+    return new Obstacles(scene);
   }
 
   /** The number of lines and pegs. */
@@ -84,11 +95,28 @@ final class Obstacles {
     return code < WALLS ? Feature.SIDE : LINE_FEATURES[contact & ~SegmentSweep.NOW];
   }
 
+  /** The restitution along the normal; where a circle halts, none. */
   double restitution(int code) {
     if (code < WALLS) {
       return boundsRestitution;
     }
+    if (special && Traits.halts(traits(code))) {
+      return 0;
+    }
     return code < PEGS ? lines[offset(code) + 4] : pegs[offset(code) + 3];
+  }
+
+  /** The {@link Traits} of a line or a peg. */
+  private int traits(int code) {
+    return code < PEGS ? Traits.of(lineTraits, code - WALLS) : Traits.of(pegTraits, code - PEGS);
+  }
+
+  boolean isSensor(int code) {
+    return special && code >= WALLS && Traits.isSensor(traits(code));
+  }
+
+  boolean isOneWay(int code) {
+    return special && code >= WALLS && Traits.isOneWay(traits(code));
   }
 
   /** The largest absolute coordinate of all lines and pegs; 0 without any. */

@@ -8,15 +8,20 @@ import static dev.carom.DoubleDouble.sumTail;
  * {@code u = v1 - v2}, the part of u along n is turned round and scaled by e, and shared out by the
  * masses: {@code v1 -= m2 / (m1 + m2) J n}, {@code v2 += m1 / (m1 + m2) J n} with {@code J = (1 +
  * e) (u.n) / (n.n)}. A circle of infinite mass goes on as it was; two of them pass through each
- * other, which is reported.
+ * other, which is reported. Where one halts, both lose what motion they have along n.
  */
 final class PairResponse {
 
   private final double[] masses;
-  private final Response response;
+
+  /** {@link Traits}, null if no circle has any. */
+  private final byte[] traits;
+
+  private final ObstacleResponse response;
   private final Impulse impulse = new Impulse();
 
-  PairResponse(double[] masses, Response response) {
+  PairResponse(double[] masses, byte[] traits, ObstacleResponse response) {
+    this.traits = traits;
     this.response = response;
     this.masses = masses;
   }
@@ -44,17 +49,24 @@ final class PairResponse {
     double ny = a.y - b.y;
     double ux = a.vx - b.vx;
     double uy = a.vy - b.vy;
-    double un = Response.dot(ux, uy, nx, ny);
+    double un = ObstacleResponse.dot(ux, uy, nx, ny);
     double share = b.radius / (a.radius + b.radius);
     log.add(a.t, a.id, ObstacleKind.CIRCLE, b.id, Feature.CIRCLE);
     log.set(Math.fma(share, nx, b.x), Math.fma(share, ny, b.y), nx, ny, un);
     double speed = Math.abs(ux) + Math.abs(uy);
     boolean stuckA = response.countStuck(a, a.flown * speed);
     boolean stuckB = response.countStuck(b, b.flown * speed);
+    boolean halt = traits != null && (Traits.halts(traits[a.id]) || Traits.halts(traits[b.id]));
     if (un < 0) {
-      impulse.of(1 + (stuckA || stuckB ? 0 : a.restitution * b.restitution), ux, uy, nx, ny);
-      push(a, -1, masses[b.id], masses[a.id], nx, ny);
-      push(b, 1, masses[a.id], masses[b.id], nx, ny);
+      double e = stuckA || stuckB || halt ? 0 : a.restitution * b.restitution;
+      if (halt && masses[a.id] + masses[b.id] < Double.POSITIVE_INFINITY) {
+        stop(a, nx, ny);
+        stop(b, nx, ny);
+      } else {
+        impulse.of(1 + e, ux, uy, nx, ny);
+        push(a, -1, masses[b.id], masses[a.id], nx, ny);
+        push(b, 1, masses[a.id], masses[b.id], nx, ny);
+      }
     }
     if (response.isJammed(a) && response.isJammed(b)) {
       a.jam = Jam.with(a.jam, Obstacles.CIRCLES + b.id);
@@ -65,6 +77,14 @@ final class PairResponse {
     b.last = Obstacles.CIRCLES + a.id;
     a.newFlight();
     b.newFlight();
+  }
+
+  /** Takes away a circle's motion along the normal. */
+  private void stop(Mover m, double nx, double ny) {
+    m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
+    impulse.of(1, m.vx, m.vy, nx, ny);
+    m.vx = impulse.change(m.vx, -1, 0, nx);
+    m.vy = impulse.change(m.vy, -1, 0, ny);
   }
 
   /**
@@ -84,6 +104,6 @@ final class PairResponse {
     double tail = all ? 0 : rest / sum;
     m.vx = impulse.change(m.vx, sign * share, sign * tail, nx);
     m.vy = impulse.change(m.vy, sign * share, sign * tail, ny);
-    Response.stopBeyondRange(m);
+    ObstacleResponse.stopBeyondRange(m);
   }
 }

@@ -126,7 +126,7 @@ public final class Resolver {
     mover.start(
         0, circle.x(), circle.y(), circle.radius(), velocity.x(), velocity.y(), restitution);
     BroadSearch search = new BroadSearch(obstacles);
-    Response response = new Response(obstacles, PATIENCE);
+    ObstacleResponse response = new ObstacleResponse(obstacles, PATIENCE);
     ImpactLog log = new ImpactLog(1);
     List<Flight> flights = new ArrayList<>(List.of(flight(mover)));
     List<Impact> impacts = new ArrayList<>();

@@ -38,6 +38,14 @@ public final class Scene {
   final double[] lines;
   final double[] pegs;
   final double[] masses;
+
+  /** See {@link Traits}. */
+  final byte[] circleTraits;
+
+  final byte[] lineTraits;
+  final byte[] pegTraits;
+  final int boundsTraits;
+
   final Bounds bounds;
   final boolean collide;
   final double boundsRestitution;
@@ -47,11 +55,15 @@ public final class Scene {
     lines = from.lines.toArray();
     pegs = from.pegs.toArray();
     masses = from.masses.toArray();
+    circleTraits = from.circles.traits();
+    lineTraits = from.lines.traits();
+    pegTraits = from.pegs.traits();
     collide = from.collide;
     double[] b = from.bounds.toArray();
     boolean closed = b.length == BOUNDS;
     bounds = closed ? new Bounds(b[0], b[1], b[2], b[3]) : null;
     boundsRestitution = closed ? b[4] : 1;
+    boundsTraits = closed ? from.bounds.lastTraits() : 0;
   }
 
   /**
@@ -126,6 +138,17 @@ public final class Scene {
   }
 
   /**
+   * The response of a circle, to other circles.
+   *
+   * @param i its number, 0..{@link #circleCount()} - 1
+   * @return the response, {@link Response#BOUNCE} unless another was set
+   * @throws IndexOutOfBoundsException if there is no such circle
+   */
+  public Response circleResponse(int i) {
+    return Traits.response(Traits.of(circleTraits, at("circle", i, circleCount())));
+  }
+
+  /**
    * The mass of a circle; without effect as long as circles ignore each other.
    *
    * @param i its number, 0..{@link #circleCount()} - 1
@@ -160,6 +183,29 @@ public final class Scene {
   }
 
   /**
+   * The response of circles to a line.
+   *
+   * @param i its number, 0..{@link #lineCount()} - 1
+   * @return the response, {@link Response#BOUNCE} unless another was set
+   * @throws IndexOutOfBoundsException if there is no such line
+   */
+  public Response lineResponse(int i) {
+    return Traits.response(Traits.of(lineTraits, at("line", i, lineCount())));
+  }
+
+  /**
+   * Whether a line is there only for circles that come from its left; see {@link
+   * SceneBuilder#oneWay()}.
+   *
+   * @param i its number, 0..{@link #lineCount()} - 1
+   * @return false unless it was set
+   * @throws IndexOutOfBoundsException if there is no such line
+   */
+  public boolean lineOneWay(int i) {
+    return Traits.isOneWay(Traits.of(lineTraits, at("line", i, lineCount())));
+  }
+
+  /**
    * A peg.
    *
    * @param i its number, 0..{@link #pegCount()} - 1
@@ -180,6 +226,17 @@ public final class Scene {
    */
   public double pegRestitution(int i) {
     return pegs[at("peg", i, pegCount()) * PEG + 3];
+  }
+
+  /**
+   * The response of circles to a peg.
+   *
+   * @param i its number, 0..{@link #pegCount()} - 1
+   * @return the response, {@link Response#BOUNCE} unless another was set
+   * @throws IndexOutOfBoundsException if there is no such peg
+   */
+  public Response pegResponse(int i) {
+    return Traits.response(Traits.of(pegTraits, at("peg", i, pegCount())));
   }
 
   /**
@@ -210,6 +267,15 @@ public final class Scene {
   }
 
   /**
+   * The response of circles to the four walls.
+   *
+   * @return {@link Response#BOUNCE} or {@link Response#HALT}
+   */
+  public Response boundsResponse() {
+    return Traits.response(boundsTraits);
+  }
+
+  /**
    * Two scenes are equal if they hold the same things in the same order, to the bit.
    *
    * @param other any object
@@ -223,6 +289,10 @@ public final class Scene {
         && collide == that.collide
         && Arrays.equals(lines, that.lines)
         && Arrays.equals(pegs, that.pegs)
+        && Arrays.equals(circleTraits, that.circleTraits)
+        && Arrays.equals(lineTraits, that.lineTraits)
+        && Arrays.equals(pegTraits, that.pegTraits)
+        && boundsTraits == that.boundsTraits
         && Objects.equals(bounds, that.bounds)
         && Double.compare(boundsRestitution, that.boundsRestitution) == 0;
   }

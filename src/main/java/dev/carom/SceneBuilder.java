@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import java.util.Objects;
+
 /**
  * Collects the things of a {@link Scene}. Each call adds one thing, or gives the thing added last a
  * property. What is refused is refused at once, with a message that names the thing, its number,
@@ -110,6 +112,45 @@ public final class SceneBuilder {
     }
     check(last, last.count() - 1, () -> Check.notNegative("restitution", e));
     last.setLastRestitution(e);
+    return this;
+  }
+
+  /**
+   * Sets what happens at the thing added last; without it, circles bounce.
+   *
+   * @param response the response; of a circle, to other circles
+   * @return this builder
+   * @throws IllegalArgumentException if the thing is the bounds and the response {@link
+   *     Response#SENSOR}
+   * @throws IllegalStateException if nothing was added yet
+   */
+  public SceneBuilder response(Response response) {
+    Objects.requireNonNull(response, "response");
+    if (last == null) {
+      throw new IllegalStateException("response belongs to the thing added last: add one first");
+    }
+    if (last == bounds && response == Response.SENSOR) {
+      throw Check.refused("response", "sensor", "bounce or halt: bounds keep circles inside")
+          .of("bounds");
+    }
+    last.setLastTraits(Traits.with(last.lastTraits(), response));
+    return this;
+  }
+
+  /**
+   * Makes the line just added a one-way line. It is solid, ends included, for a flight that starts
+   * with the centre strictly left of it (seen from its start to its end, as in {@code cross(b - a,
+   * p - a) > 0}) and moves against its left normal; for every other flight it is not there. A line
+   * of zero length has no left: it never is.
+   *
+   * @return this builder
+   * @throws IllegalStateException if the thing added last is not a line
+   */
+  public SceneBuilder oneWay() {
+    if (last != lines) {
+      throw new IllegalStateException("one-way belongs to the line just added: add one first");
+    }
+    lines.setLastTraits(Traits.withOneWay(lines.lastTraits(), true));
     return this;
   }
 

@@ -36,6 +36,9 @@ import java.util.concurrent.ThreadLocalRandom;
  *   <li>{@code collide,1} says that circles collide with each other; with {@code collide,0}, or
  *       without such a row, they ignore each other.
  *   <li>Any row but {@code collide} may end in {@code restitution=NUMBER}; without it, it is 1.
+ *   <li>Any row but {@code collide} may end in {@code response=bounce}, {@code halt} or {@code
+ *       sensor}, of the bounds not the last of them, see {@link Response}; a line's row in {@code
+ *       oneway=1}, see {@link SceneBuilder#oneWay()}.
  *   <li>Blank lines, spaces and tabs around fields, {@code #} comments on lines of their own or
  *       after a row, either kind of line end, and a byte order mark are passed over.
  * </ul>

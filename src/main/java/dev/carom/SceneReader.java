@@ -85,11 +85,7 @@ final class SceneReader {
 
   private void collide(SceneRow row) throws SceneFormatException {
     collideLine = only(row, collideLine);
-    String value = row.field(1);
-    if (!value.equals("0") && !value.equals("1")) {
-      throw row.error(1, "collide is " + SceneText.quoted(value) + ": expected 0 or 1");
-    }
-    builder.collide(value.equals("1"));
+    builder.collide(flag(row, 1, "collide", row.field(1)));
   }
 
   /** Refuses a second row of a kind; the line of the first one is 0 as long as there is none. */
@@ -106,15 +102,50 @@ final class SceneReader {
       if (row.kind() == SceneRowKind.COLLIDE) {
         throw row.error(i, SceneText.quoted(row.field(i)) + " is out of place: expected no more");
       }
-      if (!row.key(i).equals("restitution")) {
-        throw row.error(
-            i, "key " + SceneText.quoted(row.key(i)) + " is unknown: expected restitution=NUMBER");
+      for (int k = row.plain(); k < i; k++) {
+        if (row.key(k).equals(row.key(i))) {
+          throw row.error(i, row.key(i) + " is given twice: expected once");
+        }
       }
-      if (i > row.plain()) {
-        throw row.error(i, "restitution is given twice: expected once");
-      }
-      builder.restitution(row.option(i));
+      option(row, i);
     }
+  }
+
+  private void option(SceneRow row, int i) throws SceneFormatException {
+    String key = row.key(i);
+    if (key.equals("restitution")) {
+      builder.restitution(row.option(i));
+    } else if (key.equals("response")) {
+      builder.response(response(row, i));
+    } else if (key.equals("oneway") && row.kind() == SceneRowKind.LINE) {
+      if (flag(row, i, "oneway", row.value(i))) {
+        builder.oneWay();
+      }
+    } else {
+      String more =
+          row.kind() == SceneRowKind.LINE ? ", response=WORD or oneway=0|1" : " or response=WORD";
+      throw row.error(
+          i, "key " + SceneText.quoted(key) + " is unknown: expected restitution=NUMBER" + more);
+    }
+  }
+
+  private static Response response(SceneRow row, int i) throws SceneFormatException {
+    for (Response response : Response.values()) {
+      if (SceneText.word(response).equals(row.value(i))) {
+        return response;
+      }
+    }
+    throw row.error(
+        i, "response is " + SceneText.quoted(row.value(i)) + ": expected bounce, halt or sensor");
+  }
+
+  /** The truth in a text of 0 or 1, which field i holds. */
+  private static boolean flag(SceneRow row, int i, String name, String text)
+      throws SceneFormatException {
+    if (!text.equals("0") && !text.equals("1")) {
+      throw row.error(i, name + " is " + SceneText.quoted(text) + ": expected 0 or 1");
+    }
+    return text.equals("1");
   }
 
   private Scene build() throws SceneFormatException {

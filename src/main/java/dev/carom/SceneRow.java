@@ -109,11 +109,15 @@ final class SceneRow {
     return fields[i].substring(0, SceneText.end(fields[i], 0, equals));
   }
 
+  /** What stands after the key of field i. */
+  String value(int i) {
+    String field = fields[i];
+    return field.substring(SceneText.start(field, field.indexOf('=') + 1, field.length()));
+  }
+
   /** The finite number after the key of field i. */
   double option(int i) throws SceneFormatException {
-    String field = fields[i];
-    int start = SceneText.start(field, field.indexOf('=') + 1, field.length());
-    return number(i, field.substring(start));
+    return number(i, value(i));
   }
 
   private double number(int i, String text) throws SceneFormatException {

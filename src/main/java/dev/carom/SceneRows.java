@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import java.util.Arrays;
+
 /**
  * The things of one kind while a scene is built: a row of doubles for each, which begins with
- * coordinates and ends with the restitution.
+ * coordinates and ends with the restitution; and its traits, see {@link Traits}.
  */
 final class SceneRows {
 
@@ -11,6 +13,7 @@ final class SceneRows {
   private final int width;
   private final int coordinates;
   private final DoubleList values = new DoubleList();
+  private byte[] traits = new byte[16];
 
   SceneRows(String kind, int width, int coordinates) {
     this.kind = kind;
@@ -33,10 +36,32 @@ final class SceneRows {
 
   void add(double... row) {
     values.add(row);
+    if (count() > traits.length) {
+      traits = Arrays.copyOf(traits, 2 * count());
+    }
+    traits[count() - 1] = 0;
   }
 
   void setLastRestitution(double e) {
     values.setLast(e);
+  }
+
+  int lastTraits() {
+    return traits[count() - 1];
+  }
+
+  void setLastTraits(int t) {
+    traits[count() - 1] = (byte) t;
+  }
+
+  /** The traits of all things; null if none has any. */
+  byte[] traits() {
+    for (int i = 0; i < count(); i++) {
+      if (traits[i] != 0) {
+        return Arrays.copyOf(traits, count());
+      }
+    }
+    return null;
   }
 
   double largestCoordinate() {

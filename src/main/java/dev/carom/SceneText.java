@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import java.util.Locale;
+
 /** Spaces, numbers and quotations in the rows of a scene file. */
 final class SceneText {
 
@@ -62,6 +64,11 @@ final class SceneText {
 
   private static boolean isLast(char c) {
     return (c >= '0' && c <= '9') || c == '.';
+  }
+
+  /** The word for a response. */
+  static String word(Response response) {
+    return response.name().toLowerCase(Locale.ROOT);
   }
 
   /** A text between quotation marks, cut short, with escapes for what a terminal may not show. */

@@ -18,7 +18,7 @@ final class BruteForce {
   private final Obstacles obstacles;
   private final int[] codes;
   private final Mover[] movers;
-  private final Response response;
+  private final ObstacleResponse response;
   private final PairResponse pairs;
   private final ImpactLog log = new ImpactLog(16);
 
@@ -38,8 +38,8 @@ final class BruteForce {
                 IntStream.range(0, obstacles.endOfLines),
                 IntStream.range(Obstacles.PEGS, obstacles.endOfPegs))
             .toArray();
-    response = new Response(obstacles, 1_000 + 10 * scene.circleCount());
-    pairs = new PairResponse(scene.masses, response);
+    response = new ObstacleResponse(obstacles, 1_000 + 10 * scene.circleCount());
+    pairs = new PairResponse(scene.masses, scene.circleTraits, response);
     movers = new Mover[scene.circleCount()];
     for (int i = 0; i < movers.length; i++) {
       Circle c = scene.circle(i);

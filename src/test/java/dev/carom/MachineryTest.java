@@ -49,6 +49,7 @@ class MachineryTest {
   static Stream<Arguments> recipes() {
     return Stream.of(
         recipe("mixed", RandomScenes::mixed),
+        recipe("responses", RandomScenes::responses),
         recipe("long lines", RandomScenes::longLines),
         recipe("mixed radii", RandomScenes::mixedRadii),
         recipe("open", RandomScenes::open),

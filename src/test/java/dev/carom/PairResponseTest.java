@@ -21,7 +21,7 @@ class PairResponseTest {
 
   private static PairResponse masses(double... masses) {
     Obstacles none = Obstacles.of(Scene.builder().build());
-    return new PairResponse(masses, new Response(none, 1_000));
+    return new PairResponse(masses, null, new ObstacleResponse(none, 1_000));
   }
 
   /** The first circle at the origin, the second where the angle says, both of radius 1. */

@@ -67,6 +67,25 @@ final class RandomScenes {
     return builder;
   }
 
+  /** As mixed, each line and peg with a response of its own, some lines one-way. */
+  static SceneBuilder responses(Random random) {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600);
+    Response[] responses = Response.values();
+    for (int i = 0; i < 60; i++) {
+      lines(builder, random, 1, 90);
+      builder.response(responses[random.nextInt(8) == 0 ? 1 : random.nextInt(2) * 2]);
+      if (random.nextInt(3) == 0) {
+        builder.oneWay();
+      }
+    }
+    for (int i = 0; i < 40; i++) {
+      pegs(builder, random, 1, 25);
+      builder.response(responses[random.nextInt(8) == 0 ? 1 : random.nextInt(2) * 2]);
+    }
+    circles(builder, random, 60, 20);
+    return builder;
+  }
+
   /** Radii from 1 to 100 among few obstacles. */
   static SceneBuilder mixedRadii(Random random) {
     SceneBuilder builder = Scene.builder().bounds(-200, -200, 1000, 800);

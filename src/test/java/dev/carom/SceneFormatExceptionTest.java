@@ -137,13 +137,29 @@ class SceneFormatExceptionTest {
       delimiter = '|',
       quoteCharacter = '`',
       value = {
-        "line,1,2,3,4,response=sensor | 14 | response",
-        "line,1,2,3,4,oneway=1 | 14 | oneway",
+        "peg,1,2,3,oneway=1 | 11 | oneway",
+        "line,1,2,3,4,sensor=1 | 14 | sensor",
         "line,1,2,3,4,restitution=1, Restitution=1 | 29 | Restitution",
         "line,1,2,3,4,=1 | 14 | ``",
       })
   void unknownKey(String row, int column, String key) {
-    assertRefused(row, column, "key \"" + key + "\" is unknown: expected restitution=NUMBER");
+    String more = row.startsWith("line") ? ", response=WORD or oneway=0|1" : " or response=WORD";
+    assertRefused(
+        row, column, "key \"" + key + "\" is unknown: expected restitution=NUMBER" + more);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "line,1,2,3,4,response=Halt | 14 | response is \"Halt\": expected bounce, halt or sensor",
+        "line,1,2,3,4,response=halt,response=halt | 28 | response is given twice: expected once",
+        "line,1,2,3,4,oneway=yes | 14 | oneway is \"yes\": expected 0 or 1",
+        "wall,0,0,9,9,response=sensor | 14"
+            + " | response is sensor: expected bounce or halt: bounds keep circles inside",
+      })
+  void responses(String row, int column, String reason) {
+    assertRefused(row, column, reason);
   }
 
   @Test
