@@ -76,6 +76,18 @@ final class GasCommand implements Callable<Integer> {
   private int replays;
 
   @Option(
+      names = "--steady",
+      paramLabel = "COLLISIONS",
+      arity = "0..1",
+      fallbackValue = "1000000",
+      description = {
+        "Time the steady state instead: one world, as many rounds as --replays, each of at least",
+        "so many collisions (default: ${FALLBACK-VALUE}), after a warm-up of 5 for each circle and",
+        "at least 3,000,000; tells the median, least and most of the rounds."
+      })
+  private Integer steady;
+
+  @Option(
       names = "--save",
       paramLabel = "FILE",
       description = "Write the scene, for simulate and for others.")
@@ -88,6 +100,11 @@ final class GasCommand implements Callable<Integer> {
     Scene scene = generator().scene();
     if (save != null) {
       SceneFile.write(scene, save);
+    }
+    if (steady != null) {
+      Bounded.atLeast(1, "--steady", steady, spec);
+      print(GasSteady.play(scene, replays, steady));
+      return 0;
     }
     GasReplay best = GasReplay.play(scene, frames);
     for (int i = 1; i < replays; i++) {
@@ -106,7 +123,7 @@ final class GasCommand implements Callable<Integer> {
     }
   }
 
-  private void print(GasReplay best) {
+  private PrintWriter printGas() {
     PrintWriter out = spec.commandLine().getOut();
     out.printf(
         Locale.ROOT,
@@ -116,6 +133,30 @@ final class GasCommand implements Callable<Integer> {
         Decimals.plain(packing),
         Decimals.plain(spread),
         heavy ? " --heavy" : "");
+    return out;
+  }
+
+  private void print(GasSteady steady) {
+    PrintWriter out = printGas();
+    out.printf(
+        Locale.ROOT,
+        "run      %,d frames of the steady state, %,d collisions in %,d rounds%n",
+        steady.frames(),
+        steady.collisions(),
+        replays);
+    out.printf(
+        Locale.ROOT,
+        "speed    %,.0f collisions per second, %,.1f ns per collision (%,.1f .. %,.1f)%n",
+        1e9 / steady.median(),
+        steady.median(),
+        steady.least(),
+        steady.most());
+    out.printf(Locale.ROOT, "bytes    %,d allocated in the last round%n", steady.bytes());
+    out.flush();
+  }
+
+  private void print(GasReplay best) {
+    PrintWriter out = printGas();
     out.printf(Locale.ROOT, "run      %,d frames, the fastest of %,d replays%n", frames, replays);
     out.printf(
         Locale.ROOT,

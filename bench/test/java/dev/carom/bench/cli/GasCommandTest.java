@@ -31,6 +31,28 @@ class GasCommandTest {
   }
 
   @Test
+  void tellsTheSpeedOfTheSteadyState() {
+    Cli run = Cli.run("gas", "--circles", 50, "--replays", 2, "--steady", 1000);
+
+    assertThat(run.exitCode()).isZero();
+    assertThat(run.out().lines())
+        .satisfiesExactly(
+            line -> assertThat(line).startsWith("gas      --seed 1 --circles 50"),
+            line ->
+                assertThat(line)
+                    .matches(
+                        "run      [\\d,]+ frames of the steady state,"
+                            + " 2,\\d{3} collisions in 2 rounds"),
+            line ->
+                assertThat(line)
+                    .matches(
+                        "speed    [\\d,]+ collisions per second,"
+                            + " [\\d,.]+ ns per collision \\([\\d,.]+ \\.\\. [\\d,.]+\\)"),
+            line -> assertThat(line).isEqualTo("bytes    0 allocated in the last round"));
+    assertThat(Cli.run("gas", "--steady", 0).exitCode()).isEqualTo(2);
+  }
+
+  @Test
   void savesTheSceneForOthers(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("gas.csv");
     Cli.run("gas", "--circles", 9, "--frames", 1, "--replays", 1, "--save", file);

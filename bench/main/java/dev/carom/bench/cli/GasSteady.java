@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import com.sun.management.ThreadMXBean;
+import dev.carom.ImpactLog;
+import dev.carom.ObstacleKind;
+import dev.carom.Outcome;
+import dev.carom.Scene;
+import dev.carom.World;
+import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+
+/**
+ * A gas in its steady state: one world that goes on and on, timed in rounds once it has forgotten
+ * the lattice from which it started and the virtual machine has compiled what it does.
+ *
+ * @param nanosPerCollision of each round, in ascending order; what its steps took, without reading
+ *     the log
+ * @param collisions of all rounds together
+ * @param frames of all rounds together
+ * @param bytes allocated in the steps of the last round
+ */
+record GasSteady(double[] nanosPerCollision, long collisions, long frames, long bytes) {
+
+  /** Collisions before the first round: so many, and so many for each circle. */
+  static final long WARM_UP = 3_000_000;
+
+  static final int WARM_UP_PER_CIRCLE = 5;
+
+  private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+  /** Frames, their collisions, and what their steps took. */
+  private static final class Round {
+    private final World world;
+    private long frames;
+    private long collisions;
+    private long nanos;
+    private long bytes;
+
+    Round(World world) {
+      this.world = world;
+    }
+
+    Round play(long enough) {
+      while (collisions < enough) {
+        double end = Math.floor(world.now()) + 1;
+        Outcome outcome;
+        do {
+          outcome = step(end);
+        } while (outcome == Outcome.UNFINISHED);
+        frames++;
+      }
+      return this;
+    }
+
+    private Outcome step(double end) {
+      long asked = THREADS.getCurrentThreadAllocatedBytes();
+      long before = THREADS.getCurrentThreadAllocatedBytes();
+      long start = System.nanoTime();
+      Outcome outcome = world.advanceTo(end);
+      nanos += System.nanoTime() - start;
+      bytes += THREADS.getCurrentThreadAllocatedBytes() - before - (before - asked);
+      ImpactLog log = world.impacts();
+      for (int row = 0; row < log.size(); row++) {
+        collisions += log.kind(row) == ObstacleKind.CIRCLE ? 1 : 0;
+      }
+      return outcome;
+    }
+  }
+
+  /**
+   * Plays a scene in which circles collide again and again.
+   *
+   * @param rounds how many rounds, at least 1
+   * @param collisions of one round, at least; it ends with a frame
+   */
+  static GasSteady play(Scene scene, int rounds, long collisions) {
+    World world = new World(scene);
+    new Round(world).play(Math.max(WARM_UP, (long) WARM_UP_PER_CIRCLE * scene.circleCount()));
+    double[] nanos = new double[rounds];
+    long all = 0;
+    long frames = 0;
+    long bytes = 0;
+    for (int i = 0; i < rounds; i++) {
+      Round round = new Round(world).play(collisions);
+      nanos[i] = (double) round.nanos / round.collisions;
+      all += round.collisions;
+      frames += round.frames;
+      bytes = round.bytes;
+    }
+    Arrays.sort(nanos);
+    return new GasSteady(nanos, all, frames, bytes);
+  }
+
+  double median() {
+    return nanosPerCollision[nanosPerCollision.length / 2];
+  }
+
+  double least() {
+    return nanosPerCollision[0];
+  }
+
+  double most() {
+    return nanosPerCollision[nanosPerCollision.length - 1];
+  }
+}
