@@ -16,45 +16,91 @@ final class Cells {
   private final int maskY;
   private final int shift;
   private final int[] heads;
-  final int[] next;
+  private final int[] next;
+
+  /** Null where lists are short: there a circle is found in its list by going through it. */
   private final int[] previous;
 
-  /** For circles 0..count - 1; the numbers of columns and rows are powers of two, at least 4. */
-  Cells(int count, int columns, int rows) {
+  /**
+   * The numbers of columns and rows are powers of two, at least 4.
+   *
+   * @param next room for the followers of all circles
+   * @param previous room for those before them, or null for short lists
+   */
+  Cells(int columns, int rows, int[] next, int[] previous) {
     maskX = columns - 1;
     maskY = rows - 1;
     shift = Integer.numberOfTrailingZeros(columns);
     heads = new int[columns * rows];
     Arrays.fill(heads, NONE);
-    next = new int[count];
-    previous = new int[count];
-  }
-
-  /** The first circle in a cell, whose followers are in {@link #next}, or NONE. */
-  int first(int column, int row) {
-    return heads[index(column, row)];
+    this.next = next;
+    this.previous = previous;
   }
 
   void add(int i, int column, int row) {
     int cell = index(column, row);
     int head = heads[cell];
     next[i] = head;
-    previous[i] = NONE;
-    if (head != NONE) {
-      previous[head] = i;
+    if (previous != null) {
+      previous[i] = NONE;
+      if (head != NONE) {
+        previous[head] = i;
+      }
     }
     heads[cell] = i;
   }
 
   void remove(int i, int column, int row) {
-    if (previous[i] == NONE) {
-      heads[index(column, row)] = next[i];
+    int before = previous == null ? before(i, column, row) : previous[i];
+    int after = next[i];
+    if (before == NONE) {
+      heads[index(column, row)] = after;
     } else {
-      next[previous[i]] = next[i];
+      next[before] = after;
     }
-    if (next[i] != NONE) {
-      previous[next[i]] = previous[i];
+    if (previous != null && after != NONE) {
+      previous[after] = before;
     }
+  }
+
+  private int before(int i, int column, int row) {
+    int before = NONE;
+    for (int j = heads[index(column, row)]; j != i; j = next[j]) {
+      before = j;
+    }
+    return before;
+  }
+
+  /**
+   * Finds the circles in a rectangle of cells. Most cells are empty or hold one circle, and which
+   * is which cannot be foretold: what is found is written down first, without a branch, and kept by
+   * counting on.
+   *
+   * @param self a circle that is left out
+   * @param found room for all circles and the rectangle's cells, from the place {@code size} on
+   * @return the place after the last one found
+   */
+  int find(int column, int row, int columns, int rows, int self, int[] found, int size) {
+    int end = size;
+    for (int y = row; y < row + rows; y++) {
+      int line = (y & maskY) << shift;
+      for (int x = column; x < column + columns; x++) {
+        int head = heads[line | (x & maskX)];
+        found[end] = head;
+        end += 1 + (head >> 31);
+      }
+    }
+    int kept = size;
+    for (int k = size; k < end; k++) {
+      int j = found[k];
+      int follower = next[j];
+      found[end] = follower;
+      end += 1 + (follower >> 31);
+      found[kept] = j;
+      int differs = j ^ self;
+      kept += (differs | -differs) >>> 31;
+    }
+    return kept;
   }
 
   private int index(int column, int row) {

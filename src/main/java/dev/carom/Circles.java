@@ -22,6 +22,17 @@ final class Circles {
   static final int ANCHOR_Y = 10;
   static final int STATE = 11;
 
+  // And of one that collides: its first meeting foreseen, as Meetings says, and its cell.
+  static final int MEETING = 11;
+  static final int MEETING_TAIL = 12;
+  static final int TAU = 13;
+  static final int COLUMN = 14;
+  static final int ROW = 15;
+  private static final int COLLIDING_STATE = 16;
+
+  /** Doubles before the first circle: large arrays then have each 8 of them in one cache line. */
+  private static final int ALIGNMENT = 6;
+
   // Ints of one circle in codes.
   static final int LAST = 0;
   static final int NEXT = 1;
@@ -30,27 +41,58 @@ final class Circles {
   static final int STUCK = 4;
   static final int CODES = 5;
 
+  // And of one that collides: whom it meets, that one's count then, and its own count of changes.
+  static final int PARTNER = 5;
+  static final int PARTNER_COUNT = 6;
+  static final int COUNT = 7;
+  private static final int COLLIDING_CODES = 8;
+
   final int count;
   final double[] state;
   final int[] codes;
+  private final int first;
+  private final int stride;
+  private final int codeStride;
 
-  /** When a circle needs attention: its next impact, or the end of what is known ahead of it. */
+  /**
+   * When a circle needs attention: its next impact, or the end of what is known ahead of it; of
+   * circles that ignore each other only.
+   */
   final double[] due;
-
-  /** The tails of these times. */
-  final double[] dueTails;
 
   /** Of stuck circles; null until there is one. */
   Jam[] jams;
 
   final Mover mover = new Mover();
 
+  /** Circles that ignore each other. */
   Circles(int count) {
+    this(count, STATE, 0, CODES, count);
+  }
+
+  private Circles(int count, int stride, int first, int codeStride, int dues) {
     this.count = count;
-    state = new double[count * STATE];
-    codes = new int[count * CODES];
-    due = new double[count];
-    dueTails = new double[count];
+    this.stride = stride;
+    this.first = first;
+    this.codeStride = codeStride;
+    state = new double[first + count * stride];
+    codes = new int[count * codeStride];
+    due = new double[dues];
+  }
+
+  /** Circles that collide; when one needs attention stands in a queue. */
+  static Circles colliding(int count) {
+    return new Circles(count, COLLIDING_STATE, ALIGNMENT, COLLIDING_CODES, 0);
+  }
+
+  /** Where the doubles of circle i begin. */
+  int at(int i) {
+    return first + i * stride;
+  }
+
+  /** Where the ints of circle i begin. */
+  int codesAt(int i) {
+    return i * codeStride;
   }
 
   /** Puts circle i of a scene at the start of its first flight, into the mover only. */
@@ -62,25 +104,25 @@ final class Circles {
   }
 
   double x(int i, double now) {
-    int k = i * STATE;
+    int k = at(i);
     return Math.fma(state[k + VX], now - state[k + T] - state[k + TL], state[k + X]);
   }
 
   double y(int i, double now) {
-    int k = i * STATE;
+    int k = at(i);
     return Math.fma(state[k + VY], now - state[k + T] - state[k + TL], state[k + Y]);
   }
 
   double vx(int i) {
-    return state[i * STATE + VX];
+    return state[at(i) + VX];
   }
 
   double vy(int i) {
-    return state[i * STATE + VY];
+    return state[at(i) + VY];
   }
 
   double radius(int i) {
-    return state[i * STATE + RADIUS];
+    return state[at(i) + RADIUS];
   }
 
   Jam jam(int i) {
@@ -92,7 +134,7 @@ final class Circles {
   }
 
   void load(int i, Mover m) {
-    int k = i * STATE;
+    int k = at(i);
     m.id = i;
     m.flown = 0;
     m.x = state[k + X];
@@ -106,7 +148,7 @@ final class Circles {
     m.restitution = state[k + RESTITUTION];
     m.anchorX = state[k + ANCHOR_X];
     m.anchorY = state[k + ANCHOR_Y];
-    int c = i * CODES;
+    int c = codesAt(i);
     m.last = codes[c + LAST];
     m.next = codes[c + NEXT];
     m.contact = codes[c + CONTACT];
@@ -119,8 +161,15 @@ final class Circles {
     store(i, mover);
   }
 
-  void store(int i, Mover m) {
-    int k = i * STATE;
+  /** Stores a circle that ignores others, and when it needs attention. */
+  private void store(int i, Mover m) {
+    keep(i, m);
+    due[i] = m.due();
+  }
+
+  /** Stores a circle, and leaves its {@link #due} to the caller. */
+  void keep(int i, Mover m) {
+    int k = at(i);
     state[k + X] = m.x;
     state[k + Y] = m.y;
     state[k + VX] = m.vx;
@@ -132,14 +181,12 @@ final class Circles {
     state[k + RESTITUTION] = m.restitution;
     state[k + ANCHOR_X] = m.anchorX;
     state[k + ANCHOR_Y] = m.anchorY;
-    int c = i * CODES;
+    int c = codesAt(i);
     codes[c + LAST] = m.last;
     codes[c + NEXT] = m.next;
     codes[c + CONTACT] = m.contact;
     codes[c + REACH] = m.reach;
     codes[c + STUCK] = m.stuck;
-    due[i] = m.due();
-    dueTails[i] = due[i] == Double.POSITIVE_INFINITY ? 0 : m.afterTail(m.cleared, due[i]);
     if (m.jam != null && jams == null) {
       jams = new Jam[count];
     }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import static dev.carom.DoubleDouble.sumTail;
-
 /**
  * Circles that collide: event after event, in the order of time.
  *
@@ -18,7 +16,7 @@ import static dev.carom.DoubleDouble.sumTail;
  * <p>Simultaneous events are taken by kind (wall, line, peg, pair), then by the numbers of what
  * meets.
  */
-final class Collisions implements Engine, Neighbors.Visitor {
+final class Collisions implements Engine {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -27,6 +25,7 @@ final class Collisions implements Engine, Neighbors.Visitor {
 
   private static final int EVENTS_PER_CIRCLE = 1_000;
 
+  // Kinds of events; those from CROSSING on tell over which edge.
   private static final int STATIC = 0;
   private static final int PAIR = 1;
   private static final int CROSSING = 2;
@@ -40,22 +39,17 @@ final class Collisions implements Engine, Neighbors.Visitor {
   private final PairResponse pairs;
   private final ImpactLog log;
   private final Neighbors neighbors;
+  private final Meetings meetings;
   private final EventQueue queue;
+  private final short[] kinds;
   private final long budget;
   private boolean unfinished;
 
   /** The time of the last event. */
   private double reached;
 
-  /** How often each circle's velocity changed, modulo 2^32. */
-  private final int[] counts;
-
-  // The first meeting foreseen of each circle: when, with whom, and the other's count then.
-  private final double[] meetings;
-  private final double[] meetingTails;
-  private final int[] partners;
-  private final int[] partnerCounts;
-  private final byte[] kinds;
+  /** What a search among neighbours found. */
+  private final int[] found;
 
   private final Mover other = new Mover();
 
@@ -65,29 +59,25 @@ final class Collisions implements Engine, Neighbors.Visitor {
     int count = scene.circleCount();
     Grids grids = new Grids(scene, obstacles, machinery);
     model = grids.model().toString().replace("ignore each other", "collide");
-    circles = new Circles(count);
+    circles = Circles.colliding(count);
     grid = new Grid[count];
     search = new BroadSearch(obstacles);
     int patience = 1_000 + 10 * count;
     response = new ObstacleResponse(obstacles, patience);
     pairs = new PairResponse(scene.masses, scene.circleTraits, response);
     budget = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * count;
-    counts = new int[count];
-    meetings = new double[count];
-    meetingTails = new double[count];
-    partners = new int[count];
-    partnerCounts = new int[count];
-    kinds = new byte[count];
-    queue = new EventQueue(count);
+    kinds = new short[count];
+    queue = new EventQueue(count, this::before);
+    found = new int[count + 9];
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
       grid[i] = grids.of(circles.mover.radius);
-      search.extend(circles.mover, grid[i], 0);
-      circles.store(i);
+      circles.keep(i, circles.mover);
     }
     neighbors = new Neighbors(circles, scene.bounds, machinery.pairCells());
+    meetings = new Meetings(circles, pairs);
     for (int i = 0; i < count; i++) {
-      neighbors.newFlight(i);
+      lookAround(i);
       foresee(i);
     }
   }
@@ -121,18 +111,26 @@ final class Collisions implements Engine, Neighbors.Visitor {
       }
       // A crossing may be noticed late by rounding: time does not go back for it.
       reached = Math.max(reached, queue.time(i));
+      queue.clear(i);
       happen(i);
     }
   }
 
   private void happen(int i) {
     switch (kinds[i]) {
-      case CROSSING -> {
-        neighbors.cross(i, this);
-        schedule(i);
-      }
+      case STATIC -> meetObstacle(i);
       case PAIR -> meet(i);
-      default -> meetObstacle(i);
+      default -> cross(i);
+    }
+  }
+
+  private void cross(int i) {
+    int size = neighbors.cross(i, kinds[i] - CROSSING, found);
+    lookAround(i);
+    if (meetings.look(i, found, size)) {
+      schedule(i);
+    } else {
+      foresee(i);
     }
   }
 
@@ -141,7 +139,7 @@ final class Collisions implements Engine, Neighbors.Visitor {
     Mover m = circles.mover;
     if (m.next == Mover.NOTHING) {
       search.extend(m, grid[i], m.cleared);
-      circles.store(i);
+      circles.keep(i, m);
       schedule(i);
       return;
     }
@@ -150,20 +148,21 @@ final class Collisions implements Engine, Neighbors.Visitor {
       foresee(i);
     } else {
       search.extend(m, grid[i], m.cleared);
-      circles.store(i);
+      circles.keep(i, m);
       schedule(i);
     }
   }
 
   private void meet(int i) {
-    int j = partners[i];
-    if (partnerCounts[i] != counts[j]) {
+    if (!meetings.holds(i)) {
       foresee(i);
       return;
     }
+    int j = meetings.partner(i);
+    queue.clear(j);
     int low = Math.min(i, j);
     int high = Math.max(i, j);
-    double tau = approach(low, high, NEVER);
+    double tau = meetings.tau(i);
     circles.load(low, circles.mover);
     circles.load(high, other);
     Mover early = together(circles.mover, other);
@@ -175,97 +174,6 @@ final class Collisions implements Engine, Neighbors.Visitor {
     changed(high, other);
     foresee(low);
     foresee(high);
-  }
-
-  /** Puts a circle on its new flight. */
-  private void changed(int i, Mover m) {
-    search.extend(m, grid[i], 0);
-    circles.store(i, m);
-    counts[i]++;
-    neighbors.newFlight(i);
-  }
-
-  /** Looks anew for the first circle that circle i meets. */
-  private void foresee(int i) {
-    meetings[i] = NEVER;
-    meetingTails[i] = 0;
-    partners[i] = EventQueue.NONE;
-    neighbors.visitAll(i, this);
-    schedule(i);
-  }
-
-  /** Keeps j as what circle i meets first, if that is so. */
-  @Override
-  public void visit(int i, int j) {
-    double tau = i < j ? approach(i, j, meetings[i]) : approach(j, i, meetings[i]);
-    if (tau == NEVER) {
-      return;
-    }
-    // The later start and tau, as head and tail.
-    double s = startHead + tau;
-    double l = sumTail(startHead, tau, s) + startTail;
-    double head = s + l;
-    double tail = sumTail(s, l, head);
-    boolean first =
-        head != meetings[i]
-            ? head < meetings[i]
-            : tail != meetingTails[i] ? tail < meetingTails[i] : j < partners[i];
-    if (first) {
-      meetings[i] = head;
-      meetingTails[i] = tail;
-      partners[i] = j;
-      partnerCounts[i] = counts[j];
-    }
-  }
-
-  // The later start of the two flights that approach() looked at last.
-  private double startHead;
-  private double startTail;
-
-  /**
-   * When two circles meet, counted from the later start of their flights; {@code +infinity} for
-   * never, and for certainly later than a given time.
-   */
-  private double approach(int i, int j, double before) {
-    double[] s = circles.state;
-    int a = i * Circles.STATE;
-    int b = j * Circles.STATE;
-    double vx1 = s[a + Circles.VX];
-    double vy1 = s[a + Circles.VY];
-    double vx2 = s[b + Circles.VX];
-    double vy2 = s[b + Circles.VY];
-    double x1 = s[a + Circles.X];
-    double y1 = s[a + Circles.Y];
-    double x2 = s[b + Circles.X];
-    double y2 = s[b + Circles.Y];
-    // By how much j starts later than i.
-    double later =
-        (s[b + Circles.T] - s[a + Circles.T]) + (s[b + Circles.TL] - s[a + Circles.TL]);
-    if (later > 0) {
-      x1 = Math.fma(vx1, later, x1);
-      y1 = Math.fma(vy1, later, y1);
-      startHead = s[b + Circles.T];
-      startTail = s[b + Circles.TL];
-    } else {
-      x2 = Math.fma(vx2, -later, x2);
-      y2 = Math.fma(vy2, -later, y2);
-      startHead = s[a + Circles.T];
-      startTail = s[a + Circles.TL];
-    }
-    double r1 = s[a + Circles.RADIUS];
-    double r2 = s[b + Circles.RADIUS];
-    int contact = DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
-    if (contact == DiskSweep.MISS || pairs.skips(circles, i, j)) {
-      return NEVER;
-    }
-    // Rounded up far beyond what its own rounding took, so that nothing is later that is not.
-    if (contact == DiskSweep.LATER && before < NEVER) {
-      double window = Math.max(0, (before - startHead) * (1 + 0x1p-40) + before * 0x1p-50);
-      if (DiskSweep.compareTime(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, window) > 0) {
-        return NEVER;
-      }
-    }
-    return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
   }
 
   /** Brings the one whose flight started earlier to the start of the other's, and returns it. */
@@ -281,29 +189,105 @@ final class Collisions implements Engine, Neighbors.Visitor {
     return early;
   }
 
+  /** Puts a circle on its new flight. */
+  private void changed(int i, Mover m) {
+    circles.keep(i, m);
+    circles.codes[circles.codesAt(i) + Circles.COUNT]++;
+    lookAround(i);
+  }
+
+  /**
+   * Looks for the next obstacle ahead of a circle, unless that is done or none can be in its cell.
+   */
+  private void lookAround(int i) {
+    boolean nothingNear = obstacles.size() == 0 && neighbors.isInside(i);
+    if (!nothingNear && !isLookedAhead(i)) {
+      circles.load(i);
+      search.extend(circles.mover, grid[i], 0);
+      circles.keep(i, circles.mover);
+    }
+  }
+
+  private boolean isLookedAhead(int i) {
+    return circles.state[circles.at(i) + Circles.CLEARED] > 0 || next(i) != Mover.NOTHING;
+  }
+
+  private int next(int i) {
+    return circles.codes[circles.codesAt(i) + Circles.NEXT];
+  }
+
+  /** Looks anew for the first circle that circle i meets. */
+  private void foresee(int i) {
+    meetings.clear(i);
+    meetings.look(i, found, neighbors.find(i, found));
+    schedule(i);
+  }
+
+  /** When the obstacle ahead is met, or what is known of obstacles ends. */
+  private double due(int i) {
+    int a = circles.at(i);
+    double cleared = circles.state[a + Circles.CLEARED];
+    return isLookedAhead(i) && cleared < NEVER
+        ? Mover.sum(circles.state[a + Circles.T], circles.state[a + Circles.TL], cleared)
+        : NEVER;
+  }
+
+  /** The tail of the time of the obstacle ahead. */
+  private double dueTail(int i) {
+    int a = circles.at(i);
+    double t = circles.state[a + Circles.T];
+    double tl = circles.state[a + Circles.TL];
+    double cleared = circles.state[a + Circles.CLEARED];
+    return next(i) == Mover.NOTHING
+        ? Double.NEGATIVE_INFINITY
+        : Mover.sumTail(t, tl, cleared, Mover.sum(t, tl, cleared));
+  }
+
   /** Puts the first of a circle's events into the calendar. */
   private void schedule(int i) {
     double time = neighbors.crossing(i);
-    double tail = Double.NEGATIVE_INFINITY;
-    long rank = i;
-    byte kind = CROSSING;
-    double due = circles.due[i];
+    int kind = CROSSING + neighbors.way();
+    double due = due(i);
     if (due < time) {
       kind = STATIC;
       time = due;
-      int next = circles.codes[i * Circles.CODES + Circles.NEXT];
-      if (next != Mover.NOTHING) {
-        tail = circles.dueTails[i];
-        rank = (long) next << 31 | i;
+    }
+    if (meetings.time(i) <= time) {
+      meetings.refine(i);
+      double meeting = meetings.time(i);
+      if (meeting < time
+          || (meeting == time && kind == STATIC && meetings.tail(i) < dueTail(i))) {
+        kind = PAIR;
+        time = meeting;
       }
     }
-    if (meetings[i] < time || (meetings[i] == time && kind == STATIC && meetingTails[i] < tail)) {
-      kind = PAIR;
-      time = meetings[i];
-      tail = meetingTails[i];
-      rank = (long) (Obstacles.CIRCLES + Math.min(i, partners[i])) << 31 | Math.max(i, partners[i]);
-    }
-    kinds[i] = kind;
-    queue.set(i, time, tail, rank);
+    kinds[i] = (short) kind;
+    queue.set(i, time);
+  }
+
+  /** The order of two events of the same time. */
+  private boolean before(int i, int j) {
+    double a = tail(i);
+    double b = tail(j);
+    return a != b ? a < b : rank(i) < rank(j);
+  }
+
+  private double tail(int i) {
+    return switch (kinds[i]) {
+      case STATIC -> dueTail(i);
+      case PAIR -> meetings.tail(i);
+      default -> Double.NEGATIVE_INFINITY;
+    };
+  }
+
+  private long rank(int i) {
+    return switch (kinds[i]) {
+      case STATIC -> next(i) == Mover.NOTHING ? i : (long) next(i) << 31 | i;
+      case PAIR -> {
+        int j = meetings.partner(i);
+        yield (long) (Obstacles.CIRCLES + Math.min(i, j)) << 31 | Math.max(i, j);
+      }
+      default -> i;
+    };
   }
 }

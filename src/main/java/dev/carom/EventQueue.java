@@ -4,73 +4,101 @@ package dev.carom;
 import java.util.Arrays;
 
 /**
- * A calendar of at most one event for each circle: buckets of equal length of time, and a small
- * heap for the current one. Setting, moving and taking an event cost O(1) on average, whatever
- * their number.
+ * A calendar of at most one event for each circle. Setting, moving and taking an event cost O(1) on
+ * average, whatever their number.
  *
- * <p>Events are ordered by time (head, then tail), and at equal times by a rank that the caller
- * gives. Those beyond the last bucket wait in one list; when the calendar is through, it begins
- * anew, with buckets as long as the events of the last round were apart. Source: G. Paul, A
- * Complexity O(1) priority queue for event driven molecular dynamics simulations, Journal of
- * Computational Physics 221 (2007).
+ * <p>Two levels of buckets of equal length of time, and a small heap for the current one. Coarse
+ * buckets are lists to which an event is only added, in memory that stays in the cache; the current
+ * one is dealt out to fine ones. An event that is moved leaves its old entry behind: whether an
+ * entry is still meant shows when its bucket's turn comes. The heap alone is kept exact, and its
+ * events do not change while they are in it. Events beyond the last bucket wait in one list; when
+ * the calendar is through, it begins anew, with buckets as long as suits those that wait.
+ *
+ * <p>Source of the calendar: G. Paul, A Complexity O(1) priority queue for event driven molecular
+ * dynamics simulations, Journal of Computational Physics 221 (2007).
  */
 final class EventQueue {
+
+  /** The order of two events of the same time. */
+  interface Order {
+    boolean before(int i, int j);
+  }
 
   /** No event. */
   static final int NONE = -1;
 
-  // Where an event is, if not in a bucket: nowhere, or at place IN_HEAP - place of the heap.
-  private static final int NOWHERE = -1;
-  private static final int IN_HEAP = -2;
-
   private static final double NEVER = Double.POSITIVE_INFINITY;
+  private static final int LEAST_BUCKETS = 16;
+  private static final int MOST_BUCKETS = 1024;
 
+  /** Events for which one coarse bucket is made. */
+  private static final int PER_BUCKET = 16;
+
+  /** A round, in mean times that events wait. */
+  private static final double ROUND = 4;
+
+  /** A sum of so small parts of times does not overflow. */
+  private static final double PART = 0x1p-32;
+
+  /** More than this many times longer than the next shorter one is a length of time too long. */
+  private static final double SKEW = 8;
+
+  private final Order order;
   private final int buckets;
-  private final int beyond;
-  private final int[] heads;
-  private final int[] next;
-  private final int[] previous;
-  private final int[] place;
-  private final double[] times;
-  private final double[] tails;
-  private final long[] ranks;
+  private final EntryLists coarse;
+  private final EntryLists fine = new EntryLists(1, 1, 64);
 
-  private double base;
-  private double perBucket = 1;
+  /** When the event of each circle is due, and its place in the heap or NONE. */
+  private final double[] times;
+
+  private final int[] place;
+
+  // The calendar's beginning, and coarse buckets in a unit of time.
+  private double base = -1;
+  private double perBucket = 0x1p1000;
   private int current;
 
-  // A heap of the events at or before the current bucket.
-  private int[] heapIds = new int[16];
+  // The same within the current coarse bucket.
+  private double fineBase;
+  private double perFine;
+  private int fineBuckets = 1;
+  private int currentFine = 1;
+
+  private int[] heap = new int[16];
   private double[] heapTimes = new double[16];
   private int heapSize;
 
-  EventQueue(int count) {
-    buckets = Math.max(16, Integer.highestOneBit(Math.max(1, count)) * 2);
-    beyond = buckets;
-    heads = new int[buckets + 1];
-    Arrays.fill(heads, NONE);
-    next = new int[count];
-    previous = new int[count];
-    place = new int[count];
-    Arrays.fill(place, NOWHERE);
+  EventQueue(int count, Order order) {
+    this.order = order;
+    int fair = Integer.highestOneBit(Math.max(1, count / PER_BUCKET));
+    buckets = Math.max(LEAST_BUCKETS, Math.min(MOST_BUCKETS, fair));
+    coarse = new EntryLists(buckets + 1, 16, buckets + 2 + count / 8);
     times = new double[count];
     Arrays.fill(times, NEVER);
-    tails = new double[count];
-    ranks = new long[count];
+    place = new int[count];
+    Arrays.fill(place, NONE);
     current = buckets;
   }
 
-  /** Sets the event of circle i, in place of the one it had; {@code +infinity} for none. */
-  void set(int i, double time, double tail, long rank) {
-    if (place[i] >= 0) {
-      unlink(i);
-    } else if (place[i] <= IN_HEAP) {
-      remove(IN_HEAP - place[i]);
-    }
+  /**
+   * Sets the event of circle i, in place of the one it had; {@code +infinity} for none. The order
+   * of the old one is not asked for any more.
+   */
+  void set(int i, double time) {
+    clear(i);
     times[i] = time;
-    tails[i] = tail;
-    ranks[i] = rank;
-    insert(i);
+    if (time != NEVER) {
+      insert(i, time);
+    }
+  }
+
+  /** Takes out the event of circle i: to be done before anything changes what orders it. */
+  void clear(int i) {
+    int k = place[i];
+    if (k != NONE) {
+      remove(k);
+    }
+    times[i] = NEVER;
   }
 
   double time(int i) {
@@ -84,154 +112,199 @@ final class EventQueue {
         return NONE;
       }
     }
-    return heapIds[0];
+    return heap[0];
   }
 
-  private void insert(int i) {
-    double t = times[i];
-    if (t == NEVER) {
-      place[i] = NOWHERE;
+  private void insert(int i, double time) {
+    double bucket = (time - base) * perBucket;
+    if (!(bucket < current + 1)) {
+      coarse.add(bucket < buckets ? (int) bucket : buckets, i, time);
       return;
     }
-    double bucket = (t - base) * perBucket;
-    if (bucket < current + 1) {
-      push(i);
+    int f = fineBucket(time);
+    if (f <= currentFine) {
+      push(i, time);
     } else {
-      link(i, bucket < buckets ? (int) bucket : beyond);
+      fine.add(f, i, time);
     }
   }
 
-  /** Goes to the next bucket that holds something; false if no event is left. */
+  private int fineBucket(double time) {
+    double f = (time - fineBase) * perFine;
+    return f < fineBuckets ? Math.max(0, (int) f) : fineBuckets - 1;
+  }
+
+  /** Goes on to the next bucket that holds something; false if no event is left. */
   private boolean turn() {
-    while (++current < buckets) {
-      if (heads[current] != NONE) {
-        drain(current);
+    while (++currentFine < fineBuckets) {
+      if (!fine.isEmpty(currentFine)) {
+        drain();
         return true;
       }
     }
+    currentFine = fineBuckets;
+    while (++current < buckets) {
+      if (!coarse.isEmpty(current)) {
+        deal();
+        return true;
+      }
+    }
+    current = buckets;
     return begin();
   }
 
-  private void drain(int bucket) {
-    for (int i = heads[bucket]; i != NONE; i = next[i]) {
-      push(i);
+  private void drain() {
+    int chunk = fine.take(currentFine);
+    while (chunk != NONE) {
+      for (int k = fine.start(chunk); k < fine.end(chunk); k++) {
+        int i = fine.ids[k];
+        double time = fine.times[k];
+        if (isMeant(i, time)) {
+          push(i, time);
+        }
+      }
+      chunk = fine.release(chunk);
     }
-    heads[bucket] = NONE;
+  }
+
+  /** Deals out the current coarse bucket to fine ones. */
+  private void deal() {
+    fineBuckets = Math.max(1, Integer.highestOneBit(coarse.size(current)));
+    fine.room(fineBuckets);
+    fineBase = base + current / perBucket;
+    perFine = perBucket * fineBuckets;
+    currentFine = -1;
+    int chunk = coarse.take(current);
+    while (chunk != NONE) {
+      for (int k = coarse.start(chunk); k < coarse.end(chunk); k++) {
+        double time = coarse.times[k];
+        fine.add(fineBucket(time), coarse.ids[k], time);
+      }
+      chunk = coarse.release(chunk);
+    }
+  }
+
+  /** Whether an entry is still that of its circle, and not in the heap already. */
+  private boolean isMeant(int i, double time) {
+    return times[i] == time && place[i] == NONE;
   }
 
   /** Begins a new round with what waits beyond the last bucket. */
   private boolean begin() {
-    int waiting = heads[beyond];
-    current = buckets - 1;
+    int waiting = coarse.take(buckets);
     if (waiting == NONE) {
       return false;
     }
     double earliest = NEVER;
-    double sum = 0;
-    int count = 0;
-    for (int i = waiting; i != NONE; i = next[i]) {
-      earliest = Math.min(earliest, times[i]);
-      sum += times[i];
-      count++;
+    for (int chunk = waiting; chunk != NONE; chunk = coarse.next(chunk)) {
+      for (int k = coarse.start(chunk); k < coarse.end(chunk); k++) {
+        if (isMeant(coarse.ids[k], coarse.times[k])) {
+          earliest = Math.min(earliest, coarse.times[k]);
+        }
+      }
     }
-    double mean = sum / count - earliest;
-    perBucket = mean > 0 && mean < NEVER ? count / mean : 1;
-    if (!(perBucket < 0x1p1000)) {
-      perBucket = 0x1p1000;
+    if (earliest < NEVER) {
+      base = earliest;
+      perBucket = Math.min(0x1p1000, buckets / ROUND / length(waiting, earliest));
+      current = -1;
     }
-    base = earliest;
-    current = 0;
-    heads[beyond] = NONE;
-    for (int i = waiting; i != NONE; ) {
-      int following = next[i];
-      insert(i);
-      i = following;
+    while (waiting != NONE) {
+      for (int k = coarse.start(waiting); k < coarse.end(waiting); k++) {
+        if (isMeant(coarse.ids[k], coarse.times[k])) {
+          insert(coarse.ids[k], coarse.times[k]);
+        }
+      }
+      waiting = coarse.release(waiting);
     }
-    return true;
+    return earliest < NEVER;
   }
 
-  private void link(int i, int bucket) {
-    int head = heads[bucket];
-    next[i] = head;
-    previous[i] = NONE;
-    if (head != NONE) {
-      previous[head] = i;
+  /** The mean time from the earliest event on, of all those or of the most that are alike. */
+  private double length(int waiting, double earliest) {
+    double limit = NEVER;
+    double mean = NEVER;
+    while (true) {
+      double sum = 0;
+      int count = 0;
+      for (int chunk = waiting; chunk != NONE; chunk = coarse.next(chunk)) {
+        for (int k = coarse.start(chunk); k < coarse.end(chunk); k++) {
+          double wait = coarse.times[k] - earliest;
+          if (wait >= 0 && wait <= limit && isMeant(coarse.ids[k], coarse.times[k])) {
+            sum += wait * PART;
+            count++;
+          }
+        }
+      }
+      double shorter = sum / count / PART;
+      if (!(shorter > 0) || shorter * SKEW >= mean) {
+        return mean == NEVER ? shorter : mean;
+      }
+      mean = shorter;
+      limit = shorter;
     }
-    heads[bucket] = i;
-    place[i] = bucket;
   }
 
-  private void unlink(int i) {
-    if (previous[i] == NONE) {
-      heads[place[i]] = next[i];
-    } else {
-      next[previous[i]] = next[i];
-    }
-    if (next[i] != NONE) {
-      previous[next[i]] = previous[i];
-    }
-  }
-
-  private void push(int i) {
-    if (heapSize == heapIds.length) {
-      heapIds = Arrays.copyOf(heapIds, 2 * heapSize);
+  private void push(int i, double time) {
+    if (heapSize == heap.length) {
+      heap = Arrays.copyOf(heap, 2 * heapSize);
       heapTimes = Arrays.copyOf(heapTimes, 2 * heapSize);
     }
-    put(heapSize, i, times[i]);
-    up(heapSize++);
+    up(heapSize++, i, time);
   }
 
   private void remove(int k) {
+    place[heap[k]] = NONE;
     heapSize--;
     if (k < heapSize) {
-      put(k, heapIds[heapSize], heapTimes[heapSize]);
-      up(k);
-      down(k);
+      int i = heap[heapSize];
+      double time = heapTimes[heapSize];
+      if (k > 0 && before(i, time, (k - 1) / 2)) {
+        up(k, i, time);
+      } else {
+        down(k, i, time);
+      }
     }
   }
 
   private void put(int k, int i, double time) {
-    heapIds[k] = i;
+    heap[k] = i;
     heapTimes[k] = time;
-    place[i] = IN_HEAP - k;
+    place[i] = k;
   }
 
-  private void up(int k) {
-    while (k > 0 && before(k, (k - 1) / 2)) {
-      swap(k, (k - 1) / 2);
-      k = (k - 1) / 2;
+  /** Puts an event at place k of the heap or above. */
+  private void up(int k, int i, double time) {
+    int at = k;
+    while (at > 0) {
+      int parent = (at - 1) / 2;
+      if (!before(i, time, parent)) {
+        break;
+      }
+      put(at, heap[parent], heapTimes[parent]);
+      at = parent;
     }
+    put(at, i, time);
   }
 
-  private void down(int k) {
-    while (2 * k + 1 < heapSize) {
-      int child = 2 * k + 1;
-      if (child + 1 < heapSize && before(child + 1, child)) {
+  /** Puts an event at place k of the heap or below. */
+  private void down(int k, int i, double time) {
+    int at = k;
+    while (2 * at + 1 < heapSize) {
+      int child = 2 * at + 1;
+      if (child + 1 < heapSize && before(heap[child + 1], heapTimes[child + 1], child)) {
         child++;
       }
-      if (!before(child, k)) {
-        return;
+      if (before(i, time, child)) {
+        break;
       }
-      swap(k, child);
-      k = child;
+      put(at, heap[child], heapTimes[child]);
+      at = child;
     }
+    put(at, i, time);
   }
 
-  private boolean before(int a, int b) {
-    double ta = heapTimes[a];
-    double tb = heapTimes[b];
-    if (ta != tb) {
-      return ta < tb;
-    }
-    int i = heapIds[a];
-    int j = heapIds[b];
-    return tails[i] != tails[j] ? tails[i] < tails[j] : ranks[i] < ranks[j];
-  }
-
-  private void swap(int a, int b) {
-    int id = heapIds[a];
-    double time = heapTimes[a];
-    put(a, heapIds[b], heapTimes[b]);
-    put(b, id, time);
+  private boolean before(int i, double time, int k) {
+    double other = heapTimes[k];
+    return time != other ? time < other : order.before(i, heap[k]);
   }
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import static dev.carom.DoubleDouble.sumTail;
-
 /**
  * One circle in flight: the state that {@link BroadSearch} looks ahead from and {@link
  * ObstacleResponse} changes. A world loads a circle into its one mover, lets it advance, and stores
@@ -98,15 +96,25 @@ final class Mover {
 
   /** The head of the time that is dt after the start of the flight. */
   double after(double dt) {
-    double s = t + dt;
-    return s + (sumTail(t, dt, s) + tl);
+    return sum(t, tl, dt);
   }
 
   /** The tail of {@link #after}. */
   double afterTail(double dt, double head) {
+    return sumTail(t, tl, dt, head);
+  }
+
+  /** The head of the time that is dt after t + tl. */
+  static double sum(double t, double tl, double dt) {
     double s = t + dt;
-    double l = sumTail(t, dt, s) + tl;
-    return sumTail(s, l, head);
+    return s + (DoubleDouble.sumTail(t, dt, s) + tl);
+  }
+
+  /** The tail of {@link #sum}. */
+  static double sumTail(double t, double tl, double dt, double head) {
+    double s = t + dt;
+    double l = DoubleDouble.sumTail(t, dt, s) + tl;
+    return DoubleDouble.sumTail(s, l, head);
   }
 
   /** Flies on for dt, to a new start of a flight. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import java.util.Arrays;
 import java.util.TreeMap;
 
 /**
@@ -13,84 +14,97 @@ import java.util.TreeMap;
  */
 final class Neighbors {
 
-  /** Told of each circle found. */
-  interface Visitor {
-    void visit(int i, int j);
-  }
-
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   /** Wider than a diameter, so that a crossing may be noticed late by rounding. */
   private static final double SLACK = 1 + 0x1p-20;
 
+  /** And by so much of the largest coordinate: 16 ulps, more than a place and an edge err by. */
+  private static final double ROUNDING = 0x1p-48;
+
   /** Beyond so many cells from the origin a place no longer tells one cell from the next. */
   private static final double FARTHEST = 0x1p48;
 
+  // Directions in which a circle leaves a cell.
+  private static final int RIGHT = 0;
+  private static final int LEFT = 1;
+  private static final int UP = 2;
+  private static final int DOWN = 3;
+  private static final int DIRECTIONS = 4;
+
   private final int levels;
   private final double[] size;
+  private final double originX;
+  private final double originY;
 
   /** Circles of each level, and smaller ones listed on it too; null where there are none. */
   private final Cells[] own;
 
   private final Cells[] smaller;
-  private final int[] levelOf;
+  private final short[] levelOf;
 
-  /** The cell of circle i on level k at [k * count + i], as whole numbers. */
-  private final double[] columns;
+  /** The cell of circle i on a coarser level k, as whole numbers, at [(k * count + i) * 2]. */
+  private final double[] coarse;
 
-  private final double[] rows;
   private final int count;
   private final Circles circles;
+  private final double[] state;
 
-  // Of each circle: when it next leaves a cell, on which level, and towards where.
-  private final double[] crossings;
-  private final int[] crossedLevels;
-  private final int[] directions;
+  /** Of each level: columns and rows within which no wall is near; first, after last, for both. */
+  private final double[] inside;
+
+  private int way;
 
   Neighbors(Circles circles, Bounds bounds, double diameters) {
     this.circles = circles;
+    state = circles.state;
     count = circles.count;
     TreeMap<Integer, Double> largest = new TreeMap<>();
     for (int i = 0; i < count; i++) {
       double radius = circles.radius(i);
       largest.merge(Math.getExponent(radius), radius, Math::max);
     }
+    Extent extent = Extent.of(circles, bounds);
+    originX = extent.left();
+    originY = extent.bottom();
+    double slack = ROUNDING * extent.farthest();
     levels = largest.size();
-    size = largest.values().stream().mapToDouble(r -> 2 * r * SLACK * diameters).toArray();
+    size =
+        largest.values().stream().mapToDouble(r -> 2 * r * SLACK * diameters + slack).toArray();
     own = new Cells[levels];
     smaller = new Cells[levels];
-    levelOf = new int[count];
+    levelOf = new short[count];
+    int[] next = new int[count];
     for (int k = 0; k < levels; k++) {
-      own[k] = cells(k, bounds);
-      smaller[k] = k == 0 ? null : cells(k, bounds);
+      own[k] = cells(extent, size[k], next, null);
+      smaller[k] = k == 0 ? null : cells(extent, size[k], new int[count], new int[count]);
     }
-    columns = new double[levels * count];
-    rows = new double[levels * count];
-    crossings = new double[count];
-    crossedLevels = new int[count];
-    directions = new int[count];
+    coarse = new double[levels == 1 ? 0 : 2 * levels * count];
+    inside = new double[4 * levels];
+    int k = 0;
+    for (double radius : largest.values()) {
+      limit(k++, radius * (1 + 0x1p-10) + slack, bounds);
+    }
     Integer[] exponents = largest.keySet().toArray(Integer[]::new);
     for (int i = 0; i < count; i++) {
-      levelOf[i] = java.util.Arrays.binarySearch(exponents, Math.getExponent(circles.radius(i)));
+      levelOf[i] =
+          (short) Arrays.binarySearch(exponents, Math.getExponent(circles.radius(i)));
       enter(i);
     }
   }
 
-  /** About as many cells as the bounds take, but no more than four a circle. */
-  private Cells cells(int level, Bounds bounds) {
-    double fair = Math.sqrt(count);
-    double wide = bounds == null ? fair : (bounds.xmax() - bounds.xmin()) / size[level] + 2;
-    double high = bounds == null ? fair : (bounds.ymax() - bounds.ymin()) / size[level] + 2;
-    int nx = powerOfTwo(wide);
-    int ny = powerOfTwo(high);
-    while ((long) nx * ny > 8L * count + 64) {
+  /** About as many cells as the extent takes, but no more than sixteen a circle. */
+  private Cells cells(Extent extent, double cell, int[] next, int[] previous) {
+    int nx = powerOfTwo((extent.right() - extent.left()) / cell + 2);
+    int ny = powerOfTwo((extent.top() - extent.bottom()) / cell + 2);
+    while ((long) nx * ny > 16L * count + 64) {
       if (nx >= ny) {
         nx /= 2;
       } else {
         ny /= 2;
       }
     }
-    return new Cells(count, Math.max(4, nx), Math.max(4, ny));
+    return new Cells(Math.max(4, nx), Math.max(4, ny), next, previous);
   }
 
   private static int powerOfTwo(double atLeast) {
@@ -101,15 +115,36 @@ final class Neighbors {
     return n;
   }
 
+  /** Finds the cells of a level all of whose places are further than that from every wall. */
+  private void limit(int level, double distance, Bounds bounds) {
+    int k = 4 * level;
+    double cell = size[level];
+    inside[k] = bounds == null ? -NEVER : Math.ceil((bounds.xmin() + distance - originX) / cell);
+    inside[k + 1] = bounds == null ? NEVER : Math.floor((bounds.xmax() - distance - originX) / cell);
+    inside[k + 2] = bounds == null ? -NEVER : Math.ceil((bounds.ymin() + distance - originY) / cell);
+    inside[k + 3] = bounds == null ? NEVER : Math.floor((bounds.ymax() - distance - originY) / cell);
+  }
+
   private void enter(int i) {
-    int k = i * Circles.STATE;
+    int a = circles.at(i);
     for (int level = levelOf[i]; level < levels; level++) {
-      double column = Math.floor(circles.state[k + Circles.X] / size[level]);
-      double row = Math.floor(circles.state[k + Circles.Y] / size[level]);
-      columns[level * count + i] = column;
-      rows[level * count + i] = row;
+      double column = Math.floor((state[a + Circles.X] - originX) / size[level]);
+      double row = Math.floor((state[a + Circles.Y] - originY) / size[level]);
+      int k = cellAt(i, level);
+      double[] cells = cellsOf(i, level);
+      cells[k] = column;
+      cells[k + 1] = row;
       list(i, level).add(i, wrapped(column), wrapped(row));
     }
+  }
+
+  /** Where the cell of a circle on a level is kept: column, then row. */
+  private double[] cellsOf(int i, int level) {
+    return level == levelOf[i] ? state : coarse;
+  }
+
+  private int cellAt(int i, int level) {
+    return level == levelOf[i] ? circles.at(i) + Circles.COLUMN : 2 * (level * count + i);
   }
 
   private Cells list(int i, int level) {
@@ -120,32 +155,45 @@ final class Neighbors {
     return (int) (long) cell;
   }
 
-  /** When circle i next leaves a cell; set by {@link #newFlight} and {@link #cross}. */
-  double crossing(int i) {
-    return crossings[i];
+  /** Whether a circle meets no wall before it next leaves its cell. */
+  boolean isInside(int i) {
+    int a = circles.at(i);
+    int k = 4 * levelOf[i];
+    double column = state[a + Circles.COLUMN];
+    double row = state[a + Circles.ROW];
+    return column >= inside[k]
+        && column < inside[k + 1]
+        && row >= inside[k + 2]
+        && row < inside[k + 3];
   }
 
-  /** Finds when a circle on a new flight next leaves a cell. */
-  void newFlight(int i) {
-    double[] state = circles.state;
-    int k = i * Circles.STATE;
-    double x = state[k + Circles.X];
-    double y = state[k + Circles.Y];
-    double vx = state[k + Circles.VX];
-    double vy = state[k + Circles.VY];
+  /** When circle i next leaves a cell. */
+  double crossing(int i) {
+    int a = circles.at(i);
+    double x = state[a + Circles.X] - originX;
+    double y = state[a + Circles.Y] - originY;
+    double vx = state[a + Circles.VX];
+    double vy = state[a + Circles.VY];
     double first = NEVER;
     for (int level = levelOf[i]; level < levels; level++) {
+      double[] cells = cellsOf(i, level);
+      int k = cellAt(i, level);
       double cell = size[level];
-      double dx = untilEdge(x, vx, columns[level * count + i], cell);
-      double dy = untilEdge(y, vy, rows[level * count + i], cell);
+      double dx = untilEdge(x, vx, cells[k], cell);
+      double dy = untilEdge(y, vy, cells[k + 1], cell);
       double least = Math.min(dx, dy);
       if (least < first) {
         first = least;
-        crossedLevels[i] = level;
-        directions[i] = dx <= dy ? (vx > 0 ? 0 : 1) : (vy > 0 ? 2 : 3);
+        int direction = dx <= dy ? (vx > 0 ? RIGHT : LEFT) : (vy > 0 ? UP : DOWN);
+        way = level * DIRECTIONS + direction;
       }
     }
-    crossings[i] = state[k + Circles.T] + first;
+    return state[a + Circles.T] + first;
+  }
+
+  /** Over which edge, and of which level, the crossing that was asked for last goes. */
+  int way() {
+    return way;
   }
 
   private static double untilEdge(double p, double v, double cell, double size) {
@@ -155,55 +203,55 @@ final class Neighbors {
     return ((v > 0 ? cell + 1 : cell) * size - p) / v;
   }
 
-  /** Moves circle i into the cell that it enters, and visits those now next to it that were not. */
-  void cross(int i, Visitor visitor) {
-    int level = crossedLevels[i];
-    int at = level * count + i;
-    double column = columns[at];
-    double row = rows[at];
+  /**
+   * Moves circle i into the cell that it enters, and finds the circles in those now next to it that
+   * were not.
+   *
+   * @param found room for all circles and 9 more
+   * @return how many were found
+   */
+  int cross(int i, int way, int[] found) {
+    int level = way / DIRECTIONS;
+    int direction = way % DIRECTIONS;
+    double[] cells = cellsOf(i, level);
+    int k = cellAt(i, level);
     Cells list = list(i, level);
-    list.remove(i, wrapped(column), wrapped(row));
-    int direction = directions[i];
-    int dx = direction == 0 ? 1 : direction == 1 ? -1 : 0;
-    int dy = direction == 2 ? 1 : direction == 3 ? -1 : 0;
+    int column = wrapped(cells[k]);
+    int row = wrapped(cells[k + 1]);
+    list.remove(i, column, row);
+    int dx = direction == RIGHT ? 1 : direction == LEFT ? -1 : 0;
+    int dy = direction == UP ? 1 : direction == DOWN ? -1 : 0;
+    cells[k] += dx;
+    cells[k + 1] += dy;
     column += dx;
     row += dy;
-    columns[at] = column;
-    rows[at] = row;
-    list.add(i, wrapped(column), wrapped(row));
-    for (int side = -1; side <= 1; side++) {
-      int nextColumn = wrapped(column) + (dx != 0 ? dx : side);
-      int nextRow = wrapped(row) + (dy != 0 ? dy : side);
-      visitCell(i, level, nextColumn, nextRow, visitor);
-    }
-    newFlight(i);
+    list.add(i, column, row);
+    return dx != 0
+        ? find(i, level, column + dx, row - 1, 1, 3, found, 0)
+        : find(i, level, column - 1, row + dy, 3, 1, found, 0);
   }
 
-  /** Visits all circles that circle i could touch before one of them leaves its cell. */
-  void visitAll(int i, Visitor visitor) {
+  /**
+   * Finds all circles that circle i could touch before one of them leaves its cell.
+   *
+   * @param found room for all circles and 9 more
+   * @return how many were found
+   */
+  int find(int i, int[] found) {
+    int end = 0;
     for (int level = levelOf[i]; level < levels; level++) {
-      int column = wrapped(columns[level * count + i]);
-      int row = wrapped(rows[level * count + i]);
-      for (int dy = -1; dy <= 1; dy++) {
-        for (int dx = -1; dx <= 1; dx++) {
-          visitCell(i, level, column + dx, row + dy, visitor);
-        }
-      }
+      double[] cells = cellsOf(i, level);
+      int k = cellAt(i, level);
+      end = find(i, level, wrapped(cells[k]) - 1, wrapped(cells[k + 1]) - 1, 3, 3, found, end);
     }
+    return end;
   }
 
-  private void visitCell(int i, int level, int column, int row, Visitor visitor) {
-    visitList(i, own[level], column, row, visitor);
-    if (level == levelOf[i] && smaller[level] != null) {
-      visitList(i, smaller[level], column, row, visitor);
-    }
-  }
-
-  private static void visitList(int i, Cells cells, int column, int row, Visitor visitor) {
-    for (int j = cells.first(column, row); j != Cells.NONE; j = cells.next[j]) {
-      if (j != i) {
-        visitor.visit(i, j);
-      }
-    }
+  private int find(
+      int i, int level, int column, int row, int columns, int rows, int[] found, int size) {
+    int end = own[level].find(column, row, columns, rows, i, found, size);
+    return level == levelOf[i] && smaller[level] != null
+        ? smaller[level].find(column, row, columns, rows, i, found, end)
+        : end;
   }
 }

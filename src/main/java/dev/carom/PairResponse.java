@@ -28,10 +28,12 @@ final class PairResponse {
 
   /** Whether two circles just hit each other and neither changed since, or are jammed together. */
   boolean skips(Circles circles, int i, int j) {
-    int lastI = circles.codes[i * Circles.CODES + Circles.LAST];
-    int lastJ = circles.codes[j * Circles.CODES + Circles.LAST];
-    if (lastI == Obstacles.CIRCLES + j && lastJ == Obstacles.CIRCLES + i) {
+    if (circles.codes[circles.codesAt(i) + Circles.LAST] == Obstacles.CIRCLES + j
+        && circles.codes[circles.codesAt(j) + Circles.LAST] == Obstacles.CIRCLES + i) {
       return true;
+    }
+    if (circles.jams == null) {
+      return false;
     }
     Jam a = circles.jam(i);
     Jam b = circles.jam(j);

@@ -32,19 +32,20 @@ class EventQueueTest {
     final Event[] events;
 
     Twin(int count) {
-      queue = new EventQueue(count);
       events = new Event[count];
+      queue = new EventQueue(count, (i, j) -> Event.ORDER.compare(events[i], events[j]) < 0);
     }
 
     void set(int circle, double time, double tail, long rank) {
       if (events[circle] != null) {
         sorted.remove(events[circle]);
       }
+      queue.clear(circle);
       events[circle] = new Event(time, tail, rank, circle);
       if (time < NEVER) {
         sorted.add(events[circle]);
       }
-      queue.set(circle, time, tail, rank);
+      queue.set(circle, time);
     }
 
     int first() {
@@ -138,7 +139,7 @@ class EventQueueTest {
 
   @Test
   void isMadeForNoneToo() {
-    assertThat(new EventQueue(0).first()).isEqualTo(EventQueue.NONE);
+    assertThat(new EventQueue(0, (i, j) -> false).first()).isEqualTo(EventQueue.NONE);
   }
 
   /**

@@ -3,7 +3,9 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
@@ -14,10 +16,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 class NeighborsTest {
 
   private static Circles circles(Scene scene) {
-    Circles circles = new Circles(scene.circleCount());
+    Circles circles = Circles.colliding(scene.circleCount());
     for (int i = 0; i < circles.count; i++) {
       circles.start(scene, i);
-      circles.store(i);
+      circles.keep(i, circles.mover);
     }
     return circles;
   }
@@ -30,8 +32,10 @@ class NeighborsTest {
     for (Bounds bounds : new Bounds[] {null, scene.bounds}) {
       Neighbors neighbors = new Neighbors(circles, bounds, diameters);
       for (int i = 0; i < circles.count; i++) {
-        Set<Integer> visited = new HashSet<>();
-        neighbors.visitAll(i, (self, other) -> visited.add(other));
+        int[] found = new int[circles.count + 9];
+        int size = neighbors.find(i, found);
+        Set<Integer> visited = new HashSet<>(Arrays.stream(found, 0, size).boxed().toList());
+        assertThat(visited).as("each once").hasSize(size);
         assertThat(visited).doesNotContain(i);
         for (int j = 0; j < circles.count; j++) {
           if (j != i && touch(scene.circle(i), scene.circle(j))) {
@@ -50,22 +54,56 @@ class NeighborsTest {
   void whatStandsStillLeavesNoCell() {
     Circles circles = circles(Scene.builder().circle(3, 4, 1, 0, 0).collide(true).build());
     Neighbors neighbors = new Neighbors(circles, null, 1);
-    neighbors.newFlight(0);
     assertThat(neighbors.crossing(0)).isEqualTo(Double.POSITIVE_INFINITY);
+  }
+
+  /** Where none is near, a circle anywhere in its cell is further than its radius from any wall. */
+  @Test
+  void wallsAreNearOnlyAtTheEdge() {
+    Random random = new Random(3);
+    SceneBuilder builder = Scene.builder().bounds(-3, 2, 97, 52).collide(true);
+    for (int i = 0; i < 500; i++) {
+      builder.circle(100 * random.nextDouble() - 3, 50 * random.nextDouble() + 2, 1, 0, 0);
+    }
+    Scene scene = builder.circle(1e3, 20, 1, 0, 0).circle(20, -1e3, 1, 0, 0).build();
+    Neighbors neighbors = new Neighbors(circles(scene), scene.bounds, 1);
+    int inside = 0;
+    for (int i = 0; i < scene.circleCount(); i++) {
+      Circle c = scene.circle(i);
+      double wall = Math.min(Math.min(c.x() + 3, 97 - c.x()), Math.min(c.y() - 2, 52 - c.y()));
+      if (neighbors.isInside(i)) {
+        assertThat(wall).isGreaterThan(1);
+        inside++;
+      } else {
+        assertThat(wall).isLessThan(1 + 2 * 2.1);
+      }
+    }
+    assertThat(inside).isGreaterThan(300);
   }
 
   @Test
   void cellsHoldWhatWasAddedAndNotRemovedSince() {
-    Cells cells = new Cells(3, 4, 8);
-    cells.add(0, -1, -1);
-    cells.add(1, 3, 7);
-    cells.add(2, 3, -1);
-    assertThat(cells.first(3, 7)).as("wrapped around").isEqualTo(2);
-    cells.remove(1, 3, 7);
-    assertThat(cells.next[2]).isZero();
-    cells.remove(2, 3, 7);
-    assertThat(cells.first(-1, -1)).isZero();
-    cells.remove(0, -1, -1);
-    assertThat(cells.first(-1, -1)).isEqualTo(Cells.NONE);
+    for (int[] previous : new int[][] {null, new int[3]}) {
+      Cells cells = new Cells(4, 8, new int[3], previous);
+      cells.add(0, -1, -1);
+      cells.add(1, 3, 7);
+      cells.add(2, 3, -1);
+      assertThat(around(cells, 2, 6)).as("wrapped around").containsExactlyInAnyOrder(0, 1, 2);
+      assertThat(around(cells, 1, 7)).isEmpty();
+      cells.remove(1, 3, 7);
+      assertThat(around(cells, 4, 8)).containsExactlyInAnyOrder(0, 2);
+      cells.remove(2, 3, -1);
+      cells.add(2, 4, 8);
+      assertThat(around(cells, 4, 8)).containsExactlyInAnyOrder(0, 2);
+      assertThat(around(cells, 2, 6)).containsExactly(0);
+      cells.remove(0, -1, -1);
+      assertThat(around(cells, 2, 6)).isEmpty();
+    }
+  }
+
+  private static List<Integer> around(Cells cells, int column, int row) {
+    int[] found = new int[12];
+    int size = cells.find(column - 1, row - 1, 3, 3, -2, found, 0);
+    return Arrays.stream(found, 0, size).boxed().toList();
   }
 }

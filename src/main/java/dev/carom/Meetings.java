@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.DoubleDouble.sumTail;
+
+/**
+ * The first meeting that is foreseen of each circle: when, with whom, and the other's count of
+ * changes then.
+ *
+ * <p>When two circles meet depends on their two flights alone: it is the detector's answer, counted
+ * from the later one's start, from the place of the other one then. So neither the cells through
+ * which they found each other nor the steps of the caller change a bit of it.
+ *
+ * <p>Most circles that are near do not meet, and of those that meet only the first matters. Plain
+ * doubles pass over the others, as long as bounds of their errors allow it; the detector decides
+ * where they do not, and gives the time of the one that is left, once that is needed.
+ */
+final class Meetings {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** The time of a meeting that is known by bounds only. */
+  private static final double OPEN = Double.NaN;
+
+  // Bounds of b and reach, the same as in DiskSweep with more to spare.
+  private static final double DOT_BOUND = 8 * 0x1p-53;
+  private static final double REACH_BOUND = 16 * 0x1p-53;
+
+  /**
+   * The least part of its terms that g or reach must be for {@link #TIME_BOUND}. b^2 = reach + a g
+   * is then as large a part of a d.d, so b, which errs by 5 u of at most sqrt(a d.d), errs by 5 u
+   * 2^10 of itself; g by 6 u 2^20, reach by 12 u 2^20, its root by half of that.
+   */
+  private static final double WELL_CONDITIONED = 0x1p-20;
+
+  /** t = g / (sqrt(reach) - b) errs by less than 2^4 u 2^20 = 2^-29 of itself. */
+  private static final double TIME_BOUND = 0x1p-28;
+
+  /** What a sum of a time and t errs by, far more than its rounding and its tail. */
+  private static final double SUM_BOUND = 0x1p-50;
+
+  private final Circles circles;
+  private final double[] state;
+  private final int[] codes;
+  private final PairResponse pairs;
+
+  // The first meeting found so far: from when to when it may be; with whom; if its time is not
+  // OPEN, how long after the later start it is, and the tail of the time, whose head is low then.
+  private int partner;
+  private double low;
+  private double high;
+  private double tau;
+  private double tail;
+
+  // The meeting that exact() looked at last: after the later start, as head and tail.
+  private double exactTau;
+  private double exactHead;
+  private double exactTail;
+
+  Meetings(Circles circles, PairResponse pairs) {
+    this.circles = circles;
+    state = circles.state;
+    codes = circles.codes;
+    this.pairs = pairs;
+  }
+
+  /** Forgets what was foreseen of circle i. */
+  void clear(int i) {
+    int a = circles.at(i);
+    state[a + Circles.MEETING] = NEVER;
+    state[a + Circles.MEETING_TAIL] = 0;
+    state[a + Circles.TAU] = 0;
+    codes[circles.codesAt(i) + Circles.PARTNER] = EventQueue.NONE;
+  }
+
+  /** When circle i meets another one, at the earliest; it is the time itself once refined. */
+  double time(int i) {
+    return state[circles.at(i) + Circles.MEETING];
+  }
+
+  double tail(int i) {
+    return state[circles.at(i) + Circles.MEETING_TAIL];
+  }
+
+  /** How long after the later one of the two flights' starts. */
+  double tau(int i) {
+    return state[circles.at(i) + Circles.TAU];
+  }
+
+  int partner(int i) {
+    return codes[circles.codesAt(i) + Circles.PARTNER];
+  }
+
+  /** Whether the partner is still on the flight with which it was foreseen. */
+  boolean holds(int i) {
+    int c = circles.codesAt(i);
+    int j = codes[c + Circles.PARTNER];
+    return codes[c + Circles.PARTNER_COUNT] == codes[circles.codesAt(j) + Circles.COUNT];
+  }
+
+  /** Finds the time of what was foreseen of circle i, unless the partner has changed since. */
+  void refine(int i) {
+    int a = circles.at(i);
+    if (Double.isNaN(state[a + Circles.TAU]) && holds(i)) {
+      exactLater(i, partner(i));
+      state[a + Circles.MEETING] = exactHead;
+      state[a + Circles.MEETING_TAIL] = exactTail;
+      state[a + Circles.TAU] = exactTau;
+    }
+  }
+
+  /**
+   * Looks whether circle i meets one of some others before what is foreseen of it.
+   *
+   * @return false if what was foreseen does not hold and stands in the way of telling: then it is
+   *     to be cleared, and all are to be looked at
+   */
+  boolean look(int i, int[] found, int size) {
+    double[] s = state;
+    int a = circles.at(i);
+    double xi = s[a + Circles.X];
+    double yi = s[a + Circles.Y];
+    double vxi = s[a + Circles.VX];
+    double vyi = s[a + Circles.VY];
+    double ti = s[a + Circles.T];
+    double tli = s[a + Circles.TL];
+    double ri = s[a + Circles.RADIUS];
+    start(i, ti);
+    int before = partner;
+    for (int k = 0; k < size; k++) {
+      int j = found[k];
+      int c = circles.at(j);
+      double vxj = s[c + Circles.VX];
+      double vyj = s[c + Circles.VY];
+      double tj = s[c + Circles.T];
+      double ux = vxi - vxj;
+      double uy = vyi - vyj;
+      double later = (tj - ti) + (s[c + Circles.TL] - tli);
+      double dx;
+      double dy;
+      double from;
+      if (later > 0) {
+        dx = Math.fma(vxi, later, xi) - s[c + Circles.X];
+        dy = Math.fma(vyi, later, yi) - s[c + Circles.Y];
+        from = tj;
+      } else {
+        dx = xi - Math.fma(vxj, -later, s[c + Circles.X]);
+        dy = yi - Math.fma(vyj, -later, s[c + Circles.Y]);
+        from = ti;
+      }
+      double bx = ux * dx;
+      double by = uy * dy;
+      double b = bx + by;
+      double boundB = Math.fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), DiskSweep.TINY);
+      if (b > boundB) {
+        continue;
+      }
+      double r = ri + s[c + Circles.RADIUS];
+      double rr = r * r;
+      double u2 = ux * ux + uy * uy;
+      double kx = ux * dy;
+      double ky = uy * dx;
+      double cross = kx - ky;
+      double m = Math.abs(kx) + Math.abs(ky);
+      double arr = u2 * rr;
+      double reach = arr - cross * cross;
+      double terms = arr + m * m;
+      double boundReach = Math.fma(REACH_BOUND, terms, DiskSweep.TINY * (u2 + rr + m + 1));
+      if (reach < -boundReach) {
+        continue;
+      }
+      double dd = dx * dx + dy * dy;
+      double g = dd - rr;
+      if (b < -boundB
+          && reach > boundReach
+          && reach > WELL_CONDITIONED * terms
+          && g > Math.fma(WELL_CONDITIONED, dd + rr, DiskSweep.TINY)) {
+        double t = g / (Math.sqrt(reach) - b);
+        double time = from + t;
+        double error = Math.fma(t, TIME_BOUND, time * SUM_BOUND);
+        if (time - error > high) {
+          continue;
+        }
+        if (time + error < low && !pairs.skips(circles, i, j)) {
+          partner = j;
+          low = time - error;
+          high = time + error;
+          tau = OPEN;
+          tail = Double.NEGATIVE_INFINITY;
+          continue;
+        }
+      }
+      if (!pairs.skips(circles, i, j) && !weigh(i, j, before)) {
+        return false;
+      }
+    }
+    store(i, a);
+    return true;
+  }
+
+  private void start(int i, double ti) {
+    int a = circles.at(i);
+    partner = codes[circles.codesAt(i) + Circles.PARTNER];
+    low = state[a + Circles.MEETING];
+    tau = state[a + Circles.TAU];
+    tail = state[a + Circles.MEETING_TAIL];
+    // low was the time less its error, and t at most the time from the flight's start.
+    high = Double.isNaN(tau) ? low + ((low - ti) * (4 * TIME_BOUND) + low * (4 * SUM_BOUND)) : low;
+  }
+
+  private void store(int i, int a) {
+    state[a + Circles.MEETING] = low;
+    state[a + Circles.TAU] = tau;
+    state[a + Circles.MEETING_TAIL] = tail;
+    int c = circles.codesAt(i);
+    if (partner != codes[c + Circles.PARTNER]) {
+      codes[c + Circles.PARTNER] = partner;
+      codes[c + Circles.PARTNER_COUNT] = codes[circles.codesAt(partner) + Circles.COUNT];
+    }
+  }
+
+  /** Compares the meeting of i and j with the first one so far by their times; false as in look. */
+  private boolean weigh(int i, int j, int before) {
+    exact(i, j);
+    if (exactTau == NEVER || exactHead > high) {
+      return true;
+    }
+    double t = exactTau;
+    double head = exactHead;
+    double l = exactTail;
+    if (head >= low && Double.isNaN(tau)) {
+      if (partner == before && !holds(i)) {
+        return false;
+      }
+      exactLater(i, partner);
+      low = exactHead;
+      high = exactHead;
+      tau = exactTau;
+      tail = exactTail;
+    }
+    boolean first = head != low ? head < low : l != tail ? l < tail : j < partner;
+    if (first) {
+      partner = j;
+      low = head;
+      high = head;
+      tau = t;
+      tail = l;
+    }
+    return true;
+  }
+
+  private void exact(int i, int j) {
+    exact(i, j, false);
+  }
+
+  /** The same for two that are known to meet, but not at once. */
+  private void exactLater(int i, int j) {
+    exact(i, j, true);
+  }
+
+  private void exact(int i, int j, boolean known) {
+    double[] s = state;
+    int a = circles.at(Math.min(i, j));
+    int b = circles.at(Math.max(i, j));
+    double vx1 = s[a + Circles.VX];
+    double vy1 = s[a + Circles.VY];
+    double vx2 = s[b + Circles.VX];
+    double vy2 = s[b + Circles.VY];
+    double x1 = s[a + Circles.X];
+    double y1 = s[a + Circles.Y];
+    double x2 = s[b + Circles.X];
+    double y2 = s[b + Circles.Y];
+    // By how much the second starts later than the first.
+    double later = (s[b + Circles.T] - s[a + Circles.T]) + (s[b + Circles.TL] - s[a + Circles.TL]);
+    int late = later > 0 ? b : a;
+    if (later > 0) {
+      x1 = Math.fma(vx1, later, x1);
+      y1 = Math.fma(vy1, later, y1);
+    } else {
+      x2 = Math.fma(vx2, -later, x2);
+      y2 = Math.fma(vy2, -later, y2);
+    }
+    double r1 = s[a + Circles.RADIUS];
+    double r2 = s[b + Circles.RADIUS];
+    int contact =
+        known ? DiskSweep.LATER : DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
+    exactTau = DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
+    // The later start and tau, as head and tail.
+    double t = s[late + Circles.T];
+    double sum = t + exactTau;
+    double l = sumTail(t, exactTau, sum) + s[late + Circles.TL];
+    exactHead = sum + l;
+    exactTail = sumTail(sum, l, exactHead);
+  }
+}
