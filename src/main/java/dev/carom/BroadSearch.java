@@ -22,10 +22,11 @@ final class BroadSearch {
   private static final double LEAST = 0x1p-900;
 
   private final Obstacles obstacles;
-  private final double extent;
-  private final double[] lines;
-  private final double[] pegs;
-  private final boolean special;
+  private final CodeList loose;
+  private double extent;
+  private double[] lines;
+  private double[] pegs;
+  private boolean special;
 
   // The flight under search, and the best impact found so far.
   private double px;
@@ -48,12 +49,24 @@ final class BroadSearch {
   private int bestCode;
   private int bestContact;
 
-  BroadSearch(Obstacles obstacles) {
+  /** Searches among obstacles; those in the given list are in no grid. */
+  BroadSearch(Obstacles obstacles, CodeList loose) {
     this.obstacles = obstacles;
+    this.loose = loose;
+    extent = obstacles.extent();
+    lookAgain();
+  }
+
+  /** Takes notice that a line or a peg is new, elsewhere, or gone. */
+  void lookAgain(int code) {
+    extent = Math.max(extent, obstacles.extent(code));
+    lookAgain();
+  }
+
+  private void lookAgain() {
     lines = obstacles.lines;
     pegs = obstacles.pegs;
-    special = obstacles.special;
-    extent = obstacles.extent();
+    special = obstacles.areSpecial();
   }
 
   /**
@@ -64,6 +77,11 @@ final class BroadSearch {
    */
   void extend(Mover mover, Grid grid, double needed) {
     start(mover);
+    if (!isInRange()) {
+      mover.cleared = NEVER;
+      mover.next = Mover.NOTHING;
+      return;
+    }
     double ahead = wallAhead();
     double known = explore(mover, grid, needed, ahead);
     if (known >= ahead) {
@@ -76,12 +94,33 @@ final class BroadSearch {
     mover.contact = hits ? bestContact : 0;
   }
 
+  /** Whether a flight, followed for ever from its start, meets a line or a peg. */
+  boolean meets(Mover mover, int code) {
+    start(mover);
+    last = Mover.NOTHING;
+    jam = null;
+    sensed = -1;
+    best = NEVER;
+    if (isInRange()) {
+      consider(code);
+    }
+    return bestCode == code;
+  }
+
+  /** Whether the circle is where numbers can tell: one that flew beyond hits nothing. */
+  private boolean isInRange() {
+    return Math.abs(px) <= Double.MAX_VALUE && Math.abs(py) <= Double.MAX_VALUE;
+  }
+
   /** Looks at lines and pegs, and tells up to where, or up to the wall ahead, the path is known. */
   private double explore(Mover mover, Grid grid, double needed, double ahead) {
     if (obstacles.size() == 0) {
       return ahead;
     }
     if (grid != null && grid.resolves(px, py)) {
+      for (int i = 0; i < loose.size; i++) {
+        consider(loose.codes[i]);
+      }
       int reach = mover.reach;
       mover.reach = Math.min(2 * reach, 1 << 28);
       return walk(grid, mover.cleared, needed, ahead, reach);
@@ -181,6 +220,9 @@ final class BroadSearch {
     double ay = lines[k + 1];
     double bx = lines[k + 2];
     double by = lines[k + 3];
+    if (ax != ax) {
+      return; // removed
+    }
     if (special && obstacles.isOneWay(code) && !stops(ax, ay, bx, by)) {
       return;
     }
@@ -195,6 +237,9 @@ final class BroadSearch {
     double cx = pegs[k];
     double cy = pegs[k + 1];
     double radius = pegs[k + 2];
+    if (cx != cx) {
+      return; // removed
+    }
     int contact = DiskSweep.contact(px, py, r, vx, vy, cx, cy, radius, 0, 0);
     if (contact != DiskSweep.MISS) {
       keep(DiskSweep.time(contact, px, py, r, vx, vy, cx, cy, radius, 0, 0, NEVER), code, contact);
@@ -245,7 +290,7 @@ final class BroadSearch {
   private double walk(Grid grid, double from, double needed, double ahead, int reach) {
     double start = grid.contains(px, py) ? from : grid.entry(px, py, vx, vy, from);
     if (!(start < ahead)) {
-      return ahead;
+      return Math.min(best, ahead);
     }
     double x = px;
     double y = py;
@@ -260,7 +305,7 @@ final class BroadSearch {
     double perY = uy == 0 ? NEVER : grid.cell / Math.abs(uy);
     double nextX = ux == 0 ? NEVER : (grid.columnEdge(column, stepX) - x) / ux;
     double nextY = uy == 0 ? NEVER : (grid.rowEdge(row, stepY) - y) / uy;
-    double limit = ahead;
+    double limit = Math.min(best, ahead);
     for (int visited = 0; ; visited++) {
       int cell = row * grid.columns + column;
       int end = grid.starts[cell + 1];

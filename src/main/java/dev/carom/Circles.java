@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import java.util.Arrays;
+
 /**
  * The flights of all circles in flat arrays: each as its start, with what is known ahead of it
  * among the things that stand still. A circle is loaded into the one {@link Mover}, advanced, and
@@ -47,9 +49,9 @@ final class Circles {
   static final int COUNT = 7;
   private static final int COLLIDING_CODES = 8;
 
-  final int count;
-  final double[] state;
-  final int[] codes;
+  int count;
+  double[] state;
+  int[] codes;
   private final int first;
   private final int stride;
   private final int codeStride;
@@ -58,7 +60,7 @@ final class Circles {
    * When a circle needs attention: its next impact, or the end of what is known ahead of it; of
    * circles that ignore each other only.
    */
-  final double[] due;
+  double[] due;
 
   /** Of stuck circles; null until there is one. */
   Jam[] jams;
@@ -83,6 +85,35 @@ final class Circles {
   /** Circles that collide; when one needs attention stands in a queue. */
   static Circles colliding(int count) {
     return new Circles(count, COLLIDING_STATE, ALIGNMENT, COLLIDING_CODES, 0);
+  }
+
+  /** How many circles there is room for. */
+  int capacity() {
+    return codes.length / codeStride;
+  }
+
+  /** Forgets all circles. */
+  void clear() {
+    Arrays.fill(due, Double.POSITIVE_INFINITY);
+    jams = null;
+    count = 0;
+  }
+
+  /**
+   * Adds one more circle; its numbers are to be stored. Where arrays are too small, they change.
+   */
+  void add() {
+    if (count == capacity()) {
+      int capacity = 2 * count + 4;
+      state = Arrays.copyOf(state, first + capacity * stride);
+      codes = Arrays.copyOf(codes, capacity * codeStride);
+      if (due.length > 0 || codeStride == CODES) {
+        due = Arrays.copyOf(due, capacity);
+        Arrays.fill(due, count, capacity, Double.POSITIVE_INFINITY);
+      }
+      jams = jams == null ? null : Arrays.copyOf(jams, capacity);
+    }
+    count++;
   }
 
   /** Where the doubles of circle i begin. */
@@ -125,6 +156,10 @@ final class Circles {
     return state[at(i) + RADIUS];
   }
 
+  void setRestitution(int i, double e) {
+    state[at(i) + RESTITUTION] = e;
+  }
+
   Jam jam(int i) {
     return jams == null ? null : jams[i];
   }
@@ -162,7 +197,7 @@ final class Circles {
   }
 
   /** Stores a circle that ignores others, and when it needs attention. */
-  private void store(int i, Mover m) {
+  void store(int i, Mover m) {
     keep(i, m);
     due[i] = m.due();
   }
@@ -188,7 +223,7 @@ final class Circles {
     codes[c + REACH] = m.reach;
     codes[c + STUCK] = m.stuck;
     if (m.jam != null && jams == null) {
-      jams = new Jam[count];
+      jams = new Jam[capacity()];
     }
     if (jams != null) {
       jams[i] = m.jam;

@@ -28,57 +28,68 @@ final class Collisions implements Engine {
   // Kinds of events; those from CROSSING on tell over which edge.
   private static final int STATIC = 0;
   private static final int PAIR = 1;
-  private static final int CROSSING = 2;
+  private static final int EDIT = 2;
+  private static final int CROSSING = 3;
 
+  private final Roster roster;
   private final Circles circles;
-  private final Grid[] grid;
-  private final String model;
-  private final Obstacles obstacles;
-  private final BroadSearch search;
+  private final Surroundings surroundings;
+  private final Machinery machinery;
+  private final Bounds bounds;
   private final ObstacleResponse response;
   private final PairResponse pairs;
   private final ImpactLog log;
-  private final Neighbors neighbors;
-  private final Meetings meetings;
-  private final EventQueue queue;
-  private final short[] kinds;
-  private final long budget;
+  private Neighbors neighbors;
+  private Meetings meetings;
+  private EventQueue queue;
+  private short[] kinds;
   private boolean unfinished;
 
-  /** The time of the last event. */
+  /** The time of the last event, or of the end of the last step. */
   private double reached;
 
   /** What a search among neighbours found. */
-  private final int[] found;
+  private int[] found;
 
+  /** Whether an edit needs more room or other cells than there are. */
+  private boolean outgrown;
+
+  /** Null unless flights are recorded. */
+  private Timeline timeline;
+
+  private final SensedPairs sensed = new SensedPairs();
   private final Mover other = new Mover();
 
-  Collisions(Scene scene, Machinery machinery, ImpactLog log) {
+  Collisions(Scene scene, Roster roster, Machinery machinery, ImpactLog log) {
+    this.roster = roster;
+    this.machinery = machinery;
     this.log = log;
-    obstacles = Obstacles.of(scene);
+    bounds = scene.bounds;
+    surroundings = new Surroundings(scene, machinery);
     int count = scene.circleCount();
-    Grids grids = new Grids(scene, obstacles, machinery);
-    model = grids.model().toString().replace("ignore each other", "collide");
     circles = Circles.colliding(count);
-    grid = new Grid[count];
-    search = new BroadSearch(obstacles);
-    int patience = 1_000 + 10 * count;
-    response = new ObstacleResponse(obstacles, patience);
-    pairs = new PairResponse(scene.masses, scene.circleTraits, response);
-    budget = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * count;
-    kinds = new short[count];
-    queue = new EventQueue(count, this::before);
-    found = new int[count + 9];
+    response = new ObstacleResponse(surroundings.obstacles, roster.patience());
+    pairs = new PairResponse(roster, response);
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
-      grid[i] = grids.of(circles.mover.radius);
       circles.keep(i, circles.mover);
     }
-    neighbors = new Neighbors(circles, scene.bounds, machinery.pairCells());
-    meetings = new Meetings(circles, pairs);
-    for (int i = 0; i < count; i++) {
-      lookAround(i);
-      foresee(i);
+    begin();
+  }
+
+  /** Foresees everything anew, from the flights. */
+  private void begin() {
+    int room = circles.capacity();
+    kinds = new short[room];
+    queue = new EventQueue(room, this::before);
+    found = new int[room + 9];
+    neighbors = new Neighbors(circles, roster, bounds, machinery.pairCells(), reached);
+    meetings = new Meetings(circles, pairs, sensed);
+    for (int i = 0; i < circles.count; i++) {
+      if (roster.contains(i)) {
+        lookAround(i);
+        foresee(i);
+      }
     }
   }
 
@@ -88,8 +99,13 @@ final class Collisions implements Engine {
   }
 
   @Override
+  public Surroundings surroundings() {
+    return surroundings;
+  }
+
+  @Override
   public String model() {
-    return model;
+    return surroundings.model().toString().replace("ignore each other", "collide");
   }
 
   @Override
@@ -100,9 +116,17 @@ final class Collisions implements Engine {
   @Override
   public double advance(double end) {
     unfinished = false;
+    surroundings.prepare(circles);
+    response.setPatience(roster.patience());
+    if (outgrown) {
+      outgrown = false;
+      begin();
+    }
+    long budget = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * roster.count();
     for (long events = 0; ; events++) {
       int i = queue.first();
       if (i == EventQueue.NONE || queue.time(i) > end) {
+        reached = end;
         return end;
       }
       if (events == budget) {
@@ -120,6 +144,10 @@ final class Collisions implements Engine {
     switch (kinds[i]) {
       case STATIC -> meetObstacle(i);
       case PAIR -> meet(i);
+      case EDIT -> {
+        lookAround(i);
+        foresee(i);
+      }
       default -> cross(i);
     }
   }
@@ -137,8 +165,8 @@ final class Collisions implements Engine {
   private void meetObstacle(int i) {
     circles.load(i);
     Mover m = circles.mover;
-    if (m.next == Mover.NOTHING) {
-      search.extend(m, grid[i], m.cleared);
+    if (m.next == Mover.NOTHING || surroundings.isGone(m.next)) {
+      surroundings.extend(m, m.cleared);
       circles.keep(i, m);
       schedule(i);
       return;
@@ -147,7 +175,7 @@ final class Collisions implements Engine {
       changed(i, m);
       foresee(i);
     } else {
-      search.extend(m, grid[i], m.cleared);
+      surroundings.extend(m, m.cleared);
       circles.keep(i, m);
       schedule(i);
     }
@@ -169,11 +197,22 @@ final class Collisions implements Engine {
     circles.mover.fly(tau);
     other.fly(tau);
     early.standsStill &= early.flown == tau;
-    pairs.resolve(circles.mover, other, log);
-    changed(low, circles.mover);
-    changed(high, other);
+    if (pairs.resolve(circles.mover, other, log)) {
+      changed(low, circles.mover);
+      changed(high, other);
+    } else {
+      report(low, high, i);
+    }
     foresee(low);
     foresee(high);
+  }
+
+  /** Notes that a sensor reported what circle i met: one of two. */
+  private void report(int low, int high, int i) {
+    double head = meetings.time(i);
+    double tail = meetings.tail(i);
+    sensed.report(low, head, tail, high);
+    sensed.report(high, head, tail, low);
   }
 
   /** Brings the one whose flight started earlier to the start of the other's, and returns it. */
@@ -192,18 +231,27 @@ final class Collisions implements Engine {
   /** Puts a circle on its new flight. */
   private void changed(int i, Mover m) {
     circles.keep(i, m);
-    circles.codes[circles.codesAt(i) + Circles.COUNT]++;
+    count(i);
+    if (timeline != null) {
+      timeline.add(m);
+    }
     lookAround(i);
+  }
+
+  /** Notes that a circle changed: what others foresaw with it does not hold, nor what it met. */
+  private void count(int i) {
+    circles.codes[circles.codesAt(i) + Circles.COUNT]++;
+    sensed.forget(i);
   }
 
   /**
    * Looks for the next obstacle ahead of a circle, unless that is done or none can be in its cell.
    */
   private void lookAround(int i) {
-    boolean nothingNear = obstacles.size() == 0 && neighbors.isInside(i);
+    boolean nothingNear = surroundings.obstacles.size() == 0 && neighbors.isInside(i);
     if (!nothingNear && !isLookedAhead(i)) {
       circles.load(i);
-      search.extend(circles.mover, grid[i], 0);
+      surroundings.extend(circles.mover, 0);
       circles.keep(i, circles.mover);
     }
   }
@@ -256,13 +304,20 @@ final class Collisions implements Engine {
       meetings.refine(i);
       double meeting = meetings.time(i);
       if (meeting < time
-          || (meeting == time && kind == STATIC && meetings.tail(i) < dueTail(i))) {
+          || (meeting == time && kind == STATIC && isBeforeObstacle(i))) {
         kind = PAIR;
         time = meeting;
       }
     }
     kinds[i] = (short) kind;
     queue.set(i, time);
+  }
+
+  /** Of a meeting and an obstacle at one time: whether the meeting is first. */
+  private boolean isBeforeObstacle(int i) {
+    double tail = meetings.tail(i);
+    double other = dueTail(i);
+    return tail < other || (tail == other && pairs.isSensor(i, meetings.partner(i)));
   }
 
   /** The order of two events of the same time. */
@@ -285,9 +340,101 @@ final class Collisions implements Engine {
       case STATIC -> next(i) == Mover.NOTHING ? i : (long) next(i) << 31 | i;
       case PAIR -> {
         int j = meetings.partner(i);
-        yield (long) (Obstacles.CIRCLES + Math.min(i, j)) << 31 | Math.max(i, j);
+        yield pairs.rank(Math.min(i, j), Math.max(i, j));
       }
       default -> i;
     };
+  }
+
+  // Edits.
+
+  @Override
+  public void fly(Mover m) {
+    int i = m.id;
+    if (i == circles.count) {
+      outgrown |= i == circles.capacity();
+      circles.add();
+    } else if (!outgrown) {
+      queue.clear(i);
+      neighbors.leave(i);
+    }
+    surroundings.setRadius(i, m.radius);
+    circles.keep(i, m);
+    count(i);
+    if (timeline != null) {
+      timeline.add(m);
+    }
+    outgrown = outgrown || !neighbors.enter(i, reached);
+    if (!outgrown) {
+      kinds[i] = EDIT;
+      queue.set(i, reached);
+    }
+  }
+
+  @Override
+  public void remove(int i) {
+    if (!outgrown) {
+      queue.clear(i);
+      neighbors.leave(i);
+    }
+    count(i);
+  }
+
+  @Override
+  public void appeared(int code, double now) {
+    Mover m = circles.mover;
+    for (int i = 0; i < circles.count; i++) {
+      if (roster.contains(i)) {
+        circles.load(i);
+        boolean knew = m.forget(code);
+        if (surroundings.meets(m, code)) {
+          m.restart(now);
+          fly(m);
+        } else if (knew && !outgrown) {
+          queue.clear(i);
+          circles.keep(i, m);
+          schedule(i);
+        } else if (knew) {
+          circles.keep(i, m);
+        }
+      }
+    }
+  }
+
+  @Override
+  public void record(Timeline timeline) {
+    this.timeline = timeline;
+    for (int i = 0; i < circles.count && timeline != null; i++) {
+      if (roster.contains(i)) {
+        circles.load(i);
+        timeline.add(circles.mover);
+      }
+    }
+  }
+
+  @Override
+  public FlightStates save() {
+    FlightStates states = new FlightStates(circles.count);
+    for (int i = 0; i < circles.count; i++) {
+      circles.load(i);
+      surroundings.save(circles.mover, states);
+      sensed.save(i, states);
+    }
+    return states;
+  }
+
+  @Override
+  public void restore(FlightStates flights, double now) {
+    reached = now;
+    outgrown = true;
+    sensed.clear();
+    circles.clear();
+    for (int i = 0; i < flights.count(); i++) {
+      circles.add();
+      flights.get(i, circles.mover);
+      surroundings.setRadius(i, circles.mover.radius);
+      circles.keep(i, circles.mover);
+      sensed.restore(i, flights);
+    }
   }
 }

@@ -3,6 +3,7 @@ package dev.carom;
 
 /**
  * What moves the circles of a world: one way if they ignore each other, another if they collide.
+ * Between steps a world may edit them; what it asks for is checked.
  */
 interface Engine {
 
@@ -20,6 +21,34 @@ interface Engine {
   /** The flights of the circles. */
   Circles circles();
 
+  /** What stands still. */
+  Surroundings surroundings();
+
   /** What is used, in words. */
   String model();
+
+  /**
+   * Begins a new flight of a circle, whose id may be the next one, with what a mover holds.
+   *
+   * @param m a mover at the start of a flight, now
+   */
+  void fly(Mover m);
+
+  /** Takes a circle out. */
+  void remove(int i);
+
+  /** Records new flights, or none for null; those of now first. */
+  void record(Timeline timeline);
+
+  /** The flights of all circles, those of removed ones included. */
+  FlightStates save();
+
+  /** Takes over other flights, of the circles that are in the roster by now. */
+  void restore(FlightStates flights, double now);
+
+  /**
+   * Takes notice that a line or a peg is new, elsewhere, or otherwise there than before: circles
+   * whose flight meets it begin a new one now.
+   */
+  void appeared(int code, double now);
 }

@@ -3,11 +3,11 @@ package dev.carom;
 
 /**
  * The rectangle in which the circles of a scene move: its bounds, or if it has none, the one in
- * which their centres start.
+ * which their centres are.
  */
 record Extent(double left, double bottom, double right, double top) {
 
-  static Extent of(Circles circles, Bounds bounds) {
+  static Extent of(Circles circles, Roster roster, Bounds bounds, double now) {
     if (bounds != null) {
       return new Extent(bounds.xmin(), bounds.ymin(), bounds.xmax(), bounds.ymax());
     }
@@ -16,12 +16,16 @@ record Extent(double left, double bottom, double right, double top) {
     double right = Double.NEGATIVE_INFINITY;
     double top = Double.NEGATIVE_INFINITY;
     for (int i = 0; i < circles.count; i++) {
-      left = Math.min(left, circles.x(i, 0));
-      bottom = Math.min(bottom, circles.y(i, 0));
-      right = Math.max(right, circles.x(i, 0));
-      top = Math.max(top, circles.y(i, 0));
+      double x = circles.x(i, now);
+      double y = circles.y(i, now);
+      if (roster.contains(i) && Math.abs(x) + Math.abs(y) < Double.POSITIVE_INFINITY) {
+        left = Math.min(left, x);
+        bottom = Math.min(bottom, y);
+        right = Math.max(right, x);
+        top = Math.max(top, y);
+      }
     }
-    return circles.count == 0 ? new Extent(0, 0, 0, 0) : new Extent(left, bottom, right, top);
+    return left > right ? new Extent(0, 0, 0, 0) : new Extent(left, bottom, right, top);
   }
 
   /** The largest absolute coordinate. */

@@ -16,35 +16,28 @@ final class Flights implements Engine {
 
   private static final int LEAST_IMPACTS_PER_CALL = 10_000;
 
+  private final Roster roster;
   private final Circles circles;
-  private final int allowance;
-
-  /** The grid of each circle's class of radius, null where none is used. */
-  private final Grid[] grid;
-
-  private final Model model;
-  private final BroadSearch search;
+  private final Surroundings surroundings;
   private final ObstacleResponse response;
   private final ImpactLog log;
   private final Journal journal;
   private boolean unfinished;
 
-  Flights(Scene scene, Machinery machinery, ImpactLog log) {
+  /** Null unless flights are recorded. */
+  private Timeline timeline;
+
+  Flights(Scene scene, Roster roster, Machinery machinery, ImpactLog log) {
+    this.roster = roster;
     this.log = log;
-    Obstacles obstacles = Obstacles.of(scene);
-    Grids grids = new Grids(scene, obstacles, machinery);
-    model = grids.model();
+    surroundings = new Surroundings(scene, machinery);
     int count = scene.circleCount();
-    allowance = Math.max(LEAST_IMPACTS_PER_CALL, IMPACTS_PER_CALL / Math.max(1, count));
     circles = new Circles(count);
-    grid = new Grid[count];
     journal = new Journal(Math.min(count, JOURNAL), Circles.STATE, Circles.CODES);
-    search = new BroadSearch(obstacles);
-    response = new ObstacleResponse(obstacles, 1_000 + 10 * count);
+    response = new ObstacleResponse(surroundings.obstacles, roster.patience());
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
-      grid[i] = grids.of(circles.mover.radius);
-      search.extend(circles.mover, grid[i], 0);
+      surroundings.extend(circles.mover, 0);
       circles.store(i);
     }
   }
@@ -56,7 +49,7 @@ final class Flights implements Engine {
 
   @Override
   public String model() {
-    return model.toString();
+    return surroundings.model().toString();
   }
 
   /**
@@ -67,7 +60,12 @@ final class Flights implements Engine {
    */
   @Override
   public double advance(double end) {
+    surroundings.prepare(circles);
+    response.setPatience(roster.patience());
     journal.clear();
+    if (timeline != null) {
+      timeline.mark();
+    }
     unfinished = false;
     double reached = end;
     double goal;
@@ -77,6 +75,9 @@ final class Flights implements Engine {
       if (reached < goal) {
         journal.restore(circles.due, circles.jams, circles.state, circles.codes);
         log.clear();
+        if (timeline != null) {
+          timeline.undo();
+        }
       }
     } while (reached < goal);
     return reached;
@@ -88,12 +89,14 @@ final class Flights implements Engine {
   }
 
   private double pass(double end) {
+    int allowance =
+        Math.max(LEAST_IMPACTS_PER_CALL, IMPACTS_PER_CALL / Math.max(1, roster.count()));
     double[] due = circles.due;
     for (int i = 0; i < due.length; i++) {
       if (due[i] <= end) {
         journal.save(i, due[i], circles.jam(i), circles.state, circles.codes);
         circles.load(i);
-        boolean spent = fly(circles.mover, grid[i], end);
+        boolean spent = fly(circles.mover, allowance, end);
         circles.store(i);
         if (spent) {
           unfinished = true;
@@ -107,19 +110,95 @@ final class Flights implements Engine {
   }
 
   /** Resolves the mover's impacts until the given time; tells whether the allowance was spent. */
-  private boolean fly(Mover m, Grid grid, double end) {
+  private boolean fly(Mover m, int allowance, double end) {
     int impacts = 0;
     do {
-      if (m.next == Mover.NOTHING) {
-        search.extend(m, grid, end - m.t);
+      if (m.next == Mover.NOTHING || surroundings.isGone(m.next)) {
+        surroundings.extend(m, end - m.t);
       } else {
         if (impacts == allowance) {
           return true;
         }
-        response.resolve(m, log);
+        if (response.resolve(m, log) && timeline != null) {
+          timeline.add(m);
+        }
         impacts++;
       }
     } while (m.due() <= end);
     return false;
+  }
+
+  @Override
+  public Surroundings surroundings() {
+    return surroundings;
+  }
+
+  @Override
+  public void fly(Mover m) {
+    if (m.id == circles.count) {
+      circles.add();
+    }
+    surroundings.setRadius(m.id, m.radius);
+    circles.store(m.id, m);
+    if (timeline != null) {
+      timeline.add(m);
+    }
+  }
+
+  @Override
+  public void remove(int i) {
+    circles.due[i] = Double.POSITIVE_INFINITY;
+  }
+
+  @Override
+  public void record(Timeline timeline) {
+    this.timeline = timeline;
+    for (int i = 0; i < circles.count && timeline != null; i++) {
+      if (roster.contains(i)) {
+        circles.load(i);
+        timeline.add(circles.mover);
+      }
+    }
+  }
+
+  @Override
+  public FlightStates save() {
+    FlightStates states = new FlightStates(circles.count);
+    for (int i = 0; i < circles.count; i++) {
+      circles.load(i);
+      surroundings.save(circles.mover, states);
+    }
+    return states;
+  }
+
+  @Override
+  public void restore(FlightStates flights, double now) {
+    circles.clear();
+    for (int i = 0; i < flights.count(); i++) {
+      flights.get(i, circles.mover);
+      circles.add();
+      surroundings.setRadius(i, circles.mover.radius);
+      circles.store(i);
+      if (!roster.contains(i)) {
+        remove(i);
+      }
+    }
+  }
+
+  @Override
+  public void appeared(int code, double now) {
+    Mover m = circles.mover;
+    for (int i = 0; i < circles.count; i++) {
+      if (roster.contains(i)) {
+        circles.load(i);
+        boolean knew = m.forget(code);
+        if (surroundings.meets(m, code)) {
+          m.restart(now);
+          fly(m);
+        } else if (knew) {
+          circles.store(i);
+        }
+      }
+    }
   }
 }

@@ -34,7 +34,8 @@ final class Grid {
   private final double perCell;
 
   private final Obstacles obstacles;
-  private final double radius;
+  /** The largest radius of a circle that it serves. */
+  final double radius;
 
   /**
    * Lists all obstacles for circles of up to the given radius.
@@ -73,13 +74,17 @@ final class Grid {
       Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
     };
     for (int code = Obstacles.WALLS; code < obstacles.endOfLines; code++) {
-      int k = obstacles.offset(code);
-      include(box, obstacles.lines[k], obstacles.lines[k + 1], radius);
-      include(box, obstacles.lines[k + 2], obstacles.lines[k + 3], radius);
+      if (!obstacles.isGone(code)) {
+        int k = obstacles.offset(code);
+        include(box, obstacles.lines[k], obstacles.lines[k + 1], radius);
+        include(box, obstacles.lines[k + 2], obstacles.lines[k + 3], radius);
+      }
     }
     for (int code = Obstacles.PEGS; code < obstacles.endOfPegs; code++) {
-      int k = obstacles.offset(code);
-      include(box, obstacles.pegs[k], obstacles.pegs[k + 1], radius + obstacles.pegs[k + 2]);
+      if (!obstacles.isGone(code)) {
+        int k = obstacles.offset(code);
+        include(box, obstacles.pegs[k], obstacles.pegs[k + 1], radius + obstacles.pegs[k + 2]);
+      }
     }
     return box;
   }
@@ -167,6 +172,9 @@ final class Grid {
 
   /** Puts a code into the list of every cell that it can reach into, or only counts it. */
   private void visit(int code, int[] counts, int[] listed) {
+    if (obstacles.isGone(code)) {
+      return;
+    }
     int k = obstacles.offset(code);
     if (code < Obstacles.PEGS) {
       double[] l = obstacles.lines;

@@ -5,24 +5,46 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * The grids of a scene: one for each power of two among its circles' radii, made for the largest
+ * The grids of a world: one for each power of two among its circles' radii, made for the largest
  * radius in it, so that small circles do not search through what only large ones can touch.
+ *
+ * <p>What is added or moved later is loose at first: looked at beside the grids, until there is so
+ * much of it that making them anew pays.
  */
 final class Grids {
 
+  /** Up to this many lines and pegs are looked at one by one: measured, a grid gains nothing. */
+  private static final int FEW = 8;
+
+  /** Beyond this size of coordinates, products of them with a grid's cells could overflow. */
+  private static final double LARGEST = 0x1p400;
+
+  private final Obstacles obstacles;
+  private final Machinery machinery;
   private final Map<Integer, Grid> byExponent = new TreeMap<>();
-  private final Model model;
+  private final CodeList loose = new CodeList();
+  private boolean isDirty;
 
   Grids(Scene scene, Obstacles obstacles, Machinery machinery) {
-    boolean used = machinery.grid() && obstacles.size() > 0;
-    if (used) {
-      largestRadii(scene)
-          .forEach(
-              (exponent, radius) ->
-                  byExponent.put(exponent, new Grid(obstacles, radius, machinery.cell())));
+    this.obstacles = obstacles;
+    this.machinery = machinery;
+    if (wanted()) {
+      largestRadii(scene).forEach(this::make);
     }
-    int cells = byExponent.values().stream().mapToInt(Grid::cells).sum();
-    model = new Model(obstacles.size(), byExponent.size(), cells);
+  }
+
+  private boolean wanted() {
+    int size = obstacles.size();
+    boolean chosen = machinery.cell() == 0;
+    return machinery.grid() && size > 0 && !(chosen && (size <= FEW || !isOrdinary()));
+  }
+
+  private boolean isOrdinary() {
+    return obstacles.extent() < LARGEST;
+  }
+
+  private void make(int exponent, double radius) {
+    byExponent.put(exponent, new Grid(obstacles, radius, machinery.cell()));
   }
 
   private static Map<Integer, Double> largestRadii(Scene scene) {
@@ -39,7 +61,61 @@ final class Grids {
     return byExponent.get(Math.getExponent(radius));
   }
 
+  /** The grid for circles of a radius that may be new; one is made if need be. */
+  Grid ofNew(double radius) {
+    Grid grid = of(radius);
+    if (wanted() && (grid == null || grid.radius < radius)) {
+      // For all of the class: the next one will find it made.
+      make(Math.getExponent(radius), Math.scalb(1.0, Math.getExponent(radius) + 1));
+    }
+    return of(radius);
+  }
+
+  /** What has to be looked at beside a grid. */
+  CodeList loose() {
+    return loose;
+  }
+
+  /** Notes that a line or a peg is new, or elsewhere than before. */
+  void changed(int code) {
+    isDirty = true;
+    if (!areTooLoose()) {
+      loose.add(code);
+    }
+  }
+
+  /**
+   * Whether so much is loose that the grids have to be made anew, and what is loose is not kept.
+   */
+  private boolean areTooLoose() {
+    return loose.size > FEW + Math.sqrt(obstacles.size());
+  }
+
+  /** Drops all grids: the next search needs new ones. */
+  void forget() {
+    byExponent.clear();
+    loose.clear();
+    isDirty = true;
+  }
+
+  /** Whether the grids have to be made anew before the next search. */
+  boolean areStale() {
+    boolean stale = isDirty && (byExponent.isEmpty() ? wanted() : areTooLoose());
+    isDirty = false;
+    return stale;
+  }
+
+  /** Makes the grids anew, for the radii of the given circles. */
+  void remake(Circles circles) {
+    loose.clear();
+    byExponent.clear();
+    for (int i = 0; i < circles.count; i++) {
+      ofNew(circles.radius(i));
+    }
+  }
+
   Model model() {
-    return model;
+    int cells = byExponent.values().stream().mapToInt(Grid::cells).sum();
+    return new Model(obstacles.size(), byExponent.size(), cells);
   }
 }

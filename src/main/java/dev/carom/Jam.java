@@ -37,6 +37,20 @@ final class Jam {
     return left.length == jam.codes.length ? jam : left.length == 0 ? null : new Jam(left);
   }
 
+  int[] codes() {
+    return codes.clone();
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Jam that && Arrays.equals(codes, that.codes);
+  }
+
+  @Override
+  public int hashCode() {
+    return Arrays.hashCode(codes);
+  }
+
   boolean makesInert(int code) {
     for (int other : codes) {
       if (other == code) {

@@ -43,6 +43,7 @@ final class Meetings {
   private final double[] state;
   private final int[] codes;
   private final PairResponse pairs;
+  private final SensedPairs sensed;
 
   // The first meeting found so far: from when to when it may be; with whom; if its time is not
   // OPEN, how long after the later start it is, and the tail of the time, whose head is low then.
@@ -57,7 +58,8 @@ final class Meetings {
   private double exactHead;
   private double exactTail;
 
-  Meetings(Circles circles, PairResponse pairs) {
+  Meetings(Circles circles, PairResponse pairs, SensedPairs sensed) {
+    this.sensed = sensed;
     this.circles = circles;
     state = circles.state;
     codes = circles.codes;
@@ -127,6 +129,7 @@ final class Meetings {
     double ri = s[a + Circles.RADIUS];
     start(i, ti);
     int before = partner;
+    boolean sensors = pairs.hasSensors();
     for (int k = 0; k < size; k++) {
       int j = found[k];
       int c = circles.at(j);
@@ -171,7 +174,9 @@ final class Meetings {
       }
       double dd = dx * dx + dy * dy;
       double g = dd - rr;
-      if (b < -boundB
+      boolean sensor = sensors && pairs.isSensor(i, j);
+      if (!sensor
+          && b < -boundB
           && reach > boundReach
           && reach > WELL_CONDITIONED * terms
           && g > Math.fma(WELL_CONDITIONED, dd + rr, DiskSweep.TINY)) {
@@ -190,7 +195,7 @@ final class Meetings {
           continue;
         }
       }
-      if (!pairs.skips(circles, i, j) && !weigh(i, j, before)) {
+      if (!pairs.skips(circles, i, j) && !weigh(i, j, before, sensor)) {
         return false;
       }
     }
@@ -220,9 +225,9 @@ final class Meetings {
   }
 
   /** Compares the meeting of i and j with the first one so far by their times; false as in look. */
-  private boolean weigh(int i, int j, int before) {
+  private boolean weigh(int i, int j, int before, boolean sensor) {
     exact(i, j);
-    if (exactTau == NEVER || exactHead > high) {
+    if (exactTau == NEVER || exactHead > high || (sensor && !isEntered(i, j))) {
       return true;
     }
     double t = exactTau;
@@ -238,7 +243,7 @@ final class Meetings {
       tau = exactTau;
       tail = exactTail;
     }
-    boolean first = head != low ? head < low : l != tail ? l < tail : j < partner;
+    boolean first = head != low ? head < low : l != tail ? l < tail : comesFirst(i, j, partner);
     if (first) {
       partner = j;
       low = head;
@@ -247,6 +252,17 @@ final class Meetings {
       tail = l;
     }
     return true;
+  }
+
+  /** Of two meetings of circle i at one time: whether that with j comes before that with k. */
+  private boolean comesFirst(int i, int j, int k) {
+    return k == EventQueue.NONE
+        || pairs.rank(Math.min(i, j), Math.max(i, j)) < pairs.rank(Math.min(i, k), Math.max(i, k));
+  }
+
+  /** Whether the meeting looked at last is one that a sensor is still to report. */
+  private boolean isEntered(int i, int j) {
+    return exactTau > 0 && sensed.isNew(i, exactHead, exactTail, j);
   }
 
   private void exact(int i, int j) {
@@ -279,6 +295,10 @@ final class Meetings {
     } else {
       x2 = Math.fma(vx2, -later, x2);
       y2 = Math.fma(vy2, -later, y2);
+    }
+    if (!(Math.abs(x1 - x2) + Math.abs(y1 - y2) < NEVER)) {
+      exactTau = NEVER; // one of them is beyond the range of doubles
+      return;
     }
     double r1 = s[a + Circles.RADIUS];
     double r2 = s[b + Circles.RADIUS];

@@ -72,12 +72,44 @@ final class Mover {
     this.restitution = restitution;
     t = 0;
     tl = 0;
+    forget();
+    newFlight();
+  }
+
+  /** Begins a new flight at a given time, from where the circle is then. */
+  void restart(double now) {
+    double dt = now - t - tl;
+    x = Math.fma(vx, dt, x);
+    y = Math.fma(vy, dt, y);
+    t = now;
+    tl = 0;
+    newFlight();
+  }
+
+  /** Forgets what was hit: the next impact may be with anything. */
+  void forget() {
     last = NOTHING;
     jam = null;
     stuck = 0;
     anchorX = x;
     anchorY = y;
-    newFlight();
+  }
+
+  /** Forgets one thing, and returns whether it had to do with it. */
+  boolean forget(int code) {
+    boolean knew = last == code || next == code || (jam != null && jam.makesInert(code));
+    if (last == code) {
+      last = NOTHING;
+    }
+    if (next == code) {
+      next = NOTHING;
+      contact = 0;
+    }
+    if (jam != null && jam.makesInert(code)) {
+      jam = null;
+      stuck = 0;
+    }
+    return knew;
   }
 
   /** Forgets what was found ahead. */

@@ -16,6 +16,9 @@ final class Neighbors {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
+  /** The cell of a circle that is not listed. */
+  private static final double NOWHERE = Double.NaN;
+
   /** Wider than a diameter, so that a crossing may be noticed late by rounding. */
   private static final double SLACK = 1 + 0x1p-20;
 
@@ -33,6 +36,11 @@ final class Neighbors {
   private static final int DIRECTIONS = 4;
 
   private final int levels;
+
+  /** The exponent and the largest radius of each level. */
+  private final int[] exponents;
+
+  private final double[] radii;
   private final double[] size;
   private final double originX;
   private final double originY;
@@ -55,16 +63,18 @@ final class Neighbors {
 
   private int way;
 
-  Neighbors(Circles circles, Bounds bounds, double diameters) {
+  Neighbors(Circles circles, Roster roster, Bounds bounds, double diameters, double now) {
     this.circles = circles;
     state = circles.state;
-    count = circles.count;
+    count = circles.capacity();
     TreeMap<Integer, Double> largest = new TreeMap<>();
-    for (int i = 0; i < count; i++) {
-      double radius = circles.radius(i);
-      largest.merge(Math.getExponent(radius), radius, Math::max);
+    for (int i = 0; i < circles.count; i++) {
+      if (roster.contains(i)) {
+        double radius = circles.radius(i);
+        largest.merge(Math.getExponent(radius), radius, Math::max);
+      }
     }
-    Extent extent = Extent.of(circles, bounds);
+    Extent extent = Extent.of(circles, roster, bounds, now);
     originX = extent.left();
     originY = extent.bottom();
     double slack = ROUNDING * extent.farthest();
@@ -85,11 +95,12 @@ final class Neighbors {
     for (double radius : largest.values()) {
       limit(k++, radius * (1 + 0x1p-10) + slack, bounds);
     }
-    Integer[] exponents = largest.keySet().toArray(Integer[]::new);
-    for (int i = 0; i < count; i++) {
-      levelOf[i] =
-          (short) Arrays.binarySearch(exponents, Math.getExponent(circles.radius(i)));
-      enter(i);
+    exponents = largest.keySet().stream().mapToInt(Integer::intValue).toArray();
+    radii = largest.values().stream().mapToDouble(Double::doubleValue).toArray();
+    for (int i = 0; i < circles.count; i++) {
+      if (roster.contains(i)) {
+        enter(i, now);
+      }
     }
   }
 
@@ -125,17 +136,50 @@ final class Neighbors {
     inside[k + 3] = bounds == null ? NEVER : Math.floor((bounds.ymax() - distance - originY) / cell);
   }
 
-  private void enter(int i) {
-    int a = circles.at(i);
-    for (int level = levelOf[i]; level < levels; level++) {
-      double column = Math.floor((state[a + Circles.X] - originX) / size[level]);
-      double row = Math.floor((state[a + Circles.Y] - originY) / size[level]);
+  /**
+   * Lists a circle where it is at a given time, unless it is beyond the range of doubles.
+   *
+   * @return false if its radius is none for which these levels were made
+   */
+  boolean enter(int i, double now) {
+    double radius = circles.radius(i);
+    int level = Arrays.binarySearch(exponents, Math.getExponent(radius));
+    if (level < 0 || radius > radii[level]) {
+      return false;
+    }
+    levelOf[i] = (short) level;
+    double x = circles.x(i, now) - originX;
+    double y = circles.y(i, now) - originY;
+    boolean there = Math.abs(x) + Math.abs(y) < NEVER;
+    for (; level < levels; level++) {
+      double column = there ? Math.floor(x / size[level]) : NOWHERE;
+      double row = there ? Math.floor(y / size[level]) : NOWHERE;
       int k = cellAt(i, level);
       double[] cells = cellsOf(i, level);
       cells[k] = column;
       cells[k + 1] = row;
-      list(i, level).add(i, wrapped(column), wrapped(row));
+      if (there) {
+        list(i, level).add(i, wrapped(column), wrapped(row));
+      }
     }
+    return true;
+  }
+
+  /** Takes a circle off all lists. */
+  void leave(int i) {
+    for (int level = levelOf[i]; level < levels; level++) {
+      int k = cellAt(i, level);
+      double[] cells = cellsOf(i, level);
+      if (isListed(cells[k])) {
+        list(i, level).remove(i, wrapped(cells[k]), wrapped(cells[k + 1]));
+      }
+      cells[k] = NOWHERE;
+      cells[k + 1] = NOWHERE;
+    }
+  }
+
+  private static boolean isListed(double column) {
+    return !Double.isNaN(column);
   }
 
   /** Where the cell of a circle on a level is kept: column, then row. */
@@ -242,6 +286,9 @@ final class Neighbors {
     for (int level = levelOf[i]; level < levels; level++) {
       double[] cells = cellsOf(i, level);
       int k = cellAt(i, level);
+      if (!isListed(cells[k])) {
+        return 0;
+      }
       end = find(i, level, wrapped(cells[k]) - 1, wrapped(cells[k + 1]) - 1, 3, 3, found, end);
     }
     return end;

@@ -31,7 +31,7 @@ final class ObstacleResponse {
   private static final double MOST = 0x1p300;
 
   private final Obstacles obstacles;
-  private final int patience;
+  private int patience;
   private final Impulse impulse = new Impulse();
 
   // The impact in hand: the contact point and the unnormalized normal.
@@ -43,6 +43,10 @@ final class ObstacleResponse {
   ObstacleResponse(Obstacles obstacles, int patience) {
     this.obstacles = obstacles;
     this.patience = patience;
+  }
+
+  void setPatience(int impacts) {
+    patience = impacts;
   }
 
   /**

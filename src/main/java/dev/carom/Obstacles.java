@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import java.util.Arrays;
+import java.util.Objects;
+
 /**
  * The things that stand still, in flat arrays. Each has one code, and the codes stand in the order
  * in which simultaneous impacts are taken: the four walls, then the lines, then the pegs; those of
- * moving circles follow. A code does not change when things are added.
+ * moving circles follow. A code does not change when things are added, and is not used again when
+ * its thing is removed.
  */
 final class Obstacles {
 
@@ -28,49 +32,215 @@ final class Obstacles {
     null, Feature.SIDE, Feature.SIDE, Feature.START, Feature.END
   };
 
-  /** {@link Scene#LINE} doubles a line. */
-  final double[] lines;
+  /** {@link Scene#LINE} doubles a line; NaN for one that was removed. */
+  double[] lines;
 
-  /** {@link Scene#PEG} doubles a peg. */
-  final double[] pegs;
+  /** {@link Scene#PEG} doubles a peg; NaN for one that was removed. */
+  double[] pegs;
 
   /** Null in an open scene. */
   final Bounds bounds;
 
-  private final double boundsRestitution;
+  double boundsRestitution;
+  int boundsTraits;
 
   /** {@link Traits} of lines and pegs, null if none has any. */
-  private final byte[] lineTraits;
+  byte[] lineTraits;
 
-  private final byte[] pegTraits;
-
-  /** Whether any line or peg has a trait that matters to a search. */
-  final boolean special;
+  byte[] pegTraits;
 
   /** The code after the last line, and the one after the last peg. */
-  final int endOfLines;
+  int endOfLines;
 
-  final int endOfPegs;
+  int endOfPegs;
+
+  /** Whether another object, or a scene, uses the same arrays. */
+  private boolean shared = true;
+
+  /** Whether anything is not as in the scene. */
+  private boolean edited;
+
+  /** The number of lines and pegs that were removed. */
+  private int gone;
+
+  /** The number of lines and pegs that have traits. */
+  private int specials;
 
   private Obstacles(Scene scene) {
     lines = scene.lines;
     pegs = scene.pegs;
     bounds = scene.bounds;
-    boundsRestitution = Traits.halts(scene.boundsTraits) ? 0 : scene.boundsRestitution;
+    boundsRestitution = scene.boundsRestitution;
+    boundsTraits = scene.boundsTraits;
     lineTraits = scene.lineTraits;
     pegTraits = scene.pegTraits;
-    special = lineTraits != null || pegTraits != null;
     endOfLines = WALLS + lines.length / Scene.LINE;
     endOfPegs = PEGS + pegs.length / Scene.PEG;
+    countSpecials();
   }
 
+  private Obstacles(Obstacles other) {
+    bounds = other.bounds;
+    set(other);
+  }
+
+  private Obstacles(Bounds bounds) {
+    this.bounds = bounds;
+  }
+
+  /** Those of a snapshot; the traits are one for each line and each peg. */
+  static Obstacles of(
+      Bounds bounds,
+      double boundsRestitution,
+      int boundsTraits,
+      double[] lines,
+      byte[] lineTraits,
+      double[] pegs,
+      byte[] pegTraits) {
+    Obstacles read = new Obstacles(bounds);
+    read.boundsRestitution = boundsRestitution;
+    read.boundsTraits = boundsTraits;
+    read.lines = lines;
+    read.pegs = pegs;
+    read.lineTraits = lineTraits;
+    read.pegTraits = pegTraits;
+    read.endOfLines = WALLS + lineTraits.length;
+    read.endOfPegs = PEGS + pegTraits.length;
+    read.edited = true;
+    read.countSpecials();
+    read.countGone();
+    return read;
+  }
+
+  private void countSpecials() {
+    for (int code = WALLS; lineTraits != null && code < endOfLines; code++) {
+      specials += traits(code) != 0 ? 1 : 0;
+    }
+    for (int code = PEGS; pegTraits != null && code < endOfPegs; code++) {
+      specials += traits(code) != 0 ? 1 : 0;
+    }
+  }
+
+  private void countGone() {
+    for (int code = WALLS; code < endOfLines; code++) {
+      gone += isGone(code) ? 1 : 0;
+    }
+    for (int code = PEGS; code < endOfPegs; code++) {
+      gone += isGone(code) ? 1 : 0;
+    }
+  }
+
+  /** Those of a scene. */
   static Obstacles of(Scene scene) {
     return new Obstacles(scene);
   }
 
+  /** A copy; arrays are shared until one of the two is changed. */
+  Obstacles copy() {
+    return new Obstacles(this);
+  }
+
+  /** Takes over what another one holds, with the same bounds. */
+  void set(Obstacles other) {
+    other.shared = true;
+    shared = true;
+    edited = other.edited;
+    lines = other.lines;
+    pegs = other.pegs;
+    boundsRestitution = other.boundsRestitution;
+    boundsTraits = other.boundsTraits;
+    lineTraits = other.lineTraits;
+    pegTraits = other.pegTraits;
+    endOfLines = other.endOfLines;
+    endOfPegs = other.endOfPegs;
+    specials = other.specials;
+    gone = other.gone;
+  }
+
+  /** Before a change: makes the arrays this object's own. */
+  private void own() {
+    edited = true;
+    if (shared) {
+      shared = false;
+      lines = lines.clone();
+      pegs = pegs.clone();
+      lineTraits = lineTraits == null ? new byte[lines.length / Scene.LINE] : lineTraits.clone();
+      pegTraits = pegTraits == null ? new byte[pegs.length / Scene.PEG] : pegTraits.clone();
+    }
+  }
+
+  /** Adds an elastic line of no special trait, and returns its code. */
+  int addLine(double ax, double ay, double bx, double by) {
+    own();
+    int i = endOfLines - WALLS;
+    if (i == lineTraits.length) {
+      lineTraits = Arrays.copyOf(lineTraits, 2 * i + 4);
+      lines = Arrays.copyOf(lines, lineTraits.length * Scene.LINE);
+    }
+    int code = endOfLines++;
+    moveLine(code, ax, ay, bx, by);
+    lines[offset(code) + 4] = 1;
+    lineTraits[i] = 0;
+    return code;
+  }
+
+  void moveLine(int code, double ax, double ay, double bx, double by) {
+    own();
+    int k = offset(code);
+    lines[k] = ax;
+    lines[k + 1] = ay;
+    lines[k + 2] = bx;
+    lines[k + 3] = by;
+  }
+
+  /** Adds an elastic peg of no special trait, and returns its code. */
+  int addPeg(double x, double y, double radius) {
+    own();
+    int i = endOfPegs - PEGS;
+    if (i == pegTraits.length) {
+      pegTraits = Arrays.copyOf(pegTraits, 2 * i + 4);
+      pegs = Arrays.copyOf(pegs, pegTraits.length * Scene.PEG);
+    }
+    int code = endOfPegs++;
+    movePeg(code, x, y, radius);
+    pegs[offset(code) + 3] = 1;
+    pegTraits[i] = 0;
+    return code;
+  }
+
+  void movePeg(int code, double x, double y, double radius) {
+    own();
+    int k = offset(code);
+    pegs[k] = x;
+    pegs[k + 1] = y;
+    pegs[k + 2] = radius;
+  }
+
+  /** Removes a line or a peg: no sweep finds it any more. */
+  void remove(int code) {
+    own();
+    gone++;
+    int k = offset(code);
+    setTraits(code, 0);
+    if (code < PEGS) {
+      Arrays.fill(lines, k, k + Scene.LINE, Double.NaN);
+    } else {
+      Arrays.fill(pegs, k, k + Scene.PEG, Double.NaN);
+    }
+  }
+
+  /** Whether a line or a peg was removed. */
+  boolean isGone(int code) {
+    if (!edited) {
+      return false;
+    }
+    double x = code < PEGS ? lines[offset(code)] : pegs[offset(code)];
+    return x != x;
+  }
+
   /** The number of lines and pegs. */
   int size() {
-    return (endOfLines - WALLS) + (endOfPegs - PEGS);
+    return (endOfLines - WALLS) + (endOfPegs - PEGS) - gone;
   }
 
   ObstacleKind kind(int code) {
@@ -98,38 +268,118 @@ final class Obstacles {
   /** The restitution along the normal; where a circle halts, none. */
   double restitution(int code) {
     if (code < WALLS) {
-      return boundsRestitution;
+      return Traits.halts(boundsTraits) ? 0 : boundsRestitution;
     }
-    if (special && Traits.halts(traits(code))) {
+    if (specials > 0 && Traits.halts(traits(code))) {
       return 0;
     }
     return code < PEGS ? lines[offset(code) + 4] : pegs[offset(code) + 3];
   }
 
+  void setRestitution(int code, double e) {
+    own();
+    if (code < WALLS) {
+      boundsRestitution = e;
+    } else if (code < PEGS) {
+      lines[offset(code) + 4] = e;
+    } else {
+      pegs[offset(code) + 3] = e;
+    }
+  }
+
   /** The {@link Traits} of a line or a peg. */
-  private int traits(int code) {
+  int traits(int code) {
     return code < PEGS ? Traits.of(lineTraits, code - WALLS) : Traits.of(pegTraits, code - PEGS);
   }
 
+  /** Sets the {@link Traits} of a thing. */
+  void setTraits(int code, int traits) {
+    own();
+    if (code < WALLS) {
+      boundsTraits = traits;
+      return;
+    }
+    specials += (traits != 0 ? 1 : 0) - (traits(code) != 0 ? 1 : 0);
+    if (code < PEGS) {
+      lineTraits[code - WALLS] = (byte) traits;
+    } else {
+      pegTraits[code - PEGS] = (byte) traits;
+    }
+  }
+
+  /** Whether any line or peg has a trait. */
+  boolean areSpecial() {
+    return specials > 0;
+  }
+
   boolean isSensor(int code) {
-    return special && code >= WALLS && Traits.isSensor(traits(code));
+    return specials > 0 && code >= WALLS && Traits.isSensor(traits(code));
   }
 
   boolean isOneWay(int code) {
-    return special && code >= WALLS && Traits.isOneWay(traits(code));
+    return specials > 0 && code >= WALLS && Traits.isOneWay(traits(code));
   }
 
   /** The largest absolute coordinate of all lines and pegs; 0 without any. */
   double extent() {
     double extent = 0;
-    for (int k = 0; k < lines.length; k += Scene.LINE) {
-      for (int i = 0; i < 4; i++) {
-        extent = Math.max(extent, Math.abs(lines[k + i]));
-      }
+    for (int code = WALLS; code < endOfLines; code++) {
+      extent = Math.max(extent, extent(code));
     }
-    for (int k = 0; k < pegs.length; k += Scene.PEG) {
-      extent = Math.max(extent, Math.max(Math.abs(pegs[k]), Math.abs(pegs[k + 1])));
+    for (int code = PEGS; code < endOfPegs; code++) {
+      extent = Math.max(extent, extent(code));
     }
     return extent;
+  }
+
+  /** The largest absolute coordinate of a line or a peg; 0 for one that was removed. */
+  double extent(int code) {
+    if (code < WALLS || isGone(code)) {
+      return 0;
+    }
+    int k = offset(code);
+    double[] numbers = code < PEGS ? lines : pegs;
+    double extent = Math.max(Math.abs(numbers[k]), Math.abs(numbers[k + 1]));
+    return code < PEGS
+        ? Math.max(extent, Math.max(Math.abs(numbers[k + 2]), Math.abs(numbers[k + 3])))
+        : extent;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Obstacles that
+        && Objects.equals(bounds, that.bounds)
+        && Double.compare(boundsRestitution, that.boundsRestitution) == 0
+        && boundsTraits == that.boundsTraits
+        && endOfLines == that.endOfLines
+        && endOfPegs == that.endOfPegs
+        && haveSameNumbers(that)
+        && haveSameTraits(that);
+  }
+
+  private boolean haveSameNumbers(Obstacles that) {
+    int l = (endOfLines - WALLS) * Scene.LINE;
+    int p = (endOfPegs - PEGS) * Scene.PEG;
+    return Arrays.equals(lines, 0, l, that.lines, 0, l)
+        && Arrays.equals(pegs, 0, p, that.pegs, 0, p);
+  }
+
+  private boolean haveSameTraits(Obstacles that) {
+    for (int code = WALLS; code < endOfLines; code++) {
+      if (traits(code) != that.traits(code)) {
+        return false;
+      }
+    }
+    for (int code = PEGS; code < endOfPegs; code++) {
+      if (traits(code) != that.traits(code)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  @Override
+  public int hashCode() {
+    return Arrays.hashCode(lines);
   }
 }

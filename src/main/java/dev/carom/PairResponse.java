@@ -12,18 +12,13 @@ import static dev.carom.DoubleDouble.sumTail;
  */
 final class PairResponse {
 
-  private final double[] masses;
-
-  /** {@link Traits}, null if no circle has any. */
-  private final byte[] traits;
-
+  private final Roster roster;
   private final ObstacleResponse response;
   private final Impulse impulse = new Impulse();
 
-  PairResponse(double[] masses, byte[] traits, ObstacleResponse response) {
-    this.traits = traits;
+  PairResponse(Roster roster, ObstacleResponse response) {
+    this.roster = roster;
     this.response = response;
-    this.masses = masses;
   }
 
   /** Whether two circles just hit each other and neither changed since, or are jammed together. */
@@ -44,9 +39,31 @@ final class PairResponse {
   }
 
   /**
-   * Changes the velocities of two circles in contact, the lower number first, and writes the log.
+   * The rank of a meeting among events of the same time, the lower number first: after what circles
+   * meet that stands still. Sensors come first of all, since they change nothing.
    */
-  void resolve(Mover a, Mover b, ImpactLog log) {
+  long rank(int i, int j) {
+    long rank = (long) (Obstacles.CIRCLES + i) << 31 | j;
+    return isSensor(i, j) ? rank - Long.MAX_VALUE : rank;
+  }
+
+  /** Whether some circle only reports whom it meets. */
+  boolean hasSensors() {
+    return roster.hasTraits();
+  }
+
+  /** Whether circles i and j only report that they meet. */
+  boolean isSensor(int i, int j) {
+    return roster.isSensor(i) || roster.isSensor(j);
+  }
+
+  /**
+   * Changes the velocities of two circles in contact, the lower number first, and writes the log.
+   * Where one is a sensor it only writes.
+   *
+   * @return whether new flights begin
+   */
+  boolean resolve(Mover a, Mover b, ImpactLog log) {
     double nx = a.x - b.x;
     double ny = a.y - b.y;
     double ux = a.vx - b.vx;
@@ -55,19 +72,24 @@ final class PairResponse {
     double share = b.radius / (a.radius + b.radius);
     log.add(a.t, a.id, ObstacleKind.CIRCLE, b.id, Feature.CIRCLE);
     log.set(Math.fma(share, nx, b.x), Math.fma(share, ny, b.y), nx, ny, un);
+    if (isSensor(a.id, b.id)) {
+      return false;
+    }
     double speed = Math.abs(ux) + Math.abs(uy);
     boolean stuckA = response.countStuck(a, a.flown * speed);
     boolean stuckB = response.countStuck(b, b.flown * speed);
-    boolean halt = traits != null && (Traits.halts(traits[a.id]) || Traits.halts(traits[b.id]));
+    boolean halt = roster.halts(a.id) || roster.halts(b.id);
+    double massA = roster.mass(a.id);
+    double massB = roster.mass(b.id);
     if (un < 0) {
       double e = stuckA || stuckB || halt ? 0 : a.restitution * b.restitution;
-      if (halt && masses[a.id] + masses[b.id] < Double.POSITIVE_INFINITY) {
+      if (halt && massA + massB < Double.POSITIVE_INFINITY) {
         stop(a, nx, ny);
         stop(b, nx, ny);
       } else {
         impulse.of(1 + e, ux, uy, nx, ny);
-        push(a, -1, masses[b.id], masses[a.id], nx, ny);
-        push(b, 1, masses[a.id], masses[b.id], nx, ny);
+        push(a, -1, massB, massA, nx, ny);
+        push(b, 1, massA, massB, nx, ny);
       }
     }
     if (response.isJammed(a) && response.isJammed(b)) {
@@ -79,6 +101,7 @@ final class PairResponse {
     b.last = Obstacles.CIRCLES + a.id;
     a.newFlight();
     b.newFlight();
+    return true;
   }
 
   /** Takes away a circle's motion along the normal. */

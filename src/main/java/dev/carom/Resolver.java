@@ -125,7 +125,7 @@ public final class Resolver {
     Mover mover = new Mover();
     mover.start(
         0, circle.x(), circle.y(), circle.radius(), velocity.x(), velocity.y(), restitution);
-    BroadSearch search = new BroadSearch(obstacles);
+    BroadSearch search = new BroadSearch(obstacles, new CodeList());
     ObstacleResponse response = new ObstacleResponse(obstacles, PATIENCE);
     ImpactLog log = new ImpactLog(1);
     List<Flight> flights = new ArrayList<>(List.of(flight(mover)));

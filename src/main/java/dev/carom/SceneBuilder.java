@@ -11,9 +11,6 @@ import java.util.Objects;
  */
 public final class SceneBuilder {
 
-  /** The smallest radius in ulps of the largest coordinate: rounding stays far below it. */
-  static final double LEAST_RADIUS_ULPS = 0x1p10;
-
   final SceneRows circles = new SceneRows("circle", Scene.CIRCLE, 2);
   final SceneRows lines = new SceneRows("line", Scene.LINE, 4);
   final SceneRows pegs = new SceneRows("peg", Scene.PEG, 2);
@@ -213,7 +210,7 @@ public final class SceneBuilder {
   }
 
   private double leastRadius() {
-    return LEAST_RADIUS_ULPS * Math.ulp(largestCoordinate());
+    return Limits.leastRadius(largestCoordinate());
   }
 
   private double largestCoordinate() {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import java.util.Locale;
+import java.util.Objects;
+
 /**
  * A scene in motion: circles that fly straight, bounce off lines, pegs and bounds, and collide with
  * each other or ignore each other, as the scene says.
@@ -47,9 +50,15 @@ public final class World {
 
   private final Scene scene;
   private final ImpactLog log;
+  private final Roster roster;
   private final Engine engine;
   private final Circles circles;
+  private final Obstacles obstacles;
+  private final Editor editor;
   private double now;
+
+  /** Null unless flights are recorded. */
+  private Timeline timeline;
 
   /**
    * Sets a scene in motion, at time 0.
@@ -57,15 +66,20 @@ public final class World {
    * @param scene what is there
    */
   public World(Scene scene) {
-    this(scene, Machinery.choose(scene));
+    this(scene, Machinery.CHOSEN);
   }
 
   World(Scene scene, Machinery machinery) {
     this.scene = scene;
     log = new ImpactLog(Math.max(LOG_LEAST, Math.min(LOG_MOST, scene.circleCount())));
+    roster = new Roster(scene);
     engine =
-        scene.collide ? new Collisions(scene, machinery, log) : new Flights(scene, machinery, log);
+        scene.collide
+            ? new Collisions(scene, roster, machinery, log)
+            : new Flights(scene, roster, machinery, log);
     circles = engine.circles();
+    obstacles = engine.surroundings().obstacles;
+    editor = new Editor(scene, engine, roster);
   }
 
   /**
@@ -119,6 +133,9 @@ public final class World {
     double reached = engine.advance(end);
     log.sort();
     now = reached;
+    if (timeline != null) {
+      timeline.advance(now);
+    }
     return reached == end && !engine.unfinished() ? Outcome.COMPLETE : Outcome.UNFINISHED;
   }
 
@@ -132,12 +149,12 @@ public final class World {
   }
 
   /**
-   * The number of circles; their ids are 0..circleCount() - 1, in the order of the scene.
+   * The number of circles.
    *
    * @return at least 0
    */
   public int circleCount() {
-    return circles.count;
+    return roster.count();
   }
 
   /**
@@ -196,6 +213,75 @@ public final class World {
   }
 
   /**
+   * The mass of a circle.
+   *
+   * @param id the circle
+   * @return 2^-500 to 2^500, or infinity
+   * @throws IndexOutOfBoundsException if there is no such circle
+   */
+  public double mass(int id) {
+    return roster.mass(checked(id));
+  }
+
+  /**
+   * A line as it is now.
+   *
+   * @param id the line
+   * @return the line
+   * @throws IndexOutOfBoundsException if there is no such line
+   */
+  public Line line(int id) {
+    int k = obstacles.offset(checked(ObstacleKind.LINE, id));
+    double[] l = obstacles.lines;
+    return new Line(l[k], l[k + 1], l[k + 2], l[k + 3]);
+  }
+
+  /**
+   * A peg as it is now.
+   *
+   * @param id the peg
+   * @return the peg
+   * @throws IndexOutOfBoundsException if there is no such peg
+   */
+  public Circle peg(int id) {
+    int k = obstacles.offset(checked(ObstacleKind.PEG, id));
+    double[] p = obstacles.pegs;
+    return new Circle(p[k], p[k + 1], p[k + 2]);
+  }
+
+  /**
+   * Whether something is there. The ids of a kind begin at 0, with the things of the scene in its
+   * order; each thing that is added gets the next one, and the id of one that was removed is not
+   * used again.
+   *
+   * @param kind its kind; walls have the ids 0..3
+   * @param id its id, any number
+   * @return false if it was removed, or never was
+   */
+  public boolean contains(ObstacleKind kind, int id) {
+    return switch (kind) {
+      case CIRCLE -> roster.contains(id);
+      case WALL -> obstacles.bounds != null && id >= 0 && id < Obstacles.WALLS;
+      case LINE, PEG -> id >= 0 && id < idEnd(kind) && !obstacles.isGone(code(kind, id));
+    };
+  }
+
+  /**
+   * Where the ids of a kind end: every thing of that kind that is there, or was, has a smaller one.
+   *
+   * @param kind a kind
+   * @return one more than the largest id ever given
+   */
+  public int idEnd(ObstacleKind kind) {
+    return switch (kind) {
+      case WALL -> obstacles.bounds == null ? 0 : Obstacles.WALLS;
+      case LINE -> obstacles.endOfLines - Obstacles.WALLS;
+      case PEG -> obstacles.endOfPegs - Obstacles.PEGS;
+      case CIRCLE -> roster.end();
+    };
+  }
+
+  /**
    * The machinery that this world chose for its scene, in words: the least that is still exact.
    * Results do not depend on it, to the bit; only the cost of a step does.
    *
@@ -205,11 +291,292 @@ public final class World {
     return engine.model();
   }
 
+  // Edits.
+
+  /**
+   * Sets the velocity of a circle, from now on. What it touches may be hit again at once, if it now
+   * moves towards it.
+   *
+   * @param id the circle
+   * @param vx the x component, finite
+   * @param vy the y component, finite
+   * @throws IndexOutOfBoundsException if there is no such circle
+   * @throws IllegalArgumentException if a component is NaN or infinite
+   */
+  public void setVelocity(int id, double vx, double vy) {
+    editor.setVelocity(checked(id), vx, vy, now);
+  }
+
+  /**
+   * Puts a circle elsewhere; nothing on the way is hit. If it overlaps something there, it hits it
+   * at once if it approaches it, and is let go if it does not: see {@link SweptCircle}.
+   *
+   * @param id the circle
+   * @param x the x coordinate of the centre, finite
+   * @param y the y coordinate of the centre, finite
+   * @throws IndexOutOfBoundsException if there is no such circle
+   * @throws IllegalArgumentException if a coordinate is NaN or infinite, or so large that 2^10 ulps
+   *     of it exceed the radius of a circle
+   */
+  public void setPosition(int id, double x, double y) {
+    editor.setPosition(checked(id), x, y, now);
+  }
+
+  /**
+   * Sets the radius of a circle, from now on; its centre stays.
+   *
+   * @param id the circle
+   * @param radius finite, more than 0, and at least 2^10 ulps of the largest coordinate of anything
+   *     that was ever put into this world
+   * @throws IndexOutOfBoundsException if there is no such circle
+   * @throws IllegalArgumentException if the radius is refused
+   */
+  public void setRadius(int id, double radius) {
+    editor.setRadius(checked(id), radius, now);
+  }
+
+  /**
+   * Sets the mass of a circle, from now on. It has no effect as long as circles ignore each other.
+   *
+   * @param id the circle
+   * @param m a number from 2^-500 to 2^500, or infinity
+   * @throws IndexOutOfBoundsException if there is no such circle
+   * @throws IllegalArgumentException if m is NaN or out of these limits
+   */
+  public void setMass(int id, double m) {
+    checked(id);
+    Check.mass("mass", m);
+    roster.setMass(id, m);
+  }
+
+  /**
+   * Sets the restitution of something, from now on. That of an impact is the product of the two
+   * parties' restitutions.
+   *
+   * @param kind its kind; for {@link ObstacleKind#WALL} it is set for all four walls
+   * @param id its id
+   * @param e finite and at least 0: 1 is elastic, 0 keeps no motion along the normal, above 1 is a
+   *     bumper
+   * @throws IndexOutOfBoundsException if there is no such thing
+   * @throws IllegalArgumentException if e is NaN, infinite or negative
+   */
+  public void setRestitution(ObstacleKind kind, int id, double e) {
+    int code = checked(kind, id);
+    Check.notNegative("restitution", e);
+    editor.setRestitution(code, e);
+  }
+
+  /**
+   * Sets what happens at something, from now on.
+   *
+   * @param kind its kind; for {@link ObstacleKind#WALL} it is set for all four walls
+   * @param id its id
+   * @param response the response; of a circle, to other circles
+   * @throws IndexOutOfBoundsException if there is no such thing
+   * @throws IllegalArgumentException if the walls would become a {@link Response#SENSOR}
+   */
+  public void setResponse(ObstacleKind kind, int id, Response response) {
+    int code = checked(kind, id);
+    Objects.requireNonNull(response, "response");
+    editor.setResponse(code, response, now);
+  }
+
+  /**
+   * Makes a line a one-way line, from now on, or an ordinary one; see {@link SceneBuilder#oneWay}.
+   *
+   * @param id the line
+   * @param oneWay whether it is one
+   * @throws IndexOutOfBoundsException if there is no such line
+   */
+  public void setOneWay(int id, boolean oneWay) {
+    editor.setOneWay(checked(ObstacleKind.LINE, id), oneWay, now);
+  }
+
+  /**
+   * Adds a circle now: elastic, of mass 1.
+   *
+   * @param x the x coordinate of the centre, finite
+   * @param y the y coordinate of the centre, finite
+   * @param radius finite, more than 0, and at least 2^10 ulps of the largest coordinate
+   * @param vx the x component of the velocity, finite
+   * @param vy the y component of the velocity, finite
+   * @return its id
+   * @throws IllegalArgumentException if a number is refused
+   */
+  public int addCircle(double x, double y, double radius, double vx, double vy) {
+    return editor.addCircle(x, y, radius, vx, vy, now);
+  }
+
+  /**
+   * Adds a line now: elastic, solid from both sides. Circles whose flight would meet it begin a new
+   * one.
+   *
+   * @param ax the x coordinate of the start, finite
+   * @param ay the y coordinate of the start, finite
+   * @param bx the x coordinate of the end, finite
+   * @param by the y coordinate of the end, finite
+   * @return its id
+   * @throws IllegalArgumentException if a coordinate is NaN or infinite, or so large that 2^10 ulps
+   *     of it exceed the radius of a circle
+   */
+  public int addLine(double ax, double ay, double bx, double by) {
+    return editor.addLine(ax, ay, bx, by, now);
+  }
+
+  /**
+   * Puts a line elsewhere; a circle on the way is not hit, see {@link #setPosition}.
+   *
+   * @param id the line
+   * @param ax the x coordinate of the start, finite
+   * @param ay the y coordinate of the start, finite
+   * @param bx the x coordinate of the end, finite
+   * @param by the y coordinate of the end, finite
+   * @throws IndexOutOfBoundsException if there is no such line
+   * @throws IllegalArgumentException if a coordinate is refused, as by {@link #addLine}
+   */
+  public void moveLine(int id, double ax, double ay, double bx, double by) {
+    editor.moveLine(checked(ObstacleKind.LINE, id), ax, ay, bx, by, now);
+  }
+
+  /**
+   * Adds a peg now, an elastic one. Circles whose flight would meet it begin a new one.
+   *
+   * @param x the x coordinate of the centre, finite
+   * @param y the y coordinate of the centre, finite
+   * @param radius finite and at least 0
+   * @return its id
+   * @throws IllegalArgumentException if a coordinate or the radius is NaN or infinite, the radius
+   *     negative, or a coordinate so large that 2^10 ulps of it exceed the radius of a circle
+   */
+  public int addPeg(double x, double y, double radius) {
+    return editor.addPeg(x, y, radius, now);
+  }
+
+  /**
+   * Puts a peg elsewhere; a circle on the way is not hit, see {@link #setPosition}.
+   *
+   * @param id the peg
+   * @param x the x coordinate of the centre, finite
+   * @param y the y coordinate of the centre, finite
+   * @param radius finite and at least 0
+   * @throws IndexOutOfBoundsException if there is no such peg
+   * @throws IllegalArgumentException if a number is refused, as by {@link #addPeg}
+   */
+  public void movePeg(int id, double x, double y, double radius) {
+    editor.movePeg(checked(ObstacleKind.PEG, id), x, y, radius, now);
+  }
+
+  /**
+   * Removes a circle, a line or a peg.
+   *
+   * @param kind its kind
+   * @param id its id, which is not used again
+   * @throws IndexOutOfBoundsException if there is no such thing
+   * @throws IllegalArgumentException if the kind is {@link ObstacleKind#WALL}
+   */
+  public void remove(ObstacleKind kind, int id) {
+    int code = checked(kind, id);
+    if (kind == ObstacleKind.WALL) {
+      throw Check.refused("kind", kind, "LINE, PEG or CIRCLE: walls stay");
+    }
+    editor.remove(code);
+    if (timeline != null && kind == ObstacleKind.CIRCLE) {
+      timeline.remove(id, now);
+    }
+  }
+
+  // Time.
+
+  /**
+   * A copy of everything that determines the future.
+   *
+   * @return the snapshot, which no later step or edit changes
+   */
+  public Snapshot snapshot() {
+    return new Snapshot(
+        now, scene.collide, obstacles.copy(), roster.copy(), editor.limits(), engine.save());
+  }
+
+  /**
+   * Goes to where a snapshot was taken: of this world, or of another one. The log is empty then.
+   *
+   * @param snapshot the snapshot
+   * @throws IllegalArgumentException if it was taken in a world with other bounds, or where circles
+   *     collide and here they do not, or the other way round
+   */
+  public void restore(Snapshot snapshot) {
+    if (!Objects.equals(snapshot.obstacles.bounds, scene.bounds)) {
+      throw Check.refused(
+          "bounds of the snapshot", snapshot.obstacles.bounds, "this world's, " + scene.bounds);
+    }
+    if (snapshot.collide != scene.collide) {
+      throw Check.refused("collide of the snapshot", snapshot.collide, "this world's");
+    }
+    log.clear();
+    now = snapshot.now;
+    roster.set(snapshot.roster);
+    editor.restore(snapshot.limits);
+    engine.surroundings().restore(snapshot.obstacles);
+    engine.restore(snapshot.flights, now);
+    if (timeline != null) {
+      timeline.begin(now);
+      engine.record(timeline);
+    }
+  }
+
+  /**
+   * Records flights from now on; without it, none are. A recording that was going on stops.
+   *
+   * @param most how many flights to keep of each circle, at least 1; beyond that the oldest ones
+   *     are dropped
+   * @return the timeline, which goes on as the world does
+   * @throws IllegalArgumentException if most is below 1
+   */
+  public Timeline record(int most) {
+    if (most < 1) {
+      throw Check.refused("most", most, "at least 1");
+    }
+    timeline = new Timeline(most);
+    timeline.begin(now);
+    engine.record(timeline);
+    return timeline;
+  }
+
+  /** Stops to record; the timeline stays as it is. */
+  public void stopRecording() {
+    timeline = null;
+    engine.record(null);
+  }
+
+  private static int code(ObstacleKind kind, int id) {
+    return switch (kind) {
+      case WALL -> id;
+      case LINE -> Obstacles.WALLS + id;
+      case PEG -> Obstacles.PEGS + id;
+      case CIRCLE -> Obstacles.CIRCLES + id;
+    };
+  }
+
   private int checked(int id) {
-    if (id < 0 || id >= circles.count) {
-      throw new IndexOutOfBoundsException(
-          "circle " + id + " does not exist: the world has " + circles.count + ", from 0");
+    if (!roster.contains(id)) {
+      throw missing(ObstacleKind.CIRCLE, id);
     }
     return id;
+  }
+
+  /** The code of a thing that is there. */
+  private int checked(ObstacleKind kind, int id) {
+    if (!contains(kind, id)) {
+      throw missing(kind, id);
+    }
+    return code(kind, id);
+  }
+
+  private IndexOutOfBoundsException missing(ObstacleKind kind, int id) {
+    int end = idEnd(kind);
+    boolean removed = id >= 0 && id < end;
+    String reason = removed ? "it was removed" : "expected an id from 0 on, below " + end;
+    return new IndexOutOfBoundsException(
+        "%s %d does not exist: %s".formatted(kind.name().toLowerCase(Locale.ROOT), id, reason));
   }
 }

@@ -87,7 +87,7 @@ class CollisionsMachineryTest {
       world.step(0.25);
       rows.addAll(Run.rows(world.impacts()));
     }
-    ImpactLog plain = new BruteForce(scene).advance(world.now(), rows.size() + 1);
+    ImpactLog plain = new PlainWorld(scene).advance(world.now(), rows.size() + 1);
     assertThat(Run.rows(plain)).isEqualTo(rows);
     return rows.size();
   }

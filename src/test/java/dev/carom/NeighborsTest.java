@@ -30,7 +30,7 @@ class NeighborsTest {
     Scene scene = CollidingScenes.mixed(new Random(1), 200).build();
     Circles circles = circles(scene);
     for (Bounds bounds : new Bounds[] {null, scene.bounds}) {
-      Neighbors neighbors = new Neighbors(circles, bounds, diameters);
+      Neighbors neighbors = new Neighbors(circles, new Roster(scene), bounds, diameters, 0);
       for (int i = 0; i < circles.count; i++) {
         int[] found = new int[circles.count + 9];
         int size = neighbors.find(i, found);
@@ -52,8 +52,8 @@ class NeighborsTest {
 
   @Test
   void whatStandsStillLeavesNoCell() {
-    Circles circles = circles(Scene.builder().circle(3, 4, 1, 0, 0).collide(true).build());
-    Neighbors neighbors = new Neighbors(circles, null, 1);
+    Scene scene = Scene.builder().circle(3, 4, 1, 0, 0).collide(true).build();
+    Neighbors neighbors = new Neighbors(circles(scene), new Roster(scene), null, 1, 0);
     assertThat(neighbors.crossing(0)).isEqualTo(Double.POSITIVE_INFINITY);
   }
 
@@ -66,7 +66,7 @@ class NeighborsTest {
       builder.circle(100 * random.nextDouble() - 3, 50 * random.nextDouble() + 2, 1, 0, 0);
     }
     Scene scene = builder.circle(1e3, 20, 1, 0, 0).circle(20, -1e3, 1, 0, 0).build();
-    Neighbors neighbors = new Neighbors(circles(scene), scene.bounds, 1);
+    Neighbors neighbors = new Neighbors(circles(scene), new Roster(scene), scene.bounds, 1, 0);
     int inside = 0;
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);

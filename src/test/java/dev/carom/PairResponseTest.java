@@ -20,8 +20,12 @@ class PairResponseTest {
   private final Mover b = new Mover();
 
   private static PairResponse masses(double... masses) {
-    Obstacles none = Obstacles.of(Scene.builder().build());
-    return new PairResponse(masses, null, new ObstacleResponse(none, 1_000));
+    SceneBuilder scene = Scene.builder();
+    for (double mass : masses) {
+      scene.circle(0, 0, 1, 0, 0).mass(mass);
+    }
+    Obstacles none = Obstacles.of(scene.build());
+    return new PairResponse(new Roster(scene.build()), new ObstacleResponse(none, 1_000));
   }
 
   /** The first circle at the origin, the second where the angle says, both of radius 1. */

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * Changes a world between steps. Everything is checked before anything is changed, so that a
+ * refused edit leaves the world as it was.
+ *
+ * <p>An edited circle begins a new flight now, and is searched for when the next step needs it: any
+ * number of edits between two steps cost one search.
+ */
+final class Editor {
+
+  private final Engine engine;
+  private final Circles circles;
+  private final Roster roster;
+  private final Obstacles obstacles;
+  private final Mover mover = new Mover();
+
+  private final Limits limits = new Limits();
+
+  Editor(Scene scene, Engine engine, Roster roster) {
+    this.engine = engine;
+    this.roster = roster;
+    circles = engine.circles();
+    obstacles = engine.surroundings().obstacles;
+    limits.keepPlace(obstacles.extent(), 0);
+    if (scene.bounds != null) {
+      limits.keepPlace(scene.bounds.xmin(), scene.bounds.ymin());
+      limits.keepPlace(scene.bounds.xmax(), scene.bounds.ymax());
+    }
+    for (int i = 0; i < scene.circleCount(); i++) {
+      Circle c = scene.circle(i);
+      limits.keepPlace(c.x(), c.y());
+      limits.keepRadius(c.radius());
+    }
+  }
+
+  /** A copy of what rounding allows. */
+  Limits limits() {
+    return new Limits(limits.largest(), limits.least());
+  }
+
+  void restore(Limits other) {
+    limits.set(other);
+  }
+
+  // Circles.
+
+  void setVelocity(int id, double vx, double vy, double now) {
+    Check.finite("vx", vx);
+    Check.finite("vy", vy);
+    Mover m = restarted(id, now);
+    m.vx = vx;
+    m.vy = vy;
+    m.forget();
+    engine.fly(m);
+  }
+
+  void setPosition(int id, double x, double y, double now) {
+    limits.checkCoordinate("x", x);
+    limits.checkCoordinate("y", y);
+    Mover m = restarted(id, now);
+    m.x = x;
+    m.y = y;
+    m.forget();
+    engine.fly(m);
+    limits.keepPlace(x, y);
+  }
+
+  void setRadius(int id, double radius, double now) {
+    Mover m = restarted(id, now);
+    limits.checkRadius(radius, m.x, m.y);
+    m.radius = radius;
+    engine.fly(m);
+    limits.keepRadius(radius);
+  }
+
+  int addCircle(double x, double y, double radius, double vx, double vy, double now) {
+    limits.checkCoordinate("x", x);
+    limits.checkCoordinate("y", y);
+    limits.checkRadius(radius, x, y);
+    Check.finite("vx", vx);
+    Check.finite("vy", vy);
+    int id = roster.add();
+    mover.start(id, x, y, radius, vx, vy, 1);
+    mover.t = now;
+    engine.fly(mover);
+    limits.keepPlace(x, y);
+    limits.keepRadius(radius);
+    return id;
+  }
+
+  /** A circle at the start of a new flight, now. */
+  private Mover restarted(int id, double now) {
+    circles.load(id, mover);
+    mover.restart(now);
+    return mover;
+  }
+
+  // Lines and pegs.
+
+  int addLine(double ax, double ay, double bx, double by, double now) {
+    checkLine(ax, ay, bx, by);
+    int code = obstacles.addLine(ax, ay, bx, by);
+    limits.keepPlace(ax, ay);
+    limits.keepPlace(bx, by);
+    changed(code, now);
+    return obstacles.index(code);
+  }
+
+  void moveLine(int code, double ax, double ay, double bx, double by, double now) {
+    checkLine(ax, ay, bx, by);
+    obstacles.moveLine(code, ax, ay, bx, by);
+    limits.keepPlace(ax, ay);
+    limits.keepPlace(bx, by);
+    changed(code, now);
+  }
+
+  private void checkLine(double ax, double ay, double bx, double by) {
+    limits.checkCoordinate("ax", ax);
+    limits.checkCoordinate("ay", ay);
+    limits.checkCoordinate("bx", bx);
+    limits.checkCoordinate("by", by);
+  }
+
+  int addPeg(double x, double y, double radius, double now) {
+    checkPeg(x, y, radius);
+    int code = obstacles.addPeg(x, y, radius);
+    limits.keepPlace(x, y);
+    changed(code, now);
+    return obstacles.index(code);
+  }
+
+  void movePeg(int code, double x, double y, double radius, double now) {
+    checkPeg(x, y, radius);
+    obstacles.movePeg(code, x, y, radius);
+    limits.keepPlace(x, y);
+    changed(code, now);
+  }
+
+  private void checkPeg(double x, double y, double radius) {
+    limits.checkCoordinate("x", x);
+    limits.checkCoordinate("y", y);
+    Check.notNegative("radius", radius);
+  }
+
+  // Anything.
+
+  void remove(int code) {
+    if (code >= Obstacles.CIRCLES) {
+      roster.remove(code - Obstacles.CIRCLES);
+      engine.remove(code - Obstacles.CIRCLES);
+    } else {
+      obstacles.remove(code);
+      engine.surroundings().changed(code);
+    }
+  }
+
+  void setRestitution(int code, double e) {
+    if (code >= Obstacles.CIRCLES) {
+      circles.setRestitution(code - Obstacles.CIRCLES, e);
+    } else {
+      obstacles.setRestitution(code, e);
+    }
+  }
+
+  void setResponse(int code, Response response, double now) {
+    if (code >= Obstacles.CIRCLES) {
+      int id = code - Obstacles.CIRCLES;
+      roster.setTraits(id, Traits.with(roster.traits(id), response));
+      engine.fly(restarted(id, now));
+    } else if (code < Obstacles.WALLS) {
+      if (response == Response.SENSOR) {
+        throw Check.refused("response", response, "BOUNCE or HALT: bounds keep circles inside");
+      }
+      obstacles.setTraits(code, Traits.with(obstacles.boundsTraits, response));
+    } else {
+      setTraits(code, Traits.with(obstacles.traits(code), response), now);
+    }
+  }
+
+  void setOneWay(int code, boolean oneWay, double now) {
+    setTraits(code, Traits.withOneWay(obstacles.traits(code), oneWay), now);
+  }
+
+  private void setTraits(int code, int traits, double now) {
+    if (traits != obstacles.traits(code)) {
+      obstacles.setTraits(code, traits);
+      changed(code, now);
+    }
+  }
+
+  private void changed(int code, double now) {
+    engine.surroundings().changed(code);
+    engine.appeared(code, now);
+  }
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * The largest coordinate and the least radius that were ever in a world. Rounding of positions
+ * could carry a circle through a line whose radius is below 2^10 ulps of the largest coordinate.
+ */
+final class Limits {
+
+  private static final double LEAST_RADIUS_ULPS = 0x1p10;
+
+  private double largest;
+  private double least = Double.POSITIVE_INFINITY;
+
+  Limits() {}
+
+  Limits(double largest, double least) {
+    this.largest = largest;
+    this.least = least;
+  }
+
+  double largest() {
+    return largest;
+  }
+
+  double least() {
+    return least;
+  }
+
+  /** Takes over what another one holds. */
+  void set(Limits other) {
+    largest = other.largest;
+    least = other.least;
+  }
+
+  /** The least radius that may stand beside a coordinate of this size. */
+  static double leastRadius(double coordinate) {
+    return LEAST_RADIUS_ULPS * Math.ulp(coordinate);
+  }
+
+  /** Refuses a coordinate that is not finite, or too large for the circles that are there. */
+  void checkCoordinate(String name, double value) {
+    Check.finite(name, value);
+    if (leastRadius(value) > least) {
+      throw Check.refused(
+          name,
+          value,
+          "a coordinate of which 2^10 ulps are no more than the least radius, " + least);
+    }
+  }
+
+  /** Refuses the radius of a circle at (x, y) that is not positive, or too small. */
+  void checkRadius(double radius, double x, double y) {
+    Check.positive("radius", radius);
+    double size = Math.max(largest, Math.max(Math.abs(x), Math.abs(y)));
+    if (radius < leastRadius(size)) {
+      throw Check.refused(
+          "radius",
+          radius,
+          "at least %s, 2^10 ulps of the largest coordinate, %s"
+              .formatted(leastRadius(size), size));
+    }
+  }
+
+  void keepPlace(double x, double y) {
+    largest = Math.max(largest, Math.max(Math.abs(x), Math.abs(y)));
+  }
+
+  void keepRadius(double radius) {
+    least = Math.min(least, radius);
+  }
+}

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.util.Arrays;
+import java.util.BitSet;
+
+/**
+ * The circles of a world by their ids, and what does not move of them: mass and {@link Traits}. An
+ * id is not used again when its circle is removed.
+ */
+final class Roster {
+
+  private double[] masses;
+
+  /** Null if no circle has any. */
+  private byte[] traits;
+
+  /** Which were removed; null as long as none was. */
+  private boolean[] gone;
+
+  private int end;
+  private int count;
+
+  Roster(Scene scene) {
+    end = scene.circleCount();
+    count = end;
+    masses = scene.masses.clone();
+    traits = scene.circleTraits == null ? null : scene.circleTraits.clone();
+  }
+
+  private Roster(Roster other) {
+    set(other);
+  }
+
+  /** Circles 0 .. masses.length - 1, some of which are gone. */
+  Roster(double[] masses, byte[] traits, BitSet gone) {
+    this.masses = masses;
+    this.traits = traits;
+    end = masses.length;
+    count = end;
+    gone.stream().forEach(this::remove);
+  }
+
+  Roster copy() {
+    return new Roster(this);
+  }
+
+  /** Takes over what another one holds. */
+  void set(Roster other) {
+    masses = Arrays.copyOf(other.masses, other.end);
+    traits = other.traits == null ? null : Arrays.copyOf(other.traits, other.end);
+    gone = other.gone == null ? null : Arrays.copyOf(other.gone, other.end);
+    end = other.end;
+    count = other.count;
+  }
+
+  /** The number of circles. */
+  int count() {
+    return count;
+  }
+
+  /** How many impacts a circle may make in one place before it is stuck; see {@link World}. */
+  int patience() {
+    return 1_000 + 10 * count;
+  }
+
+  /** One more than the largest id. */
+  int end() {
+    return end;
+  }
+
+  boolean contains(int id) {
+    return id >= 0 && id < end && (gone == null || !gone[id]);
+  }
+
+  /** Adds a circle of mass 1 and no special trait, and returns its id. */
+  int add() {
+    if (end == masses.length) {
+      int capacity = 2 * end + 4;
+      masses = Arrays.copyOf(masses, capacity);
+      traits = traits == null ? null : Arrays.copyOf(traits, capacity);
+      gone = gone == null ? null : Arrays.copyOf(gone, capacity);
+    }
+    masses[end] = 1;
+    count++;
+    return end++;
+  }
+
+  void remove(int id) {
+    if (gone == null) {
+      gone = new boolean[masses.length];
+    }
+    gone[id] = true;
+    count--;
+  }
+
+  double mass(int id) {
+    return masses[id];
+  }
+
+  void setMass(int id, double m) {
+    masses[id] = m;
+  }
+
+  int traits(int id) {
+    return traits == null ? 0 : traits[id];
+  }
+
+  void setTraits(int id, int t) {
+    if (traits == null) {
+      traits = new byte[masses.length];
+    }
+    traits[id] = (byte) t;
+  }
+
+  /** Whether any circle may have a trait. */
+  boolean hasTraits() {
+    return traits != null;
+  }
+
+  boolean isSensor(int id) {
+    return traits != null && Traits.isSensor(traits[id]);
+  }
+
+  boolean halts(int id) {
+    return traits != null && Traits.halts(traits[id]);
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    if (!(other instanceof Roster that) || end != that.end || count != that.count) {
+      return false;
+    }
+    for (int id = 0; id < end; id++) {
+      boolean same =
+          contains(id) == that.contains(id)
+              && masses[id] == that.masses[id]
+              && traits(id) == that.traits(id);
+      if (!same) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  @Override
+  public int hashCode() {
+    return count;
+  }
+}

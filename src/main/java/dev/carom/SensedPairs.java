@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.util.Arrays;
+
+/**
+ * The last meeting of each circle's flight that a sensor reported: it and those before it are not
+ * reported again. Meetings stand in the order of time (head, tail), then of the partner.
+ */
+final class SensedPairs {
+
+  // Null until there is one; a head of -1 stands for none.
+  private double[] heads;
+  private double[] tails;
+  private int[] partners;
+
+  /** Notes that circle i met a partner. */
+  void report(int i, double head, double tail, int partner) {
+    if (heads == null) {
+      heads = new double[0];
+      tails = new double[0];
+      partners = new int[0];
+    }
+    if (i >= heads.length) {
+      int size = heads.length;
+      heads = Arrays.copyOf(heads, 2 * i + 4);
+      tails = Arrays.copyOf(tails, heads.length);
+      partners = Arrays.copyOf(partners, heads.length);
+      Arrays.fill(heads, size, heads.length, -1);
+    }
+    heads[i] = head;
+    tails[i] = tail;
+    partners[i] = partner;
+  }
+
+  /** Begins a new flight of circle i. */
+  void forget(int i) {
+    if (heads != null && i < heads.length) {
+      heads[i] = -1;
+    }
+  }
+
+  void clear() {
+    heads = null;
+  }
+
+  /** Whether a meeting of circle i is still to be reported. */
+  boolean isNew(int i, double head, double tail, int partner) {
+    if (heads == null || i >= heads.length || head != heads[i]) {
+      return heads == null || i >= heads.length || head > heads[i];
+    }
+    return tail != tails[i] ? tail > tails[i] : partner > partners[i];
+  }
+
+  void save(int i, FlightStates states) {
+    if (heads != null && i < heads.length) {
+      states.putSensed(i, heads[i], tails[i], partners[i]);
+    } else {
+      states.putSensed(i, -1, 0, 0);
+    }
+  }
+
+  void restore(int i, FlightStates states) {
+    if (states.sensedHead(i) >= 0) {
+      report(i, states.sensedHead(i), states.sensedTail(i), states.sensedPartner(i));
+    }
+  }
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.util.Arrays;
+
+/**
+ * A copy of everything that determines the future of a {@link World}: for save games, and for going
+ * back when a network tells what should have happened. Immutable, safe for use by several threads.
+ *
+ * <p>A world into which a snapshot is restored goes on as the one it was taken from, bit for bit;
+ * equal snapshots mean equal futures. What a world remembers only to be fast is not in it: after
+ * {@link World#restore} the next step searches once for every circle. Nor is the log of the last
+ * step.
+ */
+public final class Snapshot {
+
+  final double now;
+  final boolean collide;
+  final Obstacles obstacles;
+  final Roster roster;
+  final Limits limits;
+  final FlightStates flights;
+
+  Snapshot(
+      double now,
+      boolean collide,
+      Obstacles obstacles,
+      Roster roster,
+      Limits limits,
+      FlightStates flights) {
+    this.now = now;
+    this.collide = collide;
+    this.obstacles = obstacles;
+    this.roster = roster;
+    this.limits = limits;
+    this.flights = flights;
+  }
+
+  /**
+   * The time at which it was taken.
+   *
+   * @return at least 0
+   */
+  public double now() {
+    return now;
+  }
+
+  /**
+   * Reads a snapshot.
+   *
+   * @param in where to read; it is not closed, and read no further than the snapshot goes
+   * @return the snapshot
+   * @throws IOException if reading fails, or what is read is not a whole snapshot as {@link #write}
+   *     wrote it, of a version that this library knows; the message tells what is wrong
+   */
+  public static Snapshot read(InputStream in) throws IOException {
+    return new SnapshotReader(in).read();
+  }
+
+  /**
+   * Writes this snapshot in a format of its own, with a version and a check sum: about 100 bytes a
+   * circle and 50 a line.
+   *
+   * @param out where to write; it is neither flushed nor closed
+   * @throws IOException if writing fails
+   */
+  public void write(OutputStream out) throws IOException {
+    new SnapshotWriter(out).write(this);
+  }
+
+  /**
+   * Two snapshots are equal if they hold the same, to the bit; then their futures are equal. Those
+   * of two worlds that went the same way in steps of different lengths are equal, too, if there are
+   * no sensors.
+   *
+   * @param other any object
+   * @return whether it is an equal snapshot
+   */
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Snapshot that
+        && Double.compare(now, that.now) == 0
+        && collide == that.collide
+        && obstacles.equals(that.obstacles)
+        && roster.equals(that.roster)
+        && flights.equals(that.flights);
+  }
+
+  @Override
+  public int hashCode() {
+    return Arrays.hashCode(flights.numbers);
+  }
+
+  @Override
+  public String toString() {
+    return "Snapshot[now=%s, circles=%d, lines and pegs=%d]"
+        .formatted(now, roster.count(), obstacles.size());
+  }
+}

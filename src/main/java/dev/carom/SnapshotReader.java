@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.stream.IntStream;
+import java.util.zip.CRC32;
+import java.util.zip.CheckedInputStream;
+
+/**
+ * Reads a snapshot, and trusts nothing: beside the check sum, each number is held to what a world
+ * can have.
+ */
+final class SnapshotReader {
+
+  private final CRC32 sum = new CRC32();
+  private final DataInputStream in;
+  private Bounds bounds;
+  private int lines;
+  private int pegs;
+  private int circles;
+
+  SnapshotReader(InputStream in) {
+    this.in = new DataInputStream(new CheckedInputStream(in, sum));
+  }
+
+  Snapshot read() throws IOException {
+    try {
+      return readWhole();
+    } catch (EOFException e) {
+      throw new IOException("snapshot ends early: expected more after what was read", e);
+    } catch (IllegalArgumentException e) {
+      throw corrupt(e.getMessage(), e);
+    }
+  }
+
+  private Snapshot readWhole() throws IOException {
+    long mark = in.readLong();
+    expect(mark == SnapshotWriter.MARK, "it does not begin as one");
+    int version = in.readInt();
+    expect(
+        version == SnapshotWriter.VERSION,
+        "its version is " + version + ": expected " + SnapshotWriter.VERSION);
+    double now = in.readDouble();
+    Check.notNegative("now", now);
+    boolean collide = in.readBoolean();
+    Limits limits = limits();
+    Obstacles obstacles = obstacles();
+    Snapshot snapshot = circles(now, collide, obstacles, limits);
+    long expected = sum.getValue();
+    expect(in.readLong() == expected, "its check sum differs from what it holds");
+    return snapshot;
+  }
+
+  private Limits limits() throws IOException {
+    double largest = in.readDouble();
+    double least = in.readDouble();
+    Check.notNegative("largest coordinate", largest);
+    expect(least > 0, "least radius is " + least);
+    return new Limits(largest, least);
+  }
+
+  private Obstacles obstacles() throws IOException {
+    if (in.readBoolean()) {
+      bounds = new Bounds(in.readDouble(), in.readDouble(), in.readDouble(), in.readDouble());
+    }
+    double restitution = in.readDouble();
+    Check.notNegative("restitution", restitution);
+    int traits = traits(1);
+    lines = count();
+    ByteArrayOutputStream lineTraits = new ByteArrayOutputStream();
+    DoubleList lineNumbers = numbers(lines, Scene.LINE, lineTraits);
+    pegs = count();
+    ByteArrayOutputStream pegTraits = new ByteArrayOutputStream();
+    DoubleList pegNumbers = numbers(pegs, Scene.PEG, pegTraits);
+    return Obstacles.of(
+        bounds,
+        restitution,
+        traits,
+        lineNumbers.toArray(),
+        lineTraits.toByteArray(),
+        pegNumbers.toArray(),
+        pegTraits.toByteArray());
+  }
+
+  /** Rows of numbers, finite or all NaN, that end in a restitution; and traits. */
+  private DoubleList numbers(int count, int width, ByteArrayOutputStream traits)
+      throws IOException {
+    DoubleList numbers = new DoubleList();
+    double[] row = new double[width];
+    for (int i = 0; i < count; i++) {
+      int missing = 0;
+      for (int k = 0; k < width; k++) {
+        row[k] = in.readDouble();
+        missing += Double.isNaN(row[k]) ? 1 : 0;
+      }
+      if (missing != width) {
+        for (double number : row) {
+          Check.finite("a number of line or peg " + i, number);
+        }
+        Check.notNegative("restitution", row[width - 1]);
+        Check.notNegative("radius", width == Scene.PEG ? row[2] : 0);
+      }
+      numbers.add(row);
+      traits.write(traits(width == Scene.LINE ? 7 : 3));
+    }
+    return numbers;
+  }
+
+  private Snapshot circles(double now, boolean collide, Obstacles obstacles, Limits limits)
+      throws IOException {
+    circles = count();
+    DoubleList masses = new DoubleList();
+    ByteArrayOutputStream traits = new ByteArrayOutputStream();
+    BitSet gone = new BitSet();
+    DoubleList numbers = new DoubleList();
+    IntStream.Builder codes = IntStream.builder();
+    Jam[] jams = null;
+    for (int i = 0; i < circles; i++) {
+      gone.set(i, !in.readBoolean());
+      double mass = in.readDouble();
+      Check.mass("mass", mass);
+      masses.add(mass);
+      traits.write(traits(3));
+      flight(now, numbers, codes);
+      Jam jam = jam();
+      if (jam != null) {
+        jams = Arrays.copyOf(jams == null ? new Jam[0] : jams, i + 1);
+        jams[i] = jam;
+      }
+    }
+    if (jams != null) {
+      jams = Arrays.copyOf(jams, circles);
+    }
+    Roster roster = new Roster(masses.toArray(), traits.toByteArray(), gone);
+    FlightStates flights = new FlightStates(numbers.toArray(), codes.build().toArray(), jams);
+    return new Snapshot(now, collide, obstacles, roster, limits, flights);
+  }
+
+  private void flight(double now, DoubleList numbers, IntStream.Builder codes) throws IOException {
+    double[] n = new double[FlightStates.NUMBERS];
+    for (int k = 0; k < n.length; k++) {
+      n[k] = in.readDouble();
+      expect(n[k] == n[k], "a number of a circle is NaN");
+    }
+    Check.finite("vx", n[2]);
+    Check.finite("vy", n[3]);
+    expect(n[4] >= 0 && n[4] <= now, "a flight starts at " + n[4]);
+    expect(Math.abs(n[5]) <= Math.ulp(n[4]), "the tail of a time is " + n[5]);
+    Check.positive("radius", n[6]);
+    Check.notNegative("restitution", n[7]);
+    expect(n[10] >= 0, "a flight is known for " + n[10]);
+    numbers.add(n);
+    int last = in.readInt();
+    expect(last == Mover.NOTHING || isCode(last), "code " + last + " does not exist");
+    int stuck = in.readInt();
+    expect(stuck >= 0, "a circle made " + stuck + " impacts");
+    codes.add(last).add(stuck).add(in.readInt()).add(in.readInt());
+  }
+
+  private Jam jam() throws IOException {
+    int count = count();
+    Jam jam = null;
+    for (int k = 0; k < count; k++) {
+      int code = in.readInt();
+      expect(isCode(code), "code " + code + " does not exist");
+      jam = Jam.with(jam, code);
+    }
+    return jam;
+  }
+
+  private boolean isCode(int code) {
+    if (code < Obstacles.PEGS) {
+      return code >= 0 && code < Obstacles.WALLS + lines;
+    }
+    return code < Obstacles.CIRCLES
+        ? code < Obstacles.PEGS + pegs
+        : code < Obstacles.CIRCLES + circles;
+  }
+
+  private int count() throws IOException {
+    int count = in.readInt();
+    expect(count >= 0 && count < Obstacles.PEGS, "it holds " + count + " of a kind");
+    return count;
+  }
+
+  private int traits(int most) throws IOException {
+    int traits = in.readByte();
+    expect(traits >= 0 && traits <= most && (traits & 3) != 3, "traits are " + traits);
+    return traits;
+  }
+
+  private static void expect(boolean good, String otherwise) throws IOException {
+    if (!good) {
+      throw corrupt(otherwise, null);
+    }
+  }
+
+  private static IOException corrupt(String reason, Exception cause) {
+    return new IOException("snapshot cannot be read: " + reason, cause);
+  }
+}

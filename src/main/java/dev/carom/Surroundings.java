@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.util.Arrays;
+
+/**
+ * What stands still around the circles of a world: the obstacles, the grids over them, and the
+ * search among them.
+ */
+final class Surroundings {
+
+  final Obstacles obstacles;
+  private final Grids grids;
+  private final BroadSearch search;
+
+  /** The grid of each circle's class of radius, null where none is used. */
+  private Grid[] grid;
+
+  Surroundings(Scene scene, Machinery machinery) {
+    obstacles = Obstacles.of(scene);
+    grids = new Grids(scene, obstacles, machinery);
+    search = new BroadSearch(obstacles, grids.loose());
+    grid = new Grid[scene.circleCount()];
+    for (int i = 0; i < grid.length; i++) {
+      grid[i] = grids.of(scene.circles[i * Scene.CIRCLE + 2]);
+    }
+  }
+
+  Model model() {
+    return grids.model();
+  }
+
+  /** Extends what is known ahead of a circle; see {@link BroadSearch#extend}. */
+  void extend(Mover m, double needed) {
+    search.extend(m, grid[m.id], needed);
+  }
+
+  /** Whether a line or a peg was removed since a search found it ahead. */
+  boolean isGone(int code) {
+    return code >= Obstacles.WALLS && obstacles.isGone(code);
+  }
+
+  /** Whether a flight, followed for ever from its start, meets a line or a peg. */
+  boolean meets(Mover m, int code) {
+    return search.meets(m, code);
+  }
+
+  /** Takes notice of a circle's radius, which may be new. */
+  void setRadius(int i, double radius) {
+    if (i >= grid.length) {
+      grid = Arrays.copyOf(grid, 2 * i + 4);
+    }
+    grid[i] = grids.ofNew(radius);
+  }
+
+  /** Takes notice that a line or a peg is new, elsewhere, or gone. */
+  void changed(int code) {
+    grids.changed(code);
+    search.lookAgain(code);
+  }
+
+  /** Makes grids anew where edits made them poor. */
+  void prepare(Circles circles) {
+    if (grids.areStale()) {
+      grids.remake(circles);
+      for (int i = 0; i < circles.count; i++) {
+        grid[i] = grids.of(circles.radius(i));
+      }
+    }
+  }
+
+  /** Takes over other obstacles. */
+  void restore(Obstacles other) {
+    if (!obstacles.equals(other)) {
+      grids.forget();
+    }
+    obstacles.set(other);
+    search.lookAgain(Obstacles.LEFT);
+  }
+
+  /**
+   * Takes down what determines a circle's flight. Nothing is ahead of what a search cleared; where
+   * it found something, sensors at the same time as that are reported first, in their order.
+   */
+  void save(Mover m, FlightStates states) {
+    if (!obstacles.areSpecial()) {
+      states.put(m, 0, 0);
+    } else if (m.next == Mover.NOTHING) {
+      states.put(m, m.cleared, m.contact);
+    } else {
+      states.put(m, m.cleared, obstacles.isSensor(m.next) ? m.next - 1 : Integer.MAX_VALUE);
+    }
+  }
+}

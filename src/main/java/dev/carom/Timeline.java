@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.util.Arrays;
+
+/**
+ * The recorded flights of a world's circles: where each was, and how it moved, at any moment from
+ * the start of the recording to now, forwards and backwards, to the bit as the world gave it when
+ * it stood there. It takes 56 bytes a flight, so its size follows the impacts, not the steps; it
+ * can be bounded.
+ *
+ * <p>What stands still is not recorded. A world records what it does itself, and edits; when a
+ * snapshot is restored into it, the recording begins anew. Not safe for use by several threads.
+ */
+public final class Timeline {
+
+  private final int most;
+  private Track[] tracks;
+  private double begin;
+  private double end;
+
+  // The circles of the flights that were added since the last mark.
+  private int[] recent = new int[16];
+  private int recents;
+
+  Timeline(int most) {
+    this.most = most;
+    tracks = new Track[0];
+  }
+
+  /**
+   * From when on everything is known.
+   *
+   * @return the time at which the recording began; later, if its bound made it drop flights
+   */
+  public double start() {
+    double start = begin;
+    for (Track track : tracks) {
+      if (track != null && track.size() == most) {
+        start = Math.max(start, Math.min(end, track.start()));
+      }
+    }
+    return start;
+  }
+
+  /**
+   * Up to when everything is known.
+   *
+   * @return the time of the world, or that at which it stopped to record
+   */
+  public double end() {
+    return end;
+  }
+
+  /**
+   * Whether a circle was there at a given time, and is recorded.
+   *
+   * @param id the circle, any number
+   * @param t a time, any number
+   * @return whether it can be asked for
+   */
+  public boolean contains(int id, double t) {
+    return id >= 0
+        && id < tracks.length
+        && tracks[id] != null
+        && t >= tracks[id].start()
+        && t < tracks[id].end
+        && t <= end;
+  }
+
+  /**
+   * The x coordinate of a circle's centre at a given time.
+   *
+   * @param id the circle
+   * @param t a time within the recording
+   * @return the coordinate
+   * @throws IllegalArgumentException if the circle was not there then, or is not recorded
+   */
+  public double x(int id, double t) {
+    Track track = track(id, t);
+    return track.x(track.find(t), t);
+  }
+
+  /**
+   * The y coordinate of a circle's centre at a given time.
+   *
+   * @param id the circle
+   * @param t a time within the recording
+   * @return the coordinate
+   * @throws IllegalArgumentException if the circle was not there then, or is not recorded
+   */
+  public double y(int id, double t) {
+    Track track = track(id, t);
+    return track.y(track.find(t), t);
+  }
+
+  /**
+   * The x component of a circle's velocity at a given time; at an impact, the one after it.
+   *
+   * @param id the circle
+   * @param t a time within the recording
+   * @return the component
+   * @throws IllegalArgumentException if the circle was not there then, or is not recorded
+   */
+  public double vx(int id, double t) {
+    Track track = track(id, t);
+    return track.vx(track.find(t));
+  }
+
+  /**
+   * The y component of a circle's velocity at a given time; at an impact, the one after it.
+   *
+   * @param id the circle
+   * @param t a time within the recording
+   * @return the component
+   * @throws IllegalArgumentException if the circle was not there then, or is not recorded
+   */
+  public double vy(int id, double t) {
+    Track track = track(id, t);
+    return track.vy(track.find(t));
+  }
+
+  /**
+   * The radius of a circle at a given time.
+   *
+   * @param id the circle
+   * @param t a time within the recording
+   * @return more than 0
+   * @throws IllegalArgumentException if the circle was not there then, or is not recorded
+   */
+  public double radius(int id, double t) {
+    Track track = track(id, t);
+    return track.radius(track.find(t));
+  }
+
+  private Track track(int id, double t) {
+    if (!contains(id, t)) {
+      throw Check.refused(
+          "circle " + id + " at",
+          t,
+          "a circle that was there, at a time from " + start() + " to " + end);
+    }
+    return tracks[id];
+  }
+
+  // What a world tells.
+
+  /** Forgets all, and begins at a given time. */
+  void begin(double now) {
+    tracks = new Track[0];
+    begin = now;
+    end = now;
+    recents = 0;
+  }
+
+  /** What is added from here on can be undone. */
+  void mark() {
+    recents = 0;
+  }
+
+  /** Drops what was added since the mark. */
+  void undo() {
+    while (recents > 0) {
+      tracks[recent[--recents]].drop();
+    }
+  }
+
+  void add(Mover m) {
+    if (m.id >= tracks.length) {
+      tracks = Arrays.copyOf(tracks, Math.max(m.id + 1, 2 * tracks.length));
+    }
+    if (tracks[m.id] == null) {
+      tracks[m.id] = new Track(most);
+    }
+    tracks[m.id].add(m);
+    if (recents == recent.length) {
+      recent = Arrays.copyOf(recent, 2 * recents);
+    }
+    recent[recents++] = m.id;
+  }
+
+  void remove(int id, double now) {
+    tracks[id].end = now;
+  }
+
+  void advance(double now) {
+    end = now;
+  }
+}

@@ -1,0 +1,436 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.DoubleDouble.sumTail;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.IntStream;
+
+/**
+ * A world the plain way: no cells, no grid, no calendar, no laziness and no memory but that of
+ * which sensors a flight met. Before each event every circle is asked about every obstacle and
+ * every other circle, by the public detector, and the first answer happens. What an impact then
+ * does is the library's own response. Edits change the flights as {@link World} tells.
+ */
+final class PlainWorld {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private final boolean collide;
+  private Obstacles obstacles;
+  private Roster roster;
+  private ObstacleResponse response;
+  private PairResponse pairs;
+  private List<Mover> movers = new ArrayList<>();
+
+  /** The sensors that each circle's flight met: codes of obstacles. */
+  private List<Set<Integer>> met = new ArrayList<>();
+
+  /** The pairs, one of them a sensor, that met since the later of their flights began. */
+  private Set<Long> metPairs = new HashSet<>();
+
+  private final ImpactLog log = new ImpactLog(16);
+  private double now;
+
+  // The first event found so far: when, of what rank, and what it is.
+  private double time;
+  private double tail;
+  private long rank;
+  private int low;
+  private int high;
+  private double wait;
+
+  PlainWorld(Scene scene) {
+    collide = scene.collide;
+    obstacles = Obstacles.of(scene);
+    roster = new Roster(scene);
+    respond();
+    for (int i = 0; i < scene.circleCount(); i++) {
+      Circle c = scene.circle(i);
+      Vec2 v = scene.velocity(i);
+      Mover m = new Mover();
+      m.start(i, c.x(), c.y(), c.radius(), v.x(), v.y(), scene.circleRestitution(i));
+      movers.add(m);
+      met.add(new HashSet<>());
+    }
+  }
+
+  private void respond() {
+    response = new ObstacleResponse(obstacles, roster.patience());
+    pairs = new PairResponse(roster, response);
+  }
+
+  private PlainWorld(PlainWorld other) {
+    collide = other.collide;
+    restore(other);
+  }
+
+  PlainWorld copy() {
+    return new PlainWorld(this);
+  }
+
+  /** Goes to where another one is. */
+  void restore(PlainWorld other) {
+    obstacles = other.obstacles.copy();
+    roster = other.roster.copy();
+    respond();
+    now = other.now;
+    movers = new ArrayList<>(other.movers.stream().map(PlainWorld::copy).toList());
+    met =
+        new ArrayList<>(other.met.stream().map(set -> (Set<Integer>) new HashSet<>(set)).toList());
+    metPairs = new HashSet<>(other.metPairs);
+  }
+
+  private static Mover copy(Mover m) {
+    FlightStates one = new FlightStates(m.id + 1);
+    one.put(m, 0, 0);
+    Mover copy = new Mover();
+    one.get(m.id, copy);
+    copy.flown = m.flown;
+    copy.standsStill = m.standsStill;
+    return copy;
+  }
+
+  // Steps.
+
+  /** The first so many impacts until the given time, in the order of a world's log. */
+  ImpactLog advance(double end, int most) {
+    log.clear();
+    response.setPatience(roster.patience());
+    if (collide) {
+      while (log.size() < most && find(movers) <= end) {
+        happen();
+      }
+    } else {
+      for (Mover m : movers) {
+        while (log.size() < most && find(List.of(m)) <= end) {
+          happen();
+        }
+      }
+    }
+    log.sort();
+    now = end;
+    return log;
+  }
+
+  private void happen() {
+    Mover m = movers.get(low);
+    if (high >= 0) {
+      meet(m, movers.get(high));
+    } else {
+      int code = m.next;
+      if (response.resolve(m, log)) {
+        begin(m);
+      } else {
+        met.get(low).add(code);
+      }
+    }
+  }
+
+  /** A flight begins: what it meets is new to it. */
+  private void begin(Mover m) {
+    met.get(m.id).clear();
+    metPairs.removeIf(pair -> pair >> 32 == m.id || pair.intValue() == m.id);
+  }
+
+  private void meet(Mover a, Mover b) {
+    Mover one = copy(a);
+    Mover two = copy(b);
+    one.flown = a.flown;
+    two.flown = b.flown;
+    Mover early = bringTogether(one, two);
+    one.fly(wait);
+    two.fly(wait);
+    early.standsStill &= early.flown == wait;
+    if (pairs.resolve(one, two, log)) {
+      movers.set(a.id, one);
+      movers.set(b.id, two);
+      begin(one);
+      begin(two);
+    } else {
+      metPairs.add(pair(a, b));
+    }
+  }
+
+  private static long pair(Mover a, Mover b) {
+    return (long) a.id << 32 | b.id;
+  }
+
+  /** The earlier flight is taken to the start of the later one. */
+  private static Mover bringTogether(Mover a, Mover b) {
+    double later = later(a, b);
+    Mover early = later > 0 ? a : b;
+    Mover late = later > 0 ? b : a;
+    early.x = Math.fma(early.vx, Math.abs(later), early.x);
+    early.y = Math.fma(early.vy, Math.abs(later), early.y);
+    early.flown += Math.abs(later);
+    early.t = late.t;
+    early.tl = late.tl;
+    return early;
+  }
+
+  private static double later(Mover a, Mover b) {
+    return (b.t - a.t) + (b.tl - a.tl);
+  }
+
+  private double find(List<Mover> some) {
+    time = NEVER;
+    tail = 0;
+    rank = Long.MAX_VALUE;
+    for (Mover m : some) {
+      if (roster.contains(m.id)) {
+        lookAtObstacles(m);
+        for (int j = m.id + 1; collide && j < movers.size(); j++) {
+          if (roster.contains(j)) {
+            lookAtPair(m, movers.get(j));
+          }
+        }
+      }
+    }
+    return time;
+  }
+
+  private void keep(double head, double tail, long rank, int low, int high, double wait) {
+    boolean first =
+        head != time ? head < time : tail != this.tail ? tail < this.tail : rank < this.rank;
+    if (first && head != NEVER) {
+      time = head;
+      this.tail = tail;
+      this.rank = rank;
+      this.low = low;
+      this.high = high;
+      this.wait = wait;
+    }
+  }
+
+  private void lookAtObstacles(Mover m) {
+    double best = NEVER;
+    int code = Mover.NOTHING;
+    for (int k : codes()) {
+      boolean there = k != m.last && (m.jam == null || !m.jam.makesInert(k));
+      double t = there ? sweep(m, k) : NEVER;
+      boolean sensor = obstacles.isSensor(k);
+      if (sensor && (t == 0 || met.get(m.id).contains(k))) {
+        t = NEVER;
+      }
+      boolean before = t == best && t != NEVER && sensor && !obstacles.isSensor(code);
+      if (t < best || before) {
+        best = t;
+        code = k;
+      }
+    }
+    m.cleared = best;
+    m.next = code;
+    if (code == Mover.NOTHING) {
+      return;
+    }
+    if (code >= Obstacles.WALLS && code < Obstacles.PEGS) {
+      int k = obstacles.offset(code);
+      double[] l = obstacles.lines;
+      m.contact =
+          SegmentSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, l[k], l[k + 1], l[k + 2], l[k + 3]);
+    }
+    double head = m.after(best);
+    keep(head, m.afterTail(best, head), (long) code << 31 | m.id, m.id, -1, best);
+  }
+
+  private int[] codes() {
+    return IntStream.concat(
+            IntStream.range(0, obstacles.endOfLines),
+            IntStream.range(Obstacles.PEGS, obstacles.endOfPegs))
+        .filter(code -> code < Obstacles.WALLS || !obstacles.isGone(code))
+        .toArray();
+  }
+
+  private double sweep(Mover m, int code) {
+    if (code < Obstacles.WALLS) {
+      return sweepWall(m, code);
+    }
+    int k = obstacles.offset(code);
+    if (code < Obstacles.PEGS) {
+      double[] l = obstacles.lines;
+      if (obstacles.isOneWay(code) && !isStopped(m, l[k], l[k + 1], l[k + 2], l[k + 3])) {
+        return NEVER;
+      }
+      return SweptCircle.line(
+          m.x, m.y, m.radius, m.vx, m.vy, l[k], l[k + 1], l[k + 2], l[k + 3], NEVER);
+    }
+    double[] p = obstacles.pegs;
+    return SweptCircle.peg(m.x, m.y, m.radius, m.vx, m.vy, p[k], p[k + 1], p[k + 2], NEVER);
+  }
+
+  /** Whether the centre is left of a line and goes to its right: a point's path from there on. */
+  private static boolean isStopped(Mover m, double ax, double ay, double bx, double by) {
+    int side = Exact.cross(bx, by, ax, ay, m.x, m.y, ax, ay).sign();
+    int drift = Exact.cross(bx, by, ax, ay, m.vx, m.vy, 0, 0).sign();
+    return side > 0 && drift < 0;
+  }
+
+  /** A wall is met only on the way to it. */
+  private double sweepWall(Mover m, int code) {
+    if (obstacles.bounds == null) {
+      return NEVER;
+    }
+    boolean vertical = code <= Obstacles.RIGHT;
+    boolean up = code == Obstacles.RIGHT || code == Obstacles.TOP;
+    double v = vertical ? m.vx : m.vy;
+    if (up ? !(v > 0) : !(v < 0)) {
+      return NEVER;
+    }
+    Bounds b = obstacles.bounds;
+    double wall = vertical ? (up ? b.xmax() : b.xmin()) : (up ? b.ymax() : b.ymin());
+    return SweptCircle.wall(vertical ? m.x : m.y, m.radius, v, wall, NEVER);
+  }
+
+  private void lookAtPair(Mover a, Mover b) {
+    int ofA = Obstacles.CIRCLES + a.id;
+    int ofB = Obstacles.CIRCLES + b.id;
+    boolean justHit = a.last == ofB && b.last == ofA;
+    boolean inert =
+        a.jam != null && b.jam != null && a.jam.makesInert(ofB) && b.jam.makesInert(ofA);
+    if (justHit || inert) {
+      return;
+    }
+    double later = later(a, b);
+    Mover early = later > 0 ? a : b;
+    Mover late = later > 0 ? b : a;
+    double x = Math.fma(early.vx, Math.abs(later), early.x);
+    double y = Math.fma(early.vy, Math.abs(later), early.y);
+    double tau =
+        SweptCircle.pair(
+            x,
+            y,
+            early.radius,
+            early.vx,
+            early.vy,
+            late.x,
+            late.y,
+            late.radius,
+            late.vx,
+            late.vy,
+            NEVER);
+    boolean sensor = pairs.isSensor(a.id, b.id);
+    if (tau == NEVER || (sensor && (tau == 0 || metPairs.contains(pair(a, b))))) {
+      return;
+    }
+    double s = late.t + tau;
+    double l = sumTail(late.t, tau, s) + late.tl;
+    double head = s + l;
+    keep(head, sumTail(s, l, head), pairs.rank(a.id, b.id), a.id, b.id, tau);
+  }
+
+  // Edits.
+
+  void setVelocity(int id, double vx, double vy) {
+    Mover m = restarted(id);
+    m.vx = vx;
+    m.vy = vy;
+    m.forget();
+  }
+
+  void setPosition(int id, double x, double y) {
+    Mover m = restarted(id);
+    m.x = x;
+    m.y = y;
+    m.forget();
+  }
+
+  void setRadius(int id, double radius) {
+    restarted(id).radius = radius;
+  }
+
+  private Mover restarted(int id) {
+    Mover m = movers.get(id);
+    m.restart(now);
+    begin(m);
+    return m;
+  }
+
+  void setMass(int id, double mass) {
+    roster.setMass(id, mass);
+  }
+
+  void addCircle(double x, double y, double radius, double vx, double vy) {
+    Mover m = new Mover();
+    m.start(roster.add(), x, y, radius, vx, vy, 1);
+    m.t = now;
+    movers.add(m);
+    met.add(new HashSet<>());
+  }
+
+  void addLine(double ax, double ay, double bx, double by) {
+    appear(obstacles.addLine(ax, ay, bx, by));
+  }
+
+  void addPeg(double x, double y, double radius) {
+    appear(obstacles.addPeg(x, y, radius));
+  }
+
+  void moveLine(int id, double ax, double ay, double bx, double by) {
+    obstacles.moveLine(Obstacles.WALLS + id, ax, ay, bx, by);
+    appear(Obstacles.WALLS + id);
+  }
+
+  void movePeg(int id, double x, double y, double radius) {
+    obstacles.movePeg(Obstacles.PEGS + id, x, y, radius);
+    appear(Obstacles.PEGS + id);
+  }
+
+  void remove(ObstacleKind kind, int id) {
+    switch (kind) {
+      case LINE -> obstacles.remove(Obstacles.WALLS + id);
+      case PEG -> obstacles.remove(Obstacles.PEGS + id);
+      default -> roster.remove(id);
+    }
+  }
+
+  void setRestitution(ObstacleKind kind, int id, double e) {
+    switch (kind) {
+      case LINE -> obstacles.setRestitution(Obstacles.WALLS + id, e);
+      case PEG -> obstacles.setRestitution(Obstacles.PEGS + id, e);
+      case WALL -> obstacles.setRestitution(id, e);
+      case CIRCLE -> movers.get(id).restitution = e;
+    }
+  }
+
+  void setResponse(ObstacleKind kind, int id, Response response) {
+    switch (kind) {
+      case LINE, PEG -> {
+        int code = (kind == ObstacleKind.LINE ? Obstacles.WALLS : Obstacles.PEGS) + id;
+        setTraits(code, Traits.with(obstacles.traits(code), response));
+      }
+      case WALL -> obstacles.setTraits(id, Traits.with(obstacles.boundsTraits, response));
+      case CIRCLE -> {
+        roster.setTraits(id, Traits.with(roster.traits(id), response));
+        restarted(id);
+      }
+    }
+  }
+
+  void setOneWay(int id, boolean oneWay) {
+    int code = Obstacles.WALLS + id;
+    setTraits(code, Traits.withOneWay(obstacles.traits(code), oneWay));
+  }
+
+  private void setTraits(int code, int traits) {
+    if (traits != obstacles.traits(code)) {
+      obstacles.setTraits(code, traits);
+      appear(code);
+    }
+  }
+
+  /** Flights that would meet a thing that was not there begin anew. */
+  private void appear(int code) {
+    for (Mover m : movers) {
+      if (roster.contains(m.id)) {
+        m.forget(code);
+        if (sweep(m, code) < NEVER) {
+          restarted(m.id);
+        }
+      }
+    }
+  }
+}
