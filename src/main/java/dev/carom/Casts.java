@@ -66,7 +66,7 @@ final class Casts {
                 0,
                 t);
     Vec2 point = new Vec2(end.x(), end.y());
-    return new Impact(t, line, feature, point, normal, approach(v, Vec2.ZERO, normal));
+    return new Impact(t, ObstacleKind.LINE, Impact.NO_ID, line, feature, point, normal, approach(v, Vec2.ZERO, normal));
   }
 
   /** Whether a point particle comes to an end over the line's side, not from beyond the end. */
@@ -85,7 +85,7 @@ final class Casts {
   private static Impact side(int side, Circle circle, Vec2 v, Line line, double t) {
     Vec2 normal = Directions.normal(side, line.ax(), line.ay(), line.bx(), line.by());
     Vec2 point = line.closestPoint(place(circle, v, t));
-    return new Impact(t, line, Feature.SIDE, point, normal, approach(v, Vec2.ZERO, normal));
+    return new Impact(t, ObstacleKind.LINE, Impact.NO_ID, line, Feature.SIDE, point, normal, approach(v, Vec2.ZERO, normal));
   }
 
   static Optional<Impact> bounds(Circle circle, Vec2 v, Bounds bounds, double T) {
@@ -102,12 +102,22 @@ final class Casts {
     Vec2 centre = place(circle, v, t);
     Vec2 point = vertical ? new Vec2(wallX, centre.y()) : new Vec2(centre.x(), wallY);
     return Optional.of(
-        new Impact(t, bounds, Feature.SIDE, point, normal, Math.abs(vertical ? v.x() : v.y())));
+        new Impact(
+            t,
+            ObstacleKind.WALL,
+            vertical
+                ? (v.x() < 0 ? Obstacles.LEFT : Obstacles.RIGHT)
+                : (v.y() < 0 ? Obstacles.BOTTOM : Obstacles.TOP),
+            bounds,
+            Feature.SIDE,
+            point,
+            normal,
+            Math.abs(vertical ? v.x() : v.y())));
   }
 
   /** Disk 1 against disk 2, which is reported as the given obstacle. */
   static Optional<Impact> disk(
-      Circle c1, Vec2 v1, Circle c2, Vec2 v2, Obstacle obstacle, double T) {
+      Circle c1, Vec2 v1, Circle c2, Vec2 v2, ObstacleKind kind, Obstacle obstacle, double T) {
     int contact =
         DiskSweep.contact(
             c1.x(),
@@ -156,7 +166,15 @@ final class Casts {
             Math.fma(c2.radius(), normal.x(), centre.x()),
             Math.fma(c2.radius(), normal.y(), centre.y()));
     return Optional.of(
-        new Impact(t, obstacle, Feature.CIRCLE, point, normal, approach(v1, v2, normal)));
+        new Impact(
+            t,
+            kind,
+            Impact.NO_ID,
+            obstacle,
+            Feature.CIRCLE,
+            point,
+            normal,
+            approach(v1, v2, normal)));
   }
 
   private static Vec2 place(Circle circle, Vec2 v, double t) {

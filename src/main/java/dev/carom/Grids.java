@@ -61,6 +61,16 @@ final class Grids {
     return byExponent.get(Math.getExponent(radius));
   }
 
+  /** A grid that serves circles of a given radius, null if there is none now. */
+  Grid atLeast(double radius) {
+    for (Grid grid : byExponent.values()) {
+      if (grid.radius >= radius && !areTooLoose()) {
+        return grid;
+      }
+    }
+    return null;
+  }
+
   /** The grid for circles of a radius that may be new; one is made if need be. */
   Grid ofNew(double radius) {
     Grid grid = of(radius);

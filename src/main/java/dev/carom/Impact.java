@@ -5,6 +5,10 @@ package dev.carom;
  * The first contact of a moving circle with an obstacle or with another circle.
  *
  * @param time the time of impact, counted from the start of the motion; at least 0
+ * @param kind the kind of what was hit
+ * @param id its id in the world that was asked, or its place in the list of its kind that a {@link
+ *     Resolver} was made of; of a wall 0 left, 1 right, 2 bottom, 3 top; -1 where the detector
+ *     alone was asked about one line, peg or circle
  * @param obstacle what was hit; of two moving circles the second one, as it stood at the start
  * @param feature the part that was hit
  * @param point the contact point: on the obstacle; of two circles the point where they touch; where
@@ -17,8 +21,19 @@ package dev.carom;
  */
 public record Impact(
     double time,
+    ObstacleKind kind,
+    int id,
     Obstacle obstacle,
     Feature feature,
     Vec2 point,
     Vec2 normal,
-    double approachSpeed) {}
+    double approachSpeed) {
+
+  /** What has no id: an answer of the detector alone. */
+  static final int NO_ID = -1;
+
+  /** The same thing under its id. */
+  Impact of(ObstacleKind itsKind, int itsId) {
+    return new Impact(time, itsKind, itsId, obstacle, feature, point, normal, approachSpeed);
+  }
+}

@@ -247,6 +247,17 @@ final class Obstacles {
     return code < WALLS ? ObstacleKind.WALL : code < PEGS ? ObstacleKind.LINE : ObstacleKind.PEG;
   }
 
+  /** The thing itself; of a wall, the bounds. */
+  Obstacle thing(int code) {
+    if (code < WALLS) {
+      return bounds;
+    }
+    int k = offset(code);
+    return code < PEGS
+        ? new Line(lines[k], lines[k + 1], lines[k + 2], lines[k + 3])
+        : new Circle(pegs[k], pegs[k + 1], pegs[k + 2]);
+  }
+
   /** The number of a thing among those of its kind. */
   int index(int code) {
     return code < WALLS ? code : code < PEGS ? code - WALLS : code - PEGS;

@@ -3,6 +3,8 @@ package dev.carom;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * Reflects a circle and continues: the way of one circle among obstacles for a given time, with all
@@ -105,64 +107,95 @@ public final class Resolver {
    * @throws IllegalArgumentException if the duration is NaN, infinite or negative
    */
   public Trajectory trace(Circle circle, Vec2 velocity, double duration) {
-    return trace(circle, velocity, 1, duration);
+    return trace(circle, velocity, 1, duration, Integer.MAX_VALUE);
   }
 
   /**
-   * The way of a circle with a restitution of its own.
+   * The way of a circle with a restitution of its own, with its next bounces: an aiming line.
    *
    * @param circle the circle at the start
    * @param velocity its velocity at the start
    * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
    * @param duration how long to go on, finite and at least 0
+   * @param bounces how many impacts to resolve, at least 0; the way ends where the next one would
+   *     come
    * @return its flights and impacts; times count from the start
    * @throws IllegalArgumentException if the restitution or the duration is NaN, infinite or
-   *     negative
+   *     negative, or the number of bounces negative
    */
-  public Trajectory trace(Circle circle, Vec2 velocity, double restitution, double duration) {
+  public Trajectory trace(
+      Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
     Check.notNegative("restitution", restitution);
     Check.notNegative("duration", duration);
-    Mover mover = new Mover();
-    mover.start(
-        0, circle.x(), circle.y(), circle.radius(), velocity.x(), velocity.y(), restitution);
+    Check.notNegative("bounces", bounces);
+    Mover mover = Mover.of(circle, velocity, restitution);
+    return tracer().trace(mover, duration, bounces, IMPACTS_PER_TRACE);
+  }
+
+  /**
+   * The first impact of a circle: of {@link SweptCircle#cast} with each obstacle, the earliest; of
+   * simultaneous ones the first in the order above. A circle of radius 0 is a ray.
+   *
+   * @param circle the circle at the start
+   * @param velocity its velocity
+   * @param T the end of the window, at least 0, {@code +infinity} included
+   * @return the impact, empty if there is none until T
+   * @throws IllegalArgumentException if T is NaN or negative
+   */
+  public Optional<Impact> cast(Circle circle, Vec2 velocity, double T) {
+    Check.duration("T", T);
+    return tracer().first(circle, velocity, T);
+  }
+
+  /**
+   * The obstacle nearest to a point; of equally near ones the first: walls, then lines, then pegs
+   * and endpoints, each in their order. Distances are computed in plain doubles: to a wall, a line,
+   * or the rim of a peg from outside; 0 inside of a peg.
+   *
+   * @param point the point
+   * @return the obstacle, empty if there is none
+   */
+  public Optional<Obstacle> nearest(Vec2 point) {
+    int nearest = new Region(obstacles).nearest(point.x(), point.y());
+    return nearest == Region.NONE ? Optional.empty() : Optional.of(thing(nearest));
+  }
+
+  /**
+   * What overlaps a disk: has points inside of it, not only on its rim. Decided exactly.
+   *
+   * @param disk the disk
+   * @return the obstacles, walls first, then lines, then pegs and endpoints, each in their order
+   */
+  public List<Obstacle> overlapping(Circle disk) {
+    return things(new Region(obstacles).overlapping(disk));
+  }
+
+  /**
+   * What overlaps a box: has points inside of it, not only on its edge. Decided exactly.
+   *
+   * @param box the box
+   * @return the obstacles, walls first, then lines, then pegs and endpoints, each in their order
+   */
+  public List<Obstacle> overlapping(Bounds box) {
+    return things(new Region(obstacles).overlapping(box));
+  }
+
+  private List<Obstacle> things(IntStream codes) {
+    return codes.mapToObj(this::thing).distinct().toList();
+  }
+
+  private Tracer tracer() {
     BroadSearch search = new BroadSearch(obstacles, new CodeList());
-    ObstacleResponse response = new ObstacleResponse(obstacles, PATIENCE);
-    ImpactLog log = new ImpactLog(1);
-    List<Flight> flights = new ArrayList<>(List.of(flight(mover)));
-    List<Impact> impacts = new ArrayList<>();
-    search.extend(mover, null, duration);
-    while (mover.due() <= duration) {
-      if (impacts.size() == IMPACTS_PER_TRACE) {
-        return new Trajectory(flights, impacts, mover.t, Outcome.UNFINISHED);
-      }
-      int code = mover.next;
-      log.clear();
-      response.resolve(mover, log);
-      impacts.add(impact(code, log));
-      flights.add(flight(mover));
-      search.extend(mover, null, duration);
-    }
-    return new Trajectory(flights, impacts, duration, Outcome.COMPLETE);
+    return new Tracer(obstacles, this::thing, search, null, PATIENCE);
   }
 
-  private static Flight flight(Mover m) {
-    return new Flight(m.t, m.x, m.y, m.vx, m.vy);
-  }
-
-  private Impact impact(int code, ImpactLog log) {
-    Obstacle obstacle =
-        switch (obstacles.kind(code)) {
-          case WALL -> obstacles.bounds;
-          case LINE -> lines.get(obstacles.index(code));
-          default -> pegs.get(obstacles.index(code));
-        };
-    return new Impact(
-        log.time(0),
-        obstacle,
-        log.feature(0),
-        new Vec2(log.x(0), log.y(0)),
-        new Vec2(log.nx(0), log.ny(0)),
-        log.speed(0));
+  /** What a code stands for: of a wall, the bounds. */
+  private Obstacle thing(int code) {
+    return switch (obstacles.kind(code)) {
+      case WALL -> obstacles.bounds;
+      case LINE -> lines.get(obstacles.index(code));
+      default -> pegs.get(obstacles.index(code));
+    };
   }
 
   /**

@@ -35,6 +35,11 @@ final class Surroundings {
     search.extend(m, grid[m.id], needed);
   }
 
+  /** What follows a circle of any radius that is not of this world. */
+  Tracer tracer(double radius, int patience) {
+    return new Tracer(obstacles, obstacles::thing, search, grids.atLeast(radius), patience);
+  }
+
   /** Whether a line or a peg was removed since a search found it ahead. */
   boolean isGone(int code) {
     return code >= Obstacles.WALLS && obstacles.isGone(code);

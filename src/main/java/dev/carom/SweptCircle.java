@@ -177,9 +177,9 @@ public final class SweptCircle {
       return Casts.bounds(circle, velocity, bounds, T);
     }
     if (obstacle instanceof Endpoint end) {
-      return Casts.disk(circle, velocity, new Circle(end.x(), end.y(), 0), Vec2.ZERO, end, T);
+      return Casts.disk(circle, velocity, new Circle(end.x(), end.y(), 0), Vec2.ZERO, ObstacleKind.PEG, end, T);
     }
-    return Casts.disk(circle, velocity, (Circle) obstacle, Vec2.ZERO, obstacle, T);
+    return Casts.disk(circle, velocity, (Circle) obstacle, Vec2.ZERO, ObstacleKind.PEG, obstacle, T);
   }
 
   /**
@@ -195,7 +195,7 @@ public final class SweptCircle {
    */
   public static Optional<Impact> cast(Circle first, Vec2 v1, Circle second, Vec2 v2, double T) {
     Check.duration("T", T);
-    return Casts.disk(first, v1, second, v2, second, T);
+    return Casts.disk(first, v1, second, v2, ObstacleKind.CIRCLE, second, T);
   }
 
   /** The time of impact with the wall ahead, within the window. */

@@ -3,6 +3,7 @@ package dev.carom;
 
 import java.util.Locale;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * A scene in motion: circles that fly straight, bounce off lines, pegs and bounds, and collide with
@@ -55,6 +56,7 @@ public final class World {
   private final Circles circles;
   private final Obstacles obstacles;
   private final Editor editor;
+  private final Questions questions;
   private double now;
 
   /** Null unless flights are recorded. */
@@ -80,6 +82,7 @@ public final class World {
     circles = engine.circles();
     obstacles = engine.surroundings().obstacles;
     editor = new Editor(scene, engine, roster);
+    questions = new Questions(engine, roster, scene.collide);
   }
 
   /**
@@ -289,6 +292,88 @@ public final class World {
    */
   public String model() {
     return engine.model();
+  }
+
+  // Questions.
+
+  /**
+   * The first impact of a circle that need not be in this world: with what stands still here, and,
+   * if circles collide, with the circles as they move now. Nothing moves. Sensors are passed over.
+   * A circle of radius 0 is a ray; the centre exactly on that of a circle does not meet it, so one
+   * can ask for a circle of this world.
+   *
+   * @param circle the circle now
+   * @param velocity its velocity
+   * @param T the end of the window from now on, at least 0, {@code +infinity} included
+   * @return the impact, its time counted from now; empty if there is none until T
+   * @throws IllegalArgumentException if T is NaN or negative
+   */
+  public Optional<Impact> cast(Circle circle, Vec2 velocity, double T) {
+    Check.duration("T", T);
+    return questions.cast(circle, velocity, T, now);
+  }
+
+  /**
+   * The way of a circle among what stands still here, with its next bounces: an aiming line.
+   * Nothing moves, and other circles are not there; sensors are passed over.
+   *
+   * @param circle the circle at the start; of radius 0 too
+   * @param velocity its velocity at the start
+   * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
+   * @param duration how long to go on, finite and at least 0
+   * @param bounces how many impacts to resolve, at least 0; the way ends where the next one would
+   *     come
+   * @return its flights and impacts; times count from now
+   * @throws IllegalArgumentException if the restitution or the duration is NaN, infinite or
+   *     negative, or the number of bounces negative
+   */
+  public Trajectory trace(
+      Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
+    Check.notNegative("restitution", restitution);
+    Check.notNegative("duration", duration);
+    Check.notNegative("bounces", bounces);
+    return questions.trace(circle, velocity, restitution, duration, bounces);
+  }
+
+  /**
+   * The thing of a kind that is nearest to a point; of equally near ones the one of the smallest
+   * id. Distances are computed in plain doubles: to a wall, a line, or the rim of a peg or a circle
+   * from outside; 0 inside of those.
+   *
+   * @param kind which kind of thing
+   * @param x the x coordinate of the point, finite
+   * @param y the y coordinate of the point, finite
+   * @return its id, -1 if there is none
+   * @throws IllegalArgumentException if a coordinate is NaN or infinite
+   */
+  public int nearest(ObstacleKind kind, double x, double y) {
+    Check.finite("x", x);
+    Check.finite("y", y);
+    return questions.nearest(kind, x, y, now);
+  }
+
+  /**
+   * What overlaps a disk: has points inside of it, not only on its rim. Decided exactly, for
+   * circles on their places as {@link #x} and {@link #y} give them.
+   *
+   * @param kind which kind of thing
+   * @param disk the disk
+   * @return the ids, ascending; a new array
+   */
+  public int[] overlapping(ObstacleKind kind, Circle disk) {
+    return questions.overlapping(kind, disk, now);
+  }
+
+  /**
+   * What overlaps a box: has points inside of it, not only on its edge. Decided exactly, as for a
+   * disk.
+   *
+   * @param kind which kind of thing
+   * @param box the box
+   * @return the ids, ascending; a new array
+   */
+  public int[] overlapping(ObstacleKind kind, Bounds box) {
+    return questions.overlapping(kind, box, now);
   }
 
   // Edits.

@@ -73,7 +73,8 @@ class SweptCircleTest {
       double nx,
       double ny,
       double speed) {
-    return new Impact(t, line, feature, new Vec2(x, y), new Vec2(nx, ny), speed);
+    return new Impact(
+        t, ObstacleKind.LINE, -1, line, feature, new Vec2(x, y), new Vec2(nx, ny), speed);
   }
 
   // The six edge cases of the article.
@@ -450,7 +451,16 @@ class SweptCircleTest {
     double expectedY = nx == 0 ? y : 30 + vy * t;
     Impact impact = SweptCircle.cast(circle, new Vec2(vx, vy), ROOM, NEVER).orElseThrow();
     assertImpact(
-        impact, new Impact(t, ROOM, Feature.SIDE, new Vec2(x, expectedY), new Vec2(nx, ny), speed));
+        impact,
+        new Impact(
+            t,
+            ObstacleKind.WALL,
+            nx > 0 ? 0 : nx < 0 ? 1 : ny > 0 ? 2 : 3,
+            ROOM,
+            Feature.SIDE,
+            new Vec2(x, expectedY),
+            new Vec2(nx, ny),
+            speed));
     assertThat(walls(circle, new Vec2(vx, vy), t)).isEqualTo(t);
     assertThat(walls(circle, new Vec2(vx, vy), Math.nextDown(t))).isEqualTo(NEVER);
   }
@@ -507,7 +517,9 @@ class SweptCircleTest {
     Endpoint end = new Endpoint(10, 0);
     Impact impact = SweptCircle.cast(new Circle(16, 8, 5), new Vec2(-3, -4), end, 1).orElseThrow();
     assertImpact(
-        impact, new Impact(1, end, Feature.CIRCLE, new Vec2(10, 0), new Vec2(0.6, 0.8), 5));
+        impact,
+        new Impact(
+            1, ObstacleKind.PEG, -1, end, Feature.CIRCLE, new Vec2(10, 0), new Vec2(0.6, 0.8), 5));
   }
 
   /** The gap of 10 closes at 2 + 3 a frame; they touch at x = 4 + 1. */
@@ -517,7 +529,17 @@ class SweptCircleTest {
     Circle second = new Circle(13, 0, 2);
     Impact impact =
         SweptCircle.cast(first, new Vec2(2, 0), second, new Vec2(-3, 0), 2).orElseThrow();
-    assertImpact(impact, new Impact(2, second, Feature.CIRCLE, new Vec2(5, 0), new Vec2(-1, 0), 5));
+    assertImpact(
+        impact,
+        new Impact(
+            2,
+            ObstacleKind.CIRCLE,
+            -1,
+            second,
+            Feature.CIRCLE,
+            new Vec2(5, 0),
+            new Vec2(-1, 0),
+            5));
     assertThat(SweptCircle.pair(0, 0, 1, 2, 0, 13, 0, 2, -3, 0, 2)).isEqualTo(2);
     assertThat(SweptCircle.pair(0, 0, 1, 2, 0, 13, 0, 2, -3, 0, Math.nextDown(2.0)))
         .isEqualTo(NEVER);

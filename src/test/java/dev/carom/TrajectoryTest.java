@@ -24,7 +24,14 @@ class TrajectoryTest {
 
   private static Impact post(double time, double x, double normal) {
     return new Impact(
-        time, new Endpoint(x, 1), Feature.CIRCLE, new Vec2(x, 1), new Vec2(normal, 0), 5);
+        time,
+        ObstacleKind.PEG,
+        0,
+        new Endpoint(x, 1),
+        Feature.CIRCLE,
+        new Vec2(x, 1),
+        new Vec2(normal, 0),
+        5);
   }
 
   @Test

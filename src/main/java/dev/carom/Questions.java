@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/** What can be asked of a world without moving anything. */
+final class Questions {
+
+  private final Surroundings surroundings;
+  private final Circles circles;
+  private final Roster roster;
+  private final Region region;
+  private final boolean collide;
+
+  Questions(Engine engine, Roster roster, boolean collide) {
+    this.roster = roster;
+    this.collide = collide;
+    surroundings = engine.surroundings();
+    circles = engine.circles();
+    region = new Region(surroundings.obstacles);
+  }
+
+  Optional<Impact> cast(Circle circle, Vec2 velocity, double T, double now) {
+    Tracer tracer = surroundings.tracer(circle.radius(), roster.patience());
+    Optional<Impact> first = tracer.first(circle, velocity, T);
+    for (int id = 0; collide && id < roster.end(); id++) {
+      if (isThere(id, now) && !roster.isSensor(id)) {
+        Circle other = circle(id, now);
+        Vec2 v = new Vec2(circles.vx(id), circles.vy(id));
+        // Of simultaneous impacts the one found before is first: circles come last.
+        double before = first.isPresent() ? first.get().time() : T;
+        Optional<Impact> impact = SweptCircle.cast(circle, velocity, other, v, before);
+        if (impact.isPresent() && (first.isEmpty() || impact.get().time() < before)) {
+          first = Optional.of(impact.get().of(ObstacleKind.CIRCLE, id));
+        }
+      }
+    }
+    return first;
+  }
+
+  Trajectory trace(Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
+    return surroundings
+        .tracer(circle.radius(), roster.patience())
+        .trace(
+            Mover.of(circle, velocity, restitution), duration, bounces, Resolver.IMPACTS_PER_TRACE);
+  }
+
+  int nearest(ObstacleKind kind, double x, double y, double now) {
+    if (kind != ObstacleKind.CIRCLE) {
+      int code = region.nearest(region.codes(kind), x, y);
+      return code == Region.NONE ? -1 : surroundings.obstacles.index(code);
+    }
+    double least = Double.POSITIVE_INFINITY;
+    int nearest = -1;
+    for (int id : ids(now).toArray()) {
+      double distance = Region.distance(circle(id, now), x, y);
+      if (nearest < 0 || distance < least) {
+        least = distance;
+        nearest = id;
+      }
+    }
+    return nearest;
+  }
+
+  int[] overlapping(ObstacleKind kind, Circle disk, double now) {
+    return kind == ObstacleKind.CIRCLE
+        ? ids(now).filter(id -> Region.overlap(circle(id, now), disk)).toArray()
+        : ids(kind, region.codes(kind).filter(code -> region.overlaps(code, disk)));
+  }
+
+  int[] overlapping(ObstacleKind kind, Bounds box, double now) {
+    return kind == ObstacleKind.CIRCLE
+        ? ids(now).filter(id -> Region.overlap(circle(id, now), box)).toArray()
+        : ids(kind, region.codes(kind).filter(code -> region.overlaps(code, box)));
+  }
+
+  private int[] ids(ObstacleKind kind, IntStream codes) {
+    return codes.map(surroundings.obstacles::index).toArray();
+  }
+
+  private IntStream ids(double now) {
+    return IntStream.range(0, roster.end()).filter(id -> isThere(id, now));
+  }
+
+  /** Whether a circle is there, and not beyond the range of doubles. */
+  private boolean isThere(int id, double now) {
+    return roster.contains(id)
+        && Math.abs(circles.x(id, now)) <= Double.MAX_VALUE
+        && Math.abs(circles.y(id, now)) <= Double.MAX_VALUE;
+  }
+
+  private Circle circle(int id, double now) {
+    return new Circle(circles.x(id, now), circles.y(id, now), circles.radius(id));
+  }
+}

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.IntFunction;
+
+/** Follows one circle among things that stand still, with all its bounces. */
+final class Tracer {
+
+  private final Obstacles obstacles;
+
+  /** The thing that a code stands for. */
+  private final IntFunction<Obstacle> things;
+
+  private final BroadSearch search;
+  private final ObstacleResponse response;
+  private final ImpactLog log = new ImpactLog(1);
+
+  /** Where the circle's obstacles are listed, or null to ask them all. */
+  private final Grid grid;
+
+  Tracer(
+      Obstacles obstacles,
+      IntFunction<Obstacle> things,
+      BroadSearch search,
+      Grid grid,
+      int patience) {
+    this.obstacles = obstacles;
+    this.things = things;
+    this.search = search;
+    this.grid = grid;
+    response = new ObstacleResponse(obstacles, patience);
+  }
+
+  /** The first impact until the given time, as the detector tells it. */
+  Optional<Impact> first(Circle circle, Vec2 velocity, double T) {
+    Mover mover = Mover.of(circle, velocity, 1);
+    if (!next(mover, T)) {
+      return Optional.empty();
+    }
+    int code = mover.next;
+    return SweptCircle.cast(circle, velocity, things.apply(code), T)
+        .map(hit -> hit.of(obstacles.kind(code), obstacles.index(code)));
+  }
+
+  /**
+   * The way until the given time, or until the impact after the last bounce that is asked for.
+   *
+   * @param most impacts at which the way ends unfinished
+   */
+  Trajectory trace(Mover mover, double duration, int bounces, int most) {
+    List<Flight> flights = new ArrayList<>(List.of(flight(mover)));
+    List<Impact> impacts = new ArrayList<>();
+    while (next(mover, duration)) {
+      if (impacts.size() == bounces) {
+        return new Trajectory(flights, impacts, mover.due(), Outcome.COMPLETE);
+      }
+      if (impacts.size() == most) {
+        return new Trajectory(flights, impacts, mover.t, Outcome.UNFINISHED);
+      }
+      impacts.add(resolve(mover));
+      flights.add(flight(mover));
+    }
+    return new Trajectory(flights, impacts, duration, Outcome.COMPLETE);
+  }
+
+  /** Looks for the next impact, past sensors; false if there is none until the given time. */
+  private boolean next(Mover mover, double end) {
+    search.extend(mover, grid, end - mover.t);
+    while (mover.due() <= end) {
+      if (mover.next != Mover.NOTHING && !obstacles.isSensor(mover.next)) {
+        return true;
+      }
+      if (mover.next != Mover.NOTHING) {
+        log.clear();
+        response.resolve(mover, log);
+      }
+      search.extend(mover, grid, end - mover.t);
+    }
+    return false;
+  }
+
+  private Impact resolve(Mover mover) {
+    int code = mover.next;
+    log.clear();
+    response.resolve(mover, log);
+    return new Impact(
+        log.time(0),
+        log.kind(0),
+        log.obstacle(0),
+        things.apply(code),
+        log.feature(0),
+        new Vec2(log.x(0), log.y(0)),
+        new Vec2(log.nx(0), log.ny(0)),
+        log.speed(0));
+  }
+
+  private static Flight flight(Mover m) {
+    return new Flight(m.t, m.x, m.y, m.vx, m.vy);
+  }
+}
