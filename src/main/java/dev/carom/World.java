@@ -14,6 +14,12 @@ import java.util.Optional;
  * moment, any number of them; so how a run is cut into steps changes no bit of it. An impact whose
  * time equals the end of a step belongs to that step.
  *
+ * <p><b>No jitter, and no threshold against it.</b> What touches without coming nearer is no
+ * impact, and the thing just hit cannot be hit again before a velocity changes: it is convex, and
+ * the motion after the response does not lead into it, so no later moment of the flight can. Places
+ * are computed from a flight's start and are never corrected. So circles in contact stay as they
+ * are, to the bit, however long; one that approaches however slowly bounces once.
+ *
  * <p><b>It ends.</b> Restitution other than 1, or clearance below rounding, can make infinitely
  * many impacts in finite time: a wedge, a corridor of exactly one diameter, two bumpers above 1.
  * With N = 1,000 + 10 x circles: a circle that makes N successive impacts while its centre stays

@@ -2,6 +2,7 @@
 package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Random;
@@ -107,5 +108,63 @@ class RestTest {
       double dy = world.y(2 * i + 1) - world.y(2 * i);
       assertThat(Math.hypot(dx, dy)).isBetween(2 - 1e-9, 2 + 1e-9);
     }
+  }
+
+  /** A wedge of two lines that opens upwards, and a circle that comes down into it. */
+  private static World intoCorner(double halfAngle, double speed, double restitution) {
+    double x = 100 * Math.sin(halfAngle);
+    double y = 100 * Math.cos(halfAngle);
+    return new World(
+        Scene.builder()
+            .line(0, 0, x, y)
+            .restitution(restitution)
+            .line(0, 0, -x, y)
+            .restitution(restitution)
+            .circle(0.3, 40, 1, 0, -speed)
+            .collide(true)
+            .build());
+  }
+
+  /**
+   * It hits one side, slides down along it, hits the other one, and so on at one place: in a wedge
+   * below a right angle it slides downwards each time, slower by the cosine of the angle, to rest.
+   * The last bit of speed that rounding leaves makes it touch a side again once in very long.
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.02, 0.3, 0.7, 0.78})
+  void aCircleThatComesToRestInACornerStaysThereForAMillionSteps(double halfAngle) {
+    World world = intoCorner(halfAngle, 1, 0);
+    world.step(1e6);
+    List<Run.State> before = Run.states(world);
+    assertThat(Math.hypot(world.vx(0), world.vy(0))).isLessThan(1e-15);
+    assertThat(impactsOf(world, 1_000_000)).isLessThan(10);
+    assertThat(world.x(0)).isCloseTo(before.get(0).x(), within(1e-9));
+    assertThat(world.y(0)).isCloseTo(before.get(0).y(), within(1e-9));
+  }
+
+  /** Gravity, set before each frame: one impact a frame, and not a bit of creeping. */
+  @Test
+  void aCirclePressedToTheFloorEachFrameStaysThereForAMillionSteps() {
+    World world =
+        new World(
+            Scene.builder()
+                .bounds(0, 0, 40, 40)
+                .restitution(0)
+                .circle(20.3, 1, 1, 0, 0)
+                .circle(39, 1, 1, 0, 0)
+                .circle(37, 1, 1, 0, 0)
+                .collide(true)
+                .build());
+    List<Run.State> before = Run.states(world);
+    int impacts = 0;
+    for (int frame = 0; frame < 1_000_000; frame++) {
+      for (int id = 0; id < 3; id++) {
+        world.setVelocity(id, world.vx(id), world.vy(id) - 0.01);
+      }
+      world.step(1);
+      impacts += world.impacts().size();
+    }
+    assertThat(impacts).isEqualTo(3_000_000);
+    assertThat(Run.states(world)).isEqualTo(before);
   }
 }
