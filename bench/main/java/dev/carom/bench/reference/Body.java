@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.reference;
+
+import dev.carom.Circle;
+import dev.carom.Scene;
+import dev.carom.Vec2;
+
+/** One circle in flight: where it was at a time, and how it moves since. */
+final class Body {
+
+  /** A place must be known to this part of the scene, or plain doubles could not look ahead. */
+  private static final double TIGHT = 0x1p-45;
+
+  final int id;
+  final int bits;
+  final double mass;
+  final Ball radius;
+  final Ball restitution;
+
+  Vec p;
+  Vec v;
+  Ball t;
+
+  /** The target or the body that was hit last: it is not there for this flight. */
+  Object last;
+
+  Tangents tangents;
+  Course course;
+
+  /** Puts a circle of the scene at its start; its start values are those from the first one on. */
+  Body(Scene scene, int id, int bits, int frames, int values, int first) {
+    this.id = id;
+    this.bits = bits;
+    Circle circle = scene.circle(id);
+    Vec2 velocity = scene.velocity(id);
+    mass = scene.mass(id);
+    radius = Ball.of(circle.radius(), bits);
+    restitution = Ball.of(scene.circleRestitution(id), bits);
+    p = Vec.of(circle.x(), circle.y(), bits);
+    v = Vec.of(velocity.x(), velocity.y(), bits);
+    t = Ball.of(0, bits);
+    tangents = new Tangents(values, first, circle.x(), circle.y(), velocity.x(), velocity.y());
+    course = new Course(frames);
+  }
+
+  Vec at(Ball dt) {
+    return p.plus(v.times(dt));
+  }
+
+  /** Goes to a new start of a flight. */
+  void fly(Ball dt) {
+    p = at(dt);
+    t = t.plus(dt);
+    tangents.fly(dt.head());
+  }
+
+  /** Turns round at a given time and goes back, from the clock's start. */
+  void turnBack(double time, int frames) {
+    fly(Ball.of(time, bits).minus(t));
+    v = v.negate();
+    t = Ball.of(0, bits);
+    last = null;
+    course = new Course(frames);
+  }
+
+  /** Refuses a place or a velocity too little known for doubles to look ahead from it. */
+  void checkTight() {
+    double place = Math.abs(p.x().head()) + Math.abs(p.y().head()) + radius.head();
+    double speed = Math.abs(v.x().head()) + Math.abs(v.y().head());
+    if (p.x().error() + p.y().error() > place * TIGHT
+        || v.x().error() + v.y().error() > speed * TIGHT) {
+      throw new DoubtException();
+    }
+  }
+}

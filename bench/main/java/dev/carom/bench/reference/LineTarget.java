@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.reference;
+
+import dev.carom.Feature;
+import dev.carom.Line;
+import dev.carom.ObstacleKind;
+import dev.carom.Scene;
+
+/** A line: its side between its ends, and the ends as points. */
+final class LineTarget implements Target {
+
+  private final int index;
+  private final int bits;
+  private final Line line;
+  private final Vec start;
+  private final Vec end;
+  private final Vec w;
+  private final Ball squared;
+  private final Ball length;
+  private final Ball restitution;
+
+  LineTarget(Scene scene, int index, int bits) {
+    this.index = index;
+    this.bits = bits;
+    line = scene.line(index);
+    start = Vec.of(line.ax(), line.ay(), bits);
+    end = Vec.of(line.bx(), line.by(), bits);
+    w = end.minus(start);
+    squared = w.dot(w);
+    length = squared.sqrt();
+    restitution = Ball.of(scene.lineRestitution(index), bits);
+  }
+
+  @Override
+  public ObstacleKind kind() {
+    return ObstacleKind.LINE;
+  }
+
+  @Override
+  public int index() {
+    return index;
+  }
+
+  @Override
+  public Ball restitution() {
+    return restitution;
+  }
+
+  /**
+   * With w = end - start and d = p - start: the centre is {@code c = w x d} (times 1 / |w|) beside
+   * the line and {@code s = d.w} along it. It comes within r of the infinite line at {@code t =
+   * (|c| - r |w|) / |w x v|}; where it is along the line then, or at the start if it is within r
+   * already, tells which part it meets.
+   */
+  @Override
+  public Contact contact(Vec p, Vec v, Ball radius) {
+    Vec d = p.minus(start);
+    Ball c = w.cross(d);
+    Ball rate = w.cross(v);
+    Ball gap = c.abs().minus(radius.times(length));
+    boolean nearing = c.sign() * rate.sign() < 0;
+    boolean within = gap.sign() <= 0;
+    if (!within && !nearing) {
+      return null;
+    }
+    Ball after = within ? Ball.of(0, bits) : gap.over(rate.abs());
+    Ball s = d.dot(w).plus(v.dot(w).times(after));
+    if (s.sign() <= 0) {
+      return Disks.contact(d, v, radius, Feature.START, bits);
+    }
+    if (s.compareTo(squared) >= 0) {
+      return Disks.contact(p.minus(end), v, radius, Feature.END, bits);
+    }
+    return nearing ? new Contact(after, Feature.SIDE, within) : null;
+  }
+
+  @Override
+  public Vec normal(Vec p, Feature feature) {
+    return switch (feature) {
+      case START -> p.minus(start);
+      case END -> p.minus(end);
+      default -> w.cross(p.minus(start)).sign() > 0 ? w.left() : w.left().negate();
+    };
+  }
+
+  @Override
+  public boolean isRound(Feature feature) {
+    return feature != Feature.SIDE;
+  }
+
+  /** Of the disk around the middle that holds the line. */
+  @Override
+  public double earliest(double x, double y, double vx, double vy, double radius) {
+    double mx = (line.ax() + line.bx()) / 2;
+    double my = (line.ay() + line.by()) / 2;
+    double extent = Math.abs(x) + Math.abs(y) + Math.abs(line.ax()) + Math.abs(line.ay());
+    return Disks.earliest(x - mx, y - my, vx, vy, line.length() / 2 + radius, extent);
+  }
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.reference;
+
+import dev.carom.Feature;
+import dev.carom.Scene;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/** Foresees what a body hits first. Plain doubles pass over what is certainly later, or never. */
+final class Lookout {
+
+  /** Covers what plain doubles may have got wrong, many times over. */
+  private static final double LATER = 1 + 1e-9;
+
+  /** In the order of simultaneous impacts. */
+  private final List<Target> targets = new ArrayList<>();
+
+  Lookout(Scene scene, int bits) {
+    for (int i = 0; i < 4 && scene.bounds().isPresent(); i++) {
+      targets.add(new WallTarget(scene, i, bits));
+    }
+    for (int i = 0; i < scene.lineCount(); i++) {
+      targets.add(new LineTarget(scene, i, bits));
+    }
+    for (int i = 0; i < scene.pegCount(); i++) {
+      targets.add(new PegTarget(scene, i, bits));
+    }
+  }
+
+  private record Prospect(Target target, double earliest) {}
+
+  /** The first impact with something that stands still, counted from the start of the flight. */
+  Event ahead(Body body) {
+    body.checkTight();
+    Event first = null;
+    for (Prospect prospect : prospects(body)) {
+      if (first != null && prospect.earliest > first.contact().after().head() * LATER) {
+        break;
+      }
+      Target target = prospect.target;
+      Contact contact = target.contact(body.p, body.v, body.radius);
+      if (contact != null) {
+        Event event = new Event(body.t.plus(contact.after()), contact, body, target, null);
+        first = first == null || isBefore(event, first) ? event : first;
+      }
+    }
+    return first;
+  }
+
+  /** By the times since the start of the flight, which have fewer roundings. */
+  private static boolean isBefore(Event event, Event first) {
+    int order = event.contact().after().compareTo(first.contact().after());
+    return order == 0 ? event.isBefore(first) : order < 0;
+  }
+
+  private List<Prospect> prospects(Body body) {
+    double x = body.p.x().head();
+    double y = body.p.y().head();
+    double vx = body.v.x().head();
+    double vy = body.v.y().head();
+    double radius = body.radius.head();
+    List<Prospect> prospects = new ArrayList<>();
+    for (Target target : targets) {
+      double earliest =
+          target == body.last ? Double.POSITIVE_INFINITY : target.earliest(x, y, vx, vy, radius);
+      if (earliest < Double.POSITIVE_INFINITY) {
+        prospects.add(new Prospect(target, earliest));
+      }
+    }
+    prospects.sort(Comparator.comparingDouble(Prospect::earliest));
+    return prospects;
+  }
+
+  /** When two bodies meet, searched from the start of the later of their flights. */
+  static Event meeting(Body a, Body b) {
+    if (a.last == b && b.last == a) {
+      return null;
+    }
+    Ball later = b.t.minus(a.t);
+    boolean second = later.head() > 0;
+    Vec pa = second ? a.at(later) : a.p;
+    Vec pb = second ? b.p : b.at(later.negate());
+    Vec d = pa.minus(pb);
+    Vec u = a.v.minus(b.v);
+    Ball reach = a.radius.plus(b.radius);
+    double extent = extent(pa) + extent(pb);
+    double earliest =
+        Disks.earliest(
+            d.x().head(), d.y().head(), u.x().head(), u.y().head(), reach.head(), extent);
+    if (earliest == Double.POSITIVE_INFINITY) {
+      return null;
+    }
+    Contact contact = Disks.contact(d, u, reach, Feature.CIRCLE, a.bits);
+    Ball start = second ? b.t : a.t;
+    return contact == null ? null : new Event(start.plus(contact.after()), contact, a, null, b);
+  }
+
+  private static double extent(Vec p) {
+    return Math.abs(p.x().head()) + Math.abs(p.y().head());
+  }
+}

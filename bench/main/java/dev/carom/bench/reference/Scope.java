@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.reference;
+
+import dev.carom.Response;
+import dev.carom.Scene;
+
+/** Which scenes have a reference: those in which everything bounces, from both sides. */
+final class Scope {
+
+  private Scope() {}
+
+  static void check(Scene scene, int frames) {
+    if (frames < 1) {
+      throw new IllegalArgumentException("frames is " + frames + ": expected at least 1");
+    }
+    bounces("bounds", 0, scene.boundsResponse());
+    for (int i = 0; i < scene.lineCount(); i++) {
+      bounces("line", i, scene.lineResponse(i));
+      if (scene.lineOneWay(i)) {
+        throw new IllegalArgumentException(
+            "line " + i + " is one-way: a reference expects lines that are there from both sides");
+      }
+    }
+    for (int i = 0; i < scene.pegCount(); i++) {
+      bounces("peg", i, scene.pegResponse(i));
+    }
+    for (int i = 0; i < scene.circleCount(); i++) {
+      bounces("circle", i, scene.circleResponse(i));
+    }
+  }
+
+  private static void bounces(String kind, int i, Response response) {
+    if (response != Response.BOUNCE) {
+      throw new IllegalArgumentException(
+          "%s %d has the response %s: a reference expects BOUNCE".formatted(kind, i, response));
+    }
+  }
+}
