@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.reference;
+
+import dev.carom.Scene;
+import dev.carom.SceneFile;
+import java.io.FileNotFoundException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.OutputStream;
+import java.io.Reader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * The true courses of the experiment's scenes over 600 frames, stored: computed once, with as many
+ * digits as it takes, and read within a fraction of a second.
+ */
+public final class References {
+
+  /** The scenes of which a reference is stored. */
+  public static final List<String> SCENES =
+      List.of("base-1", "base-2", "base-3", "fast-1", "radii");
+
+  private static final String ROOT = "/dev/carom/bench/";
+
+  private References() {}
+
+  /**
+   * Reads one of the stored references.
+   *
+   * @param scene a name of {@link #SCENES}
+   * @return the course of that scene over 600 frames
+   * @throws IOException if there is none of that name
+   */
+  public static Reference load(String scene) throws IOException {
+    try (InputStream in = open("references/" + fileName(scene))) {
+      return ReferenceReader.read(in, scene);
+    }
+  }
+
+  /**
+   * Reads one of the experiment's scenes.
+   *
+   * @param name a name of {@link #SCENES}
+   * @return the scene
+   * @throws IOException if there is none of that name
+   */
+  public static Scene scene(String name) throws IOException {
+    try (Reader in =
+        new InputStreamReader(open("scenes/" + name + ".csv"), StandardCharsets.UTF_8)) {
+      return SceneFile.read(in, name);
+    }
+  }
+
+  /**
+   * Stores a reference in a folder, made if it is not there, under the name by which it is read.
+   *
+   * @param truth the course to be stored
+   * @param scene the name of its scene
+   * @param folder where to
+   * @return the size of the file in bytes
+   * @throws IOException if it cannot be written
+   */
+  public static long write(Truth truth, String scene, Path folder) throws IOException {
+    Files.createDirectories(folder);
+    Path file = folder.resolve(fileName(scene));
+    try (OutputStream out = Files.newOutputStream(file)) {
+      ReferenceWriter.write(truth, out);
+    }
+    return Files.size(file);
+  }
+
+  private static String fileName(String scene) {
+    return scene + ".flights";
+  }
+
+  private static InputStream open(String resource) throws IOException {
+    InputStream in = References.class.getResourceAsStream(ROOT + resource);
+    if (in == null) {
+      throw new FileNotFoundException(
+          "there is no " + resource + ": expected one of the scenes " + SCENES);
+    }
+    return in;
+  }
+}
