@@ -23,6 +23,7 @@ import picocli.CommandLine.ParameterException;
       SimulateCommand.class,
       CastCommand.class,
       RungsCommand.class,
+      ReferenceCommand.class,
       JmhCommand.class
     })
 public final class CaromBench {

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import dev.carom.Scene;
+import dev.carom.bench.reference.References;
+import dev.carom.bench.reference.Reversal;
+import dev.carom.bench.reference.Truth;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Computes what really happens in the experiment's scenes. */
+@Command(
+    name = "reference",
+    description = {
+      "Computes what really happens in the experiment's scenes: event after event in arbitrary"
+          + " precision, each decision proved, until every place is known to the last bit of a"
+          + " double and a run with twice the digits agrees."
+    },
+    mixinStandardHelpOptions = true,
+    sortOptions = false)
+final class ReferenceCommand implements Callable<Integer> {
+
+  private static final double DIGITS_PER_BIT = Math.log10(2);
+
+  @Spec private CommandSpec spec;
+
+  @Parameters(
+      paramLabel = "SCENE",
+      arity = "0..*",
+      description = "base-1, base-2, base-3, fast-1 or radii (default: all of them).")
+  private List<String> scenes = References.SCENES;
+
+  @Option(
+      names = "--frames",
+      paramLabel = "N",
+      defaultValue = "600",
+      description = "How many frames, each one unit of time (default: ${DEFAULT-VALUE}).")
+  private int frames;
+
+  @Option(
+      names = "--write",
+      paramLabel = "DIR",
+      description = "Store the references, as they stand in this jar.")
+  private Path folder;
+
+  @Option(
+      names = "--back",
+      description =
+          "Let time run forwards, turn all velocities round, and run back: exact numbers return"
+              + " to their start, doubles do not. Needs twice the digits.")
+  private boolean back;
+
+  @Override
+  public Integer call() throws IOException {
+    Bounded.atLeast(1, "--frames", frames, spec);
+    for (String name : scenes) {
+      if (!References.SCENES.contains(name)) {
+        throw new ParameterException(
+            spec.commandLine(), "SCENE is " + name + ": expected one of " + References.SCENES);
+      }
+    }
+    PrintWriter out = spec.commandLine().getOut();
+    out.println(back ? REVERSAL_HEADER : HEADER);
+    out.flush();
+    for (String name : scenes) {
+      Scene scene = References.scene(name);
+      out.println(back ? reversal(name, scene) : truth(name, scene));
+      out.flush();
+    }
+    return 0;
+  }
+
+  private static final String HEADER =
+      "scene   circles  impacts  digits: least  median   most  10^x worst  seconds    bytes";
+
+  private String truth(String name, Scene scene) throws IOException {
+    long start = System.nanoTime();
+    Truth truth;
+    try (Progress progress = Progress.start(name, scene.circleCount())) {
+      truth = Truth.of(scene, frames, progress::step);
+    }
+    double seconds = (System.nanoTime() - start) / 1e9;
+    int[] bits = truth.neededBits();
+    return String.format(
+        Locale.ROOT,
+        "%-6s  %7d  %,7d  %13.0f  %6.0f  %5.0f  %10.1f  %7.1f  %,7d",
+        name,
+        truth.circles(),
+        truth.impacts(),
+        bits[0] * DIGITS_PER_BIT,
+        bits[bits.length / 2] * DIGITS_PER_BIT,
+        bits[bits.length - 1] * DIGITS_PER_BIT,
+        truth.worstLog10Conditioning(),
+        seconds,
+        folder == null ? 0 : References.write(truth, name, folder));
+  }
+
+  private static final String REVERSAL_HEADER =
+      "scene   digits, at most  back to  with twice the digits  back in doubles, to 1e-6  seconds";
+
+  private String reversal(String name, Scene scene) {
+    long start = System.nanoTime();
+    Reversal reversal;
+    try (Progress progress = Progress.start(name, scene.circleCount())) {
+      reversal = Reversal.of(scene, frames, progress::step);
+    }
+    return String.format(
+        Locale.ROOT,
+        "%-6s  %15.0f  1e%-5.0f  1e%-20.0f  %16d of %3d  %7.1f",
+        name,
+        reversal.bits() * DIGITS_PER_BIT,
+        -reversal.digits(),
+        -reversal.digitsOfTwice(),
+        reversal.returned(),
+        reversal.circles(),
+        (System.nanoTime() - start) / 1e9);
+  }
+}
