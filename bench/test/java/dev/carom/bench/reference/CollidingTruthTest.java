@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.reference;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.carom.Feature;
+import dev.carom.ObstacleKind;
+import dev.carom.Scene;
+import dev.carom.World;
+import java.util.Arrays;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Circles that collide: the reference by itself, and the library against it. */
+class CollidingTruthTest {
+
+  private static final int FRAMES = 100;
+
+  /** Promised, in units of 2^-53 x conditioning. */
+  private static final double PROMISE = 4;
+
+  /** Beyond this conditioning, 10^12, nothing is promised. */
+  private static final double MOST = 12;
+
+  private static Truth truth(Scene scene, int frames) {
+    return Truth.of(scene, frames, () -> {});
+  }
+
+  /**
+   * A light circle between a wall and one 100^n times as heavy. Source: G. Galperin, Playing pool
+   * with pi, Regular and Chaotic Dynamics 8 (2003).
+   */
+  @ParameterizedTest
+  @CsvSource({"1, 3", "100, 31", "10000, 314"})
+  void impactsCountTheDigitsOfPi(double mass, int impacts) {
+    Scene scene =
+        Scene.builder()
+            .line(0, -10, 0, 10)
+            .circle(5, 0, 1, 0, 0)
+            .circle(10, 0, 1, -1, 0)
+            .mass(mass)
+            .collide(true)
+            .build();
+    Truth truth = truth(scene, 1000);
+    assertThat(truth.impacts()).isEqualTo(impacts);
+    assertThat(truth.vx(1000, 1))
+        .as("none is left")
+        .isGreaterThanOrEqualTo(truth.vx(1000, 0))
+        .isPositive();
+  }
+
+  /** Equal masses swap their velocities along the line of centres; e scales what they part with. */
+  @ParameterizedTest
+  @CsvSource({"1, -1, 2", "0.5, -0.25, 1.25", "0, 0.5, 0.5"})
+  void headOnPairPartsByItsRestitution(double restitution, double v1, double v2) {
+    Scene scene =
+        Scene.builder()
+            .circle(0, 0, 1, 2, 0)
+            .restitution(restitution)
+            .circle(5, 0, 1, -1, 0)
+            .collide(true)
+            .build();
+    Truth truth = truth(scene, 3);
+    assertThat(truth.vx(3, 0)).isEqualTo(v1);
+    assertThat(truth.vx(3, 1)).isEqualTo(v2);
+  }
+
+  @Test
+  void infiniteMassIsNotDeflected() {
+    Scene scene =
+        Scene.builder()
+            .circle(0, 0, 1, 2, 0)
+            .circle(5, 0, 1, -1, 0)
+            .mass(Double.POSITIVE_INFINITY)
+            .collide(true)
+            .build();
+    Truth truth = truth(scene, 2);
+    assertThat(truth.vx(2, 0)).isEqualTo(-4);
+    assertThat(truth.vx(2, 1)).isEqualTo(-1);
+  }
+
+  /** Both pairs touch at time 1: the one with the lower numbers comes first. */
+  @Test
+  void simultaneousPairsAreTakenByTheirNumbers() {
+    Scene scene =
+        Scene.builder()
+            .circle(0, 0, 1, 0.3, 0)
+            .circle(2.3, 9, 1, 0, 0)
+            .circle(2.3, 0, 1, 0, 0)
+            .circle(0, 9, 1, 0.3, 0)
+            .collide(true)
+            .build();
+    List<Hit> hits = truth(scene, 2).proofs().get(0).hits();
+    assertThat(hits)
+        .containsExactly(
+            new Hit(0, ObstacleKind.CIRCLE, 2, Feature.CIRCLE),
+            new Hit(1, ObstacleKind.CIRCLE, 3, Feature.CIRCLE));
+  }
+
+  /** The sum over the start values of |d place / d ln q|, by differences of runs in many digits. */
+  @Test
+  void conditioningIsTheSumOfTheDerivatives() {
+    Scene scene = CollidingScene.of(4, 1, true, 8);
+    Truth truth = truth(Differences.moved(scene, -1, 0), 60);
+    assertThat(truth.impacts()).isGreaterThan(10);
+    for (int i = 0; i < 4; i++) {
+      double sum = 0;
+      for (int q = 0; q < 4 * 4; q++) {
+        sum += Differences.derivative(scene, q, 60, i);
+      }
+      assertThat(truth.log10Conditioning(60, i)).isCloseTo(Math.log10(sum), within(1e-4));
+    }
+  }
+
+  /**
+   * World against the reference, at every circle and frame until the first circle of the scene is
+   * beyond the promise: from then on it may miss another one, or hit it, whatever that one's own
+   * conditioning is.
+   */
+  @Test
+  void errorsOfTheWorldStayWithinThePromise() {
+    double[] ratios = new double[0];
+    int impacts = 0;
+    for (int circles : new int[] {8, 16, 30}) {
+      for (double restitution : new double[] {1, 0.95}) {
+        for (boolean obstacles : new boolean[] {false, true}) {
+          Scene scene = CollidingScene.of(circles, restitution, obstacles, circles);
+          Truth truth = truth(scene, FRAMES);
+          double[] more = ratios(scene, truth);
+          ratios = Arrays.copyOf(ratios, ratios.length + more.length);
+          System.arraycopy(more, 0, ratios, ratios.length - more.length, more.length);
+          impacts += truth.impacts();
+        }
+      }
+    }
+    Arrays.sort(ratios);
+    int count = ratios.length;
+    System.out.printf(
+        "colliding: error / (2^-53 x conditioning) at %d places: worst %.2f, p99 %.2f, median"
+            + " %.3f; %d impacts in all%n",
+        count, ratios[count - 1], ratios[count * 99 / 100], ratios[count / 2], impacts);
+    assertThat(count).isGreaterThan(10_000);
+    assertThat(ratios[count - 1]).isLessThanOrEqualTo(PROMISE);
+  }
+
+  private static double[] ratios(Scene scene, Truth truth) {
+    World world = new World(scene);
+    int circles = scene.circleCount();
+    double[] ratios = new double[FRAMES * circles];
+    int count = 0;
+    for (int frame = 1; frame <= FRAMES && isWithin(truth, frame); frame++) {
+      world.advanceTo(frame);
+      for (int i = 0; i < circles; i++) {
+        double error = Math.hypot(world.x(i) - truth.x(frame, i), world.y(i) - truth.y(frame, i));
+        double unit = 0x1p-53 * Math.pow(10, truth.log10Conditioning(frame, i));
+        ratios[count++] = error / unit;
+      }
+    }
+    return Arrays.copyOf(ratios, count);
+  }
+
+  private static boolean isWithin(Truth truth, int frame) {
+    boolean within = true;
+    for (int i = 0; i < truth.circles(); i++) {
+      within &= truth.log10Conditioning(frame, i) < MOST;
+    }
+    return within;
+  }
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.reference;
+
+import dev.carom.Circle;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.Vec2;
+
+/** Derivatives of places by differences of two runs in many digits. */
+final class Differences {
+
+  /** How far a start value moves, relative to itself. */
+  private static final double STEP = 0x1p-40;
+
+  private Differences() {}
+
+  /** |d place / d ln q| of a circle at a frame; q = 4 i + k is x, y, vx or vy of circle i. */
+  static double derivative(Scene scene, int q, int frame, int circle) {
+    double[] near = Truth.of(moved(scene, q, 0), frame, () -> {}).course(circle).states[frame];
+    double[] far = Truth.of(moved(scene, q, STEP), frame, () -> {}).course(circle).states[frame];
+    double dx = (far[0] - near[0]) + (far[Course.TAILS] - near[Course.TAILS]);
+    double dy = (far[1] - near[1]) + (far[Course.TAILS + 1] - near[Course.TAILS + 1]);
+    return Math.hypot(dx, dy) / STEP;
+  }
+
+  /** With values of 24 bits, so that a step of one is what it is called. */
+  static Scene moved(Scene scene, int q, double step) {
+    SceneBuilder builder = Obstacles.of(scene);
+    for (int i = 0; i < scene.circleCount(); i++) {
+      Circle c = scene.circle(i);
+      Vec2 v = scene.velocity(i);
+      double[] values = {c.x(), c.y(), v.x(), v.y()};
+      for (int k = 0; k < values.length; k++) {
+        double value = (float) values[k];
+        values[k] = 4 * i + k == q ? value * (1 + step) : value;
+      }
+      builder
+          .circle(values[0], values[1], c.radius(), values[2], values[3])
+          .mass(scene.mass(i))
+          .restitution(scene.circleRestitution(i));
+    }
+    return builder.build();
+  }
+}
