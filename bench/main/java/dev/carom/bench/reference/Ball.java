@@ -16,7 +16,7 @@ import java.math.BigInteger;
 final class Ball {
 
   /** What is within so many bits of zero, and cannot be told from it, is taken as zero. */
-  private static final int TIE_BITS = 600;
+  private static final int TIE_BITS = 300;
 
   private static final int TOP = 64;
 

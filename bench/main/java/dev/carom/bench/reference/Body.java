@@ -63,13 +63,19 @@ final class Body {
     course = new Course(frames);
   }
 
+  boolean isAtRest() {
+    return v.dot(v).sign() == 0;
+  }
+
   /** Refuses a place or a velocity too little known for doubles to look ahead from it. */
   void checkTight() {
-    double place = Math.abs(p.x().head()) + Math.abs(p.y().head()) + radius.head();
-    double speed = Math.abs(v.x().head()) + Math.abs(v.y().head());
-    if (p.x().error() + p.y().error() > place * TIGHT
-        || v.x().error() + v.y().error() > speed * TIGHT) {
+    if (!isTight(p, p.size() + radius.head()) || !isTight(v, v.size())) {
       throw new DoubtException();
     }
+  }
+
+  /** Whether the errors of a vector are negligible beside a size. */
+  static boolean isTight(Vec v, double size) {
+    return v.x().error() + v.y().error() <= size * TIGHT;
   }
 }

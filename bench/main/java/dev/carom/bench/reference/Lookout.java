@@ -32,10 +32,13 @@ final class Lookout {
 
   /** The first impact with something that stands still, counted from the start of the flight. */
   Event ahead(Body body) {
+    if (body.isAtRest()) {
+      return null;
+    }
     body.checkTight();
     Event first = null;
     for (Prospect prospect : prospects(body)) {
-      if (first != null && prospect.earliest > first.contact().after().head() * LATER) {
+      if (first != null && prospect.earliest > latest(first)) {
         break;
       }
       Target target = prospect.target;
@@ -46,6 +49,12 @@ final class Lookout {
       }
     }
     return first;
+  }
+
+  /** What is foreseen happens before, whatever doubles got wrong. */
+  private static double latest(Event first) {
+    Ball after = first.contact().after();
+    return (after.head() + after.error()) * LATER;
   }
 
   /** By the times since the start of the flight, which have fewer roundings. */
@@ -84,11 +93,7 @@ final class Lookout {
     Vec d = pa.minus(pb);
     Vec u = a.v.minus(b.v);
     Ball reach = a.radius.plus(b.radius);
-    double extent = extent(pa) + extent(pb);
-    double earliest =
-        Disks.earliest(
-            d.x().head(), d.y().head(), u.x().head(), u.y().head(), reach.head(), extent);
-    if (earliest == Double.POSITIVE_INFINITY) {
+    if (isApart(d, u, reach, pa.size() + pb.size())) {
       return null;
     }
     Contact contact = Disks.contact(d, u, reach, Feature.CIRCLE, a.bits);
@@ -96,7 +101,14 @@ final class Lookout {
     return contact == null ? null : new Event(start.plus(contact.after()), contact, a, null, b);
   }
 
-  private static double extent(Vec p) {
-    return Math.abs(p.x().head()) + Math.abs(p.y().head());
+  /** Whether plain doubles tell that an offset d that changes by u never gets so short. */
+  private static boolean isApart(Vec d, Vec u, Ball reach, double extent) {
+    if (!Body.isTight(d, extent) || !Body.isTight(u, u.size())) {
+      return false;
+    }
+    double dx = d.x().head();
+    double dy = d.y().head();
+    double earliest = Disks.earliest(dx, dy, u.x().head(), u.y().head(), reach.head(), extent);
+    return earliest == Double.POSITIVE_INFINITY;
   }
 }

@@ -27,7 +27,8 @@ final class Stretch {
     float[] tails = new float[Course.TAILS];
     for (int i = 0; i < Course.TAILS; i++) {
       heads[i] = course.states[frame][i];
-      tails[i] = (float) course.states[frame][Course.TAILS + i];
+      // + 0 turns -0, what is left of a tie, into 0.
+      tails[i] = (float) course.states[frame][Course.TAILS + i] + 0f;
     }
     return new Stretch(frame, heads, tails);
   }

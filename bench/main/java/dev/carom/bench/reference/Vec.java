@@ -32,6 +32,11 @@ record Vec(Ball x, Ball y) {
     return x.times(v.y).minus(y.times(v.x));
   }
 
+  /** {@code |x| + |y|}, in plain doubles. */
+  double size() {
+    return Math.abs(x.head()) + Math.abs(y.head());
+  }
+
   /** A quarter turn to the left. */
   Vec left() {
     return new Vec(y.negate(), x);

@@ -68,6 +68,30 @@ class CollidingTruthTest {
     assertThat(truth.vx(3, 1)).isEqualTo(v2);
   }
 
+  /** Its velocity is zero, but not to be told from zero by any digits. */
+  @Test
+  void circleThatStopsHitsNothing() {
+    Scene scene =
+        Scene.builder()
+            .line(1.05, -5, 1.05, 5)
+            .circle(2.1, 0.1, 0.7, 0.3, 0.1)
+            .circle(5.6, 0.1 + 3.5 / 3, 0.7, 0, 0)
+            .collide(true)
+            .build();
+    Scene headOn =
+        Scene.builder()
+            .line(-0.75, -5, -0.75, 5)
+            .circle(0, 0.1, 0.7, 0.3, 0)
+            .circle(3.1, 0.1, 0.7, 0, 0)
+            .collide(true)
+            .build();
+    assertThat(truth(scene, 20).impacts()).isEqualTo(1);
+    Truth truth = truth(headOn, 20);
+    assertThat(truth.impacts()).isEqualTo(1);
+    assertThat(truth.vx(20, 0)).isZero();
+    assertThat(truth.vx(20, 1)).isEqualTo(0.3);
+  }
+
   @Test
   void infiniteMassIsNotDeflected() {
     Scene scene =

@@ -146,7 +146,7 @@ class TruthTest {
   void tooFewDigitsAreNoticed() throws IOException {
     Scene scene = References.scene("base-1");
     Truth truth = truth(scene, 600);
-    assertThat(truth.neededBits()).startsWith(128).endsWith(1024);
+    assertThat(truth.neededBits()).startsWith(128).endsWith(512);
     int doubted = 0;
     for (int i = 0; i < 100; i++) {
       if (truth.proofs().get(i).needed() > 128) {
