@@ -85,13 +85,16 @@ final class Ball {
     return of(q[0], lost.over(least), q[1].signum() == 0, bits);
   }
 
-  /** Of a positive number: {@code |sqrt(a) - sqrt(A)| <= ea / sqrt(a)}. */
+  /**
+   * {@code |sqrt(a) - sqrt(A)| <= ea / (sqrt(a) + sqrt(a - ea)) <= ea / (sqrt(a) (2 - ea / a))}.
+   */
   Ball sqrt() {
     if (sign() == 0) {
       return new Ball(BigInteger.ZERO, Magnitude.ZERO, bits);
     }
     BigInteger[] root = units.shiftLeft(bits).sqrtAndRemainder();
-    Magnitude least = Magnitude.of(root[0]).times(1 - 0x1p-40);
+    double part = error.ratio(size());
+    Magnitude least = Magnitude.of(root[0]).times((2 - part) * (1 - 0x1p-40));
     return of(root[0], error.over(least).shift(bits), root[1].signum() == 0, bits);
   }
 

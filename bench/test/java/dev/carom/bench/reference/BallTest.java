@@ -8,6 +8,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Random;
+import java.util.function.BinaryOperator;
+import java.util.function.DoubleBinaryOperator;
 import org.junit.jupiter.api.Test;
 
 class BallTest {
@@ -41,6 +43,40 @@ class BallTest {
       assertNotRefuted(a.plus(b).times(a.minus(b)).minus(a.times(a).minus(b.times(b))));
       assertNotRefuted(a.times(b).negate().plus(b.times(a)));
     }
+  }
+
+  /** A number with an error of 2^-38, far above the rounding of doubles: {@code x / 3 * 3}. */
+  private static Ball wide(double x) {
+    return Ball.of(x * 0x1p-40, 80).over(Ball.of(3, 80)).times(Ball.of(0x3p40, 80));
+  }
+
+  /** Numbers at the ends of two balls give one within the result, and it is no larger than that. */
+  private static void assertErrorIsThatOf(BinaryOperator<Ball> f, DoubleBinaryOperator g) {
+    Random random = new Random(4);
+    for (int i = 0; i < 100; i++) {
+      Ball a = wide(1 + random.nextDouble());
+      Ball b = wide(random.nextBoolean() ? 3 + random.nextDouble() : -2 - random.nextDouble());
+      double error = f.apply(a, b).error();
+      double middle = g.applyAsDouble(a.head(), b.head());
+      double most = 0;
+      for (int ends = 0; ends < 4; ends++) {
+        double x = a.head() + (ends % 2 == 0 ? -1 : 1) * a.error();
+        double y = b.head() + (ends < 2 ? -1 : 1) * b.error();
+        most = Math.max(most, Math.abs(g.applyAsDouble(x, y) - middle));
+      }
+      assertThat(error).isBetween(0.999 * most, 1.001 * most);
+    }
+  }
+
+  @Test
+  void errorsAreThoseOfTheEnds() {
+    assertThat(wide(1).error()).isBetween(0x1p-40, 0x1p-37);
+    assertErrorIsThatOf(Ball::plus, (x, y) -> x + y);
+    assertErrorIsThatOf(Ball::minus, (x, y) -> x - y);
+    assertErrorIsThatOf(Ball::times, (x, y) -> x * y);
+    assertErrorIsThatOf(Ball::over, (x, y) -> x / y);
+    assertErrorIsThatOf((a, b) -> a.sqrt(), (x, y) -> Math.sqrt(x));
+    assertErrorIsThatOf((a, b) -> b.abs(), (x, y) -> Math.abs(y));
   }
 
   /** One unit in the 110th of 128 places is seen, so errors are not held far too large either. */
