@@ -2,6 +2,7 @@
 package dev.carom.bench.reference;
 
 import dev.carom.Circle;
+import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
@@ -25,7 +26,7 @@ final class Differences {
 
   /** With values of 24 bits, so that a step of one is what it is called. */
   static Scene moved(Scene scene, int q, double step) {
-    SceneBuilder builder = Obstacles.of(scene);
+    SceneBuilder builder = obstacles(scene);
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
       Vec2 v = scene.velocity(i);
@@ -40,5 +41,25 @@ final class Differences {
           .restitution(scene.circleRestitution(i));
     }
     return builder.build();
+  }
+
+  private static SceneBuilder obstacles(Scene scene) {
+    SceneBuilder builder = Scene.builder().collide(scene.collide());
+    scene
+        .bounds()
+        .ifPresent(
+            b ->
+                builder
+                    .bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax())
+                    .restitution(scene.boundsRestitution()));
+    for (int i = 0; i < scene.lineCount(); i++) {
+      Line l = scene.line(i);
+      builder.line(l.ax(), l.ay(), l.bx(), l.by()).restitution(scene.lineRestitution(i));
+    }
+    for (int i = 0; i < scene.pegCount(); i++) {
+      Circle p = scene.peg(i);
+      builder.peg(p.x(), p.y(), p.radius()).restitution(scene.pegRestitution(i));
+    }
+    return builder;
   }
 }
