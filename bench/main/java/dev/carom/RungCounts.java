@@ -9,8 +9,12 @@ package dev.carom;
  * @param exactDecisions of them, those that double-double left open too
  * @param roots square roots of doubles
  * @param exactTimes times of impact that double-double could not round
+ * @param pairTests how often a world looked at a circle and a line or peg together
  */
-public record RungCounts(long doubtfulDecisions, long exactDecisions, long roots, long exactTimes) {
+public record RungCounts(
+    long doubtfulDecisions, long exactDecisions, long roots, long exactTimes, long pairTests) {
+
+  private static final RungCounts NONE = new RungCounts(0, 0, 0, 0, 0);
 
   private static final String PROPERTY = "dev.carom.rungs";
 
@@ -39,16 +43,20 @@ public record RungCounts(long doubtfulDecisions, long exactDecisions, long roots
       throw new IllegalStateException("nothing is counted in this process");
     }
     return new RungCounts(
-        count.doubtfulDecisions, count.exactDecisions, count.roots, count.exactTimes);
+        count.doubtfulDecisions,
+        count.exactDecisions,
+        count.roots,
+        count.exactTimes,
+        count.pairTests);
   }
 
   /**
-   * The square roots of this process so far, at no cost in a process that does not count.
+   * All counts of this process so far, at no cost in a process that does not count.
    *
-   * @return the count, 0 unless counts are enabled
+   * @return the counts, all 0 unless they are enabled
    */
-  public static long rootsSoFar() {
-    return Rungs.COUNT == null ? 0 : Rungs.COUNT.roots;
+  public static RungCounts soFar() {
+    return Rungs.COUNT == null ? NONE : now();
   }
 
   /**
@@ -62,6 +70,7 @@ public record RungCounts(long doubtfulDecisions, long exactDecisions, long roots
         doubtfulDecisions - before.doubtfulDecisions,
         exactDecisions - before.exactDecisions,
         roots - before.roots,
-        exactTimes - before.exactTimes);
+        exactTimes - before.exactTimes,
+        pairTests - before.pairTests);
   }
 }

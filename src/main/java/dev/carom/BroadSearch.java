@@ -343,6 +343,9 @@ final class BroadSearch {
    * Whether both ends of a line lie on one side of the path and further from it than the radius.
    */
   private boolean passed(int code, double x, double y, double ux, double uy, double clear) {
+    if (Rungs.COUNT != null) {
+      Rungs.COUNT.pairTests++;
+    }
     if (code >= Obstacles.PEGS) {
       return false;
     }

@@ -22,6 +22,9 @@ final class Rungs {
   /** Times of impact, walls' included, that double-double could not round. */
   long exactTimes;
 
+  /** How often the broad search looked at a circle and a line or peg together. */
+  long pairTests;
+
   private Rungs() {}
 
   /** Counts a decision that goes from plain doubles to exact numbers at once. */

@@ -10,13 +10,14 @@ import dev.carom.World;
 
 /**
  * This library, used as a game would: one {@code step(1)} a frame. Its impacts are read from the
- * log of the last step. Its square roots are those that the library counts, if the process has it
- * count ({@link RungCounts#enable}); where frames are timed it does not.
+ * log of the last step. Its square roots, pair tests and fallbacks are those that the library
+ * counts, if the process has it count ({@link RungCounts#enable}); where frames are timed it does
+ * not.
  */
 final class CaromMethod implements Method {
 
   private final World world;
-  private long rootsBefore;
+  private RungCounts before = RungCounts.soFar();
 
   CaromMethod(Scene scene) {
     world = new World(scene);
@@ -24,7 +25,7 @@ final class CaromMethod implements Method {
 
   @Override
   public void frame() {
-    rootsBefore = RungCounts.rootsSoFar();
+    before = RungCounts.soFar();
     if (world.step(1) != Outcome.COMPLETE) {
       throw new IllegalStateException(
           "carom spent its budget of work before the end of a frame, at time " + world.now());
@@ -48,7 +49,7 @@ final class CaromMethod implements Method {
 
   @Override
   public int squareRoots() {
-    return Math.toIntExact(RungCounts.now().roots() - rootsBefore);
+    return Math.toIntExact(lastFrame().roots());
   }
 
   @Override
@@ -59,5 +60,30 @@ final class CaromMethod implements Method {
   @Override
   public double y(int circle) {
     return world.y(circle);
+  }
+
+  @Override
+  public double vx(int circle) {
+    return world.vx(circle);
+  }
+
+  @Override
+  public double vy(int circle) {
+    return world.vy(circle);
+  }
+
+  @Override
+  public long pairTests() {
+    return lastFrame().pairTests();
+  }
+
+  @Override
+  public long fallbacks() {
+    RungCounts frame = lastFrame();
+    return frame.doubtfulDecisions() + frame.exactTimes();
+  }
+
+  private RungCounts lastFrame() {
+    return RungCounts.now().since(before);
   }
 }

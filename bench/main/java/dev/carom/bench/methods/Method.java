@@ -5,7 +5,10 @@ package dev.carom.bench.methods;
  * A scene in motion by one method. {@link #frame} is what is timed; the counts may cost time and
  * are asked for in replays that are not.
  */
-public interface Method {
+public interface Method extends AutoCloseable {
+
+  /** A count that a method does not tell. */
+  int UNKNOWN = -1;
 
   /** Moves every circle by one frame, one unit of the scene's time. */
   void frame();
@@ -13,14 +16,14 @@ public interface Method {
   /**
    * The impacts with lines and pegs in the last frame.
    *
-   * @return at least 0
+   * @return at least 0; {@link #UNKNOWN} of a method that does not tell
    */
   int impacts();
 
   /**
    * The impacts with the walls of the bounds in the last frame.
    *
-   * @return at least 0
+   * @return at least 0; {@link #UNKNOWN} of a method that does not tell
    */
   int wallImpacts();
 
@@ -28,7 +31,7 @@ public interface Method {
    * The square roots of the last frame, those spent on finding and resolving impacts. No other
    * method may have moved since that frame began.
    *
-   * @return at least 0
+   * @return at least 0; {@link #UNKNOWN} of a method that does not tell
    */
   int squareRoots();
 
@@ -47,4 +50,42 @@ public interface Method {
    * @return the y coordinate of its centre
    */
   double y(int circle);
+
+  /**
+   * How a circle moves at the end of the last frame.
+   *
+   * @param circle its number in the scene
+   * @return the x component of its velocity, in units of length a frame
+   */
+  double vx(int circle);
+
+  /**
+   * How a circle moves at the end of the last frame.
+   *
+   * @param circle its number in the scene
+   * @return the y component of its velocity, in units of length a frame
+   */
+  double vy(int circle);
+
+  /**
+   * How often, in the last frame, a circle and a line or peg were looked at together; iterations on
+   * one pair count each. No other method may have moved since that frame began.
+   *
+   * @return at least 0; {@link #UNKNOWN} of a method that does not tell
+   */
+  long pairTests();
+
+  /**
+   * How often, in the last frame, more precision than a double was needed. No other method may have
+   * moved since that frame began.
+   *
+   * @return at least 0, which is all that a method without other precision can say
+   */
+  default long fallbacks() {
+    return 0;
+  }
+
+  /** Gives back what is not memory of the virtual machine. */
+  @Override
+  default void close() {}
 }

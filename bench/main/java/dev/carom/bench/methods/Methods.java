@@ -1,45 +1,84 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
-import dev.carom.Scene;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
 
-/** The methods that a replay compares. */
-public enum Methods {
+/** The methods that are compared, each with the values of its knob. */
+public final class Methods {
+
   /** This library. */
-  CAROM("carom") {
-    @Override
-    public Method start(Scene scene) {
-      return new CaromMethod(scene);
-    }
-  },
-  /** The published algorithm. */
-  POSTER("poster") {
-    @Override
-    public Method start(Scene scene) {
-      return new Poster(scene);
-    }
-  };
+  public static final Contender CAROM = new Contender("carom", "carom", "", CaromMethod::new);
 
-  private final String label;
+  /** The published algorithm, in float as published. */
+  public static final Contender POSTER = new Contender("poster", "poster", "", Poster::new);
 
-  Methods(String label) {
-    this.label = label;
+  /** The published algorithm in double. */
+  public static final Contender POSTER_DOUBLE =
+      new Contender("poster-double", "poster-double", "", PosterDouble::new);
+
+  /** The quadratic of the textbooks in float, event-driven. */
+  public static final Contender TEXTBOOK_FLOAT =
+      new Contender("textbook-float", "textbook-float", "", TextbookFloat::new);
+
+  /** The quadratic of the textbooks in double, event-driven. */
+  public static final Contender TEXTBOOK_DOUBLE =
+      new Contender(
+          "textbook-double",
+          "textbook-double",
+          "",
+          scene -> new EventDriven(scene, new TextbookTest()));
+
+  /** The overlap test at the end of the frame: one substep. */
+  public static final Contender OVERLAP =
+      new Contender("overlap", "overlap", "", scene -> new Substeps(scene, 1));
+
+  private static final int MOST_SUBSTEPS = 256;
+  private static final int LEAST_TOLERANCE = -12;
+
+  private Methods() {}
+
+  /**
+   * All of them. The overlap test is also the first dot of the substeps: it is listed once.
+   *
+   * @return in the order in which tables show them, this library first
+   */
+  public static List<Contender> all() {
+    List<Contender> all = new ArrayList<>(List.of(CAROM, POSTER, POSTER_DOUBLE));
+    all.addAll(List.of(TEXTBOOK_FLOAT, TEXTBOOK_DOUBLE));
+    for (int exponent = -2; exponent >= LEAST_TOLERANCE; exponent -= 2) {
+      all.add(advancement(exponent));
+    }
+    all.add(OVERLAP);
+    for (int k = 2; k <= MOST_SUBSTEPS; k *= 2) {
+      all.add(substeps(k));
+    }
+    return List.copyOf(all);
   }
 
   /**
-   * The name of the method in tables, files and options.
+   * The overlap test at the end of each of k parts of a frame.
    *
-   * @return the name
+   * @param k at least 1
+   * @return the method
    */
-  public String label() {
-    return label;
+  public static Contender substeps(int k) {
+    return new Contender("substeps-" + k, "substeps", "k=" + k, scene -> new Substeps(scene, k));
   }
 
   /**
-   * Sets a scene in motion.
+   * Conservative advancement with a tolerance of a power of ten, in the scene's unit of length.
    *
-   * @param scene the scene at time 0
-   * @return the method, ready for its first frame
+   * @param exponent of the tolerance
+   * @return the method
    */
-  public abstract Method start(Scene scene);
+  public static Contender advancement(int exponent) {
+    double tolerance = Double.parseDouble("1e" + exponent);
+    return new Contender(
+        String.format(Locale.ROOT, "advancement-1e%d", exponent),
+        "advancement",
+        String.format(Locale.ROOT, "tolerance=1e%d", exponent),
+        scene -> new EventDriven(scene, new AdvancementTest(tolerance)));
+  }
 }

@@ -139,4 +139,20 @@ final class Poster implements Method {
   public double y(int circle) {
     return y[circle];
   }
+
+  @Override
+  public double vx(int circle) {
+    return vx[circle];
+  }
+
+  @Override
+  public double vy(int circle) {
+    return vy[circle];
+  }
+
+  /** Every circle asks every line. */
+  @Override
+  public long pairTests() {
+    return (long) x.length * lines.count;
+  }
 }

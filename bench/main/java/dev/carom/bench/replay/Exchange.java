@@ -3,7 +3,7 @@ package dev.carom.bench.replay;
 
 import dev.carom.Scene;
 import dev.carom.SceneFile;
-import dev.carom.bench.methods.Methods;
+import dev.carom.bench.methods.Contender;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -36,13 +36,13 @@ record Exchange(Path folder) {
     return scenes;
   }
 
-  Path samples(Methods method, int fork) {
-    return folder.resolve(method.label() + "-" + fork + ".samples");
+  Path samples(Contender contender, int fork) {
+    return folder.resolve(contender.id() + "-" + fork + ".samples");
   }
 
   /** What JMH has to say, kept off the terminal. */
-  Path log(Methods method, int fork) {
-    return folder.resolve(method.label() + "-" + fork + ".log");
+  Path log(Contender contender, int fork) {
+    return folder.resolve(contender.id() + "-" + fork + ".log");
   }
 
   void delete() throws IOException {

@@ -4,13 +4,13 @@ package dev.carom.bench.replay;
 import dev.carom.Scene;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
+import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Method;
-import dev.carom.bench.methods.Methods;
+import dev.carom.bench.peers.Contenders;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -49,7 +49,7 @@ public class ReplayBenchmark {
 
   static final String NO_FOLDER = "none";
 
-  /** The label of one of the {@link Methods}. */
+  /** The id of one of the {@link Contenders}. */
   @Param({"carom", "poster"})
   public String method;
 
@@ -69,7 +69,7 @@ public class ReplayBenchmark {
   @Param("0")
   public int fork;
 
-  private Methods methods;
+  private Contender contender;
   private Scene scene;
   private List<Scene> others;
   private int othersPlayed;
@@ -86,7 +86,7 @@ public class ReplayBenchmark {
    */
   @Setup(Level.Trial)
   public void load() throws IOException, CannotPlaceException {
-    methods = Methods.valueOf(method.toUpperCase(Locale.ROOT));
+    contender = Contenders.byId(method);
     if (folder.equals(NO_FOLDER)) {
       scene = Crosses.canonical(1).scene();
       others = List.of(Crosses.canonical(2).scene());
@@ -107,7 +107,7 @@ public class ReplayBenchmark {
       warmUp();
     }
     playOther();
-    playing = methods.start(scene);
+    playing = contender.start(scene);
     nanos = new long[frames];
   }
 
@@ -127,7 +127,9 @@ public class ReplayBenchmark {
 
   private long[] play(Scene played) {
     long[] times = new long[frames];
-    Stopwatch.play(methods.start(played), times);
+    try (Method fresh = contender.start(played)) {
+      Stopwatch.play(fresh, times);
+    }
     return times;
   }
 
@@ -143,7 +145,7 @@ public class ReplayBenchmark {
   }
 
   /**
-   * Keeps the frame times of a measured replay.
+   * Keeps the frame times of a measured replay, and ends it.
    *
    * @param iteration what this iteration was for
    */
@@ -152,6 +154,7 @@ public class ReplayBenchmark {
     if (iteration.getType() == IterationType.MEASUREMENT) {
       replays.add(nanos);
     }
+    playing.close();
   }
 
   /**
@@ -164,9 +167,11 @@ public class ReplayBenchmark {
     if (folder.equals(NO_FOLDER)) {
       return;
     }
-    long bytes = Stopwatch.bytesAllocated(methods.start(scene), frames);
-    Samples samples = new Samples(cold, replays, Stopwatch.emptyPairNanos(), bytes);
-    samples.write(exchange().samples(methods, fork));
+    try (Method fresh = contender.start(scene)) {
+      long bytes = Stopwatch.bytesAllocated(fresh, frames);
+      Samples samples = new Samples(cold, replays, Stopwatch.emptyPairNanos(), bytes);
+      samples.write(exchange().samples(contender, fork));
+    }
   }
 
   private Exchange exchange() {

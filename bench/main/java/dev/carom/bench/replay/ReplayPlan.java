@@ -2,6 +2,7 @@
 package dev.carom.bench.replay;
 
 import dev.carom.Scene;
+import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Methods;
 import java.util.List;
 
@@ -11,12 +12,44 @@ import java.util.List;
  * @param name what to call the scene
  * @param scene the scene that is measured
  * @param others scenes to play in between, at least one
+ * @param contenders who replays it
  * @param frames of one replay, at least 1
- * @param forks virtual machines per method, at least 1
+ * @param replays measured ones of each virtual machine, at least 1
+ * @param forks virtual machines per contender, at least 1
  * @param warmUpMillis how long each of them plays before its first measured replay
  */
 public record ReplayPlan(
-    String name, Scene scene, List<Scene> others, int frames, int forks, int warmUpMillis) {
+    String name,
+    Scene scene,
+    List<Scene> others,
+    List<Contender> contenders,
+    int frames,
+    int replays,
+    int forks,
+    int warmUpMillis) {
+
+  /**
+   * This library beside the published algorithm.
+   *
+   * @param name what to call the scene
+   * @param scene the scene that is measured
+   * @param others scenes to play in between, at least one
+   * @param frames of one replay, at least 1
+   * @param forks virtual machines per contender, at least 1
+   * @param warmUpMillis how long each of them plays before its first measured replay
+   */
+  public ReplayPlan(
+      String name, Scene scene, List<Scene> others, int frames, int forks, int warmUpMillis) {
+    this(
+        name,
+        scene,
+        others,
+        List.of(Methods.CAROM, Methods.POSTER),
+        frames,
+        ReplayBenchmark.REPLAYS,
+        forks,
+        warmUpMillis);
+  }
 
   /**
    * The work of a run, to show its progress.
@@ -24,6 +57,6 @@ public record ReplayPlan(
    * @return the number of virtual machines it starts
    */
   public int steps() {
-    return forks * Methods.values().length;
+    return forks * contenders.size();
   }
 }

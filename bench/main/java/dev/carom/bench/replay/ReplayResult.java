@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.replay;
 
+import dev.carom.bench.methods.Contender;
+import dev.carom.bench.methods.Method;
 import dev.carom.bench.methods.Methods;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
@@ -12,17 +14,19 @@ import java.util.Map;
 public final class ReplayResult {
 
   private final ReplayPlan plan;
-  private final Map<Methods, List<Samples>> samples;
+  private final Map<Contender, List<Samples>> samples;
   private final Machine machine;
-  private final Map<Methods, Figures> figures = new EnumMap<>(Methods.class);
+  private final Map<Contender, Figures> figures = new LinkedHashMap<>();
 
-  ReplayResult(ReplayPlan plan, Map<Methods, List<Samples>> samples, Machine machine) {
+  ReplayResult(ReplayPlan plan, Map<Contender, List<Samples>> samples, Machine machine) {
     this.plan = plan;
     this.samples = samples;
     this.machine = machine;
-    for (Methods method : Methods.values()) {
-      Counts counts = Counts.of(method.start(plan.scene()), plan.frames());
-      figures.put(method, Figures.of(method.label(), counts, samples.get(method)));
+    for (Contender contender : plan.contenders()) {
+      try (Method method = contender.start(plan.scene())) {
+        Counts counts = Counts.of(method, plan.frames());
+        figures.put(contender, Figures.of(contender.id(), counts, samples.get(contender)));
+      }
     }
   }
 
@@ -47,7 +51,7 @@ public final class ReplayResult {
   /**
    * The figures of every method.
    *
-   * @return one row a method, in the order of {@link Methods}
+   * @return one row a method, in the order of the plan
    */
   public List<Figures> figures() {
     return List.copyOf(figures.values());
@@ -56,11 +60,11 @@ public final class ReplayResult {
   /**
    * The figures of one method.
    *
-   * @param method the method
+   * @param contender who replayed
    * @return its row
    */
-  public Figures figures(Methods method) {
-    return figures.get(method);
+  public Figures figures(Contender contender) {
+    return figures.get(contender);
   }
 
   /**

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.replay;
 
-import dev.carom.bench.methods.Methods;
+import dev.carom.bench.methods.Contender;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Random;
 import org.openjdk.jmh.runner.Runner;
 import org.openjdk.jmh.runner.RunnerException;
 import org.openjdk.jmh.runner.options.Options;
 import org.openjdk.jmh.runner.options.OptionsBuilder;
 
 /**
- * Carries out a {@link ReplayPlan}. Each fork is a JMH run of its own, and the methods take turns,
- * each round in the reverse order of the one before: what the machine does besides falls on all
- * alike.
+ * Carries out a {@link ReplayPlan}. Each fork is a JMH run of its own, and the contenders take
+ * turns, in each round in another order: what the machine does besides falls on all alike.
  */
-public final class ReplayRun {
+public final class ReplayRun implements AutoCloseable {
 
   private final ReplayPlan plan;
   private final Exchange exchange;
+  private boolean failed;
 
   private ReplayRun(ReplayPlan plan, Exchange exchange) {
     this.plan = plan;
@@ -29,7 +30,7 @@ public final class ReplayRun {
   }
 
   /**
-   * Measures.
+   * Measures all of a plan.
    *
    * @param plan what to replay
    * @param progress called after each of the plan's steps
@@ -39,50 +40,94 @@ public final class ReplayRun {
    */
   public static ReplayResult run(ReplayPlan plan, Runnable progress)
       throws IOException, RunnerException {
-    Exchange exchange = Exchange.create(plan.scene(), plan.others());
-    Map<Methods, List<Samples>> samples = new ReplayRun(plan, exchange).runForks(progress);
-    exchange.delete();
-    return new ReplayResult(plan, samples, Machine.current());
+    try (ReplayRun run = open(plan)) {
+      return new ReplayResult(plan, run.forks(progress), Machine.current());
+    }
   }
 
-  private Map<Methods, List<Samples>> runForks(Runnable progress)
+  /**
+   * Prepares to measure fork by fork.
+   *
+   * @param plan what to replay
+   * @return the run, to be closed
+   * @throws IOException if the temporary folder cannot be made
+   */
+  public static ReplayRun open(ReplayPlan plan) throws IOException {
+    return new ReplayRun(plan, Exchange.create(plan.scene(), plan.others()));
+  }
+
+  /**
+   * The order in which contenders take their turns in a round.
+   *
+   * @param contenders in any order
+   * @param round its number
+   * @return the same, shuffled; the same shuffle for the same number
+   */
+  public static List<Contender> shuffled(List<Contender> contenders, int round) {
+    List<Contender> order = new ArrayList<>(contenders);
+    Collections.shuffle(order, new Random(round));
+    return order;
+  }
+
+  private Map<Contender, List<Samples>> forks(Runnable progress)
       throws IOException, RunnerException {
-    Map<Methods, List<Samples>> samples = new EnumMap<>(Methods.class);
-    List<Methods> order = new ArrayList<>(List.of(Methods.values()));
-    for (int fork = 0; fork < plan.forks(); fork++) {
-      for (Methods method : order) {
-        samples.computeIfAbsent(method, none -> new ArrayList<>()).add(runFork(method, fork));
+    Map<Contender, List<Samples>> samples = new LinkedHashMap<>();
+    for (int round = 0; round < plan.forks(); round++) {
+      for (Contender contender : shuffled(plan.contenders(), round)) {
+        samples.computeIfAbsent(contender, none -> new ArrayList<>()).add(fork(contender, round));
         progress.run();
       }
-      Collections.reverse(order);
     }
     return samples;
   }
 
-  private Samples runFork(Methods method, int fork) throws IOException, RunnerException {
+  /**
+   * Measures one contender in a fresh virtual machine.
+   *
+   * @param contender who replays
+   * @param fork the number of the fork, not used before with this contender
+   * @return the frame times
+   * @throws IOException if the temporary folder cannot be used
+   * @throws RunnerException if the fork fails; the message names the log that tells why
+   */
+  public Samples fork(Contender contender, int fork) throws IOException, RunnerException {
     try {
-      new Runner(options(method, fork)).run();
+      new Runner(options(contender, fork)).run();
     } catch (RunnerException e) {
+      failed = true;
       String reason = String.valueOf(e.getMessage()).lines().findFirst().orElse("no reason given");
       throw new RunnerException(
           "a replay of %s failed: %s (its log: %s)"
-              .formatted(method.label(), reason, exchange.log(method, fork)),
+              .formatted(contender.id(), reason, exchange.log(contender, fork)),
           e);
     }
-    return Samples.read(exchange.samples(method, fork));
+    return Samples.read(exchange.samples(contender, fork));
   }
 
-  private Options options(Methods method, int fork) {
+  private Options options(Contender contender, int fork) {
     return new OptionsBuilder()
         .include(ReplayBenchmark.class.getName())
-        .param("method", method.label())
+        .param("method", contender.id())
         .param("frames", Integer.toString(plan.frames()))
         .param("warmUpMillis", Integer.toString(plan.warmUpMillis()))
         .param("folder", exchange.folder().toString())
         .param("fork", Integer.toString(fork))
+        .measurementIterations(plan.replays())
         .forks(1)
         .shouldFailOnError(true)
-        .output(exchange.log(method, fork).toString())
+        .output(exchange.log(contender, fork).toString())
         .build();
+  }
+
+  /**
+   * Deletes the temporary folder, unless a fork failed: then its log is left.
+   *
+   * @throws IOException if it cannot be deleted
+   */
+  @Override
+  public void close() throws IOException {
+    if (!failed) {
+      exchange.delete();
+    }
   }
 }

@@ -46,7 +46,7 @@ public final class ReplayTable {
         scene.circleCount(), scene.lineCount(), scene.pegCount());
     line(
         "run      %,d frames, %d replays in each of %d fresh virtual machines per method",
-        plan.frames(), ReplayBenchmark.REPLAYS, plan.forks());
+        plan.frames(), plan.replays(), plan.forks());
     line("machine  %s; %s %s", machine.cpu(), machine.jdk(), machine.flags());
     line("");
   }

@@ -15,7 +15,7 @@ import java.util.List;
  * What one fork measured. Its file is read by the process that started the fork, and by nobody
  * else.
  */
-final class Samples {
+public final class Samples {
 
   private final long[] cold;
   private final List<long[]> replays;
@@ -34,8 +34,12 @@ final class Samples {
     return cold;
   }
 
-  /** The frame times, in ns, of each replay after the warm-up. */
-  List<long[]> replays() {
+  /**
+   * The frame times of each replay after the warm-up.
+   *
+   * @return in nanoseconds
+   */
+  public List<long[]> replays() {
     return replays;
   }
 

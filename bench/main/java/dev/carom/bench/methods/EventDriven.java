@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.methods;
+
+import dev.carom.Scene;
+import java.util.Arrays;
+
+/**
+ * The event-driven loop without a grid: after each impact a circle asks every line for the next
+ * one, and until then it is not looked at. Every impact of a frame is resolved at its own moment.
+ * Which test answers is the knob.
+ *
+ * <p>A circle's arrays hold the start of its flight; {@code age} is the time since then.
+ */
+final class EventDriven extends PlainMethod {
+
+  /** More impacts of one circle in one frame than any playable scene has. */
+  static final int MOST_IMPACTS = 10_000;
+
+  private static final int WALL_X = -1;
+  private static final int WALL_Y = -2;
+
+  private final LineTest test;
+  private final double[] age;
+  private final double[] due;
+  private final int[] hit;
+
+  EventDriven(Scene scene, LineTest test) {
+    super(scene);
+    this.test = test;
+    age = new double[circles];
+    due = new double[circles];
+    hit = new int[circles];
+    Arrays.setAll(hit, this::search);
+  }
+
+  @Override
+  public void frame() {
+    impacts = 0;
+    wallImpacts = 0;
+    test.squareRoots = 0;
+    test.pairTests = 0;
+    for (int i = 0; i < circles; i++) {
+      age[i] += 1;
+      for (int count = 0; due[i] <= age[i]; count++) {
+        if (count == MOST_IMPACTS) {
+          throw new IllegalStateException("circle " + i + " makes impacts without end");
+        }
+        impact(i);
+      }
+    }
+  }
+
+  private void impact(int i) {
+    double t = due[i];
+    x[i] += t * vx[i];
+    y[i] += t * vy[i];
+    age[i] -= t;
+    if (hit[i] == WALL_X) {
+      vx[i] = -vx[i];
+      wallImpacts++;
+    } else if (hit[i] == WALL_Y) {
+      vy[i] = -vy[i];
+      wallImpacts++;
+    } else {
+      bounce(i, hit[i]);
+      impacts++;
+    }
+    hit[i] = search(i);
+  }
+
+  /** The normal is the line's perpendicular over it, and the offset from an end beyond it. */
+  private void bounce(int i, int k) {
+    double s = nearest(k, x[i], y[i]);
+    if (s > 0 && s < 1) {
+      reflect(i, ay[k] - by[k], bx[k] - ax[k]);
+    } else {
+      reflect(i, x[i] - (s > 0 ? bx[k] : ax[k]), y[i] - (s > 0 ? by[k] : ay[k]));
+    }
+  }
+
+  /** Finds the next impact: sets when, and returns with what. */
+  private int search(int i) {
+    double wallX = wall(x[i], vx[i], xmin + radius[i], xmax - radius[i]);
+    double wallY = wall(y[i], vy[i], ymin + radius[i], ymax - radius[i]);
+    double first = Math.min(wallX, wallY);
+    int what = wallX <= wallY ? WALL_X : WALL_Y;
+    for (int k = 0; k < lines; k++) {
+      double t = test.time(x[i], y[i], radius[i], vx[i], vy[i], ax[k], ay[k], bx[k], by[k], first);
+      if (t < first) {
+        first = t;
+        what = k;
+      }
+    }
+    due[i] = first;
+    return what;
+  }
+
+  private static double wall(double p, double v, double low, double high) {
+    if (v == 0) {
+      return Double.POSITIVE_INFINITY;
+    }
+    return Math.max(0, ((v < 0 ? low : high) - p) / v);
+  }
+
+  @Override
+  public double x(int circle) {
+    return x[circle] + age[circle] * vx[circle];
+  }
+
+  @Override
+  public double y(int circle) {
+    return y[circle] + age[circle] * vy[circle];
+  }
+
+  @Override
+  public int squareRoots() {
+    return test.squareRoots;
+  }
+
+  @Override
+  public long pairTests() {
+    return test.pairTests;
+  }
+}

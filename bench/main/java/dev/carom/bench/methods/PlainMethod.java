@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.methods;
+
+import dev.carom.Bounds;
+import dev.carom.Circle;
+import dev.carom.Line;
+import dev.carom.Scene;
+import dev.carom.Vec2;
+
+/** What the methods in plain doubles share: flat arrays of circles, lines and four walls. */
+abstract class PlainMethod implements Method {
+
+  final int circles;
+  final int lines;
+  final double[] x;
+  final double[] y;
+  final double[] vx;
+  final double[] vy;
+  final double[] radius;
+  final double[] ax;
+  final double[] ay;
+  final double[] bx;
+  final double[] by;
+  final double xmin;
+  final double ymin;
+  final double xmax;
+  final double ymax;
+
+  int impacts;
+  int wallImpacts;
+
+  PlainMethod(Scene scene) {
+    PlainScene.check(scene);
+    circles = scene.circleCount();
+    x = new double[circles];
+    y = new double[circles];
+    vx = new double[circles];
+    vy = new double[circles];
+    radius = new double[circles];
+    for (int i = 0; i < circles; i++) {
+      setCircle(i, scene.circle(i), scene.velocity(i));
+    }
+    lines = scene.lineCount();
+    ax = new double[lines];
+    ay = new double[lines];
+    bx = new double[lines];
+    by = new double[lines];
+    for (int k = 0; k < lines; k++) {
+      setLine(k, scene.line(k));
+    }
+    Bounds bounds = scene.bounds().orElse(null);
+    xmin = bounds == null ? Double.NEGATIVE_INFINITY : bounds.xmin();
+    ymin = bounds == null ? Double.NEGATIVE_INFINITY : bounds.ymin();
+    xmax = bounds == null ? Double.POSITIVE_INFINITY : bounds.xmax();
+    ymax = bounds == null ? Double.POSITIVE_INFINITY : bounds.ymax();
+  }
+
+  private void setCircle(int i, Circle circle, Vec2 velocity) {
+    x[i] = circle.x();
+    y[i] = circle.y();
+    vx[i] = velocity.x();
+    vy[i] = velocity.y();
+    radius[i] = circle.radius();
+  }
+
+  private void setLine(int k, Line line) {
+    ax[k] = line.ax();
+    ay[k] = line.ay();
+    bx[k] = line.bx();
+    by[k] = line.by();
+  }
+
+  /** Where on line k, from 0 at its start to 1 at its end, the point nearest to (px, py) is. */
+  final double nearest(int k, double px, double py) {
+    double wx = bx[k] - ax[k];
+    double wy = by[k] - ay[k];
+    double along = wx * (px - ax[k]) + wy * (py - ay[k]);
+    double ww = wx * wx + wy * wy;
+    return along <= 0 ? 0 : along >= ww ? 1 : along / ww;
+  }
+
+  /** v -= 2 (v.n)/(n.n) n */
+  final void reflect(int i, double nx, double ny) {
+    double s = 2 * (vx[i] * nx + vy[i] * ny) / (nx * nx + ny * ny);
+    vx[i] -= s * nx;
+    vy[i] -= s * ny;
+  }
+
+  @Override
+  public int impacts() {
+    return impacts;
+  }
+
+  @Override
+  public int wallImpacts() {
+    return wallImpacts;
+  }
+
+  @Override
+  public double x(int circle) {
+    return x[circle];
+  }
+
+  @Override
+  public double y(int circle) {
+    return y[circle];
+  }
+
+  @Override
+  public double vx(int circle) {
+    return vx[circle];
+  }
+
+  @Override
+  public double vy(int circle) {
+    return vy[circle];
+  }
+}

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.methods;
+
+import dev.carom.Circle;
+import dev.carom.Scene;
+import dev.carom.Vec2;
+
+/**
+ * The published algorithm as {@link Poster} has it, every float a double: what of its error comes
+ * from precision, and what from its method.
+ */
+final class PosterDouble implements Method {
+
+  private static final int NONE = -1;
+
+  private final double[] x;
+  private final double[] y;
+  private final double[] vx;
+  private final double[] vy;
+  private final double[] radius;
+  private final double[] restitution;
+  private final PosterDoubleLines lines;
+  private final PosterDoubleWalls walls;
+  private int impacts;
+  private int wallImpacts;
+
+  PosterDouble(Scene scene) {
+    int n = scene.circleCount();
+    x = new double[n];
+    y = new double[n];
+    vx = new double[n];
+    vy = new double[n];
+    radius = new double[n];
+    restitution = new double[n];
+    for (int i = 0; i < n; i++) {
+      Circle circle = scene.circle(i);
+      Vec2 velocity = scene.velocity(i);
+      x[i] = circle.x();
+      y[i] = circle.y();
+      radius[i] = circle.radius();
+      vx[i] = velocity.x();
+      vy[i] = velocity.y();
+      restitution[i] = scene.circleRestitution(i);
+    }
+    lines = new PosterDoubleLines(scene);
+    walls = new PosterDoubleWalls(scene);
+  }
+
+  @Override
+  public void frame() {
+    impacts = 0;
+    wallImpacts = 0;
+    lines.squareRoots = 0;
+    for (int i = 0; i < x.length; i++) {
+      move(i);
+    }
+  }
+
+  private void move(int i) {
+    double px = x[i];
+    double py = y[i];
+    double r = radius[i];
+    double first = walls.contact(px, py, vx[i], vy[i], r);
+    int hit = NONE;
+    for (int k = 0; k < lines.count; k++) {
+      if (lines.candidate(k, px, py, vx[i], vy[i], r)) {
+        double t = lines.contact(k, px, py, vx[i], vy[i], r);
+        if (t <= 1 && t < first) {
+          first = t;
+          hit = k;
+        }
+      }
+    }
+    if (hit != NONE) {
+      reflect(i, hit, px + first * vx[i], py + first * vy[i], 1 - first);
+    } else if (first <= 1) {
+      bounce(i, px + first * vx[i], py + first * vy[i], 1 - first);
+    } else {
+      x[i] = px + vx[i];
+      y[i] = py + vy[i];
+    }
+  }
+
+  /** v -= (1+e) (v.n)/(n.n) n, n from the closest point of the line to the centre at contact. */
+  private void reflect(int i, int k, double cx, double cy, double rest) {
+    double nx = lines.normalX(k, cx, cy);
+    double ny = lines.normalY(k, cx, cy);
+    double e = restitution[i] * lines.restitution[k];
+    double s = (1 + e) * (vx[i] * nx + vy[i] * ny) / (nx * nx + ny * ny);
+    vx[i] -= s * nx;
+    vy[i] -= s * ny;
+    x[i] = cx + rest * vx[i];
+    y[i] = cy + rest * vy[i];
+    impacts++;
+  }
+
+  /** Turns the component that carried the circle to the wall. */
+  private void bounce(int i, double cx, double cy, double rest) {
+    double e = restitution[i] * walls.restitution;
+    if (walls.isVertical(cx, cy, vx[i], vy[i], radius[i])) {
+      vx[i] *= -e;
+    } else {
+      vy[i] *= -e;
+    }
+    x[i] = cx + rest * vx[i];
+    y[i] = cy + rest * vy[i];
+    wallImpacts++;
+  }
+
+  @Override
+  public int impacts() {
+    return impacts;
+  }
+
+  @Override
+  public int wallImpacts() {
+    return wallImpacts;
+  }
+
+  @Override
+  public int squareRoots() {
+    return lines.squareRoots;
+  }
+
+  @Override
+  public double x(int circle) {
+    return x[circle];
+  }
+
+  @Override
+  public double y(int circle) {
+    return y[circle];
+  }
+
+  @Override
+  public double vx(int circle) {
+    return vx[circle];
+  }
+
+  @Override
+  public double vy(int circle) {
+    return vy[circle];
+  }
+
+  /** Every circle asks every line. */
+  @Override
+  public long pairTests() {
+    return (long) x.length * lines.count;
+  }
+}

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.methods;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.carom.Scene;
+import java.util.List;
+import java.util.stream.Stream;
+import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.FieldSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class MethodsTest {
+
+  private static final List<Contender> IN_DOUBLES =
+      List.of(
+          Methods.CAROM, Methods.POSTER_DOUBLE, Methods.TEXTBOOK_DOUBLE, Methods.advancement(-12));
+
+  private static final List<Contender> IN_FLOATS = List.of(Methods.POSTER, Methods.TEXTBOOK_FLOAT);
+
+  static Stream<Contender> eventDriven() {
+    return Stream.concat(IN_DOUBLES.stream(), IN_FLOATS.stream());
+  }
+
+  static Stream<Contender> plain() {
+    return Methods.all().stream()
+        .filter(c -> !List.of("carom", "poster", "poster-double").contains(c.method()));
+  }
+
+  private static Offset<Double> offset(Contender contender) {
+    return within(IN_FLOATS.contains(contender) ? 1e-3 : 1e-10);
+  }
+
+  private static Method after(int frames, Contender contender, Scene scene) {
+    Method method = contender.start(scene);
+    for (int i = 0; i < frames; i++) {
+      method.frame();
+    }
+    return method;
+  }
+
+  /** Where a point is that flies to and fro between 0 and a width: the unfolded path folded. */
+  private static double folded(double unfolded, double width) {
+    double u = unfolded - 2 * width * Math.floor(unfolded / (2 * width));
+    return u <= width ? u : 2 * width - u;
+  }
+
+  @ParameterizedTest
+  @MethodSource("eventDriven")
+  void aBoxUnfolds(Contender contender) {
+    Scene scene = Scene.builder().bounds(0, 0, 100, 60).circle(20, 30, 10, 1.5, -0.75).build();
+
+    Method method = after(500, contender, scene);
+
+    assertThat(method.x(0)).isCloseTo(10 + folded(10 + 500 * 1.5, 80), offset(contender));
+    assertThat(method.y(0)).isCloseTo(10 + folded(20 - 500 * 0.75, 40), offset(contender));
+  }
+
+  /** Contact at x = 45, after half of the frame; then the wall's twin, a line, throws it back. */
+  @ParameterizedTest
+  @MethodSource("eventDriven")
+  void aSideReflects(Contender contender) {
+    Scene scene = Scene.builder().line(50, 0, 50, 100).circle(40, 40, 5, 10, 1).build();
+
+    Method method = after(1, contender, scene);
+
+    assertThat(method.x(0)).isCloseTo(40, offset(contender));
+    assertThat(method.y(0)).isCloseTo(41, offset(contender));
+    assertThat(method.vx(0)).isCloseTo(-10, offset(contender));
+    assertThat(method.vy(0)).isCloseTo(1, offset(contender));
+    assertThat(method.impacts()).isEqualTo(1);
+    assertThat(method.wallImpacts()).isZero();
+  }
+
+  /** Offset (3, 4) of the end at contact, after 0.4 of the frame: (-10, 0) turns to (-2.8, 9.6). */
+  @ParameterizedTest
+  @MethodSource("eventDriven")
+  void anEndReflectsAlongTheOffset(Contender contender) {
+    Scene scene = Scene.builder().line(50, 0, 50, 100).circle(57, 104, 5, -10, 0).build();
+
+    Method method = after(1, contender, scene);
+
+    assertThat(method.x(0)).isCloseTo(53 - 0.6 * 2.8, offset(contender));
+    assertThat(method.y(0)).isCloseTo(104 + 0.6 * 9.6, offset(contender));
+    assertThat(method.vx(0)).isCloseTo(-2.8, offset(contender));
+    assertThat(method.vy(0)).isCloseTo(9.6, offset(contender));
+  }
+
+  /** Between lines 20 apart with a diameter of 10, at 75 a frame: 7.5 crossings. */
+  @ParameterizedTest
+  @FieldSource("IN_DOUBLES")
+  void onlyThePublishedAlgorithmStopsAtOneImpactOfAFrame(Contender contender) {
+    Scene scene =
+        Scene.builder().line(0, -50, 0, 50).line(20, -50, 20, 50).circle(5, 0, 5, 75, 0).build();
+
+    Method method = after(1, contender, scene);
+
+    if (contender == Methods.POSTER_DOUBLE) {
+      assertThat(method.impacts()).isEqualTo(1);
+      assertThat(method.x(0)).isCloseTo(15 - 65, within(1e-12));
+    } else {
+      assertThat(method.impacts()).isEqualTo(7);
+      assertThat(method.x(0)).isCloseTo(10, within(1e-9));
+    }
+  }
+
+  /** Seen only at the end of a part of 1/k of the frame, and then set on the line's surface. */
+  @Test
+  void substepsNoticeContactLateAndPushOut() {
+    Scene scene = Scene.builder().line(50, 0, 50, 100).circle(38, 40, 5, 10, 0).build();
+
+    assertThat(after(1, Methods.OVERLAP, scene).x(0)).isEqualTo(45);
+    assertThat(after(1, Methods.substeps(2), scene).x(0)).isEqualTo(45);
+    assertThat(after(1, Methods.substeps(4), scene).x(0)).isEqualTo(42.5);
+    assertThat(after(1, Methods.CAROM, scene).x(0)).isEqualTo(42);
+    assertThat(after(1, Methods.substeps(4), scene).vx(0)).isEqualTo(-10);
+  }
+
+  @Test
+  void theOverlapTestLetsFastCirclesThrough() {
+    Scene scene = Scene.builder().line(50, 0, 50, 100).circle(31, 40, 5, 40, 0).build();
+
+    assertThat(after(1, Methods.OVERLAP, scene).x(0)).isEqualTo(71);
+    assertThat(after(1, Methods.substeps(8), scene).vx(0)).isEqualTo(-40);
+  }
+
+  /** The gap at contact is the tolerance, as far as one more step would close it. */
+  @Test
+  void advancementStopsWithinItsTolerance() {
+    AdvancementTest coarse = new AdvancementTest(0.5);
+    AdvancementTest fine = new AdvancementTest(1e-12);
+    // Past the start of a line at an offset of 3, radius 5: contact at x = -4, time 16 of 1 px.
+    double exact = 16;
+
+    double early = coarse.time(-20, 3, 5, 1, 0, 0, 0, 0, -50, 100);
+
+    assertThat(fine.time(-20, 3, 5, 1, 0, 0, 0, 0, -50, 100)).isCloseTo(exact, within(1e-11));
+    assertThat(early).isLessThan(exact);
+    assertThat(Math.hypot(-20 + early, 3) - 5).isBetween(0.0, 0.5);
+    assertThat(fine.time(-20, 3, 5, 1, 0, 0, 0, 0, -50, 15.9)).isInfinite();
+    assertThat(fine.time(-20, 7, 5, 1, 0, 0, 0, 0, -50, 100)).isInfinite();
+    assertThat(fine.time(-5, 3, 5, -1, 0, 0, 0, 0, -50, 100)).isInfinite();
+  }
+
+  @Test
+  void everyCircleAsksEveryLineOfThePublishedAlgorithm() {
+    Scene scene =
+        Scene.builder()
+            .line(50, 0, 50, 100)
+            .line(60, 0, 60, 100)
+            .circle(38, 40, 5, 1, 0)
+            .circle(38, 60, 5, 1, 0)
+            .build();
+
+    assertThat(after(1, Methods.POSTER, scene).pairTests()).isEqualTo(4);
+    assertThat(after(1, Methods.POSTER_DOUBLE, scene).pairTests()).isEqualTo(4);
+    assertThat(after(1, Methods.substeps(8), scene).pairTests()).isEqualTo(32);
+    assertThat(after(1, Methods.TEXTBOOK_DOUBLE, scene).pairTests()).isZero();
+    assertThat(after(7, Methods.TEXTBOOK_DOUBLE, scene).pairTests()).isEqualTo(4);
+    assertThat(after(1, Methods.CAROM, scene).pairTests()).isBetween(0L, 4L);
+    assertThat(after(1, Methods.CAROM, scene).fallbacks()).isZero();
+  }
+
+  @ParameterizedTest
+  @MethodSource("plain")
+  void whatAMethodHasNoCodeForIsRefused(Contender contender) {
+    Scene pegs = Scene.builder().peg(50, 50, 5).circle(10, 10, 5, 1, 1).build();
+    Scene soft = Scene.builder().line(0, 0, 1, 1).restitution(0.5).circle(9, 9, 5, 1, 1).build();
+    Scene gas = Scene.builder().circle(10, 10, 5, 1, 1).collide(true).build();
+
+    assertThatThrownBy(() -> contender.start(pegs)).hasMessageContaining("it has pegs");
+    assertThatThrownBy(() -> contender.start(soft)).hasMessageContaining("line 0 is not elastic");
+    assertThatThrownBy(() -> contender.start(gas)).hasMessageContaining("collide");
+  }
+
+  @Test
+  void idsAreUnique() {
+    assertThat(Methods.all()).extracting(Contender::id).doesNotHaveDuplicates().hasSize(20);
+  }
+}
