@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.measures;
+
+import dev.carom.bench.methods.Contender;
+import dev.carom.bench.results.Row;
+import java.util.ArrayList;
+import java.util.List;
+
+/** All that one contender's run of a scene tells, but for its time. */
+record ScenePart(String scene, Contender contender) implements Part {
+
+  @Override
+  public String id() {
+    return String.join("/", "scene", scene, contender.id());
+  }
+
+  @Override
+  public List<Row> run() {
+    Trial trial = new Trial(scene, contender);
+    try {
+      return measure(trial, Subjects.load(scene));
+    } catch (UnsupportedOperationException | LinkageError e) {
+      return List.of(trial.row("frame_error", "max", Double.NaN, Trial.RADII, 0), trial.failure(e));
+    }
+  }
+
+  static List<Row> measure(Trial trial, Subject subject) {
+    Course course = Course.play(trial.contender(), subject.scene(), subject.frames());
+    List<Row> rows = new ArrayList<>();
+    course.failure().ifPresent(reason -> rows.add(trial.failure(reason)));
+    subject
+        .reference()
+        .ifPresent(
+            reference -> {
+              rows.addAll(FrameError.rows(trial, subject, reference));
+              rows.addAll(new Trajectory(subject.scene(), course, reference).rows(trial));
+            });
+    rows.addAll(new Solidity(subject.scene(), course).rows(trial));
+    rows.addAll(new Energy(course).rows(trial));
+    rows.addAll(Reversal.rows(trial, subject));
+    rows.addAll(course.counters().rows(trial));
+    return rows;
+  }
+}

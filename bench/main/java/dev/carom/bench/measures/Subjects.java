@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.measures;
+
+import dev.carom.Scene;
+import dev.carom.SceneFile;
+import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.experiment.Crosses;
+import dev.carom.bench.reference.Reference;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.Reader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+
+/** The scenes of the comparison. */
+final class Subjects {
+
+  /** The published length of a run. */
+  static final int FRAMES = 600;
+
+  /** The first canonical scene with circles small enough to reach the sides of the crosses. */
+  static final String SMALL = "base-1-r5";
+
+  private static final String FOLDER = "/dev/carom/bench/scenes/";
+  private static final double SMALL_RADIUS = 5;
+
+  private Subjects() {}
+
+  static Subject load(String name) {
+    return new Subject(name, scene(name), FRAMES, reference(name));
+  }
+
+  static Scene scene(String name) {
+    return name.equals(SMALL) ? crosses(SMALL_RADIUS, 1, 10, 1) : stored(name);
+  }
+
+  static Scene crosses(double radius, double minSpeed, double maxSpeed, long seed) {
+    try {
+      return new Crosses(100, 50, radius, minSpeed, maxSpeed, seed).scene();
+    } catch (CannotPlaceException e) {
+      throw new IllegalStateException("a canonical scene has room for all that is in it", e);
+    }
+  }
+
+  private static Scene stored(String name) {
+    String path = FOLDER + name + ".csv";
+    try (InputStream in = Subjects.class.getResourceAsStream(path)) {
+      if (in == null) {
+        throw new IllegalArgumentException(path + " is not in the jar");
+      }
+      Reader text = new InputStreamReader(in, StandardCharsets.UTF_8);
+      return SceneFile.read(text, name);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static Optional<Reference> reference(String name) {
+    return Optional.empty();
+  }
+}

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+/**
+ * What is measured of methods and peers, each measure a class that makes rows: errors of one frame,
+ * how long a run stays near the true course, wrong decisions, lost energy, penetration, work, and
+ * time. {@link dev.carom.bench.measures.Parts} cuts all of it into parts that can be run one by
+ * one.
+ */
+package dev.carom.bench.measures;

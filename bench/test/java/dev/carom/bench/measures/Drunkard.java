@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.measures;
+
+import dev.carom.Scene;
+import dev.carom.bench.methods.Contender;
+import dev.carom.bench.methods.Method;
+
+/**
+ * A method with known faults: it meets nothing, goes astray by a step along +y in each frame, and
+ * gains speed by a factor.
+ */
+final class Drunkard implements Method {
+
+  private final double[] x;
+  private final double[] y;
+  private final double[] vx;
+  private final double[] vy;
+  private final double astray;
+  private final double gain;
+  private final int lastFrame;
+  private int frame;
+
+  private Drunkard(Scene scene, double astray, double gain, int lastFrame) {
+    int n = scene.circleCount();
+    x = new double[n];
+    y = new double[n];
+    vx = new double[n];
+    vy = new double[n];
+    for (int i = 0; i < n; i++) {
+      x[i] = scene.circle(i).x();
+      y[i] = scene.circle(i).y();
+      vx[i] = scene.velocity(i).x();
+      vy[i] = scene.velocity(i).y();
+    }
+    this.astray = astray;
+    this.gain = gain;
+    this.lastFrame = lastFrame;
+  }
+
+  static Contender astray(double step) {
+    return contender(step, 1, Integer.MAX_VALUE);
+  }
+
+  static Contender gaining(double factor) {
+    return contender(0, factor, Integer.MAX_VALUE);
+  }
+
+  /** It falls in the frame after the given one. */
+  static Contender falling(int lastFrame) {
+    return contender(0, 1, lastFrame);
+  }
+
+  private static Contender contender(double astray, double gain, int lastFrame) {
+    return new Contender(
+        "drunkard",
+        "drunkard",
+        "step=" + astray,
+        scene -> new Drunkard(scene, astray, gain, lastFrame));
+  }
+
+  @Override
+  public void frame() {
+    if (frame++ == lastFrame) {
+      throw new IllegalStateException("it fell");
+    }
+    for (int i = 0; i < x.length; i++) {
+      x[i] += vx[i];
+      y[i] += vy[i] + astray;
+      vx[i] *= gain;
+      vy[i] *= gain;
+    }
+  }
+
+  @Override
+  public int impacts() {
+    return UNKNOWN;
+  }
+
+  @Override
+  public int wallImpacts() {
+    return 3;
+  }
+
+  @Override
+  public int squareRoots() {
+    return 0;
+  }
+
+  @Override
+  public long pairTests() {
+    return frame;
+  }
+
+  @Override
+  public double x(int circle) {
+    return x[circle];
+  }
+
+  @Override
+  public double y(int circle) {
+    return y[circle];
+  }
+
+  @Override
+  public double vx(int circle) {
+    return vx[circle];
+  }
+
+  @Override
+  public double vy(int circle) {
+    return vy[circle];
+  }
+}
