@@ -37,7 +37,7 @@ record ScenePart(String scene, Contender contender) implements Part {
             });
     rows.addAll(new Solidity(subject.scene(), course).rows(trial));
     rows.addAll(new Energy(course).rows(trial));
-    rows.addAll(Reversal.rows(trial, subject));
+    rows.addAll(new Reversal(trial.contender(), subject.scene()).rows(trial));
     rows.addAll(course.counters().rows(trial));
     return rows;
   }

@@ -18,6 +18,7 @@ public final class Contenders {
    */
   public static List<Contender> all() {
     List<Contender> all = new ArrayList<>(Methods.all());
+    all.addAll(Peers.all());
     return List.copyOf(all);
   }
 

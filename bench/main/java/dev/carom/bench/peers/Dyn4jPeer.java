@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.peers;
+
+import dev.carom.Line;
+import dev.carom.Scene;
+import dev.carom.Vec2;
+import org.dyn4j.collision.CategoryFilter;
+import org.dyn4j.dynamics.Body;
+import org.dyn4j.dynamics.BodyFixture;
+import org.dyn4j.dynamics.Settings;
+import org.dyn4j.geometry.Convex;
+import org.dyn4j.geometry.Geometry;
+import org.dyn4j.geometry.MassType;
+import org.dyn4j.geometry.Vector2;
+import org.dyn4j.world.World;
+
+/**
+ * dyn4j, with one body a line: many lines of one body are not told apart by its continuous
+ * detection. At its best no bounce is too slow to keep its speed, nothing falls asleep, circles are
+ * bullets, and the cap on the motion of a step is out of reach.
+ */
+final class Dyn4jPeer extends Peer {
+
+  private static final CategoryFilter CIRCLES = new CategoryFilter(1, 2);
+  private static final CategoryFilter LINES = new CategoryFilter(2, 1);
+  private static final double NO_CAP = 1e6;
+
+  private final boolean best;
+  private final World<Body> world = new World<>();
+  private final Body[] circles;
+
+  Dyn4jPeer(Scene scene, boolean best) {
+    super(scene, best, SECONDS_PER_FRAME);
+    this.best = best;
+    world.setGravity(0, 0);
+    if (best) {
+      Settings settings = world.getSettings();
+      settings.setAtRestDetectionEnabled(false);
+      settings.setMaximumTranslation(NO_CAP);
+    }
+    edges(scene).forEach(this::addLine);
+    circles = new Body[scene.circleCount()];
+    for (int i = 0; i < circles.length; i++) {
+      circles[i] = addCircle(scene, i);
+    }
+  }
+
+  private void addLine(Line line) {
+    Vector2 a = new Vector2(metres(line.ax()), metres(line.ay()));
+    Vector2 b = new Vector2(metres(line.bx()), metres(line.by()));
+    Body body = body(Geometry.createSegment(a, b), LINES);
+    body.setMass(MassType.INFINITE);
+    world.addBody(body);
+  }
+
+  private Body addCircle(Scene scene, int i) {
+    Body body = body(Geometry.createCircle(metres(scene.circle(i).radius())), CIRCLES);
+    body.setMass(MassType.NORMAL);
+    body.setBullet(best);
+    body.translate(metres(scene.circle(i).x()), metres(scene.circle(i).y()));
+    Vec2 v = scene.velocity(i);
+    body.setLinearVelocity(metresPerSecond(v.x()), metresPerSecond(v.y()));
+    world.addBody(body);
+    return body;
+  }
+
+  private Body body(Convex shape, CategoryFilter filter) {
+    Body body = new Body();
+    BodyFixture fixture = body.addFixture(shape);
+    fixture.setFriction(0);
+    fixture.setRestitution(1);
+    fixture.setFilter(filter);
+    if (best) {
+      fixture.setRestitutionVelocity(0);
+    }
+    return body;
+  }
+
+  @Override
+  public void frame() {
+    world.step(1);
+  }
+
+  @Override
+  public double x(int circle) {
+    return px(circles[circle].getWorldCenter().x);
+  }
+
+  @Override
+  public double y(int circle) {
+    return px(circles[circle].getWorldCenter().y);
+  }
+
+  @Override
+  public double vx(int circle) {
+    return pxPerFrame(circles[circle].getLinearVelocity().x);
+  }
+
+  @Override
+  public double vy(int circle) {
+    return pxPerFrame(circles[circle].getLinearVelocity().y);
+  }
+}

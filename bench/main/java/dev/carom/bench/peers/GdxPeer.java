@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.peers;
+
+import com.badlogic.gdx.math.Vector2;
+import com.badlogic.gdx.physics.box2d.Body;
+import com.badlogic.gdx.physics.box2d.BodyDef;
+import com.badlogic.gdx.physics.box2d.Box2D;
+import com.badlogic.gdx.physics.box2d.CircleShape;
+import com.badlogic.gdx.physics.box2d.EdgeShape;
+import com.badlogic.gdx.physics.box2d.FixtureDef;
+import com.badlogic.gdx.physics.box2d.Shape;
+import com.badlogic.gdx.physics.box2d.World;
+import com.badlogic.gdx.utils.GdxNativesLoader;
+import com.badlogic.gdx.utils.GdxRuntimeException;
+import dev.carom.Line;
+import dev.carom.Scene;
+import dev.carom.Vec2;
+
+/**
+ * Box2D as libGDX carries it: C++ behind JNI, without its window. At its best no bounce is too slow
+ * to keep its speed, lines have no skin, circles are bullets, and nothing falls asleep.
+ */
+final class GdxPeer extends Peer {
+
+  private static final int VELOCITY_ITERATIONS = 8;
+  private static final int POSITION_ITERATIONS = 3;
+  private static final short CIRCLES = 1;
+  private static final short LINES = 2;
+
+  /** In m/s; Box2D's own. */
+  private static final float USUAL_THRESHOLD = 1;
+
+  private final boolean best;
+  private final World world;
+  private final Body[] circles;
+
+  GdxPeer(Scene scene, boolean best) {
+    super(scene, best, SECONDS_PER_FRAME);
+    this.best = best;
+    loadNatives();
+    world = new World(new Vector2(0, 0), !best);
+    edges(scene).forEach(this::addLine);
+    circles = new Body[scene.circleCount()];
+    for (int i = 0; i < circles.length; i++) {
+      circles[i] = addCircle(scene, i);
+    }
+  }
+
+  private static void loadNatives() {
+    try {
+      GdxNativesLoader.load();
+      Box2D.init();
+    } catch (GdxRuntimeException | LinkageError e) {
+      throw new UnsupportedOperationException(
+          "the natives of libGDX do not load on %s %s: %s"
+              .formatted(System.getProperty("os.name"), System.getProperty("os.arch"), e),
+          e);
+    }
+  }
+
+  private void addLine(Line line) {
+    EdgeShape shape = new EdgeShape();
+    shape.set(
+        (float) metres(line.ax()),
+        (float) metres(line.ay()),
+        (float) metres(line.bx()),
+        (float) metres(line.by()));
+    if (best) {
+      shape.setRadius(0);
+    }
+    addFixture(world.createBody(new BodyDef()), shape, LINES, CIRCLES);
+  }
+
+  private Body addCircle(Scene scene, int i) {
+    BodyDef definition = new BodyDef();
+    definition.type = BodyDef.BodyType.DynamicBody;
+    definition.bullet = best;
+    definition.position.set(
+        (float) metres(scene.circle(i).x()), (float) metres(scene.circle(i).y()));
+    Vec2 v = scene.velocity(i);
+    definition.linearVelocity.set((float) metresPerSecond(v.x()), (float) metresPerSecond(v.y()));
+    CircleShape shape = new CircleShape();
+    shape.setRadius((float) metres(scene.circle(i).radius()));
+    Body body = world.createBody(definition);
+    addFixture(body, shape, CIRCLES, LINES);
+    return body;
+  }
+
+  private static void addFixture(Body body, Shape shape, short category, short mask) {
+    FixtureDef fixture = new FixtureDef();
+    fixture.shape = shape;
+    fixture.density = 1;
+    fixture.friction = 0;
+    fixture.restitution = 1;
+    fixture.filter.categoryBits = category;
+    fixture.filter.maskBits = mask;
+    body.createFixture(fixture);
+    shape.dispose();
+  }
+
+  /** The threshold belongs to the process, so it is set before each step. */
+  @Override
+  public void frame() {
+    World.setVelocityThreshold(best ? 0 : USUAL_THRESHOLD);
+    world.step((float) SECONDS_PER_FRAME, VELOCITY_ITERATIONS, POSITION_ITERATIONS);
+  }
+
+  @Override
+  public double x(int circle) {
+    return px(circles[circle].getPosition().x);
+  }
+
+  @Override
+  public double y(int circle) {
+    return px(circles[circle].getPosition().y);
+  }
+
+  @Override
+  public double vx(int circle) {
+    return pxPerFrame(circles[circle].getLinearVelocity().x);
+  }
+
+  @Override
+  public double vy(int circle) {
+    return pxPerFrame(circles[circle].getLinearVelocity().y);
+  }
+
+  @Override
+  public void close() {
+    world.dispose();
+  }
+}

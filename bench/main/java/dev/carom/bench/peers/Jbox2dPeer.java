@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.peers;
+
+import dev.carom.Line;
+import dev.carom.Scene;
+import dev.carom.Vec2;
+import org.jbox2d.collision.shapes.CircleShape;
+import org.jbox2d.collision.shapes.EdgeShape;
+import org.jbox2d.collision.shapes.Shape;
+import org.jbox2d.dynamics.Body;
+import org.jbox2d.dynamics.BodyDef;
+import org.jbox2d.dynamics.BodyType;
+import org.jbox2d.dynamics.FixtureDef;
+import org.jbox2d.dynamics.World;
+
+/**
+ * JBox2D. At its best lines have no skin, circles are bullets, nothing falls asleep, and a frame is
+ * a microsecond: the speed of 1 m/s below which a bounce is lost cannot be set, but in so fast a
+ * world it is next to nothing.
+ */
+final class Jbox2dPeer extends Peer {
+
+  private static final double SECONDS_PER_FRAME_AT_BEST = 1e-6;
+  private static final int VELOCITY_ITERATIONS = 8;
+  private static final int POSITION_ITERATIONS = 3;
+  private static final int CIRCLES = 1;
+  private static final int LINES = 2;
+
+  private final boolean best;
+  private final float step;
+  private final World world = new World(new org.jbox2d.common.Vec2(0, 0));
+  private final Body[] circles;
+
+  Jbox2dPeer(Scene scene, boolean best) {
+    super(scene, best, best ? SECONDS_PER_FRAME_AT_BEST : SECONDS_PER_FRAME);
+    this.best = best;
+    step = (float) (best ? SECONDS_PER_FRAME_AT_BEST : SECONDS_PER_FRAME);
+    world.setAllowSleep(!best);
+    for (Line line : edges(scene)) {
+      addLine(line);
+    }
+    circles = new Body[scene.circleCount()];
+    for (int i = 0; i < circles.length; i++) {
+      circles[i] = addCircle(scene, i);
+    }
+  }
+
+  private org.jbox2d.common.Vec2 point(double x, double y) {
+    return new org.jbox2d.common.Vec2((float) metres(x), (float) metres(y));
+  }
+
+  private void addLine(Line line) {
+    EdgeShape shape = new EdgeShape();
+    shape.set(point(line.ax(), line.ay()), point(line.bx(), line.by()));
+    if (best) {
+      shape.setRadius(0);
+    }
+    world.createBody(new BodyDef()).createFixture(fixture(shape, LINES, CIRCLES));
+  }
+
+  private Body addCircle(Scene scene, int i) {
+    BodyDef definition = new BodyDef();
+    definition.type = BodyType.DYNAMIC;
+    definition.bullet = best;
+    definition.position = point(scene.circle(i).x(), scene.circle(i).y());
+    Vec2 v = scene.velocity(i);
+    definition.linearVelocity =
+        new org.jbox2d.common.Vec2((float) metresPerSecond(v.x()), (float) metresPerSecond(v.y()));
+    CircleShape shape = new CircleShape();
+    shape.setRadius((float) metres(scene.circle(i).radius()));
+    Body body = world.createBody(definition);
+    body.createFixture(fixture(shape, CIRCLES, LINES));
+    return body;
+  }
+
+  private static FixtureDef fixture(Shape shape, int category, int mask) {
+    FixtureDef fixture = new FixtureDef();
+    fixture.shape = shape;
+    fixture.density = 1;
+    fixture.friction = 0;
+    fixture.restitution = 1;
+    fixture.filter.categoryBits = category;
+    fixture.filter.maskBits = mask;
+    return fixture;
+  }
+
+  @Override
+  public void frame() {
+    world.step(step, VELOCITY_ITERATIONS, POSITION_ITERATIONS);
+  }
+
+  @Override
+  public double x(int circle) {
+    return px(circles[circle].getPosition().x);
+  }
+
+  @Override
+  public double y(int circle) {
+    return px(circles[circle].getPosition().y);
+  }
+
+  @Override
+  public double vx(int circle) {
+    return pxPerFrame(circles[circle].getLinearVelocity().x);
+  }
+
+  @Override
+  public double vy(int circle) {
+    return pxPerFrame(circles[circle].getLinearVelocity().y);
+  }
+}

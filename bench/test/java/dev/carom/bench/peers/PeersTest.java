@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.peers;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.carom.Scene;
+import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.experiment.Crosses;
+import dev.carom.bench.methods.Contender;
+import dev.carom.bench.methods.Method;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class PeersTest {
+
+  static List<Contender> all() {
+    return Peers.all();
+  }
+
+  static List<Contender> best() {
+    return Peers.all().stream().filter(peer -> peer.id().endsWith("-best")).toList();
+  }
+
+  private static void play(Method method, int frames) {
+    for (int frame = 0; frame < frames; frame++) {
+      method.frame();
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
+  void aCircleFliesStraightAtItsSpeed(Contender peer) {
+    Scene scene = Scene.builder().bounds(0, 0, 800, 600).circle(100, 200, 10, 6, -4).build();
+
+    try (Method method = peer.start(scene)) {
+      assertThat(method.x(0)).isCloseTo(100, within(1e-4));
+      play(method, 10);
+      assertThat(method.x(0)).isCloseTo(160, within(1e-3));
+      assertThat(method.y(0)).isCloseTo(160, within(1e-3));
+      assertThat(method.vx(0)).isCloseTo(6, within(1e-5));
+      assertThat(method.vy(0)).isCloseTo(-4, within(1e-5));
+      assertThat(method.pairTests()).isEqualTo(Method.UNKNOWN);
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
+  void theExperimentPlaysTenFramesWithinItsBounds(Contender peer) throws CannotPlaceException {
+    try (Method method = peer.start(Crosses.canonical(1).scene())) {
+      play(method, 10);
+      for (int i = 0; i < 100; i++) {
+        assertThat(method.x(i)).isBetween(0.0, 800.0);
+        assertThat(method.y(i)).isBetween(0.0, 600.0);
+      }
+    }
+  }
+
+  /** Even at 0.02 px a frame, where the engines as they come let the bounce die. */
+  @ParameterizedTest
+  @MethodSource("best")
+  void atItsBestABounceKeepsItsSpeed(Contender peer) {
+    for (double speed : new double[] {0.02, 9}) {
+      Scene scene = Scene.builder().line(50, 0, 50, 100).circle(39.9, 50, 10, speed, 0).build();
+      try (Method method = peer.start(scene)) {
+        play(method, 20);
+        assertThat(method.vx(0)).as("from %s", speed).isCloseTo(-speed, within(1e-4 * speed));
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
+  void circlesIgnoreEachOther(Contender peer) {
+    Scene scene = Scene.builder().circle(100, 50, 10, 3, 0).circle(150, 50, 10, -3, 0).build();
+
+    try (Method method = peer.start(scene)) {
+      play(method, 20);
+      assertThat(method.x(0)).isCloseTo(160, within(1e-3));
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
+  void whatPeersWereNotSetUpForIsRefused(Contender peer) {
+    Scene scene = Scene.builder().peg(50, 50, 5).circle(10, 10, 5, 1, 1).build();
+
+    assertThatThrownBy(() -> peer.start(scene)).isInstanceOf(UnsupportedOperationException.class);
+  }
+
+  @Test
+  void contendersAreFoundById() {
+    for (Contender contender : Contenders.all()) {
+      assertThat(Contenders.byId(contender.id()).toString()).isEqualTo(contender.toString());
+    }
+    assertThatThrownBy(() -> Contenders.byId("nobody")).hasMessageContaining("nobody is no method");
+  }
+}
