@@ -32,6 +32,15 @@ public record RungCounts(
   }
 
   /**
+   * Whether this process counts.
+   *
+   * @return false unless counts are enabled
+   */
+  public static boolean areEnabled() {
+    return Rungs.COUNT != null;
+  }
+
+  /**
    * All counts of this process so far.
    *
    * @return the counts

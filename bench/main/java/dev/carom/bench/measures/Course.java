@@ -54,11 +54,12 @@ final class Course {
   private void playFrame(Method method, int frame) {
     try {
       method.frame();
-      counters.add(method);
-      record(method, frame);
     } catch (IllegalStateException | ArithmeticException | IndexOutOfBoundsException e) {
       failure = "frame " + frame + ": " + e.getMessage();
+      return;
     }
+    counters.add(method);
+    record(method, frame);
   }
 
   private void record(Method method, int frame) {

@@ -12,6 +12,7 @@ import java.io.InputStreamReader;
 import java.io.Reader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Optional;
 
 /** The scenes of the comparison. */
@@ -34,6 +35,15 @@ final class Subjects {
 
   static Scene scene(String name) {
     return name.equals(SMALL) ? crosses(SMALL_RADIUS, 1, 10, 1) : stored(name);
+  }
+
+  /** Scenes of the same kind to play in between, so that none is learnt by heart. */
+  static List<Scene> others(String name) {
+    return switch (name) {
+      case SMALL -> List.of(crosses(SMALL_RADIUS, 1, 10, 2), crosses(SMALL_RADIUS, 1, 10, 3));
+      case "fast-1" -> List.of(crosses(10, 20, 100, 2), crosses(10, 20, 100, 3));
+      default -> List.of(crosses(10, 1, 10, 4), crosses(10, 1, 10, 5));
+    };
   }
 
   static Scene crosses(double radius, double minSpeed, double maxSpeed, long seed) {

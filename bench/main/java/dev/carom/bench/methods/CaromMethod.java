@@ -49,7 +49,7 @@ final class CaromMethod implements Method {
 
   @Override
   public int squareRoots() {
-    return Math.toIntExact(lastFrame().roots());
+    return RungCounts.areEnabled() ? Math.toIntExact(lastFrame().roots()) : UNKNOWN;
   }
 
   @Override
@@ -74,11 +74,14 @@ final class CaromMethod implements Method {
 
   @Override
   public long pairTests() {
-    return lastFrame().pairTests();
+    return RungCounts.areEnabled() ? lastFrame().pairTests() : UNKNOWN;
   }
 
   @Override
   public long fallbacks() {
+    if (!RungCounts.areEnabled()) {
+      return UNKNOWN;
+    }
     RungCounts frame = lastFrame();
     return frame.doubtfulDecisions() + frame.exactTimes();
   }

@@ -79,7 +79,8 @@ public interface Method extends AutoCloseable {
    * How often, in the last frame, more precision than a double was needed. No other method may have
    * moved since that frame began.
    *
-   * @return at least 0, which is all that a method without other precision can say
+   * @return at least 0; {@link #UNKNOWN} of a method that does not tell; 0 of one that has no other
+   *     precision
    */
   default long fallbacks() {
     return 0;

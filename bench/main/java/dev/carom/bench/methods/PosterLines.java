@@ -29,15 +29,8 @@ final class PosterLines {
   private final float[] thickness;
 
   PosterLines(Scene scene) {
+    this(scene.lineCount() + scene.pegCount());
     int straight = scene.lineCount();
-    count = straight + scene.pegCount();
-    restitution = new float[count];
-    ax = new float[count];
-    ay = new float[count];
-    ux = new float[count];
-    uy = new float[count];
-    length = new float[count];
-    thickness = new float[count];
     for (int k = 0; k < straight; k++) {
       setLine(k, scene.line(k), scene.lineRestitution(k));
     }
@@ -48,7 +41,19 @@ final class PosterLines {
     }
   }
 
-  private void setLine(int k, Line line, double e) {
+  /** Room for lines that are yet to be set. */
+  PosterLines(int count) {
+    this.count = count;
+    restitution = new float[count];
+    ax = new float[count];
+    ay = new float[count];
+    ux = new float[count];
+    uy = new float[count];
+    length = new float[count];
+    thickness = new float[count];
+  }
+
+  void setLine(int k, Line line, double e) {
     double l = line.length();
     ax[k] = (float) line.ax();
     ay[k] = (float) line.ay();

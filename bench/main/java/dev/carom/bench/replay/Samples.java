@@ -48,8 +48,12 @@ public final class Samples {
     return emptyPairNanos;
   }
 
-  /** By one replay after the warm-up. */
-  long bytesAllocated() {
+  /**
+   * What one replay after the warm-up allocates.
+   *
+   * @return in bytes
+   */
+  public long bytesAllocated() {
     return bytesAllocated;
   }
 

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.measures;
+
+import dev.carom.bench.methods.LineTests;
+import dev.carom.bench.results.Row;
+import java.io.IOException;
+import java.io.InputStream;
+import java.lang.management.ManagementFactory;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+
+/** One round of query times: each way to answer in a fresh virtual machine, in random order. */
+record QueryTimePart(int fork, int warmUpMillis) implements Part {
+
+  @Override
+  public String id() {
+    return "query-time/fork-" + fork;
+  }
+
+  @Override
+  public List<Row> run() {
+    List<LineTests> order = new ArrayList<>(LineTests.all());
+    Collections.shuffle(order, new Random(fork));
+    List<Row> rows = new ArrayList<>();
+    for (LineTests tests : order) {
+      rows.addAll(rowsOf(tests));
+    }
+    return rows;
+  }
+
+  List<Row> rowsOf(LineTests tests) {
+    try {
+      return start(tests)
+          .lines()
+          .filter(line -> line.matches(QueryClock.LINE))
+          .map(line -> line.split(" "))
+          .map(
+              words ->
+                  QueryPart.trial(words[0], tests, fork)
+                      .row(
+                          "query_time",
+                          "median",
+                          Double.parseDouble(words[1]),
+                          Trial.NANOS,
+                          QueryClock.QUERIES))
+          .toList();
+    } catch (IOException e) {
+      return List.of(QueryPart.trial("all", tests, fork).failure(e));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return List.of(QueryPart.trial("all", tests, fork).failure("interrupted"));
+    }
+  }
+
+  private String start(LineTests tests) throws IOException, InterruptedException {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
+    command.addAll(List.of("-cp", System.getProperty("java.class.path")));
+    command.addAll(List.of(QueryClock.class.getName(), tests.id(), Integer.toString(warmUpMillis)));
+    Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+    try (InputStream out = process.getInputStream()) {
+      String text = new String(out.readAllBytes(), StandardCharsets.UTF_8);
+      int exit = process.waitFor();
+      if (exit != 0) {
+        String reason = text.lines().findFirst().orElse("exit code " + exit);
+        throw new IOException("the clock of " + tests.id() + " failed: " + reason);
+      }
+      return text;
+    } finally {
+      process.destroy();
+    }
+  }
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.measures;
+
+import static dev.carom.bench.measures.Found.reason;
+import static dev.carom.bench.measures.Found.value;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.carom.bench.methods.LineTests;
+import dev.carom.bench.results.Row;
+import dev.carom.oracle.Contact;
+import dev.carom.oracle.SegmentQuery;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class QueryMeasuresTest {
+
+  /** A circle of radius 5 flies at 10 towards a line at x = 50, and touches it at x = 45. */
+  private static Contact truthFrom(double x) {
+    return new SegmentQuery(50, 0, 50, 100, x, 40, 5, 10, 0, 1).truth();
+  }
+
+  static List<String> classes() {
+    return Queries.classes();
+  }
+
+  @Test
+  void answersAreCounted() {
+    Contact half = truthFrom(40);
+    Contact none = truthFrom(30);
+    Verdict verdict = new Verdict();
+    verdict.add(half, 0.5);
+    verdict.add(half, 0.5 + 3 * Math.ulp(0.5));
+    verdict.add(half, Double.POSITIVE_INFINITY);
+    verdict.add(half, Double.NaN);
+    verdict.add(none, Double.POSITIVE_INFINITY);
+    verdict.add(none, 0.9);
+    verdict.add(none, Double.NaN);
+    // Touching at the start: right, and no time to have an error in ulps of.
+    verdict.add(truthFrom(45), 0);
+
+    List<Row> rows = verdict.rows(QueryPart.trial("some", LineTests.byId("plain"), -1));
+
+    assertThat(value(rows, "decisions_missed", "count")).isEqualTo(2);
+    assertThat(value(rows, "decisions_false", "count")).isEqualTo(2);
+    assertThat(value(rows, "decisions_total", "count")).isEqualTo(8);
+    assertThat(value(rows, "time_error", "max")).isEqualTo(3);
+    assertThat(value(rows, "time_error", "median")).isZero();
+    assertThat(rows).allSatisfy(row -> assertThat(row.scene()).isEqualTo("query:some"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("classes")
+  void everyClassHasHitsAndTheyAreRepeatable(String name) {
+    List<SegmentQuery> queries = Queries.draw(name, 500);
+
+    assertThat(queries).hasSize(500).isEqualTo(Queries.draw(name, 500));
+    assertThat(queries)
+        .allSatisfy(q -> assertThat(q.end()).isGreaterThan(0).isLessThan(Double.POSITIVE_INFINITY));
+    assertThat(queries.stream().filter(q -> q.truth().hit()).count()).isGreaterThan(20);
+  }
+
+  @ParameterizedTest
+  @MethodSource("classes")
+  void caromIsNeverWrong(String name) {
+    List<Row> rows =
+        new QueryPart(name, 500).run().stream().filter(r -> r.method().equals("carom")).toList();
+
+    assertThat(value(rows, "decisions_missed", "count")).isZero();
+    assertThat(value(rows, "decisions_false", "count")).isZero();
+    if (!name.equals("overlapping")) {
+      assertThat(value(rows, "time_error", "max")).isLessThanOrEqualTo(0.5);
+    }
+  }
+
+  @Test
+  void everyWayToAnswerFindsAPlainContact() {
+    for (LineTests tests : LineTests.all()) {
+      double time = tests.test().time(40, 40, 5, 10, 0, 50, 0, 50, 100, 1);
+      assertThat(time).as(tests.id()).isCloseTo(0.5, within(1e-2));
+      assertThat(tests.test().time(30, 40, 5, 10, 0, 50, 0, 50, 100, 1))
+          .as(tests.id())
+          .isInfinite();
+    }
+  }
+
+  @Test
+  void theClockTimesEveryClassInAnotherMachine() {
+    List<Row> rows = new QueryTimePart(3, 1).rowsOf(LineTests.byId("plain"));
+
+    assertThat(rows)
+        .extracting(Row::scene)
+        .hasSize(Queries.classes().size())
+        .doesNotHaveDuplicates();
+    assertThat(rows)
+        .allSatisfy(
+            row -> {
+              assertThat(row.value()).isBetween(0.1, 1e6);
+              assertThat(row.fork()).isEqualTo(3);
+            });
+  }
+
+  @Test
+  void aClockThatFailsSaysWhy() {
+    LineTests nobody = new LineTests("nobody", "nobody", "", null);
+
+    assertThat(reason(new QueryTimePart(0, 1).rowsOf(nobody))).contains("nobody is no way to test");
+  }
+}
