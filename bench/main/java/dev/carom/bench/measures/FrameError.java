@@ -46,8 +46,8 @@ final class FrameError {
                       method.y(i) - reference.y(frame + 1, i))
                   / scene.circle(i).radius();
         }
-      } catch (IllegalStateException e) {
-        continue; // its errors stay NaN
+      } catch (IllegalStateException failed) {
+        // The errors of this frame stay NaN.
       }
     }
     return errors;

@@ -25,7 +25,8 @@ final class QueryClock {
   private static final int NUMBERS = 10;
   private static final int PASSES = 15;
 
-  /** Where answers go. */
+  /** Where answers go, for nobody to read. */
+  @SuppressWarnings("UnusedVariable")
   private static volatile double sink;
 
   private final LineTest test;

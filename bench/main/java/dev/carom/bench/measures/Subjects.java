@@ -6,6 +6,7 @@ import dev.carom.SceneFile;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.reference.Reference;
+import dev.carom.bench.reference.References;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
@@ -13,7 +14,9 @@ import java.io.Reader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 
 /** The scenes of the comparison. */
 final class Subjects {
@@ -27,9 +30,16 @@ final class Subjects {
   private static final String FOLDER = "/dev/carom/bench/scenes/";
   private static final double SMALL_RADIUS = 5;
 
+  /** References are kept, for many parts ask for the same one. */
+  private static final Map<String, Subject> LOADED = new ConcurrentHashMap<>();
+
   private Subjects() {}
 
   static Subject load(String name) {
+    return LOADED.computeIfAbsent(name, Subjects::read);
+  }
+
+  private static Subject read(String name) {
     return new Subject(name, scene(name), FRAMES, reference(name));
   }
 
@@ -68,6 +78,13 @@ final class Subjects {
   }
 
   private static Optional<Reference> reference(String name) {
-    return Optional.empty();
+    if (!References.SCENES.contains(name)) {
+      return Optional.empty();
+    }
+    try {
+      return Optional.of(References.load(name));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 }
