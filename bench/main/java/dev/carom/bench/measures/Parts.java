@@ -69,7 +69,7 @@ public final class Parts {
   }
 
   private static Part time(String scene, int fork, boolean quick) {
-    return new TimePart(scene, fork, contenders(quick), quick ? 2 : 5, quick ? 100 : 1_000);
+    return new TimePart(scene, fork, contenders(quick), quick ? 2 : 4, quick ? 100 : 1_000);
   }
 
   /** In a hurry every method and peer, but of its knob only every other value. */

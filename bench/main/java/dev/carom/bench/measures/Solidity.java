@@ -12,7 +12,7 @@ import java.util.List;
 
 /**
  * Whether lines and walls hold: how deep circles reach into them at the end of a frame, how many
- * circles ever get through a line, and how many leave the bounds.
+ * circles ever get through a line, and how many ever leave the bounds, or are outside at the end.
  *
  * <p>A circle got through a line if it provably did: its centre is on the other side at the end of
  * a frame, with the line between the two places, and the way round either end is longer than a
@@ -36,7 +36,9 @@ final class Solidity {
     long n = (long) course.frames() * course.circles();
     rows.add(trial.row("penetration", "max", deepest(), Trial.RADII, n));
     rows.add(trial.row("tunnelled", "circles", tunnelled(), Trial.ONE, course.circles()));
-    rows.add(trial.row("escaped", "circles", escaped(), Trial.ONE, course.circles()));
+    rows.add(trial.row("escaped", "circles", escaped(0), Trial.ONE, course.circles()));
+    int end = course.frames();
+    rows.add(trial.row("outside_at_end", "circles", escaped(end), Trial.ONE, course.circles()));
     rows.addAll(Drift.rows(trial, "drift_penetration", Trial.RADII, course.frames(), this::depths));
     return rows;
   }
@@ -83,12 +85,12 @@ final class Solidity {
     return roomToWalls(x, y) >= 0;
   }
 
-  /** NaN if the run did not end. */
-  private double escaped() {
+  /** How many are outside of the bounds after that frame or later; NaN if the run did not end. */
+  private double escaped(int from) {
     int count = 0;
     for (int i = 0; i < course.circles(); i++) {
       boolean inside = true;
-      for (int frame = 0; frame <= course.frames() && inside; frame++) {
+      for (int frame = from; frame <= course.frames() && inside; frame++) {
         inside = isInside(course.x(frame, i), course.y(frame, i));
       }
       count += inside ? 0 : 1;

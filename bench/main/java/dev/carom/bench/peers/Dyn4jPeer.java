@@ -30,7 +30,7 @@ final class Dyn4jPeer extends Peer {
   private final Body[] circles;
 
   Dyn4jPeer(Scene scene, boolean best) {
-    super(scene, best, SECONDS_PER_FRAME);
+    super(scene, best ? metreFor(scene, 10, 1.6) : USUAL_METRE, SECONDS_PER_FRAME);
     this.best = best;
     world.setGravity(0, 0);
     if (best) {

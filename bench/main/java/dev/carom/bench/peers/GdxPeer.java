@@ -35,7 +35,7 @@ final class GdxPeer extends Peer {
   private final Body[] circles;
 
   GdxPeer(Scene scene, boolean best) {
-    super(scene, best, SECONDS_PER_FRAME);
+    super(scene, best ? metreFor(scene, 10, 1.6) : USUAL_METRE, SECONDS_PER_FRAME);
     this.best = best;
     loadNatives();
     world = new World(new Vector2(0, 0), !best);

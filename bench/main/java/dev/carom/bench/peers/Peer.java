@@ -14,27 +14,31 @@ import java.util.List;
  * they do not tell their work.
  *
  * <p>As it comes, an engine gets 30 px to the metre and 60 frames to the second, as their tutorials
- * have it. At its best, the scale is as fine as it may be for no circle to reach the engine's cap
- * on the motion of one step, 2 m, nor go far below it: 10 px to the metre, or more if the fastest
- * circle would else make more than 1.6 m in a frame.
+ * have it. At its best it gets the scale at which it is most accurate: the coarser its metre, the
+ * smaller its tolerances, which are lengths, but the faster its circles, whose motion in a step is
+ * capped at 2 m.
  */
 abstract class Peer implements Method {
 
   static final double SECONDS_PER_FRAME = 1.0 / 60;
 
-  private static final double USUAL_SCALE = 30;
-  private static final double BEST_SCALE = 10;
-  private static final double METRES_PER_FRAME = 1.6;
+  /** In px. */
+  static final double USUAL_METRE = 30;
 
   /** In px. */
   final double metre;
 
   private final double secondsPerFrame;
 
-  Peer(Scene scene, boolean best, double secondsPerFrame) {
+  Peer(Scene scene, double metre, double secondsPerFrame) {
     PlainScene.check(scene);
+    this.metre = metre;
     this.secondsPerFrame = secondsPerFrame;
-    metre = best ? Math.max(BEST_SCALE, fastest(scene) / METRES_PER_FRAME) : USUAL_SCALE;
+  }
+
+  /** The least metre, of at least some px, at which the fastest circle moves by no more a frame. */
+  static double metreFor(Scene scene, double leastPx, double metresPerFrame) {
+    return Math.max(leastPx, fastest(scene) / metresPerFrame);
   }
 
   private static double fastest(Scene scene) {

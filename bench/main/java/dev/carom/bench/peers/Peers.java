@@ -24,7 +24,7 @@ public final class Peers {
         usual("dyn4j", Dyn4jPeer::new),
         best("dyn4j", "restitution velocity 0, no rest, bullets, no cap, 10+ px/m", Dyn4jPeer::new),
         usual("jbox2d", Jbox2dPeer::new),
-        best("jbox2d", "frame 1e-6 s, edge radius 0, no sleep, bullets, 10+ px/m", Jbox2dPeer::new),
+        best("jbox2d", "frame 1e-6 s, edge radius 0, no sleep, bullets, 30+ px/m", Jbox2dPeer::new),
         usual("gdx-box2d", GdxPeer::new),
         best("gdx-box2d", "threshold 0, edge radius 0, no sleep, bullets, 10+ px/m", GdxPeer::new));
   }

@@ -127,6 +127,7 @@ class SceneMeasuresTest {
     List<Row> rows = rows(scene, Drunkard.astray(0));
 
     assertThat(value(rows, "escaped", "circles")).isEqualTo(1);
+    assertThat(value(rows, "outside_at_end", "circles")).isEqualTo(1);
     // At 98 of 100 the circle of radius 5 is 3 deep; beyond the wall it is none of its concern.
     assertThat(value(rows, "penetration", "max")).isEqualTo(0.6);
     assertThat(value(rows(scene, Methods.CAROM), "escaped", "circles")).isZero();
