@@ -88,14 +88,7 @@ final class SceneOptions {
         throw usage("--scene and " + option + " exclude each other");
       }
     }
-    Scene scene = SceneFile.read(file);
-    if (scene.collide()) {
-      throw usage(
-          file
-              + ": its circles collide, and the published algorithm knows no collisions:"
-              + " expected circles that ignore each other (see the commands gas and simulate)");
-    }
-    return scene;
+    return SceneFile.read(file);
   }
 
   /** Scenes of the same kind with other seeds; beside a file, canonical ones. */

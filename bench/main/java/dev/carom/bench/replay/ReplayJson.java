@@ -10,7 +10,7 @@ import java.util.List;
 
 /**
  * The figures for machines. The names of the components are those of the file, there in snake case;
- * their order is the file's, too.
+ * their order is the file's, too. The ratio is null where the published algorithm did not replay.
  */
 public record ReplayJson(
     String scene,
@@ -18,7 +18,7 @@ public record ReplayJson(
     double budgetMs,
     double publishedFps,
     List<Row> methods,
-    double ratioToPoster,
+    Double ratioToPoster,
     Machine machine) {
 
   /** One method: times in microseconds, impacts of one replay with lines and pegs. */
@@ -56,7 +56,7 @@ public record ReplayJson(
         Budget.MILLIS,
         Budget.PUBLISHED_FPS,
         result.figures().stream().map(Row::of).toList(),
-        result.ratioToPoster(),
+        result.ratioToPoster().isPresent() ? result.ratioToPoster().getAsDouble() : null,
         result.machine());
   }
 

@@ -29,7 +29,8 @@ public record ReplayPlan(
     int warmUpMillis) {
 
   /**
-   * This library beside the published algorithm.
+   * This library beside the published algorithm; alone where circles collide, which that one does
+   * not know.
    *
    * @param name what to call the scene
    * @param scene the scene that is measured
@@ -44,7 +45,7 @@ public record ReplayPlan(
         name,
         scene,
         others,
-        List.of(Methods.CAROM, Methods.POSTER),
+        scene.collide() ? List.of(Methods.CAROM) : List.of(Methods.CAROM, Methods.POSTER),
         frames,
         ReplayBenchmark.REPLAYS,
         forks,

@@ -9,6 +9,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 
 /** What a run found: the figures of each method, and one replay's raw frame times for a chart. */
 public final class ReplayResult {
@@ -70,10 +71,12 @@ public final class ReplayResult {
   /**
    * How many times faster than the published algorithm we are.
    *
-   * @return the ratio of the two means
+   * @return the ratio of the two means; empty if that one did not replay
    */
-  public double ratioToPoster() {
-    return figures(Methods.POSTER).mean() / figures(Methods.CAROM).mean();
+  public OptionalDouble ratioToPoster() {
+    return plan.contenders().contains(Methods.POSTER)
+        ? OptionalDouble.of(figures(Methods.POSTER).mean() / figures(Methods.CAROM).mean())
+        : OptionalDouble.empty();
   }
 
   /**

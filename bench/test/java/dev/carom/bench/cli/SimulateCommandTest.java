@@ -86,15 +86,6 @@ class SimulateCommandTest {
   }
 
   @Test
-  void aReplayRefusesCirclesThatCollide() throws IOException {
-    Files.writeString(scene, "circle,1,2,3,0,0\ncollide,1\n");
-    Cli run = Cli.run("replay", "--scene", scene);
-
-    assertThat(run.exitCode()).isEqualTo(2);
-    assertThat(run.err()).contains("its circles collide").hasLineCount(1);
-  }
-
-  @Test
   void aFrameIsAsLongAsAsked() throws IOException {
     Cli.run(
         "simulate",

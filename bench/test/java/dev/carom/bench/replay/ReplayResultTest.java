@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
+import dev.carom.Scene;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.methods.Methods;
@@ -90,6 +91,23 @@ class ReplayResultTest {
     assertThat(ReplayTable.render(result(18_000_000, 100_000_000)))
         .contains("BUDGET MISSED: the slowest frame of a replay takes 18,000 us")
         .contains("8 of all 9 frames exceeded them.");
+  }
+
+  /** The published algorithm knows no collisions: this library replays alone. */
+  @Test
+  void whereCirclesCollideThereIsNoRatio() {
+    Scene scene =
+        Scene.builder().collide(true).circle(0, 0, 1, 1, 0).circle(5, 0, 1, -1, 0).build();
+    ReplayPlan plan = new ReplayPlan("a pair", scene, List.of(), 3, 1, 0);
+    ReplayResult pair = new ReplayResult(plan, Map.of(Methods.CAROM, samples(2_000)), MACHINE);
+
+    assertThat(pair.ratioToPoster()).isEmpty();
+    assertThat(ReplayJson.of(pair).ratioToPoster()).isNull();
+    assertThat(ReplayTable.render(pair))
+        .contains("BUDGET MET")
+        .contains("it does not replay it")
+        .containsPattern("impacts with lines, pegs and circles +1\n")
+        .doesNotContain("poster");
   }
 
   @Test
