@@ -72,26 +72,57 @@ final class Cells {
   }
 
   /**
-   * Finds the circles in a rectangle of cells. Most cells are empty or hold one circle, and which
-   * is which cannot be foretold: what is found is written down first, without a branch, and kept by
-   * counting on.
+   * Finds the circles in a cell and in the eight around it. Most cells are empty or hold one
+   * circle, and which is which cannot be foretold: what is found is written down first, without a
+   * branch, and kept by counting on.
    *
    * @param self a circle that is left out
-   * @param found room for all circles and the rectangle's cells, from the place {@code size} on
+   * @param found room for all circles and 9 more, from the place {@code size} on
    * @return the place after the last one found
    */
-  int find(int column, int row, int columns, int rows, int self, int[] found, int size) {
-    int end = size;
-    for (int y = row; y < row + rows; y++) {
-      int line = (y & maskY) << shift;
-      for (int x = column; x < column + columns; x++) {
-        int head = heads[line | (x & maskX)];
-        found[end] = head;
-        end += 1 + (head >> 31);
-      }
-    }
-    int kept = size;
-    for (int k = size; k < end; k++) {
+  int around(int column, int row, int self, int[] found, int size) {
+    int end = row(column, row - 1, found, size);
+    end = row(column, row, found, end);
+    end = row(column, row + 1, found, end);
+    return follow(self, found, size, end);
+  }
+
+  /** Finds the circles in a cell and in those to its left and right, as {@link #around}. */
+  int inRow(int column, int row, int self, int[] found, int size) {
+    return follow(self, found, size, row(column, row, found, size));
+  }
+
+  /** Finds the circles in a cell and in those above and below, as {@link #around}. */
+  int inColumn(int column, int row, int self, int[] found, int size) {
+    int x = column & maskX;
+    int a = heads[x | ((row - 1) & maskY) << shift];
+    int b = heads[x | (row & maskY) << shift];
+    int c = heads[x | ((row + 1) & maskY) << shift];
+    return follow(self, found, size, three(a, b, c, found, size));
+  }
+
+  private int row(int column, int row, int[] found, int size) {
+    int line = (row & maskY) << shift;
+    int a = heads[line | ((column - 1) & maskX)];
+    int b = heads[line | (column & maskX)];
+    int c = heads[line | ((column + 1) & maskX)];
+    return three(a, b, c, found, size);
+  }
+
+  private static int three(int a, int b, int c, int[] found, int size) {
+    found[size] = a;
+    int end = size + 1 + (a >> 31);
+    found[end] = b;
+    end += 1 + (b >> 31);
+    found[end] = c;
+    return end + 1 + (c >> 31);
+  }
+
+  /** Adds those that follow in the lists, and leaves out one. */
+  private int follow(int self, int[] found, int from, int to) {
+    int end = to;
+    int kept = from;
+    for (int k = from; k < end; k++) {
       int j = found[k];
       int follower = next[j];
       found[end] = follower;

@@ -39,6 +39,9 @@ final class Meetings {
   /** What a sum of a time and t errs by, far more than its rounding and its tail. */
   private static final double SUM_BOUND = 0x1p-50;
 
+  private static final long EXPONENT = 0x7ff0000000000000L;
+  private static final long LEAST_EXPONENT = 0x0010000000000000L;
+
   private final Circles circles;
   private final double[] state;
   private final int[] codes;
@@ -114,10 +117,31 @@ final class Meetings {
   /**
    * Looks whether circle i meets one of some others before what is foreseen of it.
    *
+   * @param found the others; those that it cannot meet are taken out
    * @return false if what was foreseen does not hold and stands in the way of telling: then it is
    *     to be cleared, and all are to be looked at
    */
   boolean look(int i, int[] found, int size) {
+    int left = sift(i, found, size);
+    if (left == 0) {
+      return true;
+    }
+    start(i);
+    int before = partner;
+    for (int k = 0; k < left; k++) {
+      if (!consider(i, found[k], before)) {
+        return false;
+      }
+    }
+    store(i);
+    return true;
+  }
+
+  /**
+   * Takes out those that circle i certainly does not meet: they do not approach, or pass. Written
+   * without a branch, for the answers cannot be foretold, and each waits for a chain of operations.
+   */
+  private int sift(int i, int[] found, int size) {
     double[] s = state;
     int a = circles.at(i);
     double xi = s[a + Circles.X];
@@ -127,37 +151,23 @@ final class Meetings {
     double ti = s[a + Circles.T];
     double tli = s[a + Circles.TL];
     double ri = s[a + Circles.RADIUS];
-    start(i, ti);
-    int before = partner;
-    boolean sensors = pairs.hasSensors();
+    int left = 0;
     for (int k = 0; k < size; k++) {
       int j = found[k];
       int c = circles.at(j);
       double vxj = s[c + Circles.VX];
       double vyj = s[c + Circles.VY];
-      double tj = s[c + Circles.T];
+      // By how much j starts later than i, and i later than j; 0 for the one that does not.
+      double later = (s[c + Circles.T] - ti) + (s[c + Circles.TL] - tli);
+      double ofI = positive(later);
+      double ofJ = positive(-later);
+      double dx = Math.fma(vxi, ofI, xi) - Math.fma(vxj, ofJ, s[c + Circles.X]);
+      double dy = Math.fma(vyi, ofI, yi) - Math.fma(vyj, ofJ, s[c + Circles.Y]);
       double ux = vxi - vxj;
       double uy = vyi - vyj;
-      double later = (tj - ti) + (s[c + Circles.TL] - tli);
-      double dx;
-      double dy;
-      double from;
-      if (later > 0) {
-        dx = Math.fma(vxi, later, xi) - s[c + Circles.X];
-        dy = Math.fma(vyi, later, yi) - s[c + Circles.Y];
-        from = tj;
-      } else {
-        dx = xi - Math.fma(vxj, -later, s[c + Circles.X]);
-        dy = yi - Math.fma(vyj, -later, s[c + Circles.Y]);
-        from = ti;
-      }
       double bx = ux * dx;
       double by = uy * dy;
-      double b = bx + by;
-      double boundB = Math.fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), DiskSweep.TINY);
-      if (b > boundB) {
-        continue;
-      }
+      double apart = (bx + by) - Math.fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), DiskSweep.TINY);
       double r = ri + s[c + Circles.RADIUS];
       double rr = r * r;
       double u2 = ux * ux + uy * uy;
@@ -166,45 +176,87 @@ final class Meetings {
       double cross = kx - ky;
       double m = Math.abs(kx) + Math.abs(ky);
       double arr = u2 * rr;
-      double reach = arr - cross * cross;
       double terms = arr + m * m;
-      double boundReach = Math.fma(REACH_BOUND, terms, DiskSweep.TINY * (u2 + rr + m + 1));
-      if (reach < -boundReach) {
-        continue;
-      }
-      double dd = dx * dx + dy * dy;
-      double g = dd - rr;
-      boolean sensor = sensors && pairs.isSensor(i, j);
-      if (!sensor
-          && b < -boundB
-          && reach > boundReach
-          && reach > WELL_CONDITIONED * terms
-          && g > Math.fma(WELL_CONDITIONED, dd + rr, DiskSweep.TINY)) {
-        double t = g / (Math.sqrt(reach) - b);
-        double time = from + t;
-        double error = Math.fma(t, TIME_BOUND, time * SUM_BOUND);
-        if (time - error > high) {
-          continue;
-        }
-        if (time + error < low && !pairs.skips(circles, i, j)) {
-          partner = j;
-          low = time - error;
-          high = time + error;
-          tau = OPEN;
-          tail = Double.NEGATIVE_INFINITY;
-          continue;
-        }
-      }
-      if (!pairs.skips(circles, i, j) && !weigh(i, j, before, sensor)) {
-        return false;
-      }
+      double near =
+          (arr - cross * cross) + Math.fma(REACH_BOUND, terms, DiskSweep.TINY * (u2 + rr + m + 1));
+      found[left] = j;
+      left += mayMeet(apart, near);
     }
-    store(i, a);
-    return true;
+    return left;
   }
 
-  private void start(int i, double ti) {
+  private static double positive(double x) {
+    long bits = Double.doubleToRawLongBits(x);
+    return Double.longBitsToDouble(bits & ~(bits >> 63));
+  }
+
+  /** 0 if apart > 0 or near < 0, else 1; 1 too if near is no finite number, for then any is not. */
+  private static int mayMeet(double apart, double near) {
+    long bits = Double.doubleToRawLongBits(near);
+    long not = (~Double.doubleToRawLongBits(apart) | bits) >>> 63;
+    long beyondRange = ((bits & EXPONENT) + LEAST_EXPONENT) >>> 63;
+    return (int) (~not & 1 | beyondRange);
+  }
+
+  /** Keeps j as what circle i meets first, if that is so; false as in look. */
+  private boolean consider(int i, int j, int before) {
+    double[] s = state;
     int a = circles.at(i);
+    int c = circles.at(j);
+    double ti = s[a + Circles.T];
+    double tj = s[c + Circles.T];
+    double later = (tj - ti) + (s[c + Circles.TL] - s[a + Circles.TL]);
+    double ofI = Math.max(later, 0);
+    double ofJ = Math.max(-later, 0);
+    double from = later > 0 ? tj : ti;
+    double vxi = s[a + Circles.VX];
+    double vyi = s[a + Circles.VY];
+    double vxj = s[c + Circles.VX];
+    double vyj = s[c + Circles.VY];
+    double dx = Math.fma(vxi, ofI, s[a + Circles.X]) - Math.fma(vxj, ofJ, s[c + Circles.X]);
+    double dy = Math.fma(vyi, ofI, s[a + Circles.Y]) - Math.fma(vyj, ofJ, s[c + Circles.Y]);
+    double ux = vxi - vxj;
+    double uy = vyi - vyj;
+    double bx = ux * dx;
+    double by = uy * dy;
+    double b = bx + by;
+    double r = s[a + Circles.RADIUS] + s[c + Circles.RADIUS];
+    double rr = r * r;
+    double u2 = ux * ux + uy * uy;
+    double kx = ux * dy;
+    double ky = uy * dx;
+    double cross = kx - ky;
+    double m = Math.abs(kx) + Math.abs(ky);
+    double arr = u2 * rr;
+    double reach = arr - cross * cross;
+    double dd = dx * dx + dy * dy;
+    double g = dd - rr;
+    boolean sensor = pairs.hasSensors() && pairs.isSensor(i, j);
+    if (!sensor
+        && b < -Math.fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), DiskSweep.TINY)
+        && reach > Math.fma(WELL_CONDITIONED, arr + m * m, DiskSweep.TINY * (u2 + rr + m + 1))
+        && g > Math.fma(WELL_CONDITIONED, dd + rr, DiskSweep.TINY)) {
+      double t = g / (Math.sqrt(reach) - b);
+      double time = from + t;
+      double error = Math.fma(t, TIME_BOUND, time * SUM_BOUND);
+      if (time - error > high) {
+        return true;
+      }
+      if (time + error < low && !pairs.skips(circles, i, j)) {
+        partner = j;
+        low = time - error;
+        high = time + error;
+        tau = OPEN;
+        tail = Double.NEGATIVE_INFINITY;
+        return true;
+      }
+    }
+    return pairs.skips(circles, i, j) || weigh(i, j, before, sensor);
+  }
+
+  private void start(int i) {
+    int a = circles.at(i);
+    double ti = state[a + Circles.T];
     partner = codes[circles.codesAt(i) + Circles.PARTNER];
     low = state[a + Circles.MEETING];
     tau = state[a + Circles.TAU];
@@ -213,7 +265,8 @@ final class Meetings {
     high = Double.isNaN(tau) ? low + ((low - ti) * (4 * TIME_BOUND) + low * (4 * SUM_BOUND)) : low;
   }
 
-  private void store(int i, int a) {
+  private void store(int i) {
+    int a = circles.at(i);
     state[a + Circles.MEETING] = low;
     state[a + Circles.TAU] = tau;
     state[a + Circles.MEETING_TAIL] = tail;

@@ -34,6 +34,8 @@ final class Neighbors {
   private static final int UP = 2;
   private static final int DOWN = 3;
   private static final int DIRECTIONS = 4;
+  private static final int HORIZONTAL = RIGHT;
+  private static final int VERTICAL = UP;
 
   private final int levels;
 
@@ -228,8 +230,10 @@ final class Neighbors {
       double least = Math.min(dx, dy);
       if (least < first) {
         first = least;
-        int direction = dx <= dy ? (vx > 0 ? RIGHT : LEFT) : (vy > 0 ? UP : DOWN);
-        way = level * DIRECTIONS + direction;
+        // RIGHT or LEFT, UP or DOWN: by the signs, without a branch, as they cannot be foretold.
+        int side = dx <= dy ? HORIZONTAL : VERTICAL;
+        double v = dx <= dy ? vx : vy;
+        way = level * DIRECTIONS + side + (int) (Double.doubleToRawLongBits(v) >>> 63);
       }
     }
     return state[a + Circles.T] + first;
@@ -241,10 +245,14 @@ final class Neighbors {
   }
 
   private static double untilEdge(double p, double v, double cell, double size) {
-    if (v == 0 || !(Math.abs(cell) < FARTHEST)) {
-      return NEVER;
-    }
-    return ((v > 0 ? cell + 1 : cell) * size - p) / v;
+    // The cell's upper edge is one further.
+    double edge = (cell + 0.5 + withSign(0.5, v)) * size;
+    return Math.abs(cell) < FARTHEST && v != 0 ? (edge - p) / v : NEVER;
+  }
+
+  private static double withSign(double value, double v) {
+    long sign = Double.doubleToRawLongBits(v) & Long.MIN_VALUE;
+    return Double.longBitsToDouble(Double.doubleToRawLongBits(value) | sign);
   }
 
   /**
@@ -270,9 +278,17 @@ final class Neighbors {
     column += dx;
     row += dy;
     list.add(i, column, row);
-    return dx != 0
-        ? find(i, level, column + dx, row - 1, 1, 3, found, 0)
-        : find(i, level, column - 1, row + dy, 3, 1, found, 0);
+    int end =
+        dx != 0
+            ? own[level].inColumn(column + dx, row, i, found, 0)
+            : own[level].inRow(column, row + dy, i, found, 0);
+    if (hasSmaller(i, level)) {
+      end =
+          dx != 0
+              ? smaller[level].inColumn(column + dx, row, i, found, end)
+              : smaller[level].inRow(column, row + dy, i, found, end);
+    }
+    return end;
   }
 
   /**
@@ -289,16 +305,17 @@ final class Neighbors {
       if (!isListed(cells[k])) {
         return 0;
       }
-      end = find(i, level, wrapped(cells[k]) - 1, wrapped(cells[k + 1]) - 1, 3, 3, found, end);
+      int column = wrapped(cells[k]);
+      int row = wrapped(cells[k + 1]);
+      end = own[level].around(column, row, i, found, end);
+      if (hasSmaller(i, level)) {
+        end = smaller[level].around(column, row, i, found, end);
+      }
     }
     return end;
   }
 
-  private int find(
-      int i, int level, int column, int row, int columns, int rows, int[] found, int size) {
-    int end = own[level].find(column, row, columns, rows, i, found, size);
-    return level == levelOf[i] && smaller[level] != null
-        ? smaller[level].find(column, row, columns, rows, i, found, end)
-        : end;
+  private boolean hasSmaller(int i, int level) {
+    return level == levelOf[i] && smaller[level] != null;
   }
 }

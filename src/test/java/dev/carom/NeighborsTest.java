@@ -103,7 +103,7 @@ class NeighborsTest {
 
   private static List<Integer> around(Cells cells, int column, int row) {
     int[] found = new int[12];
-    int size = cells.find(column - 1, row - 1, 3, 3, -2, found, 0);
+    int size = cells.around(column, row, -2, found, 0);
     return Arrays.stream(found, 0, size).boxed().toList();
   }
 }
