@@ -23,7 +23,8 @@ final class DoubleDouble {
 
   /** a - b - d exactly, for d = fl(a - b). */
   static double differenceTail(double a, double b, double d) {
-    return sumTail(a, -b, d);
+    double bb = d - a;
+    return (a - (d - bb)) - (b + bb);
   }
 
   /** a b - p exactly, for p = fl(a b). */

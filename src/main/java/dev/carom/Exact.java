@@ -65,6 +65,18 @@ final class Exact {
       return d.square().minus(r.square()).over(below, bits);
     }
 
+    /**
+     * The correctly rounded time of impact of disks that are apart and will touch, {@code
+     * +infinity} if that is later than the window's end T.
+     */
+    double time(double T) {
+      Rungs.exactTime();
+      double t = time();
+      return t < T || T == Double.POSITIVE_INFINITY || (t == T && compareTime(Dyadic.of(T)) <= 0)
+          ? t
+          : Double.POSITIVE_INFINITY;
+    }
+
     /** The correctly rounded time of impact of disks that are apart and will touch. */
     double time() {
       Dyadic t = time(BITS);

@@ -34,6 +34,20 @@ final class Rungs {
     }
   }
 
+  /** Counts a square root for a time of impact. */
+  static void root() {
+    if (COUNT != null) {
+      COUNT.roots++;
+    }
+  }
+
+  /** Counts a time of impact by exact numbers. */
+  static void exactTime() {
+    if (COUNT != null) {
+      COUNT.exactTimes++;
+    }
+  }
+
   void decision(boolean certain) {
     doubtfulDecisions++;
     if (!certain) {

@@ -23,7 +23,7 @@ package dev.carom;
  * </ol>
  *
  * Decisions are signs of polynomials, first in plain doubles against a bound of their rounding
- * errors (counted as in {@link DiskSweep}), in doubt by {@link Predicates}. None takes a root.
+ * errors (counted as in {@link FirstRoot}), in doubt by {@link Predicates}. None takes a root.
  */
 final class SegmentSweep {
 
@@ -63,7 +63,7 @@ final class SegmentSweep {
    */
   private static final double CORNER_BOUND = 15 * 0x1p-53;
 
-  private static final double TINY = DiskSweep.TINY;
+  private static final double TINY = FirstRoot.TINY;
 
   private SegmentSweep() {}
 

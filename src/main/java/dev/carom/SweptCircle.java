@@ -146,7 +146,9 @@ public final class SweptCircle {
   public static double pair(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
       double vx2, double vy2, double T) {
-    if (!(0 * (x1 + y1 + r1 + vx1 + vy1 + x2 + y2 + r2 + vx2 + vy2) == 0
+    // A number that is not finite makes this sum not finite, and the sweep computes it anyway.
+    double b = (vx1 - vx2) * (x1 - x2) + (vy1 - vy2) * (y1 - y2);
+    if (!(0 * (b + (r1 + r2)) == 0
         && r1 >= 0
         && r2 >= 0
         && T >= 0)) {

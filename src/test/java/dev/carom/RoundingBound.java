@@ -12,22 +12,19 @@ import java.util.Arrays;
  * The constants on which the detector's certainty rests: bounds of rounding errors, and limits of
  * the range in which those hold.
  *
- * <p>Two are not here. {@code MOST}, an upper limit of three sweeps: what overflows is infinite or
- * not a number, and leaves the answer open by itself. And the condition of {@link DiskSweep} that a
- * step be a quarter, at most, of what the slope allows: where it is not, the slope's share is more
- * than an ulp of the time already.
+ * <p>Two are not here. {@code MOST}, an upper limit of two sweeps: what overflows is infinite or
+ * not a number, and leaves the answer open by itself. And the condition of {@link FirstRoot} that
+ * the errors of a step be a quarter of it, at most, in all: where they are not, they are more than
+ * an ulp of the time already.
  */
 enum RoundingBound {
-  DISK_DOT(DiskSweep.class, "DOT_BOUND"),
-  DISK_GAP(DiskSweep.class, "GAP_BOUND"),
-  DISK_REACH(DiskSweep.class, "REACH_BOUND"),
-  DISK_WINDOW(DiskSweep.class, "WINDOW_BOUND"),
+  ROOT_DOT(FirstRoot.class, "DOT_BOUND"),
+  ROOT_GAP(FirstRoot.class, "GAP_BOUND"),
+  ROOT_REACH(FirstRoot.class, "REACH_BOUND"),
+  ROOT_WINDOW(FirstRoot.class, "WINDOW_BOUND"),
   /** What a place loses, in the error of a step, and so the whole of f's share. */
-  DISK_PLACE(DiskSweep.class, Kind.BOUND, 0x1p-103),
-  /** What the slope loses, in the error of a step. */
-  DISK_SLOPE(DiskSweep.class, Kind.BOUND, 8 * 0x1p-53),
-  DISK_TINY(DiskSweep.class, "TINY"),
-  DISK_LEAST(DiskSweep.class, "LEAST"),
+  ROOT_PLACE(FirstRoot.class, "PLACE_BOUND"),
+  ROOT_TINY(FirstRoot.class, "TINY"),
   SEGMENT_PLACE(SegmentSweep.class, "PLACE_BOUND"),
   SEGMENT_SPEED(SegmentSweep.class, "SPEED_BOUND"),
   SEGMENT_STRIP(SegmentSweep.class, "STRIP_BOUND"),
@@ -107,7 +104,7 @@ enum RoundingBound {
     }
     return query instanceof SegmentQuery
         ? owner != WallSweep.class
-        : query instanceof PairQuery ? owner == DiskSweep.class : owner == WallSweep.class;
+        : query instanceof PairQuery ? owner == FirstRoot.class : owner == WallSweep.class;
   }
 
   /** Weakens this bound in a class file of its class: by a factor, 0 to remove it. */

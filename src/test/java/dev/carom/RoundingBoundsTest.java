@@ -93,7 +93,7 @@ class RoundingBoundsTest {
   @Test
   void noBoundIsLeftOut() {
     Stream.of(
-            DiskSweep.class, SegmentSweep.class, SideSweep.class, WallSweep.class, Predicates.class)
+            FirstRoot.class, SegmentSweep.class, SideSweep.class, WallSweep.class, Predicates.class)
         .flatMap(owner -> Arrays.stream(owner.getDeclaredFields()))
         .filter(field -> Modifier.isStatic(field.getModifiers()) && field.getType() == double.class)
         .filter(field -> !field.getName().equals("MOST"))

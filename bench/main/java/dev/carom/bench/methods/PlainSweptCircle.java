@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
+import java.util.stream.DoubleStream;
+
 /**
  * The detector of this library without its promise: the same decisions in the same order, each by
  * the sign that a plain double happens to have, and times as the first formula gives them. Written
  * as well as doubles allow (nothing cancels but what must), it is what exactness is to be compared
- * with in cost.
+ * with in cost. It refuses the same arguments as the library, by the same sums.
  */
 public final class PlainSweptCircle {
 
@@ -27,6 +29,7 @@ public final class PlainSweptCircle {
    * @param by the y coordinate of the line's end
    * @param end the end of the window
    * @return the time of impact, infinite for a miss
+   * @throws IllegalArgumentException if a number is outside its range
    */
   public static double line(
       double px,
@@ -39,6 +42,9 @@ public final class PlainSweptCircle {
       double bx,
       double by,
       double end) {
+    if (!(0 * (px + py + r + vx + vy + ax + ay + bx + by) == 0 && r >= 0 && end >= 0)) {
+      check(r, 0, end, px, py, vx, vy, ax, ay, bx, by);
+    }
     double wx = bx - ax;
     double wy = by - ay;
     double dx = px - ax;
@@ -85,6 +91,7 @@ public final class PlainSweptCircle {
    * @param vy2 the y component of the second circle's velocity
    * @param end the end of the window
    * @return the time of impact, infinite for a miss
+   * @throws IllegalArgumentException if a number is outside its range
    */
   public static double pair(
       double x1,
@@ -98,7 +105,23 @@ public final class PlainSweptCircle {
       double vx2,
       double vy2,
       double end) {
+    double b = (vx1 - vx2) * (x1 - x2) + (vy1 - vy2) * (y1 - y2);
+    if (!(0 * (b + (r1 + r2)) == 0 && r1 >= 0 && r2 >= 0 && end >= 0)) {
+      check(r1, r2, end, x1, y1, vx1, vy1, x2, y2, vx2, vy2);
+    }
     return disk(x1 - x2, y1 - y2, r1 + r2, vx1 - vx2, vy1 - vy2, end);
+  }
+
+  private static void check(double r1, double r2, double end, double... numbers) {
+    boolean finite = DoubleStream.of(numbers).allMatch(Double::isFinite);
+    if (!(finite
+        && r1 >= 0
+        && r2 >= 0
+        && r1 <= Double.MAX_VALUE
+        && r2 <= Double.MAX_VALUE
+        && end >= 0)) {
+      throw new IllegalArgumentException("a number outside its range");
+    }
   }
 
   /** A point at offset d from the middle of a disk of radius r, moving with u. */

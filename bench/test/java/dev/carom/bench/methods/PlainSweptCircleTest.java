@@ -2,9 +2,11 @@
 package dev.carom.bench.methods;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.bench.jmh.ExactnessBenchmark;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -26,6 +28,18 @@ class PlainSweptCircleTest {
       }
     }
     assertThat(hits).isGreaterThan(1000);
+  }
+
+  @Test
+  void refusesWhatTheLibraryRefuses() {
+    double big = Double.MAX_VALUE;
+    assertThat(PlainSweptCircle.pair(big, 0, 1, -1, 0, -big, 0, 1, 1, 0, 1)).isInfinite();
+    assertThatThrownBy(() -> PlainSweptCircle.pair(0, 0, -1, 1, 0, 9, 0, 1, 0, 0, 1))
+        .isInstanceOf(IllegalArgumentException.class);
+    assertThatThrownBy(() -> PlainSweptCircle.pair(0, 0, 1, 1, Double.NaN, 9, 0, 1, 0, 0, 1))
+        .isInstanceOf(IllegalArgumentException.class);
+    assertThatThrownBy(() -> PlainSweptCircle.line(0, 0, 1, 1, 0, 9, 0, 1, 1 / 0.0, 1))
+        .isInstanceOf(IllegalArgumentException.class);
   }
 
   private static ExactnessBenchmark benchmark(String family) {
