@@ -161,7 +161,7 @@ final class DiskSweep {
   }
 
   /** What d + u t on one axis leaves behind when it is rounded, below 4 u of its terms. */
-  private static double terms(double x1, double x2, double v1, double v2, double t) {
+  static double terms(double x1, double x2, double v1, double v2, double t) {
     double d = x1 - x2;
     double u = v1 - v2;
     double m = u * t;

@@ -39,13 +39,26 @@ final class Exact {
     return x.times(w.square()).minus(y);
   }
 
-  /** A moving disk against a resting one; of two moving ones, the first seen from the second. */
+  /**
+   * A moving disk or sphere against a resting one; of two moving ones, the first seen from the
+   * second.
+   */
   record Disks(Vector d, Vector u, Dyadic r) {
 
     static Disks of(
         double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
         double vx2, double vy2) {
       return new Disks(vector(x1, y1, x2, y2), vector(vx1, vy1, vx2, vy2), sum(r1, r2));
+    }
+
+    /** Spheres. */
+    static Disks of(
+        double x1, double y1, double z1, double r1, double vx1, double vy1, double vz1, double x2,
+        double y2, double z2, double r2, double vx2, double vy2, double vz2) {
+      return new Disks(
+          vector(x1, y1, x2, y2).above(Dyadic.difference(z1, z2)),
+          vector(vx1, vy1, vx2, vy2).above(Dyadic.difference(vz1, vz2)),
+          sum(r1, r2));
     }
 
     /**
@@ -60,9 +73,23 @@ final class Exact {
 
     /** t = (d.d - r^2) / (-u.d + sqrt((u.u) r^2 - cross(u, d)^2)): all terms positive. */
     Dyadic time(int bits) {
-      Dyadic reach = u.square().times(r.square()).minus(cross(u, d).square());
-      Dyadic below = dot(u, d).negate().plus(reach.sqrt(bits));
-      return d.square().minus(r.square()).over(below, bits);
+      Dyadic below = dot(u, d).negate().plus(reach().sqrt(bits));
+      return gap().over(below, bits);
+    }
+
+    /** u.d */
+    Dyadic drift() {
+      return dot(u, d);
+    }
+
+    /** d.d - r^2 */
+    Dyadic gap() {
+      return d.square().minus(r.square());
+    }
+
+    /** (u.u) r^2 - |cross(u, d)|^2 = (u.d)^2 - (u.u) (d.d - r^2), which holds in space, too. */
+    Dyadic reach() {
+      return drift().square().minus(u.square().times(gap()));
     }
 
     /**
@@ -87,7 +114,7 @@ final class Exact {
     /** The unit normal at a contact to come: (d + u t) / |d + u t|, or -u / |u| for two points. */
     Vec2 normal() {
       if (r.sign() == 0) {
-        return new Vector(u.x.negate(), u.y.negate()).unit();
+        return new Vector(u.x.negate(), u.y.negate(), Dyadic.ZERO).unit();
       }
       int cancelled = Math.max(0, Math.max(d.magnitude(), r.magnitude()) - r.magnitude());
       return d.plus(u, time(BITS + cancelled)).unit();
@@ -171,7 +198,7 @@ final class Exact {
   }
 
   private static Vector vector(double ax, double ay, double bx, double by) {
-    return new Vector(Dyadic.difference(ax, bx), Dyadic.difference(ay, by));
+    return new Vector(Dyadic.difference(ax, bx), Dyadic.difference(ay, by), Dyadic.ZERO);
   }
 
   private static Dyadic cross(Vector a, Vector b) {
@@ -179,23 +206,29 @@ final class Exact {
   }
 
   private static Dyadic dot(Vector a, Vector b) {
-    return a.x.times(b.x).plus(a.y.times(b.y));
+    return a.x.times(b.x).plus(a.y.times(b.y)).plus(a.z.times(b.z));
   }
 
-  private record Vector(Dyadic x, Dyadic y) {
+  /** In the plane z is 0. */
+  private record Vector(Dyadic x, Dyadic y, Dyadic z) {
 
     Dyadic square() {
-      return x.square().plus(y.square());
+      return x.square().plus(y.square()).plus(z.square());
     }
 
     Vector plus(Vector v, Dyadic t) {
-      return new Vector(x.plus(v.x.times(t)), y.plus(v.y.times(t)));
+      return new Vector(x.plus(v.x.times(t)), y.plus(v.y.times(t)), z.plus(v.z.times(t)));
+    }
+
+    Vector above(Dyadic height) {
+      return new Vector(x, y, height);
     }
 
     int magnitude() {
       return square().sign() == 0 ? 0 : square().magnitude() / 2 + 1;
     }
 
+    /** Of a vector in the plane. */
     Vec2 unit() {
       Dyadic length = square().sqrt(BITS);
       return new Vec2(quotient(x, length), quotient(y, length));

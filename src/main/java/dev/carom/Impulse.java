@@ -34,6 +34,11 @@ final class Impulse {
 
   /** v + share j n on one axis, rounded once; the share as head and tail. */
   double change(double v, double share, double shareTail, double n) {
+    return change(j, tail, v, share, shareTail, n);
+  }
+
+  /** The same for an impulse j n with j as head and tail. */
+  static double change(double j, double tail, double v, double share, double shareTail, double n) {
     double s = share * j;
     double sl = productTail(share, j, s) + (share * tail + shareTail * j);
     double p = s * n;

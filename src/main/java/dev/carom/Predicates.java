@@ -37,7 +37,7 @@ final class Predicates {
   /** Largest factor of a term. */
   private static final double LARGE = 0x1p300;
 
-  private static final int UNDECIDED = 2;
+  static final int UNDECIDED = 2;
 
   private Predicates() {}
 
@@ -198,7 +198,7 @@ final class Predicates {
   }
 
   /** The sign of a value with terms of the given sum; UNDECIDED if the bound does not allow it. */
-  private static int decided(double value, double terms, double factor) {
+  static int decided(double value, double terms, double factor) {
     boolean certain = terms >= TINY && factor <= LARGE && Math.abs(value) > BOUND * terms;
     if (Rungs.COUNT != null) {
       Rungs.COUNT.decision(certain);

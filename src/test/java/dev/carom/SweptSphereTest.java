@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.carom.oracle.Draw;
+import dev.carom.oracle.Families;
+import dev.carom.oracle.Family;
+import dev.carom.oracle.PairQuery;
+import dev.carom.oracle.SphereFamilies;
+import dev.carom.oracle.SphereQuery;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** More queries, and others: {@code -Dcarom.queries=10000000 -Dcarom.seed=2}. */
+class SweptSphereTest {
+  private static final int QUERIES =
+      (int) (Long.getLong("carom.queries", 46_000) / SphereFamilies.NAMES.size());
+  private static final long SEED = Long.getLong("carom.seed", 1);
+
+  static Stream<String> families() {
+    return SphereFamilies.NAMES.stream();
+  }
+
+  static Stream<Family> pairs() {
+    return Families.all().stream().filter(family -> family.name().startsWith("circ_"));
+  }
+
+  private static double time(double... n) {
+    return SweptSphere.sphere(
+        n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12], n[13],
+        n[14]);
+  }
+
+  @ParameterizedTest
+  @MethodSource("families")
+  void everyTimeIsTheCorrectlyRoundedOne(String family) {
+    Draw draw = new Draw(SEED * 0x9E3779B97F4A7C15L ^ family.hashCode());
+    int hits = 0;
+    for (int i = 0; i < QUERIES; i++) {
+      SphereQuery q = SphereFamilies.next(family, draw);
+      double truth = q.truth();
+      hits += truth < Double.POSITIVE_INFINITY ? 1 : 0;
+      assertThat(time(q.numbers())).as("%s", (Object) q.numbers()).isEqualTo(truth);
+      double[] n = q.numbers();
+      assertThat(SweptSphere.overlap(n[0], n[1], n[2], n[3], n[7], n[8], n[9], n[10]))
+          .as("%s", (Object) n)
+          .isEqualTo(q.overlaps());
+    }
+    assertThat(hits).isPositive();
+  }
+
+  /** Any two of the three axes, the third one still or moving alike. */
+  @ParameterizedTest
+  @MethodSource("pairs")
+  void inAPlaneTheAnswerIsThatOfCircles(Family family) {
+    Draw draw = new Draw(SEED);
+    for (int i = 0; i < QUERIES / 10; i++) {
+      PairQuery q = (PairQuery) family.next(draw);
+      double t =
+          SweptCircle.pair(
+              q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), q.x2(), q.y2(), q.r2(), q.vx2(), q.vy2(),
+              q.end());
+      double z = i % 7 - 3;
+      double w = i % 5;
+      assertThat(
+              time(
+                  q.x1(), q.y1(), z, q.r1(), q.vx1(), q.vy1(), w, q.x2(), q.y2(), z, q.r2(),
+                  q.vx2(), q.vy2(), w, q.end()))
+          .as(q.hex())
+          .isEqualTo(t);
+      assertThat(
+              time(
+                  z, q.x1(), q.y1(), q.r1(), w, q.vx1(), q.vy1(), z, q.x2(), q.y2(), q.r2(), w,
+                  q.vx2(), q.vy2(), q.end()))
+          .as(q.hex())
+          .isEqualTo(t);
+      assertThat(
+              time(
+                  q.y1(), z, q.x1(), q.r1(), q.vy1(), w, q.vx1(), q.y2(), z, q.x2(), q.r2(),
+                  q.vy2(), w, q.vx2(), q.end()))
+          .as(q.hex())
+          .isEqualTo(t);
+    }
+  }
+
+  @Test
+  void touchingSpheresDoNotOverlap() {
+    assertThat(SweptSphere.overlap(0, 0, 0, 1, 2, 3, 6, 6)).isFalse();
+    assertThat(SweptSphere.overlap(0, 0, 0, 1, 2, 3, 6, Math.nextUp(6.0))).isTrue();
+    assertThat(SweptSphere.overlap(0, 0, 0, 0, 0, 0, 0, 0)).isFalse();
+  }
+
+  @Test
+  void equalMassesExchangeTheirVelocitiesAlongTheNormal() {
+    double[] v = {3, 5, 7, -2, 1, 4};
+    SweptSphere.respond(0, 0, 0, 2, 10, 0, 0, 2, 1, v);
+    assertThat(v).containsExactly(-2, 5, 7, 3, 1, 4);
+  }
+
+  @Test
+  void energyAndMomentumAreKept() {
+    Draw draw = new Draw(SEED);
+    for (int i = 0; i < 20_000; i++) {
+      double[] n = SphereFamilies.next("uniform", draw).numbers();
+      double m1 = 1 + n[3];
+      double m2 = 1 + n[10];
+      double[] v = {n[4], n[5], n[6], n[11], n[12], n[13]};
+      double[] before = v.clone();
+      SweptSphere.respond(n[0], n[1], n[2], m1, n[7], n[8], n[9], m2, 1, v);
+      double scale = energy(m1, m2, before);
+      assertThat(Math.abs(energy(m1, m2, v) - scale)).isLessThan(16 * 0x1p-53 * scale);
+      double momentum = Math.sqrt(2 * scale * (m1 + m2));
+      for (int axis = 0; axis < 3; axis++) {
+        double change = m1 * (v[axis] - before[axis]) + m2 * (v[axis + 3] - before[axis + 3]);
+        assertThat(Math.abs(change)).isLessThan(16 * 0x1p-53 * momentum);
+      }
+    }
+  }
+
+  private static double energy(double m1, double m2, double... v) {
+    return (m1 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
+            + m2 * (v[3] * v[3] + v[4] * v[4] + v[5] * v[5]))
+        / 2;
+  }
+
+  @Test
+  void inAPlaneTheResponseIsThatOfImpulse() {
+    double[] v = {3, -5, 0, 1, 2, 0};
+    SweptSphere.respond(1, 9, 4, 2, 3, 1, 4, 3, 0.5, v);
+    Impulse impulse = new Impulse();
+    impulse.of(1.5, 2, -7, -2, 8);
+    assertThat(v[2]).isZero();
+    assertThat(v[5]).isZero();
+    assertThat(v[0]).isCloseTo(impulse.change(3, -0.6, 0, -2), within(0x1p-50));
+    assertThat(v[4]).isCloseTo(impulse.change(2, 0.4, 0, 8), within(0x1p-50));
+  }
+
+  @Test
+  void whoCannotBeDeflectedGoesOn() {
+    double infinite = Double.POSITIVE_INFINITY;
+    double[] wall = {3, 5, 7, -2, 1, 4};
+    SweptSphere.respond(0, 0, 0, 1, 1e-300, 0, 0, infinite, 0, wall);
+    assertThat(wall).containsExactly(-2, 5, 7, -2, 1, 4);
+    double[] both = {3, 5, 7, -2, 1, 4};
+    SweptSphere.respond(0, 0, 0, infinite, 10, 0, 0, infinite, 1, both);
+    assertThat(both).containsExactly(3, 5, 7, -2, 1, 4);
+    double[] parting = {-3, 5, 7, 2, 1, 4};
+    SweptSphere.respond(0, 0, 0, 1, 10, 0, 0, 1, 1, parting);
+    assertThat(parting).containsExactly(-3, 5, 7, 2, 1, 4);
+    double[] concentric = {-3, 5, 7, 2, 1, 4};
+    SweptSphere.respond(1, 2, 3, 1, 1, 2, 3, 1, 1, concentric);
+    assertThat(concentric).containsExactly(-3, 5, 7, 2, 1, 4);
+  }
+
+  @Test
+  void refusesWhatIsOutOfRange() {
+    assertThatThrownBy(() -> time(0, 0, 0, -1, 0, 0, 0, 9, 0, 0, 1, 0, 0, 0, 1))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("r1")
+        .hasMessageContaining("-1.0");
+    assertThatThrownBy(() -> time(0, 0, 0, 1, 0, 0, Double.NaN, 9, 0, 0, 1, 0, 0, 0, 1))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("vz1");
+    assertThatThrownBy(() -> time(0, 0, 0, 1, 0, 0, 0, 9, 0, 0, 1, 0, 0, 0, -1))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("T");
+    assertThatThrownBy(() -> SweptSphere.respond(0, 0, 0, 0, 1, 1, 1, 1, 1, new double[6]))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("m1");
+    assertThatThrownBy(() -> SweptSphere.respond(0, 0, 0, 1, 1, 1, 1, 1, 1, new double[5]))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("velocities");
+  }
+}
