@@ -43,6 +43,10 @@ final class Circles {
   static final int STUCK = 4;
   static final int CODES = 5;
 
+  // The detector's name of a contact, and above it the pace of a stuck circle.
+  private static final int PACE_SHIFT = 8;
+  private static final int CONTACT_BITS = (1 << PACE_SHIFT) - 1;
+
   // And of one that collides: whom it meets, that one's count then, and its own count of changes.
   static final int PARTNER = 5;
   static final int PARTNER_COUNT = 6;
@@ -185,8 +189,11 @@ final class Circles {
     m.anchorY = state[k + ANCHOR_Y];
     int c = codesAt(i);
     m.last = codes[c + LAST];
-    m.next = codes[c + NEXT];
-    m.contact = codes[c + CONTACT];
+    m.next = Math.max(codes[c + NEXT], Mover.NOTHING);
+    // Where nothing is ahead, the sensor met last stands in its place.
+    m.contact =
+        codes[c + NEXT] < 0 ? Mover.NOTHING - codes[c + NEXT] : codes[c + CONTACT] & CONTACT_BITS;
+    m.pace = codes[c + CONTACT] >> PACE_SHIFT;
     m.reach = codes[c + REACH];
     m.stuck = codes[c + STUCK];
     m.jam = jams == null ? null : jams[i];
@@ -218,8 +225,9 @@ final class Circles {
     state[k + ANCHOR_Y] = m.anchorY;
     int c = codesAt(i);
     codes[c + LAST] = m.last;
-    codes[c + NEXT] = m.next;
-    codes[c + CONTACT] = m.contact;
+    boolean ahead = m.next != Mover.NOTHING;
+    codes[c + NEXT] = ahead ? m.next : Mover.NOTHING - m.contact;
+    codes[c + CONTACT] = (ahead ? m.contact : 0) | m.pace << PACE_SHIFT;
     codes[c + REACH] = m.reach;
     codes[c + STUCK] = m.stuck;
     if (m.jam != null && jams == null) {

@@ -257,9 +257,10 @@ final class Collisions implements Engine {
   }
 
   private boolean isLookedAhead(int i) {
-    return circles.state[circles.at(i) + Circles.CLEARED] > 0 || next(i) != Mover.NOTHING;
+    return circles.state[circles.at(i) + Circles.CLEARED] > 0 || next(i) >= 0;
   }
 
+  /** What is ahead of a circle; negative for nothing. */
   private int next(int i) {
     return circles.codes[circles.codesAt(i) + Circles.NEXT];
   }
@@ -286,7 +287,7 @@ final class Collisions implements Engine {
     double t = circles.state[a + Circles.T];
     double tl = circles.state[a + Circles.TL];
     double cleared = circles.state[a + Circles.CLEARED];
-    return next(i) == Mover.NOTHING
+    return next(i) < 0
         ? Double.NEGATIVE_INFINITY
         : Mover.sumTail(t, tl, cleared, Mover.sum(t, tl, cleared));
   }
@@ -337,7 +338,7 @@ final class Collisions implements Engine {
 
   private long rank(int i) {
     return switch (kinds[i]) {
-      case STATIC -> next(i) == Mover.NOTHING ? i : (long) next(i) << 31 | i;
+      case STATIC -> next(i) < 0 ? i : (long) next(i) << 31 | i;
       case PAIR -> {
         int j = meetings.partner(i);
         yield pairs.rank(Math.min(i, j), Math.max(i, j));

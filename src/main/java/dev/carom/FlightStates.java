@@ -12,8 +12,8 @@ final class FlightStates {
    */
   static final int NUMBERS = 13;
 
-  /** Ints of one circle: the code last hit, impacts in one place, the code and circle sensed. */
-  static final int CODES = 4;
+  /** Ints of one circle: the code last hit, impacts in one place, codes sensed, their pace. */
+  static final int CODES = 5;
 
   final double[] numbers;
   final int[] codes;
@@ -59,6 +59,7 @@ final class FlightStates {
     codes[c] = m.last;
     codes[c + 1] = m.stuck;
     codes[c + 2] = sensedCode;
+    codes[c + 4] = m.pace;
     if (m.jam != null) {
       jams = jams == null ? new Jam[count()] : jams;
       jams[m.id] = m.jam;
@@ -104,6 +105,7 @@ final class FlightStates {
     m.last = codes[c];
     m.stuck = codes[c + 1];
     m.contact = codes[c + 2];
+    m.pace = codes[c + 4];
     m.jam = jams == null ? null : jams[i];
   }
 

@@ -167,7 +167,7 @@ final class Meetings {
       double uy = vyi - vyj;
       double bx = ux * dx;
       double by = uy * dy;
-      double apart = (bx + by) - Math.fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), DiskSweep.TINY);
+      double apart = (bx + by) - Math.fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), FirstRoot.TINY);
       double r = ri + s[c + Circles.RADIUS];
       double rr = r * r;
       double u2 = ux * ux + uy * uy;
@@ -178,7 +178,7 @@ final class Meetings {
       double arr = u2 * rr;
       double terms = arr + m * m;
       double near =
-          (arr - cross * cross) + Math.fma(REACH_BOUND, terms, DiskSweep.TINY * (u2 + rr + m + 1));
+          (arr - cross * cross) + Math.fma(REACH_BOUND, terms, FirstRoot.TINY * (u2 + rr + m + 1));
       found[left] = j;
       left += mayMeet(apart, near);
     }
@@ -233,9 +233,9 @@ final class Meetings {
     double g = dd - rr;
     boolean sensor = pairs.hasSensors() && pairs.isSensor(i, j);
     if (!sensor
-        && b < -Math.fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), DiskSweep.TINY)
-        && reach > Math.fma(WELL_CONDITIONED, arr + m * m, DiskSweep.TINY * (u2 + rr + m + 1))
-        && g > Math.fma(WELL_CONDITIONED, dd + rr, DiskSweep.TINY)) {
+        && b < -Math.fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), FirstRoot.TINY)
+        && reach > Math.fma(WELL_CONDITIONED, arr + m * m, FirstRoot.TINY * (u2 + rr + m + 1))
+        && g > Math.fma(WELL_CONDITIONED, dd + rr, FirstRoot.TINY)) {
       double t = g / (Math.sqrt(reach) - b);
       double time = from + t;
       double error = Math.fma(t, TIME_BOUND, time * SUM_BOUND);

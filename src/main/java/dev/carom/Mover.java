@@ -58,6 +58,9 @@ final class Mover {
   /** Impacts since the centre was last elsewhere than at the anchor; see {@link Jam}. */
   int stuck;
 
+  /** The exponent of the largest speed in these impacts. */
+  int pace;
+
   double anchorX;
   double anchorY;
 
@@ -98,6 +101,7 @@ final class Mover {
     last = NOTHING;
     jam = null;
     stuck = 0;
+    pace = Double.MIN_EXPONENT;
     anchorX = x;
     anchorY = y;
   }

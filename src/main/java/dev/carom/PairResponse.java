@@ -76,8 +76,10 @@ final class PairResponse {
       return false;
     }
     double speed = Math.abs(ux) + Math.abs(uy);
-    boolean stuckA = response.countStuck(a, a.flown * speed);
-    boolean stuckB = response.countStuck(b, b.flown * speed);
+    double speeds = Math.abs(a.vx) + Math.abs(a.vy) + Math.abs(b.vx) + Math.abs(b.vy);
+    double approach = un / (Math.abs(nx) + Math.abs(ny));
+    boolean stuckA = response.countStuck(a, a.flown * speed, speeds, approach);
+    boolean stuckB = response.countStuck(b, b.flown * speed, speeds, approach);
     boolean halt = roster.halts(a.id) || roster.halts(b.id);
     double massA = roster.mass(a.id);
     double massB = roster.mass(b.id);

@@ -161,6 +161,9 @@ final class SnapshotReader {
     int stuck = in.readInt();
     expect(stuck >= 0, "a circle made " + stuck + " impacts");
     codes.add(last).add(stuck).add(in.readInt()).add(in.readInt());
+    int pace = in.readInt();
+    expect(pace >= Double.MIN_EXPONENT - 1 && pace <= Double.MAX_EXPONENT + 1, "a pace is " + pace);
+    codes.add(pace);
   }
 
   private Jam jam() throws IOException {

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Random;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Circles that lose energy at each collision gather in clusters and chains, which make infinitely
+ * many collisions in finite time (S. McNamara, W. R. Young, Inelastic collapse in two dimensions,
+ * Physical Review E 50, 1994; S. Luding, S. McNamara, Granular Matter 1, 1998): time goes on.
+ */
+class InelasticTest {
+
+  /** Impacts that a circle may make in a unit of time, on average: thousands before they jam. */
+  private static final int IMPACTS = 3_000;
+
+  /** What a run left. */
+  private record End(int impacts, int jammed) {}
+
+  private static End play(World world, int frames) {
+    int impacts = 0;
+    int jammed = 0;
+    for (int frame = 1; frame <= frames; frame++) {
+      assertThat(world.advanceTo(frame)).isEqualTo(Outcome.COMPLETE);
+      for (Run.Row row : Run.rows(world.impacts())) {
+        impacts++;
+        jammed += row.jammed() ? 1 : 0;
+      }
+    }
+    return new End(impacts, jammed);
+  }
+
+  private static double energy(World world) {
+    double energy = 0;
+    for (int i = 0; i < world.circleCount(); i++) {
+      double v2 = world.vx(i) * world.vx(i) + world.vy(i) * world.vy(i);
+      energy += world.scene().mass(i) * v2 / 2;
+    }
+    return energy;
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.5})
+  void aGasThatCoolsGoesOn(double restitution) {
+    Random random = new Random(1);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 28, 28).collide(true);
+    for (int i = 0; i < 49; i++) {
+      double x = 2 + 4 * (i % 7) + 0.8 * random.nextDouble();
+      int row = i / 7;
+      double y = 2 + 4 * row + 0.8 * random.nextDouble();
+      builder
+          .circle(x, y, 1, random.nextGaussian(), random.nextGaussian())
+          .restitution(restitution);
+    }
+    World world = new World(builder.build());
+    double energy = energy(world);
+    End end = play(world, 60);
+    assertThat(end.impacts()).isBetween(200, 49 * IMPACTS);
+    assertThat(energy(world)).isLessThan(energy);
+    for (int i = 0; i < 49; i++) {
+      assertThat(world.x(i)).isBetween(1 - 1e-9, 27 + 1e-9);
+      assertThat(world.y(i)).isBetween(1 - 1e-9, 27 + 1e-9);
+    }
+  }
+
+  /** A heavy circle gathers a row of light ones; in one piece they reach the far wall. */
+  @ParameterizedTest
+  @CsvSource({"0, 8", "0.5, 8", "0, 20"})
+  void aRowPushedByAHeavyOneJamsAndGoesOn(double restitution, int count) {
+    SceneBuilder builder = Scene.builder().bounds(0, -10, 20 + 3 * count, 10).collide(true);
+    for (int i = 0; i < count; i++) {
+      builder.circle(10 + 2.5 * i, 0, 1, 0, 0).restitution(restitution);
+    }
+    builder.circle(2, 0, 1, 1, 0).mass(100).restitution(restitution);
+    World world = new World(builder.build());
+    End end = play(world, 100);
+    assertThat(end.jammed()).isPositive();
+    assertThat(end.impacts()).isLessThan(count * IMPACTS * 10);
+    assertThat(energy(world)).isLessThan(50);
+    for (int i = 0; i <= count; i++) {
+      assertThat(world.x(i)).isBetween(1 - 1e-9, 19 + 3 * count + 1e-9);
+    }
+  }
+
+  /** Pairs keep momentum, jammed or not: nothing else is there to take it. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.5})
+  void aClusterKeepsMomentum(double restitution) {
+    Random random = new Random(2);
+    SceneBuilder builder = Scene.builder().collide(true);
+    double px = 0;
+    double py = 0;
+    for (int i = 0; i < 25; i++) {
+      double x = 3 * (i % 5 - 2);
+      int row = i / 5 - 2;
+      double y = 3 * row;
+      double vx = 3 - x / 4 + random.nextGaussian() / 8;
+      double vy = -y / 4 + random.nextGaussian() / 8;
+      builder.circle(x, y, 1, vx, vy).restitution(restitution);
+      px += vx;
+      py += vy;
+    }
+    World world = new World(builder.build());
+    End end = play(world, 30);
+    assertThat(end.impacts()).isGreaterThan(50);
+    double qx = 0;
+    double qy = 0;
+    for (int i = 0; i < 25; i++) {
+      qx += world.vx(i);
+      qy += world.vy(i);
+    }
+    assertThat(qx).isCloseTo(px, within(1e-12 * 75));
+    assertThat(qy).isCloseTo(py, within(1e-12 * 75));
+  }
+}
