@@ -195,7 +195,7 @@ final class Meetings {
     long bits = Double.doubleToRawLongBits(near);
     long not = (~Double.doubleToRawLongBits(apart) | bits) >>> 63;
     long beyondRange = ((bits & EXPONENT) + LEAST_EXPONENT) >>> 63;
-    return (int) (~not & 1 | beyondRange);
+    return (int) ((~not & 1) | beyondRange);
   }
 
   /** Keeps j as what circle i meets first, if that is so; false as in look. */

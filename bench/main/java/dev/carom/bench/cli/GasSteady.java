@@ -14,13 +14,16 @@ import java.util.Arrays;
  * A gas in its steady state: one world that goes on and on, timed in rounds once it has forgotten
  * the lattice from which it started and the virtual machine has compiled what it does.
  *
- * @param nanosPerCollision of each round, in ascending order; what its steps took, without reading
- *     the log
+ * @param median nanoseconds per collision over the rounds: what its steps took, without reading the
+ *     log
+ * @param least of the rounds
+ * @param most of the rounds
  * @param collisions of all rounds together
  * @param frames of all rounds together
  * @param bytes allocated in the steps of the last round
  */
-record GasSteady(double[] nanosPerCollision, long collisions, long frames, long bytes) {
+record GasSteady(
+    double median, double least, double most, long collisions, long frames, long bytes) {
 
   /** Collisions before the first round: so many, and so many for each circle. */
   static final long WARM_UP = 3_000_000;
@@ -89,18 +92,6 @@ record GasSteady(double[] nanosPerCollision, long collisions, long frames, long 
       bytes = round.bytes;
     }
     Arrays.sort(nanos);
-    return new GasSteady(nanos, all, frames, bytes);
-  }
-
-  double median() {
-    return nanosPerCollision[nanosPerCollision.length / 2];
-  }
-
-  double least() {
-    return nanosPerCollision[0];
-  }
-
-  double most() {
-    return nanosPerCollision[nanosPerCollision.length - 1];
+    return new GasSteady(nanos[rounds / 2], nanos[0], nanos[rounds - 1], all, frames, bytes);
   }
 }
