@@ -32,6 +32,12 @@ final class ReferenceCommand implements Callable<Integer> {
 
   private static final double DIGITS_PER_BIT = Math.log10(2);
 
+  private static final String HEADER =
+      "scene   circles  impacts  digits: least  median   most  10^x worst  seconds    bytes";
+
+  private static final String REVERSAL_HEADER =
+      "scene   digits, at most  back to  with twice the digits  back in doubles, to 1e-6  seconds";
+
   @Spec private CommandSpec spec;
 
   @Parameters(
@@ -69,6 +75,9 @@ final class ReferenceCommand implements Callable<Integer> {
             spec.commandLine(), "SCENE is " + name + ": expected one of " + References.SCENES);
       }
     }
+    if (back && folder != null) {
+      throw new ParameterException(spec.commandLine(), "--back and --write exclude each other");
+    }
     PrintWriter out = spec.commandLine().getOut();
     out.println(back ? REVERSAL_HEADER : HEADER);
     out.flush();
@@ -80,9 +89,6 @@ final class ReferenceCommand implements Callable<Integer> {
     return 0;
   }
 
-  private static final String HEADER =
-      "scene   circles  impacts  digits: least  median   most  10^x worst  seconds    bytes";
-
   private String truth(String name, Scene scene) throws IOException {
     long start = System.nanoTime();
     Truth truth;
@@ -93,7 +99,7 @@ final class ReferenceCommand implements Callable<Integer> {
     int[] bits = truth.neededBits();
     return String.format(
         Locale.ROOT,
-        "%-6s  %7d  %,7d  %13.0f  %6.0f  %5.0f  %10.1f  %7.1f  %,7d",
+        "%-6s  %7d  %,7d  %13.0f  %6.0f  %5.0f  %10.1f  %7.1f  %7s",
         name,
         truth.circles(),
         truth.impacts(),
@@ -102,11 +108,10 @@ final class ReferenceCommand implements Callable<Integer> {
         bits[bits.length - 1] * DIGITS_PER_BIT,
         truth.worstLog10Conditioning(),
         seconds,
-        folder == null ? 0 : References.write(truth, name, folder));
+        folder == null
+            ? "-"
+            : String.format(Locale.ROOT, "%,d", References.write(truth, name, folder)));
   }
-
-  private static final String REVERSAL_HEADER =
-      "scene   digits, at most  back to  with twice the digits  back in doubles, to 1e-6  seconds";
 
   private String reversal(String name, Scene scene) {
     long start = System.nanoTime();

@@ -46,4 +46,13 @@ class ReferenceCommandTest {
     assertThat(run.exitCode()).isEqualTo(2);
     assertThat(run.err()).contains("SCENE is base-9: expected one of [base-1");
   }
+
+  @Test
+  void storesNothingOnTheWayBack(@TempDir Path folder) {
+    Cli run = Cli.run("reference", "base-1", "--back", "--write", folder);
+
+    assertThat(run.exitCode()).isEqualTo(2);
+    assertThat(run.err()).contains("--back and --write exclude each other");
+    assertThat(folder).isEmptyDirectory();
+  }
 }
