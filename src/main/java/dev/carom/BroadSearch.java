@@ -220,7 +220,7 @@ final class BroadSearch {
     double ay = lines[k + 1];
     double bx = lines[k + 2];
     double by = lines[k + 3];
-    if (ax != ax) {
+    if (Double.isNaN(ax)) {
       return; // removed
     }
     if (special && obstacles.isOneWay(code) && !stops(ax, ay, bx, by)) {
@@ -237,7 +237,7 @@ final class BroadSearch {
     double cx = pegs[k];
     double cy = pegs[k + 1];
     double radius = pegs[k + 2];
-    if (cx != cx) {
+    if (Double.isNaN(cx)) {
       return; // removed
     }
     int contact = DiskSweep.contact(px, py, r, vx, vy, cx, cy, radius, 0, 0);

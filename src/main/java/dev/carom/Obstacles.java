@@ -235,7 +235,7 @@ final class Obstacles {
       return false;
     }
     double x = code < PEGS ? lines[offset(code)] : pegs[offset(code)];
-    return x != x;
+    return Double.isNaN(x);
   }
 
   /** The number of lines and pegs. */

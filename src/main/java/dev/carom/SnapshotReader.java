@@ -146,7 +146,7 @@ final class SnapshotReader {
     double[] n = new double[FlightStates.NUMBERS];
     for (int k = 0; k < n.length; k++) {
       n[k] = in.readDouble();
-      expect(n[k] == n[k], "a number of a circle is NaN");
+      expect(!Double.isNaN(n[k]), "a number of a circle is NaN");
     }
     Check.finite("vx", n[2]);
     Check.finite("vy", n[3]);
