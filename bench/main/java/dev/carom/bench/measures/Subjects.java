@@ -7,6 +7,7 @@ import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.reference.Reference;
 import dev.carom.bench.reference.References;
+import dev.carom.bench.reference.Truth;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
@@ -40,7 +41,8 @@ final class Subjects {
   }
 
   private static Subject read(String name) {
-    return new Subject(name, scene(name), FRAMES, reference(name));
+    Scene scene = scene(name);
+    return new Subject(name, scene, FRAMES, Optional.of(reference(name, scene)));
   }
 
   static Scene scene(String name) {
@@ -77,12 +79,13 @@ final class Subjects {
     }
   }
 
-  private static Optional<Reference> reference(String name) {
+  /** Stored, or computed: that takes seconds. */
+  private static Reference reference(String name, Scene scene) {
     if (!References.SCENES.contains(name)) {
-      return Optional.empty();
+      return Truth.of(scene, FRAMES, () -> {});
     }
     try {
-      return Optional.of(References.load(name));
+      return References.load(name);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

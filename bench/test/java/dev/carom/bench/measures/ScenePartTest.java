@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.carom.bench.methods.Methods;
 import dev.carom.bench.results.Row;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 /** On the experiment itself, against its true course. */
@@ -21,6 +22,15 @@ class ScenePartTest {
     assertThat(value(rows, "tunnelled", "circles")).isZero();
     assertThat(value(rows, "escaped", "circles")).isZero();
     assertThat(rows).allSatisfy(row -> assertThat(row.scene()).isEqualTo("base-1"));
+  }
+
+  /** With circles that can reach the sides of the crosses; its true course is computed. */
+  @Test
+  void aFrameWithSmallCirclesIsRightToo() {
+    List<Row> rows = new ScenePart(Subjects.SMALL, Methods.CAROM).run();
+
+    assertThat(value(rows, "frame_error", "max")).isPositive().isLessThan(2e-13);
+    assertThat(value(rows, "horizon", "any")).isGreaterThan(100);
   }
 
   @Test
@@ -43,7 +53,10 @@ class ScenePartTest {
 
   @Test
   void aSceneWithoutAReferenceTellsTheRest() {
-    List<Row> rows = new ScenePart(Subjects.SMALL, Methods.CAROM).run();
+    Subject subject = new Subject("unknown", Subjects.scene("base-2"), 20, Optional.empty());
+    Trial trial = new Trial("unknown", Methods.CAROM);
+
+    List<Row> rows = ScenePart.measure(trial, subject);
 
     assertThat(rows).extracting(Row::metric).contains("penetration").doesNotContain("horizon");
     assertThat(value(rows, "impacts", "mean")).isPositive();
