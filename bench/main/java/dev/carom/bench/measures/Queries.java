@@ -25,6 +25,9 @@ final class Queries {
   /** Those met in a replay of the experiment. */
   static final String REPLAY = "replay";
 
+  /** Where they come from; together, more than 20,000. */
+  private static final List<String> REPLAYED = List.of("base-1", "base-2", "base-3");
+
   static final String HEAD_ON = "head-on";
 
   private static final long SEED = 20101013;
@@ -110,18 +113,22 @@ final class Queries {
 
   /** From the start of each frame: circles and the lines within their reach in that frame. */
   private static List<SegmentQuery> recorded(int count) {
-    Scene scene = Subjects.scene("base-1");
-    Course course = Course.play(Methods.CAROM, scene, Subjects.FRAMES);
     List<SegmentQuery> queries = new ArrayList<>();
+    for (String name : REPLAYED) {
+      if (queries.size() < count) {
+        recordAll(Subjects.scene(name), queries);
+      }
+    }
+    return queries.subList(0, count);
+  }
+
+  private static void recordAll(Scene scene, List<SegmentQuery> queries) {
+    Course course = Course.play(Methods.CAROM, scene, Subjects.FRAMES);
     for (int frame = 0; frame <= course.frames(); frame++) {
       for (int i = 0; i < course.circles(); i++) {
         record(scene, course, frame, i, queries);
       }
     }
-    if (queries.size() < count) {
-      throw new IllegalStateException("the replay has but " + queries.size() + " questions");
-    }
-    return queries.subList(0, count);
   }
 
   private static void record(

@@ -62,6 +62,11 @@ class QueryMeasuresTest {
     assertThat(queries.stream().filter(q -> q.truth().hit()).count()).isGreaterThan(20);
   }
 
+  @Test
+  void theReplaysHaveEnoughQuestions() {
+    assertThat(Queries.draw(Queries.REPLAY, 20_000)).hasSize(20_000).doesNotHaveDuplicates();
+  }
+
   @ParameterizedTest
   @MethodSource("classes")
   void caromIsNeverWrong(String name) {
