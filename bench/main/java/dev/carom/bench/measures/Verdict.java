@@ -9,9 +9,9 @@ import java.util.List;
 /** Counts answers against the truth. */
 final class Verdict {
 
-  private long total;
-  private long missed;
-  private long falseHits;
+  private int total;
+  private int missed;
+  private int falseHits;
   private final List<Double> ulps = new ArrayList<>();
 
   /** One answer; infinite for never. */

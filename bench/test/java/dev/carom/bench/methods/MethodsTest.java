@@ -99,7 +99,7 @@ class MethodsTest {
 
     Method method = after(1, contender, scene);
 
-    if (contender == Methods.POSTER_DOUBLE) {
+    if (contender.equals(Methods.POSTER_DOUBLE)) {
       assertThat(method.impacts()).isEqualTo(1);
       assertThat(method.x(0)).isCloseTo(15 - 65, within(1e-12));
     } else {
