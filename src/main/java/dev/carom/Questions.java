@@ -66,16 +66,16 @@ final class Questions {
   int[] overlapping(ObstacleKind kind, Circle disk, double now) {
     return kind == ObstacleKind.CIRCLE
         ? ids(now).filter(id -> Region.overlap(circle(id, now), disk)).toArray()
-        : ids(kind, region.codes(kind).filter(code -> region.overlaps(code, disk)));
+        : ids(region.codes(kind).filter(code -> region.overlaps(code, disk)));
   }
 
   int[] overlapping(ObstacleKind kind, Bounds box, double now) {
     return kind == ObstacleKind.CIRCLE
         ? ids(now).filter(id -> Region.overlap(circle(id, now), box)).toArray()
-        : ids(kind, region.codes(kind).filter(code -> region.overlaps(code, box)));
+        : ids(region.codes(kind).filter(code -> region.overlaps(code, box)));
   }
 
-  private int[] ids(ObstacleKind kind, IntStream codes) {
+  private int[] ids(IntStream codes) {
     return codes.map(surroundings.obstacles::index).toArray();
   }
 
