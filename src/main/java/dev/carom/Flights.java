@@ -63,9 +63,6 @@ final class Flights implements Engine {
     surroundings.prepare(circles);
     response.setPatience(roster.patience());
     journal.clear();
-    if (timeline != null) {
-      timeline.mark();
-    }
     unfinished = false;
     double reached = end;
     double goal;
@@ -120,7 +117,7 @@ final class Flights implements Engine {
           return true;
         }
         if (response.resolve(m, log) && timeline != null) {
-          timeline.add(m);
+          timeline.note(m);
         }
         impacts++;
       }

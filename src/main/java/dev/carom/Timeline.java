@@ -19,9 +19,10 @@ public final class Timeline {
   private double begin;
   private double end;
 
-  // The circles of the flights that were added since the last mark.
-  private int[] recent = new int[16];
-  private int recents;
+  // Flights of a step that may still be rolled back: their circles, and their numbers.
+  private int[] pendingIds = new int[16];
+  private double[] pending = new double[16 * Track.FLIGHT];
+  private int pendings;
 
   Timeline(int most) {
     this.most = most;
@@ -36,8 +37,8 @@ public final class Timeline {
   public double start() {
     double start = begin;
     for (Track track : tracks) {
-      if (track != null && track.size() == most) {
-        start = Math.max(start, Math.min(end, track.start()));
+      if (track != null && track.hasDropped()) {
+        start = Math.max(start, track.start());
       }
     }
     return start;
@@ -150,40 +151,55 @@ public final class Timeline {
     tracks = new Track[0];
     begin = now;
     end = now;
-    recents = 0;
+    pendings = 0;
   }
 
-  /** What is added from here on can be undone. */
-  void mark() {
-    recents = 0;
+  /** Notes a flight of the step in hand. */
+  void note(Mover m) {
+    if (pendings == pendingIds.length) {
+      pendingIds = Arrays.copyOf(pendingIds, 2 * pendings);
+      pending = Arrays.copyOf(pending, 2 * pendings * Track.FLIGHT);
+    }
+    pendingIds[pendings] = m.id;
+    Track.put(m, pending, pendings * Track.FLIGHT);
+    pendings++;
   }
 
-  /** Drops what was added since the mark. */
+  /** Drops what was noted in the step in hand. */
   void undo() {
-    while (recents > 0) {
-      tracks[recent[--recents]].drop();
-    }
+    pendings = 0;
   }
 
+  /** Adds a flight for good. */
   void add(Mover m) {
-    if (m.id >= tracks.length) {
-      tracks = Arrays.copyOf(tracks, Math.max(m.id + 1, 2 * tracks.length));
+    note(m);
+    keep();
+  }
+
+  /** The step in hand is done: the world stands at a given time. */
+  void advance(double now) {
+    keep();
+    end = now;
+  }
+
+  private void keep() {
+    for (int i = 0; i < pendings; i++) {
+      track(pendingIds[i]).add(pending, i * Track.FLIGHT);
     }
-    if (tracks[m.id] == null) {
-      tracks[m.id] = new Track(most);
+    pendings = 0;
+  }
+
+  private Track track(int id) {
+    if (id >= tracks.length) {
+      tracks = Arrays.copyOf(tracks, Math.max(id + 1, 2 * tracks.length));
     }
-    tracks[m.id].add(m);
-    if (recents == recent.length) {
-      recent = Arrays.copyOf(recent, 2 * recents);
+    if (tracks[id] == null) {
+      tracks[id] = new Track(most);
     }
-    recent[recents++] = m.id;
+    return tracks[id];
   }
 
   void remove(int id, double now) {
     tracks[id].end = now;
-  }
-
-  void advance(double now) {
-    end = now;
   }
 }

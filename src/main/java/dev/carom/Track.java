@@ -7,7 +7,7 @@ import java.util.Arrays;
 final class Track {
 
   /** Doubles of one flight: t, tl, x, y, vx, vy, radius. */
-  private static final int FLIGHT = 7;
+  static final int FLIGHT = 7;
 
   private static final int FIRST_ROOM = 8;
 
@@ -15,6 +15,10 @@ final class Track {
   private double[] flights;
   private int oldest;
   private int size;
+  private boolean dropped;
+
+  /** The flight that was found last: as a rule the next question is about it, too. */
+  private int found;
 
   /** When the circle was removed. */
   double end = Double.POSITIVE_INFINITY;
@@ -25,39 +29,52 @@ final class Track {
     flights = new double[Math.min(most, FIRST_ROOM) * FLIGHT];
   }
 
-  int size() {
-    return size;
+  /** Puts a mover's flight down as numbers. */
+  static void put(Mover m, double[] numbers, int k) {
+    numbers[k] = m.t;
+    numbers[k + 1] = m.tl;
+    numbers[k + 2] = m.x;
+    numbers[k + 3] = m.y;
+    numbers[k + 4] = m.vx;
+    numbers[k + 5] = m.vy;
+    numbers[k + 6] = m.radius;
   }
 
-  void add(Mover m) {
+  /** Adds a flight; the oldest one gives way if there is no room. */
+  void add(double[] numbers, int k) {
     if (size == most) {
       oldest = oldest + 1 == most ? 0 : oldest + 1;
       size--;
+      dropped = true;
     } else if (size * FLIGHT == flights.length) {
       flights = Arrays.copyOf(flights, (int) Math.min(2L * size, most) * FLIGHT);
     }
-    int k = at(size++);
-    flights[k] = m.t;
-    flights[k + 1] = m.tl;
-    flights[k + 2] = m.x;
-    flights[k + 3] = m.y;
-    flights[k + 4] = m.vx;
-    flights[k + 5] = m.vy;
-    flights[k + 6] = m.radius;
+    System.arraycopy(numbers, k, flights, at(size++), FLIGHT);
   }
 
-  /** Drops the newest flight. */
-  void drop() {
-    size--;
+  /** Whether flights were dropped for want of room. */
+  boolean hasDropped() {
+    return dropped;
   }
 
-  /** When the oldest flight starts; {@code +infinity} without any. */
+  /** When the oldest flight that is left starts. */
   double start() {
-    return size == 0 ? Double.POSITIVE_INFINITY : flights[at(0)];
+    return flights[at(0)];
   }
 
   /** The place of the flight at a time that is not before the start: the last one begun by then. */
   int find(double t) {
+    if (!isAt(found, t)) {
+      found = search(t);
+    }
+    return at(found);
+  }
+
+  private boolean isAt(int i, double t) {
+    return i < size && flights[at(i)] <= t && (i + 1 == size || t < flights[at(i + 1)]);
+  }
+
+  private int search(double t) {
     int low = 0;
     int high = size - 1;
     while (low < high) {
@@ -68,7 +85,7 @@ final class Track {
         high = middle - 1;
       }
     }
-    return at(low);
+    return low;
   }
 
   double x(int k, double t) {

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.ObstacleKind.CIRCLE;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A timeline tells what the world told when it stood there. */
+class TimelineTest {
+
+  /** What a world, or its timeline, said of one circle at one time. */
+  private record Moment(double t, int id, double x, double y, double vx, double vy, double radius) {
+
+    static Moment of(World w, int id) {
+      return new Moment(w.now(), id, w.x(id), w.y(id), w.vx(id), w.vy(id), w.radius(id));
+    }
+
+    static Moment of(Timeline line, int id, double t) {
+      return new Moment(
+          t, id, line.x(id, t), line.y(id, t), line.vx(id, t), line.vy(id, t), line.radius(id, t));
+    }
+  }
+
+  private static World falling() {
+    return new World(Scene.builder().line(-9, 0, 9, 0).circle(0, 5, 1, 0, -2).build());
+  }
+
+  /** Until the world goes on from there: after the edits of that moment. */
+  private static void note(World world, List<Moment> moments) {
+    for (int id = 0; id < world.idEnd(CIRCLE); id++) {
+      if (world.contains(CIRCLE, id)) {
+        moments.add(Moment.of(world, id));
+      }
+    }
+  }
+
+  private static void edit(World world, Random random) {
+    int id = random.nextInt(world.idEnd(CIRCLE));
+    if (!world.contains(CIRCLE, id)) {
+      return;
+    }
+    switch (random.nextInt(8)) {
+      case 0 -> world.setVelocity(id, random.nextGaussian() * 9, random.nextGaussian() * 9);
+      case 1 -> world.setPosition(id, 100 + random.nextInt(600), 100 + random.nextInt(400));
+      case 2 -> world.setRadius(id, 1 + 9 * random.nextDouble());
+      case 3 -> world.addCircle(100 + random.nextInt(600), 300, 4, 1, random.nextGaussian());
+      case 4 -> world.addLine(random.nextInt(800), 100, random.nextInt(800), 500);
+      case 5 -> world.remove(CIRCLE, id);
+      default -> {}
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void thePastIsWhatItWasToTheBit(boolean collide) {
+    for (int seed = 0; seed < 3; seed++) {
+      Random random = new Random(seed);
+      World world = new World(RandomScenes.mixed(random).collide(collide).build());
+      world.step(random.nextDouble());
+      Timeline timeline = world.record(1_000_000);
+      List<Moment> moments = new ArrayList<>();
+      for (int i = 0; i < 120; i++) {
+        note(world, moments);
+        world.step(random.nextInt(4) == 0 ? 1 : 2 * random.nextDouble());
+        edit(world, random);
+        world.step(0); // what an edit brought about happens now
+      }
+      assertThat(timeline.end()).isEqualTo(world.now());
+      assertThat(timeline.start()).isEqualTo(moments.get(0).t);
+      assertAll(timeline, moments);
+      Collections.reverse(moments);
+      assertAll(timeline, moments);
+      Collections.shuffle(moments, random);
+      assertAll(timeline, moments);
+    }
+  }
+
+  private static void assertAll(Timeline timeline, List<Moment> moments) {
+    for (Moment moment : moments) {
+      assertThat(Moment.of(timeline, moment.id, moment.t)).isEqualTo(moment);
+    }
+  }
+
+  @Test
+  void anImpactBelongsToWhatComesAfterIt() {
+    World world = falling();
+    Timeline timeline = world.record(9);
+    world.step(3);
+    assertThat(timeline.vy(0, Math.nextDown(2.0))).isEqualTo(-2);
+    assertThat(timeline.vy(0, 2)).isEqualTo(2);
+    assertThat(timeline.y(0, 2)).isEqualTo(1);
+    assertThat(timeline.y(0, 0.25)).isEqualTo(4.5);
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void onlySoManyFlightsAreKept(boolean collide) {
+    World world =
+        new World(
+            Scene.builder()
+                .bounds(0, 0, 10, 10)
+                .collide(collide)
+                .circle(5, 2, 1, 4, 0)
+                .circle(5, 8, 1, 0, 0)
+                .build());
+    Timeline timeline = world.record(3);
+    world.step(3); // walls at 1, 3; a flight lasts 2
+    assertThat(timeline.start()).isZero();
+    world.step(2);
+    assertThat(timeline.start()).isEqualTo(1);
+    world.step(100);
+    assertThat(timeline.start()).isEqualTo(101);
+    assertThat(timeline.end()).isEqualTo(105);
+    assertThat(timeline.contains(0, Math.nextDown(101.0))).isFalse();
+    assertThat(timeline.x(0, 101)).isEqualTo(9);
+    assertThat(timeline.x(0, 104.5)).isEqualTo(7);
+    assertThat(timeline.x(1, 0)).as("has one flight only").isEqualTo(5);
+  }
+
+  /** One flight is all that there is to keep of a circle that was added. */
+  @Test
+  void anAddedCircleDropsNothing() {
+    World world = falling();
+    Timeline timeline = world.record(1);
+    world.step(1);
+    assertThat(world.addCircle(5, 5, 1, 0, 0)).isEqualTo(1);
+    world.step(0.5);
+    assertThat(timeline.start()).isZero();
+    assertThat(timeline.contains(1, 0.5)).isFalse();
+    assertThat(timeline.contains(1, 1)).isTrue();
+  }
+
+  /** A circle that hits too much takes the others back: what they did then never happened. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 20_000})
+  void whatAStepTookBackLeavesNoTrace(int most) {
+    SceneBuilder scene =
+        Scene.builder()
+            .bounds(0, 0, 100, 100)
+            .circle(5, 50, 1, 20, 0)
+            .line(0, 0, 100, 0)
+            .line(0, 2 + 0x1p-30, 100, 2 + 0x1p-30)
+            .circle(50, 1, 1, 1e-3, 1);
+    for (int i = 0; i < 400; i++) {
+      scene.circle(50, 80, 1, 0, 0); // the more circles, the fewer impacts each may make
+    }
+    World world = new World(scene.build());
+    Timeline timeline = world.record(most);
+    assertThat(world.step(50)).isEqualTo(Outcome.UNFINISHED);
+    assertThat(world.now()).isBetween(0.0, 1.0);
+    assertThat(timeline.end()).isEqualTo(world.now());
+    assertThat(Moment.of(timeline, 0, world.now())).isEqualTo(Moment.of(world, 0));
+    assertThat(timeline.x(0, 0)).isEqualTo(5);
+    assertThat(timeline.x(1, timeline.start())).isBetween(49.0, 51.0);
+    world.remove(CIRCLE, 1);
+    world.step(10);
+    assertThat(Moment.of(timeline, 0, world.now())).isEqualTo(Moment.of(world, 0));
+  }
+
+  @Test
+  void aRemovedCircleIsKnownUntilThen() {
+    World world = falling();
+    Timeline timeline = world.record(9);
+    world.step(3);
+    world.remove(CIRCLE, 0);
+    world.step(1);
+    assertThat(timeline.contains(0, 2.5)).isTrue();
+    assertThat(timeline.contains(0, 3)).isFalse();
+    assertThat(timeline.y(0, Math.nextDown(3.0))).isEqualTo(2 * (Math.nextDown(3.0) - 2) + 1);
+  }
+
+  @Test
+  void whatIsNotKnownIsRefused() {
+    World world = falling();
+    world.step(1);
+    Timeline timeline = world.record(9);
+    world.step(1);
+    for (double t : new double[] {2.5, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
+      assertThat(timeline.contains(0, t)).isFalse();
+      assertThatThrownBy(() -> timeline.x(0, t))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessage(
+              "circle 0 at is %s: expected a circle that was there, at a time from 1.0 to 2.0"
+                  .formatted(t));
+    }
+    for (int id : new int[] {-1, 1, Integer.MAX_VALUE}) {
+      assertThat(timeline.contains(id, 1.5)).isFalse();
+      assertThatThrownBy(() -> timeline.vy(id, 1.5)).hasMessageStartingWith("circle " + id);
+    }
+    assertThatThrownBy(() -> world.record(0))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("most is 0: expected at least 1");
+    assertThat(timeline.end()).as("the old one goes on").isEqualTo(2);
+    world.step(1);
+    assertThat(timeline.end()).isEqualTo(3);
+  }
+
+  @Test
+  void restoringBeginsAnew() {
+    World world = falling();
+    world.step(1);
+    Snapshot snapshot = world.snapshot();
+    Timeline timeline = world.record(9);
+    world.step(3);
+    world.restore(snapshot);
+    assertThat(List.of(timeline.start(), timeline.end())).containsExactly(1.0, 1.0);
+    assertThat(timeline.contains(0, 1.5)).isFalse();
+    world.step(0.5);
+    assertThat(timeline.y(0, 1.25)).isEqualTo(2.5);
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aTimelineThatStoppedStaysAsItIs(boolean collide) {
+    World world =
+        new World(
+            Scene.builder().collide(collide).line(-9, 0, 9, 0).circle(0, 5, 1, 0, -2).build());
+    Timeline first = world.record(9);
+    world.step(1);
+    world.stopRecording();
+    world.step(3);
+    assertThat(first.end()).isEqualTo(1);
+    assertThat(first.contains(0, 3)).isFalse();
+    Timeline second = world.record(9);
+    world.step(1);
+    assertThat(first.end()).isEqualTo(1);
+    assertThat(List.of(second.start(), second.end())).containsExactly(4.0, 5.0);
+    assertThat(second.y(0, 5)).isEqualTo(7);
+  }
+}
