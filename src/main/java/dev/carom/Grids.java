@@ -74,7 +74,7 @@ final class Grids {
   /** The grid for circles of a radius that may be new; one is made if need be. */
   Grid ofNew(double radius) {
     Grid grid = of(radius);
-    if (wanted() && (grid == null || grid.radius < radius)) {
+    if ((grid == null || grid.radius < radius) && wanted()) {
       // For all of the class: the next one will find it made.
       make(Math.getExponent(radius), Math.scalb(1.0, Math.getExponent(radius) + 1));
     }
