@@ -53,13 +53,18 @@ final class BroadSearch {
   BroadSearch(Obstacles obstacles, CodeList loose) {
     this.obstacles = obstacles;
     this.loose = loose;
-    extent = obstacles.extent();
-    lookAgain();
+    lookAgainAtAll();
   }
 
   /** Takes notice that a line or a peg is new, elsewhere, or gone. */
   void lookAgain(int code) {
     extent = Math.max(extent, obstacles.extent(code));
+    lookAgain();
+  }
+
+  /** Takes notice that all may be others. */
+  void lookAgainAtAll() {
+    extent = obstacles.extent();
     lookAgain();
   }
 

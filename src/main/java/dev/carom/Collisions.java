@@ -165,7 +165,7 @@ final class Collisions implements Engine {
   private void meetObstacle(int i) {
     circles.load(i);
     Mover m = circles.mover;
-    if (m.next == Mover.NOTHING || surroundings.isGone(m.next)) {
+    if (m.next == Mover.NOTHING) {
       surroundings.extend(m, m.cleared);
       circles.keep(i, m);
       schedule(i);
@@ -382,21 +382,29 @@ final class Collisions implements Engine {
   }
 
   @Override
+  public void forget(int code) {
+    int sensedCode = surroundings.sensedBefore(code);
+    for (int i = 0; i < circles.count; i++) {
+      circles.load(i);
+      if (roster.contains(i) && circles.mover.forget(code, sensedCode)) {
+        circles.keep(i, circles.mover);
+        if (!outgrown) {
+          queue.clear(i);
+          schedule(i);
+        }
+      }
+    }
+  }
+
+  @Override
   public void appeared(int code, double now) {
     Mover m = circles.mover;
     for (int i = 0; i < circles.count; i++) {
       if (roster.contains(i)) {
         circles.load(i);
-        boolean knew = m.forget(code);
         if (surroundings.meets(m, code)) {
           m.restart(now);
           fly(m);
-        } else if (knew && !outgrown) {
-          queue.clear(i);
-          circles.keep(i, m);
-          schedule(i);
-        } else if (knew) {
-          circles.keep(i, m);
         }
       }
     }

@@ -47,8 +47,11 @@ final class Editor {
   // Circles.
 
   void setVelocity(int id, double vx, double vy, double now) {
-    Check.finite("vx", vx);
-    Check.finite("vy", vy);
+    try {
+      checkVelocity(vx, vy);
+    } catch (RefusedException e) {
+      throw named(e, ObstacleKind.CIRCLE, id);
+    }
     Mover m = restarted(id, now);
     m.vx = vx;
     m.vy = vy;
@@ -57,8 +60,11 @@ final class Editor {
   }
 
   void setPosition(int id, double x, double y, double now) {
-    limits.checkCoordinate("x", x);
-    limits.checkCoordinate("y", y);
+    try {
+      checkPlace(x, y);
+    } catch (RefusedException e) {
+      throw named(e, ObstacleKind.CIRCLE, id);
+    }
     Mover m = restarted(id, now);
     m.x = x;
     m.y = y;
@@ -68,19 +74,25 @@ final class Editor {
   }
 
   void setRadius(int id, double radius, double now) {
+    try {
+      limits.checkRadius(radius, 0, 0);
+    } catch (RefusedException e) {
+      throw named(e, ObstacleKind.CIRCLE, id);
+    }
     Mover m = restarted(id, now);
-    limits.checkRadius(radius, m.x, m.y);
     m.radius = radius;
     engine.fly(m);
     limits.keepRadius(radius);
   }
 
   int addCircle(double x, double y, double radius, double vx, double vy, double now) {
-    limits.checkCoordinate("x", x);
-    limits.checkCoordinate("y", y);
-    limits.checkRadius(radius, x, y);
-    Check.finite("vx", vx);
-    Check.finite("vy", vy);
+    try {
+      checkPlace(x, y);
+      limits.checkRadius(radius, x, y);
+      checkVelocity(vx, vy);
+    } catch (RefusedException e) {
+      throw named(e, ObstacleKind.CIRCLE, roster.end());
+    }
     int id = roster.add();
     mover.start(id, x, y, radius, vx, vy, 1);
     mover.t = now;
@@ -88,6 +100,36 @@ final class Editor {
     limits.keepPlace(x, y);
     limits.keepRadius(radius);
     return id;
+  }
+
+  void setMass(int id, double m) {
+    try {
+      Check.mass("mass", m);
+    } catch (RefusedException e) {
+      throw named(e, ObstacleKind.CIRCLE, id);
+    }
+    roster.setMass(id, m);
+  }
+
+  private void checkPlace(double x, double y) {
+    limits.checkCoordinate("x", x);
+    limits.checkCoordinate("y", y);
+  }
+
+  private static void checkVelocity(double vx, double vy) {
+    Check.finite("vx", vx);
+    Check.finite("vy", vy);
+  }
+
+  /** A refusal, led by the name of the thing: of one to be added, the id that it would get. */
+  private static RefusedException named(RefusedException e, ObstacleKind kind, int id) {
+    return e.of(kind == ObstacleKind.WALL ? "bounds" : kind.nameOf(id));
+  }
+
+  private RefusedException named(RefusedException e, int code) {
+    return code >= Obstacles.CIRCLES
+        ? named(e, ObstacleKind.CIRCLE, code - Obstacles.CIRCLES)
+        : named(e, obstacles.kind(code), obstacles.index(code));
   }
 
   /** A circle at the start of a new flight, now. */
@@ -100,7 +142,7 @@ final class Editor {
   // Lines and pegs.
 
   int addLine(double ax, double ay, double bx, double by, double now) {
-    checkLine(ax, ay, bx, by);
+    checkLine(obstacles.endOfLines, ax, ay, bx, by);
     int code = obstacles.addLine(ax, ay, bx, by);
     limits.keepPlace(ax, ay);
     limits.keepPlace(bx, by);
@@ -109,22 +151,27 @@ final class Editor {
   }
 
   void moveLine(int code, double ax, double ay, double bx, double by, double now) {
-    checkLine(ax, ay, bx, by);
+    checkLine(code, ax, ay, bx, by);
+    engine.forget(code);
     obstacles.moveLine(code, ax, ay, bx, by);
     limits.keepPlace(ax, ay);
     limits.keepPlace(bx, by);
     changed(code, now);
   }
 
-  private void checkLine(double ax, double ay, double bx, double by) {
-    limits.checkCoordinate("ax", ax);
-    limits.checkCoordinate("ay", ay);
-    limits.checkCoordinate("bx", bx);
-    limits.checkCoordinate("by", by);
+  private void checkLine(int code, double ax, double ay, double bx, double by) {
+    try {
+      limits.checkCoordinate("ax", ax);
+      limits.checkCoordinate("ay", ay);
+      limits.checkCoordinate("bx", bx);
+      limits.checkCoordinate("by", by);
+    } catch (RefusedException e) {
+      throw named(e, code);
+    }
   }
 
   int addPeg(double x, double y, double radius, double now) {
-    checkPeg(x, y, radius);
+    checkPeg(obstacles.endOfPegs, x, y, radius);
     int code = obstacles.addPeg(x, y, radius);
     limits.keepPlace(x, y);
     changed(code, now);
@@ -132,16 +179,20 @@ final class Editor {
   }
 
   void movePeg(int code, double x, double y, double radius, double now) {
-    checkPeg(x, y, radius);
+    checkPeg(code, x, y, radius);
+    engine.forget(code);
     obstacles.movePeg(code, x, y, radius);
     limits.keepPlace(x, y);
     changed(code, now);
   }
 
-  private void checkPeg(double x, double y, double radius) {
-    limits.checkCoordinate("x", x);
-    limits.checkCoordinate("y", y);
-    Check.notNegative("radius", radius);
+  private void checkPeg(int code, double x, double y, double radius) {
+    try {
+      checkPlace(x, y);
+      Check.notNegative("radius", radius);
+    } catch (RefusedException e) {
+      throw named(e, code);
+    }
   }
 
   // Anything.
@@ -151,12 +202,18 @@ final class Editor {
       roster.remove(code - Obstacles.CIRCLES);
       engine.remove(code - Obstacles.CIRCLES);
     } else {
+      engine.forget(code);
       obstacles.remove(code);
       engine.surroundings().changed(code);
     }
   }
 
   void setRestitution(int code, double e) {
+    try {
+      Check.notNegative("restitution", e);
+    } catch (RefusedException refused) {
+      throw named(refused, code);
+    }
     if (code >= Obstacles.CIRCLES) {
       circles.setRestitution(code - Obstacles.CIRCLES, e);
     } else {
@@ -171,7 +228,8 @@ final class Editor {
       engine.fly(restarted(id, now));
     } else if (code < Obstacles.WALLS) {
       if (response == Response.SENSOR) {
-        throw Check.refused("response", response, "BOUNCE or HALT: bounds keep circles inside");
+        throw Check.refused("response", response, "BOUNCE or HALT: bounds keep circles inside")
+            .of("bounds");
       }
       obstacles.setTraits(code, Traits.with(obstacles.boundsTraits, response));
     } else {
@@ -185,6 +243,7 @@ final class Editor {
 
   private void setTraits(int code, int traits, double now) {
     if (traits != obstacles.traits(code)) {
+      engine.forget(code);
       obstacles.setTraits(code, traits);
       changed(code, now);
     }

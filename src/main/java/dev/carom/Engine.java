@@ -46,6 +46,9 @@ interface Engine {
   /** Takes over other flights, of the circles that are in the roster by now. */
   void restore(FlightStates flights, double now);
 
+  /** Forgets a line or a peg that is to be elsewhere, otherwise there, or gone. */
+  void forget(int code);
+
   /**
    * Takes notice that a line or a peg is new, elsewhere, or otherwise there than before: circles
    * whose flight meets it begin a new one now.

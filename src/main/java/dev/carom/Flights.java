@@ -110,7 +110,7 @@ final class Flights implements Engine {
   private boolean fly(Mover m, int allowance, double end) {
     int impacts = 0;
     do {
-      if (m.next == Mover.NOTHING || surroundings.isGone(m.next)) {
+      if (m.next == Mover.NOTHING) {
         surroundings.extend(m, end - m.t);
       } else {
         if (impacts == allowance) {
@@ -183,17 +183,25 @@ final class Flights implements Engine {
   }
 
   @Override
+  public void forget(int code) {
+    int sensed = surroundings.sensedBefore(code);
+    for (int i = 0; i < circles.count; i++) {
+      circles.load(i);
+      if (roster.contains(i) && circles.mover.forget(code, sensed)) {
+        circles.store(i);
+      }
+    }
+  }
+
+  @Override
   public void appeared(int code, double now) {
     Mover m = circles.mover;
     for (int i = 0; i < circles.count; i++) {
       if (roster.contains(i)) {
         circles.load(i);
-        boolean knew = m.forget(code);
         if (surroundings.meets(m, code)) {
           m.restart(now);
           fly(m);
-        } else if (knew) {
-          circles.store(i);
         }
       }
     }

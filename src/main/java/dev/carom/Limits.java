@@ -62,6 +62,16 @@ final class Limits {
     }
   }
 
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Limits that && largest == that.largest && least == that.least;
+  }
+
+  @Override
+  public int hashCode() {
+    return Double.hashCode(largest) + Double.hashCode(least);
+  }
+
   void keepPlace(double x, double y) {
     largest = Math.max(largest, Math.max(Math.abs(x), Math.abs(y)));
   }

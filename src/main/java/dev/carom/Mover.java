@@ -106,15 +106,19 @@ final class Mover {
     anchorY = y;
   }
 
-  /** Forgets one thing, and returns whether it had to do with it. */
-  boolean forget(int code) {
+  /**
+   * Forgets one thing that is to change, and returns whether it had to do with it.
+   *
+   * @param sensedCode if it is next: of the sensors at its time, up to which code those were met
+   */
+  boolean forget(int code, int sensedCode) {
     boolean knew = last == code || next == code || (jam != null && jam.makesInert(code));
     if (last == code) {
       last = NOTHING;
     }
     if (next == code) {
       next = NOTHING;
-      contact = 0;
+      contact = sensedCode;
     }
     if (jam != null && jam.makesInert(code)) {
       jam = null;

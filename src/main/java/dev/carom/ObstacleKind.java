@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import java.util.Locale;
+
 /** What a circle of a world hit; simultaneous impacts are taken in this order. */
 public enum ObstacleKind {
   /** A wall of the bounds: number 0 is the left one, 1 the right, 2 the bottom, 3 the top one. */
@@ -10,5 +12,10 @@ public enum ObstacleKind {
   /** A peg of the scene. */
   PEG,
   /** Another moving circle. */
-  CIRCLE
+  CIRCLE;
+
+  /** What messages call thing i of this kind. */
+  String nameOf(int i) {
+    return name().toLowerCase(Locale.ROOT) + " " + i;
+  }
 }

@@ -63,8 +63,10 @@ final class Obstacles {
   /** The number of lines and pegs that were removed. */
   private int gone;
 
-  /** The number of lines and pegs that have traits. */
+  /** The number of lines and pegs that have traits, and of those that are sensors. */
   private int specials;
+
+  private int sensors;
 
   private Obstacles(Scene scene) {
     lines = scene.lines;
@@ -114,11 +116,16 @@ final class Obstacles {
 
   private void countSpecials() {
     for (int code = WALLS; lineTraits != null && code < endOfLines; code++) {
-      specials += traits(code) != 0 ? 1 : 0;
+      countSpecial(traits(code), 1);
     }
     for (int code = PEGS; pegTraits != null && code < endOfPegs; code++) {
-      specials += traits(code) != 0 ? 1 : 0;
+      countSpecial(traits(code), 1);
     }
+  }
+
+  private void countSpecial(int traits, int one) {
+    specials += traits != 0 ? one : 0;
+    sensors += Traits.isSensor(traits) ? one : 0;
   }
 
   private void countGone() {
@@ -154,6 +161,7 @@ final class Obstacles {
     endOfLines = other.endOfLines;
     endOfPegs = other.endOfPegs;
     specials = other.specials;
+    sensors = other.sensors;
     gone = other.gone;
   }
 
@@ -310,7 +318,8 @@ final class Obstacles {
       boundsTraits = traits;
       return;
     }
-    specials += (traits != 0 ? 1 : 0) - (traits(code) != 0 ? 1 : 0);
+    countSpecial(traits(code), -1);
+    countSpecial(traits, 1);
     if (code < PEGS) {
       lineTraits[code - WALLS] = (byte) traits;
     } else {
@@ -321,6 +330,11 @@ final class Obstacles {
   /** Whether any line or peg has a trait. */
   boolean areSpecial() {
     return specials > 0;
+  }
+
+  /** Whether any line or peg is a sensor. */
+  boolean haveSensors() {
+    return sensors > 0;
   }
 
   boolean isSensor(int code) {

@@ -86,6 +86,7 @@ public final class Snapshot {
         && collide == that.collide
         && obstacles.equals(that.obstacles)
         && roster.equals(that.roster)
+        && limits.equals(that.limits)
         && flights.equals(that.flights);
   }
 

@@ -6,8 +6,9 @@ import java.io.DataInputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.List;
 import java.util.stream.IntStream;
 import java.util.zip.CRC32;
 import java.util.zip.CheckedInputStream;
@@ -51,6 +52,9 @@ final class SnapshotReader {
     boolean collide = in.readBoolean();
     Limits limits = limits();
     Obstacles obstacles = obstacles();
+    expect(
+        obstacles.extent() <= limits.largest(),
+        "a coordinate is " + obstacles.extent() + ", the largest one " + limits.largest());
     Snapshot snapshot = circles(now, collide, obstacles, limits);
     long expected = sum.getValue();
     expect(in.readLong() == expected, "its check sum differs from what it holds");
@@ -61,7 +65,9 @@ final class SnapshotReader {
     double largest = in.readDouble();
     double least = in.readDouble();
     Check.notNegative("largest coordinate", largest);
-    expect(least > 0, "least radius is " + least);
+    expect(
+        Limits.leastRadius(largest) <= least,
+        "least radius is " + least + " beside a coordinate of " + largest);
     return new Limits(largest, least);
   }
 
@@ -120,29 +126,27 @@ final class SnapshotReader {
     BitSet gone = new BitSet();
     DoubleList numbers = new DoubleList();
     IntStream.Builder codes = IntStream.builder();
-    Jam[] jams = null;
+    List<Jam> jams = new ArrayList<>();
+    boolean jammed = false;
     for (int i = 0; i < circles; i++) {
       gone.set(i, !in.readBoolean());
       double mass = in.readDouble();
       Check.mass("mass", mass);
       masses.add(mass);
       traits.write(traits(3));
-      flight(now, numbers, codes);
-      Jam jam = jam();
-      if (jam != null) {
-        jams = Arrays.copyOf(jams == null ? new Jam[0] : jams, i + 1);
-        jams[i] = jam;
-      }
-    }
-    if (jams != null) {
-      jams = Arrays.copyOf(jams, circles);
+      flight(now, limits, numbers, codes);
+      jams.add(jam());
+      jammed |= jams.get(i) != null;
     }
     Roster roster = new Roster(masses.toArray(), traits.toByteArray(), gone);
-    FlightStates flights = new FlightStates(numbers.toArray(), codes.build().toArray(), jams);
+    FlightStates flights =
+        new FlightStates(
+            numbers.toArray(), codes.build().toArray(), jammed ? jams.toArray(Jam[]::new) : null);
     return new Snapshot(now, collide, obstacles, roster, limits, flights);
   }
 
-  private void flight(double now, DoubleList numbers, IntStream.Builder codes) throws IOException {
+  private void flight(double now, Limits limits, DoubleList numbers, IntStream.Builder codes)
+      throws IOException {
     double[] n = new double[FlightStates.NUMBERS];
     for (int k = 0; k < n.length; k++) {
       n[k] = in.readDouble();
@@ -153,6 +157,7 @@ final class SnapshotReader {
     expect(n[4] >= 0 && n[4] <= now, "a flight starts at " + n[4]);
     expect(Math.abs(n[5]) <= Math.ulp(n[4]), "the tail of a time is " + n[5]);
     Check.positive("radius", n[6]);
+    expect(n[6] >= limits.least(), "a radius is " + n[6] + ", the least one " + limits.least());
     Check.notNegative("restitution", n[7]);
     expect(n[10] >= 0, "a flight is known for " + n[10]);
     numbers.add(n);

@@ -40,11 +40,6 @@ final class Surroundings {
     return new Tracer(obstacles, obstacles::thing, search, grids.atLeast(radius), patience);
   }
 
-  /** Whether a line or a peg was removed since a search found it ahead. */
-  boolean isGone(int code) {
-    return code >= Obstacles.WALLS && obstacles.isGone(code);
-  }
-
   /** Whether a flight, followed for ever from its start, meets a line or a peg. */
   boolean meets(Mover m, int code) {
     return search.meets(m, code);
@@ -80,7 +75,7 @@ final class Surroundings {
       grids.forget();
     }
     obstacles.set(other);
-    search.lookAgain(Obstacles.LEFT);
+    search.lookAgainAtAll();
   }
 
   /**
@@ -88,12 +83,17 @@ final class Surroundings {
    * it found something, sensors at the same time as that are reported first, in their order.
    */
   void save(Mover m, FlightStates states) {
-    if (!obstacles.areSpecial()) {
+    if (!obstacles.haveSensors()) {
       states.put(m, 0, 0);
     } else if (m.next == Mover.NOTHING) {
       states.put(m, m.cleared, m.contact);
     } else {
-      states.put(m, m.cleared, obstacles.isSensor(m.next) ? m.next - 1 : Integer.MAX_VALUE);
+      states.put(m, m.cleared, sensedBefore(m.next));
     }
+  }
+
+  /** If a search found this code ahead: of the sensors met at its time, up to which one. */
+  int sensedBefore(int code) {
+    return obstacles.isSensor(code) ? code - 1 : Integer.MAX_VALUE;
   }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -436,9 +435,7 @@ public final class World {
    * @throws IllegalArgumentException if m is NaN or out of these limits
    */
   public void setMass(int id, double m) {
-    checked(id);
-    Check.mass("mass", m);
-    roster.setMass(id, m);
+    editor.setMass(checked(id), m);
   }
 
   /**
@@ -453,9 +450,7 @@ public final class World {
    * @throws IllegalArgumentException if e is NaN, infinite or negative
    */
   public void setRestitution(ObstacleKind kind, int id, double e) {
-    int code = checked(kind, id);
-    Check.notNegative("restitution", e);
-    editor.setRestitution(code, e);
+    editor.setRestitution(checked(kind, id), e);
   }
 
   /**
@@ -669,6 +664,6 @@ public final class World {
     boolean removed = id >= 0 && id < end;
     String reason = removed ? "it was removed" : "expected an id from 0 on, below " + end;
     return new IndexOutOfBoundsException(
-        "%s %d does not exist: %s".formatted(kind.name().toLowerCase(Locale.ROOT), id, reason));
+        "%s does not exist: %s".formatted(kind.nameOf(id), reason));
   }
 }

@@ -381,10 +381,15 @@ final class PlainWorld {
 
   void remove(ObstacleKind kind, int id) {
     switch (kind) {
-      case LINE -> obstacles.remove(Obstacles.WALLS + id);
-      case PEG -> obstacles.remove(Obstacles.PEGS + id);
+      case LINE -> removeObstacle(Obstacles.WALLS + id);
+      case PEG -> removeObstacle(Obstacles.PEGS + id);
       default -> roster.remove(id);
     }
+  }
+
+  private void removeObstacle(int code) {
+    obstacles.remove(code);
+    movers.forEach(m -> m.forget(code, 0));
   }
 
   void setRestitution(ObstacleKind kind, int id, double e) {
@@ -426,7 +431,7 @@ final class PlainWorld {
   private void appear(int code) {
     for (Mover m : movers) {
       if (roster.contains(m.id)) {
-        m.forget(code);
+        m.forget(code, 0);
         if (sweep(m, code) < NEVER) {
           restarted(m.id);
         }

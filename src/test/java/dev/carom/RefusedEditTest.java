@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.ObstacleKind.CIRCLE;
+import static dev.carom.ObstacleKind.LINE;
+import static dev.carom.ObstacleKind.PEG;
+import static dev.carom.ObstacleKind.WALL;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
+
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Every edit that is refused names thing, value and expectation, and leaves the world alone. */
+class RefusedEditTest {
+
+  private static final double NAN = Double.NaN;
+  private static final double INF = Double.POSITIVE_INFINITY;
+
+  private static final double LEAST = 1;
+
+  private static final String FINITE = ": expected a finite number";
+
+  private static final String TOO_LARGE =
+      ": expected a coordinate of which 2^10 ulps are no more than the least radius, " + LEAST;
+
+  private static World world(boolean collide) {
+    World world =
+        new World(
+            Scene.builder()
+                .bounds(0, 0, 1000, 900)
+                .collide(collide)
+                .line(10, 20, 30, 40)
+                .line(50, 60, 70, 80)
+                .peg(500, 500, 5)
+                .peg(600, 600, 5)
+                .circle(100, 100, LEAST, 1, 2)
+                .circle(200, 100, 3, 1, 2)
+                .circle(300, 100, 3, 1, 2)
+                .build());
+    world.step(3);
+    world.remove(CIRCLE, 2);
+    world.remove(LINE, 1);
+    world.remove(PEG, 1);
+    return world;
+  }
+
+  private static Arguments refused(String message, Consumer<World> edit) {
+    return arguments(message, edit);
+  }
+
+  static Stream<Arguments> numbers() {
+    return Stream.of(
+        refused("circle 0: vx is NaN" + FINITE, w -> w.setVelocity(0, NAN, 1)),
+        refused("circle 1: vy is -Infinity" + FINITE, w -> w.setVelocity(1, 1, -INF)),
+        refused("circle 0: x is Infinity" + FINITE, w -> w.setPosition(0, INF, 1)),
+        refused("circle 0: y is NaN" + FINITE, w -> w.setPosition(0, 1, NAN)),
+        refused("circle 1: x is 1.0E13" + TOO_LARGE, w -> w.setPosition(1, 1e13, 0)),
+        refused("circle 1: y is -1.0E13" + TOO_LARGE, w -> w.setPosition(1, 0, -1e13)),
+        refused("circle 0: radius is 0.0: expected a finite", w -> w.setRadius(0, 0)),
+        refused("circle 0: radius is NaN: expected a finite", w -> w.setRadius(0, NAN)),
+        refused("circle 0: radius is Infinity: expected a finite", w -> w.setRadius(0, INF)),
+        refused(
+            "circle 1: radius is 1.0E-11: expected at least 1.1641532182693481E-10, 2^10 ulps of"
+                + " the largest coordinate, 1000.0",
+            w -> w.setRadius(1, 1e-11)),
+        refused("circle 1: mass is 0.0: expected a number from 2^-500", w -> w.setMass(1, 0)),
+        refused("circle 1: mass is NaN: expected a number from 2^-500", w -> w.setMass(1, NAN)),
+        refused("circle 3: x is NaN" + FINITE, w -> w.addCircle(NAN, 1, 1, 1, 1)),
+        refused("circle 3: y is 1.0E13" + TOO_LARGE, w -> w.addCircle(1, 1e13, 1, 1, 1)),
+        refused("circle 3: radius is -1.0: expected a finite", w -> w.addCircle(1, 1, -1, 1, 1)),
+        refused(
+            "circle 3: radius is 1.0E-11: expected at least", w -> w.addCircle(1, 1, 1e-11, 1, 1)),
+        refused("circle 3: vx is Infinity" + FINITE, w -> w.addCircle(1, 1, 1, INF, 1)),
+        refused("circle 3: vy is NaN" + FINITE, w -> w.addCircle(1, 1, 1, 1, NAN)),
+        refused("line 2: ax is NaN" + FINITE, w -> w.addLine(NAN, 1, 1, 1)),
+        refused("line 2: by is 1.0E13" + TOO_LARGE, w -> w.addLine(1, 1, 1, 1e13)),
+        refused("line 0: bx is -Infinity" + FINITE, w -> w.moveLine(0, 1, 1, -INF, 1)),
+        refused("line 0: ay is 1.0E13" + TOO_LARGE, w -> w.moveLine(0, 1, 1e13, 1, 1)),
+        refused("peg 2: x is NaN" + FINITE, w -> w.addPeg(NAN, 1, 1)),
+        refused("peg 2: radius is -1.0: expected a finite", w -> w.addPeg(1, 1, -1)),
+        refused("peg 0: y is 1.0E13" + TOO_LARGE, w -> w.movePeg(0, 1, 1e13, 1)),
+        refused("peg 0: radius is NaN: expected a finite", w -> w.movePeg(0, 1, 1, NAN)),
+        refused(
+            "bounds: restitution is -1.0: expected a finite", w -> w.setRestitution(WALL, 0, -1)),
+        refused(
+            "line 0: restitution is NaN: expected a finite", w -> w.setRestitution(LINE, 0, NAN)),
+        refused(
+            "peg 0: restitution is Infinity: expected a finite",
+            w -> w.setRestitution(PEG, 0, INF)),
+        refused(
+            "circle 1: restitution is -0.5: expected a finite",
+            w -> w.setRestitution(CIRCLE, 1, -0.5)),
+        refused(
+            "bounds: response is SENSOR: expected BOUNCE or HALT: bounds keep circles inside",
+            w -> w.setResponse(WALL, 0, Response.SENSOR)),
+        refused("kind is WALL: expected LINE, PEG or CIRCLE: walls stay", w -> w.remove(WALL, 0)));
+  }
+
+  @ParameterizedTest
+  @MethodSource("numbers")
+  void numbersThatMakeNoSense(String message, Consumer<World> edit) {
+    for (boolean collide : new boolean[] {false, true}) {
+      World world = world(collide);
+      Snapshot before = world.snapshot();
+      assertThatThrownBy(() -> edit.accept(world))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessageStartingWith(message);
+      assertUntouched(world, before);
+    }
+  }
+
+  static Stream<Arguments> ids() {
+    String gone = " does not exist: it was removed";
+    String below = " does not exist: expected an id from 0 on, below ";
+    return Stream.of(
+        refused("circle 2" + gone, w -> w.setVelocity(2, 1, 1)),
+        refused("circle 2" + gone, w -> w.setPosition(2, 1, 1)),
+        refused("circle 2" + gone, w -> w.setRadius(2, 1)),
+        refused("circle 2" + gone, w -> w.setMass(2, 1)),
+        refused("circle 2" + gone, w -> w.x(2)),
+        refused("circle 2" + gone, w -> w.y(2)),
+        refused("circle 2" + gone, w -> w.vx(2)),
+        refused("circle 2" + gone, w -> w.vy(2)),
+        refused("circle 2" + gone, w -> w.radius(2)),
+        refused("circle 2" + gone, w -> w.mass(2)),
+        refused("circle 2" + gone, w -> w.remove(CIRCLE, 2)),
+        refused("circle 3" + below + 3, w -> w.setVelocity(3, 1, 1)),
+        refused("circle -1" + below + 3, w -> w.setVelocity(-1, 1, 1)),
+        refused("circle -1" + below + 3, w -> w.setResponse(CIRCLE, -1, Response.HALT)),
+        refused("line 1" + gone, w -> w.moveLine(1, 1, 2, 3, 4)),
+        refused("line 1" + gone, w -> w.line(1)),
+        refused("line 1" + gone, w -> w.setOneWay(1, true)),
+        refused("line 1" + gone, w -> w.setResponse(LINE, 1, Response.HALT)),
+        refused("line 2" + below + 2, w -> w.moveLine(2, 1, 2, 3, 4)),
+        refused("peg 1" + gone, w -> w.movePeg(1, 1, 2, 3)),
+        refused("peg 1" + gone, w -> w.peg(1)),
+        refused("peg 1" + gone, w -> w.remove(PEG, 1)),
+        refused("peg 7" + below + 2, w -> w.setRestitution(PEG, 7, 1)),
+        refused("wall 4" + below + 4, w -> w.setRestitution(WALL, 4, 1)));
+  }
+
+  @ParameterizedTest
+  @MethodSource("ids")
+  void idsOfNothing(String message, Consumer<World> edit) {
+    World world = world(false);
+    Snapshot before = world.snapshot();
+    assertThatThrownBy(() -> edit.accept(world))
+        .isInstanceOf(IndexOutOfBoundsException.class)
+        .hasMessage(message);
+    assertUntouched(world, before);
+  }
+
+  private static void assertUntouched(World world, Snapshot before) {
+    assertThat(world.snapshot()).isEqualTo(before);
+    World other = new World(world.scene());
+    other.restore(before);
+    assertThat(Run.advance(world, 200).impacts()).isEqualTo(Run.advance(other, 200).impacts());
+  }
+}

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.Random;
+import java.util.zip.CRC32;
+import org.junit.jupiter.api.Assertions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Snapshots as bytes: whole ones are read back, all others refused. */
+class SnapshotStreamTest {
+
+  // Where things stand in the stream of small(), in bytes.
+  private static final int VERSION = 8;
+  private static final int NOW = 12;
+  private static final int LARGEST = 21;
+  private static final int LEAST = 29;
+  private static final int XMAX = 54;
+  private static final int BOUNDS_TRAITS = 78;
+  private static final int LINES = 79;
+  private static final int LINE_AX = 83;
+  private static final int LINE_E = LINE_AX + 32;
+  private static final int PEGS = LINE_AX + 41;
+  private static final int PEG_RADIUS = PEGS + 20;
+  private static final int CIRCLES = PEGS + 37;
+  private static final int MASS = CIRCLES + 5;
+  private static final int FLIGHT = MASS + 9;
+  private static final int LAST = FLIGHT + 13 * 8;
+
+  private static byte[] bytes(Snapshot snapshot) throws IOException {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    snapshot.write(out);
+    return out.toByteArray();
+  }
+
+  private static Snapshot read(byte[] bytes) throws IOException {
+    return Snapshot.read(new ByteArrayInputStream(bytes));
+  }
+
+  private static byte[] small() throws IOException {
+    World world =
+        new World(
+            Scene.builder()
+                .bounds(0, 0, 100, 100)
+                .line(10, 20, 30, 40)
+                .peg(50, 50, 5)
+                .circle(70, 70, 3, 1, -2)
+                .circle(20, 80, 3, 1, -2)
+                .build());
+    world.step(40);
+    return bytes(world.snapshot());
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aStreamHoldsOneSnapshotAfterAnother(boolean collide) throws IOException {
+    World world = new World(RandomScenes.responses(new Random(3)).collide(collide).build());
+    world.step(20);
+    Snapshot one = world.snapshot();
+    world.remove(ObstacleKind.CIRCLE, 7);
+    world.remove(ObstacleKind.LINE, 8);
+    world.remove(ObstacleKind.PEG, 9);
+    world.setMass(6, Double.POSITIVE_INFINITY);
+    world.step(1);
+    Snapshot two = world.snapshot();
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    one.write(out);
+    two.write(out);
+    out.write(42);
+    ByteArrayInputStream in = new ByteArrayInputStream(out.toByteArray());
+    assertThat(Snapshot.read(in)).isEqualTo(one);
+    Snapshot read = Snapshot.read(in);
+    assertThat(read).isEqualTo(two);
+    assertThat(in.read()).isEqualTo(42);
+    World other = new World(world.scene());
+    other.restore(read);
+    other.step(30);
+    world.step(30);
+    assertThat(other.snapshot()).isEqualTo(world.snapshot());
+  }
+
+  @Test
+  void aJamIsKept() throws IOException {
+    Snapshot snapshot = read(small());
+    snapshot.flights.jams = new Jam[] {null, Jam.with(Jam.with(null, 3), Obstacles.PEGS)};
+    assertThat(snapshot).isNotEqualTo(read(small()));
+    assertThat(read(bytes(snapshot))).isEqualTo(snapshot);
+  }
+
+  @Test
+  void everyByteThatIsNotAsWrittenIsNoticed() throws IOException {
+    byte[] whole = small();
+    assertThat(read(whole)).isNotNull();
+    for (int i = 0; i < whole.length; i++) {
+      for (int bits : new int[] {1, 0x80, 0xff, 0x40}) {
+        byte[] other = whole.clone();
+        other[i] ^= (byte) bits;
+        assertThatThrownBy(() -> read(other))
+            .as("byte %d, bits %x", i, bits)
+            .isInstanceOf(IOException.class)
+            .hasMessageStartingWith("snapshot ");
+      }
+    }
+  }
+
+  @Test
+  void everySnapshotThatEndsEarlyIsNoticed() throws IOException {
+    byte[] whole = small();
+    for (int length = 0; length < whole.length; length++) {
+      byte[] part = Arrays.copyOf(whole, length);
+      assertThatThrownBy(() -> read(part))
+          .as("%d bytes", length)
+          .isInstanceOf(IOException.class)
+          .hasMessage("snapshot ends early: expected more after what was read");
+    }
+  }
+
+  /** As many as can be told, of which none follows: neither memory nor time is spent on them. */
+  @ParameterizedTest
+  @ValueSource(ints = {LINES, PEGS, CIRCLES})
+  void aLargeNumberOfThingsAloneTakesNothing(int at) throws IOException {
+    byte[] bytes = small();
+    ByteBuffer.wrap(bytes).putInt(at, Obstacles.PEGS - 1);
+    Assertions.assertTimeoutPreemptively(
+        Duration.ofSeconds(20),
+        () -> assertThatThrownBy(() -> read(bytes)).isInstanceOf(IOException.class));
+  }
+
+  private static void assertRefused(byte[] bytes, String message) {
+    CRC32 sum = new CRC32();
+    sum.update(bytes, 0, bytes.length - 8);
+    ByteBuffer.wrap(bytes).putLong(bytes.length - 8, sum.getValue());
+    assertThatThrownBy(() -> read(bytes))
+        .isInstanceOf(IOException.class)
+        .hasMessageStartingWith("snapshot cannot be read: " + message);
+  }
+
+  @Test
+  void anotherVersionIsRefused() throws IOException {
+    byte[] bytes = small();
+    ByteBuffer.wrap(bytes).putInt(VERSION, 2);
+    assertRefused(bytes, "its version is 2: expected 1");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        NOW + " | -1 | now is -1.0: expected a finite number, at least 0",
+        NOW + " | NaN | now is NaN",
+        NOW + " | 1 | a flight starts at ",
+        LARGEST + " | -5 | largest coordinate is -5.0",
+        LARGEST + " | 1e15 | least radius is 3.0 beside a coordinate of 1.0E15",
+        LARGEST + " | 30 | a coordinate is 50.0, the largest one 30.0",
+        LEAST + " | 0 | least radius is 0.0 beside a coordinate of 100.0",
+        LEAST + " | 4 | a radius is 3.0, the least one 4.0",
+        LEAST + " | NaN | least radius is NaN",
+        XMAX + " | -1 | xmax is -1.0",
+        LINE_AX + " | NaN | a number of line or peg 0 is NaN",
+        LINE_AX + " | Infinity | a number of line or peg 0 is Infinity",
+        LINE_E + " | -1 | restitution is -1.0",
+        PEG_RADIUS + " | -1 | radius is -1.0",
+        MASS + " | 0 | mass is 0.0",
+        FLIGHT + " | NaN | a number of a circle is NaN",
+        (FLIGHT + 16) + " | Infinity | vx is Infinity",
+        (FLIGHT + 40) + " | 1 | the tail of a time is 1.0",
+        (FLIGHT + 48) + " | 0 | radius is 0.0",
+        (FLIGHT + 56) + " | -1 | restitution is -1.0",
+        (FLIGHT + 80) + " | -1 | a flight is known for -1.0",
+      })
+  void numbersThatMakeNoSenseAreRefused(String at, double number, String message)
+      throws IOException {
+    byte[] bytes = small();
+    ByteBuffer.wrap(bytes).putDouble(Integer.parseInt(at), number);
+    assertRefused(bytes, message);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        LAST + " | -2 | code -2 does not exist",
+        LAST + " | 5 | code 5 does not exist",
+        LAST + " | 268435457 | code 268435457 does not exist",
+        LAST + " | 536870914 | code 536870914 does not exist",
+        LINES + " | -1 | it holds -1 of a kind",
+        LINES + " | 268435456 | it holds 268435456 of a kind",
+      })
+  void codesAndCountsThatMakeNoSenseAreRefused(int at, int number, String message)
+      throws IOException {
+    byte[] bytes = small();
+    ByteBuffer.wrap(bytes).putInt(at, number);
+    assertRefused(bytes, message);
+  }
+
+  @Test
+  void traitsThatMakeNoSenseAreRefused() throws IOException {
+    for (byte traits : new byte[] {2, 3, 4, -1}) {
+      byte[] bytes = small();
+      bytes[BOUNDS_TRAITS] = traits;
+      assertRefused(bytes, "traits are " + traits);
+    }
+  }
+}

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.ObstacleKind.CIRCLE;
+import static dev.carom.ObstacleKind.LINE;
+import static dev.carom.ObstacleKind.PEG;
+import static dev.carom.ObstacleKind.WALL;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What a snapshot holds, and what going back to it means. */
+class SnapshotTest {
+
+  private static SceneBuilder box(boolean collide) {
+    return Scene.builder()
+        .bounds(0, 0, 100, 100)
+        .collide(collide)
+        .line(20, 20, 40, 40)
+        .oneWay()
+        .line(60, 20, 80, 30)
+        .peg(50, 70, 5)
+        .circle(10, 50, 3, 4, 1)
+        .circle(90, 50, 2, -3, 2)
+        .circle(50, 50, 4, 1, 1);
+  }
+
+  private static World world(boolean collide) {
+    return new World(box(collide).build());
+  }
+
+  static Stream<Consumer<World>> changes() {
+    return Stream.of(
+        w -> w.step(1),
+        w -> w.setVelocity(0, 4, 2),
+        w -> w.setVelocity(0, 4, 1), // the same one: a new flight begins
+        w -> w.setPosition(1, 80, 50),
+        w -> w.setRadius(1, 2.5),
+        w -> w.setMass(1, 2),
+        w -> w.setRestitution(CIRCLE, 1, 0.5),
+        w -> w.setRestitution(WALL, 2, 0.5),
+        w -> w.setRestitution(LINE, 1, 0.5),
+        w -> w.setRestitution(PEG, 0, 0.5),
+        w -> w.setResponse(CIRCLE, 1, Response.HALT),
+        w -> w.setResponse(WALL, 1, Response.HALT),
+        w -> w.setResponse(LINE, 1, Response.HALT),
+        w -> w.setResponse(PEG, 0, Response.SENSOR),
+        w -> w.setOneWay(0, false),
+        w -> w.setOneWay(1, true),
+        w -> w.moveLine(1, 60, 20, 80, 31),
+        w -> w.movePeg(0, 50, 70, 4),
+        w -> w.addLine(1, 1, 2, 2),
+        w -> w.addPeg(1, 1, 0),
+        w -> w.addCircle(5, 5, 1, 0, 0),
+        w -> w.remove(LINE, 1),
+        w -> w.remove(PEG, 0),
+        w -> w.remove(CIRCLE, 1),
+        w -> {
+          // Back again, but a radius that was fine before is refused now.
+          w.moveLine(1, 1e9, 20, 80, 30);
+          w.moveLine(1, 60, 20, 80, 30);
+        });
+  }
+
+  @ParameterizedTest
+  @MethodSource("changes")
+  void anyChangeMakesItAnother(Consumer<World> change) {
+    for (boolean collide : new boolean[] {false, true}) {
+      World one = world(collide);
+      World two = world(collide);
+      one.step(2.5);
+      two.step(2.5);
+      Snapshot before = one.snapshot();
+      assertThat(before).isEqualTo(two.snapshot()).hasSameHashCodeAs(two.snapshot());
+      change.accept(one);
+      assertThat(one.snapshot()).isNotEqualTo(before);
+      assertThat(two.snapshot()).as("what was taken before").isEqualTo(before);
+      change.accept(two);
+      assertThat(one.snapshot()).isEqualTo(two.snapshot());
+      one.restore(before);
+      assertThat(one.snapshot()).isEqualTo(before);
+    }
+  }
+
+  /** Halting and one-way lines there may be; sensors there may not. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void howARunWasCutIntoStepsDoesNotShow(boolean collide) {
+    Scene scene = box(collide).peg(80, 80, 3).response(Response.HALT).build();
+    // Cells so small that a search goes only as far as a step needs.
+    World one = new World(scene, Machinery.cells(0.25));
+    World two = new World(scene, Machinery.cells(0.25));
+    one.advanceTo(60);
+    for (int i = 1; i <= 600; i++) {
+      two.advanceTo(i / 10.0);
+    }
+    assertThat(two.snapshot()).isEqualTo(one.snapshot());
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aRestoredWorldGoesOnAsTheOneItWasTakenFrom(boolean collide) {
+    World one = world(collide);
+    one.step(7);
+    one.setVelocity(0, 5, -3);
+    one.addCircle(50, 20, 2, -1, 3);
+    one.remove(LINE, 0);
+    one.step(3);
+    Snapshot snapshot = one.snapshot();
+    assertThat(snapshot.now()).isEqualTo(10);
+    assertThat(snapshot).hasToString("Snapshot[now=10.0, circles=4, lines and pegs=2]");
+    Run on = Run.step(one, 1, 50);
+    assertThat(on.impacts()).hasSizeGreaterThan(10);
+    World other = world(collide);
+    other.step(33);
+    for (World world : List.of(one, other)) {
+      world.restore(snapshot);
+      assertThat(world.now()).isEqualTo(10);
+      assertThat(world.impacts().size()).isZero();
+      assertThat(world.contains(LINE, 0)).isFalse();
+      assertThat(world.circleCount()).isEqualTo(4);
+      assertThat(Run.step(world, 1, 50)).isEqualTo(on);
+    }
+  }
+
+  @Test
+  void anotherBoxIsRefused() {
+    Snapshot snapshot = world(false).snapshot();
+    World other = new World(Scene.builder().bounds(0, 0, 50, 50).circle(9, 9, 1, 1, 1).build());
+    Snapshot before = other.snapshot();
+    assertThatThrownBy(() -> other.restore(snapshot))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage(
+            "bounds of the snapshot is %s: expected this world's, %s"
+                .formatted(new Bounds(0, 0, 100, 100), new Bounds(0, 0, 50, 50)));
+    assertThat(other.snapshot()).isEqualTo(before);
+    World open = new World(Scene.builder().circle(9, 9, 1, 1, 1).build());
+    assertThatThrownBy(() -> open.restore(snapshot)).hasMessageEndingWith("this world's, null");
+  }
+
+  @Test
+  void aWorldThatCollidesOtherwiseIsRefused() {
+    Snapshot snapshot = world(false).snapshot();
+    assertThatThrownBy(() -> world(true).restore(snapshot))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageStartingWith("collide of the snapshot is false");
+  }
+
+  // Sensors: each entry is reported once, whenever it was saved.
+
+  private static World sensors() {
+    return new World(
+        Scene.builder()
+            .collide(true)
+            .line(50, 0, 50, 100)
+            .response(Response.SENSOR)
+            .line(50, 100, 50, 0)
+            .response(Response.SENSOR)
+            .peg(60, 50, 5)
+            .response(Response.SENSOR)
+            .circle(10, 50, 5, 5, 0)
+            .circle(90, 50, 5, -5, 0)
+            .response(Response.SENSOR)
+            .circle(90, 45, 5, -5, 0)
+            .response(Response.SENSOR)
+            .build());
+  }
+
+  @Test
+  void eachEntryIsReportedOnceWhereverTheRunIsSaved() {
+    List<Run.Row> expected = Run.advance(sensors(), 20).impacts();
+    assertThat(expected).hasSizeGreaterThan(8);
+    for (Run.Row row : expected) {
+      for (double at : new double[] {Math.nextDown(row.time()), row.time(), row.time() + 1e-9}) {
+        World world = sensors();
+        List<Run.Row> rows = new ArrayList<>(Run.advance(world, at).impacts());
+        World other = sensors();
+        other.restore(world.snapshot());
+        rows.addAll(Run.advance(other, 20).impacts());
+        assertThat(rows).isEqualTo(expected);
+      }
+    }
+  }
+
+  /** The first of two sensors at one place was found ahead, and removed before it was met. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void theOtherSensorIsReportedWhenOneWasRemoved(boolean collide) {
+    World world =
+        new World(
+            Scene.builder()
+                .collide(collide)
+                .line(50, 0, 50, 100)
+                .response(Response.SENSOR)
+                .line(50, 100, 50, 0)
+                .response(Response.SENSOR)
+                .circle(10, 50, 5, 5, 0)
+                .build());
+    world.step(6);
+    world.remove(LINE, 0);
+    World other = new World(world.scene());
+    other.restore(world.snapshot());
+    assertThat(Run.advance(world, 20).impacts()).extracting(Run.Row::obstacle).containsExactly(1);
+    assertThat(Run.advance(other, 20).impacts()).extracting(Run.Row::obstacle).containsExactly(1);
+  }
+}
