@@ -6,8 +6,8 @@ import java.util.Arrays;
 /**
  * The recorded flights of a world's circles: where each was, and how it moved, at any moment from
  * the start of the recording to now, forwards and backwards, to the bit as the world gave it when
- * it stood there. It takes 56 bytes a flight, so its size follows the impacts, not the steps; it
- * can be bounded.
+ * it stood there: after the edits of that moment, and the impacts that they brought about at once.
+ * It takes 56 bytes a flight, so its size follows the impacts, not the steps; it can be bounded.
  *
  * <p>What stands still is not recorded. A world records what it does itself, and edits; when a
  * snapshot is restored into it, the recording begins anew. Not safe for use by several threads.
@@ -74,7 +74,7 @@ public final class Timeline {
    *
    * @param id the circle
    * @param t a time within the recording
-   * @return the coordinate
+   * @return the coordinate; infinite if the circle was beyond the range of doubles
    * @throws IllegalArgumentException if the circle was not there then, or is not recorded
    */
   public double x(int id, double t) {
@@ -87,7 +87,7 @@ public final class Timeline {
    *
    * @param id the circle
    * @param t a time within the recording
-   * @return the coordinate
+   * @return the coordinate; infinite if the circle was beyond the range of doubles
    * @throws IllegalArgumentException if the circle was not there then, or is not recorded
    */
   public double y(int id, double t) {

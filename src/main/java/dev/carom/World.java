@@ -44,6 +44,13 @@ import java.util.Optional;
  * circle that flies out of the range of doubles has infinite coordinates from then on, and hits
  * nothing; one that an impact would make faster than doubles can tell stops.
  *
+ * <p><b>Between steps</b> it can be edited: what is there can be changed, moved, added and removed,
+ * from now on. A circle that is edited begins a new flight; any number of edits between two steps
+ * cost it one search. To add or move a line or a peg asks every circle once whether its flight
+ * meets it. An edit that is refused leaves the world as it was, and no edit changes the log of the
+ * last step. The future can be saved and gone back to ({@link #snapshot}), the past be looked at
+ * ({@link #record}).
+ *
  * <p>Uses +, -, *, /, sqrt and fma only, in a fixed order: the same run gives the same bits on
  * every Java virtual machine. Not safe for use by several threads; worlds do not share anything
  * mutable.
@@ -149,9 +156,9 @@ public final class World {
   }
 
   /**
-   * The impacts of the last step.
+   * The impacts of the last step, which edits leave as they are.
    *
-   * @return always the same log; its rows are valid until the next step
+   * @return always the same log; its rows are valid until the next step, or {@link #restore}
    */
   public ImpactLog impacts() {
     return log;
@@ -454,13 +461,16 @@ public final class World {
   }
 
   /**
-   * Sets what happens at something, from now on.
+   * Sets what happens at something, from now on. A circle begins a new flight, and so does one
+   * whose flight meets the line or peg: if that becomes a sensor, one that it touches or overlaps
+   * now has been met before.
    *
    * @param kind its kind; for {@link ObstacleKind#WALL} it is set for all four walls
    * @param id its id
    * @param response the response; of a circle, to other circles
    * @throws IndexOutOfBoundsException if there is no such thing
    * @throws IllegalArgumentException if the walls would become a {@link Response#SENSOR}
+   * @throws NullPointerException if the response is null
    */
   public void setResponse(ObstacleKind kind, int id, Response response) {
     int code = checked(kind, id);
@@ -585,7 +595,10 @@ public final class World {
   }
 
   /**
-   * Goes to where a snapshot was taken: of this world, or of another one. The log is empty then.
+   * Goes to where a snapshot was taken: of this world, or of another one, whose scene may be
+   * another as long as the bounds are equal. Circles, lines and pegs are then those of the
+   * snapshot, with its ids; the log is empty, and a timeline begins anew. If the snapshot is
+   * refused, nothing changes.
    *
    * @param snapshot the snapshot
    * @throws IllegalArgumentException if it was taken in a world with other bounds, or where circles
@@ -612,7 +625,8 @@ public final class World {
   }
 
   /**
-   * Records flights from now on; without it, none are. A recording that was going on stops.
+   * Records the flights of all circles from now on; without it, none are. A recording that was
+   * going on stops, and its timeline stays as it is.
    *
    * @param most how many flights to keep of each circle, at least 1; beyond that the oldest ones
    *     are dropped
@@ -629,7 +643,7 @@ public final class World {
     return timeline;
   }
 
-  /** Stops to record; the timeline stays as it is. */
+  /** Stops to record, if it does; the timeline stays as it is. */
   public void stopRecording() {
     timeline = null;
     engine.record(null);

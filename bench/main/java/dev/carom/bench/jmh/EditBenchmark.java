@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.jmh;
+
+import dev.carom.Outcome;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.Snapshot;
+import dev.carom.Timeline;
+import dev.carom.World;
+import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.experiment.Crosses;
+import dev.carom.bench.experiment.Gas;
+import java.util.SplittableRandom;
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Level;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/** Edits, snapshots and timelines. */
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+@Fork(2)
+@Warmup(iterations = 3, time = 1)
+@Measurement(iterations = 5, time = 1)
+public class EditBenchmark {
+
+  /** Times the canonical scene, side by side, in each direction: 10^4 circles, 10^4 lines. */
+  private static final int TILES = 10;
+
+  private static final double WIDTH = 800;
+  private static final double HEIGHT = 600;
+
+  /** Canonical scenes side by side, without bounds between them. */
+  static Scene tiled(int tiles) throws CannotPlaceException {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, tiles * WIDTH, tiles * HEIGHT);
+    for (int tile = 0; tile < tiles * tiles; tile++) {
+      double x = WIDTH * (tile % tiles);
+      double y = HEIGHT * (tile / tiles);
+      Scene scene = Crosses.canonical(1 + tile).scene();
+      for (int i = 0; i < scene.lineCount(); i++) {
+        var line = scene.line(i);
+        builder.line(line.ax() + x, line.ay() + y, line.bx() + x, line.by() + y);
+      }
+      for (int i = 0; i < scene.circleCount(); i++) {
+        var c = scene.circle(i);
+        var v = scene.velocity(i);
+        builder.circle(c.x() + x, c.y() + y, c.radius(), v.x(), v.y());
+      }
+    }
+    return builder.build();
+  }
+
+  /** A world whose circles all get a new velocity in each frame. */
+  @State(Scope.Thread)
+  public static class Steered {
+
+    World world;
+    double[] velocities;
+    int frame;
+
+    /**
+     * Starts the world.
+     *
+     * @throws CannotPlaceException never, for these scenes
+     */
+    @Setup(Level.Iteration)
+    public void start() throws CannotPlaceException {
+      start(TILES);
+    }
+
+    void start(int tiles) throws CannotPlaceException {
+      world = new World(tiled(tiles));
+      SplittableRandom random = new SplittableRandom(1);
+      velocities = random.doubles(1 << 16, -7, 7).toArray();
+    }
+
+    void steer() {
+      int k = 17 * frame++;
+      for (int i = 0; i < world.circleCount(); i++) {
+        world.setVelocity(i, velocities[k++ & 0xffff], velocities[k++ & 0xffff]);
+      }
+    }
+  }
+
+  /** A thousand circles: alone among a thousand lines, or a gas. */
+  @State(Scope.Thread)
+  public static class Thousand {
+
+    World alone;
+    World gas;
+    Snapshot ofAlone;
+    Snapshot ofGas;
+
+    /**
+     * Starts the worlds.
+     *
+     * @throws CannotPlaceException never, for these scenes
+     */
+    @Setup(Level.Iteration)
+    public void start() throws CannotPlaceException {
+      SceneBuilder builder = Scene.builder().bounds(0, 0, WIDTH, HEIGHT);
+      Scene lines = Crosses.canonical(1).scene();
+      for (int i = 0; i < lines.lineCount(); i++) {
+        var line = lines.line(i);
+        builder.line(line.ax(), line.ay(), line.bx(), line.by());
+      }
+      Scene circles = new Crosses(1000, 0, 3, 1, 10, 1).scene();
+      for (int i = 0; i < circles.circleCount(); i++) {
+        var c = circles.circle(i);
+        var v = circles.velocity(i);
+        builder.circle(c.x(), c.y(), c.radius(), v.x(), v.y());
+      }
+      alone = new World(builder.build());
+      gas = new World(new Gas(1000, 0.3, 1, false, 1).scene());
+      alone.step(50);
+      gas.step(5);
+      ofAlone = alone.snapshot();
+      ofGas = gas.snapshot();
+    }
+  }
+
+  /** 600 recorded frames of the canonical scene, and moments in them at random. */
+  @State(Scope.Thread)
+  public static class Recorded {
+
+    World recording;
+    World plain;
+    Timeline timeline;
+    double[] moments;
+    int next;
+
+    /**
+     * Records.
+     *
+     * @throws CannotPlaceException never, for this scene
+     */
+    @Setup(Level.Iteration)
+    public void record() throws CannotPlaceException {
+      plain = new World(Crosses.canonical(1).scene());
+      recording = new World(plain.scene());
+      recording.record(10_000);
+      World done = new World(plain.scene());
+      timeline = done.record(10_000);
+      for (int i = 0; i < 600; i++) {
+        done.step(1);
+      }
+      moments = new SplittableRandom(1).doubles(1 << 12, 0, 600).toArray();
+    }
+  }
+
+  /**
+   * All velocities set, and a frame.
+   *
+   * @param s the world
+   * @return how the step ended
+   */
+  @Benchmark
+  public Outcome steer(Steered s) {
+    s.steer();
+    return s.world.step(1);
+  }
+
+  /**
+   * A snapshot of 1,000 circles that ignore each other.
+   *
+   * @param s the worlds
+   * @return the snapshot
+   */
+  @Benchmark
+  public Snapshot snapshotAlone(Thousand s) {
+    return s.alone.snapshot();
+  }
+
+  /**
+   * A snapshot of 1,000 circles that collide.
+   *
+   * @param s the worlds
+   * @return the snapshot
+   */
+  @Benchmark
+  public Snapshot snapshotGas(Thousand s) {
+    return s.gas.snapshot();
+  }
+
+  /**
+   * Back to where the snapshot was taken.
+   *
+   * @param s the worlds
+   * @return the world
+   */
+  @Benchmark
+  public World restoreAlone(Thousand s) {
+    s.alone.restore(s.ofAlone);
+    return s.alone;
+  }
+
+  /**
+   * Back to where the snapshot was taken.
+   *
+   * @param s the worlds
+   * @return the world
+   */
+  @Benchmark
+  public World restoreGas(Thousand s) {
+    s.gas.restore(s.ofGas);
+    return s.gas;
+  }
+
+  /**
+   * The same with the step after it, which searches for every circle.
+   *
+   * @param s the worlds
+   * @return how the step ended
+   */
+  @Benchmark
+  public Outcome restoreAndStepAlone(Thousand s) {
+    s.alone.restore(s.ofAlone);
+    return s.alone.step(0.01);
+  }
+
+  /**
+   * The same with the step after it, which foresees everything anew.
+   *
+   * @param s the worlds
+   * @return how the step ended
+   */
+  @Benchmark
+  public Outcome restoreAndStepGas(Thousand s) {
+    s.gas.restore(s.ofGas);
+    return s.gas.step(0.01);
+  }
+
+  /**
+   * Where all 100 circles were at one moment.
+   *
+   * @param s the recording
+   * @return a sum of what was found
+   */
+  @Benchmark
+  public double lookUp(Recorded s) {
+    double t = s.moments[s.next++ & 0xfff];
+    double sum = 0;
+    for (int i = 0; i < 100; i++) {
+      sum += s.timeline.x(i, t) + s.timeline.y(i, t);
+    }
+    return sum;
+  }
+
+  /**
+   * A frame of the canonical scene.
+   *
+   * @param s the worlds
+   * @return how the step ended
+   */
+  @Benchmark
+  public Outcome frame(Recorded s) {
+    return s.plain.step(1);
+  }
+
+  /**
+   * A frame of the canonical scene that is recorded.
+   *
+   * @param s the worlds
+   * @return how the step ended
+   */
+  @Benchmark
+  public Outcome frameRecorded(Recorded s) {
+    return s.recording.step(1);
+  }
+}
