@@ -25,6 +25,9 @@ final class Grids {
   private final CodeList loose = new CodeList();
   private boolean isDirty;
 
+  /** Whether something is neither in the grids nor kept among what is loose. */
+  private boolean isIncomplete;
+
   Grids(Scene scene, Obstacles obstacles, Machinery machinery) {
     this.obstacles = obstacles;
     this.machinery = machinery;
@@ -91,6 +94,8 @@ final class Grids {
     isDirty = true;
     if (!areTooLoose()) {
       loose.add(code);
+    } else {
+      isIncomplete = true;
     }
   }
 
@@ -105,12 +110,13 @@ final class Grids {
   void forget() {
     byExponent.clear();
     loose.clear();
+    isIncomplete = false;
     isDirty = true;
   }
 
   /** Whether the grids have to be made anew before the next search. */
   boolean areStale() {
-    boolean stale = isDirty && (byExponent.isEmpty() ? wanted() : areTooLoose());
+    boolean stale = isDirty && (byExponent.isEmpty() ? wanted() : isIncomplete || areTooLoose());
     isDirty = false;
     return stale;
   }
@@ -118,6 +124,7 @@ final class Grids {
   /** Makes the grids anew, for the radii of the given circles. */
   void remake(Circles circles) {
     loose.clear();
+    isIncomplete = false;
     byExponent.clear();
     for (int i = 0; i < circles.count; i++) {
       ofNew(circles.radius(i));
