@@ -294,7 +294,8 @@ final class BroadSearch {
    */
   private double walk(Grid grid, double from, double needed, double ahead, int reach) {
     double start = grid.contains(px, py) ? from : grid.entry(px, py, vx, vy, from);
-    if (!(start < ahead)) {
+    // A wall that is as good as touched is ahead by 0: what else is touched may come before it.
+    if (!(start <= ahead) || start == NEVER) {
       return Math.min(best, ahead);
     }
     double x = px;

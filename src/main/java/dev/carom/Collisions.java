@@ -388,7 +388,8 @@ final class Collisions implements Engine {
       circles.load(i);
       if (roster.contains(i) && circles.mover.forget(code, sensedCode)) {
         circles.keep(i, circles.mover);
-        if (!outgrown) {
+        // One that an edit put on a new flight will foresee all anew: what it foresaw is of the old.
+        if (!outgrown && kinds[i] != EDIT) {
           queue.clear(i);
           schedule(i);
         }

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
@@ -38,6 +39,13 @@ class EditsTest {
         "%,d edits, steps, snapshots and restores, collide %b: %,d impacts as in the plain model%n",
         EDITS, collide, impacts);
     assertThat(impacts).isGreaterThan(EDITS / 4);
+  }
+
+  /** A line before a wall that is as good as touched; an edited circle whose line is moved. */
+  @ParameterizedTest
+  @CsvSource({"7022521, false", "7016021, true"})
+  void sessionsThatOnceDiffered(long seed, boolean collide) throws IOException {
+    assertThat(new Session(new Random(seed), collide).run()).isPositive();
   }
 
   /** A world, its plain model, and what was kept of both. */

@@ -163,6 +163,23 @@ class WorldEditTest {
     assertThat(Run.advance(world, 1000).impacts()).isEmpty();
   }
 
+  /** What it was to meet as a small circle does not count, whatever else is edited then. */
+  @Test
+  void anEditedCircleForeseesAnewWhenWhatItHitLastIsMoved() {
+    World world =
+        world(
+            box()
+                .collide(true)
+                .line(10, 0, 10, 90)
+                .circle(21, 50, 3, -4, 0)
+                .circle(23, 59, 3, 0, 0));
+    world.setPosition(1, 23, 50);
+    world.step(2.5); // it overlaps the other circle and leaves it, and is back from the line
+    world.setRadius(0, 2.5);
+    world.moveLine(0, 1, 95, 2, 95);
+    assertThat(times(world, CIRCLE, 4)).containsExactly(3.125);
+  }
+
   // Lines and pegs.
 
   @ParameterizedTest
