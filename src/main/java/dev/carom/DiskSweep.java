@@ -66,6 +66,19 @@ final class DiskSweep {
     return reach > 0 || (reach == 0 && r == 0) ? LATER : MISS;
   }
 
+  /** Whether the distance of the centres is less than r1 + r2. */
+  static boolean overlap(double x1, double y1, double r1, double x2, double y2, double r2) {
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double r = r1 + r2;
+    double dd = dx * dx + dy * dy;
+    double g = dd - r * r;
+    if (!(Math.abs(g) > FirstRoot.gapBound(dd + r * r))) {
+      g = Predicates.gap(x1, y1, x2, y2, r1, r2);
+    }
+    return g < 0;
+  }
+
   /**
    * The correctly rounded time of a contact, {@code +infinity} if it is a MISS or later than the
    * window's end T.

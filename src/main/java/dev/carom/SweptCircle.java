@@ -200,6 +200,60 @@ public final class SweptCircle {
     return Casts.disk(first, v1, second, v2, ObstacleKind.CIRCLE, second, T);
   }
 
+  /**
+   * Whether two circles overlap: the distance of their centres is less than r1 + r2, exactly.
+   * Touching is not overlapping.
+   *
+   * @param x1 the x coordinate of the first circle's centre
+   * @param y1 the y coordinate of the first circle's centre
+   * @param r1 the radius of the first circle
+   * @param x2 the x coordinate of the second circle's centre
+   * @param y2 the y coordinate of the second circle's centre
+   * @param r2 the radius of the second circle
+   * @return whether they overlap
+   * @throws IllegalArgumentException if a number is outside its range
+   */
+  public static boolean overlap(
+      double x1, double y1, double r1, double x2, double y2, double r2) {
+    if (!(0 * (x1 + y1 + r1 + x2 + y2 + r2) == 0 && r1 >= 0 && r2 >= 0)) {
+      new Circle(x1, y1, r1);
+      new Circle(x2, y2, r2);
+    }
+    return DiskSweep.overlap(x1, y1, r1, x2, y2, r2);
+  }
+
+  /**
+   * The least translation that moves a circle out of another one, or out of a peg, so that they
+   * touch: from the other's centre, of concentric ones along +x. If x and y are added to the
+   * circle's centre in doubles, the two do not {@link #overlap}; for that it is longer than the
+   * least one by at most 8 ulps of the sum of the largest coordinate and the radii.
+   *
+   * @param circle the circle to be moved
+   * @param other the one that stays
+   * @return the translation, {@link Vec2#ZERO} if they do not overlap
+   * @throws IllegalArgumentException if the largest coordinate and the radii together exceed 2^1023
+   */
+  public static Vec2 separation(Circle circle, Circle other) {
+    return Separation.of(circle, other);
+  }
+
+  /**
+   * The least translation that moves a circle out of a line, ends included, so that they touch:
+   * from the line's nearest point, along its left normal if the centre is exactly on it, and along
+   * +x if the line has no length either. If x and y are added to the circle's centre in doubles, its
+   * distance from the line is not less than its radius; for that it is longer than the least one by
+   * at most 8 ulps of the sum of the largest coordinate and the radius.
+   *
+   * @param circle the circle to be moved
+   * @param line the line
+   * @return the translation, {@link Vec2#ZERO} if they do not overlap
+   * @throws IllegalArgumentException if the largest coordinate and the radius together exceed
+   *     2^1023
+   */
+  public static Vec2 separation(Circle circle, Line line) {
+    return Separation.of(circle, line);
+  }
+
   /** The time of impact with the wall ahead, within the window. */
   static double wall(double p, double r, double v, double wall, double T) {
     double t = WallSweep.time(p, r, v, wall);
