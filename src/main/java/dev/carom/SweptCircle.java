@@ -240,9 +240,9 @@ public final class SweptCircle {
   /**
    * The least translation that moves a circle out of a line, ends included, so that they touch:
    * from the line's nearest point, along its left normal if the centre is exactly on it, and along
-   * +x if the line has no length either. If x and y are added to the circle's centre in doubles, its
-   * distance from the line is not less than its radius; for that it is longer than the least one by
-   * at most 8 ulps of the sum of the largest coordinate and the radius.
+   * +x if the line has no length either. If x and y are added to the circle's centre in doubles,
+   * its distance from the line is not less than its radius; for that it is longer than the least
+   * one by at most 8 ulps of the sum of the largest coordinate and the radius.
    *
    * @param circle the circle to be moved
    * @param line the line

@@ -48,7 +48,7 @@ public final class SphereFamilies {
     if (d.chance(0.05)) {
       n[14] = Double.POSITIVE_INFINITY;
     }
-    return new SphereQuery(family, n);
+    return new SphereQuery(n);
   }
 
   private static double tiny(Draw d) {
@@ -170,7 +170,7 @@ public final class SphereFamilies {
   private static double[] windowEnd(Draw d) {
     double[] n = d.chance(0.5) ? aimed(d, d.in(0, 1.5), 20, 1) : lattice(d);
     n[14] = Double.POSITIVE_INFINITY;
-    double t = new SphereQuery("", n).truth();
+    double t = new SphereQuery(n).truth();
     n[14] = Math.abs(Draw.ulps(Math.min(t, 1e300), d.whole(-2, 2)));
     return n;
   }

@@ -5,7 +5,16 @@ package dev.carom.oracle;
  * When do two moving spheres hit each other, within a window of time? The numbers are x, y, z, r,
  * vx, vy, vz of the first, the same of the second, and the end of the window.
  */
-public record SphereQuery(String family, double... numbers) {
+public final class SphereQuery {
+  private final double[] numbers;
+
+  public SphereQuery(double... numbers) {
+    this.numbers = numbers.clone();
+  }
+
+  public double[] numbers() {
+    return numbers.clone();
+  }
 
   /** The correctly rounded time by the contract of contact, infinite for a miss. */
   public double truth() {
