@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.results;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+
+/** All that was measured, and where. Scenes and settings keep the order of the rows. */
+public final class Results {
+
+  private record Key(String scene, Setting setting, String metric, String stat) {}
+
+  private final Metadata metadata;
+  private final List<Row> rows;
+  private final Map<Key, List<Row>> index = new LinkedHashMap<>();
+
+  /**
+   * Puts rows together.
+   *
+   * @param metadata where they come from
+   * @param rows any number, in any order
+   */
+  public Results(Metadata metadata, List<Row> rows) {
+    this.metadata = metadata;
+    this.rows = List.copyOf(rows);
+    for (Row row : rows) {
+      Setting setting = new Setting(row.method(), row.knob());
+      Key key = new Key(row.scene(), setting, row.metric(), row.stat());
+      index.computeIfAbsent(key, none -> new ArrayList<>()).add(row);
+    }
+  }
+
+  /**
+   * Where the rows come from.
+   *
+   * @return the metadata
+   */
+  public Metadata metadata() {
+    return metadata;
+  }
+
+  /**
+   * Every measured number.
+   *
+   * @return the rows as they were given
+   */
+  public List<Row> rows() {
+    return rows;
+  }
+
+  /**
+   * Where a metric was measured.
+   *
+   * @param metric its name
+   * @return the scenes that have it
+   */
+  public List<String> scenes(String metric) {
+    return keys(key -> key.metric.equals(metric)).map(Key::scene).distinct().toList();
+  }
+
+  /**
+   * What a metric was measured of.
+   *
+   * @param scene the scene
+   * @param metric its name
+   * @return the settings that have it there
+   */
+  public List<Setting> settings(String scene, String metric) {
+    return keys(key -> key.scene.equals(scene) && key.metric.equals(metric))
+        .map(Key::setting)
+        .distinct()
+        .toList();
+  }
+
+  /**
+   * Every method of every row.
+   *
+   * @return their labels
+   */
+  public Set<String> methods() {
+    Set<String> methods = new LinkedHashSet<>();
+    index.keySet().forEach(key -> methods.add(key.setting.method()));
+    return methods;
+  }
+
+  /**
+   * One number over all forks.
+   *
+   * @param scene the scene
+   * @param setting the method and its knob
+   * @param metric what was measured
+   * @param stat which number of it
+   * @return its spread, or nothing if it was not measured
+   */
+  public Optional<Spread> spread(String scene, Setting setting, String metric, String stat) {
+    List<Row> found = index.get(new Key(scene, setting, metric, stat));
+    if (found == null) {
+      return Optional.empty();
+    }
+    double[] values = found.stream().mapToDouble(Row::value).toArray();
+    return Optional.of(Spread.of(found.stream().mapToLong(Row::n).sum(), values));
+  }
+
+  /**
+   * The median over forks of one number.
+   *
+   * @param scene the scene
+   * @param setting the method and its knob
+   * @param metric what was measured
+   * @param stat which number of it
+   * @return the number, NaN if it failed or was not measured
+   */
+  public double value(String scene, Setting setting, String metric, String stat) {
+    return spread(scene, setting, metric, stat).map(Spread::middle).orElse(Double.NaN);
+  }
+
+  /**
+   * A series by frame: the numbers whose stat is {@code name@frame}, the median over forks of each.
+   *
+   * @param scene the scene
+   * @param setting the method and its knob
+   * @param metric what was measured
+   * @param name of the series ({@code median})
+   * @return frames and values, in the order of the rows
+   */
+  public Map<Integer, Double> series(String scene, Setting setting, String metric, String name) {
+    Map<Integer, Double> series = new LinkedHashMap<>();
+    keys(key ->
+            key.metric.equals(metric)
+                && key.scene.equals(scene)
+                && key.setting.equals(setting)
+                && key.stat.startsWith(name + "@"))
+        .forEach(
+            key ->
+                series.put(
+                    Integer.valueOf(key.stat.substring(name.length() + 1)),
+                    value(scene, setting, metric, key.stat)));
+    return series;
+  }
+
+  private Stream<Key> keys(Predicate<Key> wanted) {
+    return index.keySet().stream().filter(wanted);
+  }
+}
