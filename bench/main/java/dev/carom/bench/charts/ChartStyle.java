@@ -30,6 +30,14 @@ final class ChartStyle {
     return chart;
   }
 
+  /** Makes a chart of a plot without titles or a margin. */
+  static JFreeChart bare(XYPlot plot) {
+    plot(plot);
+    JFreeChart chart = new JFreeChart(null, null, plot, false);
+    chart.setBackgroundPaint(Style.PAPER);
+    return chart;
+  }
+
   private static TextTitle title(String text, double below) {
     TextTitle title = new TextTitle(text);
     title.setHorizontalAlignment(HorizontalAlignment.LEFT);

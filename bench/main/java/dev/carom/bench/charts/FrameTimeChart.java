@@ -156,7 +156,7 @@ final class FrameTimeChart {
     frames.setStandardTickUnits(NumberAxis.createIntegerTickUnits());
     double room = Math.max(0.5, nanos.length / 100.0);
     frames.setRange(1 - room, nanos.length + room);
-    TimeAxis times = TimeAxis.covering(smallest(), Math.max(budget, nanos[worst]));
+    DecadeAxis times = DecadeAxis.times(smallest(), Math.max(budget, nanos[worst]));
     XYPlot plot = new XYPlot(dataset(times.getLowerBound()), frames, times, renderer());
     line(plot, budget, Style.VERMILION, Style.dashes(Style.FIRM, 9, 5));
     line(plot, nanos[worst], Style.QUIET, Style.dashes(Style.HAIR, 2, 3));

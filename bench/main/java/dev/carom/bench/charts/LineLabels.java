@@ -12,11 +12,27 @@ import java.util.List;
 final class LineLabels {
 
   private static final double GAP = 38;
+  private static final double NARROW_GAP = 15;
   private static final double LEADER = 14;
 
   private record Label(double y, String text, String detail, Color color) {}
 
   private final List<Label> labels = new ArrayList<>();
+  private final double gap;
+
+  /** For labels with details below them. */
+  LineLabels() {
+    this(GAP);
+  }
+
+  private LineLabels(double gap) {
+    this.gap = gap;
+  }
+
+  /** For labels of one line, whose details stand behind them. */
+  static LineLabels narrow() {
+    return new LineLabels(NARROW_GAP);
+  }
 
   /**
    * Adds the label of a line that ends at a height, in pixels; the detail stands below the text.
@@ -31,36 +47,47 @@ final class LineLabels {
     List<Label> sorted = new ArrayList<>(labels);
     sorted.sort(Comparator.comparingDouble(Label::y));
     double[] places =
-        spread(sorted.stream().mapToDouble(Label::y).toArray(), top + GAP / 2, bottom - GAP / 2);
+        spread(
+            sorted.stream().mapToDouble(Label::y).toArray(), gap, top + gap / 2, bottom - gap / 2);
     for (int i = 0; i < places.length; i++) {
       draw(g, sorted.get(i), x, places[i]);
     }
   }
 
-  private static void draw(Graphics2D g, Label label, double x, double y) {
+  private void draw(Graphics2D g, Label label, double x, double y) {
     g.setColor(label.color());
     g.setStroke(Style.line(Style.HAIR));
     g.draw(new Line2D.Double(x + 2, label.y(), x + LEADER, y));
     float left = (float) (x + LEADER + 5);
-    g.setFont(Style.bold(13));
-    g.drawString(label.text(), left, (float) y - 1);
-    g.setColor(Style.QUIET);
-    g.setFont(Style.font(12));
-    g.drawString(label.detail(), left, (float) y + 14);
+    if (gap == NARROW_GAP) {
+      g.setFont(Style.bold(11.5));
+      g.setColor(Style.INK);
+      g.drawString(label.text(), left, (float) y + 4);
+      left += g.getFontMetrics().stringWidth(label.text()) + 5;
+      g.setColor(Style.QUIET);
+      g.setFont(Style.font(11));
+      g.drawString(label.detail(), left, (float) y + 4);
+    } else {
+      g.setFont(Style.bold(13));
+      g.drawString(label.text(), left, (float) y - 1);
+      g.setColor(Style.QUIET);
+      g.setFont(Style.font(12));
+      g.drawString(label.detail(), left, (float) y + 14);
+    }
   }
 
   /** Moves ascending places apart, as little as it takes from above, then back from below. */
-  static double[] spread(double[] wanted, double top, double bottom) {
+  static double[] spread(double[] wanted, double gap, double top, double bottom) {
     double[] places = wanted.clone();
     double least = top;
     for (int i = 0; i < places.length; i++) {
       places[i] = Math.max(places[i], least);
-      least = places[i] + GAP;
+      least = places[i] + gap;
     }
     double most = bottom;
     for (int i = places.length - 1; i >= 0; i--) {
       places[i] = Math.min(places[i], most);
-      most = places[i] - GAP;
+      most = places[i] - gap;
     }
     return places;
   }

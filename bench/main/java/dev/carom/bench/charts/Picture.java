@@ -22,7 +22,7 @@ import org.jfree.svg.ViewBox;
  * @param title what it shows, for those who cannot see it
  * @param painter draws it
  */
-record Picture(int width, int height, String title, Consumer<Graphics2D> painter) {
+public record Picture(int width, int height, String title, Consumer<Graphics2D> painter) {
 
   /** Pixels of an image for each pixel of the picture: sharp on dense screens too. */
   private static final int DENSITY = 2;
@@ -43,8 +43,13 @@ record Picture(int width, int height, String title, Consumer<Graphics2D> painter
     return image;
   }
 
-  /** The bytes of a PNG file. */
-  byte[] png() throws IOException {
+  /**
+   * The bytes of a PNG file.
+   *
+   * @return the picture, two pixels for each of its own in either direction
+   * @throws IOException if this Java cannot write PNG
+   */
+  public byte[] png() throws IOException {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     if (!ImageIO.write(image(DENSITY), "png", out)) {
       throw new IOException("this Java has no PNG writer");
@@ -52,10 +57,24 @@ record Picture(int width, int height, String title, Consumer<Graphics2D> painter
     return out.toByteArray();
   }
 
-  /** The bytes of an SVG file, without anything that differs from run to run. */
-  byte[] svg() {
+  /**
+   * The bytes of an SVG file, without anything that differs from run to run.
+   *
+   * @return the picture
+   */
+  public byte[] svg() {
+    return (svg("d") + "\n").getBytes(StandardCharsets.UTF_8);
+  }
+
+  /**
+   * An SVG element, to stand in a page among others.
+   *
+   * @param prefix of the names that its parts refer to each other by, which no other has
+   * @return the element
+   */
+  public String svg(String prefix) {
     SVGGraphics2D g = new SVGGraphics2D(width, height);
-    g.setDefsKeyPrefix("d");
+    g.setDefsKeyPrefix(prefix);
     g.setGeomDoubleConverter(Picture::shorten);
     g.setTransformDoubleConverter(Picture::shorten);
     g.setFontFunction(family -> FONTS);
@@ -64,7 +83,7 @@ record Picture(int width, int height, String title, Consumer<Graphics2D> painter
     paint(g);
     g.setRenderingHint(SVGHints.KEY_END_GROUP, "picture");
     ViewBox whole = new ViewBox(0, 0, width, height); // lets a page scale it
-    return (g.getSVGElement(null, true, whole, null, null) + "\n").getBytes(StandardCharsets.UTF_8);
+    return g.getSVGElement(null, true, whole, null, null);
   }
 
   private void paint(Graphics2D g) {

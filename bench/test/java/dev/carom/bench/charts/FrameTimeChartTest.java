@@ -59,7 +59,8 @@ class FrameTimeChartTest {
 
   @Test
   void labelsAreMovedApart() {
-    assertThat(LineLabels.spread(new double[] {50, 52, 300}, 20, 280)).containsExactly(50, 88, 280);
-    assertThat(LineLabels.spread(new double[] {270, 275}, 20, 280)).containsExactly(242, 280);
+    assertThat(LineLabels.spread(new double[] {50, 52, 300}, 38, 20, 280))
+        .containsExactly(50, 88, 280);
+    assertThat(LineLabels.spread(new double[] {270, 275}, 38, 20, 280)).containsExactly(242, 280);
   }
 }

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import org.jfree.chart.ChartRenderingInfo;
+import org.jfree.chart.JFreeChart;
+import org.jfree.chart.axis.ValueAxis;
+import org.jfree.chart.plot.XYPlot;
+import org.jfree.chart.ui.RectangleInsets;
+import org.jfree.data.xy.DefaultXYDataset;
+
+/** Axes and a grid that JFreeChart has drawn, and where values lie between them, in pixels. */
+final class Axes {
+
+  private final XYPlot plot;
+  private final Rectangle2D area;
+
+  private Axes(XYPlot plot, Rectangle2D area) {
+    this.plot = plot;
+    this.area = area;
+  }
+
+  /** Draws axes, their labels and a light grid so that all of it fills a rectangle. */
+  static Axes draw(Graphics2D g, Rectangle2D where, ValueAxis x, ValueAxis y) {
+    XYPlot plot = new XYPlot(new DefaultXYDataset(), x, y, null);
+    JFreeChart chart = ChartStyle.bare(plot);
+    plot.setDomainGridlinesVisible(x instanceof DecadeAxis);
+    plot.setDomainGridlinePaint(Style.GRID);
+    plot.setDomainGridlineStroke(Style.line(Style.HAIR));
+    plot.setInsets(RectangleInsets.ZERO_INSETS);
+    chart.setPadding(new RectangleInsets(8, 2, x.isTickLabelsVisible() ? 2 : 8, 8));
+    ChartRenderingInfo info = new ChartRenderingInfo();
+    chart.draw(g, where, info);
+    Style.smooth(g);
+    return new Axes(plot, info.getPlotInfo().getDataArea());
+  }
+
+  Rectangle2D area() {
+    return area;
+  }
+
+  double x(double value) {
+    return plot.getDomainAxis().valueToJava2D(value, area, plot.getDomainAxisEdge());
+  }
+
+  /** The height of a value; one beyond an end of the axis lies at that end. */
+  double y(double value) {
+    ValueAxis axis = plot.getRangeAxis();
+    double shown = Math.max(axis.getLowerBound(), Math.min(axis.getUpperBound(), value));
+    return axis.valueToJava2D(shown, area, plot.getRangeAxisEdge());
+  }
+
+  /** A line at one height through the whole area. */
+  void level(Graphics2D g, double value, Color color, BasicStroke stroke) {
+    g.setColor(color);
+    g.setStroke(stroke);
+    g.draw(new Line2D.Double(area.getMinX(), y(value), area.getMaxX(), y(value)));
+  }
+
+  /** A line through points in pixels, none of it outside of the area. */
+  void line(Graphics2D g, double[][] points, Color color, BasicStroke stroke) {
+    Shape clip = g.getClip();
+    g.clip(area);
+    g.setColor(color);
+    g.setStroke(stroke);
+    g.draw(path(points));
+    g.setClip(clip);
+  }
+
+  /** Points as {x, y}; a point with NaN interrupts the line. */
+  static Path2D path(double[]... points) {
+    Path2D path = new Path2D.Double();
+    boolean drawing = false;
+    for (double[] p : points) {
+      boolean gap = Double.isNaN(p[0]) || Double.isNaN(p[1]);
+      if (!gap && drawing) {
+        path.lineTo(p[0], p[1]);
+      } else if (!gap) {
+        path.moveTo(p[0], p[1]);
+      }
+      drawing = !gap;
+    }
+    return path;
+  }
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.DoubleFunction;
+import java.util.stream.DoubleStream;
+import org.jfree.chart.axis.AxisState;
+import org.jfree.chart.axis.LogAxis;
+import org.jfree.chart.axis.NumberTick;
+import org.jfree.chart.ui.RectangleEdge;
+import org.jfree.chart.ui.TextAnchor;
+
+/**
+ * A logarithmic axis in whole decades, at the left or at the bottom, with room for gutters beyond
+ * its ends, where stands what is on no scale. Its labels are plain text, where those of LogAxis
+ * become outlines in an SVG.
+ */
+final class DecadeAxis extends LogAxis {
+
+  private static final long serialVersionUID = 1;
+
+  private static final int MOST_TICKS = 15;
+
+  private final int lowest;
+  private final int highest;
+  private final transient DoubleFunction<String> text;
+
+  private DecadeAxis(int lowest, int highest, DoubleFunction<String> text) {
+    super(null);
+    this.lowest = lowest;
+    this.highest = highest;
+    this.text = text;
+    setRange(Math.pow(10, lowest), Math.pow(10, highest));
+    setMinorTickMarksVisible(false);
+  }
+
+  /** An axis on which a smallest and a largest value, both greater than 0, stand off the edges. */
+  static DecadeAxis covering(double smallest, double largest, DoubleFunction<String> text) {
+    int lowest = (int) Math.floor(Math.log10(smallest / 1.25));
+    int highest = (int) Math.ceil(Math.log10(largest * 1.25));
+    return new DecadeAxis(lowest, highest, text);
+  }
+
+  /** The same for any values: those that are not finite or not above 0 are passed over. */
+  static DecadeAxis covering(DoubleStream values, DoubleFunction<String> text) {
+    double[] shown = values.filter(v -> v > 0 && v < Double.POSITIVE_INFINITY).sorted().toArray();
+    return shown.length == 0
+        ? covering(1, 1, text)
+        : covering(shown[0], shown[shown.length - 1], text);
+  }
+
+  /** Times in nanoseconds, each decade with its unit. */
+  static DecadeAxis times(double smallest, double largest) {
+    return covering(smallest, largest, nanos -> Durations.text(nanos, 1));
+  }
+
+  /** Leaves room, as shares of the decades' length, before the first and after the last decade. */
+  DecadeAxis withGutters(double before, double after) {
+    double decades = highest - lowest;
+    setRange(Math.pow(10, lowest - before * decades), Math.pow(10, highest + after * decades));
+    return this;
+  }
+
+  /** The end of the scale, where the gutter before it begins. */
+  double least() {
+    return Math.pow(10, lowest);
+  }
+
+  /** The end of the scale, where the gutter after it begins. */
+  double most() {
+    return Math.pow(10, highest);
+  }
+
+  @Override
+  public List<NumberTick> refreshTicks(
+      Graphics2D g, AxisState state, Rectangle2D area, RectangleEdge edge) {
+    boolean left = edge == RectangleEdge.LEFT;
+    TextAnchor anchor = left ? TextAnchor.CENTER_RIGHT : TextAnchor.TOP_CENTER;
+    double room = left ? area.getHeight() / 18 : area.getWidth() / 52;
+    int step = 1 + (int) ((highest - lowest) / Math.min(MOST_TICKS, room));
+    List<NumberTick> ticks = new ArrayList<>();
+    for (int i = lowest; i <= highest; i += step) {
+      double value = Math.pow(10, i);
+      ticks.add(new NumberTick(value, text.apply(value), anchor, TextAnchor.CENTER, 0));
+    }
+    return ticks;
+  }
+}

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.font.FontRenderContext;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/**
+ * Texts beside dots, none over another or over a dot: each takes the cheapest of the places around
+ * its dot, the nearest first, the important texts before the others (point-feature labels as by J.
+ * Christensen, J. Marks and S. Shieber, 1995, greedily). A text that found no place near is joined
+ * to its dot by a hair line.
+ */
+final class DotLabels {
+
+  /** A text, the dot that it belongs to, and where it ended up. */
+  record Label(double x, double y, String text, Font font, Color color, int rank) {}
+
+  /** Where a text stands. */
+  record Placed(Label label, Rectangle2D box) {}
+
+  private static final double[] DISTANCES = {8, 14, 22, 32, 44, 58, 74, 92};
+  private static final int DIRECTIONS = 16;
+  private static final double MARGIN = 1.5;
+  private static final double JOINED_FROM = 15;
+
+  /** What it costs to cover the whole of a text by texts or dots, and by lines. */
+  private static final double COVERED = 1000;
+
+  private static final double CROSSED = 25;
+
+  private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
+
+  private final Rectangle2D area;
+  private final List<Rectangle2D> dots = new ArrayList<>();
+  private final List<Line2D> lines = new ArrayList<>();
+  private final List<Label> labels = new ArrayList<>();
+
+  /** Takes the area that no text may leave. */
+  DotLabels(Rectangle2D area) {
+    this.area = area;
+  }
+
+  /** Keeps texts off a dot. */
+  DotLabels avoid(double x, double y, double radius) {
+    dots.add(new Rectangle2D.Double(x - radius, y - radius, 2 * radius, 2 * radius));
+    return this;
+  }
+
+  /** Keeps texts off an area. */
+  DotLabels avoid(Rectangle2D taken) {
+    dots.add(taken);
+    return this;
+  }
+
+  /** Keeps texts off a line, if that does not take them far away. */
+  DotLabels avoid(double x1, double y1, double x2, double y2) {
+    lines.add(new Line2D.Double(x1, y1, x2, y2));
+    return this;
+  }
+
+  /** Adds a text; those of lower rank choose first. */
+  DotLabels add(double x, double y, String text, Font font, Color color, int rank) {
+    labels.add(new Label(x, y, text, font, color, rank));
+    return this;
+  }
+
+  void draw(Graphics2D g) {
+    for (Placed placed : place()) {
+      Label label = placed.label;
+      Rectangle2D box = placed.box;
+      join(g, label, box);
+      g.setFont(label.font);
+      g.setColor(label.color);
+      float base = (float) (box.getY() - metrics(label).getY());
+      g.drawString(label.text, (float) box.getX(), base);
+    }
+  }
+
+  private static void join(Graphics2D g, Label label, Rectangle2D box) {
+    double x = Math.max(box.getMinX(), Math.min(box.getMaxX(), label.x));
+    double y = Math.max(box.getMinY(), Math.min(box.getMaxY(), label.y));
+    double distance = Math.hypot(x - label.x, y - label.y);
+    if (distance > JOINED_FROM) {
+      double share = 7 / distance; // from the edge of the dot
+      g.setColor(Style.QUIET);
+      g.setStroke(Style.line(Style.HAIR));
+      double fromX = label.x + share * (x - label.x);
+      double fromY = label.y + share * (y - label.y);
+      g.draw(new Line2D.Double(fromX, fromY, x, y));
+    }
+  }
+
+  List<Placed> place() {
+    List<Label> sorted = new ArrayList<>(labels);
+    sorted.sort(Comparator.comparingInt(Label::rank));
+    List<Placed> placed = new ArrayList<>();
+    for (Label label : sorted) {
+      placed.add(new Placed(label, best(label, placed)));
+    }
+    return placed;
+  }
+
+  private Rectangle2D best(Label label, List<Placed> placed) {
+    Rectangle2D best = null;
+    double least = Double.POSITIVE_INFINITY;
+    for (double distance : DISTANCES) {
+      for (int i = 0; i < DIRECTIONS; i++) {
+        Rectangle2D box = box(label, distance, 2 * Math.PI * i / DIRECTIONS);
+        double cost = distance + (i % 8 == 0 ? 0 : 1) + cost(box, placed);
+        if (cost < least) {
+          least = cost;
+          best = box;
+        }
+      }
+    }
+    return best;
+  }
+
+  /** The text's box, its nearest edge or corner at a distance from the dot; 0 is to the right. */
+  private Rectangle2D box(Label label, double distance, double angle) {
+    Rectangle2D size = metrics(label);
+    double w = size.getWidth();
+    double h = size.getHeight();
+    double dx = Math.cos(angle);
+    double dy = -Math.sin(angle);
+    double x = label.x + distance * dx + (dx - 1) * w / 2;
+    double y = label.y + distance * dy + (dy - 1) * h / 2;
+    x = Math.max(area.getMinX(), Math.min(area.getMaxX() - w, x));
+    y = Math.max(area.getMinY(), Math.min(area.getMaxY() - h, y));
+    return new Rectangle2D.Double(x, y, w, h);
+  }
+
+  private static Rectangle2D metrics(Label label) {
+    return label.font.getStringBounds(label.text, CONTEXT);
+  }
+
+  private double cost(Rectangle2D box, List<Placed> placed) {
+    double cost = 0;
+    for (Placed other : placed) {
+      cost += covered(box, other.box);
+    }
+    for (Rectangle2D dot : dots) {
+      cost += covered(box, dot);
+    }
+    for (Line2D line : lines) {
+      cost += line.intersects(box) ? CROSSED : 0;
+    }
+    return cost;
+  }
+
+  /** The less of two boxes is free, the more it costs, with a step: to touch is bad enough. */
+  private static double covered(Rectangle2D box, Rectangle2D other) {
+    double w = Math.min(box.getMaxX(), other.getMaxX()) - Math.max(box.getMinX(), other.getMinX());
+    double h = Math.min(box.getMaxY(), other.getMaxY()) - Math.max(box.getMinY(), other.getMinY());
+    if (w <= -MARGIN || h <= -MARGIN) {
+      return 0;
+    }
+    double shared = (w + MARGIN) * (h + MARGIN);
+    return COVERED * (0.2 + shared / (box.getWidth() * box.getHeight()));
+  }
+}

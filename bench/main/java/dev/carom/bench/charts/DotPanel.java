@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Work against precision of one scene or one class of queries: a dot for each setting, those of one
+ * method joined, whiskers over forks, the staircase of those that nothing beats in both. What
+ * failed stands in a gutter at the right, what has no error at all in one at the left.
+ */
+final class DotPanel {
+
+  private static final double GUTTER = 0.13;
+  private static final double DOT = 6;
+  private static final double WHISKER = 3;
+
+  private final Graphics2D g;
+  private final Axes axes;
+  private final DecadeAxis errors;
+  private final Marks marks;
+  private final List<Dot> dots;
+  private final DotLabels labels;
+  private final double scale;
+
+  private DotPanel(
+      Graphics2D g, Axes axes, DecadeAxis errors, Marks marks, List<Dot> dots, double scale) {
+    this.g = g;
+    this.scale = scale;
+    this.axes = axes;
+    this.errors = errors;
+    this.marks = marks;
+    this.dots = dots;
+    Rectangle2D a = axes.area();
+    labels =
+        new DotLabels(
+            new Rectangle2D.Double(
+                a.getX() + 2, a.getY() + 2, a.getWidth() - 4, a.getHeight() - 4));
+  }
+
+  /** An axis of errors with the gutters that these dots need. */
+  static DecadeAxis errors(List<Dot> dots, String label) {
+    DecadeAxis axis =
+        DecadeAxis.covering(
+            dots.stream().filter(dot -> !dot.failed()).mapToDouble(Dot::error), DotPanel::power);
+    axis.setLabel(label);
+    boolean exact = dots.stream().anyMatch(Dot::exact);
+    boolean failed = dots.stream().anyMatch(Dot::failed);
+    return axis.withGutters(exact ? GUTTER : 0, failed ? GUTTER : 0);
+  }
+
+  private static String power(double value) {
+    double exponent = Math.log10(value);
+    return Math.abs(exponent) < 3.5 ? Durations.number(value, 1) : "1e" + Math.round(exponent);
+  }
+
+  /** Draws a panel; the budget is a height marked by a line, NaN for none; scale is of texts. */
+  static void draw(
+      Graphics2D g,
+      Rectangle2D where,
+      DecadeAxis errors,
+      DecadeAxis work,
+      Marks marks,
+      List<Dot> dots,
+      double budget,
+      double scale) {
+    Axes axes = Axes.draw(g, where, errors, work);
+    DotPanel panel = new DotPanel(g, axes, errors, marks, dots, scale);
+    panel.gutters();
+    panel.budget(budget);
+    panel.staircase();
+    panel.lines();
+    panel.dots();
+    panel.labels.draw(g);
+  }
+
+  private void gutters() {
+    Rectangle2D a = axes.area();
+    if (dots.stream().anyMatch(Dot::exact)) {
+      gutter(a.getMinX(), axes.x(errors.least()), "no error");
+    }
+    if (dots.stream().anyMatch(Dot::failed)) {
+      gutter(axes.x(errors.most()), a.getMaxX(), "failed");
+    }
+  }
+
+  private void gutter(double left, double right, String text) {
+    Rectangle2D a = axes.area();
+    g.setColor(Style.PAPER);
+    g.fill(new Rectangle2D.Double(left, a.getY(), right - left, a.getHeight()));
+    g.setFont(Style.bold(11));
+    g.setColor(Style.QUIET);
+    double width = g.getFontMetrics().stringWidth(text);
+    double x = (left + right - width) / 2;
+    g.drawString(text, (float) x, (float) (a.getMaxY() - 6));
+    labels.avoid(new Rectangle2D.Double(x, a.getMaxY() - 17, width, 14));
+  }
+
+  private void budget(double budget) {
+    if (Double.isNaN(budget)) {
+      return;
+    }
+    axes.level(g, budget, Style.VERMILION, Style.dashes(Style.FIRM, 9, 5));
+    String text = "budget " + Durations.text(budget, 4);
+    g.setFont(Style.bold(12));
+    double width = g.getFontMetrics().stringWidth(text);
+    double x = axes.x(errors.most()) - width - 8;
+    double y = axes.y(budget) - 6;
+    g.drawString(text, (float) x, (float) y);
+    labels.avoid(new Rectangle2D.Double(x, y - 12, width, 18));
+  }
+
+  private double x(Dot dot) {
+    if (dot.failed()) {
+      return (axes.x(errors.most()) + axes.area().getMaxX()) / 2;
+    }
+    return dot.exact() ? (axes.x(errors.least()) + axes.area().getMinX()) / 2 : axes.x(dot.error());
+  }
+
+  /** Something that took no time at all cannot be had: what has none stands at the top. */
+  private double y(Dot dot) {
+    return Double.isFinite(dot.work()) ? axes.y(dot.work()) : axes.area().getMinY() + 2 * DOT;
+  }
+
+  /** From the left, each step down to the next dot that is the cheapest so far. */
+  private void staircase() {
+    List<double[]> steps = new ArrayList<>();
+    for (Dot dot : dots.stream().filter(d -> !d.failed()).sorted(byError()).toList()) {
+      double y = y(dot);
+      double last = steps.isEmpty() ? axes.area().getMinY() : steps.get(steps.size() - 1)[1];
+      if (y > last) {
+        steps.add(new double[] {x(dot), last});
+        steps.add(new double[] {x(dot), y});
+      }
+    }
+    if (!steps.isEmpty()) {
+      double last = steps.get(steps.size() - 1)[1];
+      boolean failed = dots.stream().anyMatch(Dot::failed);
+      double end = failed ? axes.x(errors.most()) : axes.area().getMaxX();
+      steps.add(new double[] {end, last});
+      double[][] points = steps.toArray(double[][]::new);
+      axes.line(g, points, Style.QUIET, Style.dashes(Style.THIN, 2, 4));
+      avoid(points);
+    }
+  }
+
+  private static Comparator<Dot> byError() {
+    return Comparator.comparingDouble(Dot::error).thenComparingDouble(Dot::work);
+  }
+
+  private void lines() {
+    for (List<Dot> ofMethod : byMethod().values()) {
+      List<Dot> shown = ofMethod.stream().filter(dot -> !dot.failed()).toList();
+      double[][] points =
+          shown.stream().map(dot -> new double[] {x(dot), y(dot)}).toArray(double[][]::new);
+      String method = ofMethod.get(0).method();
+      axes.line(g, points, Style.veil(marks.of(method).color(), 0.55), Style.line(Style.FIRM));
+      avoid(points);
+    }
+  }
+
+  private void avoid(double[][] points) {
+    for (int i = 1; i < points.length; i++) {
+      labels.avoid(points[i - 1][0], points[i - 1][1], points[i][0], points[i][1]);
+    }
+  }
+
+  private Map<String, List<Dot>> byMethod() {
+    Map<String, List<Dot>> byMethod = new LinkedHashMap<>();
+    for (Dot dot : dots) {
+      byMethod.computeIfAbsent(dot.method(), none -> new ArrayList<>()).add(dot);
+    }
+    return byMethod;
+  }
+
+  private void dots() {
+    byMethod().values().forEach(this::dots);
+  }
+
+  private void dots(List<Dot> ofMethod) {
+    for (Dot dot : ofMethod) {
+      whisker(dot);
+    }
+    for (Dot dot : ofMethod) {
+      if (dot.failed()) {
+        marks.drawFailure(g, dot.method(), x(dot), y(dot));
+      } else {
+        marks.draw(g, dot.method(), x(dot), y(dot), dot.hollow());
+      }
+      labels.avoid(x(dot), y(dot), DOT);
+    }
+    name(ofMethod);
+  }
+
+  /** Below the dot in the gutter, too: a failure has a time. */
+  private void whisker(Dot dot) {
+    if (!(dot.high() > dot.low())) {
+      return;
+    }
+    double x = x(dot);
+    double top = axes.y(dot.high());
+    double bottom = axes.y(dot.low());
+    g.setColor(marks.of(dot.method()).color());
+    g.setStroke(Style.line(Style.THIN));
+    g.draw(new Line2D.Double(x, top, x, bottom));
+    g.draw(new Line2D.Double(x - WHISKER, top, x + WHISKER, top));
+    g.draw(new Line2D.Double(x - WHISKER, bottom, x + WHISKER, bottom));
+    labels.avoid(x, top, x, bottom);
+  }
+
+  /** The method's name stands once on its line, and at a peer's defaults; the knob at each dot. */
+  private void name(List<Dot> ofMethod) {
+    Dot named = ofMethod.get(ofMethod.size() - 1);
+    for (Dot dot : ofMethod) {
+      String whole = dot.knob().isEmpty() ? dot.method() : dot.method() + " " + dot.knob();
+      if (dot.equals(named)) {
+        labels.add(x(dot), y(dot), whole, Style.bold(scale * 12), Style.INK, 0);
+      } else {
+        String text = dot.hollow() ? whole : dot.knob();
+        labels.add(x(dot), y(dot), text, Style.font(scale * 11), Style.QUIET, 1);
+      }
+    }
+  }
+}

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jfree.chart.axis.NumberAxis;
+
+/**
+ * What becomes of a run, frame by frame: a panel for each quantity, the median over circles as a
+ * line in a band from 5 to 95 %, and in the first panel the frame at which each method has left the
+ * true course. A value of 0 is drawn at the lower edge.
+ */
+public final class DriftChart {
+
+  private static final int WIDTH = 900;
+  private static final int PANEL = 250;
+  private static final double NAMES = 160;
+  private static final double TITLE = 20;
+  private static final String LIMIT = "a start 1 ulp away has left the true course";
+
+  private final String title;
+  private final String subtitle;
+  private final Marks marks;
+  private final Map<String, List<Course>> panels;
+  private final Map<String, Double> horizons;
+  private final double limit;
+
+  /**
+   * Takes what is drawn.
+   *
+   * @param title what the reader is to take home
+   * @param subtitle what is shown
+   * @param marks how methods are drawn
+   * @param panels the lines of each quantity, by its name, against frames
+   * @param horizons by method, the frame at which half of its circles have left the true course; a
+   *     method without a mark of its own is drawn in grey
+   * @param limit the best frame that can be had in doubles, NaN for none: a grey line in every
+   *     panel
+   */
+  public DriftChart(
+      String title,
+      String subtitle,
+      Marks marks,
+      Map<String, List<Course>> panels,
+      Map<String, Double> horizons,
+      double limit) {
+    this.title = title;
+    this.subtitle = subtitle;
+    this.marks = marks;
+    this.panels = new LinkedHashMap<>(panels);
+    this.horizons = new LinkedHashMap<>(horizons);
+    this.limit = limit;
+  }
+
+  /**
+   * Draws it.
+   *
+   * @return the picture
+   */
+  public Picture picture() {
+    int height = 72 + PANEL * panels.size();
+    return new Picture(WIDTH, height, title + ". " + subtitle, g -> paint(g, height));
+  }
+
+  private void paint(Graphics2D g, int height) {
+    double top = Heading.draw(g, WIDTH, title, subtitle);
+    double each = (height - top - 6) / panels.size();
+    boolean first = true;
+    for (Map.Entry<String, List<Course>> panel : panels.entrySet()) {
+      Rectangle2D where = new Rectangle2D.Double(10, top + TITLE, WIDTH - 20, each - TITLE - 4);
+      g.setFont(Style.bold(13));
+      g.setColor(Style.INK);
+      g.drawString(panel.getKey(), 16, (float) (top + 14));
+      panel(g, where, panel.getValue(), first);
+      top += each;
+      first = false;
+    }
+  }
+
+  private void panel(Graphics2D g, Rectangle2D where, List<Course> courses, boolean first) {
+    NumberAxis frames = CoursePanel.places(courses, "frame");
+    DecadeAxis heights = CoursePanel.heights(courses, null, DriftChart::power);
+    Axes axes = CoursePanel.draw(g, where, NAMES, frames, heights, marks, courses);
+    if (!Double.isNaN(limit)) {
+      horizon(g, axes, limit, Style.QUIET, axes.area().getMinY());
+    }
+    if (first && !Double.isNaN(limit)) {
+      g.setFont(Style.font(11));
+      g.drawString(LIMIT, (float) axes.x(limit) + 5, (float) axes.area().getMaxY() - 8);
+    }
+    if (first) {
+      horizons.forEach(
+          (method, frame) -> {
+            double y = axes.area().getMaxY();
+            horizon(g, axes, frame, marks.of(method).color(), y - 22);
+            marks.draw(g, method, axes.x(frame), y - 26, false);
+          });
+    }
+  }
+
+  private static void horizon(Graphics2D g, Axes axes, double frame, Color color, double from) {
+    double x = axes.x(frame);
+    if (x >= axes.area().getMinX() && x <= axes.area().getMaxX()) {
+      g.setColor(color);
+      g.setStroke(Style.dashes(Style.FIRM, 3, 3));
+      g.draw(new Line2D.Double(x, from, x, axes.area().getMaxY()));
+    }
+  }
+
+  private static String power(double value) {
+    return Math.abs(Math.log10(value)) < 2.5
+        ? Durations.number(value, 1)
+        : "1e" + Math.round(Math.log10(value));
+  }
+}

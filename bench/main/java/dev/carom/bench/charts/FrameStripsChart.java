@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.DoubleStream;
+import org.jfree.chart.axis.NumberAxis;
+
+/**
+ * The time of every frame of one replay of each method, none left out, against the budget: a strip
+ * for each method, its frames from left to right, and lines at its quantiles.
+ */
+public final class FrameStripsChart {
+
+  /**
+   * One strip.
+   *
+   * @param method its label
+   * @param knob its setting; may be empty
+   * @param nanos the time of each frame; 0 is drawn at the lower edge
+   */
+  public record Strip(String method, String knob, double[] nanos) {
+
+    /** The least value that a share of all does not exceed. */
+    double rank(double share) {
+      double[] sorted = nanos.clone();
+      Arrays.sort(sorted);
+      return sorted[Math.max(0, (int) Math.ceil(share * sorted.length) - 1)];
+    }
+  }
+
+  private static final int WIDTH = 900;
+  private static final int HEIGHT = 560;
+  private static final int NOTES = 96;
+  private static final double LEFT = 26;
+
+  private final String title;
+  private final String subtitle;
+  private final Marks marks;
+  private final List<Strip> strips;
+  private final double budget;
+
+  /**
+   * Takes what is drawn.
+   *
+   * @param title what the reader is to take home
+   * @param subtitle what is shown
+   * @param marks how methods are drawn
+   * @param strips at least one
+   * @param budget in nanoseconds
+   */
+  public FrameStripsChart(
+      String title, String subtitle, Marks marks, List<Strip> strips, double budget) {
+    this.title = title;
+    this.subtitle = subtitle;
+    this.marks = marks;
+    this.strips = List.copyOf(strips);
+    this.budget = budget;
+  }
+
+  /**
+   * Draws it.
+   *
+   * @return the picture
+   */
+  public Picture picture() {
+    return new Picture(WIDTH, HEIGHT, title + ". " + subtitle, this::paint);
+  }
+
+  private void paint(Graphics2D g) {
+    double top = Heading.draw(g, WIDTH, title, subtitle);
+    DecadeAxis times =
+        DecadeAxis.covering(
+            DoubleStream.concat(
+                strips.stream().flatMapToDouble(s -> Arrays.stream(s.nanos())),
+                DoubleStream.of(budget)),
+            nanos -> Durations.text(nanos, 1));
+    NumberAxis places = new NumberAxis(null);
+    places.setRange(0, strips.size());
+    places.setTickLabelsVisible(false);
+    places.setTickMarksVisible(false);
+    Axes axes =
+        Axes.draw(
+            g,
+            new Rectangle2D.Double(LEFT, top, WIDTH - 14 - LEFT, HEIGHT - top - NOTES),
+            places,
+            times);
+    for (int i = 0; i < strips.size(); i++) {
+      strip(g, axes, strips.get(i), axes.x(i), axes.x(i + 1));
+    }
+    axes.level(g, budget, Style.VERMILION, Style.dashes(Style.FIRM, 9, 5));
+    g.setFont(Style.bold(12));
+    g.drawString(
+        "budget " + Durations.text(budget, 4),
+        (float) axes.area().getMinX() + 8,
+        (float) axes.y(budget) - 6);
+    legend(g, axes);
+  }
+
+  private void strip(Graphics2D g, Axes axes, Strip strip, double left, double right) {
+    double room = (right - left) * 0.07;
+    g.setColor(Style.GRID);
+    g.setStroke(Style.line(Style.HAIR));
+    g.draw(new Line2D.Double(right, axes.area().getMinY(), right, axes.area().getMaxY()));
+    Path2D dots = new Path2D.Double();
+    double step = (right - left - 2 * room) / strip.nanos.length;
+    for (int i = 0; i < strip.nanos.length; i++) {
+      double x = left + room + step * (i + 0.5);
+      double y = axes.y(strip.nanos[i]);
+      dots.moveTo(x, y);
+      dots.lineTo(x, y);
+    }
+    g.setColor(Style.veil(marks.of(strip.method).color(), 0.6));
+    g.setStroke(Style.line(3));
+    g.draw(dots);
+    level(g, axes.y(strip.rank(0.5)), left, right, 2 * Style.THIN);
+    level(g, axes.y(strip.rank(0.95)), left, right, Style.THIN);
+    notes(g, axes, strip, left, right);
+  }
+
+  private static void level(Graphics2D g, double y, double left, double right, double width) {
+    g.setColor(Style.INK);
+    g.setStroke(Style.line(width));
+    g.draw(new Line2D.Double(left + 3, y, right - 3, y));
+  }
+
+  /** Under the strip: its shape and name, then numbers, a line each. */
+  private void notes(Graphics2D g, Axes axes, Strip strip, double left, double right) {
+    double middle = (left + right) / 2;
+    double y = axes.area().getMaxY() + 14;
+    String name = strip.knob.isEmpty() ? strip.method : strip.method + " " + strip.knob;
+    marks.draw(g, strip.method, middle, y, false);
+    double fit = fit(g, name, right - left - 4);
+    g.setColor(Style.INK);
+    g.setFont(Style.bold(fit));
+    centred(g, name, middle, y + 19);
+    g.setFont(Style.font(11));
+    centred(g, Durations.text(strip.rank(0.5), 3), middle, y + 35);
+    centred(g, Durations.text(strip.rank(0.95), 3), middle, y + 51);
+    centred(g, Durations.text(strip.rank(1), 3), middle, y + 67);
+  }
+
+  private static double fit(Graphics2D g, String name, double width) {
+    g.setFont(Style.bold(12));
+    return Math.min(12, 12 * width / g.getFontMetrics().stringWidth(name));
+  }
+
+  private void legend(Graphics2D g, Axes axes) {
+    g.setFont(Style.font(11));
+    g.setColor(Style.QUIET);
+    double x = axes.area().getMinX() - 6;
+    double y = axes.area().getMaxY() + 14;
+    int frames = strips.stream().mapToInt(s -> s.nanos.length).max().orElse(0);
+    right(g, "median", x, y + 35);
+    right(g, "95 %", x, y + 51);
+    right(g, "worst of " + frames, x, y + 67);
+  }
+
+  private static void right(Graphics2D g, String text, double x, double y) {
+    g.drawString(text, (float) (x - g.getFontMetrics().stringWidth(text)), (float) y);
+  }
+
+  private static void centred(Graphics2D g, String text, double x, double y) {
+    g.drawString(text, (float) (x - g.getFontMetrics().stringWidth(text) / 2.0), (float) y);
+  }
+}

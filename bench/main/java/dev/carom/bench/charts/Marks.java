@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The colour and the shape of each method, the same in all charts of one report. */
+public final class Marks {
+
+  /** The method that has blue circles for itself. */
+  private static final String OURS = "carom";
+
+  private static final double RADIUS = 5;
+
+  private static final List<Color> COLORS =
+      List.of(Style.ORANGE, Style.GREEN, Style.VERMILION, Style.PURPLE, Style.SKY, Style.INK);
+
+  /** Corners, and how far the first one is turned from straight up; a star has its notches. */
+  private static final List<Shape> SHAPES =
+      List.of(
+          polygon(4, Math.PI / 4, 1),
+          polygon(3, 0, 1),
+          polygon(4, 0, 1),
+          polygon(3, Math.PI, 1),
+          polygon(5, 0, 1),
+          polygon(10, 0, 0.45),
+          polygon(6, 0, 1));
+
+  /**
+   * How a method is drawn.
+   *
+   * @param color of its lines and dots
+   * @param shape of its dots, around the origin
+   */
+  record Mark(Color color, Shape shape) {}
+
+  private final Map<String, Mark> marks = new LinkedHashMap<>();
+
+  /**
+   * Hands out marks. Twenty and more methods have different ones.
+   *
+   * @param methods their labels, in an order that says which mark
+   */
+  public Marks(Collection<String> methods) {
+    int next = 0;
+    for (String method : methods) {
+      if (method.equals(OURS)) {
+        marks.put(method, new Mark(Style.BLUE, circle()));
+      } else {
+        // 6 and 7 have no common divisor: 42 pairs.
+        marks.put(
+            method, new Mark(COLORS.get(next % COLORS.size()), SHAPES.get(next % SHAPES.size())));
+        next++;
+      }
+    }
+  }
+
+  Mark of(String method) {
+    return marks.getOrDefault(method, new Mark(Style.QUIET, circle()));
+  }
+
+  /** Draws a dot: filled, or only its outline. */
+  void draw(Graphics2D g, String method, double x, double y, boolean hollow) {
+    Mark mark = of(method);
+    Shape shape = AffineTransform.getTranslateInstance(x, y).createTransformedShape(mark.shape);
+    g.setColor(hollow ? Style.FLOOR : mark.color);
+    g.fill(shape);
+    g.setColor(mark.color);
+    g.setStroke(Style.line(hollow ? Style.FIRM : Style.HAIR));
+    g.draw(shape);
+  }
+
+  /** Draws the sign of a failure: a ring with a cross in it. */
+  void drawFailure(Graphics2D g, String method, double x, double y) {
+    double r = RADIUS + 1.5;
+    g.setColor(Style.FLOOR);
+    g.fill(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
+    g.setColor(of(method).color);
+    g.setStroke(Style.line(Style.FIRM));
+    g.draw(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
+    double d = r / Math.sqrt(2);
+    Path2D cross = new Path2D.Double();
+    cross.moveTo(x - d, y - d);
+    cross.lineTo(x + d, y + d);
+    cross.moveTo(x - d, y + d);
+    cross.lineTo(x + d, y - d);
+    g.draw(cross);
+  }
+
+  private static Shape circle() {
+    return new Ellipse2D.Double(-RADIUS, -RADIUS, 2 * RADIUS, 2 * RADIUS);
+  }
+
+  private static Shape polygon(int corners, double turn, double notch) {
+    Path2D path = new Path2D.Double();
+    double size = RADIUS * (corners == 3 || notch < 1 ? 1.35 : 1.15);
+    for (int i = 0; i < corners; i++) {
+      double radius = i % 2 == 0 ? size : notch * size;
+      double angle = turn + 2 * Math.PI * i / corners;
+      double x = radius * Math.sin(angle);
+      double y = -radius * Math.cos(angle);
+      if (i == 0) {
+        path.moveTo(x, y);
+      } else {
+        path.lineTo(x, y);
+      }
+    }
+    path.closePath();
+    return path;
+  }
+}
