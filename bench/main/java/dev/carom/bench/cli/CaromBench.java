@@ -19,6 +19,8 @@ import picocli.CommandLine.ParameterException;
     footer = {"", "Exit code: 0 done, 1 a failed run or bad data, 2 a wrong command line."},
     subcommands = {
       ReplayCommand.class,
+      ReportCommand.class,
+      SweepCommand.class,
       GasCommand.class,
       SimulateCommand.class,
       CastCommand.class,

@@ -42,6 +42,19 @@ final class Progress implements AutoCloseable {
     }
   }
 
+  /** Whether there is a bar to be seen. */
+  boolean isShown() {
+    return bar != null;
+  }
+
+  /** A step, and what it was. */
+  void step(String what) {
+    if (bar != null) {
+      bar.setExtraMessage(what);
+      bar.step();
+    }
+  }
+
   void step() {
     if (bar != null) {
       bar.step();

@@ -23,15 +23,19 @@ public record Machine(String cpu, String jdk, String flags) {
    *
    * @return its description
    */
-  static Machine current() {
+  public static Machine current() {
     return new Machine(
         "%s, %d cores".formatted(cpuName(), Runtime.getRuntime().availableProcessors()),
         "%s %s".formatted(System.getProperty("java.vm.name"), Runtime.version()),
         String.join(" ", ManagementFactory.getRuntimeMXBean().getInputArguments()));
   }
 
-  /** Linux tells the name in a file, Windows in the environment; elsewhere the kind must do. */
-  private static String cpuName() {
+  /**
+   * The name of the processor alone. Linux tells it in a file, Windows in the environment.
+   *
+   * @return the name; elsewhere the kind must do
+   */
+  public static String cpuName() {
     try (Stream<String> lines = Files.lines(CPU_INFO)) {
       return lines
           .filter(line -> line.startsWith("model name"))

@@ -19,6 +19,7 @@ public final class Results {
   private final Metadata metadata;
   private final List<Row> rows;
   private final Map<Key, List<Row>> index = new LinkedHashMap<>();
+  private final Map<String, Set<Key>> byMetric = new LinkedHashMap<>();
 
   /**
    * Puts rows together.
@@ -33,6 +34,7 @@ public final class Results {
       Setting setting = new Setting(row.method(), row.knob());
       Key key = new Key(row.scene(), setting, row.metric(), row.stat());
       index.computeIfAbsent(key, none -> new ArrayList<>()).add(row);
+      byMetric.computeIfAbsent(row.metric(), none -> new LinkedHashSet<>()).add(key);
     }
   }
 
@@ -61,7 +63,7 @@ public final class Results {
    * @return the scenes that have it
    */
   public List<String> scenes(String metric) {
-    return keys(key -> key.metric.equals(metric)).map(Key::scene).distinct().toList();
+    return keys(metric, key -> true).map(Key::scene).distinct().toList();
   }
 
   /**
@@ -72,10 +74,7 @@ public final class Results {
    * @return the settings that have it there
    */
   public List<Setting> settings(String scene, String metric) {
-    return keys(key -> key.scene.equals(scene) && key.metric.equals(metric))
-        .map(Key::setting)
-        .distinct()
-        .toList();
+    return keys(metric, key -> key.scene.equals(scene)).map(Key::setting).distinct().toList();
   }
 
   /**
@@ -108,6 +107,20 @@ public final class Results {
   }
 
   /**
+   * The number of a metric that has but one stat, whatever that is called.
+   *
+   * @param scene the scene
+   * @param setting the method and its knob
+   * @param metric what was measured
+   * @return its spread, or nothing if it was not measured
+   */
+  public Optional<Spread> only(String scene, Setting setting, String metric) {
+    return keys(metric, key -> key.scene.equals(scene) && key.setting.equals(setting))
+        .findFirst()
+        .flatMap(key -> spread(scene, setting, metric, key.stat));
+  }
+
+  /**
    * The median over forks of one number.
    *
    * @param scene the scene
@@ -131,11 +144,12 @@ public final class Results {
    */
   public Map<Integer, Double> series(String scene, Setting setting, String metric, String name) {
     Map<Integer, Double> series = new LinkedHashMap<>();
-    keys(key ->
-            key.metric.equals(metric)
-                && key.scene.equals(scene)
-                && key.setting.equals(setting)
-                && key.stat.startsWith(name + "@"))
+    keys(
+            metric,
+            key ->
+                key.scene.equals(scene)
+                    && key.setting.equals(setting)
+                    && key.stat.startsWith(name + "@"))
         .forEach(
             key ->
                 series.put(
@@ -144,7 +158,7 @@ public final class Results {
     return series;
   }
 
-  private Stream<Key> keys(Predicate<Key> wanted) {
-    return index.keySet().stream().filter(wanted);
+  private Stream<Key> keys(String metric, Predicate<Key> wanted) {
+    return byMetric.getOrDefault(metric, Set.of()).stream().filter(wanted);
   }
 }

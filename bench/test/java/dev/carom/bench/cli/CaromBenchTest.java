@@ -13,7 +13,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 class CaromBenchTest {
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "replay ", "simulate ", "cast ", "rungs ", "jmh "})
+  @ValueSource(
+      strings = {"", "replay ", "report ", "sweep ", "simulate ", "cast ", "rungs ", "jmh "})
   void everyCommandExplainsItself(String command) {
     Cli help = Cli.run((Object[]) (command + "--help").split(" "));
 

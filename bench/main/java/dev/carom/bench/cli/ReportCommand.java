@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import dev.carom.bench.measures.Part;
+import dev.carom.bench.measures.Parts;
+import dev.carom.bench.report.Origin;
+import dev.carom.bench.report.Report;
+import dev.carom.bench.report.ReportRun;
+import dev.carom.bench.report.Verdict;
+import dev.carom.bench.results.Metadata;
+import dev.carom.bench.results.Results;
+import dev.carom.bench.results.ResultsJson;
+import dev.carom.bench.sweep.SweepPart;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Measures everything and writes the report, or writes it anew from stored results. */
+@Command(
+    name = "report",
+    description = {
+      "Measures speed and accuracy of Carom, of other methods and of other engines, and writes a"
+          + " report: a page, its charts as PNG and SVG, and all numbers as JSON and CSV.",
+      "A run that was interrupted goes on where it was."
+    },
+    mixinStandardHelpOptions = true,
+    sortOptions = false)
+final class ReportCommand implements Callable<Integer> {
+
+  private static final String PARTS = "parts";
+
+  @Spec private CommandSpec spec;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description = "Where to write (default: the folder report, or that of --from).")
+  private Path out;
+
+  @Option(
+      names = "--from",
+      paramLabel = "DIR",
+      description = "Measure nothing: write the report anew from the results.json of a folder.")
+  private Path from;
+
+  @Option(names = "--quick", description = "Fewer scenes, queries and forks: under 3 minutes.")
+  private boolean quick;
+
+  @Option(
+      names = "--date",
+      paramLabel = "DATE",
+      description = "The date that the report bears (default: today).")
+  private String date;
+
+  @Override
+  public Integer call() throws IOException {
+    if (from != null && (quick || date != null)) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "--from and " + (quick ? "--quick" : "--date") + " exclude each other");
+    }
+    if (from != null) {
+      Results results = ResultsJson.read(from.resolve(Report.RESULTS));
+      write(results, out == null ? from : out);
+    } else {
+      measure(out == null ? Path.of("report") : out);
+    }
+    return 0;
+  }
+
+  private void measure(Path dir) throws IOException {
+    List<Part> parts = new ArrayList<>(Parts.of(quick));
+    parts.add(new SweepPart(quick));
+    String day = date == null ? LocalDate.now().toString() : date;
+    Metadata metadata = Origin.of(Map.of("sweep", 1L), day, quick);
+    ReportRun run = new ReportRun(metadata, dir.resolve(PARTS));
+    Results results;
+    try (Progress progress = Progress.start("report", parts.size())) {
+      Remaining remaining = new Remaining(progress, spec.commandLine().getErr());
+      results = run.run(parts, remaining::tell);
+    }
+    write(results, dir);
+    run.forget();
+  }
+
+  private void write(Results results, Path dir) throws IOException {
+    Report.write(results, dir);
+    PrintWriter printer = spec.commandLine().getOut();
+    Verdict.of(results).forEach(printer::println);
+    printer.println("report: " + dir.resolve(Report.PAGE));
+    printer.flush();
+  }
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import dev.carom.Scene;
+import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.methods.Method;
+import dev.carom.bench.methods.Methods;
+import dev.carom.bench.report.Figure;
+import dev.carom.bench.report.Origin;
+import dev.carom.bench.report.Report;
+import dev.carom.bench.report.ReportTable;
+import dev.carom.bench.report.SweepFigures;
+import dev.carom.bench.results.Results;
+import dev.carom.bench.results.ResultsCsv;
+import dev.carom.bench.results.Row;
+import dev.carom.bench.sweep.Sweep;
+import dev.carom.bench.sweep.SweepPlan;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.function.Function;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** The published experiment's own figures. */
+@Command(
+    name = "sweep",
+    description = {
+      "Measures the time of a frame against the number of circles, their radius, the number of"
+          + " lines and the impacts of the frame, as the published experiment did, by Carom and by"
+          + " the published algorithm ('poster') in turns, and tells how times grow."
+    },
+    mixinStandardHelpOptions = true,
+    sortOptions = false)
+final class SweepCommand implements Callable<Integer> {
+
+  private static final int REPLAYS = 15;
+  private static final int QUICK_REPLAYS = 5;
+  private static final int WARM_UP_MILLIS = 3000;
+
+  @Spec private CommandSpec spec;
+
+  @Option(
+      names = "--frames",
+      paramLabel = "N",
+      defaultValue = "600",
+      description = "Frames of one replay (default: ${DEFAULT-VALUE}).")
+  private int frames;
+
+  @Option(
+      names = "--replays",
+      paramLabel = "N",
+      description =
+          "Replays of each scene by each method; the time of a frame is its median over them"
+              + " (default: 15, or 5 with --quick).")
+  private Integer replays;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      defaultValue = "1",
+      description = "Of the random scenes (default: ${DEFAULT-VALUE}).")
+  private long seed;
+
+  @Option(names = "--quick", description = "A few scenes only: seconds instead of a minute.")
+  private boolean quick;
+
+  @Option(names = "--csv", paramLabel = "FILE", description = "Write the rows as CSV.")
+  private Path csv;
+
+  @Option(names = "--pictures", paramLabel = "DIR", description = "Write sweep.png and sweep.svg.")
+  private Path pictures;
+
+  @Override
+  public Integer call() throws IOException, CannotPlaceException {
+    int times = replays == null ? (quick ? QUICK_REPLAYS : REPLAYS) : replays;
+    Bounded.atLeast(1, "--frames", frames, spec);
+    Bounded.atLeast(1, "--replays", times, spec);
+    if (pictures != null) {
+      Files.createDirectories(pictures);
+    }
+    SweepPlan plan = SweepPlan.of(seed, frames, times, quick);
+    List<Row> rows = measure(plan);
+    if (csv != null) {
+      ResultsCsv.write(rows, csv);
+    }
+    SweepFigures figures =
+        new SweepFigures(new Results(Origin.of(Map.of("sweep", seed), "", quick), rows));
+    print(figures);
+    if (pictures != null) {
+      for (Figure figure : figures.figures()) {
+        Report.writePictures(figure, pictures);
+      }
+    }
+    return 0;
+  }
+
+  private List<Row> measure(SweepPlan plan) throws CannotPlaceException {
+    Map<String, Function<Scene, Method>> methods = new LinkedHashMap<>();
+    methods.put("carom", Methods.CAROM::start);
+    methods.put("poster", Methods.POSTER::start);
+    try (Progress progress = Progress.start("sweep", plan.points().size())) {
+      return new Sweep(plan, methods, seed).run(WARM_UP_MILLIS, progress::step);
+    }
+  }
+
+  private void print(SweepFigures figures) {
+    PrintWriter out = spec.commandLine().getOut();
+    ReportTable table = figures.table();
+    print(out, table.head());
+    table.rows().forEach(row -> print(out, row));
+    out.println();
+    figures.growth().forEach(out::println);
+    out.flush();
+  }
+
+  private static void print(PrintWriter out, List<String> cells) {
+    StringBuilder line = new StringBuilder();
+    for (int i = 0; i < cells.size(); i++) {
+      line.append(String.format(i == 0 || i == 2 ? "%-9s" : "%16s  ", cells.get(i)));
+    }
+    out.println(line.toString().stripTrailing());
+  }
+}

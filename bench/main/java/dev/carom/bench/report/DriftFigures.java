@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import dev.carom.bench.charts.Course;
+import dev.carom.bench.charts.DriftChart;
+import dev.carom.bench.results.Results;
+import dev.carom.bench.results.Setting;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Charts of a run frame by frame: trajectory, energy, penetration, and the horizons. */
+final class DriftFigures {
+
+  private static final Map<String, String> PANELS = new LinkedHashMap<>();
+
+  static {
+    PANELS.put(Metrics.TRAJECTORY_DRIFT, "Distance from the true course, in radii");
+    PANELS.put(Metrics.ENERGY_DRIFT, "Energy: how far its ratio to that of the start is from 1");
+    PANELS.put(Metrics.PENETRATION_DRIFT, "Penetration, in radii");
+  }
+
+  private static final int TABLE_ROWS = 10;
+
+  private final Results results;
+
+  DriftFigures(Results results) {
+    this.results = results;
+  }
+
+  List<Figure> figures() {
+    return results.scenes(Metrics.TRAJECTORY_DRIFT).stream().map(this::figure).toList();
+  }
+
+  private Figure figure(String scene) {
+    Map<String, List<Course>> panels = new LinkedHashMap<>();
+    ReportTable.Builder table =
+        new ReportTable.Builder("quantity", "setting", "frame", "5 %", "median", "95 %");
+    PANELS.forEach(
+        (metric, name) -> {
+          List<Course> courses = courses(scene, metric);
+          if (!courses.isEmpty()) {
+            panels.put(name, courses);
+            courses.forEach(course -> rows(table, name, course));
+          }
+        });
+    Map<String, Double> horizons = horizons(scene);
+    double limit = horizon(scene, new Setting(Metrics.NEIGHBOUR, ""));
+    String told = told(horizons, limit);
+    DriftChart chart =
+        new DriftChart(
+            title(scene),
+            "Scene "
+                + scene
+                + ", frame by frame: median over circles, band from 5 to 95 %. 0 stands at the lower edge. Marks at the foot: horizons.",
+            Settings.marks(results),
+            panels,
+            horizons,
+            limit);
+    return new Figure(
+        "drift-" + scene,
+        "The course of a run: " + scene,
+        "Distance from the true course, energy and penetration, frame by frame. " + told,
+        chart.picture(),
+        table.build());
+  }
+
+  private String title(String scene) {
+    double ours = horizon(scene, Metrics.CAROM);
+    double limit = horizon(scene, new Setting(Metrics.NEIGHBOUR, ""));
+    if (Double.isNaN(ours)) {
+      return "The course of a run in " + scene;
+    }
+    return "Half of carom's circles are on the true course until frame %s%s"
+        .formatted(
+            Numbers.count(ours),
+            Double.isNaN(limit)
+                ? ""
+                : "; of a start that differs in the last bit, until " + Numbers.count(limit));
+  }
+
+  private double horizon(String scene, Setting setting) {
+    return results.value(scene, setting, Metrics.HORIZON, "median");
+  }
+
+  private Map<String, Double> horizons(String scene) {
+    Map<String, Double> horizons = new LinkedHashMap<>();
+    for (Setting setting : Settings.of(results, scene, Metrics.HORIZON)) {
+      double frame = horizon(scene, setting);
+      if (!Double.isNaN(frame)) {
+        horizons.merge(setting.method(), frame, Math::max); // the best setting of a method
+      }
+    }
+    return horizons;
+  }
+
+  private static String told(Map<String, Double> horizons, double limit) {
+    List<String> all = new ArrayList<>();
+    horizons.forEach((method, frame) -> all.add(method + " " + Numbers.count(frame)));
+    if (!Double.isNaN(limit)) {
+      all.add("the reference started 1 ulp away " + Numbers.count(limit));
+    }
+    return all.isEmpty()
+        ? "No horizon was measured."
+        : "Frame at which half of the circles are more than 0.1 radius off, by the best setting of each method: "
+            + String.join(", ", all)
+            + ".";
+  }
+
+  private List<Course> courses(String scene, String metric) {
+    List<Course> courses = new ArrayList<>();
+    for (Setting setting : Settings.of(results, scene, metric)) {
+      Map<Integer, Double> middle = results.series(scene, setting, metric, "median");
+      Map<Integer, Double> low = results.series(scene, setting, metric, "p5");
+      Map<Integer, Double> high = results.series(scene, setting, metric, "p95");
+      int[] frames = middle.keySet().stream().mapToInt(i -> i).sorted().toArray();
+      courses.add(
+          new Course(
+              setting.method(),
+              setting.value(),
+              Arrays.stream(frames).asDoubleStream().toArray(),
+              sizes(frames, low),
+              sizes(frames, middle),
+              sizes(frames, high)));
+    }
+    return courses;
+  }
+
+  private static double[] sizes(int[] frames, Map<Integer, Double> series) {
+    return Arrays.stream(frames)
+        .mapToDouble(frame -> Math.abs(series.getOrDefault(frame, Double.NaN)))
+        .toArray();
+  }
+
+  private static void rows(ReportTable.Builder table, String name, Course course) {
+    int n = course.x().length;
+    for (int k = 1; k <= TABLE_ROWS; k++) {
+      int i = k * n / TABLE_ROWS - 1;
+      if (i >= 0) {
+        table.row(
+            name,
+            (course.method() + " " + course.knob()).strip(),
+            Numbers.count(course.x()[i]),
+            Numbers.error(course.low()[i]),
+            Numbers.error(course.middle()[i]),
+            Numbers.error(course.high()[i]));
+      }
+    }
+  }
+}

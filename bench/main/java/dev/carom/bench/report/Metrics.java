@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import dev.carom.bench.results.Setting;
+
+/** The names of metrics and scenes in the rows, and the methods that have a part of their own. */
+final class Metrics {
+
+  static final String OURS = "carom";
+  static final Setting CAROM = new Setting(OURS, "");
+
+  /** The true course, begun in the neighbouring double: no method in doubles can be better. */
+  static final String NEIGHBOUR = "reference+1ulp";
+
+  static final String FRAME_TIME = "frame_time";
+  static final String FRAME_RAW = "frame_raw";
+  static final String FRAME_ERROR = "frame_error";
+  static final String HORIZON = "horizon";
+  static final String MISSED = "decisions_missed";
+  static final String INVENTED = "decisions_false";
+  static final String DECISIONS = "decisions_total";
+  static final String TIME_ERROR = "time_error";
+  static final String QUERY_TIME = "query_time";
+  static final String PAIR_TESTS = "pair_tests";
+  static final String TRAJECTORY_DRIFT = "drift_trajectory";
+  static final String ENERGY_DRIFT = "drift_energy";
+  static final String PENETRATION_DRIFT = "drift_penetration";
+
+  private static final String QUERY = "query:";
+  private static final String DEFAULTS = "default";
+
+  private Metrics() {}
+
+  /** The class of a scene that stands for queries. */
+  static String queryClass(String scene) {
+    return (scene.startsWith(QUERY) ? scene.substring(QUERY.length()) : scene).replace('_', ' ');
+  }
+
+  /** Whether a peer is left as it comes. */
+  static boolean isDefault(Setting setting) {
+    return setting.value().startsWith(DEFAULTS);
+  }
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import dev.carom.bench.charts.DecisionTable;
+import dev.carom.bench.charts.DecisionTable.Cell;
+import dev.carom.bench.charts.Dot;
+import dev.carom.bench.charts.WorkPrecisionChart;
+import dev.carom.bench.charts.WorkPrecisionChart.Work;
+import dev.carom.bench.results.Results;
+import dev.carom.bench.results.Setting;
+import dev.carom.bench.results.Spread;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Single questions: how long an answer takes, how wrong its time is, how often it is wrong. */
+final class QueryFigures {
+
+  private final Results results;
+
+  QueryFigures(Results results) {
+    this.results = results;
+  }
+
+  List<Figure> figures() {
+    List<Figure> figures = new ArrayList<>();
+    if (!results.scenes(Metrics.TIME_ERROR).isEmpty()) {
+      figures.add(queries());
+    }
+    if (!results.scenes(Metrics.DECISIONS).isEmpty()) {
+      figures.add(decisions());
+    }
+    return figures;
+  }
+
+  private Figure queries() {
+    Map<String, List<Dot>> panels = new LinkedHashMap<>();
+    ReportTable.Builder table =
+        new ReportTable.Builder(
+            "class", "setting", "time of a query", "error in ulps: worst", "median");
+    List<String> beaten = new ArrayList<>();
+    for (String scene : results.scenes(Metrics.TIME_ERROR)) {
+      List<Dot> dots = new ArrayList<>();
+      for (Setting setting : Settings.of(results, scene, Metrics.TIME_ERROR)) {
+        Dot dot = dot(scene, setting);
+        dots.add(dot);
+        table.row(
+            Metrics.queryClass(scene),
+            setting.toString(),
+            time(scene, setting).map(Numbers::spread).orElse("not measured"),
+            Numbers.error(dot.error()),
+            Numbers.error(results.value(scene, setting, Metrics.TIME_ERROR, "median")));
+      }
+      panels.put(Metrics.queryClass(scene), dots);
+      beaten.addAll(better(scene, dots));
+    }
+    String title =
+        beaten.isEmpty()
+            ? "No question is answered both faster and more accurately than by carom"
+            : "Some questions are answered both faster and more accurately than by carom";
+    String caption =
+        "Time of a query against the worst error of the time of impact, for each class of queries."
+            + (beaten.isEmpty()
+                ? " Nothing measured is both faster and more accurate than carom."
+                : " Both faster and more accurate than carom: " + String.join(", ", beaten) + ".")
+            + ours(panels);
+    WorkPrecisionChart chart =
+        new WorkPrecisionChart(
+            title,
+            "Time of a query against the error of the time of impact, a panel for each class of queries.",
+            Settings.marks(results),
+            List.of("worst error of the time of impact, in ulps", "time of a query"),
+            Work.TIME,
+            Double.NaN,
+            panels);
+    return new Figure("queries", "Single questions", caption, chart.picture(), table.build());
+  }
+
+  private static String ours(Map<String, List<Dot>> panels) {
+    double worst =
+        panels.values().stream()
+            .flatMap(List::stream)
+            .filter(dot -> dot.method().equals(Metrics.OURS))
+            .mapToDouble(Dot::error)
+            .reduce(0, Math::max);
+    return " Carom's worst error over all classes: " + Numbers.error(worst) + " ulps.";
+  }
+
+  private Optional<Spread> time(String scene, Setting setting) {
+    return results
+        .spread(scene, setting, Metrics.QUERY_TIME, "median")
+        .or(() -> results.only(scene, setting, Metrics.QUERY_TIME));
+  }
+
+  private Dot dot(String scene, Setting setting) {
+    Spread time = time(scene, setting).orElse(Spread.of(0, Double.NaN));
+    double error = results.value(scene, setting, Metrics.TIME_ERROR, "max");
+    return new Dot(
+        setting.method(),
+        setting.value(),
+        error,
+        time.low(),
+        time.middle(),
+        time.high(),
+        Metrics.isDefault(setting));
+  }
+
+  private static List<String> better(String scene, List<Dot> dots) {
+    Optional<Dot> ours = dots.stream().filter(d -> d.method().equals(Metrics.OURS)).findFirst();
+    return dots.stream()
+        .filter(d -> ours.isPresent() && d.high() < ours.get().low())
+        .filter(d -> d.error() < ours.get().error())
+        .map(d -> (d.method() + " " + d.knob()).strip() + " (" + Metrics.queryClass(scene) + ")")
+        .toList();
+  }
+
+  private Figure decisions() {
+    List<String> scenes = results.scenes(Metrics.DECISIONS);
+    List<Setting> settings =
+        Settings.sorted(
+            scenes.stream()
+                .flatMap(scene -> results.settings(scene, Metrics.DECISIONS).stream())
+                .distinct()
+                .toList());
+    Cell[][] cells = new Cell[settings.size()][scenes.size()];
+    ReportTable.Builder table =
+        new ReportTable.Builder("class", "setting", "missed", "false hits", "wrong");
+    for (int k = 0; k < scenes.size(); k++) {
+      for (int i = 0; i < settings.size(); i++) {
+        Cell cell = cell(scenes.get(k), settings.get(i));
+        cells[i][k] = cell;
+        table.row(
+            Metrics.queryClass(scenes.get(k)),
+            settings.get(i).toString(),
+            Numbers.count(cell.missed()),
+            Numbers.count(cell.invented()),
+            Double.isNaN(cell.total())
+                ? "not asked"
+                : Numbers.failures(cell.missed() + cell.invented(), cell.total()));
+      }
+    }
+    String sentence = Verdict.of(results).get(0);
+    DecisionTable chart =
+        new DecisionTable(
+            sentence,
+            "Missed hits | false hits, in exact counts. 0 of n stands with the share that it proves, below 3/n at 95 %.",
+            settings.stream().map(s -> (s.method() + " " + s.value()).strip()).toList(),
+            scenes.stream().map(Metrics::queryClass).toList(),
+            cells);
+    return new Figure(
+        "decisions",
+        "Right and wrong answers",
+        "Wrong answers by method and class of queries. " + sentence,
+        chart.picture(),
+        table.build());
+  }
+
+  private Cell cell(String scene, Setting setting) {
+    return new Cell(
+        number(scene, setting, Metrics.MISSED),
+        number(scene, setting, Metrics.INVENTED),
+        number(scene, setting, Metrics.DECISIONS));
+  }
+
+  private double number(String scene, Setting setting, String metric) {
+    return results.only(scene, setting, metric).map(Spread::middle).orElse(Double.NaN);
+  }
+}

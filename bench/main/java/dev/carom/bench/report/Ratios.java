@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import dev.carom.bench.results.Results;
+import dev.carom.bench.results.Setting;
+import dev.carom.bench.results.Spread;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** How many times as long as Carom each method and peer takes for a frame. */
+public final class Ratios {
+
+  private Ratios() {}
+
+  /**
+   * The ratios of the medians, in brackets the least and the greatest that the forks allow.
+   *
+   * @param results what was measured
+   * @return a row for each setting, a column for each scene
+   */
+  public static ReportTable of(Results results) {
+    List<String> scenes =
+        results.scenes(Metrics.FRAME_TIME).stream()
+            .filter(s -> results.settings(s, Metrics.FRAME_TIME).contains(Metrics.CAROM))
+            .toList();
+    List<String> head = new ArrayList<>(List.of("time of a frame, carom = 1"));
+    head.addAll(scenes);
+    ReportTable.Builder table = new ReportTable.Builder(head);
+    List<Setting> settings =
+        scenes.stream()
+            .flatMap(scene -> results.settings(scene, Metrics.FRAME_TIME).stream())
+            .distinct()
+            .filter(setting -> !setting.equals(Metrics.CAROM))
+            .toList();
+    for (Setting setting : settings) {
+      List<String> cells = new ArrayList<>(List.of(setting.toString()));
+      scenes.forEach(scene -> cells.add(ratio(results, scene, setting)));
+      table.row(cells);
+    }
+    return table.build();
+  }
+
+  private static String ratio(Results results, String scene, Setting setting) {
+    Optional<Spread> theirs = results.spread(scene, setting, Metrics.FRAME_TIME, "median");
+    Spread ours = results.spread(scene, Metrics.CAROM, Metrics.FRAME_TIME, "median").orElseThrow();
+    if (theirs.isEmpty() || theirs.get().failed() || ours.failed()) {
+      return theirs.isEmpty() ? "not measured" : "failed";
+    }
+    Spread t = theirs.get();
+    String middle = Numbers.ratio(t.middle() / ours.middle());
+    if (t.forks() < 2) {
+      return middle;
+    }
+    return "%s (%s .. %s)"
+        .formatted(
+            middle, Numbers.ratio(t.low() / ours.high()), Numbers.ratio(t.high() / ours.low()));
+  }
+}

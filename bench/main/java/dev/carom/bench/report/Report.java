@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import dev.carom.bench.charts.Style;
+import dev.carom.bench.results.Results;
+import dev.carom.bench.results.ResultsCsv;
+import dev.carom.bench.results.ResultsJson;
+import dev.carom.bench.results.WholeFile;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Writes a report: results as JSON and CSV, one page, and each figure as PNG and SVG. */
+public final class Report {
+
+  /** The file that all others can be made from. */
+  public static final String RESULTS = "results.json";
+
+  /** The page. */
+  public static final String PAGE = "report.html";
+
+  private Report() {}
+
+  /**
+   * Writes all files.
+   *
+   * @param results what was measured
+   * @param dir where; it is created if need be, and files of these names are replaced
+   * @throws IOException if a file cannot be written; the message names it
+   * @throws IllegalStateException if there is no font
+   */
+  public static void write(Results results, Path dir) throws IOException {
+    Style.requireFonts();
+    Files.createDirectories(dir);
+    ResultsJson.write(results, dir.resolve(RESULTS));
+    ResultsCsv.write(results.rows(), dir.resolve("results.csv"));
+    List<Figure> figures = figures(results);
+    WholeFile.write(dir.resolve(PAGE), Page.of(results, figures));
+    for (Figure figure : figures) {
+      writePictures(figure, dir);
+    }
+  }
+
+  /**
+   * Writes a figure as PNG and SVG, named after it.
+   *
+   * @param figure the figure
+   * @param dir a folder that exists
+   * @throws IOException if a file cannot be written; the message names it
+   */
+  public static void writePictures(Figure figure, Path dir) throws IOException {
+    WholeFile.write(dir.resolve(figure.id() + ".png"), figure.picture().png());
+    WholeFile.write(dir.resolve(figure.id() + ".svg"), figure.picture().svg());
+  }
+
+  /**
+   * The figures that the results have numbers for.
+   *
+   * @param results what was measured
+   * @return in the order of the page
+   */
+  static List<Figure> figures(Results results) {
+    List<Figure> figures = new ArrayList<>();
+    figures.addAll(new WorkFigures(results).figures());
+    figures.addAll(new QueryFigures(results).figures());
+    figures.addAll(new DriftFigures(results).figures());
+    figures.addAll(new FrameTimeFigures(results).figures());
+    figures.addAll(new SweepFigures(results).figures());
+    return figures;
+  }
+}

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import dev.carom.bench.charts.Course;
+import dev.carom.bench.charts.SweepChart;
+import dev.carom.bench.replay.Budget;
+import dev.carom.bench.results.Results;
+import dev.carom.bench.results.Setting;
+import dev.carom.bench.sweep.Growth;
+import dev.carom.bench.sweep.Sweep;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+/** The published experiment's own figures: time against circles, radius, lines and impacts. */
+public final class SweepFigures {
+
+  private static final Map<String, String> PANELS = new LinkedHashMap<>();
+
+  static {
+    PANELS.put("circles", "number of circles");
+    PANELS.put("radius", "radius of the circles, in px");
+    PANELS.put("lines", "number of lines");
+    PANELS.put("impacts", "impacts in the frame");
+  }
+
+  /** The panels whose numbers are sizes of the scene, so that there is a growth. */
+  private static final List<String> SIZES = List.of("circles", "lines");
+
+  private static final int LEAST_POINTS = 3;
+
+  private final Results results;
+
+  /**
+   * Prepares the figure.
+   *
+   * @param results what was measured
+   */
+  public SweepFigures(Results results) {
+    this.results = results;
+  }
+
+  /**
+   * Makes the figure.
+   *
+   * @return one, or none if no sweep was measured
+   */
+  public List<Figure> figures() {
+    if (results.scenes(Sweep.TIME).isEmpty()) {
+      return List.of();
+    }
+    Map<String, List<Course>> panels = new LinkedHashMap<>();
+    PANELS.forEach(
+        (axis, name) -> {
+          List<Course> courses = courses(axis);
+          if (!courses.isEmpty()) {
+            panels.put(name, courses);
+          }
+        });
+    String title = title();
+    SweepChart chart =
+        new SweepChart(
+            title,
+            "100 circles of radius 10 among 100 lines, one of these numbers varied. Line: mean; band: from the fastest to the slowest of 600 frames.",
+            Settings.marks(results),
+            panels,
+            1e6 * Budget.MILLIS,
+            1e9 / Budget.PUBLISHED_FPS);
+    String caption =
+        "Time of a frame against circles, radius, lines and impacts, with the published 19.2 frames per second and the goal of 60. "
+            + title
+            + ". "
+            + String.join(" ", growth());
+    return List.of(
+        new Figure("sweep", "The published experiment", caption, chart.picture(), table()));
+  }
+
+  /**
+   * How times grow with the sizes of the scene.
+   *
+   * @return a sentence for each size and method
+   */
+  public List<String> growth() {
+    List<String> sentences = new ArrayList<>();
+    for (String axis : SIZES) {
+      for (Course course : courses(axis)) {
+        if (course.x().length >= LEAST_POINTS) {
+          Growth fit = Growth.of(course.x(), course.middle());
+          sentences.add(
+              String.format(
+                  Locale.ROOT,
+                  "The time of %s grows with the number of %s to the power %.2f (%.2f .. %.2f at 95 %%).",
+                  course.method(),
+                  axis,
+                  fit.slope(),
+                  fit.low(),
+                  fit.high()));
+        }
+      }
+    }
+    return sentences;
+  }
+
+  private String title() {
+    Map<String, Double> full = new LinkedHashMap<>();
+    for (Course course : courses("circles")) {
+      int last = course.x().length - 1;
+      full.put(course.method(), course.middle()[last]);
+    }
+    return full.entrySet().stream()
+            .map(e -> e.getKey() + " " + Numbers.time(e.getValue()))
+            .collect(Collectors.joining(", "))
+        + " a frame with the most circles; published: "
+        + Numbers.time(1e9 / Budget.PUBLISHED_FPS);
+  }
+
+  private List<Course> courses(String axis) {
+    Map<Setting, List<Integer>> places = new LinkedHashMap<>();
+    for (String scene : results.scenes(Sweep.TIME)) {
+      String prefix = Sweep.SCENE + axis + "=";
+      if (scene.startsWith(prefix)) {
+        int at = Integer.parseInt(scene.substring(prefix.length()));
+        for (Setting setting : Settings.of(results, scene, Sweep.TIME)) {
+          places.computeIfAbsent(setting, none -> new ArrayList<>()).add(at);
+        }
+      }
+    }
+    List<Course> courses = new ArrayList<>();
+    places.forEach((setting, at) -> courses.add(course(axis, setting, at)));
+    return courses;
+  }
+
+  private Course course(String axis, Setting setting, List<Integer> places) {
+    int[] sorted = places.stream().mapToInt(i -> i).sorted().toArray();
+    int n = sorted.length;
+    double[][] values = new double[4][n];
+    for (int i = 0; i < n; i++) {
+      String scene = Sweep.SCENE + axis + "=" + sorted[i];
+      values[0][i] = sorted[i];
+      values[1][i] = results.value(scene, setting, Sweep.TIME, "min");
+      values[2][i] = results.value(scene, setting, Sweep.TIME, "mean");
+      values[3][i] = results.value(scene, setting, Sweep.TIME, "max");
+    }
+    String slope =
+        SIZES.contains(axis) && n >= LEAST_POINTS
+            ? String.format(Locale.ROOT, "n^%.2f", Growth.of(values[0], values[2]).slope())
+            : "";
+    return new Course(setting.method(), slope, values[0], values[1], values[2], values[3]);
+  }
+
+  /**
+   * The numbers.
+   *
+   * @return a row for each place and method
+   */
+  public ReportTable table() {
+    ReportTable.Builder table =
+        new ReportTable.Builder(
+            "varied", "value", "method", "mean", "least", "greatest", "frames a second");
+    for (String axis : PANELS.keySet()) {
+      for (Course course : courses(axis)) {
+        for (int i = 0; i < course.x().length; i++) {
+          table.row(
+              axis,
+              Numbers.count(course.x()[i]),
+              course.method(),
+              Numbers.time(course.middle()[i]),
+              Numbers.time(course.low()[i]),
+              Numbers.time(course.high()[i]),
+              Numbers.count(1e9 / course.middle()[i]));
+        }
+      }
+    }
+    return table.build();
+  }
+}
