@@ -31,7 +31,11 @@ final class DriftFigures {
   }
 
   List<Figure> figures() {
-    return results.scenes(Metrics.TRAJECTORY_DRIFT).stream().map(this::figure).toList();
+    return PANELS.keySet().stream()
+        .flatMap(metric -> results.scenes(metric).stream())
+        .distinct()
+        .map(this::figure)
+        .toList();
   }
 
   private Figure figure(String scene) {
@@ -54,7 +58,7 @@ final class DriftFigures {
             title(scene),
             "Scene "
                 + scene
-                + ", frame by frame: median over circles, band from 5 to 95 %. 0 stands at the lower edge. Marks at the foot: horizons.",
+                + ", frame by frame: median over circles, band from 5 to 95 %; of each method its most accurate setting. 0 stands at the lower edge. Marks at the foot: horizons.",
             Settings.marks(results),
             panels,
             horizons,
@@ -73,12 +77,21 @@ final class DriftFigures {
     if (Double.isNaN(ours)) {
       return "The course of a run in " + scene;
     }
-    return "Half of carom's circles are on the true course until frame %s%s"
-        .formatted(
-            Numbers.count(ours),
-            Double.isNaN(limit)
-                ? ""
-                : "; of a start that differs in the last bit, until " + Numbers.count(limit));
+    String theirs =
+        Double.isNaN(limit)
+            ? ""
+            : "; of a start that differs in the last bit, " + until(scene, limit);
+    return "Half of carom's circles are on the true course " + until(scene, ours) + theirs;
+  }
+
+  /** A horizon after the last frame was never reached. */
+  private String until(String scene, double frame) {
+    int last =
+        results.series(scene, Metrics.CAROM, Metrics.TRAJECTORY_DRIFT, "median").keySet().stream()
+            .mapToInt(i -> i)
+            .max()
+            .orElse(Integer.MAX_VALUE);
+    return frame > last ? "to the end" : "until frame " + Numbers.count(frame);
   }
 
   private double horizon(String scene, Setting setting) {
@@ -111,7 +124,7 @@ final class DriftFigures {
 
   private List<Course> courses(String scene, String metric) {
     List<Course> courses = new ArrayList<>();
-    for (Setting setting : Settings.of(results, scene, metric)) {
+    for (Setting setting : Settings.finest(results, scene, metric)) {
       Map<Integer, Double> middle = results.series(scene, setting, metric, "median");
       Map<Integer, Double> low = results.series(scene, setting, metric, "p5");
       Map<Integer, Double> high = results.series(scene, setting, metric, "p95");
@@ -119,7 +132,7 @@ final class DriftFigures {
       courses.add(
           new Course(
               setting.method(),
-              setting.value(),
+              Metrics.shortKnob(setting),
               Arrays.stream(frames).asDoubleStream().toArray(),
               sizes(frames, low),
               sizes(frames, middle),

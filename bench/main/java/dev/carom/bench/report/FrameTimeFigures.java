@@ -17,7 +17,7 @@ final class FrameTimeFigures {
   private static final double BUDGET = 1e6 * Budget.MILLIS;
 
   /** A strip narrower than this is not seen. */
-  private static final int MOST_STRIPS = 9;
+  private static final int MOST_STRIPS = 12;
 
   private final Results results;
 
@@ -41,12 +41,12 @@ final class FrameTimeFigures {
 
   private List<Strip> strips(String scene) {
     List<Strip> strips = new ArrayList<>();
-    for (Setting setting : Settings.of(results, scene, Metrics.FRAME_RAW)) {
+    for (Setting setting : Settings.finest(results, scene, Metrics.FRAME_RAW)) {
       Map<Integer, Double> series = results.series(scene, setting, Metrics.FRAME_RAW, "frame");
       double[] nanos =
           series.values().stream().mapToDouble(t -> t).filter(t -> !Double.isNaN(t)).toArray();
       if (nanos.length > 0) {
-        strips.add(new Strip(setting.method(), setting.value(), nanos));
+        strips.add(new Strip(setting.method(), Metrics.shortKnob(setting), nanos));
       }
     }
     return strips;
@@ -82,7 +82,9 @@ final class FrameTimeFigures {
     FrameStripsChart chart =
         new FrameStripsChart(
             title,
-            "Scene " + scene + ": every frame of one replay. Lines: median and 95 %.",
+            "Scene "
+                + scene
+                + ": every frame of one replay by the most accurate setting of each method. Lines: median and 95 %.",
             Settings.marks(results),
             strips,
             BUDGET);

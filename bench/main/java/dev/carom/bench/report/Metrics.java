@@ -29,11 +29,27 @@ final class Metrics {
   private static final String QUERY = "query:";
   private static final String DEFAULTS = "default";
 
+  /** The knob of a peer, which is left as it comes or set as well as its documentation allows. */
+  private static final String PEER = "setting=";
+
   private Metrics() {}
 
   /** The class of a scene that stands for queries. */
   static String queryClass(String scene) {
     return (scene.startsWith(QUERY) ? scene.substring(QUERY.length()) : scene).replace('_', ' ');
+  }
+
+  /** What stands at a dot: the knob's value; of a peer, whose setting is long, which it is. */
+  static String shortKnob(Setting setting) {
+    if (isDefault(setting)) {
+      return "defaults";
+    }
+    return setting.knob().startsWith(PEER) ? "best" : setting.value();
+  }
+
+  /** A method and what stands at its dot. */
+  static String shortName(Setting setting) {
+    return (setting.method() + " " + shortKnob(setting)).strip();
   }
 
   /** Whether a peer is left as it comes. */

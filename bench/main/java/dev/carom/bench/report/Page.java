@@ -4,6 +4,7 @@ package dev.carom.bench.report;
 import dev.carom.bench.charts.Style;
 import dev.carom.bench.results.Metadata;
 import dev.carom.bench.results.Results;
+import dev.carom.bench.results.Setting;
 import java.awt.Color;
 import java.io.IOException;
 import java.io.InputStream;
@@ -164,7 +165,20 @@ final class Page {
     m.scenes().forEach((scene, hash) -> item("scene " + scene, "SHA-256 " + hash));
     m.seeds().forEach((name, seed) -> item("seed " + name, Long.toString(seed)));
     item("rows", Numbers.count(results.rows().size()));
+    failures().forEach(failure -> item("not measured", failure));
     html.append("</dl>\n");
+  }
+
+  /** Who failed where and why, each once. */
+  private List<String> failures() {
+    return results.rows().stream()
+        .filter(row -> row.metric().equals(ReportRun.FAILURE))
+        .map(
+            row ->
+                "%s %s: %s"
+                    .formatted(row.scene(), new Setting(row.method(), row.knob()), row.stat()))
+        .distinct()
+        .toList();
   }
 
   private void item(String name, String value) {

@@ -99,7 +99,7 @@ final class QueryFigures {
     double error = results.value(scene, setting, Metrics.TIME_ERROR, "max");
     return new Dot(
         setting.method(),
-        setting.value(),
+        Metrics.shortKnob(setting),
         error,
         time.low(),
         time.middle(),
@@ -146,7 +146,7 @@ final class QueryFigures {
         new DecisionTable(
             sentence,
             "Missed hits | false hits, in exact counts. 0 of n stands with the share that it proves, below 3/n at 95 %.",
-            settings.stream().map(s -> (s.method() + " " + s.value()).strip()).toList(),
+            settings.stream().map(Metrics::shortName).toList(),
             scenes.stream().map(Metrics::queryClass).toList(),
             cells);
     return new Figure(

@@ -5,6 +5,7 @@ import dev.carom.bench.charts.Style;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.ResultsCsv;
 import dev.carom.bench.results.ResultsJson;
+import dev.carom.bench.results.Row;
 import dev.carom.bench.results.WholeFile;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -12,7 +13,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Writes a report: results as JSON and CSV, one page, and each figure as PNG and SVG. */
+/**
+ * Writes a report: results as JSON and CSV, one page, and each figure as PNG and SVG. The CSV
+ * leaves out the raw times of single frames, which are most of the rows; the JSON has them.
+ */
 public final class Report {
 
   /** The file that all others can be made from. */
@@ -35,7 +39,9 @@ public final class Report {
     Style.requireFonts();
     Files.createDirectories(dir);
     ResultsJson.write(results, dir.resolve(RESULTS));
-    ResultsCsv.write(results.rows(), dir.resolve("results.csv"));
+    List<Row> rows =
+        results.rows().stream().filter(row -> !row.metric().equals(Metrics.FRAME_RAW)).toList();
+    ResultsCsv.write(rows, dir.resolve("results.csv"));
     List<Figure> figures = figures(results);
     WholeFile.write(dir.resolve(PAGE), Page.of(results, figures));
     for (Figure figure : figures) {

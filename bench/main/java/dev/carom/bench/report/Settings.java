@@ -7,7 +7,9 @@ import dev.carom.bench.results.Setting;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /** The order in which settings are told, however they were measured: carom first, knobs upwards. */
 final class Settings {
@@ -30,6 +32,27 @@ final class Settings {
     sorted.removeIf(setting -> setting.method().equals(Metrics.NEIGHBOUR));
     sorted.sort(ORDER);
     return sorted;
+  }
+
+  /**
+   * One setting of each method, the one with the least error in a scene: for charts that have no
+   * room for all. Where there is no error to go by, the last one.
+   */
+  static List<Setting> finest(Results results, String scene, String metric) {
+    Map<String, Setting> finest = new LinkedHashMap<>();
+    for (Setting setting : of(results, scene, metric)) {
+      finest.merge(
+          setting.method(),
+          setting,
+          (best, other) ->
+              error(results, scene, best) < error(results, scene, other) ? best : other);
+    }
+    return List.copyOf(finest.values());
+  }
+
+  private static double error(Results results, String scene, Setting setting) {
+    double error = results.value(scene, setting, Metrics.FRAME_ERROR, "max");
+    return Double.isNaN(error) ? Double.POSITIVE_INFINITY : error;
   }
 
   /** Marks that do not depend on the order of the rows. */

@@ -165,9 +165,9 @@ public final class Verdict {
     int alone = 0;
     for (String scene : results.scenes(Metrics.FRAME_ERROR)) {
       List<Standing> all = Standing.all(results, scene);
-      Optional<Standing> ours = Standing.ours(all);
+      Optional<Standing> ours = Standing.ours(all).filter(s -> s.time().forks() > 0);
       if (ours.isEmpty()) {
-        continue;
+        continue; // nobody's frames were timed
       }
       scenes++;
       Standing carom = ours.get();

@@ -70,7 +70,8 @@ final class WorkFigures {
             Work.TIME,
             1e6 * Budget.MILLIS,
             Map.of("", dots));
-    String caption = "Time of a frame against the worst error of one frame. " + caption(all);
+    String caption =
+        "Time of a frame against the worst error of one frame. " + caption(all) + peers(all);
     return new Figure(
         "work-" + scene,
         "Speed against accuracy: " + scene,
@@ -82,7 +83,7 @@ final class WorkFigures {
   private static Dot dot(Standing s, double low, double work, double high) {
     return new Dot(
         s.setting().method(),
-        s.setting().value(),
+        Metrics.shortKnob(s.setting()),
         s.error(),
         low,
         work,
@@ -137,9 +138,18 @@ final class WorkFigures {
   }
 
   private static String name(Standing s) {
-    return s.setting().knob().isEmpty()
-        ? s.setting().method()
-        : s.setting().method() + " " + s.setting().knob();
+    return Metrics.shortName(s.setting());
+  }
+
+  /** What stands for a peer at its best: the whole setting. */
+  private static String peers(List<Standing> all) {
+    String peers =
+        all.stream()
+            .map(Standing::setting)
+            .filter(setting -> Metrics.shortKnob(setting).equals("best"))
+            .map(setting -> setting.method() + ": " + setting.value())
+            .collect(Collectors.joining("; "));
+    return peers.isEmpty() ? "" : " Peers at their best: " + peers + ".";
   }
 
   private ReportTable table(String scene, List<Standing> all) {
@@ -156,7 +166,10 @@ final class WorkFigures {
             "fallbacks",
             "impacts",
             "tunnelled",
-            "escaped");
+            "escaped",
+            "penetration",
+            "energy",
+            "reversal");
     for (Standing s : all) {
       table.row(
           s.setting().toString(),
@@ -170,7 +183,10 @@ final class WorkFigures {
           only(scene, s, "fallbacks"),
           only(scene, s, "impacts"),
           only(scene, s, "tunnelled"),
-          only(scene, s, "escaped"));
+          only(scene, s, "escaped"),
+          stat(scene, s, "penetration", "max"),
+          stat(scene, s, "energy_drift", "max"),
+          stat(scene, s, "reversal_error", "max"));
     }
     return table.build();
   }

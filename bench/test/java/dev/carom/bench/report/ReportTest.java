@@ -60,7 +60,9 @@ class ReportTest {
   @Test
   void theResultsAreStoredWithIt() throws IOException {
     assertThat(ResultsJson.read(dir.resolve(Report.RESULTS)).rows()).isEqualTo(stored.rows());
-    assertThat(ResultsCsv.read(dir.resolve("results.csv"))).isEqualTo(stored.rows());
+    assertThat(ResultsCsv.read(dir.resolve("results.csv")))
+        .isEqualTo(
+            stored.rows().stream().filter(row -> !row.metric().equals("frame_raw")).toList());
   }
 
   @Test

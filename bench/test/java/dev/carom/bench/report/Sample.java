@@ -46,8 +46,8 @@ final class Sample {
         sample.frames(
             scene, "advancement", "tolerance=1e-" + e, 6000.0 * e, Math.pow(10, -e), 8000.0 * e);
       }
-      sample.frames(scene, "dyn4j", "defaults", 210_000, 0.4, Double.NaN);
-      sample.frames(scene, "dyn4j", "best=continuous", 330_000, 0.03, Double.NaN);
+      sample.frames(scene, "dyn4j", "setting=defaults, 30 px/m", 210_000, 0.4, Double.NaN);
+      sample.frames(scene, "dyn4j", "setting=continuous, 10+ px/m", 330_000, 0.03, Double.NaN);
     }
     for (String kind : List.of("head-on", "grazing", "far_from_origin")) {
       sample.query(kind, "carom", "", 30, 0.5, 0, 0);

@@ -68,6 +68,14 @@ class VerdictTest {
   }
 
   @Test
+  void aSceneWithoutTimesIsNoPlaceToBeFast() {
+    Sample sample = Sample.complete().frames("base-9", "carom", "", 1000, 1e-16, 9);
+    sample.without(row -> row.scene().equals("base-9") && row.metric().equals("frame_time"));
+    assertThat(verdict(sample).get(1)).startsWith("Accuracy: in 3 scenes");
+    assertThat(verdict(sample).get(3)).startsWith("Place: in 2 scenes");
+  }
+
+  @Test
   void saysWhenTheBudgetIsMissed() {
     Sample sample =
         Sample.complete()
