@@ -107,7 +107,8 @@ final class CoursePanel {
       double value = course.middle()[i];
       points[i] = new double[] {axes.x(course.x()[i]), Double.isNaN(value) ? value : axes.y(value)};
     }
-    axes.line(g, points, marks.of(course.method()).color(), Style.line(Style.FIRM));
+    Marks.Mark mark = marks.of(course.method());
+    axes.line(g, points, mark.color(), mark.stroke());
     double next = axes.area().getMinX() + SPACING * phase(course);
     for (double[] point : points) {
       if (point[0] >= next && !Double.isNaN(point[1])) {

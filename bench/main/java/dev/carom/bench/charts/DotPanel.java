@@ -160,7 +160,7 @@ final class DotPanel {
       double[][] points =
           shown.stream().map(dot -> new double[] {x(dot), y(dot)}).toArray(double[][]::new);
       String method = ofMethod.get(0).method();
-      axes.line(g, points, Style.veil(marks.of(method).color(), 0.55), Style.line(Style.FIRM));
+      axes.line(g, points, Style.veil(marks.of(method).color(), 0.55), marks.of(method).stroke());
       avoid(points);
     }
   }

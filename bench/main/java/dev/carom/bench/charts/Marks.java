@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.charts;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Shape;
@@ -39,8 +40,15 @@ public final class Marks {
    *
    * @param color of its lines and dots
    * @param shape of its dots, around the origin
+   * @param dashed whether its lines are, since an earlier method has their colour
    */
-  record Mark(Color color, Shape shape) {}
+  record Mark(Color color, Shape shape, boolean dashed) {
+
+    /** How its lines are drawn. */
+    BasicStroke stroke() {
+      return dashed ? Style.dashes(Style.FIRM, 6, 3) : Style.line(Style.FIRM);
+    }
+  }
 
   private final Map<String, Mark> marks = new LinkedHashMap<>();
 
@@ -53,18 +61,19 @@ public final class Marks {
     int next = 0;
     for (String method : methods) {
       if (method.equals(OURS)) {
-        marks.put(method, new Mark(Style.BLUE, circle()));
+        marks.put(method, new Mark(Style.BLUE, circle(), false));
       } else {
         // 6 and 7 have no common divisor: 42 pairs.
-        marks.put(
-            method, new Mark(COLORS.get(next % COLORS.size()), SHAPES.get(next % SHAPES.size())));
+        Color color = COLORS.get(next % COLORS.size());
+        Shape shape = SHAPES.get(next % SHAPES.size());
+        marks.put(method, new Mark(color, shape, next >= COLORS.size()));
         next++;
       }
     }
   }
 
   Mark of(String method) {
-    return marks.getOrDefault(method, new Mark(Style.QUIET, circle()));
+    return marks.getOrDefault(method, new Mark(Style.QUIET, circle(), true));
   }
 
   /** Draws a dot: filled, or only its outline. */

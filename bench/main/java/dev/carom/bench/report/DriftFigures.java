@@ -18,8 +18,10 @@ final class DriftFigures {
 
   static {
     PANELS.put(Metrics.TRAJECTORY_DRIFT, "Distance from the true course, in radii");
-    PANELS.put(Metrics.ENERGY_DRIFT, "Energy: how far its ratio to that of the start is from 1");
-    PANELS.put(Metrics.PENETRATION_DRIFT, "Penetration, in radii");
+    PANELS.put(
+        Metrics.ENERGY_DRIFT,
+        "Energy: how far its ratio to that of the start is from 1, of the worst circles");
+    PANELS.put(Metrics.PENETRATION_DRIFT, "Penetration, in radii, of the deepest circles");
   }
 
   private static final int TABLE_ROWS = 10;
@@ -41,7 +43,7 @@ final class DriftFigures {
   private Figure figure(String scene) {
     Map<String, List<Course>> panels = new LinkedHashMap<>();
     ReportTable.Builder table =
-        new ReportTable.Builder("quantity", "setting", "frame", "5 %", "median", "95 %");
+        new ReportTable.Builder("quantity", "setting", "frame", "band from", "line", "band to");
     PANELS.forEach(
         (metric, name) -> {
           List<Course> courses = courses(scene, metric);
@@ -58,7 +60,7 @@ final class DriftFigures {
             title(scene),
             "Scene "
                 + scene
-                + ", frame by frame: median over circles, band from 5 to 95 %; of each method its most accurate setting. 0 stands at the lower edge. Marks at the foot: horizons.",
+                + ", frame by frame: median over circles, band from 5 to 95 %; below, the 95 % and a band down to the median; of each method its most accurate setting. 0 stands at the lower edge. Marks at the foot: horizons.",
             Settings.marks(results),
             panels,
             horizons,
@@ -129,16 +131,25 @@ final class DriftFigures {
       Map<Integer, Double> low = results.series(scene, setting, metric, "p5");
       Map<Integer, Double> high = results.series(scene, setting, metric, "p95");
       int[] frames = middle.keySet().stream().mapToInt(i -> i).sorted().toArray();
+      double[] x = Arrays.stream(frames).asDoubleStream().toArray();
+      String knob = Metrics.shortKnob(setting);
+      double[] lows = sizes(frames, low);
+      double[] middles = sizes(frames, middle);
+      double[] highs = sizes(frames, high);
       courses.add(
-          new Course(
-              setting.method(),
-              Metrics.shortKnob(setting),
-              Arrays.stream(frames).asDoubleStream().toArray(),
-              sizes(frames, low),
-              sizes(frames, middle),
-              sizes(frames, high)));
+          metric.equals(Metrics.TRAJECTORY_DRIFT)
+              ? new Course(setting.method(), knob, x, lows, middles, highs)
+              : worst(setting.method(), knob, x, lows, middles, highs));
     }
     return courses;
+  }
+
+  /** Where most circles do nothing wrong, what tells is the worse end, to either side of 0. */
+  private static Course worst(
+      String method, String knob, double[] x, double[] low, double[] middle, double[] high) {
+    double[] worse = new double[x.length];
+    Arrays.setAll(worse, i -> Math.max(low[i], high[i]));
+    return new Course(method, knob, x, middle, worse, worse);
   }
 
   private static double[] sizes(int[] frames, Map<Integer, Double> series) {
