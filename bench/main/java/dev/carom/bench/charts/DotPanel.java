@@ -20,6 +20,7 @@ final class DotPanel {
   private static final double GUTTER = 0.13;
   private static final double DOT = 6;
   private static final double WHISKER = 3;
+  private static final double CLUSTER = 14;
 
   private final Graphics2D g;
   private final Axes axes;
@@ -118,9 +119,20 @@ final class DotPanel {
 
   private double x(Dot dot) {
     if (dot.failed()) {
-      return (axes.x(errors.most()) + axes.area().getMaxX()) / 2;
+      return (axes.x(errors.most()) + axes.area().getMaxX()) / 2 + aside(dot);
     }
     return dot.exact() ? (axes.x(errors.least()) + axes.area().getMinX()) / 2 : axes.x(dot.error());
+  }
+
+  /** Of failures at nearly one height, every second one stands a little to the side. */
+  private double aside(Dot dot) {
+    double y = y(dot);
+    long before =
+        dots.stream()
+            .takeWhile(other -> other != dot)
+            .filter(other -> other.failed() && Math.abs(y(other) - y) < 2 * DOT)
+            .count();
+    return before % 2 == 0 ? 0 : -2.2 * DOT;
   }
 
   /** Something that took no time at all cannot be had: what has none stands at the top. */
@@ -214,17 +226,37 @@ final class DotPanel {
     labels.avoid(x, top, x, bottom);
   }
 
-  /** The method's name stands once on its line, and at a peer's defaults; the knob at each dot. */
+  /**
+   * The method's name stands once on its line, and at a peer's defaults; the knob at each dot. Dots
+   * that nearly cover each other share a text.
+   */
   private void name(List<Dot> ofMethod) {
-    Dot named = ofMethod.get(ofMethod.size() - 1);
-    for (Dot dot : ofMethod) {
-      String whole = dot.knob().isEmpty() ? dot.method() : dot.method() + " " + dot.knob();
-      if (dot.equals(named)) {
-        labels.add(x(dot), y(dot), whole, Style.bold(scale * 12), Style.INK, 0);
-      } else {
-        String text = dot.hollow() ? whole : dot.knob();
-        labels.add(x(dot), y(dot), text, Style.font(scale * 11), Style.QUIET, 1);
+    int from = 0;
+    for (int i = 1; i <= ofMethod.size(); i++) {
+      boolean last = i == ofMethod.size();
+      if (last || !areOne(ofMethod.get(from), ofMethod.get(i))) {
+        name(ofMethod.get(from), ofMethod.get(i - 1), last);
+        from = i;
       }
+    }
+  }
+
+  private boolean areOne(Dot first, Dot next) {
+    return Math.hypot(x(first) - x(next), y(first) - y(next)) < CLUSTER
+        && first.failed() == next.failed()
+        && !first.hollow();
+  }
+
+  private void name(Dot first, Dot last, boolean named) {
+    String knobs = first.equals(last) ? first.knob() : first.knob() + " .. " + last.knob();
+    String whole = (first.method() + " " + knobs).strip();
+    double x = (x(first) + x(last)) / 2;
+    double y = (y(first) + y(last)) / 2;
+    if (named) {
+      labels.add(x, y, whole, Style.bold(scale * 12), Style.INK, 0);
+    } else {
+      String text = first.hollow() ? whole : knobs;
+      labels.add(x, y, text, Style.font(scale * 11), Style.QUIET, 1);
     }
   }
 }

@@ -5,6 +5,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
@@ -34,9 +35,12 @@ public final class FrameStripsChart {
   }
 
   private static final int WIDTH = 900;
-  private static final int HEIGHT = 560;
-  private static final int NOTES = 96;
+  private static final int HEIGHT = 580;
+  private static final int NOTES = 116;
   private static final double LEFT = 26;
+  private static final int NAME_LINES = 2;
+  private static final double FIRST_NUMBER = 50;
+  private static final double SMALLEST = 7;
 
   private final String title;
   private final String subtitle;
@@ -134,19 +138,38 @@ public final class FrameStripsChart {
     double y = axes.area().getMaxY() + 14;
     String name = strip.knob.isEmpty() ? strip.method : strip.method + " " + strip.knob;
     marks.draw(g, strip.method, middle, y, false);
-    double fit = fit(g, name, right - left - 4);
     g.setColor(Style.INK);
-    g.setFont(Style.bold(fit));
-    centred(g, name, middle, y + 19);
+    List<String> lines = wrap(g, name, right - left - 4);
+    for (int i = 0; i < lines.size(); i++) {
+      centred(g, lines.get(i), middle, y + 19 + 13 * (i + 0.5 * (NAME_LINES - lines.size())));
+    }
     g.setFont(Style.font(11));
-    centred(g, Durations.text(strip.rank(0.5), 3), middle, y + 35);
-    centred(g, Durations.text(strip.rank(0.95), 3), middle, y + 51);
-    centred(g, Durations.text(strip.rank(1), 3), middle, y + 67);
+    centred(g, Durations.text(strip.rank(0.5), 3), middle, y + FIRST_NUMBER);
+    centred(g, Durations.text(strip.rank(0.95), 3), middle, y + FIRST_NUMBER + 16);
+    centred(g, Durations.text(strip.rank(1), 3), middle, y + FIRST_NUMBER + 32);
   }
 
-  private static double fit(Graphics2D g, String name, double width) {
-    g.setFont(Style.bold(12));
-    return Math.min(12, 12 * width / g.getFontMetrics().stringWidth(name));
+  /** On as few lines as fit, broken at blanks and after hyphens; smaller if there are too many. */
+  private static List<String> wrap(Graphics2D g, String name, double width) {
+    for (double size = 12; ; size--) {
+      g.setFont(Style.bold(size));
+      List<String> lines = new ArrayList<>();
+      for (String word : name.split("(?<=[- ])")) {
+        int last = lines.size() - 1;
+        boolean joins =
+            last >= 0 && g.getFontMetrics().stringWidth(lines.get(last) + word) <= width;
+        if (joins) {
+          lines.set(last, lines.get(last) + word);
+        } else {
+          lines.add(word);
+        }
+      }
+      boolean fits =
+          lines.stream().allMatch(line -> g.getFontMetrics().stringWidth(line.strip()) <= width);
+      if (size <= SMALLEST || fits && lines.size() <= NAME_LINES) {
+        return lines;
+      }
+    }
   }
 
   private void legend(Graphics2D g, Axes axes) {
@@ -155,9 +178,9 @@ public final class FrameStripsChart {
     double x = axes.area().getMinX() - 6;
     double y = axes.area().getMaxY() + 14;
     int frames = strips.stream().mapToInt(s -> s.nanos.length).max().orElse(0);
-    right(g, "median", x, y + 35);
-    right(g, "95 %", x, y + 51);
-    right(g, "worst of " + frames, x, y + 67);
+    right(g, "median", x, y + FIRST_NUMBER);
+    right(g, "95 %", x, y + FIRST_NUMBER + 16);
+    right(g, "worst of " + frames, x, y + FIRST_NUMBER + 32);
   }
 
   private static void right(Graphics2D g, String text, double x, double y) {

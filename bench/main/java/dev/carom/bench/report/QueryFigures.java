@@ -18,6 +18,9 @@ import java.util.Optional;
 /** Single questions: how long an answer takes, how wrong its time is, how often it is wrong. */
 final class QueryFigures {
 
+  /** In ulps: ten times the time itself. Beyond it there is nothing to compare. */
+  private static final double FAILED = 10 * 0x1p53;
+
   private final Results results;
 
   QueryFigures(Results results) {
@@ -50,7 +53,7 @@ final class QueryFigures {
             Metrics.queryClass(scene),
             setting.toString(),
             time(scene, setting).map(Numbers::spread).orElse("not measured"),
-            Numbers.error(dot.error()),
+            Numbers.error(results.value(scene, setting, Metrics.TIME_ERROR, "max")),
             Numbers.error(results.value(scene, setting, Metrics.TIME_ERROR, "median")));
       }
       panels.put(Metrics.queryClass(scene), dots);
@@ -65,7 +68,8 @@ final class QueryFigures {
             + (beaten.isEmpty()
                 ? " Nothing measured is both faster and more accurate than carom."
                 : " Both faster and more accurate than carom: " + String.join(", ", beaten) + ".")
-            + ours(panels);
+            + tallies(panels)
+            + " A time that is wrong by over ten times itself counts as failed.";
     WorkPrecisionChart chart =
         new WorkPrecisionChart(
             title,
@@ -78,14 +82,26 @@ final class QueryFigures {
     return new Figure("queries", "Single questions", caption, chart.picture(), table.build());
   }
 
-  private static String ours(Map<String, List<Dot>> panels) {
-    double worst =
-        panels.values().stream()
-            .flatMap(List::stream)
-            .filter(dot -> dot.method().equals(Metrics.OURS))
-            .mapToDouble(Dot::error)
-            .reduce(0, Math::max);
-    return " Carom's worst error over all classes: " + Numbers.error(worst) + " ulps.";
+  private static String tallies(Map<String, List<Dot>> panels) {
+    double worst = 0;
+    int fastest = 0;
+    int finest = 0;
+    for (List<Dot> dots : panels.values()) {
+      Optional<Dot> ours = ours(dots);
+      if (ours.isPresent()) {
+        Dot carom = ours.get();
+        worst = Math.max(worst, carom.error());
+        fastest += dots.stream().allMatch(d -> d == carom || carom.high() < d.low()) ? 1 : 0;
+        finest += dots.stream().allMatch(d -> d == carom || !(d.error() <= carom.error())) ? 1 : 0;
+      }
+    }
+    int n = panels.size();
+    return " Carom is the most accurate in %d of %d classes, with at worst %s ulps, and the fastest in %d of %d."
+        .formatted(finest, n, Numbers.error(worst), fastest, n);
+  }
+
+  private static Optional<Dot> ours(List<Dot> dots) {
+    return dots.stream().filter(d -> d.method().equals(Metrics.OURS)).findFirst();
   }
 
   private Optional<Spread> time(String scene, Setting setting) {
@@ -100,7 +116,7 @@ final class QueryFigures {
     return new Dot(
         setting.method(),
         Metrics.shortKnob(setting),
-        error,
+        error > FAILED ? Double.POSITIVE_INFINITY : error,
         time.low(),
         time.middle(),
         time.high(),
@@ -108,7 +124,7 @@ final class QueryFigures {
   }
 
   private static List<String> better(String scene, List<Dot> dots) {
-    Optional<Dot> ours = dots.stream().filter(d -> d.method().equals(Metrics.OURS)).findFirst();
+    Optional<Dot> ours = ours(dots);
     return dots.stream()
         .filter(d -> ours.isPresent() && d.high() < ours.get().low())
         .filter(d -> d.error() < ours.get().error())

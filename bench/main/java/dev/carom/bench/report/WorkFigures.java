@@ -129,12 +129,13 @@ final class WorkFigures {
   }
 
   private static String names(List<Standing> found) {
-    return found.stream()
-        .map(
-            s ->
-                "%s (%s, %s radii)"
-                    .formatted(name(s), Numbers.time(s.time().middle()), Numbers.error(s.error())))
-        .collect(Collectors.joining(", "));
+    return found.stream().map(WorkFigures::numbers).collect(Collectors.joining(", "));
+  }
+
+  private static String numbers(Standing s) {
+    String time = Numbers.time(s.time().middle());
+    String error = Double.isNaN(s.error()) ? "" : ", " + Numbers.error(s.error()) + " radii";
+    return "%s (%s%s)".formatted(name(s), time, error);
   }
 
   private static String name(Standing s) {

@@ -47,6 +47,17 @@ class WorkPrecisionChartTest {
   }
 
   @Test
+  void dotsThatCoverEachOtherShareAText() {
+    assertThat(
+            svg(
+                dot("carom", "", 1e-15, 1e6),
+                dot("substeps", "2", 0.5, 2000),
+                dot("substeps", "4", 0.499, 2001)))
+        .contains(">substeps 2 .. 4<")
+        .doesNotContain(">2<");
+  }
+
+  @Test
   void aFailureIsDrawnInAGutter() {
     String without = svg(dot("carom", "", 1e-15, 1000));
     assertThat(without).doesNotContain(">failed<", ">no error<");

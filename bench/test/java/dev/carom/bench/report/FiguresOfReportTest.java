@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.charset.StandardCharsets;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+/** Captions and titles follow from the data. */
+class FiguresOfReportTest {
+
+  @BeforeAll
+  static void headless() {
+    System.setProperty("java.awt.headless", "true");
+  }
+
+  private static Figure figure(Sample sample, String id) {
+    return Report.figures(sample.results()).stream()
+        .filter(figure -> figure.id().equals(id))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private static String svg(Figure figure) {
+    return new String(figure.picture().svg(), StandardCharsets.UTF_8);
+  }
+
+  @Test
+  void aCaptionTellsWhoIsFasterMoreAccurateLevelOrFailed() {
+    String caption = figure(Sample.complete(), "work-base-1").caption();
+    assertThat(caption)
+        .contains("Carom: 1.04 µs, 3.0e-16 radii. Faster than carom: none.")
+        .contains("Failed: overlap (1.56 µs)")
+        .endsWith("Peers at their best: dyn4j: continuous, 10+ px/m.");
+    Sample sample = Sample.complete().frames("base-1", "peer", "", 500, 0.1, 1);
+    sample.frames("base-1", "exact", "", 1010, 0, 1);
+    assertThat(figure(sample, "work-base-1").caption())
+        .contains("Faster than carom: peer (520 ns, 0.1 radii).")
+        .contains("More accurate than carom: exact (1.05 µs, 0 radii).")
+        .contains("Not told apart from it in time: exact (1.05 µs, 0 radii).");
+  }
+
+  @Test
+  void aTitleNamesWhoIsBetterInBoth() {
+    assertThat(svg(figure(Sample.complete(), "work-base-1")))
+        .contains(">Nothing measured is both faster and more accurate than carom<");
+    Sample sample = Sample.complete().frames("base-1", "peer", "", 500, 1e-17, 1);
+    assertThat(svg(figure(sample, "work-base-1")))
+        .contains(">Both faster and more accurate than carom: peer (520 ns, 1.0e-17 radii)<");
+  }
+
+  @Test
+  void peersStandAtTheirDotsAsDefaultsAndBest() {
+    assertThat(svg(figure(Sample.complete(), "work-base-1")))
+        .contains(">dyn4j defaults<", ">dyn4j best<");
+  }
+
+  @Test
+  void whatDoesNotCountPairTestsIsNamed() {
+    assertThat(figure(Sample.complete(), "tests-base-1").caption())
+        .contains("Fewest: carom, with 12.", "No count from: dyn4j defaults, dyn4j best.");
+  }
+
+  @Test
+  void queriesTellWhereWeAreFastestAndMostAccurate() {
+    assertThat(figure(Sample.complete(), "queries").caption())
+        .contains(
+            "most accurate in 3 of 3 classes, with at worst 0.5 ulps, and the fastest in 3 of");
+    Sample sample = Sample.complete().query("grazing", "fast", "", 5, 1e40, 0, 0);
+    Figure figure = figure(sample, "queries");
+    assertThat(figure.caption()).contains("3 of 3 classes, with at worst 0.5 ulps", "fastest in 2");
+    assertThat(svg(figure)).contains(">failed<");
+    sample.query("head-on", "fine", "", 5, 0.25, 0, 0);
+    assertThat(figure(sample, "queries").caption())
+        .contains("Both faster and more accurate than carom: fine (head-on)")
+        .contains("most accurate in 2 of 3");
+  }
+
+  @Test
+  void horizonsAreTold() {
+    Figure drift = figure(Sample.complete(), "drift-base-1");
+    assertThat(drift.caption())
+        .contains("carom 230, poster 12, the reference started 1 ulp away 236.");
+    assertThat(svg(drift)).contains("until frame 230; of a start");
+  }
+
+  @Test
+  void framesOverTheBudgetAreCounted() {
+    Figure frames = figure(Sample.complete(), "frames-base-1");
+    assertThat(svg(frames)).contains(">All frames of all methods are within the budget");
+    assertThat(frames.table().rows().get(0))
+        .startsWith("carom", "60")
+        .endsWith("0 of 60 (below 5 % at 95 %)");
+  }
+
+  @Test
+  void theSweepTellsHowTimesGrow() {
+    assertThat(figure(Sample.complete(), "sweep").caption())
+        .contains("The time of carom grows with the number of circles to the power 1.00")
+        .contains("The time of poster grows with the number of circles to the power 1.02")
+        .contains("published: 52.1 ms");
+  }
+}
