@@ -16,6 +16,7 @@ import org.jfree.chart.axis.NumberAxis;
 final class CoursePanel {
 
   private static final double SPACING = 90;
+  private static final int FEW = 3;
 
   private final Graphics2D g;
   private final Axes axes;
@@ -67,13 +68,14 @@ final class CoursePanel {
             where.getX(), where.getY(), where.getWidth() - names, where.getHeight());
     Axes axes = Axes.draw(g, inner, places, heights);
     CoursePanel panel = new CoursePanel(g, axes, marks);
-    courses.forEach(panel::band);
+    courses.forEach(course -> panel.band(course, courses.size()));
     courses.forEach(panel::line);
     panel.names(courses);
     return axes;
   }
 
-  private void band(Course course) {
+  /** Where there are many bands, ours alone is plain to see. */
+  private void band(Course course, int courses) {
     int n = course.x().length;
     Path2D band = new Path2D.Double();
     boolean empty = true;
@@ -87,7 +89,8 @@ final class CoursePanel {
     }
     Shape clip = g.getClip();
     g.clip(axes.area());
-    g.setColor(Style.veil(marks.of(course.method()).color(), 0.15));
+    double opacity = courses > FEW && !Marks.isOurs(course.method()) ? 0.05 : 0.18;
+    g.setColor(Style.veil(marks.of(course.method()).color(), opacity));
     g.fill(band);
     g.setClip(clip);
   }
@@ -125,7 +128,7 @@ final class CoursePanel {
 
   private void names(List<Course> courses) {
     Rectangle2D area = axes.area();
-    LineLabels labels = LineLabels.narrow();
+    LineLabels labels = LineLabels.of(marks);
     for (Course course : courses) {
       int last = course.last();
       if (last >= 0) {

@@ -19,7 +19,7 @@ public final class DriftChart {
 
   private static final int WIDTH = 900;
   private static final int PANEL = 250;
-  private static final double NAMES = 160;
+  private static final double NAMES = 176;
   private static final double TITLE = 20;
   private static final String LIMIT = "a start 1 ulp away has left the true course";
 
@@ -91,7 +91,7 @@ public final class DriftChart {
     }
     if (first && !Double.isNaN(limit)) {
       g.setFont(Style.font(11));
-      g.drawString(LIMIT, (float) axes.x(limit) + 5, (float) axes.area().getMaxY() - 8);
+      g.drawString(LIMIT, (float) axes.x(limit) + 5, (float) axes.area().getMaxY() - 42);
     }
     if (first) {
       horizons.forEach(

@@ -19,19 +19,21 @@ final class LineLabels {
 
   private final List<Label> labels = new ArrayList<>();
   private final double gap;
+  private final Marks marks;
 
   /** For labels with details below them. */
   LineLabels() {
-    this(GAP);
+    this(GAP, null);
   }
 
-  private LineLabels(double gap) {
+  private LineLabels(double gap, Marks marks) {
     this.gap = gap;
+    this.marks = marks;
   }
 
-  /** For labels of one line, whose details stand behind them. */
-  static LineLabels narrow() {
-    return new LineLabels(NARROW_GAP);
+  /** For labels of one line, which are methods: each has its mark before it, its knob behind it. */
+  static LineLabels of(Marks marks) {
+    return new LineLabels(NARROW_GAP, marks);
   }
 
   /**
@@ -59,7 +61,9 @@ final class LineLabels {
     g.setStroke(Style.line(Style.HAIR));
     g.draw(new Line2D.Double(x + 2, label.y(), x + LEADER, y));
     float left = (float) (x + LEADER + 5);
-    if (gap == NARROW_GAP) {
+    if (marks != null) {
+      marks.draw(g, label.text(), left + 4, y, false);
+      left += 13;
       g.setFont(Style.bold(11.5));
       g.setColor(Style.INK);
       g.drawString(label.text(), left, (float) y + 4);

@@ -60,7 +60,7 @@ public final class Marks {
   public Marks(Collection<String> methods) {
     int next = 0;
     for (String method : methods) {
-      if (method.equals(OURS)) {
+      if (isOurs(method)) {
         marks.put(method, new Mark(Style.BLUE, circle(), false));
       } else {
         // 6 and 7 have no common divisor: 42 pairs.
@@ -70,6 +70,10 @@ public final class Marks {
         next++;
       }
     }
+  }
+
+  static boolean isOurs(String method) {
+    return method.equals(OURS);
   }
 
   Mark of(String method) {

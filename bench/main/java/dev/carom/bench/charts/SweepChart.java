@@ -17,7 +17,7 @@ public final class SweepChart {
   private static final int WIDTH = 900;
   private static final int PANEL = 330;
   private static final double TITLE = 22;
-  private static final double NAMES = 112;
+  private static final double NAMES = 120;
 
   private final String title;
   private final String subtitle;

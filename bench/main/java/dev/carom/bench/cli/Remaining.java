@@ -3,6 +3,7 @@ package dev.carom.bench.cli;
 
 import java.io.PrintWriter;
 import java.time.Duration;
+import java.util.Locale;
 
 /** Tells of each part of a long run that is done, and how long the rest may take. */
 final class Remaining {
@@ -10,6 +11,7 @@ final class Remaining {
   private final Progress progress;
   private final PrintWriter out;
   private final long start = System.nanoTime();
+  private long last = start;
   private int measured;
 
   /** Where there is a bar it tells; elsewhere a line a part is written. */
@@ -22,9 +24,14 @@ final class Remaining {
     progress.step(part);
     measured += kept ? 0 : 1;
     if (!progress.isShown()) {
-      out.printf("%d of %d: %s%s%n", done, of, part, kept ? ", kept" : rest(of - done));
+      out.printf("%d of %d: %s%s%n", done, of, part, kept ? ", kept" : took() + rest(of - done));
       out.flush();
     }
+    last = System.nanoTime();
+  }
+
+  private String took() {
+    return String.format(Locale.ROOT, ", %.1f s", (System.nanoTime() - last) / 1e9);
   }
 
   /** As long, on average, as those that were measured now. */
