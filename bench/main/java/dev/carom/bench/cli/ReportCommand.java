@@ -18,7 +18,12 @@ import java.time.LocalDate;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.Callable;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -38,6 +43,7 @@ import picocli.CommandLine.Spec;
 final class ReportCommand implements Callable<Integer> {
 
   private static final String PARTS = "parts";
+  private static final Pattern OF_SCENE = Pattern.compile("(?:scene|time)/([^/]+)/.*");
 
   @Spec private CommandSpec spec;
 
@@ -57,6 +63,13 @@ final class ReportCommand implements Callable<Integer> {
   private boolean quick;
 
   @Option(
+      names = "--scenes",
+      paramLabel = "NAME",
+      split = ",",
+      description = "Play these scenes only (default: all); questions and sweep stay.")
+  private List<String> scenes;
+
+  @Option(
       names = "--date",
       paramLabel = "DATE",
       description = "The date that the report bears (default: today).")
@@ -64,10 +77,10 @@ final class ReportCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    if (from != null && (quick || date != null)) {
-      throw new ParameterException(
-          spec.commandLine(),
-          "--from and " + (quick ? "--quick" : "--date") + " exclude each other");
+    for (String option : List.of("--quick", "--scenes", "--date")) {
+      if (from != null && spec.commandLine().getParseResult().hasMatchedOption(option)) {
+        throw refused("--from and " + option + " exclude each other");
+      }
     }
     if (from != null) {
       Results results = ResultsJson.read(from.resolve(Report.RESULTS));
@@ -79,7 +92,7 @@ final class ReportCommand implements Callable<Integer> {
   }
 
   private void measure(Path dir) throws IOException {
-    List<Part> parts = new ArrayList<>(Parts.of(quick));
+    List<Part> parts = wanted(Parts.of(quick));
     parts.add(new SweepPart(quick));
     String day = date == null ? LocalDate.now().toString() : date;
     Metadata metadata = Origin.of(Map.of("sweep", 1L), day, quick);
@@ -91,6 +104,32 @@ final class ReportCommand implements Callable<Integer> {
     }
     write(results, dir);
     run.forget();
+  }
+
+  /** Parts that play a scene name it between the first two slashes of their ids. */
+  private List<Part> wanted(List<Part> all) {
+    if (scenes == null) {
+      return new ArrayList<>(all);
+    }
+    Set<String> known = new TreeSet<>();
+    all.forEach(part -> scene(part).ifPresent(known::add));
+    for (String name : scenes) {
+      if (!known.contains(name)) {
+        throw refused("--scenes has " + name + ": expected " + String.join(", ", known));
+      }
+    }
+    List<Part> wanted = new ArrayList<>(all);
+    wanted.removeIf(part -> scene(part).filter(name -> !scenes.contains(name)).isPresent());
+    return wanted;
+  }
+
+  private static Optional<String> scene(Part part) {
+    Matcher matcher = OF_SCENE.matcher(part.id());
+    return matcher.matches() ? Optional.of(matcher.group(1)) : Optional.empty();
+  }
+
+  private ParameterException refused(String message) {
+    return new ParameterException(spec.commandLine(), message);
   }
 
   private void write(Results results, Path dir) throws IOException {

@@ -56,6 +56,14 @@ class ReportCommandTest {
   }
 
   @Test
+  void scenesThatThereAreNotAreRefused() {
+    assertThat(Cli.run("report", "--quick", "--scenes", "base-1,nosuch", "--out", folder).err())
+        .contains("--scenes has nosuch: expected base-1")
+        .hasLineCount(1);
+    assertThat(folder).isEmptyDirectory();
+  }
+
+  @Test
   void theSweepPrintsItsTableAndWritesItsFiles() throws IOException {
     Path csv = folder.resolve("sweep.csv");
     Cli run =
