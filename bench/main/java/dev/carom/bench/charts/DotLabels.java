@@ -35,6 +35,9 @@ final class DotLabels {
 
   private static final double CROSSED = 25;
 
+  /** What it costs if the line from a text to its dot runs through another text. */
+  private static final double STRUCK = 300;
+
   private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
 
   private final Rectangle2D area;
@@ -84,17 +87,25 @@ final class DotLabels {
   }
 
   private static void join(Graphics2D g, Label label, Rectangle2D box) {
+    Line2D leader = leader(label, box);
+    if (leader != null) {
+      g.setColor(Style.QUIET);
+      g.setStroke(Style.line(Style.HAIR));
+      g.draw(leader);
+    }
+  }
+
+  /** From the edge of the dot to the nearest place of the text, or null if that is near. */
+  private static Line2D leader(Label label, Rectangle2D box) {
     double x = Math.max(box.getMinX(), Math.min(box.getMaxX(), label.x));
     double y = Math.max(box.getMinY(), Math.min(box.getMaxY(), label.y));
     double distance = Math.hypot(x - label.x, y - label.y);
-    if (distance > JOINED_FROM) {
-      double share = 7 / distance; // from the edge of the dot
-      g.setColor(Style.QUIET);
-      g.setStroke(Style.line(Style.HAIR));
-      double fromX = label.x + share * (x - label.x);
-      double fromY = label.y + share * (y - label.y);
-      g.draw(new Line2D.Double(fromX, fromY, x, y));
+    if (distance <= JOINED_FROM) {
+      return null;
     }
+    double share = 7 / distance;
+    return new Line2D.Double(
+        label.x + share * (x - label.x), label.y + share * (y - label.y), x, y);
   }
 
   List<Placed> place() {
@@ -113,7 +124,7 @@ final class DotLabels {
     for (double distance : DISTANCES) {
       for (int i = 0; i < DIRECTIONS; i++) {
         Rectangle2D box = box(label, distance, 2 * Math.PI * i / DIRECTIONS);
-        double cost = distance + (i % 8 == 0 ? 0 : 1) + cost(box, placed);
+        double cost = distance + (i % 8 == 0 ? 0 : 1) + cost(label, box, placed);
         if (cost < least) {
           least = cost;
           best = box;
@@ -141,13 +152,19 @@ final class DotLabels {
     return label.font.getStringBounds(label.text, CONTEXT);
   }
 
-  private double cost(Rectangle2D box, List<Placed> placed) {
+  private double cost(Label label, Rectangle2D box, List<Placed> placed) {
+    Line2D leader = leader(label, box);
     double cost = 0;
     for (Placed other : placed) {
+      Line2D theirs = leader(other.label, other.box);
       cost += covered(box, other.box);
+      cost += leader != null && leader.intersects(other.box) ? STRUCK : 0;
+      cost += theirs != null && theirs.intersects(box) ? STRUCK : 0;
     }
     for (Rectangle2D dot : dots) {
       cost += covered(box, dot);
+      boolean own = dot.contains(label.x, label.y);
+      cost += leader != null && !own && leader.intersects(dot) ? CROSSED : 0;
     }
     for (Line2D line : lines) {
       cost += line.intersects(box) ? CROSSED : 0;

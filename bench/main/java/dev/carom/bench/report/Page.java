@@ -56,6 +56,7 @@ final class Page {
     for (int i = 0; i < figures.size(); i++) {
       page.figure(figures.get(i), "f" + i + "-");
     }
+    page.methods();
     page.origin();
     page.html.append("</main>\n</body>\n</html>\n");
     return page.html.toString();
@@ -153,6 +154,16 @@ final class Page {
       html.append("</tr>\n");
     }
     html.append("</tbody></table></div>\n");
+  }
+
+  private void methods() {
+    Map<String, String> told = new LinkedHashMap<>(Glossary.methods());
+    told.keySet().retainAll(results.methods());
+    if (!told.isEmpty()) {
+      html.append("<h2>What the methods are</h2>\n<dl>\n");
+      told.forEach(this::item);
+      html.append("</dl>\n");
+    }
   }
 
   private void origin() {

@@ -28,11 +28,12 @@ public final class Ratios {
     head.addAll(scenes);
     ReportTable.Builder table = new ReportTable.Builder(head);
     List<Setting> settings =
-        scenes.stream()
-            .flatMap(scene -> results.settings(scene, Metrics.FRAME_TIME).stream())
-            .distinct()
-            .filter(setting -> !setting.equals(Metrics.CAROM))
-            .toList();
+        Settings.sorted(
+            scenes.stream()
+                .flatMap(scene -> results.settings(scene, Metrics.FRAME_TIME).stream())
+                .distinct()
+                .filter(setting -> !setting.equals(Metrics.CAROM))
+                .toList());
     for (Setting setting : settings) {
       List<String> cells = new ArrayList<>(List.of(setting.toString()));
       scenes.forEach(scene -> cells.add(ratio(results, scene, setting)));

@@ -54,6 +54,22 @@ class DotLabelsTest {
   }
 
   @Test
+  void noTextIsStruckThroughByTheLineOfAnother() {
+    List<DotLabels.Placed> placed =
+        labels(new double[] {390, 100}, new double[] {391, 101}, new double[] {392, 102}).place();
+    for (DotLabels.Placed one : placed) {
+      for (DotLabels.Placed other : placed) {
+        DotLabels.Label dot = one.label();
+        Rectangle2D end = one.box();
+        boolean struck =
+            one != other
+                && other.box().intersectsLine(dot.x(), dot.y(), end.getMaxX(), end.getCenterY());
+        assertThat(struck).isFalse();
+      }
+    }
+  }
+
+  @Test
   void aTextKeepsOffALine() {
     DotLabels labels = labels(new double[] {100, 100}).avoid(100, 100, 400, 100);
     assertThat(labels.place().get(0).box().intersectsLine(100, 100, 400, 100)).isFalse();

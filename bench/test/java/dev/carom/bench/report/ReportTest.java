@@ -96,6 +96,7 @@ class ReportTest {
     assertThat(page)
         .contains("<b>Decisions</b>Wrong answers of carom: 0 of 30,000")
         .contains("<td>poster</td><td>66 (61.6 .. 70.7)</td>")
+        .contains("<dt>poster</dt><dd>the published algorithm")
         .contains("commit</dt><dd>0123456789abcdef");
   }
 
