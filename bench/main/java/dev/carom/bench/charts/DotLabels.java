@@ -14,8 +14,8 @@ import java.util.List;
 /**
  * Texts beside dots, none over another or over a dot: each takes the cheapest of the places around
  * its dot, the nearest first, the important texts before the others (point-feature labels as by J.
- * Christensen, J. Marks and S. Shieber, 1995, greedily). A text that found no place near is joined
- * to its dot by a hair line.
+ * Christensen, J. Marks and S. Shieber, 1995, greedily), and then again, now that the others stand.
+ * A text that found no place near is joined to its dot by a hair line.
  */
 final class DotLabels {
 
@@ -25,8 +25,9 @@ final class DotLabels {
   /** Where a text stands. */
   record Placed(Label label, Rectangle2D box) {}
 
-  private static final double[] DISTANCES = {8, 14, 22, 32, 44, 58, 74, 92};
+  private static final double[] DISTANCES = {8, 14, 22, 32, 44, 58, 74, 92, 112, 134};
   private static final int DIRECTIONS = 16;
+  private static final int ROUNDS = 4;
   private static final double MARGIN = 1.5;
   private static final double JOINED_FROM = 15;
 
@@ -114,6 +115,12 @@ final class DotLabels {
     List<Placed> placed = new ArrayList<>();
     for (Label label : sorted) {
       placed.add(new Placed(label, best(label, placed)));
+    }
+    for (int round = 0; round < ROUNDS; round++) {
+      for (Label label : sorted) {
+        placed.remove(0);
+        placed.add(new Placed(label, best(label, placed)));
+      }
     }
     return placed;
   }

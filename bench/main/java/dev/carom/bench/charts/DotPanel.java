@@ -243,12 +243,12 @@ final class DotPanel {
 
   private boolean areOne(Dot first, Dot next) {
     return Math.hypot(x(first) - x(next), y(first) - y(next)) < CLUSTER
-        && first.failed() == next.failed()
-        && !first.hollow();
+        && first.failed() == next.failed();
   }
 
   private void name(Dot first, Dot last, boolean named) {
-    String knobs = first.equals(last) ? first.knob() : first.knob() + " .. " + last.knob();
+    String between = first.hollow() ? ", " : " .. ";
+    String knobs = first.equals(last) ? first.knob() : first.knob() + between + last.knob();
     String whole = (first.method() + " " + knobs).strip();
     double x = (x(first) + x(last)) / 2;
     double y = (y(first) + y(last)) / 2;

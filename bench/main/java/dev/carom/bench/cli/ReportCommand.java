@@ -18,12 +18,7 @@ import java.time.LocalDate;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.Set;
-import java.util.TreeSet;
 import java.util.concurrent.Callable;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -43,7 +38,6 @@ import picocli.CommandLine.Spec;
 final class ReportCommand implements Callable<Integer> {
 
   private static final String PARTS = "parts";
-  private static final Pattern OF_SCENE = Pattern.compile("(?:scene|time)/([^/]+)/.*");
 
   @Spec private CommandSpec spec;
 
@@ -70,6 +64,12 @@ final class ReportCommand implements Callable<Integer> {
   private List<String> scenes;
 
   @Option(
+      names = "--untimed",
+      description =
+          "Leave out all times: what is left is the same on every machine, however busy it is.")
+  private boolean untimed;
+
+  @Option(
       names = "--date",
       paramLabel = "DATE",
       description = "The date that the report bears (default: today).")
@@ -77,7 +77,7 @@ final class ReportCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    for (String option : List.of("--quick", "--scenes", "--date")) {
+    for (String option : List.of("--quick", "--scenes", "--untimed", "--date")) {
       if (from != null && spec.commandLine().getParseResult().hasMatchedOption(option)) {
         throw refused("--from and " + option + " exclude each other");
       }
@@ -92,8 +92,7 @@ final class ReportCommand implements Callable<Integer> {
   }
 
   private void measure(Path dir) throws IOException {
-    List<Part> parts = wanted(Parts.of(quick));
-    parts.add(new SweepPart(quick));
+    List<Part> parts = chosen();
     String day = date == null ? LocalDate.now().toString() : date;
     Metadata metadata = Origin.of(Map.of("sweep", 1L), day, quick);
     ReportRun run = new ReportRun(metadata, dir.resolve(PARTS));
@@ -106,26 +105,15 @@ final class ReportCommand implements Callable<Integer> {
     run.forget();
   }
 
-  /** Parts that play a scene name it between the first two slashes of their ids. */
-  private List<Part> wanted(List<Part> all) {
-    if (scenes == null) {
-      return new ArrayList<>(all);
+  private List<Part> chosen() {
+    List<Part> parts = new ArrayList<>(Parts.of(quick));
+    parts.add(new SweepPart(quick));
+    try {
+      List<Part> ofScenes = scenes == null ? parts : PartChoice.ofScenes(parts, scenes);
+      return untimed ? PartChoice.untimed(ofScenes) : ofScenes;
+    } catch (IllegalArgumentException e) {
+      throw refused(e.getMessage());
     }
-    Set<String> known = new TreeSet<>();
-    all.forEach(part -> scene(part).ifPresent(known::add));
-    for (String name : scenes) {
-      if (!known.contains(name)) {
-        throw refused("--scenes has " + name + ": expected " + String.join(", ", known));
-      }
-    }
-    List<Part> wanted = new ArrayList<>(all);
-    wanted.removeIf(part -> scene(part).filter(name -> !scenes.contains(name)).isPresent());
-    return wanted;
-  }
-
-  private static Optional<String> scene(Part part) {
-    Matcher matcher = OF_SCENE.matcher(part.id());
-    return matcher.matches() ? Optional.of(matcher.group(1)) : Optional.empty();
   }
 
   private ParameterException refused(String message) {

@@ -52,8 +52,10 @@ class WorkPrecisionChartTest {
             svg(
                 dot("carom", "", 1e-15, 1e6),
                 dot("substeps", "2", 0.5, 2000),
-                dot("substeps", "4", 0.499, 2001)))
-        .contains(">substeps 2 .. 4<")
+                dot("substeps", "4", 0.499, 2001),
+                dot("peer", "defaults", 0.1, 9000),
+                dot("peer", "best", 0.101, 9001)))
+        .contains(">substeps 2 .. 4<", ">peer defaults, best<")
         .doesNotContain(">2<");
   }
 

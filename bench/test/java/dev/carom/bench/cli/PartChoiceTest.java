@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import dev.carom.bench.measures.Part;
+import dev.carom.bench.measures.Parts;
+import dev.carom.bench.results.Row;
+import dev.carom.bench.sweep.SweepPart;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class PartChoiceTest {
+
+  private record Named(String id) implements Part {
+    @Override
+    public List<Row> run() {
+      return List.of();
+    }
+  }
+
+  private static final List<Part> ALL =
+      List.of(
+          new Named("scene/base-1/carom"),
+          new Named("scene/base-2/carom"),
+          new Named("query/grazing"),
+          new Named("query-time/fork-0"),
+          new Named("time/base-1/fork-0"),
+          new SweepPart(true));
+
+  @Test
+  void whatIsUntimedTakesNoTimes() {
+    assertThat(PartChoice.untimed(ALL))
+        .extracting(Part::id)
+        .containsExactly("scene/base-1/carom", "scene/base-2/carom", "query/grazing");
+  }
+
+  @Test
+  void whatPlaysNoSceneStaysWhicheverAreChosen() {
+    assertThat(PartChoice.ofScenes(ALL, List.of("base-2")))
+        .extracting(Part::id)
+        .containsExactly("scene/base-2/carom", "query/grazing", "query-time/fork-0", "sweep");
+  }
+
+  @Test
+  void aSceneThatThereIsNotIsRefused() {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> PartChoice.ofScenes(ALL, List.of("base-1", "base-7")))
+        .withMessage("--scenes has base-7: expected base-1, base-2");
+  }
+
+  @Test
+  void everyRealPartIsOfAKnownKind() {
+    List<Part> all = new ArrayList<>(Parts.of(false));
+    assertThat(all)
+        .extracting(Part::id)
+        .allMatch(id -> id.matches("(scene/.+|query|query-time|time/.+)/[^/]+"));
+    assertThat(PartChoice.untimed(all)).hasSizeBetween(100, all.size() - 20);
+  }
+}
