@@ -11,6 +11,7 @@ package dev.carom.bench.charts;
  * @param middle the line; NaN where there is no value
  * @param high the upper edge of the band
  */
+@SuppressWarnings("ArrayRecordComponent") // series of a chart, compared by nobody
 public record Course(
     String method, String knob, double[] x, double[] low, double[] middle, double[] high) {
 

@@ -24,6 +24,7 @@ public final class FrameStripsChart {
    * @param knob its setting; may be empty
    * @param nanos the time of each frame; 0 is drawn at the lower edge
    */
+  @SuppressWarnings("ArrayRecordComponent") // compared by nobody
   public record Strip(String method, String knob, double[] nanos) {
 
     /** The least value that a share of all does not exceed. */
