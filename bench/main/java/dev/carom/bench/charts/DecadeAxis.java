@@ -77,7 +77,7 @@ final class DecadeAxis extends LogAxis {
   @Override
   public List<NumberTick> refreshTicks(
       Graphics2D g, AxisState state, Rectangle2D area, RectangleEdge edge) {
-    boolean left = edge == RectangleEdge.LEFT;
+    boolean left = RectangleEdge.isLeftOrRight(edge);
     TextAnchor anchor = left ? TextAnchor.CENTER_RIGHT : TextAnchor.TOP_CENTER;
     double room = left ? area.getHeight() / 18 : area.getWidth() / 52;
     int step = 1 + (int) ((highest - lowest) / Math.min(MOST_TICKS, room));

@@ -129,7 +129,7 @@ final class DotPanel {
     double y = y(dot);
     long before =
         dots.stream()
-            .takeWhile(other -> other != dot)
+            .limit(dots.indexOf(dot))
             .filter(other -> other.failed() && Math.abs(y(other) - y) < 2 * DOT)
             .count();
     return before % 2 == 0 ? 0 : -2.2 * DOT;

@@ -155,7 +155,7 @@ public final class FrameStripsChart {
     for (double size = 12; ; size--) {
       g.setFont(Style.bold(size));
       List<String> lines = new ArrayList<>();
-      for (String word : name.split("(?<=[- ])")) {
+      for (String word : name.split("(?<=[- ])", -1)) {
         int last = lines.size() - 1;
         boolean joins =
             last >= 0 && g.getFontMetrics().stringWidth(lines.get(last) + word) <= width;
@@ -167,7 +167,7 @@ public final class FrameStripsChart {
       }
       boolean fits =
           lines.stream().allMatch(line -> g.getFontMetrics().stringWidth(line.strip()) <= width);
-      if (size <= SMALLEST || fits && lines.size() <= NAME_LINES) {
+      if (size <= SMALLEST || (fits && lines.size() <= NAME_LINES)) {
         return lines;
       }
     }

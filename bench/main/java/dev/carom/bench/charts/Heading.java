@@ -29,7 +29,7 @@ final class Heading {
     FontMetrics metrics = g.getFontMetrics();
     double y = top;
     StringBuilder line = new StringBuilder();
-    for (String word : text.split(" ")) {
+    for (String word : text.split(" ", -1)) {
       String longer = line.isEmpty() ? word : line + " " + word;
       if (!line.isEmpty() && metrics.stringWidth(longer) > width - 2 * LEFT) {
         y = line(g, y, line.toString(), metrics);

@@ -70,7 +70,8 @@ public final class SweepChart {
     int i = 0;
     for (Map.Entry<String, List<Course>> panel : panels.entrySet()) {
       double x = 10 + i % 2 * width;
-      double y = top + i / 2 * each;
+      int row = i / 2;
+      double y = top + row * each;
       g.setFont(Style.bold(13));
       g.setColor(Style.INK);
       g.drawString("against " + panel.getKey(), (float) x + 6, (float) y + 15);

@@ -95,7 +95,8 @@ public final class WorkPrecisionChart {
     int i = 0;
     for (Map.Entry<String, List<Dot>> panel : panels.entrySet()) {
       double x = 10 + i % COLUMNS * width;
-      double y = top + i / COLUMNS * height;
+      int row = i / COLUMNS;
+      double y = top + row * height;
       g.setFont(Style.bold(13));
       g.setColor(Style.INK);
       g.drawString(panel.getKey(), (float) (x + 6), (float) (y + 15));

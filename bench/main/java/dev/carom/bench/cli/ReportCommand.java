@@ -15,6 +15,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.LocalDate;
+import java.time.ZoneId;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -93,7 +94,7 @@ final class ReportCommand implements Callable<Integer> {
 
   private void measure(Path dir) throws IOException {
     List<Part> parts = chosen();
-    String day = date == null ? LocalDate.now().toString() : date;
+    String day = date == null ? LocalDate.now(ZoneId.systemDefault()).toString() : date;
     Metadata metadata = Origin.of(Map.of("sweep", 1L), day, quick);
     ReportRun run = new ReportRun(metadata, dir.resolve(PARTS));
     Results results;

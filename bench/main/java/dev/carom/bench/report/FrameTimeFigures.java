@@ -70,7 +70,7 @@ final class FrameTimeFigures {
           Numbers.time(rank(sorted, 0.95)),
           Numbers.time(rank(sorted, 0.99)),
           Numbers.time(sorted[n - 1]),
-          Numbers.failures(missed, n));
+          Numbers.failures((double) missed, n));
       if (missed > 0) {
         over.add(name + " (" + missed + " of " + n + ")");
       }

@@ -29,7 +29,7 @@ final class QueryFigures {
 
   List<Figure> figures() {
     List<Figure> figures = new ArrayList<>();
-    if (!results.scenes(Metrics.TIME_ERROR).isEmpty()) {
+    if (!results.scenes(Metrics.QUERY_TIME).isEmpty()) {
       figures.add(queries());
     }
     if (!results.scenes(Metrics.DECISIONS).isEmpty()) {
@@ -91,8 +91,9 @@ final class QueryFigures {
       if (ours.isPresent()) {
         Dot carom = ours.get();
         worst = Math.max(worst, carom.error());
-        fastest += dots.stream().allMatch(d -> d == carom || carom.high() < d.low()) ? 1 : 0;
-        finest += dots.stream().allMatch(d -> d == carom || !(d.error() <= carom.error())) ? 1 : 0;
+        fastest += dots.stream().allMatch(d -> d.equals(carom) || carom.high() < d.low()) ? 1 : 0;
+        finest +=
+            dots.stream().allMatch(d -> d.equals(carom) || !(d.error() <= carom.error())) ? 1 : 0;
       }
     }
     int n = panels.size();

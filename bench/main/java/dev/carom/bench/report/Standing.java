@@ -55,7 +55,7 @@ record Standing(Setting setting, double error, Spread time) {
   }
 
   boolean isMoreAccurateThan(Standing other) {
-    return error < other.error || !Double.isNaN(error) && Double.isNaN(other.error);
+    return error < other.error || (!Double.isNaN(error) && Double.isNaN(other.error));
   }
 
   boolean beats(Standing other) {

@@ -175,9 +175,9 @@ public final class Verdict {
           .filter(s -> s.beats(carom))
           .forEach(s -> beaten.add(s.setting() + " in " + scene));
       all.stream()
-          .filter(s -> s != carom && s.isLevelWith(carom) && s.isMoreAccurateThan(carom))
+          .filter(s -> !s.equals(carom) && s.isLevelWith(carom) && s.isMoreAccurateThan(carom))
           .forEach(s -> level.add(s.setting() + " in " + scene));
-      alone += all.stream().allMatch(s -> s == carom || carom.beats(s)) ? 1 : 0;
+      alone += all.stream().allMatch(s -> s.equals(carom) || carom.beats(s)) ? 1 : 0;
     }
     if (scenes == 0) {
       return "Place: not measured.";

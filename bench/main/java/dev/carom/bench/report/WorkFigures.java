@@ -225,7 +225,7 @@ final class WorkFigures {
     String quiet = silent.isEmpty() ? "" : " No count from: " + String.join(", ", silent) + ".";
     WorkPrecisionChart chart =
         new WorkPrecisionChart(
-            "The same, in work that does not depend on the machine",
+            "Accuracy, and work that does not depend on the machine",
             "Scene " + scene + ". How often a circle and an obstacle are looked at in a frame.",
             marks,
             List.of(ERROR, "pair tests in a frame"),

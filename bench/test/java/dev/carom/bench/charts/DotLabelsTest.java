@@ -45,7 +45,7 @@ class DotLabelsTest {
     assertThat(placed).hasSize(12);
     for (DotLabels.Placed one : placed) {
       for (DotLabels.Placed other : placed) {
-        assertThat(one == other || !one.box().intersects(other.box())).isTrue();
+        assertThat(one.equals(other) || !one.box().intersects(other.box())).isTrue();
       }
       for (double[] dot : dots) {
         assertThat(one.box().intersects(dot[0] - 6, dot[1] - 6, 12, 12)).isFalse();
@@ -62,7 +62,7 @@ class DotLabelsTest {
         DotLabels.Label dot = one.label();
         Rectangle2D end = one.box();
         boolean struck =
-            one != other
+            !one.equals(other)
                 && other.box().intersectsLine(dot.x(), dot.y(), end.getMaxX(), end.getCenterY());
         assertThat(struck).isFalse();
       }

@@ -78,6 +78,14 @@ class FiguresOfReportTest {
   }
 
   @Test
+  void withoutTimesThereIsNoChartOfTimes() {
+    Sample untimed = Sample.complete().without(row -> row.unit().equals("ns"));
+    assertThat(Report.figures(untimed.results()))
+        .extracting(Figure::id)
+        .containsExactly("tests-base-1", "tests-fast-1", "decisions", "drift-base-1");
+  }
+
+  @Test
   void horizonsAreTold() {
     Figure drift = figure(Sample.complete(), "drift-base-1");
     assertThat(drift.caption())
