@@ -28,6 +28,10 @@ record Extent(double left, double bottom, double right, double top) {
     return left > right ? new Extent(0, 0, 0, 0) : new Extent(left, bottom, right, top);
   }
 
+  double area() {
+    return (right - left) * (top - bottom);
+  }
+
   /** The largest absolute coordinate. */
   double farthest() {
     return Math.max(

@@ -74,6 +74,15 @@ final class Grids {
     return null;
   }
 
+  /** Whether a grid that a circle had, made since {@link #forget}, or none, serves its radius. */
+  boolean serve(Grid grid, double radius) {
+    return grid == null
+        ? byExponent.isEmpty() && !wanted()
+        : !byExponent.isEmpty()
+            && radius <= grid.radius
+            && Math.getExponent(radius) == Math.getExponent(grid.radius);
+  }
+
   /** The grid for circles of a radius that may be new; one is made if need be. */
   Grid ofNew(double radius) {
     Grid grid = of(radius);

@@ -2,6 +2,7 @@
 package dev.carom;
 
 import java.util.Arrays;
+import java.util.Map;
 import java.util.TreeMap;
 
 /**
@@ -21,6 +22,13 @@ final class Neighbors {
 
   /** Wider than a diameter, so that a crossing may be noticed late by rounding. */
   private static final double SLACK = 1 + 0x1p-20;
+
+  /**
+   * So many diameters apart circles are sparse, and cells as wide as their mean distance: measured.
+   * Small circles among large ones would else cross thousands of cells of their own size from one
+   * collision to the next.
+   */
+  private static final double SPARSE = 3;
 
   /** And by so much of the largest coordinate: 16 ulps, more than a place and an edge err by. */
   private static final double ROUNDING = 0x1p-48;
@@ -70,10 +78,12 @@ final class Neighbors {
     state = circles.state;
     count = circles.capacity();
     TreeMap<Integer, Double> largest = new TreeMap<>();
+    TreeMap<Integer, Integer> members = new TreeMap<>();
     for (int i = 0; i < circles.count; i++) {
       if (roster.contains(i)) {
         double radius = circles.radius(i);
         largest.merge(Math.getExponent(radius), radius, Math::max);
+        members.merge(Math.getExponent(radius), 1, Integer::sum);
       }
     }
     Extent extent = Extent.of(circles, roster, bounds, now);
@@ -81,8 +91,16 @@ final class Neighbors {
     originY = extent.bottom();
     double slack = ROUNDING * extent.farthest();
     levels = largest.size();
-    size =
-        largest.values().stream().mapToDouble(r -> 2 * r * SLACK * diameters + slack).toArray();
+    radii = largest.values().stream().mapToDouble(Double::doubleValue).toArray();
+    size = new double[levels];
+    int listed = 0;
+    for (Map.Entry<Integer, Integer> level : members.entrySet()) {
+      int k = members.headMap(level.getKey()).size();
+      listed += level.getValue();
+      double diameter = 2 * radii[k] * SLACK * diameters;
+      double distance = Math.sqrt(extent.area() / listed);
+      size[k] = (distance > SPARSE * diameter ? distance : diameter) + slack;
+    }
     own = new Cells[levels];
     smaller = new Cells[levels];
     levelOf = new short[count];
@@ -98,7 +116,6 @@ final class Neighbors {
       limit(k++, radius * (1 + 0x1p-10) + slack, bounds);
     }
     exponents = largest.keySet().stream().mapToInt(Integer::intValue).toArray();
-    radii = largest.values().stream().mapToDouble(Double::doubleValue).toArray();
     for (int i = 0; i < circles.count; i++) {
       if (roster.contains(i)) {
         enter(i, now);

@@ -50,7 +50,9 @@ final class Surroundings {
     if (i >= grid.length) {
       grid = Arrays.copyOf(grid, 2 * i + 4);
     }
-    grid[i] = grids.ofNew(radius);
+    if (!grids.serve(grid[i], radius)) {
+      grid[i] = grids.ofNew(radius);
+    }
   }
 
   /** Takes notice that a line or a peg is new, elsewhere, or gone. */
@@ -73,6 +75,7 @@ final class Surroundings {
   void restore(Obstacles other) {
     if (!obstacles.equals(other)) {
       grids.forget();
+      Arrays.fill(grid, null);
     }
     obstacles.set(other);
     search.lookAgainAtAll();

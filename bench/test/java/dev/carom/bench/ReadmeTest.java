@@ -34,7 +34,7 @@ class ReadmeTest {
   @Test
   void editsPrintWhatTheReadmeSays() throws Exception {
     String printed = run(block("java", 1));
-    assertThat(printed.strip()).isEqualTo(block("", 2).strip());
+    assertThat(printed.strip()).isEqualTo(block("", 3).strip());
   }
 
   /** The text of the n-th fenced block of a language; "" for blocks that name none. */
