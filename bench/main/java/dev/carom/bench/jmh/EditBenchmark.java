@@ -43,7 +43,8 @@ public class EditBenchmark {
     SceneBuilder builder = Scene.builder().bounds(0, 0, tiles * WIDTH, tiles * HEIGHT);
     for (int tile = 0; tile < tiles * tiles; tile++) {
       double x = WIDTH * (tile % tiles);
-      double y = HEIGHT * (tile / tiles);
+      int row = tile / tiles;
+      double y = HEIGHT * row;
       Scene scene = Crosses.canonical(1 + tile).scene();
       for (int i = 0; i < scene.lineCount(); i++) {
         var line = scene.line(i);
