@@ -10,7 +10,7 @@ package dev.carom;
  * @param vx the x component of the velocity
  * @param vy the y component of the velocity
  */
-public record Flight(double t0, double x0, double y0, double vx, double vy) {
+record Flight(double t0, double x0, double y0, double vx, double vy) {
 
   /**
    * Where the centre is at a given time.
@@ -19,7 +19,7 @@ public record Flight(double t0, double x0, double y0, double vx, double vy) {
    * @return the centre {@code (x0, y0) + (vx, vy) (t - t0)}
    * @throws IllegalArgumentException if the place lies outside the range of doubles
    */
-  public Vec2 at(double t) {
+  Vec2 at(double t) {
     return new Vec2(Math.fma(vx, t - t0, x0), Math.fma(vy, t - t0, y0));
   }
 }

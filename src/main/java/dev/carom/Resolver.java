@@ -23,7 +23,7 @@ import java.util.stream.IntStream;
  */
 public final class Resolver {
 
-  /** Impacts in one trace; a trace that needs more is {@link Outcome#UNFINISHED}. */
+  /** Impacts in one trace; one that needs more is not {@linkplain Trajectory#complete complete}. */
   public static final int IMPACTS_PER_TRACE = 100_000;
 
   /** That of a world with one circle. */

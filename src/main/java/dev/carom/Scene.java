@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Objects;
 import java.util.Optional;
@@ -19,6 +22,42 @@ import java.util.Optional;
  *     .circle(100, 100, 10, 4, 3)
  *     .build();
  * }</pre>
+ *
+ * <h2>Files</h2>
+ *
+ * Scenes are kept as text, in UTF-8: one thing a row, its fields separated by commas.
+ *
+ * <pre>
+ * # xmin, ymin, xmax, ymax
+ * wall,0,0,800,600
+ * # ax, ay, bx, by
+ * line,300,200,500,400,restitution=0.9
+ * # x, y, radius
+ * peg,600,300,25
+ * # x, y, radius, vx, vy and, if need be, the mass
+ * circle,100,100,10,4,3
+ * </pre>
+ *
+ * <ul>
+ *   <li>Things of one kind are numbered from 0 in the order of their rows; the kinds may be mixed.
+ *   <li>A number is decimal or a hex float ({@code 0x1.8p-3}), read to the nearest double. NaN,
+ *       infinities and numbers beyond the range of a double are refused.
+ *   <li>{@code wall} is the {@linkplain Bounds bounds}; there is at most one such row.
+ *   <li>The mass of a circle is 1 if not given; {@code inf} or {@code Infinity} stand for an
+ *       infinite one. It has no effect as long as circles ignore each other.
+ *   <li>{@code collide,1} says that circles collide with each other; with {@code collide,0}, or
+ *       without such a row, they ignore each other.
+ *   <li>Any row but {@code collide} may end in {@code restitution=NUMBER}; without it, it is 1.
+ *   <li>Any row but {@code collide} may end in {@code response=bounce}, {@code halt} or {@code
+ *       sensor}, of the bounds not the last of them, see {@link Response}; a line's row in {@code
+ *       oneway=1}, see {@link SceneBuilder#oneWay()}.
+ *   <li>Blank lines, spaces and tabs around fields, {@code #} comments on lines of their own or
+ *       after a row, either kind of line end, and a byte order mark are passed over.
+ * </ul>
+ *
+ * <p>Everything else is an {@link IOException} whose message names file, line, column, what stands
+ * there and what was expected, as {@code scene.csv:12:31: radius is "abc": expected a finite
+ * number}; nothing is loaded then. What is written reads back as an equal scene, to the bit.
  */
 public final class Scene {
 
@@ -73,6 +112,52 @@ public final class Scene {
    */
   public static SceneBuilder builder() {
     return new SceneBuilder();
+  }
+
+  /**
+   * Reads a scene from a file.
+   *
+   * @param path the file
+   * @return the scene
+   * @throws IOException if the file cannot be read, does not follow the format, or holds what
+   *     {@link SceneBuilder} refuses
+   */
+  public static Scene read(Path path) throws IOException {
+    return SceneFile.read(path);
+  }
+
+  /**
+   * Reads a scene.
+   *
+   * @param in where to read, to its end; it is not closed
+   * @param name what to call it in messages
+   * @return the scene
+   * @throws IOException if reading fails, or the text does not follow the format, or holds what
+   *     {@link SceneBuilder} refuses
+   */
+  public static Scene read(Reader in, String name) throws IOException {
+    return SceneFile.read(in, name);
+  }
+
+  /**
+   * Writes this scene to a file; one that stands there is replaced, at the end and as a whole, so
+   * that a failure leaves it as it was.
+   *
+   * @param path the file
+   * @throws IOException if the file cannot be written
+   */
+  public void write(Path path) throws IOException {
+    SceneFile.write(this, path);
+  }
+
+  /**
+   * Writes this scene: wall, lines, pegs, circles, each kind in the order of its numbers.
+   *
+   * @param out where to write; it is neither flushed nor closed
+   * @throws IOException if writing fails
+   */
+  public void write(Appendable out) throws IOException {
+    SceneFile.write(this, out);
   }
 
   /**

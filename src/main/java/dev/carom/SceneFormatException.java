@@ -4,11 +4,11 @@ package dev.carom;
 import java.io.IOException;
 
 /**
- * A scene file does not follow the format of {@link SceneFile}. The message names the file, the
- * line, the column, what stands there and what was expected: {@code scene.csv:12:31: radius is
- * "abc": expected a finite number, more than 0}.
+ * A scene file does not follow the format of {@link Scene}. The message names the file, the line,
+ * the column, what stands there and what was expected: {@code scene.csv:12:31: radius is "abc":
+ * expected a finite number, more than 0}.
  */
-public final class SceneFormatException extends IOException {
+final class SceneFormatException extends IOException {
 
   private static final long serialVersionUID = 1;
 
@@ -33,7 +33,7 @@ public final class SceneFormatException extends IOException {
    *
    * @return its path or name, as given to the reader
    */
-  public String file() {
+  String file() {
     return file;
   }
 
@@ -42,7 +42,7 @@ public final class SceneFormatException extends IOException {
    *
    * @return its number, from 1
    */
-  public int line() {
+  int line() {
     return line;
   }
 
@@ -52,7 +52,7 @@ public final class SceneFormatException extends IOException {
    *
    * @return its number in chars, from 1
    */
-  public int column() {
+  int column() {
     return column;
   }
 }

@@ -55,15 +55,15 @@ final class Tracer {
     List<Impact> impacts = new ArrayList<>();
     while (next(mover, duration)) {
       if (impacts.size() == bounces) {
-        return new Trajectory(flights, impacts, mover.due(), Outcome.COMPLETE);
+        return new Trajectory(flights, impacts, mover.due(), true);
       }
       if (impacts.size() == most) {
-        return new Trajectory(flights, impacts, mover.t, Outcome.UNFINISHED);
+        return new Trajectory(flights, impacts, mover.t, false);
       }
       impacts.add(resolve(mover));
       flights.add(flight(mover));
     }
-    return new Trajectory(flights, impacts, duration, Outcome.COMPLETE);
+    return new Trajectory(flights, impacts, duration, true);
   }
 
   /** Looks for the next impact, past sensors; false if there is none until the given time. */

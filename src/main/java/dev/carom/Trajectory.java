@@ -2,30 +2,64 @@
 package dev.carom;
 
 import java.util.List;
+import java.util.Objects;
+import java.util.stream.Stream;
 
 /**
- * The way of one circle among obstacles: its flights, and the impacts between them.
- *
- * @param flights at least one; flight i + 1 starts where and when impact i ends flight i
- * @param impacts one fewer than the flights; their times count from the start of the trajectory
- * @param duration the time covered, counted from the start
- * @param outcome {@link Outcome#UNFINISHED} if the budget of impacts was spent before the time
- *     asked for; the duration is then that of the last impact
+ * The way of one circle among obstacles: straight from impact to impact. Times count from its
+ * start. Immutable.
  */
-public record Trajectory(
-    List<Flight> flights, List<Impact> impacts, double duration, Outcome outcome) {
+public final class Trajectory {
+
+  private final List<Flight> flights;
+  private final List<Impact> impacts;
+  private final double duration;
+  private final boolean complete;
+
+  /** Flight i + 1 starts where and when impact i ends flight i; there is at least one flight. */
+  Trajectory(List<Flight> flights, List<Impact> impacts, double duration, boolean complete) {
+    this.flights = List.copyOf(flights);
+    this.impacts = List.copyOf(impacts);
+    this.duration = duration;
+    this.complete = complete;
+  }
 
   /**
-   * Copies the lists.
+   * The impacts on the way, in the order of time.
    *
-   * @param flights the flights
-   * @param impacts the impacts between them
-   * @param duration the time covered
-   * @param outcome how it ended
+   * @return an immutable list
    */
-  public Trajectory {
-    flights = List.copyOf(flights);
-    impacts = List.copyOf(impacts);
+  public List<Impact> impacts() {
+    return impacts;
+  }
+
+  /**
+   * The time covered.
+   *
+   * @return at least 0
+   */
+  public double duration() {
+    return duration;
+  }
+
+  /**
+   * Whether it covers what was asked for.
+   *
+   * @return false if the budget of impacts was spent before; the duration is then the time of the
+   *     last impact
+   */
+  public boolean complete() {
+    return complete;
+  }
+
+  /**
+   * The corners of the way, to be joined by straight lines: the centre at the start, at each
+   * impact, and at the end.
+   *
+   * @return two points more than there are impacts
+   */
+  public List<Vec2> points() {
+    return Stream.concat(flights.stream().map(f -> f.at(f.t0())), Stream.of(end())).toList();
   }
 
   /**
@@ -76,5 +110,31 @@ public record Trajectory(
       }
     }
     return flights.get(low);
+  }
+
+  /**
+   * Two trajectories are equal if they lead the same way, by the same impacts, to the bit.
+   *
+   * @param other any object
+   * @return whether it is an equal trajectory
+   */
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Trajectory that
+        && flights.equals(that.flights)
+        && impacts.equals(that.impacts)
+        && Double.compare(duration, that.duration) == 0
+        && complete == that.complete;
+  }
+
+  @Override
+  public int hashCode() {
+    return Objects.hash(flights, impacts, duration, complete);
+  }
+
+  @Override
+  public String toString() {
+    return "Trajectory[duration=%s, impacts=%d, complete=%s]"
+        .formatted(duration, impacts.size(), complete);
   }
 }

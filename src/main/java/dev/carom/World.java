@@ -36,8 +36,8 @@ import java.util.Optional;
  * <p>Independently there is a budget of work for one call of {@link #step} or {@link #advanceTo}.
  * If circles ignore each other, each may make 4,000,000 / circles impacts, at least 10,000; if they
  * collide, all together may take 200,000 + 1,000 x circles events (impacts, and circles that leave
- * a cell). If that is not enough, the call returns {@link Outcome#UNFINISHED}, with the whole world
- * at an earlier time, nothing dropped; the next call goes on.
+ * a cell). If that is not enough, the call returns false, unfinished, with the whole world at an
+ * earlier time, nothing dropped; the next call goes on.
  *
  * <p><b>Accuracy.</b> Each question is answered exactly on the doubles with which it is asked, and
  * each impact's state is rounded once; a scene multiplies such roundings from impact to impact. A
@@ -120,10 +120,10 @@ public final class World {
    * Goes on for a given time, to the double nearest to {@code now() + dt}.
    *
    * @param dt at least 0
-   * @return {@link Outcome#COMPLETE} if the world got there
+   * @return whether the world got there; false if its budget of work was spent before
    * @throws IllegalArgumentException if dt is NaN or negative, or the time it leads to is infinite
    */
-  public Outcome step(double dt) {
+  public boolean step(double dt) {
     if (!(dt >= 0 && now + dt <= Double.MAX_VALUE)) {
       throw Check.refused("dt", dt, "at least 0, and a finite time after " + now);
     }
@@ -134,17 +134,17 @@ public final class World {
    * Goes on to a given time, exactly.
    *
    * @param t at least {@link #now()}
-   * @return {@link Outcome#COMPLETE} if the world got there
+   * @return whether the world got there; false if its budget of work was spent before
    * @throws IllegalArgumentException if t is NaN, infinite, or earlier than now
    */
-  public Outcome advanceTo(double t) {
+  public boolean advanceTo(double t) {
     if (!(t >= now && t <= Double.MAX_VALUE)) {
       throw Check.refused("t", t, "a finite time, at least now, " + now);
     }
     return advance(t);
   }
 
-  private Outcome advance(double end) {
+  private boolean advance(double end) {
     log.clear();
     double reached = engine.advance(end);
     log.sort();
@@ -152,7 +152,7 @@ public final class World {
     if (timeline != null) {
       timeline.advance(now);
     }
-    return reached == end && !engine.unfinished() ? Outcome.COMPLETE : Outcome.UNFINISHED;
+    return reached == end && !engine.unfinished();
   }
 
   /**

@@ -16,8 +16,9 @@
  *       another circle. Its hot form takes and returns doubles, {@code +infinity} for never.
  *   <li>Resolver: {@link dev.carom.Resolver} follows one circle through given obstacles for a given
  *       time, all bounces included.
- *   <li>World: {@link dev.carom.Scene} says what is there at time 0, {@link dev.carom.SceneFile}
- *       reads and writes it, {@link dev.carom.World} sets it in motion.
+ *   <li>World: {@link dev.carom.Scene} says what is there at time 0, in files too, {@link
+ *       dev.carom.World} sets it in motion; a {@link dev.carom.Snapshot} holds all that determines
+ *       its future, a {@link dev.carom.Timeline} its past.
  * </ol>
  *
  * <h2>Conventions</h2>

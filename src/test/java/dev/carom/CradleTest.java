@@ -21,11 +21,11 @@ class CradleTest {
     }
     World world = new World(builder.build());
     int impacts = 0;
-    Outcome outcome;
+    boolean complete;
     do {
-      outcome = world.advanceTo(10);
+      complete = world.advanceTo(10);
       impacts += world.impacts().size();
-    } while (outcome == Outcome.UNFINISHED);
+    } while (!complete);
 
     assertThat(impacts).isEqualTo(moving * resting);
     for (int i = 0; i < moving + resting; i++) {

@@ -139,7 +139,7 @@ class EditsTest {
 
     private void step(double dt) {
       double end = world.now() + dt;
-      if (world.step(dt) == Outcome.UNFINISHED) {
+      if (!world.step(dt)) {
         stuck = true;
         return;
       }

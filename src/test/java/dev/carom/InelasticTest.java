@@ -26,7 +26,7 @@ class InelasticTest {
     int impacts = 0;
     int jammed = 0;
     for (int frame = 1; frame <= frames; frame++) {
-      assertThat(world.advanceTo(frame)).isEqualTo(Outcome.COMPLETE);
+      assertThat(world.advanceTo(frame)).isTrue();
       for (Run.Row row : Run.rows(world.impacts())) {
         impacts++;
         jammed += row.jammed() ? 1 : 0;

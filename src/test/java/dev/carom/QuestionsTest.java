@@ -149,7 +149,7 @@ class QuestionsTest {
       for (int id = 0; id < 20; id++) {
         Trajectory path = world.trace(scene.circle(id), scene.velocity(id), 1, 60, 1000);
         assertThat(resolver.trace(scene.circle(id), scene.velocity(id), 60)).isEqualTo(path);
-        assertThat(path.outcome()).isEqualTo(Outcome.COMPLETE);
+        assertThat(path.complete()).isTrue();
         assertThat(path.duration()).isEqualTo(60);
         World run = new World(scene);
         run.step(60);

@@ -212,14 +212,14 @@ class ResponseTest {
             .response(Response.SENSOR)
             .build();
     StringBuilder text = new StringBuilder();
-    SceneFile.write(scene, text);
+    scene.write(text);
     assertThat(text.toString().lines())
         .containsExactly(
             "wall,0.0,0.0,100.0,100.0,response=halt",
             "line,1.0,2.0,3.0,4.0,response=sensor,oneway=1",
             "peg,5.0,6.0,7.0,restitution=0.5,response=halt",
             "circle,50.0,50.0,5.0,0.0,0.0,response=sensor");
-    Scene read = SceneFile.read(new StringReader(text.toString()), "text");
+    Scene read = Scene.read(new StringReader(text.toString()), "text");
     assertThat(read).isEqualTo(scene);
     assertThat(read.boundsResponse()).isEqualTo(Response.HALT);
     assertThat(read.lineResponse(0)).isEqualTo(Response.SENSOR);

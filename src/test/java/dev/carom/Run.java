@@ -41,7 +41,7 @@ record Run(List<Row> impacts, List<State> end) {
   static Run step(World world, double dt, int count) {
     List<Row> impacts = new ArrayList<>();
     for (int i = 0; i < count; i++) {
-      if (world.step(dt) != Outcome.COMPLETE) {
+      if (!world.step(dt)) {
         throw new AssertionError("unfinished at " + world.now());
       }
       impacts.addAll(rows(world.impacts()));
@@ -50,7 +50,7 @@ record Run(List<Row> impacts, List<State> end) {
   }
 
   private static void finish(World world, double time, List<Row> impacts) {
-    if (world.advanceTo(time) != Outcome.COMPLETE) {
+    if (!world.advanceTo(time)) {
       throw new AssertionError("unfinished at " + world.now());
     }
     impacts.addAll(rows(world.impacts()));

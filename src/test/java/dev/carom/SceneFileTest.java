@@ -45,12 +45,12 @@ class SceneFileTest {
   }
 
   private static Scene read(String text) throws IOException {
-    return SceneFile.read(new StringReader(text), "scene.csv");
+    return Scene.read(new StringReader(text), "scene.csv");
   }
 
   private static String written(Scene scene) throws IOException {
     StringBuilder text = new StringBuilder();
-    SceneFile.write(scene, text);
+    scene.write(text);
     return text.toString();
   }
 
@@ -248,22 +248,22 @@ class SceneFileTest {
   void readingAFileDoesNotMindCommentsInAnotherEncoding(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("latin-1.csv");
     Files.writeString(file, "# caf\u00e9\npeg,1,2,3\n", StandardCharsets.ISO_8859_1);
-    assertThat(SceneFile.read(file).pegCount()).isEqualTo(1);
+    assertThat(Scene.read(file).pegCount()).isEqualTo(1);
   }
 
   @Test
   void aFileThatIsNotThere(@TempDir Path folder) {
     assertThatExceptionOfType(NoSuchFileException.class)
-        .isThrownBy(() -> SceneFile.read(folder.resolve("none.csv")));
+        .isThrownBy(() -> Scene.read(folder.resolve("none.csv")));
   }
 
   @Test
   void writesAFileAndReplacesIt(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("scene.csv");
-    SceneFile.write(TestScenes.read("base-1.csv"), file);
-    assertThat(SceneFile.read(file)).isEqualTo(TestScenes.read("base-1.csv"));
-    SceneFile.write(full(), file);
-    assertThat(SceneFile.read(file)).isEqualTo(full());
+    TestScenes.read("base-1.csv").write(file);
+    assertThat(Scene.read(file)).isEqualTo(TestScenes.read("base-1.csv"));
+    full().write(file);
+    assertThat(Scene.read(file)).isEqualTo(full());
     assertThat(folder.toFile().list()).containsExactly("scene.csv");
   }
 
@@ -272,7 +272,7 @@ class SceneFileTest {
   void aNewFileHasTheUsualPermissions(@TempDir Path folder) throws IOException {
     assumeTrue(isPosix(folder), "permissions to compare");
     Path file = folder.resolve("scene.csv");
-    SceneFile.write(full(), file);
+    full().write(file);
     Path usual = Files.createFile(folder.resolve("usual"));
     assertThat(Files.getPosixFilePermissions(file)).isEqualTo(Files.getPosixFilePermissions(usual));
   }
@@ -287,18 +287,17 @@ class SceneFileTest {
     assumeTrue(isPosix(folder), "links need no privilege");
     Path file = Files.createFile(folder.resolve("scene.csv"));
     Path link = Files.createSymbolicLink(folder.resolve("link.csv"), file);
-    SceneFile.write(full(), link);
+    full().write(link);
     assertThat(link).isSymbolicLink();
-    assertThat(SceneFile.read(file)).isEqualTo(full());
+    assertThat(Scene.read(file)).isEqualTo(full());
   }
 
   @Test
   void aFailureLeavesNothingBehind(@TempDir Path folder) throws IOException {
-    assertThatThrownBy(() -> SceneFile.write(full(), folder)).isInstanceOf(IOException.class);
+    assertThatThrownBy(() -> full().write(folder)).isInstanceOf(IOException.class);
     assertThat(folder).isEmptyDirectory();
     Path nowhere = folder.resolve("none").resolve("scene.csv");
-    assertThatExceptionOfType(NoSuchFileException.class)
-        .isThrownBy(() -> SceneFile.write(full(), nowhere));
+    assertThatExceptionOfType(NoSuchFileException.class).isThrownBy(() -> full().write(nowhere));
     assertThat(folder).isEmptyDirectory();
   }
 }

@@ -17,7 +17,7 @@ class SceneFormatExceptionTest {
 
   private static SceneFormatException refused(String text) {
     return catchThrowableOfType(
-        SceneFormatException.class, () -> SceneFile.read(new StringReader(text), "scene.csv"));
+        SceneFormatException.class, () -> Scene.read(new StringReader(text), "scene.csv"));
   }
 
   private static void assertRefused(String row, int column, String reason) {
@@ -211,7 +211,7 @@ class SceneFormatExceptionTest {
   void aFileIsNamedByItsPath(@TempDir Path folder) throws Exception {
     Path file = Files.writeString(folder.resolve("bad.csv"), "wall,0,0,800,600\r\nline,1,2\r\n");
     SceneFormatException e =
-        catchThrowableOfType(SceneFormatException.class, () -> SceneFile.read(file));
+        catchThrowableOfType(SceneFormatException.class, () -> Scene.read(file));
     assertThat(e).hasMessage(file + ":2:9: bx is missing: expected line,ax,ay,bx,by");
   }
 
@@ -221,7 +221,7 @@ class SceneFormatExceptionTest {
     Path file = folder.resolve("scene.csv.gz");
     Files.write(file, new byte[] {0x1f, (byte) 0x8b, 8, 0, 0, 0});
     SceneFormatException e =
-        catchThrowableOfType(SceneFormatException.class, () -> SceneFile.read(file));
+        catchThrowableOfType(SceneFormatException.class, () -> Scene.read(file));
     assertThat(e).hasMessageContaining(":1:1: \"\\u001f\\ufffd\\u0008");
   }
 }

@@ -23,7 +23,7 @@ final class TestScenes {
   /** The scene in the file {@code scenes/NAME}. */
   static Scene read(String name) {
     try {
-      return SceneFile.read(path(name));
+      return Scene.read(path(name));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -154,7 +154,7 @@ class TimelineTest {
     }
     World world = new World(scene.build());
     Timeline timeline = world.record(most);
-    assertThat(world.step(50)).isEqualTo(Outcome.UNFINISHED);
+    assertThat(world.step(50)).isFalse();
     assertThat(world.now()).isBetween(0.0, 1.0);
     assertThat(timeline.end()).isEqualTo(world.now());
     assertThat(Moment.of(timeline, 0, world.now())).isEqualTo(Moment.of(world, 0));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.charts;
 
-import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.World;
 import java.util.ArrayList;
@@ -39,7 +38,7 @@ record Replay(List<Still> opening, Still middle, Still end) {
   }
 
   private static void step(World world, Glow glow, int frame) {
-    if (world.step(1) != Outcome.COMPLETE) {
+    if (!world.step(1)) {
       throw new IllegalStateException(
           "the world spent its budget of work in frame " + frame + ", at time " + world.now());
     }

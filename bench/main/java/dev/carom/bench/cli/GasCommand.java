@@ -2,7 +2,6 @@
 package dev.carom.bench.cli;
 
 import dev.carom.Scene;
-import dev.carom.SceneFile;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Gas;
 import java.io.IOException;
@@ -99,7 +98,7 @@ final class GasCommand implements Callable<Integer> {
     Bounded.atLeast(1, "--replays", replays, spec);
     Scene scene = generator().scene();
     if (save != null) {
-      SceneFile.write(scene, save);
+      scene.write(save);
     }
     if (steady != null) {
       Bounded.atLeast(1, "--steady", steady, spec);

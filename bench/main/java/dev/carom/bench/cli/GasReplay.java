@@ -3,7 +3,6 @@ package dev.carom.bench.cli;
 
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
-import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.World;
 
@@ -24,17 +23,17 @@ record GasReplay(long nanos, long collisions, long wallImpacts, double energyCha
     long collisions = 0;
     long wallImpacts = 0;
     for (int frame = 1; frame <= frames; frame++) {
-      Outcome outcome;
+      boolean complete;
       do {
         long start = System.nanoTime();
-        outcome = world.advanceTo(frame);
+        complete = world.advanceTo(frame);
         nanos += System.nanoTime() - start;
         ImpactLog log = world.impacts();
         for (int row = 0; row < log.size(); row++) {
           collisions += log.kind(row) == ObstacleKind.CIRCLE ? 1 : 0;
           wallImpacts += log.kind(row) == ObstacleKind.WALL ? 1 : 0;
         }
-      } while (outcome == Outcome.UNFINISHED);
+      } while (!complete);
     }
     return new GasReplay(nanos, collisions, wallImpacts, energy(scene, world) / before - 1);
   }

@@ -4,7 +4,6 @@ package dev.carom.bench.cli;
 import com.sun.management.ThreadMXBean;
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
-import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.World;
 import java.lang.management.ManagementFactory;
@@ -47,27 +46,27 @@ record GasSteady(
     Round play(long enough) {
       while (collisions < enough) {
         double end = Math.floor(world.now()) + 1;
-        Outcome outcome;
+        boolean complete;
         do {
-          outcome = step(end);
-        } while (outcome == Outcome.UNFINISHED);
+          complete = step(end);
+        } while (!complete);
         frames++;
       }
       return this;
     }
 
-    private Outcome step(double end) {
+    private boolean step(double end) {
       long asked = THREADS.getCurrentThreadAllocatedBytes();
       long before = THREADS.getCurrentThreadAllocatedBytes();
       long start = System.nanoTime();
-      Outcome outcome = world.advanceTo(end);
+      boolean complete = world.advanceTo(end);
       nanos += System.nanoTime() - start;
       bytes += THREADS.getCurrentThreadAllocatedBytes() - before - (before - asked);
       ImpactLog log = world.impacts();
       for (int row = 0; row < log.size(); row++) {
         collisions += log.kind(row) == ObstacleKind.CIRCLE ? 1 : 0;
       }
-      return outcome;
+      return complete;
     }
   }
 

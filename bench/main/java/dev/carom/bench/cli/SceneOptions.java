@@ -2,7 +2,6 @@
 package dev.carom.bench.cli;
 
 import dev.carom.Scene;
-import dev.carom.SceneFile;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
 import java.io.IOException;
@@ -88,7 +87,7 @@ final class SceneOptions {
         throw usage("--scene and " + option + " exclude each other");
       }
     }
-    return SceneFile.read(file);
+    return Scene.read(file);
   }
 
   /** Scenes of the same kind with other seeds; beside a file, canonical ones. */

@@ -2,7 +2,6 @@
 package dev.carom.bench.cli;
 
 import dev.carom.Scene;
-import dev.carom.SceneFile;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
@@ -59,7 +58,7 @@ final class SimulateCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     Bounded.atLeast(0, "--frames", frames, spec);
     Bounded.positive("--dt", dt, spec);
-    Scene scene = SceneFile.read(file);
+    Scene scene = Scene.read(file);
     try (OutputFile positionsFile = OutputFile.open(positions, Recorder.POSITIONS);
         OutputFile impactsFile = OutputFile.open(impacts, Recorder.IMPACTS)) {
       Recorder recorder = new Recorder(positionsFile, impactsFile);

@@ -3,7 +3,6 @@ package dev.carom.bench.cli;
 
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
-import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.World;
 import java.io.IOException;
@@ -26,12 +25,12 @@ final class Simulation {
   /** Frame k ends at k dt, rounded once: time does not gather the rounding of frames. */
   void play(int frames, double dt) throws IOException {
     for (int frame = 1; frame <= frames; frame++) {
-      Outcome outcome;
+      boolean complete;
       do {
-        outcome = world.advanceTo(frame * dt);
+        complete = world.advanceTo(frame * dt);
         count(world.impacts());
         recorder.recordImpacts(world.impacts());
-      } while (outcome == Outcome.UNFINISHED);
+      } while (!complete);
       recorder.recordPositions(frame, world);
     }
   }

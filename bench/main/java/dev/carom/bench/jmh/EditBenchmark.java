@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.jmh;
 
-import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Snapshot;
@@ -164,7 +163,7 @@ public class EditBenchmark {
    * @return how the step ended
    */
   @Benchmark
-  public Outcome steer(Steered s) {
+  public boolean steer(Steered s) {
     s.steer();
     return s.world.step(1);
   }
@@ -222,7 +221,7 @@ public class EditBenchmark {
    * @return how the step ended
    */
   @Benchmark
-  public Outcome restoreAndStepAlone(Thousand s) {
+  public boolean restoreAndStepAlone(Thousand s) {
     s.alone.restore(s.ofAlone);
     return s.alone.step(0.01);
   }
@@ -234,7 +233,7 @@ public class EditBenchmark {
    * @return how the step ended
    */
   @Benchmark
-  public Outcome restoreAndStepGas(Thousand s) {
+  public boolean restoreAndStepGas(Thousand s) {
     s.gas.restore(s.ofGas);
     return s.gas.step(0.01);
   }
@@ -262,7 +261,7 @@ public class EditBenchmark {
    * @return how the step ended
    */
   @Benchmark
-  public Outcome frame(Recorded s) {
+  public boolean frame(Recorded s) {
     return s.plain.step(1);
   }
 
@@ -273,7 +272,7 @@ public class EditBenchmark {
    * @return how the step ended
    */
   @Benchmark
-  public Outcome frameRecorded(Recorded s) {
+  public boolean frameRecorded(Recorded s) {
     return s.recording.step(1);
   }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.jmh;
 
-import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.World;
 import dev.carom.bench.experiment.CannotPlaceException;
@@ -53,7 +52,7 @@ public class WorldBenchmark {
    * @return how the step ended
    */
   @Benchmark
-  public Outcome frame() {
+  public boolean frame() {
     return world.step(1);
   }
 

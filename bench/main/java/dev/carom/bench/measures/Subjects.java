@@ -2,7 +2,6 @@
 package dev.carom.bench.measures;
 
 import dev.carom.Scene;
-import dev.carom.SceneFile;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.reference.Reference;
@@ -73,7 +72,7 @@ final class Subjects {
         throw new IllegalArgumentException(path + " is not in the jar");
       }
       Reader text = new InputStreamReader(in, StandardCharsets.UTF_8);
-      return SceneFile.read(text, name);
+      return Scene.read(text, name);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

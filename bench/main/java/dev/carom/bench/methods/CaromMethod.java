@@ -3,7 +3,6 @@ package dev.carom.bench.methods;
 
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
-import dev.carom.Outcome;
 import dev.carom.RungCounts;
 import dev.carom.Scene;
 import dev.carom.World;
@@ -26,7 +25,7 @@ final class CaromMethod implements Method {
   @Override
   public void frame() {
     before = RungCounts.soFar();
-    if (world.step(1) != Outcome.COMPLETE) {
+    if (!world.step(1)) {
       throw new IllegalStateException(
           "carom spent its budget of work before the end of a frame, at time " + world.now());
     }

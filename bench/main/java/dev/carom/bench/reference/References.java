@@ -2,7 +2,6 @@
 package dev.carom.bench.reference;
 
 import dev.carom.Scene;
-import dev.carom.SceneFile;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
@@ -51,7 +50,7 @@ public final class References {
   public static Scene scene(String name) throws IOException {
     try (Reader in =
         new InputStreamReader(open("scenes/" + name + ".csv"), StandardCharsets.UTF_8)) {
-      return SceneFile.read(in, name);
+      return Scene.read(in, name);
     }
   }
 

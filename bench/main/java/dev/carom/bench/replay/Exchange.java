@@ -2,7 +2,6 @@
 package dev.carom.bench.replay;
 
 import dev.carom.Scene;
-import dev.carom.SceneFile;
 import dev.carom.bench.methods.Contender;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -17,21 +16,21 @@ record Exchange(Path folder) {
 
   static Exchange create(Scene measured, List<Scene> others) throws IOException {
     Exchange exchange = new Exchange(Files.createTempDirectory("carom-replay"));
-    SceneFile.write(measured, exchange.measured());
+    measured.write(exchange.measured());
     for (int i = 0; i < others.size(); i++) {
-      SceneFile.write(others.get(i), exchange.other(i));
+      others.get(i).write(exchange.other(i));
     }
     return exchange;
   }
 
   Scene readMeasured() throws IOException {
-    return SceneFile.read(measured());
+    return Scene.read(measured());
   }
 
   List<Scene> readOthers() throws IOException {
     List<Scene> scenes = new ArrayList<>();
     for (int i = 0; Files.exists(other(i)); i++) {
-      scenes.add(SceneFile.read(other(i)));
+      scenes.add(Scene.read(other(i)));
     }
     return scenes;
   }

@@ -3,7 +3,7 @@ package dev.carom.bench.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.SceneFile;
+import dev.carom.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -57,8 +57,8 @@ class GasCommandTest {
     Path file = folder.resolve("gas.csv");
     Cli.run("gas", "--circles", 9, "--frames", 1, "--replays", 1, "--save", file);
 
-    assertThat(SceneFile.read(file).collide()).isTrue();
-    assertThat(SceneFile.read(file).circleCount()).isEqualTo(9);
+    assertThat(Scene.read(file).collide()).isTrue();
+    assertThat(Scene.read(file).circleCount()).isEqualTo(9);
     assertThat(Cli.run("simulate", "--scene", file, "--frames", 1).exitCode()).isZero();
   }
 
