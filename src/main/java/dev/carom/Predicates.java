@@ -51,6 +51,10 @@ final class Predicates {
     double py = ay - by;
     double qx = cx - dx;
     double qy = cy - dy;
+    // What is at rest, or moves as the other does: a difference is 0 only if it is so exactly.
+    if ((px == 0 && py == 0) || (qx == 0 && qy == 0)) {
+      return 0;
+    }
     double s = px * qy;
     double t = py * qx;
     double c = s - t;

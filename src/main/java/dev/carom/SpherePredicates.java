@@ -26,6 +26,9 @@ final class SpherePredicates {
     double ux = vx1 - vx2;
     double uy = vy1 - vy2;
     double uz = vz1 - vz2;
+    if (ux == 0 && uy == 0 && uz == 0) {
+      return 0; // exactly: one moves as the other does
+    }
     double px = ux * dx;
     double py = uy * dy;
     double pz = uz * dz;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -52,6 +53,34 @@ class AllocationTest {
     assertThat(sum).isFinite();
   }
 
+  /** Velocities set before each frame, sensors on the way, circles that collide or do not. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void framesWithEditsAllocateNothing(boolean collide) throws ReflectiveOperationException {
+    SceneBuilder builder = RandomScenes.responses(new Random(1)).collide(collide);
+    World world = new World(builder.circle(400, 300, 30, 1, 2).response(Response.SENSOR).build());
+    impacts = 0;
+    Runnable frames =
+        () -> {
+          for (int frame = 0; frame < 200; frame++) {
+            for (int id = 0; id < world.circleCount(); id++) {
+              // To and fro, so that all stay where they are, and none gets stuck.
+              double way = frame % 20 < 10 ? 1 : -1;
+              world.setVelocity(id, way * (id % 7 - 3.1), way * (id % 5 - 1.7));
+            }
+            world.step(1);
+            read(world);
+          }
+        };
+    for (int i = 0; i < 20; i++) {
+      frames.run();
+    }
+    assertThat(impacts).isGreaterThan(1000);
+    Meter meter = new Meter();
+    assertThat(measured(meter, frames)).isEqualTo(measured(meter, () -> {}));
+    assertThat(sum).isFinite();
+  }
+
   private static long measured(Meter meter, Runnable work) throws ReflectiveOperationException {
     long least = Long.MAX_VALUE;
     for (int i = 0; i < 3; i++) {
@@ -70,9 +99,11 @@ class AllocationTest {
   }
 
   private static double sum;
+  private static int impacts;
 
   private static void read(World world) {
     ImpactLog log = world.impacts();
+    impacts += log.size();
     for (int row = 0; row < log.size(); row++) {
       sum += log.time(row) + log.x(row) + log.nx(row) + log.speed(row);
       sum += log.kind(row) == ObstacleKind.WALL ? 1 : log.feature(row) == Feature.END ? 2 : 3;

@@ -26,7 +26,8 @@ class EditsTest {
   /** After so many edits a new scene begins. */
   private static final int EDITS_PER_SCENE = 500;
 
-  private static final int MOST_IMPACTS = 200;
+  /** A step of more, in a corridor hardly wider than the circle, would take the model minutes. */
+  private static final int MOST_IMPACTS = 5_000;
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
@@ -139,12 +140,11 @@ class EditsTest {
 
     private void step(double dt) {
       double end = world.now() + dt;
-      if (!world.step(dt)) {
+      if (!world.step(dt) || world.impacts().size() > MOST_IMPACTS) {
         stuck = true;
         return;
       }
       List<Run.Row> rows = Run.rows(world.impacts());
-      assertThat(rows.size()).isLessThan(MOST_IMPACTS * 100);
       assertThat(Run.rows(plain.advance(end, rows.size() + 1))).isEqualTo(rows);
       impacts += rows.size();
     }
