@@ -366,7 +366,13 @@ final class Collisions implements Engine {
       timeline.add(m);
     }
     outgrown = outgrown || !neighbors.enter(i, reached);
+    lookAnew(i);
+  }
+
+  /** Lets a circle look ahead and around anew with the next step, when all edits are done. */
+  private void lookAnew(int i) {
     if (!outgrown) {
+      queue.clear(i);
       kinds[i] = EDIT;
       queue.set(i, reached);
     }
@@ -388,11 +394,7 @@ final class Collisions implements Engine {
       circles.load(i);
       if (roster.contains(i) && circles.mover.forget(code, sensedCode)) {
         circles.keep(i, circles.mover);
-        // One that an edit put on a new flight will foresee all anew: what it foresaw is of the old.
-        if (!outgrown && kinds[i] != EDIT) {
-          queue.clear(i);
-          schedule(i);
-        }
+        lookAnew(i);
       }
     }
   }
