@@ -16,7 +16,7 @@ package dev.carom;
  * <p>Simultaneous events are taken by kind (wall, line, peg, pair), then by the numbers of what
  * meets.
  */
-final class Collisions implements Engine {
+final class Collisions extends Engine {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -31,19 +31,13 @@ final class Collisions implements Engine {
   private static final int EDIT = 2;
   private static final int CROSSING = 3;
 
-  private final Roster roster;
-  private final Circles circles;
-  private final Surroundings surroundings;
   private final Machinery machinery;
   private final Bounds bounds;
-  private final ObstacleResponse response;
   private final PairResponse pairs;
-  private final ImpactLog log;
   private Neighbors neighbors;
   private Meetings meetings;
   private EventQueue queue;
   private short[] kinds;
-  private boolean unfinished;
 
   /** The time of the last event, or of the end of the last step. */
   private double reached;
@@ -54,22 +48,15 @@ final class Collisions implements Engine {
   /** Whether an edit needs more room or other cells than there are. */
   private boolean outgrown;
 
-  /** Null unless flights are recorded. */
-  private Timeline timeline;
-
   private final SensedPairs sensed = new SensedPairs();
   private final Mover other = new Mover();
 
   Collisions(Scene scene, Roster roster, Machinery machinery, ImpactLog log) {
-    this.roster = roster;
+    super(scene, roster, Circles.colliding(scene.circleCount()), machinery, log);
     this.machinery = machinery;
-    this.log = log;
     bounds = scene.bounds;
-    surroundings = new Surroundings(scene, machinery);
-    int count = scene.circleCount();
-    circles = Circles.colliding(count);
-    response = new ObstacleResponse(surroundings.obstacles, roster.patience());
     pairs = new PairResponse(roster, response);
+    int count = circles.count;
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
       circles.keep(i, circles.mover);
@@ -94,30 +81,14 @@ final class Collisions implements Engine {
   }
 
   @Override
-  public Circles circles() {
-    return circles;
-  }
-
-  @Override
-  public Surroundings surroundings() {
-    return surroundings;
-  }
-
-  @Override
-  public String model() {
+  String model() {
     return surroundings.model().toString().replace("ignore each other", "collide");
   }
 
   @Override
-  public boolean unfinished() {
-    return unfinished;
-  }
-
-  @Override
-  public double advance(double end) {
+  double advance(double end) {
     unfinished = false;
-    surroundings.prepare(circles);
-    response.setPatience(roster.patience());
+    prepare();
     if (outgrown) {
       outgrown = false;
       begin();
@@ -350,7 +321,7 @@ final class Collisions implements Engine {
   // Edits.
 
   @Override
-  public void fly(Mover m) {
+  void fly(Mover m) {
     int i = m.id;
     if (i == circles.count) {
       outgrown |= i == circles.capacity();
@@ -379,7 +350,7 @@ final class Collisions implements Engine {
   }
 
   @Override
-  public void remove(int i) {
+  void remove(int i) {
     if (!outgrown) {
       queue.clear(i);
       neighbors.leave(i);
@@ -388,64 +359,29 @@ final class Collisions implements Engine {
   }
 
   @Override
-  public void forget(int code) {
-    int sensedCode = surroundings.sensedBefore(code);
-    for (int i = 0; i < circles.count; i++) {
-      circles.load(i);
-      if (roster.contains(i) && circles.mover.forget(code, sensedCode)) {
-        circles.keep(i, circles.mover);
-        lookAnew(i);
-      }
-    }
+  void keep(int i, Mover m) {
+    circles.keep(i, m);
+    lookAnew(i);
   }
 
-  @Override
-  public void appeared(int code, double now) {
-    Mover m = circles.mover;
-    for (int i = 0; i < circles.count; i++) {
-      if (roster.contains(i)) {
-        circles.load(i);
-        if (surroundings.meets(m, code)) {
-          m.restart(now);
-          fly(m);
-        }
-      }
-    }
-  }
+  // Time.
 
   @Override
-  public void record(Timeline timeline) {
-    this.timeline = timeline;
-    for (int i = 0; i < circles.count && timeline != null; i++) {
-      if (roster.contains(i)) {
-        circles.load(i);
-        timeline.add(circles.mover);
-      }
-    }
-  }
-
-  @Override
-  public FlightStates save() {
-    FlightStates states = new FlightStates(circles.count);
+  FlightStates save() {
+    FlightStates states = super.save();
     for (int i = 0; i < circles.count; i++) {
-      circles.load(i);
-      surroundings.save(circles.mover, states);
       sensed.save(i, states);
     }
     return states;
   }
 
   @Override
-  public void restore(FlightStates flights, double now) {
+  void restore(FlightStates flights, double now) {
     reached = now;
     outgrown = true;
     sensed.clear();
-    circles.clear();
+    super.restore(flights, now);
     for (int i = 0; i < flights.count(); i++) {
-      circles.add();
-      flights.get(i, circles.mover);
-      surroundings.setRadius(i, circles.mover.radius);
-      circles.keep(i, circles.mover);
       sensed.restore(i, flights);
     }
   }

@@ -21,8 +21,8 @@ final class Editor {
   Editor(Scene scene, Engine engine, Roster roster) {
     this.engine = engine;
     this.roster = roster;
-    circles = engine.circles();
-    obstacles = engine.surroundings().obstacles;
+    circles = engine.circles;
+    obstacles = engine.surroundings.obstacles;
     limits.keepPlace(obstacles.extent(), 0);
     if (scene.bounds != null) {
       limits.keepPlace(scene.bounds.xmin(), scene.bounds.ymin());
@@ -204,7 +204,7 @@ final class Editor {
     } else {
       engine.forget(code);
       obstacles.remove(code);
-      engine.surroundings().changed(code);
+      engine.surroundings.changed(code);
     }
   }
 
@@ -250,7 +250,6 @@ final class Editor {
   }
 
   private void changed(int code, double now) {
-    engine.surroundings().changed(code);
     engine.appeared(code, now);
   }
 }

@@ -5,7 +5,27 @@ package dev.carom;
  * What moves the circles of a world: one way if they ignore each other, another if they collide.
  * Between steps a world may edit them; what it asks for is checked.
  */
-interface Engine {
+abstract class Engine {
+
+  final Roster roster;
+  final Circles circles;
+  final Surroundings surroundings;
+  final ObstacleResponse response;
+  final ImpactLog log;
+
+  /** Whether the budget was spent in the last {@link #advance}. */
+  boolean unfinished;
+
+  /** Null unless flights are recorded. */
+  Timeline timeline;
+
+  Engine(Scene scene, Roster roster, Circles circles, Machinery machinery, ImpactLog log) {
+    this.roster = roster;
+    this.circles = circles;
+    this.log = log;
+    surroundings = new Surroundings(scene, machinery);
+    response = new ObstacleResponse(surroundings.obstacles, roster.patience());
+  }
 
   /**
    * Advances all circles to the given time, or, if the budget of work is spent first, to an earlier
@@ -13,45 +33,95 @@ interface Engine {
    *
    * @return the time reached
    */
-  double advance(double end);
-
-  /** Whether the budget was spent in the last {@link #advance}. */
-  boolean unfinished();
-
-  /** The flights of the circles. */
-  Circles circles();
-
-  /** What stands still. */
-  Surroundings surroundings();
+  abstract double advance(double end);
 
   /** What is used, in words. */
-  String model();
+  abstract String model();
 
   /**
    * Begins a new flight of a circle, whose id may be the next one, with what a mover holds.
    *
    * @param m a mover at the start of a flight, now
    */
-  void fly(Mover m);
+  abstract void fly(Mover m);
 
   /** Takes a circle out. */
-  void remove(int i);
+  abstract void remove(int i);
 
-  /** Records new flights, or none for null; those of now first. */
-  void record(Timeline timeline);
+  /** Stores a circle of which less is known ahead than before. */
+  abstract void keep(int i, Mover m);
 
-  /** The flights of all circles, those of removed ones included. */
-  FlightStates save();
+  /** Makes grids anew where edits made them poor, and knows how many circles there are. */
+  final void prepare() {
+    surroundings.prepare(circles);
+    response.setPatience(roster.patience());
+  }
 
-  /** Takes over other flights, of the circles that are in the roster by now. */
-  void restore(FlightStates flights, double now);
+  // Lines and pegs.
 
   /** Forgets a line or a peg that is to be elsewhere, otherwise there, or gone. */
-  void forget(int code);
+  final void forget(int code) {
+    int sensed = surroundings.sensedBefore(code);
+    for (int i = 0; i < circles.count; i++) {
+      circles.load(i);
+      if (roster.contains(i) && circles.mover.forget(code, sensed)) {
+        keep(i, circles.mover);
+      }
+    }
+  }
 
   /**
    * Takes notice that a line or a peg is new, elsewhere, or otherwise there than before: circles
    * whose flight meets it begin a new one now.
    */
-  void appeared(int code, double now);
+  final void appeared(int code, double now) {
+    surroundings.changed(code);
+    Mover m = circles.mover;
+    for (int i = 0; i < circles.count; i++) {
+      if (roster.contains(i)) {
+        circles.load(i);
+        if (surroundings.meets(m, code)) {
+          m.restart(now);
+          fly(m);
+        }
+      }
+    }
+  }
+
+  // Time.
+
+  /** Records new flights, or none for null; those of now first. */
+  final void record(Timeline timeline) {
+    this.timeline = timeline;
+    for (int i = 0; i < circles.count && timeline != null; i++) {
+      if (roster.contains(i)) {
+        circles.load(i);
+        timeline.add(circles.mover);
+      }
+    }
+  }
+
+  /** The flights of all circles, those of removed ones included. */
+  FlightStates save() {
+    FlightStates states = new FlightStates(circles.count);
+    for (int i = 0; i < circles.count; i++) {
+      circles.load(i);
+      surroundings.save(circles.mover, states);
+    }
+    return states;
+  }
+
+  /** Takes over other flights, of the circles that are in the roster by now. */
+  void restore(FlightStates flights, double now) {
+    circles.clear();
+    for (int i = 0; i < flights.count(); i++) {
+      flights.get(i, circles.mover);
+      circles.add();
+      surroundings.setRadius(i, circles.mover.radius);
+      keep(i, circles.mover);
+      if (!roster.contains(i)) {
+        remove(i);
+      }
+    }
+  }
 }

@@ -6,7 +6,7 @@ package dev.carom;
  * end of a step at once, without a queue; one comparison tells that nothing happens to it in a
  * step.
  */
-final class Flights implements Engine {
+final class Flights extends Engine {
 
   /** Circles that a step may advance before the journal grows. */
   private static final int JOURNAL = 1024;
@@ -16,25 +16,12 @@ final class Flights implements Engine {
 
   private static final int LEAST_IMPACTS_PER_CALL = 10_000;
 
-  private final Roster roster;
-  private final Circles circles;
-  private final Surroundings surroundings;
-  private final ObstacleResponse response;
-  private final ImpactLog log;
   private final Journal journal;
-  private boolean unfinished;
-
-  /** Null unless flights are recorded. */
-  private Timeline timeline;
 
   Flights(Scene scene, Roster roster, Machinery machinery, ImpactLog log) {
-    this.roster = roster;
-    this.log = log;
-    surroundings = new Surroundings(scene, machinery);
-    int count = scene.circleCount();
-    circles = new Circles(count);
+    super(scene, roster, new Circles(scene.circleCount()), machinery, log);
+    int count = circles.count;
     journal = new Journal(Math.min(count, JOURNAL), Circles.STATE, Circles.CODES);
-    response = new ObstacleResponse(surroundings.obstacles, roster.patience());
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
       surroundings.extend(circles.mover, 0);
@@ -43,12 +30,7 @@ final class Flights implements Engine {
   }
 
   @Override
-  public Circles circles() {
-    return circles;
-  }
-
-  @Override
-  public String model() {
+  String model() {
     return surroundings.model().toString();
   }
 
@@ -59,9 +41,8 @@ final class Flights implements Engine {
    * @return the time reached
    */
   @Override
-  public double advance(double end) {
-    surroundings.prepare(circles);
-    response.setPatience(roster.patience());
+  double advance(double end) {
+    prepare();
     journal.clear();
     unfinished = false;
     double reached = end;
@@ -78,11 +59,6 @@ final class Flights implements Engine {
       }
     } while (reached < goal);
     return reached;
-  }
-
-  @Override
-  public boolean unfinished() {
-    return unfinished;
   }
 
   private double pass(double end) {
@@ -126,12 +102,7 @@ final class Flights implements Engine {
   }
 
   @Override
-  public Surroundings surroundings() {
-    return surroundings;
-  }
-
-  @Override
-  public void fly(Mover m) {
+  void fly(Mover m) {
     if (m.id == circles.count) {
       circles.add();
     }
@@ -143,67 +114,12 @@ final class Flights implements Engine {
   }
 
   @Override
-  public void remove(int i) {
+  void remove(int i) {
     circles.due[i] = Double.POSITIVE_INFINITY;
   }
 
   @Override
-  public void record(Timeline timeline) {
-    this.timeline = timeline;
-    for (int i = 0; i < circles.count && timeline != null; i++) {
-      if (roster.contains(i)) {
-        circles.load(i);
-        timeline.add(circles.mover);
-      }
-    }
-  }
-
-  @Override
-  public FlightStates save() {
-    FlightStates states = new FlightStates(circles.count);
-    for (int i = 0; i < circles.count; i++) {
-      circles.load(i);
-      surroundings.save(circles.mover, states);
-    }
-    return states;
-  }
-
-  @Override
-  public void restore(FlightStates flights, double now) {
-    circles.clear();
-    for (int i = 0; i < flights.count(); i++) {
-      flights.get(i, circles.mover);
-      circles.add();
-      surroundings.setRadius(i, circles.mover.radius);
-      circles.store(i);
-      if (!roster.contains(i)) {
-        remove(i);
-      }
-    }
-  }
-
-  @Override
-  public void forget(int code) {
-    int sensed = surroundings.sensedBefore(code);
-    for (int i = 0; i < circles.count; i++) {
-      circles.load(i);
-      if (roster.contains(i) && circles.mover.forget(code, sensed)) {
-        circles.store(i);
-      }
-    }
-  }
-
-  @Override
-  public void appeared(int code, double now) {
-    Mover m = circles.mover;
-    for (int i = 0; i < circles.count; i++) {
-      if (roster.contains(i)) {
-        circles.load(i);
-        if (surroundings.meets(m, code)) {
-          m.restart(now);
-          fly(m);
-        }
-      }
-    }
+  void keep(int i, Mover m) {
+    circles.store(i, m);
   }
 }

@@ -16,8 +16,8 @@ final class Questions {
   Questions(Engine engine, Roster roster, boolean collide) {
     this.roster = roster;
     this.collide = collide;
-    surroundings = engine.surroundings();
-    circles = engine.circles();
+    surroundings = engine.surroundings;
+    circles = engine.circles;
     region = new Region(surroundings.obstacles);
   }
 

@@ -92,8 +92,8 @@ public final class World {
         scene.collide
             ? new Collisions(scene, roster, machinery, log)
             : new Flights(scene, roster, machinery, log);
-    circles = engine.circles();
-    obstacles = engine.surroundings().obstacles;
+    circles = engine.circles;
+    obstacles = engine.surroundings.obstacles;
     editor = new Editor(scene, engine, roster);
     questions = new Questions(engine, roster, scene.collide);
   }
@@ -152,7 +152,7 @@ public final class World {
     if (timeline != null) {
       timeline.advance(now);
     }
-    return reached == end && !engine.unfinished();
+    return reached == end && !engine.unfinished;
   }
 
   /**
@@ -616,7 +616,7 @@ public final class World {
     now = snapshot.now;
     roster.set(snapshot.roster);
     editor.restore(snapshot.limits);
-    engine.surroundings().restore(snapshot.obstacles);
+    engine.surroundings.restore(snapshot.obstacles);
     engine.restore(snapshot.flights, now);
     if (timeline != null) {
       timeline.begin(now);
