@@ -146,7 +146,7 @@ final class Editor {
     int code = obstacles.addLine(ax, ay, bx, by);
     limits.keepPlace(ax, ay);
     limits.keepPlace(bx, by);
-    changed(code, now);
+    engine.appeared(code, now);
     return obstacles.index(code);
   }
 
@@ -156,7 +156,7 @@ final class Editor {
     obstacles.moveLine(code, ax, ay, bx, by);
     limits.keepPlace(ax, ay);
     limits.keepPlace(bx, by);
-    changed(code, now);
+    engine.appeared(code, now);
   }
 
   private void checkLine(int code, double ax, double ay, double bx, double by) {
@@ -174,7 +174,7 @@ final class Editor {
     checkPeg(obstacles.endOfPegs, x, y, radius);
     int code = obstacles.addPeg(x, y, radius);
     limits.keepPlace(x, y);
-    changed(code, now);
+    engine.appeared(code, now);
     return obstacles.index(code);
   }
 
@@ -183,7 +183,7 @@ final class Editor {
     engine.forget(code);
     obstacles.movePeg(code, x, y, radius);
     limits.keepPlace(x, y);
-    changed(code, now);
+    engine.appeared(code, now);
   }
 
   private void checkPeg(int code, double x, double y, double radius) {
@@ -197,14 +197,14 @@ final class Editor {
 
   // Anything.
 
-  void remove(int code) {
+  void remove(int code, double now) {
     if (code >= Obstacles.CIRCLES) {
       roster.remove(code - Obstacles.CIRCLES);
       engine.remove(code - Obstacles.CIRCLES);
     } else {
       engine.forget(code);
       obstacles.remove(code);
-      engine.surroundings.changed(code);
+      engine.disappeared(code, now);
     }
   }
 
@@ -245,11 +245,7 @@ final class Editor {
     if (traits != obstacles.traits(code)) {
       engine.forget(code);
       obstacles.setTraits(code, traits);
-      changed(code, now);
+      engine.appeared(code, now);
     }
-  }
-
-  private void changed(int code, double now) {
-    engine.appeared(code, now);
   }
 }

@@ -75,7 +75,7 @@ abstract class Engine {
    * whose flight meets it begin a new one now.
    */
   final void appeared(int code, double now) {
-    surroundings.changed(code);
+    changed(code, now);
     Mover m = circles.mover;
     for (int i = 0; i < circles.count; i++) {
       if (roster.contains(i)) {
@@ -85,6 +85,18 @@ abstract class Engine {
           fly(m);
         }
       }
+    }
+  }
+
+  /** Takes notice that a line or a peg is gone, after it was forgotten. */
+  final void disappeared(int code, double now) {
+    changed(code, now);
+  }
+
+  private void changed(int code, double now) {
+    surroundings.changed(code);
+    if (timeline != null) {
+      timeline.noteObstacle(code, surroundings.obstacles, now);
     }
   }
 

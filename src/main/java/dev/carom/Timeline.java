@@ -2,20 +2,23 @@
 package dev.carom;
 
 import java.util.Arrays;
+import java.util.Optional;
 
 /**
  * The recorded flights of a world's circles: where each was, and how it moved, at any moment from
  * the start of the recording to now, forwards and backwards, to the bit as the world gave it when
  * it stood there: after the edits of that moment, and the impacts that they brought about at once.
  * It takes 56 bytes a flight, so its size follows the impacts, not the steps; it can be bounded.
+ * Where lines and pegs were is recorded too, at their changes.
  *
- * <p>What stands still is not recorded. A world records what it does itself, and edits; when a
- * snapshot is restored into it, the recording begins anew. Not safe for use by several threads.
+ * <p>A world records what it does itself, and edits; when a snapshot is restored into it, the
+ * recording begins anew. Not safe for use by several threads.
  */
 public final class Timeline {
 
   private final int most;
   private Track[] tracks;
+  private PastObstacles obstacles;
   private double begin;
   private double end;
 
@@ -35,7 +38,7 @@ public final class Timeline {
    * @return the time at which the recording began; later, if its bound made it drop flights
    */
   public double start() {
-    double start = begin;
+    double start = Math.max(begin, obstacles.start());
     for (Track track : tracks) {
       if (track != null && track.hasDropped()) {
         start = Math.max(start, track.start());
@@ -134,6 +137,45 @@ public final class Timeline {
     return track.radius(track.find(t));
   }
 
+  /**
+   * A line as it was at a given time.
+   *
+   * @param id the line
+   * @param t a time within the recording
+   * @return the line; empty if it was not there then
+   * @throws IllegalArgumentException if the time is not within the recording
+   */
+  public Optional<Line> line(int id, double t) {
+    return !isId(id)
+        ? Optional.empty()
+        : Optional.ofNullable((Line) obstacles.at(Obstacles.WALLS + id, checked(t)));
+  }
+
+  /**
+   * A peg as it was at a given time.
+   *
+   * @param id the peg
+   * @param t a time within the recording
+   * @return the peg; empty if it was not there then
+   * @throws IllegalArgumentException if the time is not within the recording
+   */
+  public Optional<Circle> peg(int id, double t) {
+    return !isId(id)
+        ? Optional.empty()
+        : Optional.ofNullable((Circle) obstacles.at(Obstacles.PEGS + id, checked(t)));
+  }
+
+  private static boolean isId(int id) {
+    return id >= 0 && id < Obstacles.PEGS - Obstacles.WALLS;
+  }
+
+  private double checked(double t) {
+    if (!(t >= start() && t <= end)) {
+      throw Check.refused("t", t, "a time of the recording, from " + start() + " to " + end);
+    }
+    return t;
+  }
+
   private Track track(int id, double t) {
     if (!contains(id, t)) {
       throw Check.refused(
@@ -146,9 +188,10 @@ public final class Timeline {
 
   // What a world tells.
 
-  /** Forgets all, and begins at a given time. */
-  void begin(double now) {
+  /** Forgets all, and begins at a given time, with what stands still then. */
+  void begin(double now, Obstacles here) {
     tracks = new Track[0];
+    obstacles = new PastObstacles(here, most);
     begin = now;
     end = now;
     pendings = 0;
@@ -197,6 +240,11 @@ public final class Timeline {
       tracks[id] = new Track(most);
     }
     return tracks[id];
+  }
+
+  /** Notes that a line or a peg is new, elsewhere, or gone. */
+  void noteObstacle(int code, Obstacles here, double now) {
+    obstacles.note(code, here, now);
   }
 
   void remove(int id, double now) {

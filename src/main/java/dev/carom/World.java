@@ -576,7 +576,7 @@ public final class World {
     if (kind == ObstacleKind.WALL) {
       throw Check.refused("kind", kind, "LINE, PEG or CIRCLE: walls stay");
     }
-    editor.remove(code);
+    editor.remove(code, now);
     if (timeline != null && kind == ObstacleKind.CIRCLE) {
       timeline.remove(id, now);
     }
@@ -619,7 +619,7 @@ public final class World {
     engine.surroundings.restore(snapshot.obstacles);
     engine.restore(snapshot.flights, now);
     if (timeline != null) {
-      timeline.begin(now);
+      timeline.begin(now, obstacles);
       engine.record(timeline);
     }
   }
@@ -638,7 +638,7 @@ public final class World {
       throw Check.refused("most", most, "at least 1");
     }
     timeline = new Timeline(most);
-    timeline.begin(now);
+    timeline.begin(now, obstacles);
     engine.record(timeline);
     return timeline;
   }

@@ -235,4 +235,50 @@ class TimelineTest {
     assertThat(List.of(second.start(), second.end())).containsExactly(4.0, 5.0);
     assertThat(second.y(0, 5)).isEqualTo(7);
   }
+
+  // What stands still.
+
+  @Test
+  void linesAndPegsAreWhereTheyWere() {
+    World world = new World(Scene.builder().line(0, 0, 1, 0).peg(5, 5, 1).build());
+    world.step(1);
+    Timeline timeline = world.record(100);
+    world.step(1);
+    world.moveLine(0, 0, 2, 1, 2);
+    int line = world.addLine(7, 7, 8, 8);
+    world.step(1);
+    world.remove(ObstacleKind.LINE, 0);
+    world.movePeg(0, 6, 6, 2);
+    world.step(1);
+
+    assertThat(timeline.line(0, 1)).contains(new Line(0, 0, 1, 0));
+    assertThat(timeline.line(0, 1.9)).contains(new Line(0, 0, 1, 0));
+    assertThat(timeline.line(0, 2)).contains(new Line(0, 2, 1, 2));
+    assertThat(timeline.line(0, 2.9)).contains(new Line(0, 2, 1, 2));
+    assertThat(timeline.line(0, 3)).isEmpty();
+    assertThat(timeline.line(line, 1.9)).isEmpty();
+    assertThat(timeline.line(line, 4)).contains(new Line(7, 7, 8, 8));
+    assertThat(timeline.line(2, 4)).isEmpty();
+    assertThat(timeline.line(-1, 4)).isEmpty();
+    assertThat(timeline.line(Integer.MAX_VALUE, 4)).isEmpty();
+    assertThat(timeline.peg(0, 2)).contains(new Circle(5, 5, 1));
+    assertThat(timeline.peg(0, 4)).contains(new Circle(6, 6, 2));
+    assertThat(timeline.peg(1, 4)).isEmpty();
+    assertThatThrownBy(() -> timeline.line(0, 0.5)).isInstanceOf(IllegalArgumentException.class);
+    assertThatThrownBy(() -> timeline.peg(0, 4.5)).isInstanceOf(IllegalArgumentException.class);
+  }
+
+  @Test
+  void theBoundHoldsForLinesToo() {
+    World world = new World(Scene.builder().line(0, 0, 1, 0).build());
+    Timeline timeline = world.record(3);
+    for (int y = 1; y <= 5; y++) {
+      world.step(1);
+      world.moveLine(0, 0, y, 1, y);
+    }
+    assertThat(timeline.start()).isEqualTo(3);
+    assertThat(timeline.line(0, 3)).contains(new Line(0, 3, 1, 3));
+    assertThat(timeline.line(0, 4.5)).contains(new Line(0, 4, 1, 4));
+    assertThatThrownBy(() -> timeline.line(0, 2)).isInstanceOf(IllegalArgumentException.class);
+  }
 }
