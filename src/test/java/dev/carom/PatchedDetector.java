@@ -5,6 +5,7 @@ import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.Part;
 import dev.carom.oracle.Query;
 import dev.carom.oracle.SegmentQuery;
+import dev.carom.oracle.SphereQuery;
 import dev.carom.oracle.WallQuery;
 import java.io.IOException;
 import java.io.InputStream;
@@ -26,6 +27,7 @@ final class PatchedDetector {
   private final MethodHandle pairContact;
   private final MethodHandle pairTime;
   private final MethodHandle bounds;
+  private final MethodHandle sphereTime;
 
   /**
    * What is hit and when.
@@ -42,6 +44,7 @@ final class PatchedDetector {
     pairContact = loader.handle("DiskSweep", "contact", 10, 11);
     pairTime = loader.handle("DiskSweep", "time", 11, 11);
     bounds = loader.handle("SweptCircle", "bounds", 10, 10);
+    sphereTime = loader.handle("SweptSphere", "sphere", 15, 15);
   }
 
   /** The detector with one bound scaled down: 1 for none, 0 to remove it. */
@@ -81,6 +84,19 @@ final class PatchedDetector {
       return reply(pair ? Part.CIRCLE : linePart(contact & ~SegmentSweep.NOW), time);
     } catch (ArithmeticException e) {
       return new Reply(null, Double.NaN);
+    } catch (RuntimeException | Error e) {
+      throw e;
+    } catch (Throwable e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  /** The time of impact of two spheres; NaN for no answer at all, as above. */
+  double ask(SphereQuery query) {
+    try {
+      return (double) sphereTime.invokeExact(query.numbers());
+    } catch (ArithmeticException e) {
+      return Double.NaN;
     } catch (RuntimeException | Error e) {
       throw e;
     } catch (Throwable e) {

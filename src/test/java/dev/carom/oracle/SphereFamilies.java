@@ -22,7 +22,9 @@ public final class SphereFamilies {
           "size_ratio",
           "window_end",
           "lattice",
-          "extreme");
+          "extreme",
+          "brink_across",
+          "brink_units");
 
   private SphereFamilies() {}
 
@@ -43,6 +45,8 @@ public final class SphereFamilies {
           case "window_end" -> windowEnd(d);
           case "lattice" -> lattice(d);
           case "extreme" -> extreme(d);
+          case "brink_across" -> across(d);
+          case "brink_units" -> units(d);
           default -> uniform(d);
         };
     if (d.chance(0.05)) {
@@ -175,6 +179,29 @@ public final class SphereFamilies {
     return n;
   }
 
+  /** Overlapping spheres that move across the line between them as far as doubles can. */
+  private static double[] across(Draw d) {
+    double[] normal = direction(d);
+    double[] u = scaled(turned(d, normal, Math.PI / 2), d.log(0.1, 10));
+    return query(d, scaled(normal, d.log(0.1, 100)), u, 200);
+  }
+
+  /** Near grazes in units of length and of time so small or large that squares leave the range. */
+  private static double[] units(Draw d) {
+    double[] n = aimed(d, Math.PI / 2 - tiny(d), d.log(0.5, 400), 1);
+    int speed = d.chance(0.3) ? 0 : d.whole(-900, 900);
+    Extremes.scale(n, (int) d.pick(-d.whole(250, 280), -d.whole(500, 560), d.whole(100, 900)));
+    for (int i : new int[] {4, 5, 6, 11, 12, 13}) {
+      n[i] = clamped(Math.scalb(n[i], speed));
+    }
+    n[14] = Math.scalb(n[14], -speed);
+    return n;
+  }
+
+  private static double clamped(double value) {
+    return Math.max(-1e300, Math.min(value, 1e300));
+  }
+
   private static double[] lattice(Draw d) {
     double[] n = new double[15];
     for (int i = 0; i < 14; i++) {
@@ -195,7 +222,7 @@ public final class SphereFamilies {
     n[3] = Math.abs(n[3]);
     n[10] = Math.abs(n[10]);
     for (int i = 0; i < 14; i++) {
-      n[i] = Math.max(-1e300, Math.min(n[i], 1e300));
+      n[i] = clamped(n[i]);
     }
     return n;
   }
