@@ -4,6 +4,7 @@ package dev.carom.bench.cli;
 import dev.carom.Scene;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Gas;
+import dev.carom.bench.experiment.MixedGas;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -48,6 +49,11 @@ final class GasCommand implements Callable<Integer> {
       defaultValue = "1",
       description = "Radii are uniform from 1 to R (default: ${DEFAULT-VALUE}).")
   private double spread;
+
+  @Option(
+      names = "--mixed",
+      description = "Radii are log-uniform from 1 to R, small circles between large ones.")
+  private boolean mixed;
 
   @Option(names = "--heavy", description = "Masses are radii squared; without it, all are 1.")
   private boolean heavy;
@@ -96,7 +102,7 @@ final class GasCommand implements Callable<Integer> {
   public Integer call() throws IOException, CannotPlaceException {
     Bounded.atLeast(1, "--frames", frames, spec);
     Bounded.atLeast(1, "--replays", replays, spec);
-    Scene scene = generator().scene();
+    Scene scene = scene();
     if (save != null) {
       scene.write(save);
     }
@@ -114,9 +120,11 @@ final class GasCommand implements Callable<Integer> {
     return 0;
   }
 
-  private Gas generator() {
+  private Scene scene() throws CannotPlaceException {
     try {
-      return new Gas(circles, packing, spread, heavy, seed);
+      return mixed
+          ? new MixedGas(circles, packing, spread, heavy, seed).scene()
+          : new Gas(circles, packing, spread, heavy, seed).scene();
     } catch (IllegalArgumentException e) {
       throw new ParameterException(spec.commandLine(), e.getMessage(), e);
     }
@@ -126,11 +134,12 @@ final class GasCommand implements Callable<Integer> {
     PrintWriter out = spec.commandLine().getOut();
     out.printf(
         Locale.ROOT,
-        "gas      --seed %d --circles %d --packing %s --spread %s%s%n",
+        "gas      --seed %d --circles %d --packing %s --spread %s%s%s%n",
         seed,
         circles,
         Decimals.plain(packing),
         Decimals.plain(spread),
+        mixed ? " --mixed" : "",
         heavy ? " --heavy" : "");
     return out;
   }

@@ -32,7 +32,7 @@ public record Gas(int circles, double packing, double spread, boolean heavy, lon
     check(spread >= 1 && spread <= 1e6, "spread", spread, "from 1 to 1e6");
   }
 
-  private static void check(boolean holds, String name, Object value, String expected) {
+  static void check(boolean holds, String name, Object value, String expected) {
     if (!holds) {
       throw new IllegalArgumentException(name + " is " + value + ": expected " + expected);
     }
@@ -67,13 +67,20 @@ public record Gas(int circles, double packing, double spread, boolean heavy, lon
       double x = (i % columns + 0.5) * cell + random.between(-free, free);
       double y = (row + 0.5) * cell + random.between(-free, free);
       double mass = heavy ? radii[i] * radii[i] : 1;
-      // Two normal deviates from two uniform ones: G. E. P. Box, M. E. Muller, 1958.
-      double speed = StrictMath.sqrt(-2 * StrictMath.log(1 - random.between(0, 1)) / mass);
+      double speed = speed(random, mass);
       double angle = random.between(0, 2 * StrictMath.PI);
       builder
           .circle(x, y, radii[i], speed * StrictMath.cos(angle), speed * StrictMath.sin(angle))
           .mass(mass);
     }
     return builder.build();
+  }
+
+  /**
+   * A speed at temperature 1; with a direction at random, two normal deviates from two uniform
+   * ones: G. E. P. Box, M. E. Muller, 1958.
+   */
+  static double speed(SplitMix random, double mass) {
+    return StrictMath.sqrt(-2 * StrictMath.log(1 - random.between(0, 1)) / mass);
   }
 }

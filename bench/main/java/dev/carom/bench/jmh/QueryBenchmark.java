@@ -2,6 +2,7 @@
 package dev.carom.bench.jmh;
 
 import dev.carom.SweptCircle;
+import dev.carom.SweptSphere;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -144,5 +145,20 @@ public class QueryBenchmark {
     double vx = aimed[k + 2] / 2;
     double vy = aimed[k + 3] / 2;
     return SweptCircle.pair(aimed[k], aimed[k + 1], RADIUS, vx, vy, 0, 0, RADIUS, -vx, -vy, 1);
+  }
+
+  /**
+   * Two moving spheres that are aimed at each other as the circles are, above one another by a
+   * third of their radius.
+   *
+   * @return the time of impact
+   */
+  @Benchmark
+  public double sphere() {
+    int k = query();
+    double vx = aimed[k + 2] / 2;
+    double vy = aimed[k + 3] / 2;
+    return SweptSphere.sphere(
+        aimed[k], aimed[k + 1], RADIUS / 3, RADIUS, vx, vy, 0, 0, 0, 0, RADIUS, -vx, -vy, 0, 1);
   }
 }

@@ -18,6 +18,7 @@ class BenchmarksTest {
       assertThat(queries.lineMiss()).isInfinite();
       assertThat(queries.peg()).isBetween(0.0, 1.0);
       assertThat(queries.pair()).isBetween(0.0, 1.0);
+      assertThat(queries.sphere()).isBetween(0.0, 1.0);
       assertThat(queries.bounds()).isBetween(0.0, 1.0);
       hits += Double.isFinite(queries.lineEndpoint()) ? 1 : 0;
     }
