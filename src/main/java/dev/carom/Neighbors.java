@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import java.util.Arrays;
-import java.util.Map;
-import java.util.TreeMap;
-
 /**
- * Which circles are near which: levels of {@link Cells}, one for each power of two among the radii,
+ * Which circles are near which: levels of {@link Cells}, one for each of the {@link SizeClasses},
  * with cells a little wider than that level's largest diameter. A circle lists itself on its own
  * level and on every coarser one. Two circles that touch then have centres in cells that are the
  * same or next to each other on the level of the larger one, so a circle finds all that it can
@@ -19,19 +15,6 @@ final class Neighbors {
 
   /** The cell of a circle that is not listed. */
   private static final double NOWHERE = Double.NaN;
-
-  /** Wider than a diameter, so that a crossing may be noticed late by rounding. */
-  private static final double SLACK = 1 + 0x1p-20;
-
-  /**
-   * So many diameters apart circles are sparse, and cells as wide as their mean distance: measured.
-   * Small circles among large ones would else cross thousands of cells of their own size from one
-   * collision to the next.
-   */
-  private static final double SPARSE = 3;
-
-  /** And by so much of the largest coordinate: 16 ulps, more than a place and an edge err by. */
-  private static final double ROUNDING = 0x1p-48;
 
   /** Beyond so many cells from the origin a place no longer tells one cell from the next. */
   private static final double FARTHEST = 0x1p48;
@@ -47,10 +30,9 @@ final class Neighbors {
 
   private final int levels;
 
-  /** The exponent and the largest radius of each level. */
-  private final int[] exponents;
+  private final SizeClasses sizes;
 
-  private final double[] radii;
+  /** The width of a cell on each level. */
   private final double[] size;
   private final double originX;
   private final double originY;
@@ -77,30 +59,12 @@ final class Neighbors {
     this.circles = circles;
     state = circles.state;
     count = circles.capacity();
-    TreeMap<Integer, Double> largest = new TreeMap<>();
-    TreeMap<Integer, Integer> members = new TreeMap<>();
-    for (int i = 0; i < circles.count; i++) {
-      if (roster.contains(i)) {
-        double radius = circles.radius(i);
-        largest.merge(Math.getExponent(radius), radius, Math::max);
-        members.merge(Math.getExponent(radius), 1, Integer::sum);
-      }
-    }
     Extent extent = Extent.of(circles, roster, bounds, now);
     originX = extent.left();
     originY = extent.bottom();
-    double slack = ROUNDING * extent.farthest();
-    levels = largest.size();
-    radii = largest.values().stream().mapToDouble(Double::doubleValue).toArray();
-    size = new double[levels];
-    int listed = 0;
-    for (Map.Entry<Integer, Integer> level : members.entrySet()) {
-      int k = members.headMap(level.getKey()).size();
-      listed += level.getValue();
-      double diameter = 2 * radii[k] * SLACK * diameters;
-      double distance = Math.sqrt(extent.area() / listed);
-      size[k] = (distance > SPARSE * diameter ? distance : diameter) + slack;
-    }
+    sizes = new SizeClasses(circles, roster, extent, diameters);
+    size = sizes.widths;
+    levels = size.length;
     own = new Cells[levels];
     smaller = new Cells[levels];
     levelOf = new short[count];
@@ -111,11 +75,9 @@ final class Neighbors {
     }
     coarse = new double[levels == 1 ? 0 : 2 * levels * count];
     inside = new double[4 * levels];
-    int k = 0;
-    for (double radius : largest.values()) {
-      limit(k++, radius * (1 + 0x1p-10) + slack, bounds);
+    for (int k = 0; k < levels; k++) {
+      limit(k, sizes.radii[k] * (1 + 0x1p-10) + sizes.slack(), bounds);
     }
-    exponents = largest.keySet().stream().mapToInt(Integer::intValue).toArray();
     for (int i = 0; i < circles.count; i++) {
       if (roster.contains(i)) {
         enter(i, now);
@@ -161,9 +123,8 @@ final class Neighbors {
    * @return false if its radius is none for which these levels were made
    */
   boolean enter(int i, double now) {
-    double radius = circles.radius(i);
-    int level = Arrays.binarySearch(exponents, Math.getExponent(radius));
-    if (level < 0 || radius > radii[level]) {
+    int level = sizes.of(circles.radius(i));
+    if (level < 0) {
       return false;
     }
     levelOf[i] = (short) level;
