@@ -1,43 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
+import dev.carom.bench.measures.Part;
 import java.io.PrintWriter;
-import java.time.Duration;
+import java.util.List;
 import java.util.Locale;
 
-/** Tells of each part of a long run that is done, and how long the rest may take. */
+/**
+ * Tells how long a long run may take, of each part that is done, and how long the rest may take: as
+ * the parts estimate it, and by how much those that were measured took longer or shorter.
+ */
 final class Remaining {
 
   private final Progress progress;
   private final PrintWriter out;
-  private final long start = System.nanoTime();
-  private long last = start;
-  private int measured;
+  private double left;
+  private double estimated;
+  private double measured;
+  private long last = System.nanoTime();
 
   /** Where there is a bar it tells; elsewhere a line a part is written. */
-  Remaining(Progress progress, PrintWriter out) {
+  Remaining(List<Part> parts, Progress progress, PrintWriter out) {
     this.progress = progress;
     this.out = out;
+    left = parts.stream().mapToDouble(Part::seconds).sum();
+    out.printf("%d parts, %s on two cores if nothing is kept%n", parts.size(), about(left));
+    out.flush();
   }
 
-  void tell(String part, int done, int of, boolean kept) {
-    progress.step(part);
-    measured += kept ? 0 : 1;
+  void tell(Part part, int done, int of, boolean kept) {
+    left -= part.seconds();
+    double seconds = (System.nanoTime() - last) / 1e9;
+    last = System.nanoTime();
+    if (!kept) {
+      estimated += part.seconds();
+      measured += seconds;
+    }
+    String rest = done == of ? "" : ", " + rest() + " left";
+    progress.step(part.id() + rest);
     if (!progress.isShown()) {
-      out.printf("%d of %d: %s%s%n", done, of, part, kept ? ", kept" : took() + rest(of - done));
+      String took = String.format(Locale.ROOT, "%.1f s", seconds);
+      out.printf("%d of %d: %s, %s%s%n", done, of, part.id(), kept ? "kept" : took, rest);
       out.flush();
     }
-    last = System.nanoTime();
   }
 
-  private String took() {
-    return String.format(Locale.ROOT, ", %.1f s", (System.nanoTime() - last) / 1e9);
+  private String rest() {
+    return about(estimated == 0 ? left : left * measured / estimated);
   }
 
-  /** As long, on average, as those that were measured now. */
-  private String rest(int parts) {
-    long each = (System.nanoTime() - start) / measured;
-    long minutes = Duration.ofNanos(each * parts).plusSeconds(59).toMinutes();
-    return parts == 0 ? "" : ", about " + minutes + " min left";
+  private static String about(double seconds) {
+    return "about " + (int) Math.ceil(seconds / 60) + " min";
   }
 }

@@ -54,7 +54,9 @@ final class ReportCommand implements Callable<Integer> {
       description = "Measure nothing: write the report anew from the results.json of a folder.")
   private Path from;
 
-  @Option(names = "--quick", description = "Fewer scenes, queries and forks: under 3 minutes.")
+  @Option(
+      names = "--quick",
+      description = "One scene, fewer settings and queries, shorter replays: under 3 minutes.")
   private boolean quick;
 
   @Option(
@@ -97,9 +99,12 @@ final class ReportCommand implements Callable<Integer> {
     String day = date == null ? LocalDate.now(ZoneId.systemDefault()).toString() : date;
     Metadata metadata = Origin.of(Map.of("sweep", 1L), day, quick);
     ReportRun run = new ReportRun(metadata, dir.resolve(PARTS));
+    if (quick) {
+      spec.commandLine().getErr().println(Parts.leftOut());
+    }
     Results results;
     try (Progress progress = Progress.start("report", parts.size())) {
-      Remaining remaining = new Remaining(progress, spec.commandLine().getErr());
+      Remaining remaining = new Remaining(parts, progress, spec.commandLine().getErr());
       results = run.run(parts, remaining::tell);
     }
     write(results, dir);
@@ -108,7 +113,9 @@ final class ReportCommand implements Callable<Integer> {
 
   private List<Part> chosen() {
     List<Part> parts = new ArrayList<>(Parts.of(quick));
-    parts.add(new SweepPart(quick));
+    for (int fork = 0; fork < Parts.FORKS; fork++) {
+      parts.add(new SweepPart(fork, quick));
+    }
     try {
       List<Part> ofScenes = scenes == null ? parts : PartChoice.ofScenes(parts, scenes);
       return untimed ? PartChoice.untimed(ofScenes) : ofScenes;

@@ -43,7 +43,6 @@ final class SweepCommand implements Callable<Integer> {
 
   private static final int REPLAYS = 15;
   private static final int QUICK_REPLAYS = 5;
-  private static final int WARM_UP_MILLIS = 3000;
 
   @Spec private CommandSpec spec;
 
@@ -69,6 +68,19 @@ final class SweepCommand implements Callable<Integer> {
       description = "Of the random scenes (default: ${DEFAULT-VALUE}).")
   private long seed;
 
+  @Option(
+      names = "--turns",
+      paramLabel = "N",
+      description = "Seed of the order in which methods take turns (default: that of --seed).")
+  private Long turns;
+
+  @Option(
+      names = "--warm-up",
+      paramLabel = "MILLIS",
+      defaultValue = "3000",
+      description = "How long both play before the first scene (default: ${DEFAULT-VALUE}).")
+  private int warmUpMillis;
+
   @Option(names = "--quick", description = "A few scenes only: seconds instead of a minute.")
   private boolean quick;
 
@@ -83,6 +95,7 @@ final class SweepCommand implements Callable<Integer> {
     int times = replays == null ? (quick ? QUICK_REPLAYS : REPLAYS) : replays;
     Bounded.atLeast(1, "--frames", frames, spec);
     Bounded.atLeast(1, "--replays", times, spec);
+    Bounded.atLeast(0, "--warm-up", warmUpMillis, spec);
     if (pictures != null) {
       Files.createDirectories(pictures);
     }
@@ -107,7 +120,8 @@ final class SweepCommand implements Callable<Integer> {
     methods.put("carom", Methods.CAROM::start);
     methods.put("poster", Methods.POSTER::start);
     try (Progress progress = Progress.start("sweep", plan.points().size())) {
-      return new Sweep(plan, methods, seed).run(WARM_UP_MILLIS, progress::step);
+      return new Sweep(plan, methods, turns == null ? seed : turns)
+          .run(warmUpMillis, progress::step);
     }
   }
 

@@ -15,6 +15,13 @@ public interface Part {
   String id();
 
   /**
+   * How long it takes on two cores of an AMD EPYC, roughly: what counts is its share of the whole.
+   *
+   * @return in seconds, greater than 0
+   */
+  double seconds();
+
+  /**
    * Measures. What fails is told by rows whose value is NaN, among them one of the metric {@code
    * failure} whose stat is the reason.
    *

@@ -3,25 +3,30 @@ package dev.carom.bench.measures;
 
 import dev.carom.RungCounts;
 import dev.carom.bench.methods.Contender;
+import dev.carom.bench.methods.LineTests;
 import dev.carom.bench.peers.Contenders;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /** The whole comparison, cut into parts. */
 public final class Parts {
 
-  private static final int FORKS = 5;
-  private static final int QUICK_FORKS = 2;
+  /** The virtual machines in which each time is taken anew. */
+  public static final int FORKS = 5;
 
   private static final List<String> SCENES =
       List.of("base-1", Subjects.SMALL, "fast-1", "radii", "base-2", "base-3");
 
-  /** The scenes whose frames are timed. */
-  private static final List<String> TIMED = SCENES.subList(0, 4);
+  /** Those that only repeat the first one with other random numbers. */
+  private static final Set<String> REPEATED = Set.of("base-2", "base-3");
 
-  /** What a quick comparison leaves out. */
-  private static final Set<String> LATER =
+  /** Where a frame has so many impacts that its error is judged by its conditioning. */
+  private static final String FAST = "fast-1";
+
+  /** Values of knobs between others, which repeated scenes leave out. */
+  private static final Set<String> BETWEEN =
       Set.of(
           "advancement-1e-4",
           "advancement-1e-8",
@@ -32,49 +37,98 @@ public final class Parts {
           "substeps-128",
           "substeps-256");
 
+  /** What a quick comparison leaves out besides, of frames and of questions. */
+  private static final Set<String> LATER =
+      Set.of(
+          "advancement-1e-2",
+          "substeps-4",
+          "substeps-64",
+          "dyn4j-defaults",
+          "jbox2d-defaults",
+          "gdx-box2d-defaults",
+          "advancement-1e-6",
+          "closest-point-16",
+          "closest-point-4096");
+
+  private static final int WARM_UP_MILLIS = 800;
+  private static final int QUICK_WARM_UP_MILLIS = 100;
+  private static final int QUERY_WARM_UP_MILLIS = 1_500;
+  private static final int QUICK_QUERY_WARM_UP_MILLIS = 150;
+
   private Parts() {}
 
   /**
    * All parts. The library's work is counted, so this must be called before its first use in the
    * process.
    *
-   * @param quick whether minutes must do: one scene, fewer queries, two forks
+   * @param quick whether minutes must do: one scene, fewer settings and queries, shorter replays
    * @return parts, independent of each other, in a sensible order
    * @throws IllegalStateException if the library has been used without being counted
    */
   public static List<Part> of(boolean quick) {
     RungCounts.enable();
-    List<Part> parts = new ArrayList<>(scenes(quick));
+    List<Part> parts = new ArrayList<>();
+    scenes(quick).forEach(scene -> addScene(parts, scene, quick));
     for (String name : Queries.classes()) {
       parts.add(new QueryPart(name, quick ? 1_000 : 20_000));
     }
-    for (int fork = 0; fork < (quick ? QUICK_FORKS : FORKS); fork++) {
-      parts.add(new QueryTimePart(fork, quick ? 200 : 1_500));
-      for (String scene : quick ? SCENES.subList(0, 1) : TIMED) {
-        parts.add(time(scene, fork, quick));
+    for (int fork = 0; fork < FORKS; fork++) {
+      parts.add(queryTimes(fork, quick));
+      for (String scene : scenes(quick)) {
+        parts.add(frameTimes(scene, fork, quick));
       }
     }
     return List.copyOf(parts);
   }
 
-  private static List<Part> scenes(boolean quick) {
-    List<Part> parts = new ArrayList<>();
-    for (String scene : quick ? SCENES.subList(0, 1) : SCENES) {
-      parts.add(new UlpPart(scene));
-      for (Contender contender : contenders(quick)) {
-        parts.add(new ScenePart(scene, contender));
-      }
+  private static List<String> scenes(boolean quick) {
+    return quick ? SCENES.subList(0, 1) : SCENES;
+  }
+
+  private static void addScene(List<Part> parts, String scene, boolean quick) {
+    parts.add(new UlpPart(scene));
+    for (Contender contender : contenders(scene, quick)) {
+      parts.add(new ScenePart(scene, contender));
     }
-    return parts;
+    if (scene.equals(FAST)) {
+      parts.add(new RoundingPart(scene));
+    }
   }
 
-  private static Part time(String scene, int fork, boolean quick) {
-    return new TimePart(scene, fork, contenders(quick), quick ? 2 : 4, quick ? 100 : 1_000);
+  private static Part queryTimes(int fork, boolean quick) {
+    List<String> tests =
+        LineTests.all().stream()
+            .map(LineTests::id)
+            .filter(id -> !quick || !(BETWEEN.contains(id) || LATER.contains(id)))
+            .toList();
+    return new QueryTimePart(
+        fork, tests, quick ? QUICK_QUERY_WARM_UP_MILLIS : QUERY_WARM_UP_MILLIS);
   }
 
-  /** In a hurry every method and peer, but of its knob only every other value. */
-  private static List<Contender> contenders(boolean quick) {
-    List<Contender> all = Contenders.all();
-    return quick ? all.stream().filter(c -> !LATER.contains(c.id())).toList() : all;
+  private static Part frameTimes(String scene, int fork, boolean quick) {
+    List<Contender> contenders = contenders(scene, quick);
+    return quick
+        ? new TimePart(scene, fork, contenders, 2, QUICK_WARM_UP_MILLIS)
+        : new TimePart(scene, fork, contenders, 3, WARM_UP_MILLIS);
+  }
+
+  /** Every method and peer; of its knob, where there is little time, only some values. */
+  private static List<Contender> contenders(String scene, boolean quick) {
+    Stream<Contender> all = Contenders.all().stream();
+    if (quick || REPEATED.contains(scene)) {
+      all = all.filter(c -> !BETWEEN.contains(c.id()));
+    }
+    return all.filter(c -> !quick || !LATER.contains(c.id())).toList();
+  }
+
+  /**
+   * What a quick comparison leaves out, for people.
+   *
+   * @return one line
+   */
+  public static String leftOut() {
+    return "the short run leaves out the scenes "
+        + String.join(", ", SCENES.subList(1, SCENES.size()))
+        + ", peers at their defaults, and most values of knobs";
   }
 }

@@ -23,6 +23,11 @@ record QueryPart(String name, int count) implements Part {
   }
 
   @Override
+  public double seconds() {
+    return count / 4000.0;
+  }
+
+  @Override
   public List<Row> run() {
     List<SegmentQuery> queries = Queries.draw(name, count);
     List<Contact> truths = queries.stream().map(SegmentQuery::truth).toList();

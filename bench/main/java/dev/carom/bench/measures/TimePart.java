@@ -32,6 +32,12 @@ record TimePart(String scene, int fork, List<Contender> contenders, int replays,
     return "time/" + scene + "/fork-" + fork;
   }
 
+  /** Starting a virtual machine takes about a second, and the slowest play as long as they warm. */
+  @Override
+  public double seconds() {
+    return contenders.size() * (0.9 + warmUpMillis / 1000.0 + 0.15 * replays);
+  }
+
   @Override
   public List<Row> run() {
     List<Row> rows = new ArrayList<>();

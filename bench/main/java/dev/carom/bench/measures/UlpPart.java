@@ -24,6 +24,12 @@ record UlpPart(String scene) implements Part {
     return String.join("/", "scene", scene, NUDGED.id());
   }
 
+  /** The first part of a scene reads, or computes, its true course. */
+  @Override
+  public double seconds() {
+    return 2;
+  }
+
   @Override
   public List<Row> run() {
     Subject subject = Subjects.load(scene);

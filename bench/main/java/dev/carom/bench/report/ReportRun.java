@@ -32,12 +32,12 @@ public final class ReportRun {
     /**
      * A part is done.
      *
-     * @param part its name
+     * @param part which
      * @param done how many parts are done
      * @param of how many there are
      * @param kept whether its rows are those of an earlier run
      */
-    void finished(String part, int done, int of, boolean kept);
+    void finished(Part part, int done, int of, boolean kept);
   }
 
   private final Metadata metadata;
@@ -70,7 +70,7 @@ public final class ReportRun {
       Optional<List<Row>> kept = kept(part);
       rows.addAll(kept.isPresent() ? kept.get() : measure(part));
       done++;
-      listener.finished(part.id(), done, parts.size(), kept.isPresent());
+      listener.finished(part, done, parts.size(), kept.isPresent());
     }
     return new Results(metadata, rows);
   }

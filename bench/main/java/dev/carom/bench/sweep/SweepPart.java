@@ -15,25 +15,37 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The sweep as a part of the report, in a virtual machine of its own: in one that counts the
- * library's work, its times would be those of counting, too.
+ * One round of the sweep as a part of the report, in a virtual machine of its own: in one that
+ * counts the library's work, its times would be those of counting, too.
  */
 public final class SweepPart implements Part {
 
+  private static final int REPLAYS = 5;
+  private static final int QUICK_REPLAYS = 2;
+  private static final int QUICK_WARM_UP_MILLIS = 1000;
+
+  private final int fork;
   private final boolean quick;
 
   /**
    * Prepares it.
    *
+   * @param fork the number of the virtual machine, from 0
    * @param quick whether a few scenes will do
    */
-  public SweepPart(boolean quick) {
+  public SweepPart(int fork, boolean quick) {
+    this.fork = fork;
     this.quick = quick;
   }
 
   @Override
   public String id() {
-    return "sweep";
+    return "sweep/fork-" + fork;
+  }
+
+  @Override
+  public double seconds() {
+    return quick ? 5 : 25;
   }
 
   @Override
@@ -42,13 +54,18 @@ public final class SweepPart implements Part {
       Path csv = Files.createTempFile("carom-sweep", ".csv");
       try {
         play(csv);
-        return ResultsCsv.read(csv);
+        return ResultsCsv.read(csv).stream().map(this::ofThisFork).toList();
       } finally {
         Files.delete(csv);
       }
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
+  }
+
+  private Row ofThisFork(Row r) {
+    return new Row(
+        r.scene(), r.method(), r.knob(), r.metric(), r.stat(), r.value(), r.unit(), r.n(), fork);
   }
 
   private void play(Path csv) throws IOException {
@@ -75,8 +92,10 @@ public final class SweepPart implements Part {
     command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
     String path = new File(System.getProperty("java.class.path")).getPath();
     command.addAll(List.of("-cp", path, Main.class.getName(), "sweep", "--csv", csv.toString()));
+    command.addAll(List.of("--replays", Integer.toString(quick ? QUICK_REPLAYS : REPLAYS)));
+    command.addAll(List.of("--turns", Integer.toString(fork)));
     if (quick) {
-      command.add("--quick");
+      command.addAll(List.of("--quick", "--warm-up", Integer.toString(QUICK_WARM_UP_MILLIS)));
     }
     return command;
   }

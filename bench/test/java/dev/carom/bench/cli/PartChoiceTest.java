@@ -16,6 +16,11 @@ class PartChoiceTest {
 
   private record Named(String id) implements Part {
     @Override
+    public double seconds() {
+      return 1;
+    }
+
+    @Override
     public List<Row> run() {
       return List.of();
     }
@@ -28,7 +33,7 @@ class PartChoiceTest {
           new Named("query/grazing"),
           new Named("query-time/fork-0"),
           new Named("time/base-1/fork-0"),
-          new SweepPart(true));
+          new SweepPart(0, true));
 
   @Test
   void whatIsUntimedTakesNoTimes() {
@@ -41,7 +46,8 @@ class PartChoiceTest {
   void whatPlaysNoSceneStaysWhicheverAreChosen() {
     assertThat(PartChoice.ofScenes(ALL, List.of("base-2")))
         .extracting(Part::id)
-        .containsExactly("scene/base-2/carom", "query/grazing", "query-time/fork-0", "sweep");
+        .containsExactly(
+            "scene/base-2/carom", "query/grazing", "query-time/fork-0", "sweep/fork-0");
   }
 
   @Test
@@ -58,5 +64,12 @@ class PartChoiceTest {
         .extracting(Part::id)
         .allMatch(id -> id.matches("(scene/.+|query|query-time|time/.+)/[^/]+"));
     assertThat(PartChoice.untimed(all)).hasSizeBetween(100, all.size() - 20);
+  }
+
+  /** In seconds; the sweep comes on top of it. */
+  @Test
+  void theEstimatesOfBothRunsAreWithinTheirLimits() {
+    assertThat(Parts.of(true).stream().mapToDouble(Part::seconds).sum()).isBetween(60.0, 150.0);
+    assertThat(Parts.of(false).stream().mapToDouble(Part::seconds).sum()).isBetween(600.0, 2600.0);
   }
 }

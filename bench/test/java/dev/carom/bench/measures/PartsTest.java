@@ -27,4 +27,15 @@ class PartsTest {
     assertThat(new HashSet<>(all)).containsAll(quick);
     assertThat(quick).hasSizeLessThan(all.size());
   }
+
+  @Test
+  void everySceneIsTimedInFiveForksOrMore() {
+    List<String> ids = Parts.of(false).stream().map(Part::id).toList();
+    for (String scene : List.of("base-1", "base-2", "base-3", "base-1-r5", "radii", "fast-1")) {
+      assertThat(ids)
+          .filteredOn(id -> id.matches("time/" + scene + "/fork-\\d"))
+          .hasSizeGreaterThanOrEqualTo(5);
+    }
+    assertThat(ids).filteredOn(id -> id.startsWith("query-time/")).hasSizeGreaterThanOrEqualTo(5);
+  }
 }

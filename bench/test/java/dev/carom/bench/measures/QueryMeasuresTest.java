@@ -93,7 +93,7 @@ class QueryMeasuresTest {
 
   @Test
   void theClockTimesEveryClassInAnotherMachine() {
-    List<Row> rows = new QueryTimePart(3, 1).rowsOf(LineTests.byId("plain"));
+    List<Row> rows = new QueryTimePart(3, List.of("plain"), 1).rowsOf(LineTests.byId("plain"));
 
     assertThat(rows)
         .extracting(Row::scene)
@@ -111,6 +111,7 @@ class QueryMeasuresTest {
   void aClockThatFailsSaysWhy() {
     LineTests nobody = new LineTests("nobody", "nobody", "", null);
 
-    assertThat(reason(new QueryTimePart(0, 1).rowsOf(nobody))).contains("nobody is no way to test");
+    assertThat(reason(new QueryTimePart(0, List.of("nobody"), 1).rowsOf(nobody)))
+        .contains("nobody is no way to test");
   }
 }

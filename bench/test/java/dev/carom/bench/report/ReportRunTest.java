@@ -35,6 +35,11 @@ class ReportRunTest {
     }
 
     @Override
+    public double seconds() {
+      return 1;
+    }
+
+    @Override
     public List<Row> run() {
       runs++;
       if (failure instanceof RuntimeException e) {
@@ -58,7 +63,7 @@ class ReportRunTest {
     return new ReportRun(metadata, temp.resolve("parts"))
         .run(
             List.of(parts),
-            (part, done, of, kept) -> told.add(done + "/" + of + " " + part + " " + kept));
+            (part, done, of, kept) -> told.add(done + "/" + of + " " + part.id() + " " + kept));
   }
 
   @Test
