@@ -6,7 +6,6 @@ import dev.carom.bench.measures.Parts;
 import dev.carom.bench.report.Origin;
 import dev.carom.bench.report.Report;
 import dev.carom.bench.report.ReportRun;
-import dev.carom.bench.report.Verdict;
 import dev.carom.bench.results.Metadata;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.ResultsJson;
@@ -131,7 +130,7 @@ final class ReportCommand implements Callable<Integer> {
   private void write(Results results, Path dir) throws IOException {
     Report.write(results, dir);
     PrintWriter printer = spec.commandLine().getOut();
-    Verdict.of(results).forEach(printer::println);
+    printer.println(Report.summary(results));
     printer.println("report: " + dir.resolve(Report.PAGE));
     printer.flush();
   }

@@ -53,9 +53,11 @@ final class Page {
     page.head();
     page.verdict();
     page.ratios();
+    page.limits();
     for (int i = 0; i < figures.size(); i++) {
       page.figure(figures.get(i), "f" + i + "-");
     }
+    page.shortcomings();
     page.methods();
     page.origin();
     page.html.append("</main>\n</body>\n</html>\n");
@@ -111,6 +113,18 @@ final class Page {
       html.append("<p class=\"machine\">Medians; in brackets the least and the greatest that the")
           .append(" forks allow. Below 1 the other is faster.</p>\n");
     }
+  }
+
+  private void limits() {
+    html.append("<h2>The limits, and whether they hold</h2>\n");
+    table(Limits.table(results), "Limits");
+  }
+
+  private void shortcomings() {
+    html.append("<h2>Where carom is not the best, and what was not asked</h2>\n<ul>\n");
+    Shortcomings.of(results)
+        .forEach(told -> html.append("<li>").append(text(told)).append("</li>\n"));
+    html.append("</ul>\n");
   }
 
   private void figure(Figure figure, String prefix) {

@@ -14,8 +14,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Writes a report: results as JSON and CSV, one page, and each figure as PNG and SVG. The CSV
- * leaves out the raw times of single frames, which are most of the rows; the JSON has them.
+ * Writes a report: results as JSON and CSV, the verdict as text, one page, and each figure as PNG
+ * and SVG. The CSV leaves out the raw times of single frames, which are most of the rows; the JSON
+ * has them.
  */
 public final class Report {
 
@@ -25,7 +26,26 @@ public final class Report {
   /** The page. */
   public static final String PAGE = "report.html";
 
+  /** What is printed, too. */
+  private static final String SUMMARY = "verdict.txt";
+
   private Report() {}
+
+  /**
+   * What there is to know without a picture.
+   *
+   * @param results what was measured
+   * @return the verdict, a sentence a line, the ratios of times, and the limits
+   */
+  public static String summary(Results results) {
+    StringBuilder text = new StringBuilder();
+    Verdict.of(results).forEach(sentence -> text.append(sentence).append('\n'));
+    ReportTable ratios = Ratios.of(results);
+    if (!ratios.rows().isEmpty()) {
+      text.append('\n').append(ratios.text());
+    }
+    return text.append('\n').append(Limits.table(results).text()).toString();
+  }
 
   /**
    * Writes all files.
@@ -42,6 +62,7 @@ public final class Report {
     List<Row> rows =
         results.rows().stream().filter(row -> !row.metric().equals(Metrics.FRAME_RAW)).toList();
     ResultsCsv.write(rows, dir.resolve("results.csv"));
+    WholeFile.write(dir.resolve(SUMMARY), summary(results));
     List<Figure> figures = figures(results);
     WholeFile.write(dir.resolve(PAGE), Page.of(results, figures));
     for (Figure figure : figures) {

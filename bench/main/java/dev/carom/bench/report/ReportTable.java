@@ -3,6 +3,7 @@ package dev.carom.bench.report;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * The numbers behind a figure, as text.
@@ -16,6 +17,35 @@ public record ReportTable(List<String> head, List<List<String>> rows) {
   public ReportTable {
     head = List.copyOf(head);
     rows = rows.stream().map(List::copyOf).toList();
+  }
+
+  /**
+   * The table in columns, the first one to the left, the others to the right.
+   *
+   * @return lines of text, each ended
+   */
+  public String text() {
+    int[] widths = new int[head.size()];
+    Stream.concat(Stream.of(head), rows.stream())
+        .forEach(
+            row -> {
+              for (int i = 0; i < widths.length; i++) {
+                widths[i] = Math.max(widths[i], row.get(i).length());
+              }
+            });
+    StringBuilder text = new StringBuilder();
+    Stream.concat(Stream.of(head), rows.stream())
+        .forEach(row -> text.append(line(row, widths)).append('\n'));
+    return text.toString();
+  }
+
+  private static String line(List<String> row, int[] widths) {
+    StringBuilder line = new StringBuilder();
+    for (int i = 0; i < widths.length; i++) {
+      String space = " ".repeat(widths[i] - row.get(i).length());
+      line.append(i == 0 ? row.get(i) + space : "  " + space + row.get(i));
+    }
+    return line.toString().stripTrailing();
   }
 
   /** An empty table that rows are added to. */

@@ -12,9 +12,9 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * Four sentences by rule from the data, each with its number: decisions, accuracy, budget, and the
- * place between speed and accuracy. What beats Carom anywhere is named; where intervals overlap,
- * nobody is.
+ * Five sentences by rule from the data, each with its number: decisions, accuracy, budget, the
+ * place between speed and accuracy, and the limits that are to be kept. What beats Carom anywhere
+ * is named; where intervals overlap, nobody is.
  */
 public final class Verdict {
 
@@ -30,11 +30,16 @@ public final class Verdict {
    * Judges.
    *
    * @param results what was measured
-   * @return four sentences
+   * @return five sentences
    */
   public static List<String> of(Results results) {
     Verdict verdict = new Verdict(results);
-    return List.of(verdict.decisions(), verdict.accuracy(), verdict.budget(), verdict.place());
+    return List.of(
+        verdict.decisions(),
+        verdict.accuracy(),
+        verdict.budget(),
+        verdict.place(),
+        Limits.sentence(results));
   }
 
   /** Wrong answers of one setting to all queries. */

@@ -168,6 +168,7 @@ final class WorkFigures {
             "impacts",
             "tunnelled",
             "escaped",
+            "outside at the end",
             "penetration",
             "energy",
             "reversal");
@@ -185,6 +186,7 @@ final class WorkFigures {
           only(scene, s, "impacts"),
           only(scene, s, "tunnelled"),
           only(scene, s, "escaped"),
+          only(scene, s, "outside_at_end"),
           stat(scene, s, "penetration", "max"),
           stat(scene, s, "energy_drift", "max"),
           stat(scene, s, "reversal_error", "max"));

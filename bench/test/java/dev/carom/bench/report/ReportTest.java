@@ -53,7 +53,7 @@ class ReportTest {
       assertThat(page).contains("<section id=\"" + figure + "\">", "href=\"#" + figure + "\"");
     }
     try (Stream<Path> files = Files.list(dir)) {
-      assertThat(files).hasSize(2 * FIGURES.size() + 3);
+      assertThat(files).hasSize(2 * FIGURES.size() + 4);
     }
   }
 

@@ -137,13 +137,15 @@ final class Sample {
   private void sweep(String scene, int circles) {
     for (String method : List.of("carom", "poster")) {
       double nanos = method.equals("carom") ? 10 * circles : 660 * Math.pow(circles, 1.02);
-      add("sweep:" + scene, method, "", "sweep_time", "mean", nanos, "ns", 0);
-      add("sweep:" + scene, method, "", "sweep_time", "min", 0.7 * nanos, "ns", 0);
-      add("sweep:" + scene, method, "", "sweep_time", "max", 2 * nanos, "ns", 0);
+      for (int fork = 0; fork < FORKS; fork++) {
+        add("sweep:" + scene, method, "", "sweep_time", "mean", nanos, "ns", fork);
+        add("sweep:" + scene, method, "", "sweep_time", "min", 0.7 * nanos, "ns", fork);
+        add("sweep:" + scene, method, "", "sweep_time", "max", 2 * nanos, "ns", fork);
+      }
     }
   }
 
-  private void add(
+  void add(
       String scene,
       String method,
       String knob,

@@ -13,7 +13,7 @@ class VerdictTest {
   }
 
   @Test
-  void tellsFourThingsEachWithItsNumber() {
+  void tellsFiveThingsEachWithItsNumber() {
     assertThat(verdict(Sample.complete()))
         .containsExactly(
             "Decisions: wrong answers of carom: 0 of 30,000 (below 0.01 % at 95 %); next is"
@@ -23,7 +23,8 @@ class VerdictTest {
             "Budget: met; the slowest frame of carom in 2 scenes takes 3.12 µs (fast-1, median over"
                 + " forks), 1/5,342 of the 16.67 ms of 60 FPS.",
             "Place: in 2 scenes nothing measured is both faster and more accurate than carom; in 2"
-                + " of 2 it is itself faster and more accurate than all others.");
+                + " of 2 it is itself faster and more accurate than all others.",
+            "Limits: 7 of the 7 that were measured hold.");
   }
 
   @Test
@@ -104,6 +105,7 @@ class VerdictTest {
             "Decisions: not measured.",
             "Accuracy: carom has no error to show: not measured.",
             "Budget: not measured.",
-            "Place: not measured.");
+            "Place: not measured.",
+            "Limits: not measured.");
   }
 }

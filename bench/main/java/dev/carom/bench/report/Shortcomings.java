@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import dev.carom.bench.results.Results;
+import dev.carom.bench.results.Setting;
+import dev.carom.bench.results.Spread;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiPredicate;
+
+/** Where Carom is not the best, by rule from the data; and what it cannot do, or was not asked. */
+final class Shortcomings {
+
+  private static final String REVERSAL = "reversal_error";
+
+  private final Results results;
+  private final List<String> told = new ArrayList<>();
+
+  private Shortcomings(Results results) {
+    this.results = results;
+  }
+
+  static List<String> of(Results results) {
+    Shortcomings all = new Shortcomings(results);
+    all.scenes("Faster than carom, though less accurate", Standing::isFasterThan);
+    all.scenes("More accurate than carom", Standing::isMoreAccurateThan);
+    all.scenes("As accurate as carom", (s, ours) -> s.error() == ours.error());
+    all.questions();
+    results.scenes(Metrics.HORIZON).forEach(all::horizon);
+    results.scenes(REVERSAL).forEach(all::reversal);
+    all.told.add(
+        "Not measured here: circles that collide with each other, thousands of circles, other"
+            + " processors, more than one thread.");
+    all.told.add(
+        "The engines were set up by us, as well as their documentation allows; they do what carom"
+            + " does not: rotation, friction, polygons, joints, stacks.");
+    return List.copyOf(all.told);
+  }
+
+  private void scenes(String what, BiPredicate<Standing, Standing> who) {
+    for (String scene : results.scenes(Metrics.FRAME_ERROR)) {
+      List<Standing> all = Standing.all(results, scene);
+      Optional<Standing> ours = Standing.ours(all);
+      List<String> found =
+          all.stream()
+              .filter(s -> ours.isPresent() && !s.equals(ours.get()) && who.test(s, ours.get()))
+              .map(s -> Metrics.shortName(s.setting()))
+              .toList();
+      if (!found.isEmpty()) {
+        told.add("%s in %s: %s.".formatted(what, scene, String.join(", ", found)));
+      }
+    }
+  }
+
+  private void questions() {
+    for (String scene : results.scenes(Metrics.QUERY_TIME)) {
+      Optional<Spread> ours = results.only(scene, Metrics.CAROM, Metrics.QUERY_TIME);
+      List<String> faster =
+          Settings.of(results, scene, Metrics.QUERY_TIME).stream()
+              .filter(setting -> ours.isPresent() && isFaster(scene, setting, ours.get()))
+              .map(Metrics::shortName)
+              .toList();
+      if (!faster.isEmpty()) {
+        told.add(
+            "Faster answers than carom's %s to %s: %s."
+                .formatted(
+                    Numbers.time(ours.orElseThrow().middle()),
+                    Metrics.queryClass(scene),
+                    String.join(", ", faster)));
+      }
+    }
+  }
+
+  private boolean isFaster(String scene, Setting setting, Spread ours) {
+    return results
+        .only(scene, setting, Metrics.QUERY_TIME)
+        .filter(time -> time.isBelow(ours))
+        .isPresent();
+  }
+
+  private void horizon(String scene) {
+    double ours = results.value(scene, Metrics.CAROM, Metrics.HORIZON, "median");
+    double limit =
+        results.value(scene, new Setting(Metrics.NEIGHBOUR, ""), Metrics.HORIZON, "median");
+    if (!Double.isNaN(ours) && !Double.isNaN(limit)) {
+      told.add(
+          "In %s half of carom's circles have left the true course by frame %s; of a start that differs in the last bit, by frame %s: no method in doubles follows it much longer."
+              .formatted(scene, Numbers.count(ours), Numbers.count(limit)));
+    }
+  }
+
+  private void reversal(String scene) {
+    double error = results.value(scene, Metrics.CAROM, REVERSAL, "max");
+    if (!Double.isNaN(error)) {
+      told.add(
+          "Sent back after some 30 radii of %s, the worst circle of carom misses its start by %s radii."
+              .formatted(scene, Numbers.error(error)));
+    }
+  }
+}
