@@ -34,7 +34,8 @@ final class Axes {
     plot.setDomainGridlinePaint(Style.GRID);
     plot.setDomainGridlineStroke(Style.line(Style.HAIR));
     plot.setInsets(RectangleInsets.ZERO_INSETS);
-    chart.setPadding(new RectangleInsets(8, 2, x.isTickLabelsVisible() ? 2 : 8, 8));
+    double right = x instanceof DecadeAxis ? 18 : 8; // half of the last label
+    chart.setPadding(new RectangleInsets(8, 2, x.isTickLabelsVisible() ? 2 : 8, right));
     ChartRenderingInfo info = new ChartRenderingInfo();
     chart.draw(g, where, info);
     Style.smooth(g);

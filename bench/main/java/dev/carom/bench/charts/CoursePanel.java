@@ -17,6 +17,7 @@ final class CoursePanel {
 
   private static final double SPACING = 90;
   private static final int FEW = 3;
+  private static final double BAND = 0.18;
 
   private final Graphics2D g;
   private final Axes axes;
@@ -74,8 +75,11 @@ final class CoursePanel {
     return axes;
   }
 
-  /** Where there are many bands, ours alone is plain to see. */
+  /** Where there are many, only our band is drawn: through a dozen nobody can see. */
   private void band(Course course, int courses) {
+    if (courses > FEW && !Marks.isOurs(course.method())) {
+      return;
+    }
     int n = course.x().length;
     Path2D band = new Path2D.Double();
     boolean empty = true;
@@ -89,8 +93,7 @@ final class CoursePanel {
     }
     Shape clip = g.getClip();
     g.clip(axes.area());
-    double opacity = courses > FEW && !Marks.isOurs(course.method()) ? 0.05 : 0.18;
-    g.setColor(Style.veil(marks.of(course.method()).color(), opacity));
+    g.setColor(Style.veil(marks.of(course.method()).color(), BAND));
     g.fill(band);
     g.setClip(clip);
   }

@@ -30,10 +30,12 @@ public final class DecisionTable {
     }
   }
 
-  private static final int WIDTH = 900;
+  private static final double TOP = 76;
+  private static final double NARROW_TOP = 190;
   private static final double ROW = 34;
   private static final double HEAD = 48;
   private static final int MOST_COLUMNS = 8;
+  private static final int NARROW_COLUMNS = 3;
   private static final double NAMES = 178;
 
   private final String title;
@@ -63,30 +65,35 @@ public final class DecisionTable {
   /**
    * Draws it, in as many blocks as its columns need.
    *
+   * @param width {@link Picture#WIDE} or {@link Picture#NARROW}
    * @return the picture
    */
-  public Picture picture() {
-    int blocks = (classes.size() + MOST_COLUMNS - 1) / MOST_COLUMNS;
+  public Picture picture(int width) {
+    boolean narrow = width < Picture.WIDE;
+    int most = narrow ? NARROW_COLUMNS : MOST_COLUMNS;
+    int blocks = (classes.size() + most - 1) / most;
     double block = HEAD + ROW * methods.size() + 12;
-    int height = (int) Math.ceil(76 + blocks * block);
+    int height = (int) Math.ceil((narrow ? NARROW_TOP : TOP) + blocks * block);
     return new Picture(
-        WIDTH,
+        width,
         height,
         title + ". " + subtitle,
         g -> {
-          double y = Heading.draw(g, WIDTH, title, subtitle);
+          double y = Heading.draw(g, width, title, subtitle);
           int columns = (classes.size() + blocks - 1) / blocks;
           for (int from = 0; from < classes.size(); from += columns) {
-            block(g, y, from, Math.min(classes.size(), from + columns), columns);
+            block(g, width, y, from, columns);
             y += block;
           }
         });
   }
 
-  private void block(Graphics2D g, double top, int from, int to, int columns) {
-    double width = (WIDTH - 32 - NAMES) / columns;
+  private void block(Graphics2D g, int whole, double top, int from, int columns) {
+    int to = Math.min(classes.size(), from + columns);
+    double names = Math.min(NAMES, 0.32 * whole);
+    double width = (whole - 32 - names) / columns;
     for (int k = from; k < to; k++) {
-      double x = 16 + NAMES + (k - from) * width;
+      double x = 16 + names + (k - from) * width;
       head(g, x, top, width, k);
       for (int i = 0; i < methods.size(); i++) {
         cell(g, new Rectangle2D.Double(x, top + HEAD + i * ROW, width, ROW), cells[i][k]);
@@ -95,7 +102,7 @@ public final class DecisionTable {
     for (int i = 0; i < methods.size(); i++) {
       g.setColor(Style.INK);
       g.setFont(Style.bold(12));
-      shrink(g, methods.get(i), NAMES - 10);
+      shrink(g, methods.get(i), names - 10);
       g.drawString(methods.get(i), 16, (float) (top + HEAD + i * ROW + 21));
     }
   }

@@ -29,6 +29,7 @@ final class DotLabels {
   private static final int DIRECTIONS = 16;
   private static final int ROUNDS = 4;
   private static final double MARGIN = 1.5;
+  private static final double TEXT_MARGIN = 4;
   private static final double JOINED_FROM = 15;
 
   /** What it costs to cover the whole of a text by texts or dots, and by lines. */
@@ -164,12 +165,12 @@ final class DotLabels {
     double cost = 0;
     for (Placed other : placed) {
       Line2D theirs = leader(other.label, other.box);
-      cost += covered(box, other.box);
+      cost += covered(box, other.box, TEXT_MARGIN);
       cost += leader != null && leader.intersects(other.box) ? STRUCK : 0;
       cost += theirs != null && theirs.intersects(box) ? STRUCK : 0;
     }
     for (Rectangle2D dot : dots) {
-      cost += covered(box, dot);
+      cost += covered(box, dot, MARGIN);
       boolean own = dot.contains(label.x, label.y);
       cost += leader != null && !own && leader.intersects(dot) ? CROSSED : 0;
     }
@@ -180,13 +181,13 @@ final class DotLabels {
   }
 
   /** The less of two boxes is free, the more it costs, with a step: to touch is bad enough. */
-  private static double covered(Rectangle2D box, Rectangle2D other) {
+  private static double covered(Rectangle2D box, Rectangle2D other, double margin) {
     double w = Math.min(box.getMaxX(), other.getMaxX()) - Math.max(box.getMinX(), other.getMinX());
     double h = Math.min(box.getMaxY(), other.getMaxY()) - Math.max(box.getMinY(), other.getMinY());
-    if (w <= -MARGIN || h <= -MARGIN) {
+    if (w <= -margin || h <= -margin) {
       return 0;
     }
-    double shared = (w + MARGIN) * (h + MARGIN);
+    double shared = (w + margin) * (h + margin);
     return COVERED * (0.2 + shared / (box.getWidth() * box.getHeight()));
   }
 }

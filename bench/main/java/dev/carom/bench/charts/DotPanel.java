@@ -111,10 +111,22 @@ final class DotPanel {
     String text = "budget " + Durations.text(budget, 4);
     g.setFont(Style.bold(12));
     double width = g.getFontMetrics().stringWidth(text);
-    double x = axes.x(errors.most()) - width - 8;
     double y = axes.y(budget) - 6;
-    g.drawString(text, (float) x, (float) y);
-    labels.avoid(new Rectangle2D.Double(x, y - 12, width, 18));
+    Rectangle2D box = new Rectangle2D.Double(axes.x(errors.most()) - width - 8, y - 12, width, 18);
+    while (isTaken(box) && box.getX() - width > axes.area().getMinX()) {
+      box.setRect(box.getX() - width / 2, box.getY(), width, box.getHeight());
+    }
+    g.drawString(text, (float) box.getX(), (float) y);
+    labels.avoid(box);
+  }
+
+  /** Whether a dot, or the whisker of one, is there. */
+  private boolean isTaken(Rectangle2D box) {
+    return dots.stream()
+        .anyMatch(
+            dot ->
+                new Rectangle2D.Double(x(dot) - DOT, y(dot) - DOT, 2 * DOT, 2 * DOT)
+                    .intersects(box));
   }
 
   private double x(Dot dot) {

@@ -17,11 +17,14 @@ import org.jfree.chart.axis.NumberAxis;
  */
 public final class DriftChart {
 
-  private static final int WIDTH = 900;
+  private static final int HEAD = 72;
+  private static final int NARROW_HEAD = 190;
   private static final int PANEL = 250;
   private static final double NAMES = 176;
   private static final double TITLE = 20;
   private static final String LIMIT = "a start 1 ulp away has left the true course";
+
+  private static final String SHORT_LIMIT = "1 ulp away: lost";
 
   private final String title;
   private final String subtitle;
@@ -60,38 +63,53 @@ public final class DriftChart {
   /**
    * Draws it.
    *
+   * @param width {@link Picture#WIDE} or {@link Picture#NARROW}
    * @return the picture
    */
-  public Picture picture() {
-    int height = 72 + PANEL * panels.size();
-    return new Picture(WIDTH, height, title + ". " + subtitle, g -> paint(g, height));
+  public Picture picture(int width) {
+    int height = (width < Picture.WIDE ? NARROW_HEAD : HEAD) + PANEL * panels.size();
+    return new Picture(width, height, title + ". " + subtitle, g -> paint(g, width, height));
   }
 
-  private void paint(Graphics2D g, int height) {
-    double top = Heading.draw(g, WIDTH, title, subtitle);
+  private void paint(Graphics2D g, int width, int height) {
+    double top = Heading.draw(g, width, title, subtitle);
     double each = (height - top - 6) / panels.size();
     boolean first = true;
     for (Map.Entry<String, List<Course>> panel : panels.entrySet()) {
-      Rectangle2D where = new Rectangle2D.Double(10, top + TITLE, WIDTH - 20, each - TITLE - 4);
+      Rectangle2D where = new Rectangle2D.Double(10, top + TITLE, width - 20, each - TITLE - 4);
       g.setFont(Style.bold(13));
       g.setColor(Style.INK);
-      g.drawString(panel.getKey(), 16, (float) (top + 14));
+      g.drawString(name(g, panel.getKey(), width - 32), 16, (float) (top + 14));
       panel(g, where, panel.getValue(), first);
       top += each;
       first = false;
     }
   }
 
+  /** As much of it as has room: what stands behind a colon or a comma may be left out. */
+  private static String name(Graphics2D g, String text, double width) {
+    String name = text;
+    while (g.getFontMetrics().stringWidth(name) > width && name.matches(".*[:,].*")) {
+      name = name.replaceFirst("[:,][^:,]*$", "");
+    }
+    return name;
+  }
+
   private void panel(Graphics2D g, Rectangle2D where, List<Course> courses, boolean first) {
     NumberAxis frames = CoursePanel.places(courses, "frame");
     DecadeAxis heights = CoursePanel.heights(courses, null, DriftChart::power);
-    Axes axes = CoursePanel.draw(g, where, NAMES, frames, heights, marks, courses);
+    double names = Math.min(NAMES, 0.36 * where.getWidth());
+    Axes axes = CoursePanel.draw(g, where, names, frames, heights, marks, courses);
     if (!Double.isNaN(limit)) {
       horizon(g, axes, limit, Style.QUIET, axes.area().getMinY());
     }
     if (first && !Double.isNaN(limit)) {
       g.setFont(Style.font(11));
-      g.drawString(LIMIT, (float) axes.x(limit) + 5, (float) axes.area().getMaxY() - 42);
+      boolean narrow = where.getWidth() < Picture.WIDE / 2.0;
+      String text = narrow ? SHORT_LIMIT : LIMIT;
+      double end = axes.area().getMaxX() - g.getFontMetrics().stringWidth(text) - 4;
+      double x = Math.min(axes.x(limit) + 5, end);
+      g.drawString(text, (float) x, (float) axes.area().getMaxY() - 42);
     }
     if (first) {
       horizons.forEach(

@@ -35,8 +35,10 @@ public final class FrameStripsChart {
     }
   }
 
-  private static final int WIDTH = 900;
   private static final int HEIGHT = 580;
+  private static final int NARROW_STRIPS = 4;
+  private static final int NARROW_HEAD = 130;
+  private static final int NARROW_ROW = 330;
   private static final int NOTES = 116;
   private static final double LEFT = 26;
   private static final int NAME_LINES = 2;
@@ -70,14 +72,30 @@ public final class FrameStripsChart {
   /**
    * Draws it.
    *
+   * @param width {@link Picture#WIDE} or {@link Picture#NARROW}
    * @return the picture
    */
-  public Picture picture() {
-    return new Picture(WIDTH, HEIGHT, title + ". " + subtitle, this::paint);
+  public Picture picture(int width) {
+    boolean narrow = width < Picture.WIDE;
+    int most = narrow ? NARROW_STRIPS : strips.size();
+    int rows = (strips.size() + most - 1) / most;
+    int height = narrow ? NARROW_HEAD + rows * NARROW_ROW : HEIGHT;
+    return new Picture(width, height, title + ". " + subtitle, g -> paint(g, width, height, rows));
   }
 
-  private void paint(Graphics2D g) {
-    double top = Heading.draw(g, WIDTH, title, subtitle);
+  private void paint(Graphics2D g, int width, int height, int rows) {
+    double top = Heading.draw(g, width, title, subtitle);
+    double each = (height - top) / rows;
+    int most = (strips.size() + rows - 1) / rows;
+    for (int row = 0; row < rows; row++) {
+      List<Strip> shown = strips.subList(row * most, Math.min(strips.size(), (row + 1) * most));
+      row(g, new Rectangle2D.Double(LEFT, top, width - 14 - LEFT, each - NOTES), shown);
+      top += each;
+    }
+  }
+
+  /** All rows have the same axis of times. */
+  private void row(Graphics2D g, Rectangle2D where, List<Strip> shown) {
     DecadeAxis times =
         DecadeAxis.covering(
             DoubleStream.concat(
@@ -85,25 +103,27 @@ public final class FrameStripsChart {
                 DoubleStream.of(budget)),
             nanos -> Durations.text(nanos, 1));
     NumberAxis places = new NumberAxis(null);
-    places.setRange(0, strips.size());
+    places.setRange(0, shown.size());
     places.setTickLabelsVisible(false);
     places.setTickMarksVisible(false);
-    Axes axes =
-        Axes.draw(
-            g,
-            new Rectangle2D.Double(LEFT, top, WIDTH - 14 - LEFT, HEIGHT - top - NOTES),
-            places,
-            times);
-    for (int i = 0; i < strips.size(); i++) {
-      strip(g, axes, strips.get(i), axes.x(i), axes.x(i + 1));
+    Axes axes = Axes.draw(g, where, places, times);
+    for (int i = 0; i < shown.size(); i++) {
+      strip(g, axes, shown.get(i), axes.x(i), axes.x(i + 1));
     }
     axes.level(g, budget, Style.VERMILION, Style.dashes(Style.FIRM, 9, 5));
-    g.setFont(Style.bold(12));
-    g.drawString(
-        "budget " + Durations.text(budget, 4),
-        (float) axes.area().getMinX() + 8,
-        (float) axes.y(budget) - 6);
+    budget(g, axes.area().getMinX() + 8, axes.y(budget) - 6);
     legend(g, axes);
+  }
+
+  /** On a plate of its own, since frames may be there. */
+  private void budget(Graphics2D g, double x, double y) {
+    String text = "budget " + Durations.text(budget, 4);
+    g.setFont(Style.bold(12));
+    double width = g.getFontMetrics().stringWidth(text);
+    g.setColor(Style.veil(Style.FLOOR, 0.85));
+    g.fill(new Rectangle2D.Double(x - 3, y - 12, width + 6, 15));
+    g.setColor(Style.VERMILION);
+    g.drawString(text, (float) x, (float) y);
   }
 
   private void strip(Graphics2D g, Axes axes, Strip strip, double left, double right) {

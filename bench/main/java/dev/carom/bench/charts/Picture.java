@@ -24,6 +24,12 @@ import org.jfree.svg.ViewBox;
  */
 public record Picture(int width, int height, String title, Consumer<Graphics2D> painter) {
 
+  /** The width of charts on pages and in files. */
+  public static final int WIDE = 900;
+
+  /** The width of charts for narrow screens, which scale them but little. */
+  public static final int NARROW = 440;
+
   /** Pixels of an image for each pixel of the picture: sharp on dense screens too. */
   private static final int DENSITY = 2;
 

@@ -14,7 +14,9 @@ import java.util.Map;
  */
 public final class SweepChart {
 
-  private static final int WIDTH = 900;
+  private static final int COLUMNS = 2;
+  private static final int HEAD = 72;
+  private static final int NARROW_HEAD = 150;
   private static final int PANEL = 330;
   private static final double TITLE = 22;
   private static final double NAMES = 120;
@@ -54,23 +56,26 @@ public final class SweepChart {
   /**
    * Draws it.
    *
+   * @param width {@link Picture#WIDE} or {@link Picture#NARROW}
    * @return the picture
    */
-  public Picture picture() {
-    int rows = (panels.size() + 1) / 2;
-    int height = 72 + rows * PANEL;
+  public Picture picture(int width) {
+    int columns = width < Picture.WIDE ? 1 : COLUMNS;
+    int rows = (panels.size() + columns - 1) / columns;
+    int height = (columns == 1 ? NARROW_HEAD : HEAD) + rows * PANEL;
     return new Picture(
-        WIDTH, height, title + ". " + subtitle, g -> paint(g, (height - 80.0) / rows));
+        width, height, title + ". " + subtitle, g -> paint(g, width, columns, height));
   }
 
-  private void paint(Graphics2D g, double each) {
-    double top = Heading.draw(g, WIDTH, title, subtitle);
+  private void paint(Graphics2D g, int whole, int columns, int height) {
+    double top = Heading.draw(g, whole, title, subtitle);
+    double each = (height - top - 8) / ((panels.size() + columns - 1) / columns);
     List<Course> all = panels.values().stream().flatMap(List::stream).toList();
-    double width = (WIDTH - 20) / 2.0;
+    double width = (whole - 20.0) / columns;
     int i = 0;
     for (Map.Entry<String, List<Course>> panel : panels.entrySet()) {
-      double x = 10 + i % 2 * width;
-      int row = i / 2;
+      double x = 10 + i % columns * width;
+      int row = i / columns;
       double y = top + row * each;
       g.setFont(Style.bold(13));
       g.setColor(Style.INK);

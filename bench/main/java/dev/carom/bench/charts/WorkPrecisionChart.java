@@ -22,8 +22,10 @@ public final class WorkPrecisionChart {
     COUNT
   }
 
-  private static final int WIDTH = 900;
-  private static final int ONE = 470;
+  private static final int HEAD = 70;
+  private static final int NARROW_HEAD = 150;
+  private static final int ONE = 460;
+  private static final int NARROW_ONE = 520;
   private static final int MANY = 300;
   private static final int COLUMNS = 2;
   private static final double TITLE = 22;
@@ -70,32 +72,36 @@ public final class WorkPrecisionChart {
   /**
    * Draws it.
    *
+   * @param width {@link Picture#WIDE} or {@link Picture#NARROW}
    * @return the picture
    */
-  public Picture picture() {
-    int rows = (panels.size() + COLUMNS - 1) / COLUMNS;
-    int height = panels.size() == 1 ? ONE + 60 : 70 + rows * MANY;
+  public Picture picture(int width) {
+    boolean narrow = width < Picture.WIDE;
+    int columns = narrow ? 1 : COLUMNS;
+    int rows = (panels.size() + columns - 1) / columns;
+    int head = narrow ? NARROW_HEAD : HEAD;
+    int height = head + (panels.size() == 1 ? (narrow ? NARROW_ONE : ONE) : rows * MANY);
     return new Picture(
-        WIDTH,
+        width,
         height,
         title + ". " + subtitle,
         g -> {
-          double top = Heading.draw(g, WIDTH, title, subtitle);
+          double top = Heading.draw(g, width, title, subtitle);
           if (panels.size() == 1) {
-            Rectangle2D all = new Rectangle2D.Double(10, top, WIDTH - 24, height - top - 8);
+            Rectangle2D all = new Rectangle2D.Double(10, top, width - 24, height - top - 8);
             draw(g, all, panels.values().iterator().next());
           } else {
-            multiples(g, top, (height - top - 8) / rows);
+            multiples(g, width, columns, top, (height - top - 8) / rows);
           }
         });
   }
 
-  private void multiples(Graphics2D g, double top, double height) {
-    double width = (WIDTH - 24.0) / COLUMNS;
+  private void multiples(Graphics2D g, int whole, int columns, double top, double height) {
+    double width = (whole - 24.0) / columns;
     int i = 0;
     for (Map.Entry<String, List<Dot>> panel : panels.entrySet()) {
-      double x = 10 + i % COLUMNS * width;
-      int row = i / COLUMNS;
+      double x = 10 + i % columns * width;
+      int row = i / columns;
       double y = top + row * height;
       g.setFont(Style.bold(13));
       g.setColor(Style.INK);

@@ -13,14 +13,19 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Set;
 import org.openjdk.jmh.runner.RunnerException;
 
 /**
  * One round of frame times: each contender in a fresh virtual machine, in random order. The raw
- * times, of the first round only, are those of the replay whose slowest frame is the median one.
+ * times, of two scenes and the first round only, are those of the replay whose slowest frame is the
+ * median one.
  */
 record TimePart(String scene, int fork, List<Contender> contenders, int replays, int warmUpMillis)
     implements Part {
+
+  /** Where single frames are shown: they are most of all rows. */
+  private static final Set<String> RAW = Set.of("base-1", "fast-1");
 
   /** Who looks at more pairs than that in a frame plays only the first frames. */
   private static final long MUCH_WORK = 500_000;
@@ -91,7 +96,8 @@ record TimePart(String scene, int fork, List<Contender> contenders, int replays,
     rows.add(time(trial, "worst", new Quantiles(typical).max(), all));
     double bytes = (double) samples.bytesAllocated() / frames;
     rows.add(trial.row("allocated", "mean", bytes, "bytes", frames));
-    for (int frame = 1; fork == 0 && frame <= typical.length; frame++) {
+    boolean raw = fork == 0 && RAW.contains(scene);
+    for (int frame = 1; raw && frame <= typical.length; frame++) {
       rows.add(trial.row("frame_raw", "frame@" + frame, typical[frame - 1], Trial.NANOS, 1));
     }
     return rows;

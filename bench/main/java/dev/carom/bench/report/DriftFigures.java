@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /** Charts of a run frame by frame: trajectory, energy, penetration, and the horizons. */
 final class DriftFigures {
@@ -24,6 +25,9 @@ final class DriftFigures {
     PANELS.put(Metrics.PENETRATION_DRIFT, "Penetration, in radii, of the deepest circles");
   }
 
+  /** Scenes whose pictures would look as that of the first one does. */
+  private static final Set<String> REPEATED = Set.of("base-2", "base-3");
+
   private static final int TABLE_ROWS = 10;
 
   private final Results results;
@@ -36,6 +40,7 @@ final class DriftFigures {
     return PANELS.keySet().stream()
         .flatMap(metric -> results.scenes(metric).stream())
         .distinct()
+        .filter(scene -> !REPEATED.contains(scene))
         .map(this::figure)
         .toList();
   }
@@ -60,7 +65,7 @@ final class DriftFigures {
             title(scene),
             "Scene "
                 + scene
-                + ", frame by frame: median over circles, band from 5 to 95 %; below, the 95 % and a band down to the median; of each method its most accurate setting. 0 stands at the lower edge. Marks at the foot: horizons.",
+                + ", frame by frame: median over circles; below, the 95 %; carom's band reaches from 5 to 95 %, and below down to the median; of each method its most accurate setting. 0 stands at the lower edge. Marks at the foot: horizons.",
             Settings.marks(results),
             panels,
             horizons,
@@ -69,7 +74,7 @@ final class DriftFigures {
         "drift-" + scene,
         "The course of a run: " + scene,
         "Distance from the true course, energy and penetration, frame by frame. " + told,
-        chart.picture(),
+        chart::picture,
         table.build());
   }
 

@@ -93,7 +93,7 @@ final class FrameTimeFigures {
         "frames-" + scene + number,
         "Frame times: " + scene,
         caption,
-        chart.picture(),
+        chart::picture,
         table.build());
   }
 

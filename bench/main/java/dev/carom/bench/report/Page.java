@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
+import dev.carom.bench.charts.Picture;
 import dev.carom.bench.charts.Style;
 import dev.carom.bench.results.Metadata;
 import dev.carom.bench.results.Results;
@@ -14,6 +15,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * The report as one page: verdict, ratios, figures, each with its caption as alternative text and a
@@ -39,6 +41,9 @@ final class Page {
     NAMES.put(Style.YELLOW, "yellow");
   }
 
+  private static final Pattern STYLE = Pattern.compile("style='([^']*)'");
+
+  private final Map<String, Integer> styles = new LinkedHashMap<>();
   private final StringBuilder html = new StringBuilder();
   private final Results results;
   private final List<Figure> figures;
@@ -60,6 +65,7 @@ final class Page {
     page.shortcomings();
     page.methods();
     page.origin();
+    page.styles();
     page.html.append("</main>\n</body>\n</html>\n");
     return page.html.toString();
   }
@@ -130,19 +136,53 @@ final class Page {
   private void figure(Figure figure, String prefix) {
     html.append("<section id=\"").append(text(figure.id())).append("\">\n<h2>");
     html.append(text(figure.heading())).append("</h2>\n<figure>\n");
-    html.append("<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"")
-        .append(text(figure.heading()))
-        .append("\">");
-    String label = "<svg role=\"img\" aria-label=\"" + text(figure.caption()) + "\" ";
-    html.append(themed(figure.picture().svg(prefix)).replaceFirst("<svg ", quoted(label)));
-    html.append("</div>\n<figcaption>").append(text(figure.caption())).append("</figcaption>\n");
+    picture(figure, figure.picture(), "wide", prefix);
+    picture(figure, figure.narrow(), "narrow", prefix + "n-");
+    String first = firstSentence(figure.caption());
+    html.append("<figcaption>").append(text(first)).append("</figcaption>\n");
     html.append("</figure>\n<details><summary>The numbers</summary>\n");
+    String rest = figure.caption().substring(first.length()).strip();
+    if (!rest.isEmpty()) {
+      html.append("<p>").append(text(rest)).append("</p>\n");
+    }
     table(figure.table(), figure.heading());
     html.append("</details>\n</section>\n");
   }
 
+  /** What the picture shows; what else there is to know stands with the numbers. */
+  private static String firstSentence(String caption) {
+    int end = caption.indexOf(". ");
+    return end < 0 ? caption : caption.substring(0, end + 1);
+  }
+
+  /** The page shows one of the two, by its own width. */
+  private void picture(Figure figure, Picture picture, String layout, String prefix) {
+    String label = "<svg role=\"img\" aria-label=\"" + text(figure.caption()) + "\" ";
+    html.append("<div class=\"picture ").append(layout).append("\">");
+    html.append(classed(themed(picture.svg(prefix))).replaceFirst("<svg ", quoted(label)));
+    html.append("</div>\n");
+  }
+
   private static String quoted(String replacement) {
     return Matcher.quoteReplacement(replacement);
+  }
+
+  /** What thousands of marks have in common is written once: it is a third of all. */
+  private String classed(String svg) {
+    return STYLE
+        .matcher(svg)
+        .replaceAll(
+            match -> {
+              int next = styles.size();
+              int index = styles.computeIfAbsent(match.group(1), none -> next);
+              return "class='s" + index + "'";
+            });
+  }
+
+  private void styles() {
+    html.append("<style>\n");
+    styles.forEach((style, index) -> html.append(".s%d{%s}\n".formatted(index, style)));
+    html.append("</style>\n");
   }
 
   /** Colours by name, so that the page decides what they are. */

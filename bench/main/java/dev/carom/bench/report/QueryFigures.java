@@ -79,7 +79,7 @@ final class QueryFigures {
             Work.TIME,
             Double.NaN,
             panels);
-    return new Figure("queries", "Single questions", caption, chart.picture(), table.build());
+    return new Figure("queries", "Single questions", caption, chart::picture, table.build());
   }
 
   private static String tallies(Map<String, List<Dot>> panels) {
@@ -170,7 +170,7 @@ final class QueryFigures {
         "decisions",
         "Right and wrong answers",
         "Wrong answers by method and class of queries. " + sentence,
-        chart.picture(),
+        chart::picture,
         table.build());
   }
 

@@ -75,7 +75,7 @@ public final class SweepFigures {
             + ". "
             + String.join(" ", growth());
     return List.of(
-        new Figure("sweep", "The published experiment", caption, chart.picture(), table()));
+        new Figure("sweep", "The published experiment", caption, chart::picture, table()));
   }
 
   /**

@@ -76,7 +76,7 @@ final class WorkFigures {
         "work-" + scene,
         "Speed against accuracy: " + scene,
         caption,
-        chart.picture(),
+        chart::picture,
         table(scene, all));
   }
 
@@ -254,7 +254,7 @@ final class WorkFigures {
         "tests-" + scene,
         "Work against accuracy: " + scene,
         caption,
-        chart.picture(),
+        chart::picture,
         table.build());
   }
 

@@ -26,7 +26,7 @@ class WorkPrecisionChartTest {
             Work.TIME,
             budget,
             panels)
-        .picture()
+        .picture(Picture.WIDE)
         .svg("d");
   }
 

@@ -87,8 +87,25 @@ class ReportTest {
   @Test
   void everyPictureHasAnAlternativeAndATable() {
     assertThat(page.split("<svg role=\"img\" aria-label=\"[^\"]{40,}\"", -1))
-        .hasSize(1 + FIGURES.size());
+        .hasSize(1 + 2 * FIGURES.size()); // one for narrow screens
     assertThat(page.split("<details>", -1)).hasSize(1 + FIGURES.size());
+  }
+
+  @Test
+  void everyPictureHasACaptionOfOneSentence() {
+    List<String> captions =
+        Pattern.compile("<figcaption>([^<]*)</figcaption>")
+            .matcher(page)
+            .results()
+            .map(match -> match.group(1))
+            .toList();
+    assertThat(captions).hasSize(FIGURES.size()).allMatch(text -> text.endsWith("."));
+    assertThat(captions).noneMatch(text -> text.contains(". "));
+  }
+
+  @Test
+  void stylesAreWrittenOnce() {
+    assertThat(page).contains("class='s0'", "\n.s0{").doesNotContain("style='");
   }
 
   @Test
@@ -97,6 +114,8 @@ class ReportTest {
         .contains("<b>Decisions</b>Wrong answers of carom: 0 of 30,000")
         .contains("<td>poster</td><td>66 (61.6 .. 70.7)</td>")
         .contains("<dt>poster</dt><dd>the published algorithm")
+        .contains("<td>slowest frame</td><td>base-1</td><td>16.7 ms</td>")
+        .contains("<li>In base-1 half of carom's circles have left the true course by frame 230;")
         .contains("commit</dt><dd>0123456789abcdef");
   }
 
