@@ -64,6 +64,16 @@ public final class SceneDrawing {
   }
 
   /**
+   * The same view of another scene: the same things later, say.
+   *
+   * @param other what to draw instead
+   * @return the drawing, to the same scale
+   */
+  public SceneDrawing withScene(Scene other) {
+    return new SceneDrawing(other, extent, arrowTime, margin);
+  }
+
+  /**
    * The same with other arrows.
    *
    * @param time the time of motion that an arrow shows, at least 0; at 0 there are no arrows

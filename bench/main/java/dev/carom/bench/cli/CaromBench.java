@@ -26,6 +26,8 @@ import picocli.CommandLine.ParameterException;
       CastCommand.class,
       RungsCommand.class,
       ReferenceCommand.class,
+      ExampleCommand.class,
+      ThreadsCommand.class,
       JmhCommand.class
     })
 public final class CaromBench {

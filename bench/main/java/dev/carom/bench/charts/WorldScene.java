@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import dev.carom.Bounds;
+import dev.carom.Circle;
+import dev.carom.Line;
+import dev.carom.ObstacleKind;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.Timeline;
+import dev.carom.World;
+import java.util.Optional;
+
+/**
+ * A world at one moment, as a scene: to be drawn, or saved. What was removed is not in it, so its
+ * numbers need not be the world's ids. Restitutions and responses are those of the scene from which
+ * the world started; what was added later bounces elastically.
+ */
+public final class WorldScene {
+
+  private final World world;
+  private final Scene start;
+  private final SceneBuilder builder = Scene.builder();
+
+  private WorldScene(World world) {
+    this.world = world;
+    start = world.scene();
+  }
+
+  /**
+   * A world as it stands.
+   *
+   * @param world the world
+   * @return what is there now; circles that flew out of the range of doubles are not
+   */
+  public static Scene of(World world) {
+    WorldScene now = new WorldScene(world);
+    now.bounds();
+    for (int id = 0; id < world.idEnd(ObstacleKind.LINE); id++) {
+      now.line(id, world.contains(ObstacleKind.LINE, id) ? world.line(id) : null);
+    }
+    for (int id = 0; id < world.idEnd(ObstacleKind.PEG); id++) {
+      now.peg(id, world.contains(ObstacleKind.PEG, id) ? world.peg(id) : null);
+    }
+    for (int id = 0; id < world.idEnd(ObstacleKind.CIRCLE); id++) {
+      if (world.contains(ObstacleKind.CIRCLE, id)) {
+        double radius = world.radius(id);
+        now.circle(id, world.x(id), world.y(id), radius, world.vx(id), world.vy(id));
+      }
+    }
+    return now.builder.build();
+  }
+
+  /**
+   * A world as it was.
+   *
+   * @param world the world
+   * @param past its timeline
+   * @param t a time within the recording
+   * @return what was there then; the masses are those of now, and removed circles have mass 1
+   * @throws IllegalArgumentException if the time is not within the recording
+   */
+  public static Scene of(World world, Timeline past, double t) {
+    WorldScene then = new WorldScene(world);
+    then.bounds();
+    for (int id = 0; id < world.idEnd(ObstacleKind.LINE); id++) {
+      then.line(id, past.line(id, t).orElse(null));
+    }
+    for (int id = 0; id < world.idEnd(ObstacleKind.PEG); id++) {
+      then.peg(id, past.peg(id, t).orElse(null));
+    }
+    for (int id = 0; id < world.idEnd(ObstacleKind.CIRCLE); id++) {
+      if (past.contains(id, t)) {
+        double radius = past.radius(id, t);
+        then.circle(id, past.x(id, t), past.y(id, t), radius, past.vx(id, t), past.vy(id, t));
+      }
+    }
+    return then.builder.build();
+  }
+
+  private void bounds() {
+    builder.collide(start.collide());
+    Optional<Bounds> bounds = start.bounds();
+    if (bounds.isPresent()) {
+      Bounds b = bounds.get();
+      builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax());
+      builder.restitution(start.boundsRestitution()).response(start.boundsResponse());
+    }
+  }
+
+  private void line(int id, Line line) {
+    if (line == null) {
+      return;
+    }
+    builder.line(line.ax(), line.ay(), line.bx(), line.by());
+    if (id < start.lineCount()) {
+      builder.restitution(start.lineRestitution(id)).response(start.lineResponse(id));
+      if (start.lineOneWay(id)) {
+        builder.oneWay();
+      }
+    }
+  }
+
+  private void peg(int id, Circle peg) {
+    if (peg == null) {
+      return;
+    }
+    builder.peg(peg.x(), peg.y(), peg.radius());
+    if (id < start.pegCount()) {
+      builder.restitution(start.pegRestitution(id)).response(start.pegResponse(id));
+    }
+  }
+
+  private void circle(int id, double x, double y, double radius, double vx, double vy) {
+    if (!Double.isFinite(x) || !Double.isFinite(y)) {
+      return;
+    }
+    builder.circle(x, y, radius, vx, vy);
+    builder.mass(world.contains(ObstacleKind.CIRCLE, id) ? world.mass(id) : 1);
+    if (id < start.circleCount()) {
+      builder.restitution(start.circleRestitution(id)).response(start.circleResponse(id));
+    }
+  }
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import dev.carom.bench.charts.Style;
+import dev.carom.bench.examples.Example;
+import dev.carom.bench.examples.ExampleWindow;
+import dev.carom.bench.examples.Examples;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
+
+/** Runs an example in a window, or draws it. */
+@Command(
+    name = "example",
+    description = {
+      "Runs an example in a window, or draws it after some frames, for which no screen is needed.",
+      "Without a name it lists them."
+    },
+    mixinStandardHelpOptions = true,
+    sortOptions = false)
+final class ExampleCommand implements Callable<Integer> {
+
+  @Spec private CommandSpec spec;
+
+  @Parameters(
+      arity = "0..1",
+      paramLabel = "NAME",
+      converter = Names.class,
+      description = "One of ${COMPLETION-CANDIDATES}.")
+  private Examples name;
+
+  @Option(
+      names = "--png",
+      paramLabel = "FILE",
+      description = "Write a picture instead of opening a window.")
+  private Path png;
+
+  @Option(
+      names = "--frames",
+      paramLabel = "N",
+      description = "Frames that run before the picture (default: as suits the example).")
+  private Integer frames;
+
+  @Override
+  public Integer call() throws IOException {
+    if (name == null) {
+      list();
+    } else if (png != null) {
+      Bounded.atLeast(0, "--frames", frames == null ? 0 : frames, spec);
+      draw();
+    } else {
+      Windows.show(() -> ExampleWindow.of("Carom: " + name.about(), name.start()));
+    }
+    return 0;
+  }
+
+  private void list() {
+    for (Examples each : Examples.values()) {
+      spec.commandLine().getOut().printf("%-10s %s%n", each, each.about());
+    }
+    spec.commandLine().getOut().flush();
+  }
+
+  private void draw() throws IOException {
+    Style.requireFonts();
+    Example example = name.start();
+    int count = frames == null ? name.frames() : frames;
+    for (int i = 0; i < count; i++) {
+      example.frame();
+    }
+    Files.write(png, example.picture(name.about()).png());
+  }
+
+  /** Finds an example by its name. */
+  static final class Names implements ITypeConverter<Examples> {
+    @Override
+    public Examples convert(String word) {
+      return Arrays.stream(Examples.values())
+          .filter(each -> each.toString().equals(word))
+          .findFirst()
+          .orElseThrow(
+              () ->
+                  new TypeConversionException(
+                      "'%s' is none of %s".formatted(word, Arrays.toString(Examples.values()))));
+    }
+  }
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.examples;
+
+import dev.carom.Vec2;
+import dev.carom.bench.charts.Picture;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+
+/** Something that goes on frame by frame and can be drawn, in a window or without one. */
+public interface Example {
+
+  /** The frames of a second. */
+  int FRAMES = 60;
+
+  /** Goes on by one frame. */
+  void frame();
+
+  /**
+   * Draws the present.
+   *
+   * @param g what to draw on
+   * @param area where on it, in pixels
+   */
+  void draw(Graphics2D g, Rectangle2D area);
+
+  /**
+   * The size that suits it.
+   *
+   * @return in pixels
+   */
+  default Dimension size() {
+    return new Dimension(420, 320);
+  }
+
+  /**
+   * The mouse moved; examples without a player take no notice.
+   *
+   * @param at where, in shares of the width from the left and of the height from the bottom
+   */
+  default void point(Vec2 at) {}
+
+  /** The mouse was pressed. */
+  default void press() {}
+
+  /**
+   * It as it stands.
+   *
+   * @param title what is to be seen
+   * @return a picture of its size; to be drawn before it goes on
+   */
+  default Picture picture(String title) {
+    Dimension size = size();
+    Rectangle2D area = new Rectangle2D.Double(0, 0, size.width, size.height);
+    return new Picture(size.width, size.height, title, g -> draw(g, area));
+  }
+}

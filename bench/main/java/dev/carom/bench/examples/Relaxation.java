@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.examples;
+
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.World;
+import dev.carom.bench.charts.SceneDrawing;
+import dev.carom.bench.charts.Still;
+import dev.carom.bench.charts.Style;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.Random;
+
+/**
+ * A gas that relaxes: all circles start at the same speed, 1, in random directions. Their
+ * collisions spread the speeds, until they follow the law of Maxwell and Boltzmann, which in the
+ * plane, with a mean square of 1, is {@code f(v) = 2 v exp(-v v)}. The total energy stays.
+ */
+public final class Relaxation implements Example {
+
+  private static final int COLUMNS = 40;
+  private static final int CIRCLES = COLUMNS * COLUMNS;
+  private static final double CELL = 5;
+  private static final double MOST = 3;
+  private static final int BINS = 24;
+
+  private final World world;
+  private final SceneDrawing drawing;
+
+  /**
+   * Sets up a lattice.
+   *
+   * @param seed of the directions, any number
+   */
+  public Relaxation(long seed) {
+    Random random = new Random(seed);
+    SceneBuilder scene = Scene.builder().collide(true);
+    scene.bounds(0, 0, COLUMNS * CELL, COLUMNS * CELL);
+    for (int i = 0; i < CIRCLES; i++) {
+      double x = (i % COLUMNS + 0.5) * CELL;
+      double y = (i / COLUMNS + 0.5) * CELL;
+      double angle = 2 * StrictMath.PI * random.nextDouble();
+      scene.circle(x, y, 1, StrictMath.cos(angle), StrictMath.sin(angle));
+    }
+    world = new World(scene.build());
+    drawing = SceneDrawing.of(world.scene()).withArrowTime(0).withMargin(8);
+  }
+
+  /** One of them. */
+  public Relaxation() {
+    this(1);
+  }
+
+  @Override
+  public void frame() {
+    world.step(1);
+  }
+
+  /**
+   * The speeds now.
+   *
+   * @return of each circle, at least 0
+   */
+  public double[] speeds() {
+    double[] speeds = new double[CIRCLES];
+    for (int i = 0; i < CIRCLES; i++) {
+      speeds[i] = Math.sqrt(world.vx(i) * world.vx(i) + world.vy(i) * world.vy(i));
+    }
+    return speeds;
+  }
+
+  /**
+   * The share of the circles that the law gives speeds up to a limit.
+   *
+   * @param v a speed, at least 0
+   * @return from 0 to 1
+   */
+  public static double law(double v) {
+    return -Math.expm1(-v * v);
+  }
+
+  @Override
+  public Dimension size() {
+    return new Dimension(620, 300);
+  }
+
+  @Override
+  public void draw(Graphics2D g, Rectangle2D area) {
+    double left = area.getHeight();
+    drawing.draw(g, new Rectangle2D.Double(area.getX(), area.getY(), left, left), Still.of(world));
+    histogram(
+        g,
+        new Rectangle2D.Double(
+            area.getX() + left + 20, area.getY() + 24, area.getWidth() - left - 40, left - 56));
+  }
+
+  /** Bars for what is, a curve for the law; both as densities. */
+  private void histogram(Graphics2D g, Rectangle2D box) {
+    int[] counts = new int[BINS];
+    for (double v : speeds()) {
+      counts[(int) Math.min(BINS - 1, v / MOST * BINS)]++;
+    }
+    double tallest = 1.2;
+    double width = box.getWidth() / BINS;
+    g.setColor(Style.SKY);
+    for (int i = 0; i < BINS; i++) {
+      double density = counts[i] / (CIRCLES * MOST / BINS);
+      double height = Math.min(1, density / tallest) * box.getHeight();
+      g.fill(
+          new Rectangle2D.Double(
+              box.getX() + i * width + 0.5, box.getMaxY() - height, width - 1, height));
+    }
+    Path2D law = new Path2D.Double();
+    law.moveTo(box.getX(), box.getMaxY());
+    for (int i = 1; i <= 100; i++) {
+      double v = MOST * i / 100;
+      double height = 2 * v * Math.exp(-v * v) / tallest * box.getHeight();
+      law.lineTo(box.getX() + v / MOST * box.getWidth(), box.getMaxY() - height);
+    }
+    g.setColor(Style.VERMILION);
+    g.setStroke(Style.line(Style.FIRM));
+    g.draw(law);
+    g.setColor(Style.INK);
+    g.setFont(Style.font(12));
+    float base = (float) box.getMaxY() + 16;
+    for (int v = 0; v <= MOST; v++) {
+      g.drawString(String.valueOf(v), (float) (box.getX() + v / MOST * box.getWidth()) - 3, base);
+    }
+    g.drawString("speed, at time " + Math.round(world.now()), (float) box.getX(), base + 14);
+    g.drawString("curve: Maxwell and Boltzmann", (float) box.getX() + 90, (float) box.getY() - 6);
+  }
+}

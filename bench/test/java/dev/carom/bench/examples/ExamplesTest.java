@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.examples;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.offset;
+
+import dev.carom.ObstacleKind;
+import dev.carom.Trajectory;
+import dev.carom.Vec2;
+import dev.carom.World;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.Stream;
+import org.apache.commons.math3.stat.inference.ChiSquareTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class ExamplesTest {
+
+  @ParameterizedTest
+  @EnumSource
+  void goesOnAndCanBeSeen(Examples which) {
+    Example example = which.start();
+    int[] first = pixels(example);
+    assertThat(Arrays.stream(first).distinct().count()).isGreaterThan(10);
+    example.press();
+    for (int i = 0; i < 40; i++) {
+      example.frame();
+    }
+    assertThat(pixels(example)).isNotEqualTo(first);
+  }
+
+  private static int[] pixels(Example example) {
+    Dimension size = example.size();
+    BufferedImage image = new BufferedImage(size.width, size.height, BufferedImage.TYPE_INT_RGB);
+    Graphics2D g = image.createGraphics();
+    g.setColor(Color.WHITE);
+    g.fillRect(0, 0, size.width, size.height);
+    example.draw(g, new Rectangle(size));
+    g.dispose();
+    return image.getRGB(0, 0, size.width, size.height, null, 0, size.width);
+  }
+
+  @Test
+  void eachIsOneShortFile() throws IOException {
+    Path folder = Path.of("main/java/dev/carom/bench/examples");
+    try (Stream<Path> files = Files.list(folder)) {
+      assertThat(files)
+          .hasSizeGreaterThan(6)
+          .allSatisfy(file -> assertThat(Files.readAllLines(file)).hasSizeLessThan(150));
+    }
+  }
+
+  @Test
+  void breakoutClearsTheBoardAndLosesNoBall() {
+    Breakout game = new Breakout();
+    int frames = 0;
+    for (int bricks = game.bricks(); bricks > 0; frames++) {
+      game.frame();
+      assertThat(game.bricks()).isBetween(0, bricks);
+      bricks = game.bricks();
+      assertThat(frames).as("%d bricks are left", bricks).isLessThan(20 * 60 * Example.FRAMES);
+    }
+    assertThat(game.lost()).isZero();
+  }
+
+  @Test
+  void aPaddleInTheCornerLosesTheBall() {
+    Breakout game = new Breakout();
+    for (int i = 0; i < 3_000; i++) {
+      game.point(new Vec2(0, 0));
+      game.frame();
+    }
+    assertThat(game.lost()).isPositive();
+  }
+
+  @Test
+  void billiardBallsLoseEnergyAndComeToRestWithoutOverlap() {
+    Billiards table = new Billiards();
+    double energy = energy(table.world());
+    int frames = 0;
+    while (energy > 0) {
+      table.frame();
+      assertThat(energy(table.world())).as("frame %d", frames).isLessThan(energy);
+      energy = energy(table.world());
+      assertThat(frames++).isLessThan(120 * Example.FRAMES);
+    }
+    World world = table.world();
+    assertThat(world.circleCount() + table.pocketed()).isEqualTo(16);
+    assertThat(gap(world)).isGreaterThan(-1e-12);
+  }
+
+  private static double energy(World world) {
+    double sum = 0;
+    for (int id = 0; id < world.idEnd(ObstacleKind.CIRCLE); id++) {
+      if (world.contains(ObstacleKind.CIRCLE, id)) {
+        sum += world.vx(id) * world.vx(id) + world.vy(id) * world.vy(id);
+      }
+    }
+    return sum;
+  }
+
+  private static double gap(World world) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < world.idEnd(ObstacleKind.CIRCLE); i++) {
+      for (int j = 0; j < i; j++) {
+        if (world.contains(ObstacleKind.CIRCLE, i) && world.contains(ObstacleKind.CIRCLE, j)) {
+          double distance = Math.hypot(world.x(i) - world.x(j), world.y(i) - world.y(j));
+          least = Math.min(least, distance - world.radius(i) - world.radius(j));
+        }
+      }
+    }
+    return least;
+  }
+
+  @Test
+  void speedsRelaxToThoseOfMaxwellAndBoltzmann() {
+    Relaxation gas = new Relaxation();
+    assertThat(chance(gas)).as("all of one speed").isLessThan(1e-9);
+    for (int i = 0; i < 200; i++) {
+      gas.frame();
+    }
+    assertThat(chance(gas)).isGreaterThan(0.001);
+  }
+
+  /** How likely the law gives counts that lie as far off, over bins of equal probability. */
+  private static double chance(Relaxation gas) {
+    int bins = 20;
+    long[] counts = new long[bins];
+    double[] expected = new double[bins];
+    double[] speeds = gas.speeds();
+    Arrays.fill(expected, speeds.length / (double) bins);
+    for (double v : speeds) {
+      counts[(int) Math.min(bins - 1, Relaxation.law(v) * bins)]++;
+    }
+    return new ChiSquareTest().chiSquareTest(expected, counts);
+  }
+
+  @Test
+  void theBallTakesTheWayOfTheAimingLine() {
+    AimingLine game = new AimingLine();
+    game.point(new Vec2(0.8, 0.9));
+    Trajectory line = game.line();
+    game.press();
+    World world = game.world();
+    for (int frame = 1; frame <= line.duration(); frame++) {
+      game.frame();
+      // The world keeps its clock to more places than the line, whose times are doubles.
+      assertThat(world.x(0)).as("frame %d", frame).isCloseTo(line.at(frame).x(), offset(1e-11));
+      assertThat(world.y(0)).as("frame %d", frame).isCloseTo(line.at(frame).y(), offset(1e-11));
+    }
+    assertThat(line.impacts()).hasSize(6);
+  }
+
+  @Test
+  void theLoopDoesNotDependOnItsTimer() {
+    GameLoop even = new GameLoop();
+    GameLoop uneven = new GameLoop();
+    for (int i = 0; i < 100; i++) {
+      even.elapse(3 * GameLoop.STEP);
+      uneven.elapse(GameLoop.STEP / 3);
+      uneven.elapse(3 * GameLoop.STEP - GameLoop.STEP / 3);
+      assertThat(uneven.world().now()).isEqualTo(even.world().now());
+      assertThat(uneven.world().x(1)).isEqualTo(even.world().x(1));
+      assertThat(uneven.world().y(1)).isEqualTo(even.world().y(1));
+    }
+  }
+
+  @Test
+  void theLoopShowsWhatLiesBetweenTwoSteps() {
+    GameLoop loop = new GameLoop();
+    loop.elapse(5 * GameLoop.STEP);
+    double before = loop.shown();
+    loop.elapse(GameLoop.STEP / 4);
+    assertThat(loop.shown() - before).isCloseTo(GameLoop.STEP / 4 / 1e9, offset(1e-15));
+    assertThat(loop.shown()).isLessThan(loop.world().now());
+    loop.elapse(3_600_000_000_000L);
+    assertThat(loop.world().now())
+        .as("no run after the clock")
+        .isLessThan(26 * GameLoop.STEP / 1e9);
+  }
+}
