@@ -26,6 +26,7 @@ import picocli.CommandLine.ParameterException;
       CastCommand.class,
       RungsCommand.class,
       ReferenceCommand.class,
+      ViewCommand.class,
       ExampleCommand.class,
       ThreadsCommand.class,
       JmhCommand.class

@@ -83,7 +83,7 @@ public final class Relaxation implements Example {
 
   @Override
   public Dimension size() {
-    return new Dimension(620, 300);
+    return new Dimension(540, 260);
   }
 
   @Override

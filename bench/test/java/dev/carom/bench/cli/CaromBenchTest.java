@@ -14,7 +14,19 @@ class CaromBenchTest {
 
   @ParameterizedTest
   @ValueSource(
-      strings = {"", "replay ", "report ", "sweep ", "simulate ", "cast ", "rungs ", "jmh "})
+      strings = {
+        "",
+        "replay ",
+        "report ",
+        "sweep ",
+        "simulate ",
+        "cast ",
+        "rungs ",
+        "jmh ",
+        "view ",
+        "example ",
+        "threads "
+      })
   void everyCommandExplainsItself(String command) {
     Cli help = Cli.run((Object[]) (command + "--help").split(" "));
 
@@ -40,6 +52,9 @@ class CaromBenchTest {
         "simulate --scene a.csv --frames -1       | --frames is -1: expected at least 0",
         "simulate --scene a.csv --frames 1 --dt 0 | --dt is 0.0: expected a finite number",
         "rungs --queries 0              | --queries is 0: expected at least 1",
+        "view --dt 0                    | --dt is 0.0: expected a finite number",
+        "threads --threads 0            | --threads is 0: expected at least 1",
+        "example nosuch                 | 'nosuch' is none of [breakout, billiards, gas, aim, loop",
         "cast                           | Missing required parameter: 'FILE|-'"
       })
   void wrongCommandLinesAreOneLineAndExitCodeTwo(String words, String message) {

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+
+/**
+ * A window on a scene: {@link dev.carom.bench.view.Player} holds the run and knows nothing of
+ * windows, {@link dev.carom.bench.view.ViewPanel} shows it and hands on what the user does.
+ */
+package dev.carom.bench.view;

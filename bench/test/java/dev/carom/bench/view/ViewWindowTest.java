@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.view;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import dev.carom.Circle;
+import dev.carom.Scene;
+import dev.carom.bench.experiment.Crosses;
+import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Robot;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Point2D;
+import java.io.File;
+import java.util.concurrent.Callable;
+import java.util.concurrent.FutureTask;
+import javax.imageio.ImageIO;
+import javax.swing.JFrame;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Opens the window and uses it by keys and mouse. Skipped where there is no screen; {@code xvfb-run
+ * mvn ...} brings one. {@code -Dcarom.screenshots=DIR} keeps what was to be seen.
+ */
+class ViewWindowTest {
+
+  private Robot robot;
+  private Player player;
+  private JFrame frame;
+
+  @BeforeEach
+  void open() throws Exception {
+    assumeFalse(GraphicsEnvironment.isHeadless(), "no screen: nothing can be opened");
+    robot = new Robot();
+    robot.setAutoDelay(60);
+    Scene scene = Crosses.canonical(1).scene();
+    player = new Player(scene, 1);
+    EventQueue.invokeAndWait(this::show);
+    robot.waitForIdle();
+    robot.delay(500);
+  }
+
+  private void show() {
+    frame = ViewWindow.of("Test", player);
+    frame.setLocation(0, 0);
+    frame.setVisible(true);
+  }
+
+  @AfterEach
+  void close() throws Exception {
+    if (frame != null) {
+      EventQueue.invokeAndWait(frame::dispose);
+    }
+  }
+
+  private ViewPanel panel() {
+    return (ViewPanel) frame.getContentPane().getComponent(0);
+  }
+
+  private static <T> T get(Callable<T> question) throws Exception {
+    FutureTask<T> task = new FutureTask<>(question);
+    EventQueue.invokeAndWait(task);
+    return task.get();
+  }
+
+  private void type(int key) {
+    robot.keyPress(key);
+    robot.keyRelease(key);
+    robot.waitForIdle();
+  }
+
+  private void press(Point at) {
+    robot.mouseMove(at.x, at.y);
+    robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+  }
+
+  private void keep(String name) throws Exception {
+    String folder = System.getProperty("carom.screenshots");
+    if (folder != null) {
+      robot.waitForIdle();
+      File file = new File(folder, name + ".png");
+      ImageIO.write(robot.createScreenCapture(frame.getBounds()), "png", file);
+    }
+  }
+
+  @Test
+  void runsByItsTimerAndStopsAtTheNextImpact() throws Exception {
+    Point canvas = get(() -> panel().canvas().getLocationOnScreen());
+    press(canvas); // a click outside of the scene gives the window the keys
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    type(KeyEvent.VK_SPACE);
+    robot.delay(2_000);
+    type(KeyEvent.VK_SPACE);
+    double reached = get(() -> player.shown());
+    assertThat(reached).isGreaterThan(5);
+    assertThat(get(() -> player.isRunning())).isFalse();
+    type(KeyEvent.VK_I);
+    assertThat(get(() -> player.shown())).isGreaterThan(reached);
+    EventQueue.invokeAndWait(
+        () -> {
+          for (ScenePainter.Layer layer : ScenePainter.Layer.values()) {
+            panel().show(layer, true);
+          }
+        });
+    keep("view");
+  }
+
+  @Test
+  void dragsACircleByTheMouse() throws Exception {
+    Point corner = get(() -> panel().canvas().getLocationOnScreen());
+    Point2D at = get(this::lastCircle);
+    Point circle = new Point(corner.x + (int) at.getX(), corner.y + (int) at.getY());
+    Scene before = get(() -> player.scene());
+    press(circle);
+    robot.mouseMove(circle.x + 30, circle.y + 40);
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    robot.waitForIdle();
+    Scene after = get(() -> player.scene());
+    assertThat(after.circle(99).x()).isGreaterThan(before.circle(99).x());
+    assertThat(after.circle(99).y()).isLessThan(before.circle(99).y());
+    keep("dragged");
+  }
+
+  private Point2D lastCircle() {
+    SceneCanvas canvas = panel().canvas();
+    Circle last = player.scene().circle(99);
+    AffineTransform map =
+        canvas.painter().transform(new Rectangle(canvas.getWidth(), canvas.getHeight()));
+    return map.transform(new Point2D.Double(last.x(), last.y()), null);
+  }
+}
