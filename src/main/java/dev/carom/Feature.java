@@ -4,6 +4,9 @@ package dev.carom;
 /**
  * The part of an obstacle that is hit: for a line, the Voronoi region in which the centre of the
  * circle lies at contact.
+ *
+ * <p><img src="doc-files/line.svg" alt="Beside the line is its side; beyond the perpendiculars at
+ * its ends a and b are its start and its end">
  */
 public enum Feature {
   /** The open inside of a line, from either side; also a wall of bounds. */

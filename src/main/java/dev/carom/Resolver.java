@@ -14,7 +14,8 @@ import java.util.stream.IntStream;
  * <pre>{@code
  * Resolver resolver = Resolver.of(List.of(new Line(0, 0, 100, 0), new Circle(50, 40, 5)));
  * Trajectory path = resolver.trace(new Circle(10, 20, 2), new Vec2(3, -4), 60);
- * Vec2 end = path.end();
+ * System.out.println(path.impacts().size() + " impacts"); // 3 impacts
+ * System.out.println(path.at(4.5)); // Vec2[x=23.5, y=2.0]
  * }</pre>
  *
  * <p>The first impacts are those of {@link SweptCircle}; of simultaneous ones walls come first,

@@ -6,6 +6,9 @@ package dev.carom;
  *
  * <p>With a line, a peg or the bounds it is their response that counts; between two circles {@link
  * #SENSOR} if either has it, else {@link #HALT} if either has it, else {@link #BOUNCE}.
+ *
+ * <p><img src="doc-files/restitution.svg" alt="A circle bounces off a line: at restitution 1 as
+ * steeply as it came, at 0.5 less so, at 0 it slides along">
  */
 public enum Response {
   /**

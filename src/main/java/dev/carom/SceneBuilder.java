@@ -8,6 +8,17 @@ import java.util.Objects;
  * property. What is refused is refused at once, with a message that names the thing, its number,
  * its value and what was expected, and leaves the builder as it was. Not safe for use by several
  * threads.
+ *
+ * <pre>{@code
+ * Scene scene = Scene.builder()
+ *     .bounds(0, 0, 800, 600)
+ *     .line(300, 500, 500, 500).oneWay()
+ *     .peg(600, 300, 25).response(Response.SENSOR)
+ *     .circle(100, 100, 10, 4, 3).mass(2).restitution(0.9)
+ *     .collide(true)
+ *     .build();
+ * System.out.println(scene.lineOneWay(0) + ", " + scene.mass(0)); // true, 2.0
+ * }</pre>
  */
 public final class SceneBuilder {
 
@@ -139,6 +150,9 @@ public final class SceneBuilder {
    * with the centre strictly left of it (seen from its start to its end, as in {@code cross(b - a,
    * p - a) > 0}) and moves against its left normal; for every other flight it is not there. A line
    * of zero length has no left: it never is.
+   *
+   * <p><img src="doc-files/one-way.svg" alt="A line from a to b: a circle that comes from its left
+   * bounces, one that comes from its right passes">
    *
    * @return this builder
    * @throws IllegalStateException if the thing added last is not a line

@@ -10,6 +10,17 @@ import java.util.Arrays;
  * A copy of everything that determines the future of a {@link World}: for save games, and for going
  * back when a network tells what should have happened. Immutable, safe for use by several threads.
  *
+ * <pre>{@code
+ * World world =
+ *     new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
+ * Snapshot saved = world.snapshot();
+ * world.step(6);
+ * world.restore(saved);
+ * world.setVelocity(0, 0, 3);
+ * world.step(6);
+ * System.out.println(world.x(0) + ", " + world.y(0)); // 50.0, 68.0
+ * }</pre>
+ *
  * <p>A world into which a snapshot is restored goes on as the one it was taken from, bit for bit;
  * equal snapshots mean equal futures. What a world remembers only to be fast is not in it: after
  * {@link World#restore} the next step searches once for every circle. Nor is the log of the last

@@ -7,6 +7,18 @@ import java.util.Optional;
  * The detector: when does a moving circle first touch an obstacle, or another moving circle? Pure
  * functions, without a world.
  *
+ * <pre>{@code
+ * // A circle of radius 5 at (-15, 4), 20 a second to the right; a line from (0, 0) to (0, 10).
+ * System.out.println(SweptCircle.line(-15, 4, 5, 20, 0, 0, 0, 0, 10, 1)); // 0.5
+ * Impact impact =
+ *     SweptCircle.cast(new Circle(-15, 4, 5), new Vec2(20, 0), new Line(0, 0, 0, 10), 1).get();
+ * System.out.println(impact.feature() + ", " + impact.normal()); // SIDE, Vec2[x=-1.0, y=0.0]
+ * }</pre>
+ *
+ * <p><img src="doc-files/line.svg" alt="A circle that touches the side of a line, and one that
+ * touches its end: the normal points from the line to the centre, which lies on a capsule around
+ * the line">
+ *
  * <p>An impact is the smallest t in the closed window [0, T] at which the distance between the two
  * is at most the radius and falling (strictly; judged just after t at t = 0, just before it later).
  * So:

@@ -8,6 +8,11 @@ import static dev.carom.DoubleDouble.sumTail;
  * The detector in space: when do two moving spheres first touch, do they overlap, and how do they
  * part? Pure functions on doubles, without a world.
  *
+ * <pre>{@code
+ * // Two spheres of radius 1, 10 apart, that approach each other at 4 units a second.
+ * System.out.println(SweptSphere.sphere(0, 0, 0, 1, 4, 0, 0, 10, 0, 0, 1, 0, 0, 0, 5)); // 2.0
+ * }</pre>
+ *
  * <p>An impact is defined as by {@link SweptCircle}, whose mathematics this shares: hit or miss is
  * that of real arithmetic on the given doubles, exact ties included, and the time is the correctly
  * rounded one. Spheres whose centres move in one plane are answered as circles, bit for bit.

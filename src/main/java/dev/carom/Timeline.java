@@ -11,6 +11,14 @@ import java.util.Optional;
  * It takes 56 bytes a flight, so its size follows the impacts, not the steps; it can be bounded.
  * Where lines and pegs were is recorded too, at their changes.
  *
+ * <pre>{@code
+ * World world =
+ *     new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
+ * Timeline past = world.record(100);
+ * world.step(6);
+ * System.out.println(past.x(0, 2.5) + ", " + past.x(0, 5.5)); // 70.0, 86.0
+ * }</pre>
+ *
  * <p>A world records what it does itself, and edits; when a snapshot is restored into it, the
  * recording begins anew. Not safe for use by several threads.
  */

@@ -8,6 +8,17 @@ import java.util.Optional;
  * A scene in motion: circles that fly straight, bounce off lines, pegs and bounds, and collide with
  * each other or ignore each other, as the scene says.
  *
+ * <pre>{@code
+ * World world =
+ *     new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
+ * world.step(6);
+ * ImpactLog impacts = world.impacts();
+ * for (int i = 0; i < impacts.size(); i++) {
+ *   System.out.println(impacts.kind(i) + " at " + impacts.time(i)); // WALL at 5.0
+ * }
+ * System.out.println(world.x(0) + " at " + world.now()); // 82.0 at 6.0
+ * }</pre>
+ *
  * <p>A circle's flight is kept as its start until its next impact; places are computed from it when
  * they are asked for, never accumulated. A step resolves every impact in it, each at its own
  * moment, any number of them; so how a run is cut into steps changes no bit of it. An impact whose

@@ -21,6 +21,42 @@
  *       its future, a {@link dev.carom.Timeline} its past.
  * </ol>
  *
+ * One question to each, in turn:
+ *
+ * <pre>{@code
+ * Line line = new Line(0, 0, 0, 10);
+ * System.out.println(line.closestPoint(new Vec2(-15, 4))); // Vec2[x=0.0, y=4.0]
+ *
+ * Circle circle = new Circle(-15, 4, 5);
+ * Vec2 velocity = new Vec2(20, 0);
+ * System.out.println(SweptCircle.cast(circle, velocity, line, 1).get().time()); // 0.5
+ *
+ * Trajectory way = Resolver.of(List.of(line)).trace(circle, velocity, 1);
+ * System.out.println(way.end()); // Vec2[x=-15.0, y=4.0]
+ *
+ * World world =
+ *     new World(Scene.builder().line(0, 0, 0, 10).circle(-15, 4, 5, 20, 0).build());
+ * world.step(1);
+ * System.out.println(world.x(0) + " after " + world.impacts().size() + " impact"); // -15.0 after 1 impact
+ * }</pre>
+ *
+ * <h2>What is promised</h2>
+ *
+ * <ul>
+ *   <li>Every decision, hit or miss, side or end, is that of real arithmetic on the given doubles;
+ *       the time of impact is the correctly rounded one.
+ *   <li>All impacts inside a step are resolved, each at its own moment, any number of them; how a
+ *       run is cut into steps changes no bit of it.
+ *   <li>There is no threshold below which a bounce is dropped, no cap on speed, no slop; positions
+ *       are never nudged, and what touches does not jitter.
+ *   <li>A step allocates nothing, and costs what happens in it.
+ *   <li>It always ends: a scene that would make infinitely many impacts in finite time jams the
+ *       circle and says so, a step that runs out of its budget says that it is unfinished.
+ * </ul>
+ *
+ * <p><img src="doc-files/line.svg" alt="A circle that touches the side of a line, and one that
+ * touches its end: the normal points from the line to the centre">
+ *
  * <h2>Conventions</h2>
  *
  * <ul>

@@ -20,7 +20,7 @@ import java.util.Random;
  */
 public final class Relaxation implements Example {
 
-  private static final int COLUMNS = 40;
+  private static final int COLUMNS = 30;
   private static final int CIRCLES = COLUMNS * COLUMNS;
   private static final double CELL = 5;
   private static final double MOST = 3;
@@ -93,7 +93,7 @@ public final class Relaxation implements Example {
     histogram(
         g,
         new Rectangle2D.Double(
-            area.getX() + left + 20, area.getY() + 24, area.getWidth() - left - 40, left - 56));
+            area.getX() + left + 20, area.getY() + 24, area.getWidth() - left - 40, left - 62));
   }
 
   /** Bars for what is, a curve for the law; both as densities. */
@@ -129,6 +129,6 @@ public final class Relaxation implements Example {
       g.drawString(String.valueOf(v), (float) (box.getX() + v / MOST * box.getWidth()) - 3, base);
     }
     g.drawString("speed, at time " + Math.round(world.now()), (float) box.getX(), base + 14);
-    g.drawString("curve: Maxwell and Boltzmann", (float) box.getX() + 90, (float) box.getY() - 6);
+    g.drawString("curve: Maxwell and Boltzmann", (float) box.getX(), (float) box.getY() - 6);
   }
 }

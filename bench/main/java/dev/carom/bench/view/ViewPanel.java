@@ -141,13 +141,7 @@ public final class ViewPanel extends JPanel {
     refresh();
   }
 
-  /**
-   * Shows a layer, or hides it.
-   *
-   * @param layer which one
-   * @param visible whether it is to be seen
-   */
-  void show(Layer layer, boolean visible) {
+  private void show(Layer layer, boolean visible) {
     canvas.painter().set(layer, visible);
     refresh();
   }

@@ -59,8 +59,13 @@ class ViewPanelTest {
   }
 
   private <T> List<T> all(Class<T> type) {
+    return all(panel, type);
+  }
+
+  /** The components of a type, at any depth. */
+  static <T> List<T> all(Container container, Class<T> type) {
     List<T> found = new ArrayList<>();
-    collect(panel, type, found);
+    collect(container, type, found);
     return found;
   }
 

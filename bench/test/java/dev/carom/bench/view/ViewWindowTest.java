@@ -20,6 +20,7 @@ import java.io.File;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 import javax.imageio.ImageIO;
+import javax.swing.JCheckBox;
 import javax.swing.JFrame;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -103,13 +104,16 @@ class ViewWindowTest {
     assertThat(get(() -> player.isRunning())).isFalse();
     type(KeyEvent.VK_I);
     assertThat(get(() -> player.shown())).isGreaterThan(reached);
-    EventQueue.invokeAndWait(
-        () -> {
-          for (ScenePainter.Layer layer : ScenePainter.Layer.values()) {
-            panel().show(layer, true);
-          }
-        });
+    EventQueue.invokeAndWait(this::tickAllBoxes);
     keep("view");
+  }
+
+  private void tickAllBoxes() {
+    for (JCheckBox box : ViewPanelTest.all(panel(), JCheckBox.class)) {
+      if (!box.isSelected()) {
+        box.doClick();
+      }
+    }
   }
 
   @Test
