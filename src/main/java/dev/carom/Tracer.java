@@ -69,7 +69,7 @@ final class Tracer {
   /** Looks for the next impact, past sensors; false if there is none until the given time. */
   private boolean next(Mover mover, double end) {
     search.extend(mover, grid, end - mover.t);
-    while (mover.due() <= end) {
+    while (mover.due() <= end && mover.cleared < Double.POSITIVE_INFINITY) {
       if (mover.next != Mover.NOTHING && !obstacles.isSensor(mover.next)) {
         return true;
       }

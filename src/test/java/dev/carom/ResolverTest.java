@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** One circle among obstacles, without a world: what it hits first, its way, and one reflection. */
+class ResolverTest {
+
+  private static final double FOREVER = Double.POSITIVE_INFINITY;
+  private static final Line FLOOR = new Line(-100, 0, 100, 0);
+  private static final Vec2 DOWN = new Vec2(0, -1);
+
+  @Test
+  @Timeout(value = 10, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+  void aCastForEverEndsWithOrWithoutAnImpact() {
+    Resolver resolver = Resolver.of(List.of(FLOOR));
+    Circle circle = new Circle(0, 10, 1);
+    assertThat(resolver.cast(circle, DOWN, FOREVER).orElseThrow().time()).isEqualTo(9);
+    assertThat(resolver.cast(circle, new Vec2(0, 1), FOREVER)).isEmpty();
+    World world = new World(Scene.builder().line(-100, 0, 100, 0).build());
+    assertThat(world.cast(circle, DOWN, FOREVER).orElseThrow().time()).isEqualTo(9);
+    assertThat(world.cast(circle, new Vec2(0, 1), FOREVER)).isEmpty();
+  }
+
+  @Test
+  void endpointsStandAmongThePegs() {
+    Endpoint end = new Endpoint(0, 0);
+    Resolver resolver = Resolver.of(List.of(new Circle(0, 90, 1), end));
+    Impact impact = resolver.cast(new Circle(0, 10, 1), DOWN, 100).orElseThrow();
+    assertThat(impact.obstacle()).isEqualTo(end);
+    assertThat(impact.id()).isEqualTo(1);
+  }
+
+  @Test
+  void thereIsOneBounds() {
+    Bounds box = new Bounds(0, 0, 1, 1);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> Resolver.of(List.of(box, box)))
+        .withMessageContaining("a second Bounds")
+        .withMessageContaining("expected one");
+  }
+
+  @Test
+  void theWayEndsUnfinishedWhereTheBudgetIsSpent() {
+    Resolver resolver = Resolver.of(List.of(new Bounds(0, 0, 3, 3)));
+    Trajectory way = resolver.trace(new Circle(1, 1.5, 1), new Vec2(1, 0), 1e6);
+    assertThat(way.complete()).isFalse();
+    assertThat(way.impacts()).hasSize(Resolver.IMPACTS_PER_TRACE);
+    assertThat(way.duration()).isEqualTo(Resolver.IMPACTS_PER_TRACE);
+    assertThat(way.end()).isEqualTo(new Vec2(1, 1.5));
+  }
+
+  @Test
+  void aWayThatLeavesTheRangeOfDoublesEndsAtItsEdge() {
+    Resolver resolver = Resolver.of(List.of(FLOOR));
+    Trajectory way = resolver.trace(new Circle(0, 10, 1), new Vec2(1e300, -1e300), 1e300);
+    assertThat(way.impacts()).hasSize(1);
+    assertThat(way.end()).isEqualTo(new Vec2(Double.MAX_VALUE, Double.MAX_VALUE));
+    assertThat(way.points()).hasSize(3);
+  }
+
+  /** The offset is lost in the rounding of the centre: the normal is the detector's. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-18, 1e-100, 1e-300})
+  void aRadiusFarBelowTheRoundingOfPlacesTurnsByTheDetectorsNormal(double radius) {
+    Resolver resolver = Resolver.of(List.of(new Endpoint(1, 0)));
+    Trajectory way = resolver.trace(new Circle(0, 0, radius), new Vec2(1, 0), 3);
+    assertThat(way.impacts()).hasSize(1);
+    assertThat(way.impacts().get(0).normal()).isEqualTo(new Vec2(-1, 0));
+    assertThat(way.velocityAt(3)).isEqualTo(new Vec2(-1, 0));
+  }
+
+  // Reflections.
+
+  @Test
+  void reflectsAgainstTheNormalOnly() {
+    Vec2 v = new Vec2(3, -4);
+    assertThat(Resolver.reflect(v, new Vec2(0, 2), 1)).isEqualTo(new Vec2(3, 4));
+    assertThat(Resolver.reflect(v, new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 2));
+    assertThat(Resolver.reflect(v, new Vec2(0, 2), 0)).isEqualTo(new Vec2(3, 0));
+    assertThat(Resolver.reflect(v, new Vec2(0, -2), 1)).as("leaving").isSameAs(v);
+    assertThat(Resolver.reflect(v, new Vec2(4, 3), 1)).as("along").isSameAs(v);
+  }
+
+  /** v.n and n.n leave the range of doubles in all of these but the first. */
+  @ParameterizedTest
+  @CsvSource({
+    "1, 1",
+    "1, 1e-200",
+    "1, 1e200",
+    "1e-300, 1e-300",
+    "1e300, 1e300",
+    "1e-300, 1e300",
+    "1e150, 1"
+  })
+  void reflectsAtAnySize(double speed, double length) {
+    Vec2 v = Resolver.reflect(new Vec2(0, -speed), new Vec2(length, length), 1);
+    assertThat(v.x()).isCloseTo(speed, within(1e-15 * speed));
+    assertThat(v.y()).isCloseTo(0, within(1e-15 * speed));
+  }
+
+  @Test
+  void refusesWhatCannotBeReflected() {
+    Vec2 up = new Vec2(0, 1);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> Resolver.reflect(DOWN, Vec2.ZERO, 1))
+        .withMessageContaining("normal is Vec2[x=0.0, y=0.0]");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> Resolver.reflect(DOWN, up, Double.NaN))
+        .withMessageContaining("restitution is NaN");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> Resolver.reflect(new Vec2(0, -1e300), up, 1e300))
+        .withMessageContaining("restitution is 1.0E300");
+  }
+}
