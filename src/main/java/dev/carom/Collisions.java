@@ -94,13 +94,15 @@ final class Collisions extends Engine {
       begin();
     }
     long budget = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * roster.count();
+    ExactWork work = ExactWork.ofThread();
+    long before = work.impacts();
     for (long events = 0; ; events++) {
       int i = queue.first();
       if (i == EventQueue.NONE || queue.time(i) > end) {
         reached = end;
         return end;
       }
-      if (events == budget) {
+      if (events > 0 && events + (work.impacts() - before) >= budget) {
         unfinished = true;
         return reached;
       }

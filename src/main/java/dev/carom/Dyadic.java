@@ -17,6 +17,7 @@ final class Dyadic {
   private Dyadic(BigInteger m, int e) {
     this.m = m;
     this.e = e;
+    ExactWork.add(m.bitLength());
   }
 
   /** The value of a finite double. */
@@ -89,13 +90,17 @@ final class Dyadic {
     if ((e - shift & 1) != 0) {
       shift++;
     }
-    return new Dyadic(m.shiftLeft(shift).sqrt(), (e - shift) / 2);
+    BigInteger shifted = m.shiftLeft(shift);
+    ExactWork.addSquared(shifted.bitLength());
+    return new Dyadic(shifted.sqrt(), (e - shift) / 2);
   }
 
   /** this / that for positive numbers, rounded down, to at least {@code bits} bits. */
   Dyadic over(Dyadic that, int bits) {
     int shift = Math.max(0, bits + 1 + that.m.bitLength() - m.bitLength());
-    return new Dyadic(m.shiftLeft(shift).divide(that.m), e - shift - that.e);
+    BigInteger shifted = m.shiftLeft(shift);
+    ExactWork.addSquared(shifted.bitLength());
+    return new Dyadic(shifted.divide(that.m), e - shift - that.e);
   }
 
   /**

@@ -61,21 +61,22 @@ final class Flights extends Engine {
     return reached;
   }
 
-  private double pass(double end) {
+  /** Advances all to the given time, or to where the first of those stands that spent theirs. */
+  private double pass(double goal) {
     int allowance =
         Math.max(LEAST_IMPACTS_PER_CALL, IMPACTS_PER_CALL / Math.max(1, roster.count()));
+    ExactWork work = ExactWork.ofThread();
     double[] due = circles.due;
+    double end = goal;
     for (int i = 0; i < due.length; i++) {
       if (due[i] <= end) {
         journal.save(i, due[i], circles.jam(i), circles.state, circles.codes);
         circles.load(i);
-        boolean spent = fly(circles.mover, allowance, end);
+        boolean spent = fly(circles.mover, work, allowance, end);
         circles.store(i);
         if (spent) {
           unfinished = true;
-          if (circles.mover.t < end) {
-            return circles.mover.t;
-          }
+          end = Math.min(end, circles.mover.t);
         }
       }
     }
@@ -83,13 +84,14 @@ final class Flights extends Engine {
   }
 
   /** Resolves the mover's impacts until the given time; tells whether the allowance was spent. */
-  private boolean fly(Mover m, int allowance, double end) {
+  private boolean fly(Mover m, ExactWork work, int allowance, double end) {
+    long before = work.impacts();
     int impacts = 0;
     do {
       if (m.next == Mover.NOTHING) {
         surroundings.extend(m, end - m.t);
       } else {
-        if (impacts == allowance) {
+        if (impacts > 0 && impacts + (work.impacts() - before) >= allowance) {
           return true;
         }
         if (response.resolve(m, log) && timeline != null) {

@@ -53,11 +53,13 @@ final class Tracer {
   Trajectory trace(Mover mover, double duration, int bounces, int most) {
     List<Flight> flights = new ArrayList<>(List.of(flight(mover)));
     List<Impact> impacts = new ArrayList<>();
+    ExactWork work = ExactWork.ofThread();
+    long before = work.impacts();
     while (next(mover, duration)) {
       if (impacts.size() == bounces) {
         return new Trajectory(flights, impacts, mover.due(), true);
       }
-      if (impacts.size() == most) {
+      if (!impacts.isEmpty() && impacts.size() + (work.impacts() - before) >= most) {
         return new Trajectory(flights, impacts, mover.t, false);
       }
       impacts.add(resolve(mover));

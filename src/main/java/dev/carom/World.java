@@ -47,13 +47,16 @@ import java.util.Optional;
  * <p>Independently there is a budget of work for one call of {@link #step} or {@link #advanceTo}.
  * If circles ignore each other, each may make 4,000,000 / circles impacts, at least 10,000; if they
  * collide, all together may take 200,000 + 1,000 x circles events (impacts, and circles that leave
- * a cell). If that is not enough, the call returns false, unfinished, with the whole world at an
- * earlier time, nothing dropped; the next call goes on.
+ * a cell). Exact arithmetic counts too, as one impact for each 512 bits of the numbers it makes (a
+ * root or a quotient of n bits as n^2 / 64), so that near-ties take no longer. If that is not
+ * enough, the call returns false, unfinished, with the whole world at an earlier time, nothing
+ * dropped; the next call goes on.
  *
  * <p><b>Accuracy.</b> Each question is answered exactly on the doubles with which it is asked, and
  * each impact's state is rounded once; a scene multiplies such roundings from impact to impact. A
  * circle that flies out of the range of doubles has infinite coordinates from then on, and hits
- * nothing; one that an impact would make faster than doubles can tell stops.
+ * nothing; one that an impact would make faster than doubles can tell stops. In the log a
+ * coordinate beyond that range is the largest one.
  *
  * <p><b>Between steps</b> it can be edited: what is there can be changed, moved, added and removed,
  * from now on. A circle that is edited begins a new flight; any number of edits between two steps

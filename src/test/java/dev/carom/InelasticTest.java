@@ -19,6 +19,9 @@ class InelasticTest {
   /** Impacts that a circle may make in a unit of time, on average: thousands before they jam. */
   private static final int IMPACTS = 3_000;
 
+  /** Budgets that a frame may take: jams are near-ties, which exact arithmetic decides. */
+  private static final int CALLS = 10;
+
   /** What a run left. */
   private record End(int impacts, int jammed) {}
 
@@ -26,11 +29,16 @@ class InelasticTest {
     int impacts = 0;
     int jammed = 0;
     for (int frame = 1; frame <= frames; frame++) {
-      assertThat(world.advanceTo(frame)).isTrue();
-      for (Run.Row row : Run.rows(world.impacts())) {
-        impacts++;
-        jammed += row.jammed() ? 1 : 0;
-      }
+      boolean complete;
+      int calls = 0;
+      do {
+        complete = world.advanceTo(frame);
+        assertThat(++calls).as("calls for a frame").isLessThanOrEqualTo(CALLS);
+        for (Run.Row row : Run.rows(world.impacts())) {
+          impacts++;
+          jammed += row.jammed() ? 1 : 0;
+        }
+      } while (!complete);
     }
     return new End(impacts, jammed);
   }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * Counts the work of exact arithmetic, by thread, so that a budget of work can hold it: a decision
+ * on numbers of thousands of bits takes as long as a thousand ordinary impacts. The count depends
+ * on the numbers alone, so a budget ends at the same impact everywhere.
+ */
+final class ExactWork {
+
+  /** Bits of exact numbers that are made in about the time of one ordinary impact. */
+  static final int BITS_PER_IMPACT = 512;
+
+  private static final ThreadLocal<ExactWork> OF_THREAD = ThreadLocal.withInitial(ExactWork::new);
+
+  private long bits;
+
+  private ExactWork() {}
+
+  /** The count of this thread. */
+  static ExactWork ofThread() {
+    return OF_THREAD.get();
+  }
+
+  /** Counts a number of so many bits. */
+  static void add(int bits) {
+    OF_THREAD.get().bits += bits;
+  }
+
+  /** Counts a root or a quotient of a number of so many bits, which are computed word by word. */
+  static void addSquared(int bits) {
+    OF_THREAD.get().bits += (long) bits * bits / Long.SIZE;
+  }
+
+  /** All work so far, in ordinary impacts. */
+  long impacts() {
+    return bits / BITS_PER_IMPACT;
+  }
+}
