@@ -187,11 +187,17 @@ final class Casts {
   }
 
   private static double within(double x) {
-    return Math.max(-Double.MAX_VALUE, Math.min(x, Double.MAX_VALUE));
+    return ImpactLog.within(x);
   }
 
-  /** The speed along the normal at which the distance falls: -(v1 - v2).n. */
+  /** The speed along the normal at which the distance falls: -(v1 - v2).n; it may be infinite. */
   private static double approach(Vec2 v1, Vec2 v2, Vec2 n) {
-    return Math.max(0, -((v1.x() - v2.x()) * n.x() + (v1.y() - v2.y()) * n.y()));
+    double speed = -((v1.x() - v2.x()) * n.x() + (v1.y() - v2.y()) * n.y());
+    if (!(Math.abs(speed) <= Double.MAX_VALUE)) {
+      double ux = v1.x() / 4 - v2.x() / 4;
+      double uy = v1.y() / 4 - v2.y() / 4;
+      speed = 4 * -(ux * n.x() + uy * n.y());
+    }
+    return Math.max(0, speed);
   }
 }

@@ -16,10 +16,11 @@ record Flight(double t0, double x0, double y0, double vx, double vy) {
    * Where the centre is at a given time.
    *
    * @param t a time, as a rule at or after {@link #t0()}
-   * @return the centre {@code (x0, y0) + (vx, vy) (t - t0)}
-   * @throws IllegalArgumentException if the place lies outside the range of doubles
+   * @return the centre {@code (x0, y0) + (vx, vy) (t - t0)}; a coordinate beyond the range of
+   *     doubles is the largest one
    */
   Vec2 at(double t) {
-    return new Vec2(Math.fma(vx, t - t0, x0), Math.fma(vy, t - t0, y0));
+    return new Vec2(
+        ImpactLog.within(Math.fma(vx, t - t0, x0)), ImpactLog.within(Math.fma(vy, t - t0, y0)));
   }
 }

@@ -207,11 +207,16 @@ public final class ImpactLog {
   /** Completes the row added last, with a normal of any length and v.n. */
   void set(double x, double y, double nx, double ny, double vn) {
     int k = (size - 1) * ROW;
-    numbers[k + 1] = x;
-    numbers[k + 2] = y;
+    numbers[k + 1] = within(x);
+    numbers[k + 2] = within(y);
     numbers[k + 3] = nx;
     numbers[k + 4] = ny;
     numbers[k + 5] = vn;
+  }
+
+  /** A coordinate; of one beyond the range of doubles, the largest one. */
+  static double within(double x) {
+    return Math.max(-Double.MAX_VALUE, Math.min(x, Double.MAX_VALUE));
   }
 
   /** Marks the row added last as the one at which its circle jams. */

@@ -12,11 +12,40 @@ import static dev.carom.DoubleDouble.sumTail;
  */
 final class Impulse {
 
+  /** Sizes of v within which no product leaves the range of doubles, for n of 2^-300 to 2^300. */
+  private static final double LEAST = 0x1p-300;
+
+  private static final double MOST = 0x1p300;
+
+  /** The largest f of which that is true. */
+  private static final double MOST_F = 0x1p100;
+
   private double j;
   private double tail;
 
-  /** The impulse that takes away f times the part of v along n. */
+  /** The impulse is that of j and its tail times 2 to this; 0 for ordinary sizes. */
+  private int exponent;
+
+  /** The impulse that takes away f times the part of v along n, n of 2^-300 to 2^300. */
   void of(double f, double vx, double vy, double nx, double ny) {
+    double size = Math.max(Math.abs(vx), Math.abs(vy));
+    if (size > LEAST && size < MOST && f < MOST_F) {
+      exponent = 0;
+      ofOrdinary(f, vx, vy, nx, ny);
+    } else {
+      int ofV = Math.getExponent(size);
+      int ofF = f < MOST_F ? 0 : Math.getExponent(f);
+      exponent = ofV + ofF;
+      ofOrdinary(Math.scalb(f, -ofF), Math.scalb(vx, -ofV), Math.scalb(vy, -ofV), nx, ny);
+    }
+  }
+
+  /** Makes the impulse 2^n times as large. */
+  void scale(int n) {
+    exponent += n;
+  }
+
+  private void ofOrdinary(double f, double vx, double vy, double nx, double ny) {
     double xx = nx * nx;
     double yy = ny * ny;
     double nn = xx + yy;
@@ -32,13 +61,29 @@ final class Impulse {
     tail = (rest + (f * vnl - j * nnl)) / nn;
   }
 
-  /** v + share j n on one axis, rounded once; the share as head and tail. */
+  /** v + share j n on one axis, with the share as head and tail. */
   double change(double v, double share, double shareTail, double n) {
-    return change(j, tail, v, share, shareTail, n);
+    return change(j, tail, exponent, v, share, shareTail, n);
   }
 
-  /** The same for an impulse j n with j as head and tail. */
-  static double change(double j, double tail, double v, double share, double shareTail, double n) {
+  /**
+   * The same for an impulse j n 2^exponent, j as head and tail. It is rounded once if the exponent
+   * is 0.
+   */
+  static double change(
+      double j, double tail, int exponent, double v, double share, double shareTail, double n) {
+    if (exponent == 0) {
+      return change(j, tail, v, share, shareTail, n);
+    }
+    double change = change(j, tail, 0, share, shareTail, n);
+    double after = v + Math.scalb(change, exponent);
+    return Math.abs(after) <= Double.MAX_VALUE
+        ? after
+        : Math.scalb(Math.scalb(v, -exponent) + change, exponent);
+  }
+
+  private static double change(
+      double j, double tail, double v, double share, double shareTail, double n) {
     double s = share * j;
     double sl = productTail(share, j, s) + (share * tail + shareTail * j);
     double p = s * n;

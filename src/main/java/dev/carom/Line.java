@@ -75,7 +75,7 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
    *     zero
    */
   public Vec2 closestPoint(Vec2 p) {
-    double s = fraction(p);
+    double s = fraction(ax, ay, bx, by, p.x(), p.y());
     if (!(s > 0)) {
       return new Vec2(ax, ay);
     }
@@ -91,17 +91,17 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
    * @throws IllegalArgumentException if the foot lies outside the range of doubles
    */
   public Vec2 closestPointInfinite(Vec2 p) {
-    double s = fraction(p);
+    double s = fraction(ax, ay, bx, by, p.x(), p.y());
     return Double.isNaN(s) ? new Vec2(ax, ay) : pointAt(s);
   }
 
   /** s = (p - a).w / w.w with w = b - a, as cosine times lengths; NaN for zero length. */
-  private double fraction(Vec2 p) {
+  static double fraction(double ax, double ay, double bx, double by, double px, double py) {
     double half = Double.isInfinite(bx - ax) || Double.isInfinite(by - ay) ? 0.5 : 1;
     double wx = half * bx - half * ax;
     double wy = half * by - half * ay;
-    double dx = half * p.x() - half * ax;
-    double dy = half * p.y() - half * ay;
+    double dx = half * px - half * ax;
+    double dy = half * py - half * ay;
     double w = Math.max(Math.abs(wx), Math.abs(wy));
     double d = Math.max(Math.abs(dx), Math.abs(dy));
     double ux = wx / w;
@@ -116,7 +116,7 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
   }
 
   /** a + s (b - a), also where b - a overflows. */
-  private static double between(double s, double a, double b) {
+  static double between(double s, double a, double b) {
     double w = b - a;
     return Double.isInfinite(w) ? (1 - s) * a + s * b : Math.fma(s, w, a);
   }

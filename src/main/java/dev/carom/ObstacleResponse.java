@@ -31,14 +31,25 @@ final class ObstacleResponse {
   /** So much sooner patience ends with impacts that have nothing but rounding to take away. */
   private static final int FAINT = 32;
 
-  /** Range of a normal's components within which products with velocities are safe. */
+  /** Range of a normal's size, and of a speed, within which their products are safe. */
   private static final double LEAST = 0x1p-300;
 
   private static final double MOST = 0x1p300;
 
+  /** An offset that is smaller than so much of a coordinate may be mere rounding: 2^10 ulps. */
+  private static final double SMALL = 0x1p-43;
+
+  /** A normal is so many binary places above 1 for slow motion, whose own places may be few. */
+  private static final int SLOW = 60;
+
   private final Obstacles obstacles;
   private int patience;
   private final Impulse impulse = new Impulse();
+
+  /** Where the flight started that ends in the impact in hand. */
+  private double startX;
+
+  private double startY;
 
   // The impact in hand: the contact point and the unnormalized normal.
   private double contactX;
@@ -67,6 +78,8 @@ final class ObstacleResponse {
       sense(m, code, log);
       return false;
     }
+    startX = m.x;
+    startY = m.y;
     m.fly(m.cleared);
     double vn = report(m, code, m.t, log);
     double speed = Math.abs(m.vx) + Math.abs(m.vy);
@@ -86,13 +99,13 @@ final class ObstacleResponse {
 
   /** Writes that a mover meets a sensor; the flight goes on, and is known up to there. */
   private void sense(Mover m, int code, ImpactLog log) {
-    double x = m.x;
-    double y = m.y;
-    m.x = Math.fma(m.vx, m.cleared, x);
-    m.y = Math.fma(m.vy, m.cleared, y);
+    startX = m.x;
+    startY = m.y;
+    m.x = Math.fma(m.vx, m.cleared, m.x);
+    m.y = Math.fma(m.vy, m.cleared, m.y);
     report(m, code, m.after(m.cleared), log);
-    m.x = x;
-    m.y = y;
+    m.x = startX;
+    m.y = startY;
     m.next = Mover.NOTHING;
     m.contact = code;
   }
@@ -160,31 +173,53 @@ final class ObstacleResponse {
     double bx = lines[k + 2];
     double by = lines[k + 3];
     switch (m.contact & ~SegmentSweep.NOW) {
-      case SegmentSweep.LEFT -> locateOnSide(1, m, ax, ay, bx - ax, by - ay);
-      case SegmentSweep.RIGHT -> locateOnSide(-1, m, ax, ay, bx - ax, by - ay);
-      case SegmentSweep.START -> locateOnEnd(m, ax, ay, bx - ax, by - ay);
-      default -> locateOnEnd(m, bx, by, ax - bx, ay - by);
+      case SegmentSweep.LEFT -> locateOnSide(m, ax, ay, bx, by, ay, bx, by, ax);
+      case SegmentSweep.RIGHT -> locateOnSide(m, ax, ay, bx, by, by, ax, ay, bx);
+      case SegmentSweep.START -> locateOnEnd(m, ax, ay, bx, by);
+      default -> locateOnEnd(m, bx, by, ax, ay);
     }
   }
 
   /**
-   * An end of a line, w pointing from it to the other end. A point particle has no offset from it:
-   * its normal is the limit from before, that of the side where it came along that.
+   * An end of a line, the other one being o. A point particle has no offset from it: its normal is
+   * the limit from before, that of the side where it came along that.
    */
-  private void locateOnEnd(Mover m, double x, double y, double wx, double wy) {
+  private void locateOnEnd(Mover m, double x, double y, double ox, double oy) {
     locateAt(m, x, y, 0);
-    if (m.radius == 0 && m.vx * wx + m.vy * wy < 0) {
-      boolean left = wy * m.vx - wx * m.vy > 0;
-      normal(left ? -wy : wy, left ? wx : -wx);
+    if (m.radius == 0 && Predicates.dot(m.vx, m.vy, 0, 0, ox, oy, x, y) < 0) {
+      boolean left = Predicates.cross(m.vx, m.vy, 0, 0, ox, oy, x, y) > 0;
+      if (left) {
+        normal(m, y, ox, oy, x);
+      } else {
+        normal(m, oy, x, y, ox);
+      }
     }
   }
 
-  /** n is the left or right perpendicular of w; the contact is its foot, s = (p - a).w / w.w. */
-  private void locateOnSide(int side, Mover m, double ax, double ay, double wx, double wy) {
-    double s = ((m.x - ax) * wx + (m.y - ay) * wy) / (wx * wx + wy * wy);
-    contactX = Math.fma(s, wx, ax);
-    contactY = Math.fma(s, wy, ay);
-    normal(-side * wy, side * wx);
+  /**
+   * n is p - q, the perpendicular of w = b - a on the centre's side; the contact is its foot, s =
+   * (c - a).w / w.w.
+   */
+  private void locateOnSide(
+      Mover m,
+      double ax,
+      double ay,
+      double bx,
+      double by,
+      double px,
+      double py,
+      double qx,
+      double qy) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double size = Math.max(Math.abs(wx), Math.abs(wy));
+    double s =
+        size > LEAST && size < MOST
+            ? ((m.x - ax) * wx + (m.y - ay) * wy) / (wx * wx + wy * wy)
+            : Line.fraction(ax, ay, bx, by, ImpactLog.within(m.x), ImpactLog.within(m.y));
+    contactX = Line.between(s, ax, bx);
+    contactY = Line.between(s, ay, by);
+    normal(m, px, py, qx, qy);
   }
 
   private void locateOnPeg(Mover m, int k) {
@@ -192,32 +227,64 @@ final class ObstacleResponse {
   }
 
   /**
-   * n is the offset from (cx, cy) to the centre; that of two points is the limit from before, -v.
+   * n is the offset from (cx, cy) to the centre; that of two points is the limit from before, -v;
+   * where the offset is lost in the rounding of the centre, it is the detector's normal.
    */
   private void locateAt(Mover m, double cx, double cy, double radius) {
+    double share = share(radius, m.radius);
+    contactX = Line.between(share, cx, ImpactLog.within(m.x));
+    contactY = Line.between(share, cy, ImpactLog.within(m.y));
     double reach = radius + m.radius;
-    double share = reach == 0 ? 0 : radius / reach;
-    contactX = Math.fma(share, m.x - cx, cx);
-    contactY = Math.fma(share, m.y - cy, cy);
     if (reach == 0) {
-      normal(-m.vx, -m.vy);
+      normal(m, 0, 0, m.vx, m.vy);
+    } else if (reach < SMALL * Math.max(Math.abs(cx), Math.abs(cy))) {
+      Vec2 n =
+          DiskSweep.normal(startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, 0, 0, m.cleared);
+      normal(m, n.x(), n.y(), 0, 0);
     } else {
-      normal(m.x - cx, m.y - cy);
+      normal(m, m.x, m.y, cx, cy);
     }
   }
 
-  /** Keeps a normal, scaled by a power of two where its square would leave the range of doubles. */
-  private void normal(double x, double y) {
+  /** a / (a + b) for two radii; 0 if both are. */
+  static double share(double a, double b) {
+    double sum = a + b;
+    return sum == 0 ? 0 : sum <= Double.MAX_VALUE ? a / sum : a / 2 / (a / 2 + b / 2);
+  }
+
+  /** Keeps the normal p - q. */
+  private void normal(Mover m, double px, double py, double qx, double qy) {
+    double speed = Math.max(Math.abs(m.vx), Math.abs(m.vy));
+    int exponent = exponent(px, py, qx, qy, speed);
+    // + 0 turns -0 into 0.
+    nx = difference(px, qx, exponent) + 0.0;
+    ny = difference(py, qy, exponent) + 0.0;
+  }
+
+  /**
+   * By which power of two a normal p - q is to be divided, so that its products with velocities
+   * stay within the range of doubles: 0 for ordinary sizes.
+   */
+  static int exponent(double px, double py, double qx, double qy, double speed) {
+    double x = px - qx;
+    double y = py - qy;
     double size = Math.max(Math.abs(x), Math.abs(y));
-    if (size > LEAST && size < MOST) {
-      // + 0 turns -0 into 0.
-      nx = x + 0.0;
-      ny = y + 0.0;
-    } else {
-      int exponent = Math.getExponent(size);
-      nx = Math.scalb(x, -exponent) + 0.0;
-      ny = Math.scalb(y, -exponent) + 0.0;
+    return size > LEAST && size < MOST && speed > LEAST && speed < MOST
+        ? 0
+        : Math.getExponent(size) + (speed < 1 ? -SLOW : 3); // n below 1/4: |v.n| < 2 |v| / 4
+  }
+
+  /** (p - q) / 2^exponent; of what is beyond the range of doubles, the largest one. */
+  static double difference(double p, double q, int exponent) {
+    if (exponent == 0) {
+      return p - q;
     }
+    double a = ImpactLog.within(p);
+    double b = ImpactLog.within(q);
+    double d = a - b;
+    return Math.abs(d) <= Double.MAX_VALUE
+        ? Math.scalb(d, -exponent)
+        : Math.scalb(a, -exponent) - Math.scalb(b, -exponent);
   }
 
   /** a.b to within two ulps, whatever cancels (W. Kahan's difference of products). */
@@ -239,7 +306,8 @@ final class ObstacleResponse {
   boolean countStuck(Mover m, double way, double speed, double approach) {
     double size = Math.max(Math.max(Math.abs(m.anchorX), Math.abs(m.anchorY)), m.radius) * PLACE;
     boolean here = Math.abs(m.x - m.anchorX) <= size && Math.abs(m.y - m.anchorY) <= size;
-    int pace = Math.max(m.pace, Math.getExponent(speed));
+    int exponent = Math.min(Math.getExponent(speed), Double.MAX_EXPONENT);
+    int pace = Math.max(m.pace, exponent);
     boolean faint = Math.abs(approach) <= ROUNDING * Math.scalb(1.0, pace);
     boolean slides = faint && (isJammed(m) || m.flown * Math.abs(approach) <= size);
     if (m.standsStill || (here && way <= size) || slides) {
@@ -247,7 +315,7 @@ final class ObstacleResponse {
       m.pace = pace;
     } else {
       m.stuck = 0;
-      m.pace = Math.getExponent(speed);
+      m.pace = exponent;
       m.anchorX = m.x;
       m.anchorY = m.y;
       m.jam = null;

@@ -12,6 +12,9 @@ import static dev.carom.DoubleDouble.sumTail;
  */
 final class PairResponse {
 
+  /** Of speeds below this, the sum of two of each component is a double. */
+  private static final double FAST = 0x1p1020;
+
   private final Roster roster;
   private final ObstacleResponse response;
   private final Impulse impulse = new Impulse();
@@ -64,18 +67,20 @@ final class PairResponse {
    * @return whether new flights begin
    */
   boolean resolve(Mover a, Mover b, ImpactLog log) {
-    double nx = a.x - b.x;
-    double ny = a.y - b.y;
-    double ux = a.vx - b.vx;
-    double uy = a.vy - b.vy;
-    double un = ObstacleResponse.dot(ux, uy, nx, ny);
-    double share = b.radius / (a.radius + b.radius);
+    int fast = exponent(a, b);
+    double ux = ObstacleResponse.difference(a.vx, b.vx, fast);
+    double uy = ObstacleResponse.difference(a.vy, b.vy, fast);
+    int large = ObstacleResponse.exponent(a.x, a.y, b.x, b.y, Math.max(Math.abs(ux), Math.abs(uy)));
+    double nx = ObstacleResponse.difference(a.x, b.x, large);
+    double ny = ObstacleResponse.difference(a.y, b.y, large);
+    double un = Math.scalb(ObstacleResponse.dot(ux, uy, nx, ny), fast);
+    double share = ObstacleResponse.share(b.radius, a.radius);
     log.add(a.t, a.id, ObstacleKind.CIRCLE, b.id, Feature.CIRCLE);
-    log.set(Math.fma(share, nx, b.x), Math.fma(share, ny, b.y), nx, ny, un);
+    log.set(Line.between(share, b.x, a.x), Line.between(share, b.y, a.y), nx, ny, un);
     if (isSensor(a.id, b.id)) {
       return false;
     }
-    double speed = Math.abs(ux) + Math.abs(uy);
+    double speed = Math.scalb(Math.abs(ux) + Math.abs(uy), fast);
     double speeds = Math.abs(a.vx) + Math.abs(a.vy) + Math.abs(b.vx) + Math.abs(b.vy);
     double approach = un / (Math.abs(nx) + Math.abs(ny));
     boolean stuckA = response.countStuck(a, a.flown * speed, speeds, approach);
@@ -90,6 +95,7 @@ final class PairResponse {
         stop(b, nx, ny);
       } else {
         impulse.of(1 + e, ux, uy, nx, ny);
+        impulse.scale(fast);
         push(a, -1, massB, massA, nx, ny);
         push(b, 1, massA, massB, nx, ny);
       }
@@ -104,6 +110,19 @@ final class PairResponse {
     a.newFlight();
     b.newFlight();
     return true;
+  }
+
+  /**
+   * By which power of two velocities are to be divided, lest their difference overflow: as a rule
+   * 0.
+   */
+  private static int exponent(Mover a, Mover b) {
+    boolean ordinary =
+        Math.abs(a.vx) < FAST
+            && Math.abs(a.vy) < FAST
+            && Math.abs(b.vx) < FAST
+            && Math.abs(b.vy) < FAST;
+    return ordinary ? 0 : 2;
   }
 
   /** Takes away a circle's motion along the normal. */

@@ -24,7 +24,10 @@ import java.util.stream.IntStream;
  */
 public final class Resolver {
 
-  /** Impacts in one trace; one that needs more is not {@linkplain Trajectory#complete complete}. */
+  /**
+   * Impacts in one trace, exact arithmetic counted as {@link World} tells; one that needs more is
+   * not {@linkplain Trajectory#complete complete}.
+   */
   public static final int IMPACTS_PER_TRACE = 100_000;
 
   /** That of a world with one circle. */
@@ -200,26 +203,35 @@ public final class Resolver {
   }
 
   /**
-   * Reflects a velocity: {@code v - (1 + e) (v.n) / (n.n) n} if it points against the normal.
+   * Reflects a velocity: {@code v - (1 + e) (v.n) / (n.n) n} if it points against the normal, which
+   * is decided exactly.
    *
    * @param velocity the velocity before
    * @param normal the normal, of any length but zero, pointing away from the obstacle
    * @param restitution finite and at least 0: 1 is elastic, 0 keeps no motion along the normal
    * @return the velocity after; the same one if it does not point against the normal
-   * @throws IllegalArgumentException if the normal is zero, or the restitution NaN, infinite or
-   *     negative
+   * @throws IllegalArgumentException if the normal is zero, the restitution NaN, infinite or
+   *     negative, or the velocity after beyond the range of doubles
    */
   public static Vec2 reflect(Vec2 velocity, Vec2 normal, double restitution) {
     Check.notNegative("restitution", restitution);
     if (normal.x() == 0 && normal.y() == 0) {
       throw Check.refused("normal", normal, "a vector other than zero");
     }
-    double nn = normal.x() * normal.x() + normal.y() * normal.y();
-    double vn = velocity.x() * normal.x() + velocity.y() * normal.y();
-    if (vn >= 0) {
+    if (Predicates.dot(velocity.x(), velocity.y(), 0, 0, normal.x(), normal.y(), 0, 0) >= 0) {
       return velocity;
     }
-    double j = (1 + restitution) * vn / nn;
-    return new Vec2(Math.fma(-j, normal.x(), velocity.x()), Math.fma(-j, normal.y(), velocity.y()));
+    int size = Math.getExponent(Math.max(Math.abs(normal.x()), Math.abs(normal.y())));
+    double nx = Math.scalb(normal.x(), -size);
+    double ny = Math.scalb(normal.y(), -size);
+    Impulse impulse = new Impulse();
+    impulse.of(1 + restitution, velocity.x(), velocity.y(), nx, ny);
+    double vx = impulse.change(velocity.x(), -1, 0, nx);
+    double vy = impulse.change(velocity.y(), -1, 0, ny);
+    if (!(Math.abs(vx) <= Double.MAX_VALUE && Math.abs(vy) <= Double.MAX_VALUE)) {
+      throw Check.refused(
+          "restitution", restitution, "one with which " + velocity + " stays finite");
+    }
+    return new Vec2(vx, vy);
   }
 }

@@ -7,7 +7,7 @@ import java.util.stream.Stream;
 
 /**
  * The way of one circle among obstacles: straight from impact to impact. Times count from its
- * start. Immutable.
+ * start. A coordinate beyond the range of doubles is given as the largest one. Immutable.
  */
 public final class Trajectory {
 
