@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.stability;
+
+import static dev.carom.stability.Play.among;
+import static dev.carom.stability.Play.world;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.carom.Circle;
+import dev.carom.Line;
+import dev.carom.SceneBuilder;
+import dev.carom.Vec2;
+import dev.carom.World;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * A corridor as wide as the circle, an ulp more, an ulp less. More of it: EndsTest.
+ *
+ * <pre>
+ *   =================
+ *       ( o )  ->
+ *   =================
+ * </pre>
+ */
+class CorridorTest {
+
+  private static final double WIDTH = 4;
+
+  private static World corridor(double width, double vy) {
+    return world(
+        among(new Line(-100, 0, 100, 0), new Line(-100, width, 100, width)).circle(0, 2, 2, 1, vy));
+  }
+
+  /** Ends of the corridor's lines are not hit on the way along it, nor are its sides. */
+  @ParameterizedTest
+  @ValueSource(ints = {-1, 0, 1})
+  void alongItNothingIsHit(int ulps) {
+    World world = corridor(WIDTH + ulps * Math.ulp(WIDTH), 0);
+    assertThat(Play.advance(world, 50)).isEmpty();
+    Play.assertState(world, 0, 50, 2, 1, 0);
+  }
+
+  /** It has no room to move across: it slides, when its patience is over, without energy gained. */
+  @Test
+  void exactlyAsWideItIsSlidThrough() {
+    Naive naive =
+        new Naive(
+            new Circle(0, 2, 2),
+            new Vec2(1, 0.5),
+            new Line(-100, 0, 100, 0),
+            new Line(-100, WIDTH, 100, WIDTH));
+    naive.impactsPerFrame(50, 100_000);
+    assertThat(Math.abs(naive.y - 2)).as("the naive circle leaves through a side").isGreaterThan(2);
+
+    World world = corridor(WIDTH, 0.5);
+    List<Play.Hit> hits = Play.advance(world, 50);
+    assertThat(hits).allMatch(hit -> hit.time() == 0).hasSizeBetween(1_010, 2_030);
+    Play.assertState(world, 0, 50, 2, 1, 0);
+  }
+
+  /** Overlapping both from the start, it can only leave: towards neither, so along. */
+  @Test
+  void oneUlpNarrowerItIsSlidThrough() {
+    World world = corridor(Math.nextDown(WIDTH), 0.5);
+    List<Play.Hit> hits = Play.advance(world, 50);
+    assertThat(hits).hasSizeBetween(1_010, 3_000);
+    assertThat(world.x(0)).isCloseTo(50, within(1e-12));
+    assertThat(world.y(0)).isCloseTo(2, within(1e-15));
+    assertThat(world.vy(0)).isCloseTo(0, within(1e-15));
+  }
+
+  /**
+   * An ulp wider, each crossing takes 2e-15: 5e16 impacts, a budget at a time, none dropped.
+   * Circles at rest keep the budget of each small.
+   */
+  @Test
+  @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+  void oneUlpWiderEachCallGoesOn() {
+    double width = Math.nextUp(WIDTH);
+    SceneBuilder builder =
+        among(new Line(-100, 0, 100, 0), new Line(-100, width, 100, width)).circle(0, 2, 2, 1, 0.5);
+    for (int i = 1; i < 400; i++) {
+      builder.circle(500, 500, 1, 0, 0);
+    }
+    World world = world(builder);
+    double now = 0;
+    for (int call = 0; call < 3; call++) {
+      assertThat(world.advanceTo(50)).isFalse();
+      assertThat(world.now()).isGreaterThan(now);
+      now = world.now();
+      assertThat(world.impacts().size()).isGreaterThan(100);
+      assertThat(world.x(0)).isCloseTo(now, within(1e-12));
+      assertThat(world.y(0)).isCloseTo(2, within(2 * Math.ulp(WIDTH)));
+      assertThat(Math.abs(world.vy(0))).isEqualTo(0.5);
+    }
+  }
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.stability;
+
+import static dev.carom.stability.Play.advance;
+import static dev.carom.stability.Play.among;
+import static dev.carom.stability.Play.world;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.carom.Circle;
+import dev.carom.Line;
+import dev.carom.Scene;
+import dev.carom.SweptSphere;
+import dev.carom.Vec2;
+import dev.carom.World;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The same bounces in every unit: speeds of 1e-300 and 1e150, huge and tiny coordinates. */
+class MagnitudeTest {
+
+  /** A slope of 45 degrees turns what comes straight down into the horizontal. */
+  @ParameterizedTest
+  @CsvSource({
+    "1, 1",
+    "1, 1e-300",
+    "1, 1e150",
+    "1, 1e300",
+    "1e150, 1e150",
+    "1e150, 1e-300",
+    "1e-30, 1e-300",
+    "1e-150, 1e-150",
+    "1e-150, 1e150",
+    "1e-290, 1",
+    "1e300, 1e300",
+    "1e-30, 5e-324"
+  })
+  void aSlopeTurnsACircleAside(double size, double speed) {
+    Line slope = new Line(-10 * size, -10 * size, 10 * size, 10 * size);
+    Circle circle = new Circle(0, 5 * size, size);
+    boolean textbookLeavesTheRange = size * size == 0 || size * size > 1e308;
+    if (textbookLeavesTheRange) {
+      double t = Naive.pointTime(0, 5 * size, size, new Vec2(0, -speed));
+      assertThat(t).as("the textbook finds nothing").isEqualTo(Naive.NEVER);
+    }
+
+    World world = world(among(slope).circle(circle.x(), circle.y(), size, 0, -speed));
+    double t = (5 - Math.sqrt(2)) * size / speed;
+    List<Play.Hit> hits = advance(world, Math.min(2 * t, Double.MAX_VALUE));
+    if (t > Double.MAX_VALUE) {
+      assertThat(hits).as("beyond the last finite time").isEmpty();
+      return;
+    }
+    assertThat(hits).hasSize(1);
+    assertThat(hits.get(0).time()).isCloseTo(t, within(1e-15 * t));
+    assertThat(hits.get(0).speed())
+        .isCloseTo(speed * Math.sqrt(0.5), within(1e-15 * speed + 1e-323));
+    assertThat(world.vx(0)).isCloseTo(-speed, within(1e-15 * speed + 1e-323));
+    assertThat(world.vy(0)).isCloseTo(0, within(1e-15 * speed + 1e-323));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1, 1e-300", "1, 1e150", "1e150, 1e150", "1e-150, 1e-150", "1e-290, 1", "1e300, 1e7"})
+  void aPegSendsBack(double size, double speed) {
+    World world = world(Scene.builder().peg(0, 0, size).circle(5 * size, 0, size, -speed, 0));
+    List<Play.Hit> hits = advance(world, 6 * (size / speed));
+    assertThat(hits).hasSize(1);
+    assertThat(hits.get(0).time()).isCloseTo(3 * (size / speed), within(1e-15 * (size / speed)));
+    assertThat(world.vx(0)).isEqualTo(speed);
+  }
+
+  /** Textbook impulses divide by d.d, which is 0 or infinite for half of these. */
+  @ParameterizedTest
+  @CsvSource({"1, 1e-300", "1, 1e150", "1e200, 1e200", "1e-200, 1e-200", "1e-290, 1", "1e300, 1e7"})
+  void aPairSwapsItsVelocities(double size, double speed) {
+    World world =
+        world(
+            Scene.builder()
+                .collide(true)
+                .circle(0, 0, size, speed, 0)
+                .circle(5 * size, 0, size, 0, 0));
+    assertThat(advance(world, 4 * (size / speed))).hasSize(1);
+    assertThat(world.vx(0)).isCloseTo(0, within(1e-31 * speed));
+    assertThat(world.vx(1)).isEqualTo(speed);
+  }
+
+  /** A circle beyond the range of doubles has infinite coordinates, and hits nothing. */
+  @Test
+  void beyondTheRangeOfDoublesPlacesAreInfinite() {
+    assertThat(0 * (0 + 1e300 * 1e300)).as("what a naive product leaves").isNaN();
+
+    World world = world(Scene.builder().line(5, -1, 5, 1).circle(0, 9, 2, 1e300, 0));
+    assertThat(advance(world, 1e10)).isEmpty();
+    assertThat(world.x(0)).isInfinite();
+    assertThat(world.y(0)).isEqualTo(9);
+    assertThat(advance(world, 2e10)).isEmpty();
+    assertThat(world.x(0)).isInfinite();
+    world.setPosition(0, 0, 0);
+    world.setVelocity(0, 1, 0);
+    assertThat(world.step(1)).isTrue();
+    assertThat(world.x(0)).as("called back").isEqualTo(1);
+  }
+
+  /** The difference of two speeds is beyond the range of doubles, the velocities after are not. */
+  @Test
+  void theFastestPairSwapsItsVelocities() {
+    double most = Double.MAX_VALUE;
+    assertThat(most - -most).as("the naive relative speed").isInfinite();
+
+    World world =
+        world(Scene.builder().collide(true).circle(0, 0, 1, most, 0).circle(4, 0, 1, -most, 0));
+    List<Play.Hit> hits = advance(world, 1e-307);
+    assertThat(hits).hasSize(1);
+    assertThat(hits.get(0).speed()).as("as documented").isInfinite();
+    assertThat(world.vx(0)).isEqualTo(-most);
+    assertThat(world.vx(1)).isEqualTo(most);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-300, 1, 1e150, 1e300, 8e307})
+  void spheresSwapTheirVelocities(double speed) {
+    double[] v = {speed, 0, 0, -speed, 0, 0};
+    SweptSphere.respond(-1e300, 0, 0, 1, 1e300, 0, 0, 1, 1, v);
+    assertThat(v).containsExactly(-speed, 0, 0, speed, 0, 0);
+  }
+
+  @Test
+  void aReboundFasterThanDoublesCanTellStops() {
+    World world = world(among(new Line(0, -9, 0, 9)).restitution(1e10).circle(5, 0, 1, -1e300, 0));
+    assertThat(advance(world, 1)).hasSize(1);
+    assertThat(world.x(0)).isCloseTo(1, within(1e-15));
+    assertThat(Play.speed(world, 0)).isZero();
+  }
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.stability;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import dev.carom.ObstacleKind;
+import dev.carom.Response;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.Snapshot;
+import dev.carom.World;
+import java.io.StringReader;
+import java.util.List;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.junit.jupiter.api.Test;
+
+/**
+ * What is refused leaves all as it was: builder, world, file. More of it: RefusedEditTest,
+ * SceneBuilderTest, SceneFormatExceptionTest, SnapshotStreamTest.
+ */
+class NothingHalfDoneTest {
+
+  private static final double NAN = Double.NaN;
+
+  private static SceneBuilder scene() {
+    return Scene.builder().bounds(0, 0, 9, 9).line(2, 2, 7, 3).peg(5, 6, 1).circle(1, 1, 0.5, 3, 2);
+  }
+
+  /** A naive edit sets x before it looks at y. */
+  @Test
+  void aWorldGoesOnAfterEveryExceptionAsIfNothingHadBeen() {
+    double[] place = {1, 2};
+    place[0] = 8;
+    assertThat(place[1]).as("a naive edit, refused at y, has moved x").isEqualTo(2);
+
+    World world = new World(scene().build());
+    World undisturbed = new World(scene().build());
+    Snapshot other = new World(Scene.builder().bounds(0, 0, 8, 8).build()).snapshot();
+    List<ThrowingCallable> refused =
+        List.of(
+            () -> world.step(NAN),
+            () -> world.advanceTo(-1),
+            () -> world.setPosition(0, 8, NAN),
+            () -> world.setVelocity(0, 8, NAN),
+            () -> world.setRadius(0, 0),
+            () -> world.setMass(0, 0),
+            () -> world.setRestitution(ObstacleKind.LINE, 0, -1),
+            () -> world.setResponse(ObstacleKind.WALL, 0, Response.SENSOR),
+            () -> world.moveLine(0, 1, 1, 2, NAN),
+            () -> world.movePeg(0, 1, 1, -1),
+            () -> world.addLine(1, 1, 2, 1e300),
+            () -> world.addPeg(1, NAN, 1),
+            () -> world.addCircle(1, 1, 1e-20, 1, 1),
+            () -> world.remove(ObstacleKind.WALL, 0),
+            () -> world.remove(ObstacleKind.LINE, 7),
+            () -> world.record(0),
+            () -> world.restore(other),
+            () -> world.x(7));
+    for (ThrowingCallable call : refused) {
+      assertThatThrownBy(call)
+          .isInstanceOf(RuntimeException.class)
+          .hasMessageContaining("expected");
+      assertThat(world.snapshot()).isEqualTo(undisturbed.snapshot());
+      assertThat(world.step(0.7)).isTrue();
+      assertThat(undisturbed.step(0.7)).isTrue();
+      assertThat(Play.hits(world)).isEqualTo(Play.hits(undisturbed));
+      assertThat(Play.states(world)).isEqualTo(Play.states(undisturbed));
+    }
+  }
+
+  @Test
+  void aFileWithABadRowGivesNoScene() {
+    String text = "wall,0,0,9,9\ncircle,1,1,0.5,3\n";
+    assertThatThrownBy(() -> Scene.read(new StringReader(text), "bad.csv"))
+        .hasMessageContaining("bad.csv:2");
+  }
+
+  @Test
+  void aBuilderGoesOnAfterARefusal() {
+    SceneBuilder builder = scene();
+    assertThatThrownBy(() -> builder.circle(1, 1, -1, 0, 0)).hasMessageContaining("radius is -1");
+    assertThatThrownBy(() -> builder.restitution(NAN)).hasMessageContaining("restitution is NaN");
+    assertThat(builder.build()).isEqualTo(scene().build());
+  }
+}
