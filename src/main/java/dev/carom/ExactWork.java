@@ -9,7 +9,7 @@ package dev.carom;
 final class ExactWork {
 
   /** Bits of exact numbers that are made in about the time of one ordinary impact. */
-  static final int BITS_PER_IMPACT = 512;
+  static final int BITS_PER_IMPACT = 8192;
 
   private static final ThreadLocal<ExactWork> OF_THREAD = ThreadLocal.withInitial(ExactWork::new);
 

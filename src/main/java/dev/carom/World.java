@@ -47,7 +47,7 @@ import java.util.Optional;
  * <p>Independently there is a budget of work for one call of {@link #step} or {@link #advanceTo}.
  * If circles ignore each other, each may make 4,000,000 / circles impacts, at least 10,000; if they
  * collide, all together may take 200,000 + 1,000 x circles events (impacts, and circles that leave
- * a cell). Exact arithmetic counts too, as one impact for each 512 bits of the numbers it makes (a
+ * a cell). Exact arithmetic counts too, one impact for each 8,192 bits of the numbers it makes (a
  * root or a quotient of n bits as n^2 / 64), so that near-ties take no longer. If that is not
  * enough, the call returns false, unfinished, with the whole world at an earlier time, nothing
  * dropped; the next call goes on.

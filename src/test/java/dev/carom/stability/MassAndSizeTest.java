@@ -34,7 +34,7 @@ class MassAndSizeTest {
   @ValueSource(doubles = {0x1p500, Double.POSITIVE_INFINITY})
   void aWallOfMassSendsBack(double mass) {
     double m = 0x1p-500;
-    double naive = (m * 1 - mass * 1) / (m + mass);
+    double naive = (m - mass) / (m + mass);
     assertThat(naive == -1 && mass > 1e300).as("infinity over infinity is no velocity").isFalse();
 
     World world =
