@@ -9,9 +9,9 @@ final class Bounded {
 
   private Bounded() {}
 
-  static void atLeast(int least, String option, int value, CommandSpec spec) {
+  static void atLeast(long least, String option, long value, CommandSpec spec) {
     if (value < least) {
-      throw refused(option, Integer.toString(value), "at least " + least, spec);
+      throw refused(option, Long.toString(value), "at least " + least, spec);
     }
   }
 

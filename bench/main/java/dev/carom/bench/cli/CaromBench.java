@@ -29,6 +29,8 @@ import picocli.CommandLine.ParameterException;
       ViewCommand.class,
       ExampleCommand.class,
       ThreadsCommand.class,
+      HashCommand.class,
+      SoakCommand.class,
       JmhCommand.class
     })
 public final class CaromBench {

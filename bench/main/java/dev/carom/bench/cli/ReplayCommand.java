@@ -5,6 +5,7 @@ import dev.carom.RungCounts;
 import dev.carom.Scene;
 import dev.carom.bench.charts.Pictures;
 import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.hash.RunHash;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.replay.ReplayJson;
 import dev.carom.bench.replay.ReplayPlan;
@@ -20,6 +21,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** Replays the published experiment with this library and with the published algorithm. */
@@ -70,10 +72,19 @@ final class ReplayCommand implements Callable<Integer> {
       description = "Write pictures of the scene and a chart of the frame times.")
   private Path pictures;
 
+  @Option(
+      names = "--demand",
+      paramLabel = "HASH",
+      description =
+          "Fail if Carom's run of the scene has another hash, 'hash --frames' tells which; before"
+              + " anything is measured.")
+  private String demanded;
+
   @Override
   public Integer call() throws IOException, CannotPlaceException, RunnerException {
     RungCounts.enable();
     ReplayPlan plan = plan();
+    checkHash(plan.scene());
     prepareFolders();
     ReplayResult result = measure(plan);
     spec.commandLine().getOut().print(ReplayTable.render(result));
@@ -86,6 +97,23 @@ final class ReplayCommand implements Callable<Integer> {
           result.plan().scene(), frames, result.typicalReplay(), Budget.MILLIS, pictures);
     }
     return 0;
+  }
+
+  private void checkHash(Scene measured) {
+    if (demanded == null) {
+      return;
+    }
+    if (!demanded.matches("\\p{XDigit}{64}")) {
+      throw new ParameterException(
+          spec.commandLine(), "--demand is " + demanded + ": expected 64 hexadecimal digits");
+    }
+    String found = RunHash.of(measured, frames).hex();
+    if (!found.equalsIgnoreCase(demanded)) {
+      throw new IllegalStateException(
+          "the hash of Carom's run is " + found + ": expected " + demanded + ", as demanded");
+    }
+    spec.commandLine().getOut().println("The run has the hash that was demanded, " + found + ".");
+    spec.commandLine().getOut().println();
   }
 
   /** Before the long work, not after it: a folder that cannot be made. */

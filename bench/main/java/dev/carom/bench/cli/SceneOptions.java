@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import picocli.CommandLine;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -81,13 +80,21 @@ final class SceneOptions {
     if (file == null) {
       return generator().scene();
     }
-    CommandLine.ParseResult parsed = spec.commandLine().getParseResult();
     for (String option : GENERATOR) {
-      if (parsed.hasMatchedOption(option)) {
+      if (isGiven(option)) {
         throw usage("--scene and " + option + " exclude each other");
       }
     }
     return Scene.read(file);
+  }
+
+  /** Whether some option names a scene; without one it is the canonical scene. */
+  boolean isGiven() {
+    return file != null || GENERATOR.stream().anyMatch(this::isGiven);
+  }
+
+  private boolean isGiven(String option) {
+    return spec.commandLine().getParseResult().hasMatchedOption(option);
   }
 
   /** Scenes of the same kind with other seeds; beside a file, canonical ones. */

@@ -25,7 +25,8 @@ class CaromBenchTest {
         "jmh ",
         "view ",
         "example ",
-        "threads "
+        "threads ",
+        "hash "
       })
   void everyCommandExplainsItself(String command) {
     Cli help = Cli.run((Object[]) (command + "--help").split(" "));

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.hash.GoldenRun;
+import dev.carom.bench.hash.RunHash;
+import dev.carom.bench.hash.StoredHashes;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Tells the hash of runs, and whether they are those of every other machine. */
+@Command(
+    name = "hash",
+    description = {
+      "Plays three long runs (lines; pairs; all mixed) and compares the SHA-256 over the bits of"
+          + " all their impacts, and of places and velocities at the end, with the stored ones:"
+          + " they are the same on every virtual machine.",
+      "With --frames it tells the hash of a scene of your own, which 'replay --demand' takes."
+    },
+    mixinStandardHelpOptions = true,
+    sortOptions = false)
+final class HashCommand implements Callable<Integer> {
+
+  @Spec private CommandSpec spec;
+
+  @Mixin private SceneOptions scene;
+
+  @Option(
+      names = "--frames",
+      paramLabel = "N",
+      description = "Hash so many frames of one scene, instead of the stored runs.")
+  private Integer frames;
+
+  @Option(names = "--long", description = "Play the stored runs 20 times as long, too.")
+  private boolean longToo;
+
+  @Override
+  public Integer call() throws IOException, CannotPlaceException {
+    PrintWriter out = spec.commandLine().getOut();
+    if (frames != null) {
+      Bounded.atLeast(0, "--frames", frames, spec);
+      out.println(RunHash.of(scene.scene(), frames).hex());
+      out.flush();
+      return 0;
+    }
+    if (scene.isGiven()) {
+      throw new ParameterException(
+          spec.commandLine(), "--frames is missing: expected how many frames of that scene");
+    }
+    playGoldenRuns(out);
+    return 0;
+  }
+
+  /** Prints all of them, also those after one that differs. */
+  private void playGoldenRuns(PrintWriter out) throws IOException, CannotPlaceException {
+    StoredHashes stored = StoredHashes.read();
+    List<String> differing = new ArrayList<>();
+    for (boolean longer : longToo ? new boolean[] {false, true} : new boolean[] {false}) {
+      for (GoldenRun run : GoldenRun.values()) {
+        RunHash hash = run.play(longer);
+        String label = run.label(longer);
+        boolean same = hash.hex().equals(stored.of(label));
+        out.printf(
+            Locale.ROOT,
+            "%-10s %s  %,9d impacts in %,7d frames, %s%n",
+            label,
+            hash.hex(),
+            hash.impacts(),
+            run.frames(longer),
+            same ? "as stored" : "NOT AS STORED");
+        out.flush();
+        if (!same) {
+          differing.add(label + ": expected " + stored.of(label));
+        }
+      }
+    }
+    if (!differing.isEmpty()) {
+      throw new IllegalStateException(
+          String.join("; ", differing)
+              + ". Either the order of the arithmetic or a scene has changed, or this virtual"
+              + " machine computes in another way");
+    }
+  }
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import dev.carom.Scene;
+import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.experiment.Crosses;
+import dev.carom.bench.experiment.Gas;
+import dev.carom.bench.soak.Soak;
+import dev.carom.bench.soak.SoakResult;
+import java.io.PrintWriter;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Lets a world run for very many impacts. */
+@Command(
+    name = "soak",
+    description = {
+      "Runs a world for very many impacts and tells whether anything gets through, leaks, drifts"
+          + " or slows down: escapes, crossings, energy, heap in use, and time per impact at the"
+          + " start and at the end.",
+      "Every flight from impact to impact is checked against every line. Fails if a circle escapes"
+          + " or crosses, or the energy changes by more than 1e-11 of itself."
+    },
+    mixinStandardHelpOptions = true,
+    sortOptions = false)
+final class SoakCommand implements Callable<Integer> {
+
+  private static final double PACKING = 0.2;
+
+  @Spec private CommandSpec spec;
+
+  @Option(
+      names = "--impacts",
+      paramLabel = "N",
+      defaultValue = "10000000",
+      description = "How many impacts, at least 100,000 (default: ${DEFAULT-VALUE}).")
+  private long impacts;
+
+  @Option(
+      names = "--gas",
+      description = "A gas of circles that collide, instead of the canonical scene.")
+  private boolean gas;
+
+  @Option(
+      names = "--circles",
+      paramLabel = "N",
+      description = "How many circles (default: 100; of the gas 1,000).")
+  private Integer circles;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      defaultValue = "1",
+      description = "Which of the random scenes (default: ${DEFAULT-VALUE}).")
+  private long seed;
+
+  @Override
+  public Integer call() throws CannotPlaceException {
+    Bounded.atLeast(100_000, "--impacts", impacts, spec);
+    Scene scene = scene();
+    PrintWriter out = spec.commandLine().getOut();
+    out.printf(
+        "soak       %s--circles %d --seed %d%n", gas ? "--gas " : "", scene.circleCount(), seed);
+    out.flush();
+    SoakResult result = run(scene);
+    out.print(result.render());
+    out.flush();
+    if (!result.holds()) {
+      throw new IllegalStateException("the run does not hold what it must: see above");
+    }
+    return 0;
+  }
+
+  private SoakResult run(Scene scene) {
+    try (Progress progress = Progress.start("soak", Soak.ROUNDS)) {
+      Remaining remaining = new Remaining(progress, spec.commandLine().getErr());
+      return Soak.run(
+          scene, impacts, round -> remaining.tell("a round", round, Soak.ROUNDS, false));
+    }
+  }
+
+  private Scene scene() throws CannotPlaceException {
+    try {
+      return gas
+          ? new Gas(circles == null ? 1_000 : circles, PACKING, 1, false, seed).scene()
+          : new Crosses(circles == null ? 100 : circles, 50, 10, 1, 10, seed).scene();
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+    }
+  }
+}
