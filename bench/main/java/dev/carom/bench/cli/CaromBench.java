@@ -31,6 +31,7 @@ import picocli.CommandLine.ParameterException;
       ThreadsCommand.class,
       HashCommand.class,
       SoakCommand.class,
+      FuzzCommand.class,
       JmhCommand.class
     })
 public final class CaromBench {

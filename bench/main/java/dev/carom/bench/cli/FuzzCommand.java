@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import dev.carom.bench.fuzz.FindingException;
+import dev.carom.bench.fuzz.QueryFuzz;
+import dev.carom.bench.fuzz.WorldFuzz;
+import java.io.PrintWriter;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** Looks for what must not be, in random worlds and queries. */
+@Command(
+    name = "fuzz",
+    description = {
+      "Plays random worlds (neighbours by ulps, ties, lattices, extremes) with random edits, and"
+          + " checks after every step: flights continuous, through no line, no peg, no wall and no"
+          + " circle, by exact arithmetic of its own; energy as the responses allow; the log in the"
+          + " order of time. With --queries it asks the detector with numbers of all patterns"
+          + " instead.",
+      "The first finding ends the run, with the seed and the scene that show it again."
+    },
+    mixinStandardHelpOptions = true,
+    sortOptions = false)
+final class FuzzCommand implements Callable<Integer> {
+
+  /** Queries between two looks at the progress. */
+  private static final int PARTS = 20;
+
+  @Spec private CommandSpec spec;
+
+  @Option(
+      names = "--seconds",
+      paramLabel = "N",
+      defaultValue = "60",
+      description = "How long to play worlds (default: ${DEFAULT-VALUE}).")
+  private int seconds;
+
+  @Option(
+      names = "--sessions",
+      paramLabel = "N",
+      description = "Play so many worlds instead, each with its own seed from --seed on.")
+  private Integer sessions;
+
+  @Option(names = "--queries", paramLabel = "N", description = "Ask so many queries instead.")
+  private Long queries;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "S",
+      defaultValue = "1",
+      description = "Of the first world, or of all queries (default: ${DEFAULT-VALUE}).")
+  private long seed;
+
+  @Override
+  public Integer call() {
+    Bounded.atLeast(1, "--seconds", seconds, spec);
+    if (sessions != null) {
+      Bounded.atLeast(1, "--sessions", sessions, spec);
+    }
+    if (queries != null) {
+      Bounded.atLeast(1, "--queries", queries, spec);
+    }
+    try {
+      print(queries != null ? ask() : play());
+    } catch (FindingException e) {
+      throw new IllegalStateException(e.getMessage(), e);
+    }
+    return 0;
+  }
+
+  private void print(String line) {
+    PrintWriter out = spec.commandLine().getOut();
+    out.println(line);
+    out.flush();
+  }
+
+  private String ask() throws FindingException {
+    QueryFuzz fuzz = new QueryFuzz(seed);
+    try (Progress progress = Progress.start("fuzz", PARTS)) {
+      for (int part = 1; part <= PARTS; part++) {
+        fuzz.ask(queries * part / PARTS - fuzz.queries());
+        progress.step();
+      }
+    }
+    return String.format(
+        Locale.ROOT,
+        "no finding in %,d queries: %,d hits, %,d refused as they must be",
+        fuzz.queries(),
+        fuzz.hits(),
+        fuzz.refused());
+  }
+
+  private String play() throws FindingException {
+    WorldFuzz fuzz = new WorldFuzz();
+    long start = System.nanoTime();
+    long end = start + TimeUnit.SECONDS.toNanos(seconds);
+    long shown = 0;
+    try (Progress progress = Progress.start("fuzz", sessions != null ? sessions : seconds)) {
+      while (sessions != null ? fuzz.sessions() < sessions : System.nanoTime() < end) {
+        fuzz.play(seed + fuzz.sessions());
+        long done =
+            sessions != null
+                ? fuzz.sessions()
+                : TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - start);
+        for (; shown < done; shown++) {
+          progress.step();
+        }
+      }
+    }
+    return String.format(
+        Locale.ROOT,
+        "no finding in %,d worlds: %,d steps, %,d impacts, %,d flights (%,d circles jammed)",
+        fuzz.sessions(),
+        fuzz.steps(),
+        fuzz.impacts(),
+        fuzz.flights(),
+        fuzz.jams());
+  }
+}

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.fuzz;
+
+import dev.carom.ObstacleKind;
+import dev.carom.Response;
+import dev.carom.Snapshot;
+import dev.carom.World;
+import java.util.Random;
+
+/** Random edits; one that is refused must leave the world as it was. */
+final class Edits {
+
+  private static final int MOST_CIRCLES = 10;
+
+  private final Random random;
+  private final Numbers numbers;
+  private final SessionScene draws;
+  private final Rules rules;
+  private final World world;
+
+  Edits(Random random, Numbers numbers, SessionScene draws, Rules rules, World world) {
+    this.random = random;
+    this.numbers = numbers;
+    this.draws = draws;
+    this.rules = rules;
+    this.world = world;
+  }
+
+  void edit() throws FindingException {
+    Snapshot before = world.snapshot();
+    try {
+      make(random.nextInt(14));
+    } catch (IllegalArgumentException e) {
+      if (!world.snapshot().equals(before)) {
+        throw new FindingException("an edit that was refused changed the world: " + e, e);
+      }
+    }
+  }
+
+  private void make(int what) {
+    switch (what) {
+      case 0, 1 -> world.setVelocity(circle(), numbers.speed(), numbers.speed());
+      case 2, 3 -> world.setPosition(circle(), numbers.x(), numbers.y());
+      case 4 -> world.setRadius(circle(), numbers.radius());
+      case 5 -> setMass();
+      case 6 -> addCircle();
+      case 7 -> world.addLine(numbers.x(), numbers.y(), numbers.x(), numbers.y());
+      case 8 -> world.addPeg(numbers.x(), numbers.y(), numbers.pegRadius());
+      case 9, 10 -> moveObstacle();
+      case 11 -> remove();
+      case 12 -> setRestitution();
+      default -> setTraits();
+    }
+  }
+
+  /** The id of a circle, of those that are there; there is always one. */
+  private int circle() {
+    return some(ObstacleKind.CIRCLE);
+  }
+
+  private int some(ObstacleKind kind) {
+    int end = world.idEnd(kind);
+    int first = end == 0 ? 0 : random.nextInt(end);
+    for (int i = 0; i < end; i++) {
+      int id = (first + i) % end;
+      if (world.contains(kind, id)) {
+        return id;
+      }
+    }
+    return -1;
+  }
+
+  private void setMass() {
+    double mass = numbers.mass();
+    rules.setMass(mass);
+    world.setMass(circle(), mass);
+  }
+
+  private void addCircle() {
+    if (world.circleCount() < MOST_CIRCLES) {
+      world.addCircle(numbers.x(), numbers.y(), numbers.radius(), numbers.speed(), numbers.speed());
+    }
+  }
+
+  private void moveObstacle() {
+    boolean line = random.nextBoolean();
+    int id = some(line ? ObstacleKind.LINE : ObstacleKind.PEG);
+    if (id >= 0 && line) {
+      world.moveLine(id, numbers.x(), numbers.y(), numbers.x(), numbers.y());
+    } else if (id >= 0) {
+      world.movePeg(id, numbers.x(), numbers.y(), numbers.pegRadius());
+    }
+  }
+
+  private void remove() {
+    ObstacleKind kind = ObstacleKind.values()[1 + random.nextInt(3)];
+    int id = some(kind);
+    if (id >= 0 && (kind != ObstacleKind.CIRCLE || world.circleCount() > 1)) {
+      world.remove(kind, id);
+    }
+  }
+
+  private void setRestitution() {
+    ObstacleKind kind = ObstacleKind.values()[random.nextInt(4)];
+    int id = some(kind);
+    if (id >= 0) {
+      world.setRestitution(kind, id, draws.restitution());
+    }
+  }
+
+  private void setTraits() {
+    ObstacleKind kind = ObstacleKind.values()[random.nextInt(4)];
+    int id = some(kind);
+    if (id >= 0) {
+      Response response = draws.response(kind);
+      world.setResponse(kind, id, response);
+      rules.setResponse(kind, id, response);
+    }
+    if (id >= 0 && kind == ObstacleKind.LINE && draws.hasTraits()) {
+      boolean oneWay = random.nextInt(3) == 0;
+      world.setOneWay(id, oneWay);
+      rules.setOneWay(id, oneWay);
+    }
+  }
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.fuzz;
+
+import java.util.Random;
+
+/**
+ * Numbers for worlds in a box of 100 x 80 units, of one kind for a session: any, whole ones on a
+ * lattice (ties, joints, corridors of just one diameter), or neighbours of those by some ulps. The
+ * units of length and of speed may be any powers of two.
+ */
+final class Numbers {
+
+  static final double WIDTH = 100;
+  static final double HEIGHT = 80;
+
+  private static final int PITCH = 5;
+  private static final int LARGEST_EXPONENT = 150;
+
+  private final Random random;
+  private final boolean lattice;
+  private final boolean neighbours;
+  private final double length;
+  private final double speed;
+
+  Numbers(Random random) {
+    this.random = random;
+    lattice = random.nextInt(3) > 0;
+    neighbours = random.nextBoolean();
+    boolean extreme = random.nextInt(4) == 0;
+    length = extreme ? power() : 1;
+    speed = extreme ? power() : 1;
+  }
+
+  private double power() {
+    return Math.scalb(1.0, random.nextInt(2 * LARGEST_EXPONENT + 1) - LARGEST_EXPONENT);
+  }
+
+  /** The unit of length. */
+  double length() {
+    return length;
+  }
+
+  /** The unit of speed. */
+  double speedUnit() {
+    return speed;
+  }
+
+  double x() {
+    return place((int) WIDTH);
+  }
+
+  double y() {
+    return place((int) HEIGHT);
+  }
+
+  private double place(int most) {
+    return length * (isWhole() ? near(PITCH * random.nextInt(most / PITCH + 1)) : most * part());
+  }
+
+  /** Often a half or a whole of the lattice's pitch. */
+  double radius() {
+    return length * (isWhole() ? near((1 + random.nextInt(4)) * PITCH / 2.0) : 0.1 + 8 * part());
+  }
+
+  /** Of a peg: 0 too. */
+  double pegRadius() {
+    return random.nextInt(4) == 0 ? 0 : radius();
+  }
+
+  /** Along the axes and the diagonals as a rule; sometimes very slow or very fast. */
+  double speed() {
+    double v = isWhole() ? near(random.nextInt(7) - 3.0) : 3 * random.nextGaussian();
+    int rare = random.nextInt(20);
+    return speed * v * (rare == 0 ? 1e-9 : rare == 1 ? 1e3 : 1);
+  }
+
+  /** Of a step: often 0, as a rule some frames. */
+  double duration() {
+    double unit = length / speed;
+    return switch (random.nextInt(8)) {
+      case 0 -> 0;
+      case 1 -> unit * 60 * part();
+      case 2 -> unit * (1 + random.nextInt(3));
+      default -> unit * 4 * part();
+    };
+  }
+
+  double mass() {
+    return switch (random.nextInt(12)) {
+      case 0 -> Double.POSITIVE_INFINITY;
+      case 1 -> 0x1p-500;
+      case 2 -> 0x1p500;
+      case 3, 4 -> 1 + part();
+      default -> 1 + random.nextInt(3);
+    };
+  }
+
+  private boolean isWhole() {
+    return lattice && random.nextInt(4) > 0;
+  }
+
+  private double part() {
+    return random.nextDouble();
+  }
+
+  private double near(double value) {
+    double moved = value;
+    int ulps = neighbours ? random.nextInt(7) - 3 : 0;
+    for (int i = 0; i < Math.abs(ulps); i++) {
+      moved = ulps > 0 ? Math.nextUp(moved) : Math.nextDown(moved);
+    }
+    // Not next to 0: such numbers lose their places when they are scaled.
+    return value == 0 ? 0 : moved;
+  }
+}

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.fuzz;
+
+import dev.carom.ObstacleKind;
+import dev.carom.Response;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import java.util.Random;
+
+/** The scene from which a session starts, and the rules that go with it. */
+final class SessionScene {
+
+  private final Random random;
+  private final Numbers numbers;
+  private final Rules rules;
+  private final SceneBuilder builder = Scene.builder();
+
+  /** Half of all scenes are elastic throughout, so that energy can be looked at. */
+  private final boolean elastic;
+
+  private final boolean traits;
+  private final boolean masses;
+
+  SessionScene(Random random, Numbers numbers, Rules rules) {
+    this.random = random;
+    this.numbers = numbers;
+    this.rules = rules;
+    elastic = random.nextBoolean();
+    traits = random.nextBoolean();
+    masses = random.nextBoolean();
+  }
+
+  boolean isElastic() {
+    return elastic;
+  }
+
+  boolean hasTraits() {
+    return traits;
+  }
+
+  Scene build() {
+    builder.collide(random.nextBoolean());
+    if (random.nextInt(5) > 0) {
+      double unit = numbers.length();
+      builder.bounds(0, 0, Numbers.WIDTH * unit, Numbers.HEIGHT * unit);
+      builder.restitution(restitution());
+    }
+    int lines = random.nextInt(12);
+    for (int i = 0; i < lines; i++) {
+      builder.line(numbers.x(), numbers.y(), numbers.x(), numbers.y()).restitution(restitution());
+      respond(ObstacleKind.LINE, i);
+      if (traits && random.nextInt(4) == 0) {
+        builder.oneWay();
+        rules.setOneWay(i, true);
+      }
+    }
+    int pegs = random.nextInt(4);
+    for (int i = 0; i < pegs; i++) {
+      builder.peg(numbers.x(), numbers.y(), numbers.pegRadius()).restitution(restitution());
+      respond(ObstacleKind.PEG, i);
+    }
+    addCircles();
+    return builder.build();
+  }
+
+  private void addCircles() {
+    int circles = 1 + random.nextInt(8);
+    for (int i = 0; i < circles; i++) {
+      double r = numbers.radius();
+      builder.circle(numbers.x(), numbers.y(), r, numbers.speed(), numbers.speed());
+      builder.restitution(restitution());
+      respond(ObstacleKind.CIRCLE, i);
+      if (masses) {
+        double mass = numbers.mass();
+        builder.mass(mass);
+        rules.setMass(mass);
+      }
+    }
+  }
+
+  /** For the thing in hand. */
+  double restitution() {
+    double[] some = {0, 0.5, 0.9, 1, 1, 1, 1, 1.1};
+    double e = elastic ? 1 : some[random.nextInt(some.length)];
+    rules.setRestitution(e);
+    return e;
+  }
+
+  Response response(ObstacleKind kind) {
+    if (!traits || random.nextInt(3) > 0) {
+      return Response.BOUNCE;
+    }
+    boolean noSensor = kind == ObstacleKind.WALL;
+    Response drawn = Response.values()[random.nextInt(noSensor ? 2 : 3)];
+    return elastic && drawn == Response.HALT ? Response.BOUNCE : drawn;
+  }
+
+  private void respond(ObstacleKind kind, int id) {
+    Response response = response(kind);
+    builder.response(response);
+    rules.setResponse(kind, id, response);
+  }
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.code_intelligence.jazzer.junit.FuzzTest;
+import dev.carom.Impact;
+import dev.carom.Scene;
+import dev.carom.Snapshot;
+import dev.carom.World;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.StringReader;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.zip.CRC32;
+
+/**
+ * What is read from outside: it is taken as a whole, or refused with a message; nothing else. In an
+ * ordinary run each test gets its stored inputs; with {@code JAZZER_FUZZ=1} in the environment
+ * Jazzer looks for new ones, one test at a time, led by coverage.
+ */
+class InputFuzzIT {
+
+  private static final int SUM = Long.BYTES;
+
+  @FuzzTest(maxDuration = "10m")
+  void sceneFile(byte[] data) throws IOException {
+    Scene scene;
+    try {
+      scene = Scene.read(new StringReader(new String(data, StandardCharsets.UTF_8)), "fuzz.csv");
+    } catch (IOException e) {
+      assertThat(e).hasMessageStartingWith("fuzz.csv:");
+      return;
+    }
+    StringBuilder text = new StringBuilder();
+    scene.write(text);
+    assertThat(Scene.read(new StringReader(text.toString()), "again")).isEqualTo(scene);
+    new World(scene);
+  }
+
+  /** The check sum is put right, so that what is behind it is reached. */
+  @FuzzTest(maxDuration = "10m")
+  void snapshot(byte[] data) throws IOException {
+    byte[] whole = Arrays.copyOf(data, data.length + SUM);
+    CRC32 sum = new CRC32();
+    sum.update(data);
+    ByteBuffer.wrap(whole, data.length, SUM).putLong(sum.getValue());
+    Snapshot snapshot;
+    try {
+      snapshot = Snapshot.read(new ByteArrayInputStream(whole));
+    } catch (IOException e) {
+      assertThat(e.getMessage()).isNotBlank();
+      return;
+    }
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    snapshot.write(out);
+    assertThat(Snapshot.read(new ByteArrayInputStream(out.toByteArray()))).isEqualTo(snapshot);
+  }
+
+  @FuzzTest(maxDuration = "10m")
+  void queries(byte[] data) {
+    CastReader reader = new CastReader("fuzz.csv");
+    try {
+      reader.read(new StringReader(new String(data, StandardCharsets.UTF_8)));
+    } catch (IOException e) {
+      assertThat(e).hasMessageStartingWith("fuzz.csv:");
+      return;
+    }
+    for (double[] query : reader.queries()) {
+      Optional<Impact> answer = reader.kind().cast(query);
+      answer.ifPresent(impact -> assertThat(impact.time()).isBetween(0.0, query[query.length - 1]));
+    }
+  }
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.fuzz;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+class WorldFuzzTest {
+
+  @Test
+  void someWorldsPlayWithoutAFinding() throws FindingException {
+    WorldFuzz fuzz = new WorldFuzz();
+    WorldFuzz again = new WorldFuzz();
+    for (int seed = 9; seed < 20; seed++) {
+      fuzz.play(seed);
+      again.play(seed);
+    }
+
+    assertThat(fuzz.sessions()).isEqualTo(11);
+    assertThat(fuzz.impacts()).isGreaterThan(1_000).isEqualTo(again.impacts());
+    assertThat(fuzz.flights()).isGreaterThan(500).isEqualTo(again.flights());
+    assertThat(fuzz.steps()).isGreaterThan(100);
+  }
+
+  @Test
+  void someQueriesAreAnswered() throws FindingException {
+    QueryFuzz fuzz = new QueryFuzz(1);
+    fuzz.ask(20_000);
+
+    assertThat(fuzz.queries()).isEqualTo(20_000);
+    assertThat(fuzz.hits()).isBetween(2_000L, 18_000L);
+    assertThat(fuzz.refused()).isBetween(100L, 1_000L);
+  }
+}
