@@ -13,8 +13,11 @@ import java.util.Arrays;
  */
 final class EventDriven extends PlainMethod {
 
-  /** More impacts of one circle in one frame than any playable scene has. */
-  static final int MOST_IMPACTS = 10_000;
+  /** More impacts of one circle in one frame than are taken for a scene that comes to an end. */
+  static final int MOST_IMPACTS = 4_000_000;
+
+  /** As many of them in a row at one time are no more. */
+  static final int MOST_AT_ONCE = 10_000;
 
   private static final int WALL_X = -1;
   private static final int WALL_Y = -2;
@@ -25,7 +28,7 @@ final class EventDriven extends PlainMethod {
   private final int[] hit;
 
   EventDriven(Scene scene, LineTest test) {
-    super(scene);
+    super(PlainScene.checkCircles(scene));
     this.test = test;
     age = new double[circles];
     due = new double[circles];
@@ -41,12 +44,18 @@ final class EventDriven extends PlainMethod {
     test.pairTests = 0;
     for (int i = 0; i < circles; i++) {
       age[i] += 1;
+      int atOnce = 0;
       for (int count = 0; due[i] <= age[i]; count++) {
-        if (count == MOST_IMPACTS) {
-          throw new IllegalStateException("circle " + i + " makes impacts without end");
-        }
+        atOnce = age[i] - due[i] == age[i] ? atOnce + 1 : 0;
+        checkEnd(i, count, atOnce);
         impact(i);
       }
+    }
+  }
+
+  static void checkEnd(int circle, int impacts, int atOnce) {
+    if (impacts == MOST_IMPACTS || atOnce == MOST_AT_ONCE) {
+      throw new IllegalStateException("circle " + circle + " makes impacts without end");
     }
   }
 
@@ -56,10 +65,10 @@ final class EventDriven extends PlainMethod {
     y[i] += t * vy[i];
     age[i] -= t;
     if (hit[i] == WALL_X) {
-      vx[i] = -vx[i];
+      vx[i] *= -restitution[i] * wallRestitution;
       wallImpacts++;
     } else if (hit[i] == WALL_Y) {
-      vy[i] = -vy[i];
+      vy[i] *= -restitution[i] * wallRestitution;
       wallImpacts++;
     } else {
       bounce(i, hit[i]);
@@ -72,9 +81,9 @@ final class EventDriven extends PlainMethod {
   private void bounce(int i, int k) {
     double s = nearest(k, x[i], y[i]);
     if (s > 0 && s < 1) {
-      reflect(i, ay[k] - by[k], bx[k] - ax[k]);
+      reflect(i, k, ay[k] - by[k], bx[k] - ax[k]);
     } else {
-      reflect(i, x[i] - (s > 0 ? bx[k] : ax[k]), y[i] - (s > 0 ? by[k] : ay[k]));
+      reflect(i, k, x[i] - (s > 0 ? bx[k] : ax[k]), y[i] - (s > 0 ? by[k] : ay[k]));
     }
   }
 

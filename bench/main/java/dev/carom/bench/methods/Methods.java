@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
+import dev.carom.Scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -32,7 +33,7 @@ public final class Methods {
 
   /** The overlap test at the end of the frame: one substep. */
   public static final Contender OVERLAP =
-      new Contender("overlap", "overlap", "", scene -> new Substeps(scene, 1));
+      new Contender("overlap", "overlap", "", scene -> parts(scene, 1));
 
   private static final int MOST_SUBSTEPS = 256;
   private static final int LEAST_TOLERANCE = -12;
@@ -64,7 +65,11 @@ public final class Methods {
    * @return the method
    */
   public static Contender substeps(int k) {
-    return new Contender("substeps-" + k, "substeps", "k=" + k, scene -> new Substeps(scene, k));
+    return new Contender("substeps-" + k, "substeps", "k=" + k, scene -> parts(scene, k));
+  }
+
+  private static Method parts(Scene scene, int k) {
+    return scene.collide() ? new CollidingSubsteps(scene, k) : new Substeps(scene, k);
   }
 
   /**

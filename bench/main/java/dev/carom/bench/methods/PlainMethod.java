@@ -17,10 +17,13 @@ abstract class PlainMethod implements Method {
   final double[] vx;
   final double[] vy;
   final double[] radius;
+  final double[] restitution;
   final double[] ax;
   final double[] ay;
   final double[] bx;
   final double[] by;
+  final double[] lineRestitution;
+  final double wallRestitution;
   final double xmin;
   final double ymin;
   final double xmax;
@@ -30,14 +33,16 @@ abstract class PlainMethod implements Method {
   int wallImpacts;
 
   PlainMethod(Scene scene) {
-    PlainScene.check(scene);
+    PlainScene.checkObstacles(scene);
     circles = scene.circleCount();
     x = new double[circles];
     y = new double[circles];
     vx = new double[circles];
     vy = new double[circles];
     radius = new double[circles];
+    restitution = new double[circles];
     for (int i = 0; i < circles; i++) {
+      restitution[i] = scene.circleRestitution(i);
       setCircle(i, scene.circle(i), scene.velocity(i));
     }
     lines = scene.lineCount();
@@ -45,9 +50,12 @@ abstract class PlainMethod implements Method {
     ay = new double[lines];
     bx = new double[lines];
     by = new double[lines];
+    lineRestitution = new double[lines];
     for (int k = 0; k < lines; k++) {
+      lineRestitution[k] = scene.lineRestitution(k);
       setLine(k, scene.line(k));
     }
+    wallRestitution = scene.boundsRestitution();
     Bounds bounds = scene.bounds().orElse(null);
     xmin = bounds == null ? Double.NEGATIVE_INFINITY : bounds.xmin();
     ymin = bounds == null ? Double.NEGATIVE_INFINITY : bounds.ymin();
@@ -79,9 +87,10 @@ abstract class PlainMethod implements Method {
     return along <= 0 ? 0 : along >= ww ? 1 : along / ww;
   }
 
-  /** v -= 2 (v.n)/(n.n) n */
-  final void reflect(int i, double nx, double ny) {
-    double s = 2 * (vx[i] * nx + vy[i] * ny) / (nx * nx + ny * ny);
+  /** v -= (1+e) (v.n)/(n.n) n, off line k */
+  final void reflect(int i, int k, double nx, double ny) {
+    double e = restitution[i] * lineRestitution[k];
+    double s = (1 + e) * (vx[i] * nx + vy[i] * ny) / (nx * nx + ny * ny);
     vx[i] -= s * nx;
     vy[i] -= s * ny;
   }

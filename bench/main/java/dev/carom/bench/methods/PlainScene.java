@@ -3,7 +3,7 @@ package dev.carom.bench.methods;
 
 import dev.carom.Scene;
 
-/** What the plain methods can play: lines and bounds, elastic, circles that ignore each other. */
+/** What the plain methods can play: lines and bounds; some of them circles that collide, too. */
 public final class PlainScene {
 
   private PlainScene() {}
@@ -13,28 +13,40 @@ public final class PlainScene {
    *
    * @param scene any scene
    * @return the scene
-   * @throws UnsupportedOperationException if it has pegs, colliding circles, or a restitution other
-   *     than 1
+   * @throws UnsupportedOperationException if it has pegs or colliding circles
    */
   public static Scene check(Scene scene) {
-    refuse(scene.collide(), "its circles collide");
-    refuse(scene.pegCount() > 0, "it has pegs");
-    refuse(scene.boundsRestitution() != 1, "its bounds are not elastic");
-    for (int i = 0; i < scene.circleCount(); i++) {
-      refuse(scene.circleRestitution(i) != 1, "circle " + i + " is not elastic");
-    }
-    for (int k = 0; k < scene.lineCount(); k++) {
-      refuse(scene.lineRestitution(k) != 1, "line " + k + " is not elastic");
-    }
+    return checkObstacles(checkCircles(scene));
+  }
+
+  /**
+   * Refuses circles that collide.
+   *
+   * @param scene any scene
+   * @return the scene
+   * @throws UnsupportedOperationException if its circles collide
+   */
+  public static Scene checkCircles(Scene scene) {
+    refuse(scene.collide(), "its circles collide", "circles that ignore each other");
     return scene;
   }
 
-  private static void refuse(boolean condition, String why) {
+  /**
+   * Refuses obstacles that a plain method has no code for.
+   *
+   * @param scene any scene; its circles may collide
+   * @return the scene
+   * @throws UnsupportedOperationException if it has pegs
+   */
+  public static Scene checkObstacles(Scene scene) {
+    refuse(scene.pegCount() > 0, "it has pegs", "lines and bounds");
+    return scene;
+  }
+
+  private static void refuse(boolean condition, String why, String expected) {
     if (condition) {
       throw new UnsupportedOperationException(
-          "this scene is not for this method: "
-              + why
-              + "; expected elastic lines and bounds, and circles that ignore each other");
+          "this scene is not for this method: " + why + "; expected " + expected);
     }
   }
 }

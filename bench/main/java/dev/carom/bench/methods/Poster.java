@@ -15,7 +15,7 @@ import dev.carom.Vec2;
  * <p>Written as well as the publication allows: flat arrays, directions of lines computed once, no
  * allocation, no square root but for the time of contact with an endpoint. It has neither grid nor
  * rejection by distance, since the publication has none. Pegs count as lines of length zero; they
- * and restitution are there so that it can play any scene.
+ * and restitution are there so that it can play any scene in which circles ignore each other.
  */
 final class Poster implements Method {
 
@@ -33,7 +33,7 @@ final class Poster implements Method {
   private int wallImpacts;
 
   Poster(Scene scene) {
-    int n = scene.circleCount();
+    int n = PlainScene.checkCircles(scene).circleCount();
     x = new float[n];
     y = new float[n];
     vx = new float[n];

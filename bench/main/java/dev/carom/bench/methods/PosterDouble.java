@@ -25,7 +25,7 @@ final class PosterDouble implements Method {
   private int wallImpacts;
 
   PosterDouble(Scene scene) {
-    int n = scene.circleCount();
+    int n = PlainScene.checkCircles(scene).circleCount();
     x = new double[n];
     y = new double[n];
     vx = new double[n];

@@ -10,10 +10,10 @@ import dev.carom.Scene;
  * normal. Contact is noticed late by up to a part's travel, and what lies between two places is not
  * seen.
  */
-final class Substeps extends PlainMethod {
+class Substeps extends PlainMethod {
 
-  private final int k;
-  private int squareRoots;
+  final int k;
+  int squareRoots;
 
   Substeps(Scene scene, int k) {
     super(scene);
@@ -28,14 +28,18 @@ final class Substeps extends PlainMethod {
     double part = 1.0 / k;
     for (int i = 0; i < circles; i++) {
       for (int step = 0; step < k; step++) {
-        x[i] += part * vx[i];
-        y[i] += part * vy[i];
-        for (int line = 0; line < lines; line++) {
-          separate(i, line);
-        }
-        keepInside(i);
+        move(i, part);
       }
     }
+  }
+
+  final void move(int i, double part) {
+    x[i] += part * vx[i];
+    y[i] += part * vy[i];
+    for (int line = 0; line < lines; line++) {
+      separate(i, line);
+    }
+    keepInside(i);
   }
 
   private void separate(int i, int line) {
@@ -47,7 +51,7 @@ final class Substeps extends PlainMethod {
       return;
     }
     if (vx[i] * dx + vy[i] * dy < 0) {
-      reflect(i, dx, dy);
+      reflect(i, line, dx, dy);
       impacts++;
     }
     double push = radius[i] / Math.sqrt(dd) - 1;
@@ -61,11 +65,11 @@ final class Substeps extends PlainMethod {
     double insideX = Math.max(xmin + r, Math.min(xmax - r, x[i]));
     double insideY = Math.max(ymin + r, Math.min(ymax - r, y[i]));
     if ((insideX - x[i]) * vx[i] < 0) {
-      vx[i] = -vx[i];
+      vx[i] *= -restitution[i] * wallRestitution;
       wallImpacts++;
     }
     if ((insideY - y[i]) * vy[i] < 0) {
-      vy[i] = -vy[i];
+      vy[i] *= -restitution[i] * wallRestitution;
       wallImpacts++;
     }
     x[i] = insideX;

@@ -24,6 +24,9 @@ final class TextbookFloat implements Method {
   private final float[] vx;
   private final float[] vy;
   private final float[] radius;
+  private final float[] restitution;
+  private final float[] lineRestitution;
+  private final float wallRestitution;
   private final float[] age;
   private final float[] due;
   private final int[] hit;
@@ -46,16 +49,20 @@ final class TextbookFloat implements Method {
     vx = new float[circles];
     vy = new float[circles];
     radius = new float[circles];
+    restitution = new float[circles];
     age = new float[circles];
     due = new float[circles];
     hit = new int[circles];
     lines = scene.lineCount();
+    lineRestitution = new float[lines];
+    wallRestitution = (float) scene.boundsRestitution();
     ax = new float[lines];
     ay = new float[lines];
     bx = new float[lines];
     by = new float[lines];
     for (int k = 0; k < lines; k++) {
       setLine(k, scene.line(k));
+      lineRestitution[k] = (float) scene.lineRestitution(k);
     }
     Bounds bounds = scene.bounds().orElse(null);
     xmin = bounds == null ? Float.NEGATIVE_INFINITY : (float) bounds.xmin();
@@ -63,6 +70,7 @@ final class TextbookFloat implements Method {
     xmax = bounds == null ? Float.POSITIVE_INFINITY : (float) bounds.xmax();
     ymax = bounds == null ? Float.POSITIVE_INFINITY : (float) bounds.ymax();
     for (int i = 0; i < circles; i++) {
+      restitution[i] = (float) scene.circleRestitution(i);
       setCircle(i, scene.circle(i), scene.velocity(i));
     }
   }
@@ -91,10 +99,10 @@ final class TextbookFloat implements Method {
     test.pairTests = 0;
     for (int i = 0; i < circles; i++) {
       age[i] += 1;
+      int atOnce = 0;
       for (int count = 0; due[i] <= age[i]; count++) {
-        if (count == EventDriven.MOST_IMPACTS) {
-          throw new IllegalStateException("circle " + i + " makes impacts without end");
-        }
+        atOnce = age[i] - due[i] == age[i] ? atOnce + 1 : 0;
+        EventDriven.checkEnd(i, count, atOnce);
         impact(i);
       }
     }
@@ -106,10 +114,10 @@ final class TextbookFloat implements Method {
     y[i] += t * vy[i];
     age[i] -= t;
     if (hit[i] == WALL_X) {
-      vx[i] = -vx[i];
+      vx[i] *= -restitution[i] * wallRestitution;
       wallImpacts++;
     } else if (hit[i] == WALL_Y) {
-      vy[i] = -vy[i];
+      vy[i] *= -restitution[i] * wallRestitution;
       wallImpacts++;
     } else {
       bounce(i, hit[i]);
@@ -123,16 +131,17 @@ final class TextbookFloat implements Method {
     float wy = by[k] - ay[k];
     float along = wx * (x[i] - ax[k]) + wy * (y[i] - ay[k]);
     if (along <= 0) {
-      reflect(i, x[i] - ax[k], y[i] - ay[k]);
+      reflect(i, k, x[i] - ax[k], y[i] - ay[k]);
     } else if (along >= wx * wx + wy * wy) {
-      reflect(i, x[i] - bx[k], y[i] - by[k]);
+      reflect(i, k, x[i] - bx[k], y[i] - by[k]);
     } else {
-      reflect(i, -wy, wx);
+      reflect(i, k, -wy, wx);
     }
   }
 
-  private void reflect(int i, float nx, float ny) {
-    float s = 2 * (vx[i] * nx + vy[i] * ny) / (nx * nx + ny * ny);
+  private void reflect(int i, int k, float nx, float ny) {
+    float e = restitution[i] * lineRestitution[k];
+    float s = (1 + e) * (vx[i] * nx + vy[i] * ny) / (nx * nx + ny * ny);
     vx[i] -= s * nx;
     vy[i] -= s * ny;
   }

@@ -10,6 +10,7 @@ import org.dyn4j.dynamics.BodyFixture;
 import org.dyn4j.dynamics.Settings;
 import org.dyn4j.geometry.Convex;
 import org.dyn4j.geometry.Geometry;
+import org.dyn4j.geometry.Mass;
 import org.dyn4j.geometry.MassType;
 import org.dyn4j.geometry.Vector2;
 import org.dyn4j.world.World;
@@ -22,6 +23,7 @@ import org.dyn4j.world.World;
 final class Dyn4jPeer extends Peer {
 
   private static final CategoryFilter CIRCLES = new CategoryFilter(1, 2);
+  private static final CategoryFilter COLLIDING = new CategoryFilter(1, 3);
   private static final CategoryFilter LINES = new CategoryFilter(2, 1);
   private static final double NO_CAP = 1e6;
 
@@ -45,17 +47,23 @@ final class Dyn4jPeer extends Peer {
     }
   }
 
-  private void addLine(Line line) {
+  private void addLine(Edge edge) {
+    Line line = edge.line();
     Vector2 a = new Vector2(metres(line.ax()), metres(line.ay()));
     Vector2 b = new Vector2(metres(line.bx()), metres(line.by()));
-    Body body = body(Geometry.createSegment(a, b), LINES);
+    Body body = body(Geometry.createSegment(a, b), LINES, edge.restitution());
     body.setMass(MassType.INFINITE);
     world.addBody(body);
   }
 
   private Body addCircle(Scene scene, int i) {
-    Body body = body(Geometry.createCircle(metres(scene.circle(i).radius())), CIRCLES);
+    CategoryFilter filter = scene.collide() ? COLLIDING : CIRCLES;
+    Convex disk = Geometry.createCircle(metres(scene.circle(i).radius()));
+    Body body = body(disk, filter, circleRestitution(scene));
     body.setMass(MassType.NORMAL);
+    if (scene.collide()) {
+      setMass(body, scene.mass(i));
+    }
     body.setBullet(best);
     body.translate(metres(scene.circle(i).x()), metres(scene.circle(i).y()));
     Vec2 v = scene.velocity(i);
@@ -64,11 +72,18 @@ final class Dyn4jPeer extends Peer {
     return body;
   }
 
-  private Body body(Convex shape, CategoryFilter filter) {
+  /** Inertia is scaled along; nothing here makes a circle turn. */
+  private static void setMass(Body body, double mass) {
+    Mass own = body.getMass();
+    double scale = mass / own.getMass();
+    body.setMass(new Mass(own.getCenter(), mass, scale * own.getInertia()));
+  }
+
+  private Body body(Convex shape, CategoryFilter filter, double restitution) {
     Body body = new Body();
     BodyFixture fixture = body.addFixture(shape);
     fixture.setFriction(0);
-    fixture.setRestitution(1);
+    fixture.setRestitution(restitution);
     fixture.setFilter(filter);
     if (best) {
       fixture.setRestitutionVelocity(0);

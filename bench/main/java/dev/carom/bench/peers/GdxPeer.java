@@ -8,6 +8,7 @@ import com.badlogic.gdx.physics.box2d.Box2D;
 import com.badlogic.gdx.physics.box2d.CircleShape;
 import com.badlogic.gdx.physics.box2d.EdgeShape;
 import com.badlogic.gdx.physics.box2d.FixtureDef;
+import com.badlogic.gdx.physics.box2d.MassData;
 import com.badlogic.gdx.physics.box2d.Shape;
 import com.badlogic.gdx.physics.box2d.World;
 import com.badlogic.gdx.utils.GdxNativesLoader;
@@ -26,6 +27,7 @@ final class GdxPeer extends Peer {
   private static final int POSITION_ITERATIONS = 3;
   private static final short CIRCLES = 1;
   private static final short LINES = 2;
+  private static final short ALL = 3;
 
   /** In m/s; Box2D's own. */
   private static final float USUAL_THRESHOLD = 1;
@@ -58,7 +60,8 @@ final class GdxPeer extends Peer {
     }
   }
 
-  private void addLine(Line line) {
+  private void addLine(Edge edge) {
+    Line line = edge.line();
     EdgeShape shape = new EdgeShape();
     shape.set(
         (float) metres(line.ax()),
@@ -68,7 +71,7 @@ final class GdxPeer extends Peer {
     if (best) {
       shape.setRadius(0);
     }
-    addFixture(world.createBody(new BodyDef()), shape, LINES, CIRCLES);
+    addFixture(world.createBody(new BodyDef()), shape, LINES, CIRCLES, edge.restitution());
   }
 
   private Body addCircle(Scene scene, int i) {
@@ -82,16 +85,29 @@ final class GdxPeer extends Peer {
     CircleShape shape = new CircleShape();
     shape.setRadius((float) metres(scene.circle(i).radius()));
     Body body = world.createBody(definition);
-    addFixture(body, shape, CIRCLES, LINES);
+    short others = scene.collide() ? ALL : LINES;
+    addFixture(body, shape, CIRCLES, others, circleRestitution(scene));
+    if (scene.collide()) {
+      setMass(body, scene.mass(i));
+    }
     return body;
   }
 
-  private static void addFixture(Body body, Shape shape, short category, short mask) {
+  /** Inertia is scaled along; nothing here makes a circle turn. */
+  private static void setMass(Body body, double mass) {
+    MassData data = body.getMassData();
+    data.I *= (float) mass / data.mass;
+    data.mass = (float) mass;
+    body.setMassData(data);
+  }
+
+  private static void addFixture(
+      Body body, Shape shape, short category, short mask, double restitution) {
     FixtureDef fixture = new FixtureDef();
     fixture.shape = shape;
     fixture.density = 1;
     fixture.friction = 0;
-    fixture.restitution = 1;
+    fixture.restitution = (float) restitution;
     fixture.filter.categoryBits = category;
     fixture.filter.maskBits = mask;
     body.createFixture(fixture);

@@ -6,6 +6,7 @@ import dev.carom.Scene;
 import dev.carom.Vec2;
 import org.jbox2d.collision.shapes.CircleShape;
 import org.jbox2d.collision.shapes.EdgeShape;
+import org.jbox2d.collision.shapes.MassData;
 import org.jbox2d.collision.shapes.Shape;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.BodyDef;
@@ -40,9 +41,7 @@ final class Jbox2dPeer extends Peer {
     this.best = best;
     step = (float) (best ? SECONDS_PER_FRAME_AT_BEST : SECONDS_PER_FRAME);
     world.setAllowSleep(!best);
-    for (Line line : edges(scene)) {
-      addLine(line);
-    }
+    edges(scene).forEach(this::addLine);
     circles = new Body[scene.circleCount()];
     for (int i = 0; i < circles.length; i++) {
       circles[i] = addCircle(scene, i);
@@ -53,13 +52,16 @@ final class Jbox2dPeer extends Peer {
     return new org.jbox2d.common.Vec2((float) metres(x), (float) metres(y));
   }
 
-  private void addLine(Line line) {
+  private void addLine(Edge edge) {
+    Line line = edge.line();
     EdgeShape shape = new EdgeShape();
     shape.set(point(line.ax(), line.ay()), point(line.bx(), line.by()));
     if (best) {
       shape.setRadius(0);
     }
-    world.createBody(new BodyDef()).createFixture(fixture(shape, LINES, CIRCLES));
+    world
+        .createBody(new BodyDef())
+        .createFixture(fixture(shape, LINES, CIRCLES, edge.restitution()));
   }
 
   private Body addCircle(Scene scene, int i) {
@@ -73,16 +75,29 @@ final class Jbox2dPeer extends Peer {
     CircleShape shape = new CircleShape();
     shape.setRadius((float) metres(scene.circle(i).radius()));
     Body body = world.createBody(definition);
-    body.createFixture(fixture(shape, CIRCLES, LINES));
+    int others = scene.collide() ? LINES | CIRCLES : LINES;
+    body.createFixture(fixture(shape, CIRCLES, others, circleRestitution(scene)));
+    if (scene.collide()) {
+      setMass(body, scene.mass(i));
+    }
     return body;
   }
 
-  private static FixtureDef fixture(Shape shape, int category, int mask) {
+  /** Inertia is scaled along; nothing here makes a circle turn. */
+  private static void setMass(Body body, double mass) {
+    MassData data = new MassData();
+    body.getMassData(data);
+    data.I *= (float) mass / data.mass;
+    data.mass = (float) mass;
+    body.setMassData(data);
+  }
+
+  private static FixtureDef fixture(Shape shape, int category, int mask, double restitution) {
     FixtureDef fixture = new FixtureDef();
     fixture.shape = shape;
     fixture.density = 1;
     fixture.friction = 0;
-    fixture.restitution = 1;
+    fixture.restitution = (float) restitution;
     fixture.filter.categoryBits = category;
     fixture.filter.maskBits = mask;
     return fixture;

@@ -17,6 +17,9 @@ import java.util.List;
  * have it. At its best it gets the scale at which it is most accurate: the coarser its metre, the
  * smaller its tolerances, which are lengths, but the faster its circles, whose motion in a step is
  * capped at 2 m.
+ *
+ * <p>Of two things that touch, all of them take the greater restitution, where a scene takes the
+ * product: obstacles get the product, and circles that of two circles, or 0 if they do not collide.
  */
 abstract class Peer implements Method {
 
@@ -31,7 +34,8 @@ abstract class Peer implements Method {
   private final double secondsPerFrame;
 
   Peer(Scene scene, double metre, double secondsPerFrame) {
-    PlainScene.check(scene);
+    PlainScene.checkObstacles(scene);
+    checkRestitution(scene);
     this.metre = metre;
     this.secondsPerFrame = secondsPerFrame;
   }
@@ -39,6 +43,26 @@ abstract class Peer implements Method {
   /** The least metre, of at least some px, at which the fastest circle moves by no more a frame. */
   static double metreFor(Scene scene, double leastPx, double metresPerFrame) {
     return Math.max(leastPx, fastest(scene) / metresPerFrame);
+  }
+
+  private static void checkRestitution(Scene scene) {
+    double least = scene.bounds().isPresent() ? scene.boundsRestitution() : 1;
+    for (int k = 0; k < scene.lineCount(); k++) {
+      least = Math.min(least, scene.lineRestitution(k));
+    }
+    for (int i = 0; i < scene.circleCount(); i++) {
+      double e = scene.circleRestitution(i);
+      if (e != scene.circleRestitution(0) || (scene.collide() && e > least)) {
+        throw new UnsupportedOperationException(
+            "the engine takes the greater of two restitutions, not the product: expected circles"
+                + " with the same one, and no obstacle with less where circles collide");
+      }
+    }
+  }
+
+  /** Of the circles' fixtures. */
+  static double circleRestitution(Scene scene) {
+    return scene.collide() ? scene.circleRestitution(0) * scene.circleRestitution(0) : 0;
   }
 
   private static double fastest(Scene scene) {
@@ -49,18 +73,23 @@ abstract class Peer implements Method {
     return fastest;
   }
 
+  /** A line, and the restitution of its fixture. */
+  record Edge(Line line, double restitution) {}
+
   /** The lines, and the four walls as lines. */
-  static List<Line> edges(Scene scene) {
-    List<Line> edges = new ArrayList<>();
+  static List<Edge> edges(Scene scene) {
+    List<Edge> edges = new ArrayList<>();
+    double circles = scene.circleCount() == 0 ? 1 : scene.circleRestitution(0);
     for (int k = 0; k < scene.lineCount(); k++) {
-      edges.add(scene.line(k));
+      edges.add(new Edge(scene.line(k), circles * scene.lineRestitution(k)));
     }
     if (scene.bounds().isPresent()) {
       Bounds b = scene.bounds().get();
-      edges.add(new Line(b.xmin(), b.ymin(), b.xmax(), b.ymin()));
-      edges.add(new Line(b.xmax(), b.ymin(), b.xmax(), b.ymax()));
-      edges.add(new Line(b.xmax(), b.ymax(), b.xmin(), b.ymax()));
-      edges.add(new Line(b.xmin(), b.ymax(), b.xmin(), b.ymin()));
+      double e = circles * scene.boundsRestitution();
+      edges.add(new Edge(new Line(b.xmin(), b.ymin(), b.xmax(), b.ymin()), e));
+      edges.add(new Edge(new Line(b.xmax(), b.ymin(), b.xmax(), b.ymax()), e));
+      edges.add(new Edge(new Line(b.xmax(), b.ymax(), b.xmin(), b.ymax()), e));
+      edges.add(new Edge(new Line(b.xmin(), b.ymax(), b.xmin(), b.ymin()), e));
     }
     return edges;
   }

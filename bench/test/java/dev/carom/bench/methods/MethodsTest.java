@@ -169,12 +169,85 @@ class MethodsTest {
   @MethodSource("plain")
   void whatAMethodHasNoCodeForIsRefused(Contender contender) {
     Scene pegs = Scene.builder().peg(50, 50, 5).circle(10, 10, 5, 1, 1).build();
-    Scene soft = Scene.builder().line(0, 0, 1, 1).restitution(0.5).circle(9, 9, 5, 1, 1).build();
-    Scene gas = Scene.builder().circle(10, 10, 5, 1, 1).collide(true).build();
 
     assertThatThrownBy(() -> contender.start(pegs)).hasMessageContaining("it has pegs");
-    assertThatThrownBy(() -> contender.start(soft)).hasMessageContaining("line 0 is not elastic");
-    assertThatThrownBy(() -> contender.start(gas)).hasMessageContaining("collide");
+  }
+
+  /** Contact after half of the frame: half of the speed is left to the side that is not at rest. */
+  @ParameterizedTest
+  @MethodSource("eventDriven")
+  void whatIsNotElasticTakesSpeedAlongTheNormal(Contender contender) {
+    Scene scene =
+        Scene.builder()
+            .line(50, 0, 50, 100)
+            .restitution(0.8)
+            .circle(40, 40, 5, 10, 1)
+            .restitution(0.5)
+            .build();
+
+    Method method = after(1, contender, scene);
+
+    assertThat(method.x(0)).isCloseTo(45 - 0.5 * 4, offset(contender));
+    assertThat(method.vx(0)).isCloseTo(-4, offset(contender));
+    assertThat(method.vy(0)).isCloseTo(1, offset(contender));
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
+  void wallsAndPartsOfAFrameKeepTheirRestitution(Contender contender) {
+    Scene scene =
+        Scene.builder()
+            .bounds(0, 0, 100, 100)
+            .restitution(0.5)
+            .line(20, 0, 20, 100)
+            .restitution(0.25)
+            .circle(80, 50, 10, 8, 0)
+            .build();
+
+    assertThat(after(4, contender, scene).vx(0)).isCloseTo(-4, within(1e-5));
+    assertThat(after(20, contender, scene).vx(0)).isCloseTo(1, within(1e-5));
+  }
+
+  static Stream<Contender> all() {
+    return Methods.all().stream();
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
+  void circlesThatCollideAreForMethodsThatKnowPairs(Contender contender) {
+    Scene scene =
+        Scene.builder()
+            .collide(true)
+            .circle(0, 0, 5, 2, 0)
+            .mass(3)
+            .circle(20, 0, 5, -1, 0)
+            .restitution(0.5)
+            .build();
+
+    if (!List.of("carom", "overlap", "substeps").contains(contender.method())) {
+      assertThatThrownBy(() -> contender.start(scene))
+          .isInstanceOf(UnsupportedOperationException.class)
+          .hasMessageContaining("its circles collide");
+      return;
+    }
+    Method method = after(10, contender, scene);
+    // The centre of mass moves at 5/4, each circle relative to it half as fast as before.
+    assertThat(method.vx(0)).isCloseTo(1.25 - 0.5 * 0.75, within(1e-12));
+    assertThat(method.vx(1)).isCloseTo(1.25 + 0.5 * 2.25, within(1e-12));
+    assertThat(3 * method.x(0) + method.x(1)).isCloseTo(20 + 10 * 5, within(1e-9));
+  }
+
+  /** A corridor of one diameter: no time goes by between two impacts. */
+  @Test
+  void impactsWithoutEndAreToldAndDoNotHang() {
+    Scene scene =
+        Scene.builder().line(0, 0, 100, 0).line(0, 10, 100, 10).circle(50, 5, 5, 1, 1).build();
+
+    assertThatThrownBy(() -> after(1, Methods.TEXTBOOK_DOUBLE, scene))
+        .isInstanceOf(IllegalStateException.class)
+        .hasMessage("circle 0 makes impacts without end");
+    assertThatThrownBy(() -> after(1, Methods.TEXTBOOK_FLOAT, scene))
+        .hasMessage("circle 0 makes impacts without end");
   }
 
   @Test

@@ -85,6 +85,61 @@ class PeersTest {
 
   @ParameterizedTest
   @MethodSource("all")
+  void whatIsNotElasticTakesSpeed(Contender peer) {
+    Scene scene =
+        Scene.builder()
+            .line(50, 0, 50, 100)
+            .restitution(0.8)
+            .circle(30, 50, 10, 3, 0)
+            .restitution(0.5)
+            .build();
+
+    try (Method method = peer.start(scene)) {
+      play(method, 10);
+      assertThat(method.vx(0)).isCloseTo(-3 * 0.4, within(1e-4));
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
+  void circlesThatCollideHaveTheirMasses(Contender peer) {
+    Scene scene =
+        Scene.builder()
+            .collide(true)
+            .circle(0, 0, 10, 2, 0)
+            .mass(3)
+            .circle(40, 0, 10, -1, 0)
+            .build();
+
+    try (Method method = peer.start(scene)) {
+      play(method, 20);
+      assertThat(method.vx(0)).isCloseTo(1.25 - 0.75, within(1e-4));
+      assertThat(method.vx(1)).isCloseTo(1.25 + 2.25, within(1e-4));
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
+  void restitutionsThatTheGreaterOneDoesNotGiveAreRefused(Contender peer) {
+    Scene circles =
+        Scene.builder().circle(0, 0, 1, 1, 1).restitution(0.5).circle(9, 9, 1, 1, 1).build();
+    Scene line =
+        Scene.builder()
+            .collide(true)
+            .line(50, 0, 50, 9)
+            .restitution(0.5)
+            .circle(0, 0, 1, 1, 1)
+            .build();
+
+    for (Scene scene : List.of(circles, line)) {
+      assertThatThrownBy(() -> peer.start(scene))
+          .isInstanceOf(UnsupportedOperationException.class)
+          .hasMessageContaining("the greater of two restitutions");
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
   void whatPeersWereNotSetUpForIsRefused(Contender peer) {
     Scene scene = Scene.builder().peg(50, 50, 5).circle(10, 10, 5, 1, 1).build();
 
