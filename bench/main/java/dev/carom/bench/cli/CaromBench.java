@@ -21,6 +21,7 @@ import picocli.CommandLine.ParameterException;
       ReplayCommand.class,
       ReportCommand.class,
       SweepCommand.class,
+      StabilityCommand.class,
       GasCommand.class,
       SimulateCommand.class,
       CastCommand.class,

@@ -9,6 +9,7 @@ import dev.carom.bench.report.ReportRun;
 import dev.carom.bench.results.Metadata;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.ResultsJson;
+import dev.carom.bench.stability.StabilityPart;
 import dev.carom.bench.sweep.SweepPart;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -115,6 +116,7 @@ final class ReportCommand implements Callable<Integer> {
     for (int fork = 0; fork < Parts.FORKS; fork++) {
       parts.add(new SweepPart(fork, quick));
     }
+    parts.addAll(StabilityPart.all(quick));
     try {
       List<Part> ofScenes = scenes == null ? parts : PartChoice.ofScenes(parts, scenes);
       return untimed ? PartChoice.untimed(ofScenes) : ofScenes;

@@ -93,6 +93,7 @@ public final class Report {
     figures.addAll(new WorkFigures(results).figures());
     figures.addAll(new QueryFigures(results).figures());
     figures.addAll(new DriftFigures(results).figures());
+    figures.addAll(new StabilityFigures(results).figures());
     figures.addAll(new FrameTimeFigures(results).figures());
     figures.addAll(new SweepFigures(results).figures());
     return figures;

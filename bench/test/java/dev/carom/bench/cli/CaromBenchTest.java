@@ -19,6 +19,7 @@ class CaromBenchTest {
         "replay ",
         "report ",
         "sweep ",
+        "stability ",
         "simulate ",
         "cast ",
         "rungs ",

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import dev.carom.bench.measures.Part;
 import dev.carom.bench.measures.Parts;
 import dev.carom.bench.results.Row;
+import dev.carom.bench.stability.StabilityPart;
 import dev.carom.bench.sweep.SweepPart;
 import java.util.ArrayList;
 import java.util.List;
@@ -33,13 +34,15 @@ class PartChoiceTest {
           new Named("query/grazing"),
           new Named("query-time/fork-0"),
           new Named("time/base-1/fork-0"),
-          new SweepPart(0, true));
+          new SweepPart(0, true),
+          StabilityPart.all(true).get(0));
 
   @Test
   void whatIsUntimedTakesNoTimes() {
     assertThat(PartChoice.untimed(ALL))
         .extracting(Part::id)
-        .containsExactly("scene/base-1/carom", "scene/base-2/carom", "query/grazing");
+        .containsExactly(
+            "scene/base-1/carom", "scene/base-2/carom", "query/grazing", "stability/angle");
   }
 
   @Test
@@ -47,7 +50,11 @@ class PartChoiceTest {
     assertThat(PartChoice.ofScenes(ALL, List.of("base-2")))
         .extracting(Part::id)
         .containsExactly(
-            "scene/base-2/carom", "query/grazing", "query-time/fork-0", "sweep/fork-0");
+            "scene/base-2/carom",
+            "query/grazing",
+            "query-time/fork-0",
+            "sweep/fork-0",
+            "stability/angle");
   }
 
   @Test

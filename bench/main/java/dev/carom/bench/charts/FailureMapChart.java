@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import java.awt.Graphics2D;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Grids of cells, one panel a method: the class of each cell is a colour and a sign. A dark corner
+ * marks cells in which no method can be asked to be right.
+ */
+public final class FailureMapChart {
+
+  /**
+   * What one method did.
+   *
+   * @param method its label
+   * @param knob its setting, may be empty
+   * @param share what stands beside its name
+   * @param classes by cells from the lower left, row by row: numbers of {@link FailureSigns}
+   */
+  public record Panel(String method, String knob, String share, List<Integer> classes) {}
+
+  /**
+   * One side of all panels.
+   *
+   * @param label what varies
+   * @param ticks the text of each value
+   */
+  public record Side(String label, List<String> ticks) {}
+
+  private static final int WIDTH = 900;
+  private static final int COLUMNS = 4;
+  private static final double LEFT = 66;
+  private static final double RIGHT = 16;
+  private static final double SPACE = 14;
+  private static final double HEAD = 22;
+  private static final double CELL = 11;
+  private static final double LEGEND = 34;
+  private static final double FOOT = 44;
+  private static final double TITLES = 132;
+  private static final double PANEL = (WIDTH - LEFT - RIGHT - (COLUMNS - 1) * SPACE) / COLUMNS;
+
+  private final String title;
+  private final String subtitle;
+  private final Side x;
+  private final Side y;
+  private final List<String> legend;
+  private final List<Boolean> limited;
+  private final List<Panel> panels;
+
+  /**
+   * Takes what is drawn.
+   *
+   * @param title what the reader is to take home
+   * @param subtitle what is shown
+   * @param x the lower side
+   * @param y the left side
+   * @param legend the names of the classes, then that of the dark corner
+   * @param limited for each cell whether it has the dark corner
+   * @param panels the methods
+   */
+  public FailureMapChart(
+      String title,
+      String subtitle,
+      Side x,
+      Side y,
+      List<String> legend,
+      List<Boolean> limited,
+      List<Panel> panels) {
+    this.title = title;
+    this.subtitle = subtitle;
+    this.x = x;
+    this.y = y;
+    this.legend = List.copyOf(legend);
+    this.limited = List.copyOf(limited);
+    this.panels = List.copyOf(panels);
+  }
+
+  /**
+   * Draws it.
+   *
+   * @return the picture
+   */
+  public Picture picture() {
+    int rows = (panels.size() + COLUMNS - 1) / COLUMNS;
+    double each = HEAD + CELL * y.ticks.size() + 6;
+    int height = (int) Math.ceil(TITLES + LEGEND + rows * each + FOOT);
+    return new Picture(
+        WIDTH,
+        height,
+        title + ". " + subtitle,
+        g -> {
+          Heading.draw(g, WIDTH, title, subtitle);
+          legend(g, TITLES);
+          for (int i = 0; i < panels.size(); i++) {
+            double left = LEFT + i % COLUMNS * (PANEL + SPACE);
+            int band = i / COLUMNS;
+            double top = TITLES + LEGEND + band * each;
+            panel(g, panels.get(i), left, top);
+            if (i % COLUMNS == 0) {
+              heights(g, top + HEAD);
+            }
+            if (i + COLUMNS >= panels.size()) {
+              places(g, left, top + HEAD + CELL * y.ticks.size());
+            }
+          }
+          labels(g, TITLES + LEGEND + rows * each, rows * each);
+        });
+  }
+
+  private void legend(Graphics2D g, double top) {
+    double left = 16;
+    g.setFont(Style.font(12));
+    for (int i = 0; i < legend.size(); i++) {
+      Rectangle2D box = new Rectangle2D.Double(left, top + 4, 13, 13);
+      boolean isClass = i <= FailureSigns.NO_ANSWER;
+      int number = isClass ? i : FailureSigns.RIGHT;
+      FailureSigns.fill(g, box, number);
+      FailureSigns.sign(g, List.of(box), number);
+      FailureSigns.corner(g, isClass ? List.of() : List.of(box), number);
+      g.setColor(Style.INK);
+      g.setFont(Style.font(12));
+      g.drawString(legend.get(i), (float) (left + 18), (float) (top + 15));
+      left += 18 + g.getFontMetrics().stringWidth(legend.get(i)) + 18;
+    }
+  }
+
+  private void panel(Graphics2D g, Panel panel, double left, double top) {
+    g.setFont(Style.font(11));
+    double share = g.getFontMetrics().stringWidth(panel.share);
+    g.setColor(Style.QUIET);
+    g.drawString(panel.share, (float) (left + PANEL - share), (float) (top + HEAD - 6));
+    String name = (panel.method + " " + panel.knob).strip();
+    g.setFont(Style.bold(12));
+    double wide = g.getFontMetrics().stringWidth(name);
+    double room = PANEL - share - 8;
+    g.setFont(Style.bold(Math.min(12, 12 * room / wide)));
+    g.setColor(Marks.isOurs(panel.method) ? Style.BLUE : Style.INK);
+    g.drawString(name, (float) left, (float) (top + HEAD - 6));
+    cells(g, panel.classes, left, top + HEAD);
+  }
+
+  /** Areas, a grid over them, and signs: a path of each class, so that an SVG stays small. */
+  private void cells(Graphics2D g, List<Integer> classes, double left, double top) {
+    for (int number = 0; number <= FailureSigns.NO_ANSWER; number++) {
+      FailureSigns.fill(g, area(classes, number, left, top), number);
+    }
+    grid(g, left, top);
+    for (int number = 0; number <= FailureSigns.NO_ANSWER; number++) {
+      List<Rectangle2D> cells = new ArrayList<>();
+      List<Rectangle2D> corners = new ArrayList<>();
+      for (int i = 0; i < classes.size(); i++) {
+        if (classes.get(i) == number) {
+          cells.add(cell(i, 1, left, top));
+          if (limited.get(i)) {
+            corners.add(cell(i, 1, left, top));
+          }
+        }
+      }
+      FailureSigns.sign(g, cells, number);
+      FailureSigns.corner(g, corners, number);
+    }
+  }
+
+  /** Neighbours in a row that are of one class are one rectangle. */
+  private Path2D area(List<Integer> classes, int number, double left, double top) {
+    Path2D area = new Path2D.Double();
+    int columns = x.ticks.size();
+    for (int i = 0; i < classes.size(); i++) {
+      int run = 0;
+      while (i + run < classes.size()
+          && classes.get(i + run) == number
+          && i / columns == (i + run) / columns) {
+        run++;
+      }
+      if (run > 0) {
+        area.append(cell(i, run, left, top), false);
+        i += run - 1;
+      }
+    }
+    return area;
+  }
+
+  private Rectangle2D cell(int i, int run, double left, double top) {
+    int columns = x.ticks.size();
+    double width = PANEL / columns;
+    int row = y.ticks.size() - 1 - i / columns;
+    return new Rectangle2D.Double(left + i % columns * width, top + row * CELL, run * width, CELL);
+  }
+
+  private void grid(Graphics2D g, double left, double top) {
+    Path2D lines = new Path2D.Double();
+    double height = CELL * y.ticks.size();
+    for (int i = 1; i < x.ticks.size(); i++) {
+      double at = left + i * PANEL / x.ticks.size();
+      lines.append(new Line2D.Double(at, top, at, top + height), false);
+    }
+    for (int i = 1; i < y.ticks.size(); i++) {
+      lines.append(new Line2D.Double(left, top + i * CELL, left + PANEL, top + i * CELL), false);
+    }
+    g.setColor(Style.PAPER);
+    g.setStroke(Style.line(Style.HAIR));
+    g.draw(lines);
+  }
+
+  private void heights(Graphics2D g, double top) {
+    int rows = y.ticks.size();
+    int step = 1 + (rows - 1) / 8;
+    g.setFont(Style.font(10.5));
+    g.setColor(Style.INK);
+    for (int i = 0; i < rows; i += step) {
+      String tick = y.ticks.get(i);
+      double right = LEFT - 5 - g.getFontMetrics().stringWidth(tick);
+      g.drawString(tick, (float) right, (float) (top + (rows - i) * CELL - 2));
+    }
+  }
+
+  private void places(Graphics2D g, double left, double top) {
+    int columns = x.ticks.size();
+    double width = PANEL / columns;
+    g.setFont(Style.font(10.5));
+    g.setColor(Style.INK);
+    int step = step(g, width);
+    for (int i = 0; i < columns; i += step) {
+      double wide = g.getFontMetrics().stringWidth(x.ticks.get(i));
+      g.drawString(
+          x.ticks.get(i), (float) (left + (i + 0.5) * width - wide / 2), (float) (top + 12));
+    }
+  }
+
+  /** The least stride at which no tick that has a text touches the next. */
+  private int step(Graphics2D g, double width) {
+    int step = 1;
+    while (step < x.ticks.size() && widest(g, step) + 4 > step * width) {
+      step++;
+    }
+    return step;
+  }
+
+  private double widest(Graphics2D g, int step) {
+    double widest = 0;
+    for (int i = 0; i < x.ticks.size(); i += step) {
+      widest = Math.max(widest, g.getFontMetrics().stringWidth(x.ticks.get(i)));
+    }
+    return widest;
+  }
+
+  private void labels(Graphics2D g, double bottom, double height) {
+    g.setFont(Style.font(12));
+    g.setColor(Style.QUIET);
+    double middle = LEFT + (WIDTH - LEFT - RIGHT) / 2;
+    double wide = g.getFontMetrics().stringWidth(x.label);
+    g.drawString(x.label, (float) (middle - wide / 2), (float) (bottom + 30));
+    AffineTransform upright = g.getTransform();
+    double tall = g.getFontMetrics().stringWidth(y.label);
+    g.translate(22, bottom - height / 2 + tall / 2);
+    g.rotate(-Math.PI / 2);
+    g.drawString(y.label, 0f, 0f);
+    g.setTransform(upright);
+  }
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import dev.carom.bench.charts.FailureMapChart;
+import dev.carom.bench.charts.FailureMapChart.Panel;
+import dev.carom.bench.charts.FailureMapChart.Side;
+import dev.carom.bench.results.Results;
+import dev.carom.bench.results.Setting;
+import dev.carom.bench.stability.Axis;
+import dev.carom.bench.stability.FailureMap;
+import dev.carom.bench.stability.Limit;
+import dev.carom.bench.stability.Outcome;
+import dev.carom.bench.stability.Survey;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** Where methods fail: maps of small scenes, one panel a method. */
+public final class StabilityFigures {
+
+  private final Results results;
+
+  /**
+   * Takes what is drawn.
+   *
+   * @param results what was measured
+   */
+  public StabilityFigures(Results results) {
+    this.results = results;
+  }
+
+  /**
+   * The maps that the results have.
+   *
+   * @return one figure a map
+   */
+  public List<Figure> figures() {
+    List<String> played = results.scenes(Survey.LIMIT);
+    return FailureMap.all(false).stream()
+        .filter(map -> played.contains(Survey.SCENE + map.name()))
+        .map(this::figure)
+        .toList();
+  }
+
+  private Figure figure(FailureMap map) {
+    List<Tally> tallies = tallies(map);
+    StabilityWords words = new StabilityWords(tallies);
+    List<Limit> limits = limits(map);
+    FailureMapChart chart =
+        new FailureMapChart(
+            words.title(),
+            map.run() + " " + judged(limits) + words.absent(),
+            side(map, map.x(), Survey.X),
+            side(map, map.y(), Survey.Y),
+            legend(limits),
+            limits.stream().map(limit -> limit != Limit.NONE).toList(),
+            tallies.stream().filter(Tally::played).map(StabilityFigures::panel).toList());
+    return new Figure(
+        "fails-" + map.name(),
+        "Where methods fail: " + map.heading(),
+        words.caption(map.heading()),
+        chart.picture(),
+        StabilityWords.table(tallies));
+  }
+
+  /** Those who play the map, then those who cannot. */
+  private List<Tally> tallies(FailureMap map) {
+    String scene = Survey.SCENE + map.name();
+    List<Setting> cannot = results.settings(scene, ReportRun.FAILURE);
+    List<Limit> limits = limits(map);
+    return Settings.of(results, scene, Survey.OUTCOME).stream()
+        .map(s -> new Tally(s, outcomes(scene, s), limits, !cannot.contains(s)))
+        .sorted((a, b) -> Boolean.compare(b.played(), a.played()))
+        .toList();
+  }
+
+  private List<Outcome> outcomes(String scene, Setting setting) {
+    Outcome[] all = Outcome.values();
+    return series(scene, setting, Survey.OUTCOME).stream().map(i -> all[i.intValue()]).toList();
+  }
+
+  private List<Limit> limits(FailureMap map) {
+    Limit[] all = Limit.values();
+    return ofMap(map, Survey.LIMIT).stream().map(i -> all[i.intValue()]).toList();
+  }
+
+  /** What belongs to the map, and not to who plays it. */
+  private Collection<Double> ofMap(FailureMap map, String metric) {
+    String scene = Survey.SCENE + map.name();
+    return series(scene, results.settings(scene, metric).get(0), metric);
+  }
+
+  private Collection<Double> series(String scene, Setting setting, String metric) {
+    return results.series(scene, setting, metric, Survey.CELL).values();
+  }
+
+  private Side side(FailureMap map, Axis axis, String metric) {
+    return new Side(axis.label(), ofMap(map, metric).stream().map(axis.text()::apply).toList());
+  }
+
+  private static Panel panel(Tally tally) {
+    Setting setting = tally.setting();
+    return new Panel(
+        setting.method(),
+        Metrics.shortKnob(setting),
+        "right " + StabilityWords.share(tally.count(Outcome.RIGHT), tally.outcomes().size()),
+        tally.outcomes().stream().map(Outcome::ordinal).toList());
+  }
+
+  private static String judged(List<Limit> limits) {
+    String classes =
+        Stream.of(Outcome.values())
+            .map(outcome -> outcome.label() + ": " + outcome.meaning())
+            .collect(Collectors.joining("; "));
+    String corner =
+        reached(limits).stream().map(Limit::meaning).collect(Collectors.joining(", or "));
+    return "At the end of every frame, "
+        + classes
+        + (corner.isEmpty() ? "." : ". Dark corner: " + corner + ".");
+  }
+
+  private static List<String> legend(List<Limit> limits) {
+    List<String> legend = new ArrayList<>();
+    Arrays.stream(Outcome.values()).forEach(outcome -> legend.add(outcome.label()));
+    if (!reached(limits).isEmpty()) {
+      legend.add("beyond the limits");
+    }
+    return legend;
+  }
+
+  private static List<Limit> reached(List<Limit> limits) {
+    return limits.stream().filter(limit -> limit != Limit.NONE).distinct().sorted().toList();
+  }
+}

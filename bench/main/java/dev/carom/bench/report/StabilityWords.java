@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import dev.carom.bench.stability.Limit;
+import dev.carom.bench.stability.Outcome;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** What a map of failures says, in words and in a table, made by rule from its numbers. */
+final class StabilityWords {
+
+  private static final int MOST_NAMES = 3;
+
+  private final List<Tally> tallies;
+
+  /** Of all who played a map or could not; this library among them. */
+  StabilityWords(List<Tally> tallies) {
+    this.tallies = tallies;
+  }
+
+  private Tally ours() {
+    return tallies.get(0);
+  }
+
+  String title() {
+    String name = ours().setting().method();
+    int wrong = ours().wrongWithin();
+    String cells =
+        Numbers.count(ours().within()) + " cells" + (isLimited() ? " within its limits" : "");
+    return wrong == 0
+        ? "%s is right in all %s".formatted(capital(name), cells)
+        : "%s is wrong in %s of %s".formatted(capital(name), Numbers.count(wrong), cells);
+  }
+
+  /** One sentence. */
+  String caption(String heading) {
+    String ours =
+        "Wrong cells of %s%s, by %s: %s"
+            .formatted(
+                ours().setting().method(),
+                isLimited() ? " within its limits" : "",
+                heading,
+                Numbers.failures(ours().wrongWithin(), ours().within()));
+    return ours + beyond() + others() + cannot() + ".";
+  }
+
+  private boolean isLimited() {
+    return ours().within() < ours().outcomes().size();
+  }
+
+  private String beyond() {
+    StringBuilder text = new StringBuilder();
+    for (Limit limit : Limit.values()) {
+      int cells = ours().count(outcome -> true, limit::equals);
+      if (limit != Limit.NONE && cells > 0) {
+        text.append(
+            "; in %d more, where %s, it is right in %d"
+                .formatted(
+                    cells, limit.meaning(), ours().count(Outcome.RIGHT::equals, limit::equals)));
+      }
+    }
+    return text.toString();
+  }
+
+  private String others() {
+    List<Tally> others = tallies.stream().skip(1).filter(Tally::played).toList();
+    if (others.isEmpty()) {
+      return "";
+    }
+    int most = others.stream().mapToInt(t -> t.count(Outcome.RIGHT)).max().orElseThrow();
+    int least = others.stream().mapToInt(t -> t.count(Outcome.RIGHT)).min().orElseThrow();
+    int n = ours().outcomes().size();
+    String all =
+        "; of all %d cells it is right in %s, ".formatted(n, share(ours().count(Outcome.RIGHT), n));
+    if (most == least) {
+      return all + "each of the others in " + share(most, n);
+    }
+    return all
+        + "of the others %s in most, %s, and %s in fewest, %s"
+            .formatted(names(others, most), share(most, n), names(others, least), share(least, n));
+  }
+
+  private static String names(List<Tally> tallies, int right) {
+    List<String> names =
+        tallies.stream()
+            .filter(t -> t.count(Outcome.RIGHT) == right)
+            .map(t -> Metrics.shortName(t.setting()))
+            .toList();
+    return names.size() > MOST_NAMES ? names.size() + " settings" : String.join(", ", names);
+  }
+
+  private String cannot() {
+    String names = unplayed();
+    return names.isEmpty() ? "" : "; such scenes cannot be played by " + names;
+  }
+
+  /** A sentence about those who have no panel, or nothing. */
+  String absent() {
+    String names = unplayed();
+    return names.isEmpty()
+        ? ""
+        : " Without a panel, since they cannot play such scenes: " + names + ".";
+  }
+
+  private String unplayed() {
+    return tallies.stream()
+        .filter(t -> !t.played())
+        .map(t -> Metrics.shortName(t.setting()))
+        .collect(Collectors.joining(", "));
+  }
+
+  /** Shares of each class, and the wrong ones within the limits. */
+  static ReportTable table(List<Tally> tallies) {
+    List<String> head = new ArrayList<>(List.of("setting"));
+    Stream.of(Outcome.values()).forEach(outcome -> head.add(outcome.label()));
+    head.add("wrong within the limits");
+    ReportTable.Builder table = new ReportTable.Builder(head);
+    for (Tally tally : tallies) {
+      List<String> row = new ArrayList<>(List.of(Metrics.shortName(tally.setting())));
+      for (Outcome outcome : Outcome.values()) {
+        row.add(tally.played() ? share(tally.count(outcome), tally.outcomes().size()) : "-");
+      }
+      row.add(
+          tally.played()
+              ? Numbers.failures(tally.wrongWithin(), tally.within())
+              : "cannot play such scenes");
+      table.row(row);
+    }
+    return table.build();
+  }
+
+  /** To a tenth of a percent; all and none only if it is. */
+  static String share(int part, int whole) {
+    if (part == 0 || part == whole) {
+      return part == 0 ? "0 %" : "100 %";
+    }
+    return String.format(
+        Locale.ROOT, "%.1f %%", Math.max(0.1, Math.min(99.9, 100.0 * part / whole)));
+  }
+
+  private static String capital(String word) {
+    return word.substring(0, 1).toUpperCase(Locale.ROOT) + word.substring(1);
+  }
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.bench.results.ResultsCsv;
+import dev.carom.bench.results.Row;
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class StabilityCommandTest {
+
+  @TempDir Path folder;
+
+  @Test
+  void aMapIsPrintedAndDrawn() throws IOException {
+    Cli run = Cli.run("stability", "--quick", "--map", "mass", "--out", folder.resolve("new"));
+
+    assertThat(run.exitCode()).isZero();
+    assertThat(run.out())
+        .startsWith("Where methods fail: ratio of two masses and restitution")
+        .containsPattern("carom +100 % +0 % +0 % +0 % +0 % +0 % +0 of 25 .below 12 % at 95 %.")
+        .containsPattern("poster +- +- +- +- +- +- +cannot play such scenes")
+        .containsPattern("dyn4j defaults +0 %")
+        .contains("Wrong cells of carom, by ratio of two masses");
+    assertThat(folder.resolve("new/fails-mass.png")).isNotEmptyFile();
+    assertThat(folder.resolve("new/fails-mass.svg")).isNotEmptyFile();
+    assertThat(ResultsCsv.read(folder.resolve("new/stability.csv")))
+        .filteredOn(row -> row.metric().equals("stability_outcome"))
+        .hasSize(14 * 25)
+        .extracting(Row::scene)
+        .containsOnly("stability:mass");
+  }
+
+  @Test
+  void aMapThatThereIsNotIsRefused() {
+    Cli run = Cli.run("stability", "--map", "mass,nosuch");
+
+    assertThat(run.exitCode()).isEqualTo(2);
+    assertThat(run.err())
+        .contains("--map has nosuch: expected angle, frame, corner, origin, gap, mass")
+        .hasLineCount(1);
+  }
+}

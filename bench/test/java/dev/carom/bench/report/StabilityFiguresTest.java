@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.bench.results.Results;
+import dev.carom.bench.results.Row;
+import dev.carom.bench.stability.Limit;
+import dev.carom.bench.stability.Outcome;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+
+/** Words, table and picture of a made-up map of two rows and three columns. */
+class StabilityFiguresTest {
+
+  private static final int N = 6;
+
+  private final List<Row> rows = new ArrayList<>();
+
+  private void series(String method, String metric, double... values) {
+    for (int i = 0; i < values.length; i++) {
+      rows.add(new Row("stability:gap", method, "", metric, "at@" + i, values[i], "1", N, -1));
+    }
+  }
+
+  private void limits(Limit last) {
+    series("carom", "stability_x", 0.9, 1, 1.1);
+    series("carom", "stability_y", 0.01, 1);
+    series("carom", "stability_limit", 0, 0, 0, 0, 0, last.ordinal());
+  }
+
+  private void outcomes(String method, Outcome last) {
+    series(method, "stability_outcome", 0, 0, 0, 0, 0, last.ordinal());
+  }
+
+  private Figure figure() {
+    return new StabilityFigures(new Results(Sample.METADATA, rows)).figures().get(0);
+  }
+
+  @Test
+  void noFailureIsToldWithItsBound() {
+    limits(Limit.NONE);
+    outcomes("carom", Outcome.RIGHT);
+    outcomes("overlap", Outcome.ESCAPED);
+    outcomes("poster", Outcome.RIGHT);
+
+    assertThat(figure().caption())
+        .isEqualTo(
+            "Wrong cells of carom, by gap between two lines and speed: 0 of 6 (below 50 % at 95 %);"
+                + " of all 6 cells it is right in 100 %, of the others poster in most, 100 %, and"
+                + " overlap in fewest, 83.3 %.");
+    assertThat(figure().picture().title()).startsWith("Carom is right in all 6 cells. An elastic");
+    assertThat(figure().id()).isEqualTo("fails-gap");
+  }
+
+  @Test
+  void aFailureOfCaromIsTold() {
+    limits(Limit.NONE);
+    outcomes("carom", Outcome.FAR_OFF);
+
+    assertThat(figure().caption())
+        .isEqualTo("Wrong cells of carom, by gap between two lines and speed: 1 of 6.");
+    assertThat(figure().picture().title()).startsWith("Carom is wrong in 1 of 6 cells. ");
+  }
+
+  @Test
+  void whatLimitsIsTold() {
+    limits(Limit.PILE_UP);
+    outcomes("carom", Outcome.DRIFTED);
+    outcomes("overlap", Outcome.ESCAPED);
+
+    assertThat(figure().caption())
+        .isEqualTo(
+            "Wrong cells of carom within its limits, by gap between two lines and speed: 0 of 5"
+                + " (below 60 % at 95 %); in 1 more, where impacts without end pile up in finite"
+                + " time, it is right in 0; of all 6 cells it is right in 83.3 %, each of the others"
+                + " in 83.3 %.");
+    assertThat(figure().picture().title())
+        .contains("within its limits", "Dark corner: impacts without end pile up");
+    assertThat(svg()).contains("beyond the limits");
+  }
+
+  private String svg() {
+    return new String(figure().picture().svg(), StandardCharsets.UTF_8);
+  }
+
+  @Test
+  void whoCannotPlayHasNoPanelButALine() {
+    limits(Limit.NONE);
+    outcomes("carom", Outcome.RIGHT);
+    outcomes("overlap", Outcome.NO_ANSWER);
+    rows.add(new Row("stability:gap", "overlap", "", "failure", "why", Double.NaN, "1", 1, -1));
+
+    assertThat(figure().caption()).endsWith("; such scenes cannot be played by overlap.");
+    assertThat(figure().picture().title())
+        .endsWith(" Without a panel, since they cannot play such scenes: overlap.");
+    assertThat(svg()).contains(">carom<").doesNotContain(">overlap<");
+    assertThat(figure().table().rows().get(1))
+        .containsExactly("overlap", "-", "-", "-", "-", "-", "-", "cannot play such scenes");
+  }
+
+  @Test
+  void theTableHasTheShareOfEachClass() {
+    limits(Limit.NONE);
+    series("carom", "stability_outcome", 0, 1, 2, 3, 4, 5);
+
+    assertThat(figure().table().head())
+        .containsExactly(
+            "setting",
+            "right",
+            "drifted",
+            "far off",
+            "lost speed",
+            "escaped",
+            "no answer",
+            "wrong within the limits");
+    assertThat(figure().table().rows())
+        .containsExactly(
+            List.of("carom", "16.7 %", "16.7 %", "16.7 %", "16.7 %", "16.7 %", "16.7 %", "5 of 6"));
+  }
+
+  /** Signs tell classes apart on grey paper; and neighbours of one class share a rectangle. */
+  @Test
+  void classesDifferInMoreThanColour() {
+    limits(Limit.NONE);
+    series("carom", "stability_outcome", 0, 0, 0, 0, 0, 0);
+    long none = lines(svg());
+    rows.removeIf(row -> row.metric().equals("stability_outcome"));
+    series("carom", "stability_outcome", 1, 2, 3, 4, 5, 0);
+
+    assertThat(lines(svg())).isEqualTo(none + 6 - 2 + 1 + 2 + 1 + 2 + 1);
+  }
+
+  /** Moves of the pen: a dot, a bar and a slash have one, a cross and an arrow two. */
+  private static long lines(String svg) {
+    return Pattern.compile(" d='([^']*)'")
+        .matcher(svg)
+        .results()
+        .flatMapToInt(path -> path.group(1).chars())
+        .filter(letter -> letter == 'M')
+        .count();
+  }
+}
