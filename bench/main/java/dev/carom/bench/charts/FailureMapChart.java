@@ -33,8 +33,8 @@ public final class FailureMapChart {
    */
   public record Side(String label, List<String> ticks) {}
 
-  private static final int WIDTH = 900;
-  private static final int COLUMNS = 4;
+  private static final int MOST_COLUMNS = 4;
+  private static final int NARROW_COLUMNS = 2;
   private static final double LEFT = 66;
   private static final double RIGHT = 16;
   private static final double SPACE = 14;
@@ -42,8 +42,7 @@ public final class FailureMapChart {
   private static final double CELL = 11;
   private static final double LEGEND = 34;
   private static final double FOOT = 44;
-  private static final double TITLES = 132;
-  private static final double PANEL = (WIDTH - LEFT - RIGHT - (COLUMNS - 1) * SPACE) / COLUMNS;
+  private static final double LEGEND_LINE = 20;
 
   private final String title;
   private final String subtitle;
@@ -52,6 +51,11 @@ public final class FailureMapChart {
   private final List<String> legend;
   private final List<Boolean> limited;
   private final List<Panel> panels;
+  private final int width;
+  private final int columns;
+
+  /** The width of a panel. */
+  private final double wide;
 
   /**
    * Takes what is drawn.
@@ -72,6 +76,18 @@ public final class FailureMapChart {
       List<String> legend,
       List<Boolean> limited,
       List<Panel> panels) {
+    this(title, subtitle, x, y, legend, limited, panels, Picture.WIDE);
+  }
+
+  private FailureMapChart(
+      String title,
+      String subtitle,
+      Side x,
+      Side y,
+      List<String> legend,
+      List<Boolean> limited,
+      List<Panel> panels,
+      int width) {
     this.title = title;
     this.subtitle = subtitle;
     this.x = x;
@@ -79,44 +95,63 @@ public final class FailureMapChart {
     this.legend = List.copyOf(legend);
     this.limited = List.copyOf(limited);
     this.panels = List.copyOf(panels);
+    this.width = width;
+    columns = width < Picture.WIDE ? NARROW_COLUMNS : MOST_COLUMNS;
+    wide = (width - LEFT - RIGHT - (columns - 1) * SPACE) / columns;
   }
 
   /**
    * Draws it.
    *
+   * @param pixels {@link Picture#WIDE} or {@link Picture#NARROW}
    * @return the picture
    */
-  public Picture picture() {
-    int rows = (panels.size() + COLUMNS - 1) / COLUMNS;
+  public Picture picture(int pixels) {
+    return new FailureMapChart(title, subtitle, x, y, legend, limited, panels, pixels).picture();
+  }
+
+  private Picture picture() {
+    int bands = (panels.size() + columns - 1) / columns;
     double each = HEAD + CELL * y.ticks.size() + 6;
-    int height = (int) Math.ceil(TITLES + LEGEND + rows * each + FOOT);
+    double head = Picture.measured(this::head);
+    int height = (int) Math.ceil(head + bands * each + FOOT);
     return new Picture(
-        WIDTH,
+        width,
         height,
         title + ". " + subtitle,
         g -> {
-          Heading.draw(g, WIDTH, title, subtitle);
-          legend(g, TITLES);
+          double below = head(g);
           for (int i = 0; i < panels.size(); i++) {
-            double left = LEFT + i % COLUMNS * (PANEL + SPACE);
-            int band = i / COLUMNS;
-            double top = TITLES + LEGEND + band * each;
+            double left = LEFT + i % columns * (wide + SPACE);
+            double top = below + i / columns * each;
             panel(g, panels.get(i), left, top);
-            if (i % COLUMNS == 0) {
+            if (i % columns == 0) {
               heights(g, top + HEAD);
             }
-            if (i + COLUMNS >= panels.size()) {
+            if (i + columns >= panels.size()) {
               places(g, left, top + HEAD + CELL * y.ticks.size());
             }
           }
-          labels(g, TITLES + LEGEND + rows * each, rows * each);
+          labels(g, below + bands * each, bands * each);
         });
   }
 
-  private void legend(Graphics2D g, double top) {
+  /** Titles and legend; tells where they end. */
+  private double head(Graphics2D g) {
+    return legend(g, Heading.draw(g, width, title, subtitle)) + LEGEND;
+  }
+
+  /** Tells where its last line begins. */
+  private double legend(Graphics2D g, double above) {
+    double top = above;
     double left = 16;
     g.setFont(Style.font(12));
     for (int i = 0; i < legend.size(); i++) {
+      double text = g.getFontMetrics().stringWidth(legend.get(i));
+      if (left > 16 && left + 18 + text > width - RIGHT) {
+        left = 16;
+        top += LEGEND_LINE;
+      }
       Rectangle2D box = new Rectangle2D.Double(left, top + 4, 13, 13);
       boolean isClass = i <= FailureSigns.NO_ANSWER;
       int number = isClass ? i : FailureSigns.RIGHT;
@@ -126,20 +161,21 @@ public final class FailureMapChart {
       g.setColor(Style.INK);
       g.setFont(Style.font(12));
       g.drawString(legend.get(i), (float) (left + 18), (float) (top + 15));
-      left += 18 + g.getFontMetrics().stringWidth(legend.get(i)) + 18;
+      left += 18 + text + 18;
     }
+    return top;
   }
 
   private void panel(Graphics2D g, Panel panel, double left, double top) {
     g.setFont(Style.font(11));
     double share = g.getFontMetrics().stringWidth(panel.share);
     g.setColor(Style.QUIET);
-    g.drawString(panel.share, (float) (left + PANEL - share), (float) (top + HEAD - 6));
+    g.drawString(panel.share, (float) (left + wide - share), (float) (top + HEAD - 6));
     String name = (panel.method + " " + panel.knob).strip();
     g.setFont(Style.bold(12));
-    double wide = g.getFontMetrics().stringWidth(name);
-    double room = PANEL - share - 8;
-    g.setFont(Style.bold(Math.min(12, 12 * room / wide)));
+    double length = g.getFontMetrics().stringWidth(name);
+    double room = wide - share - 8;
+    g.setFont(Style.bold(Math.min(12, 12 * room / length)));
     g.setColor(Marks.isOurs(panel.method) ? Style.BLUE : Style.INK);
     g.drawString(name, (float) left, (float) (top + HEAD - 6));
     cells(g, panel.classes, left, top + HEAD);
@@ -170,12 +206,12 @@ public final class FailureMapChart {
   /** Neighbours in a row that are of one class are one rectangle. */
   private Path2D area(List<Integer> classes, int number, double left, double top) {
     Path2D area = new Path2D.Double();
-    int columns = x.ticks.size();
+    int cells = x.ticks.size();
     for (int i = 0; i < classes.size(); i++) {
       int run = 0;
       while (i + run < classes.size()
           && classes.get(i + run) == number
-          && i / columns == (i + run) / columns) {
+          && i / cells == (i + run) / cells) {
         run++;
       }
       if (run > 0) {
@@ -187,21 +223,21 @@ public final class FailureMapChart {
   }
 
   private Rectangle2D cell(int i, int run, double left, double top) {
-    int columns = x.ticks.size();
-    double width = PANEL / columns;
-    int row = y.ticks.size() - 1 - i / columns;
-    return new Rectangle2D.Double(left + i % columns * width, top + row * CELL, run * width, CELL);
+    int cells = x.ticks.size();
+    double each = wide / cells;
+    int row = y.ticks.size() - 1 - i / cells;
+    return new Rectangle2D.Double(left + i % cells * each, top + row * CELL, run * each, CELL);
   }
 
   private void grid(Graphics2D g, double left, double top) {
     Path2D lines = new Path2D.Double();
     double height = CELL * y.ticks.size();
     for (int i = 1; i < x.ticks.size(); i++) {
-      double at = left + i * PANEL / x.ticks.size();
+      double at = left + i * wide / x.ticks.size();
       lines.append(new Line2D.Double(at, top, at, top + height), false);
     }
     for (int i = 1; i < y.ticks.size(); i++) {
-      lines.append(new Line2D.Double(left, top + i * CELL, left + PANEL, top + i * CELL), false);
+      lines.append(new Line2D.Double(left, top + i * CELL, left + wide, top + i * CELL), false);
     }
     g.setColor(Style.PAPER);
     g.setStroke(Style.line(Style.HAIR));
@@ -221,22 +257,22 @@ public final class FailureMapChart {
   }
 
   private void places(Graphics2D g, double left, double top) {
-    int columns = x.ticks.size();
-    double width = PANEL / columns;
+    int cells = x.ticks.size();
+    double each = wide / cells;
     g.setFont(Style.font(10.5));
     g.setColor(Style.INK);
-    int step = step(g, width);
-    for (int i = 0; i < columns; i += step) {
-      double wide = g.getFontMetrics().stringWidth(x.ticks.get(i));
+    int step = step(g, each);
+    for (int i = 0; i < cells; i += step) {
+      double text = g.getFontMetrics().stringWidth(x.ticks.get(i));
       g.drawString(
-          x.ticks.get(i), (float) (left + (i + 0.5) * width - wide / 2), (float) (top + 12));
+          x.ticks.get(i), (float) (left + (i + 0.5) * each - text / 2), (float) (top + 12));
     }
   }
 
   /** The least stride at which no tick that has a text touches the next. */
-  private int step(Graphics2D g, double width) {
+  private int step(Graphics2D g, double each) {
     int step = 1;
-    while (step < x.ticks.size() && widest(g, step) + 4 > step * width) {
+    while (step < x.ticks.size() && widest(g, step) + 4 > step * each) {
       step++;
     }
     return step;
@@ -253,9 +289,9 @@ public final class FailureMapChart {
   private void labels(Graphics2D g, double bottom, double height) {
     g.setFont(Style.font(12));
     g.setColor(Style.QUIET);
-    double middle = LEFT + (WIDTH - LEFT - RIGHT) / 2;
-    double wide = g.getFontMetrics().stringWidth(x.label);
-    g.drawString(x.label, (float) (middle - wide / 2), (float) (bottom + 30));
+    double middle = LEFT + (width - LEFT - RIGHT) / 2;
+    double text = g.getFontMetrics().stringWidth(x.label);
+    g.drawString(x.label, (float) (middle - text / 2), (float) (bottom + 30));
     AffineTransform upright = g.getTransform();
     double tall = g.getFontMetrics().stringWidth(y.label);
     g.translate(22, bottom - height / 2 + tall / 2);

@@ -9,6 +9,7 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
+import java.util.function.ToDoubleFunction;
 import javax.imageio.ImageIO;
 import org.jfree.svg.SVGGraphics2D;
 import org.jfree.svg.SVGHints;
@@ -34,6 +35,17 @@ public record Picture(int width, int height, String title, Consumer<Graphics2D> 
   private static final int DENSITY = 2;
 
   private static final String FONTS = "Helvetica, Arial, DejaVu Sans, sans-serif";
+
+  /** What a painter tells, which draws nothing that is seen: how much room it takes. */
+  static double measured(ToDoubleFunction<Graphics2D> painter) {
+    Graphics2D g = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
+    try {
+      Style.smooth(g);
+      return painter.applyAsDouble(g);
+    } finally {
+      g.dispose();
+    }
+  }
 
   /** Draws it in pixels, so many for one of the picture. */
   BufferedImage image(int density) {

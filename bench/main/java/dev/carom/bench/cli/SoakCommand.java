@@ -77,9 +77,8 @@ final class SoakCommand implements Callable<Integer> {
 
   private SoakResult run(Scene scene) {
     try (Progress progress = Progress.start("soak", Soak.ROUNDS)) {
-      Remaining remaining = new Remaining(progress, spec.commandLine().getErr());
-      return Soak.run(
-          scene, impacts, round -> remaining.tell("a round", round, Soak.ROUNDS, false));
+      RoundsLeft left = new RoundsLeft(progress, spec.commandLine().getErr());
+      return Soak.run(scene, impacts, round -> left.tell(round, Soak.ROUNDS));
     }
   }
 

@@ -62,7 +62,7 @@ public final class StabilityFigures {
         "fails-" + map.name(),
         "Where methods fail: " + map.heading(),
         words.caption(map.heading()),
-        chart.picture(),
+        chart::picture,
         StabilityWords.table(tallies));
   }
 

@@ -12,6 +12,9 @@ import java.util.List;
  */
 public record StabilityPart(FailureMap map) implements Part {
 
+  /** About a minute for all six. */
+  private static final double SECONDS = 10;
+
   /**
    * All maps.
    *
@@ -25,6 +28,11 @@ public record StabilityPart(FailureMap map) implements Part {
   @Override
   public String id() {
     return "stability/" + map.name();
+  }
+
+  @Override
+  public double seconds() {
+    return SECONDS;
   }
 
   @Override

@@ -29,7 +29,7 @@ class SoakCommandTest {
                     .matches("heap       [\\d,]+ KiB in use at the start, [\\d,]+ KiB at the end"),
             line ->
                 assertThat(line).startsWith("CPU time   ").contains(" ns per impact at the start"));
-    assertThat(run.err().lines()).hasSize(20).last().asString().startsWith("20 of 20: a round");
+    assertThat(run.err().lines()).hasSize(20).last().asString().isEqualTo("round 20 of 20");
   }
 
   @Test
