@@ -31,7 +31,7 @@ public final class Draw {
 
     /** This vector turned left by an angle. */
     Point turned(double angle) {
-      return times(Math.cos(angle)).plus(turned().times(Math.sin(angle)));
+      return times(StrictMath.cos(angle)).plus(turned().times(StrictMath.sin(angle)));
     }
   }
 
@@ -57,7 +57,7 @@ public final class Draw {
 
   /** Log-uniform: every power of ten in low..high as likely as any other. */
   double log(double low, double high) {
-    return Math.exp(in(Math.log(low), Math.log(high)));
+    return StrictMath.exp(in(StrictMath.log(low), StrictMath.log(high)));
   }
 
   double sign() {
@@ -111,7 +111,7 @@ public final class Draw {
    * 1e-16..1e-323, so that two such moves can cancel; others by an ulp.
    */
   void tiny(double[] numbers, int... candidates) {
-    double unit = Math.max(Double.MIN_VALUE, Math.pow(10, in(-323.3, -16)));
+    double unit = Math.max(Double.MIN_VALUE, StrictMath.pow(10, in(-323.3, -16)));
     for (int moves = chance(0.7) ? 1 : whole(2, 3); moves > 0; moves--) {
       int i = candidates[whole(0, candidates.length - 1)];
       numbers[i] = numbers[i] == 0 ? whole(-2, 2) * unit : ulps(numbers[i], whole(-1, 1));

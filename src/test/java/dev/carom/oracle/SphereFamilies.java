@@ -116,7 +116,8 @@ public final class SphereFamilies {
     double along = any[0] * normal[0] + any[1] * normal[1] + any[2] * normal[2];
     double[] across = plus(any, scaled(normal, -along));
     double length = Math.hypot(Math.hypot(across[0], across[1]), across[2]);
-    return plus(scaled(normal, Math.cos(angle)), scaled(across, Math.sin(angle) / length));
+    return plus(
+        scaled(normal, StrictMath.cos(angle)), scaled(across, StrictMath.sin(angle) / length));
   }
 
   private static double[] nudged(Draw d, double[] n) {
