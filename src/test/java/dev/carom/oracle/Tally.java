@@ -63,6 +63,11 @@ public final class Tally {
     return beyondOneUlp;
   }
 
+  /** Times within 1 ulp or not, that are not the correctly rounded ones. */
+  public long notNearest() {
+    return notNearest;
+  }
+
   /** The first failure with all its inputs, null if there was none. */
   public String firstFailure() {
     return firstFailure;
