@@ -94,7 +94,7 @@ final class Separation {
 
   /** A translation along n of at least the given length, by which the circle comes out. */
   private static Vec2 out(Circle circle, Obstacle obstacle, Vec2 n, double least, double size) {
-    if (!(size <= Double.MAX_VALUE / 2)) {
+    if (!(size <= 0x1p1023)) {
       throw Check.refused("coordinate and radius together", size, "at most 2^1023");
     }
     double more = 0;

@@ -127,6 +127,27 @@ class SeparationTest {
   }
 
   @Test
+  void movesOutOfWhatIsAsLargeAsAllowed() {
+    Circle half = new Circle(0, 0, 0x1p1022);
+    assertThat(SweptCircle.separation(half, half)).isEqualTo(new Vec2(0x1p1023, 0));
+    Circle more = new Circle(0, 0, Math.nextUp(0x1p1022));
+    refusesTheSumOf(more, more);
+  }
+
+  private static void refusesTheSumOf(Circle circle, Obstacle obstacle) {
+    assertThatThrownBy(
+            () -> {
+              if (obstacle instanceof Line line) {
+                SweptCircle.separation(circle, line);
+              } else {
+                SweptCircle.separation(circle, (Circle) obstacle);
+              }
+            })
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("coordinate and radius together");
+  }
+
+  @Test
   void refusesWhatIsOutOfRange() {
     assertThatThrownBy(() -> SweptCircle.overlap(0, 0, -1, 3, 4, 3))
         .isInstanceOf(IllegalArgumentException.class)
@@ -134,6 +155,11 @@ class SeparationTest {
     assertThatThrownBy(() -> SweptCircle.overlap(0, 0, 1, Double.NaN, 4, 3))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("NaN");
+    refusesTheSumOf(new Circle(0, 0, Double.MAX_VALUE), new Circle(0, 0, 1));
+    refusesTheSumOf(new Circle(0, Double.MAX_VALUE, 1), new Circle(0, Double.MAX_VALUE, 1));
+    refusesTheSumOf(new Circle(Double.MAX_VALUE, 0, 1), new Circle(Double.MAX_VALUE, 0, 1));
+    refusesTheSumOf(new Circle(0, 0, Double.MAX_VALUE), new Line(0, 1, 2, 3));
+    refusesTheSumOf(new Circle(0, 0, 1), new Line(-Double.MAX_VALUE, 0, Double.MAX_VALUE, 0));
     Circle large = new Circle(0, 0, Double.MAX_VALUE);
     assertThatThrownBy(() -> SweptCircle.separation(large, large))
         .isInstanceOf(IllegalArgumentException.class)
