@@ -137,6 +137,7 @@ final class DiskSweep {
     double by = uy * dy;
     double t = start;
     for (int i = 0; i < FirstRoot.STEPS && t > 0; i++) {
+      Rungs.step();
       double half = -0.5 / (bx + by + a * t);
       double c = residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) * half;
       double lean = FirstRoot.lean(half, Math.abs(bx) + Math.abs(by) + a * t, t);
@@ -235,6 +236,7 @@ final class DiskSweep {
     double lean = FirstRoot.lean(half, Math.abs(bx) + Math.abs(by) + a * t, t);
     double error = FirstRoot.stepError(w, a, half, lean, c);
     if (!(error * (Math.abs(ux) + Math.abs(uy)) < 0x1p-54 * r)) {
+      Rungs.exactNormal();
       return Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).normal();
     }
     return Directions.unit(

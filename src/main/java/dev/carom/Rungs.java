@@ -19,8 +19,14 @@ final class Rungs {
   /** Square roots of doubles: one for each time of impact but those of walls. */
   long roots;
 
+  /** Corrections of a time of impact after the first one, but of walls. */
+  long steps;
+
   /** Times of impact, walls' included, that double-double could not round. */
   long exactTimes;
+
+  /** Normals of a moving disk that double-double could not round. */
+  long exactNormals;
 
   /** How often the broad search looked at a circle and a line or peg together. */
   long pairTests;
@@ -41,10 +47,24 @@ final class Rungs {
     }
   }
 
+  /** Counts a correction of a time of impact after the first one. */
+  static void step() {
+    if (COUNT != null) {
+      COUNT.steps++;
+    }
+  }
+
   /** Counts a time of impact by exact numbers. */
   static void exactTime() {
     if (COUNT != null) {
       COUNT.exactTimes++;
+    }
+  }
+
+  /** Counts a normal by exact numbers. */
+  static void exactNormal() {
+    if (COUNT != null) {
+      COUNT.exactNormals++;
     }
   }
 

@@ -74,6 +74,7 @@ final class SideSweep {
         return low;
       }
       t = Math.max(0, t + step);
+      Rungs.step();
     }
     if (Rungs.COUNT != null) {
       Rungs.COUNT.exactTimes++;

@@ -111,6 +111,7 @@ final class SphereSweep {
     double terms = Math.abs(ux * dx) + Math.abs(uy * dy) + Math.abs(uz * dz);
     double t = start;
     for (int i = 0; i < FirstRoot.STEPS && t > 0; i++) {
+      Rungs.step();
       double half = -0.5 / (b + a * t);
       double c = residue(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, t) * half;
       double lean = FirstRoot.lean(half, terms + a * t, t);

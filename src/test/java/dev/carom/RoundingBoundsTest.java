@@ -20,6 +20,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.StringJoiner;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -29,8 +30,9 @@ import org.junit.jupiter.api.Test;
  * <p>More queries, and others: {@code mvn -pl src test -Dtest=RoundingBoundsTest
  * -Dcarom.queries=10000000 -Dcarom.seed=2}.
  */
+@Tag("long")
 class RoundingBoundsTest {
-  private static final long QUERIES = Long.getLong("carom.queries", 106_000);
+  private static final long QUERIES = Long.getLong("carom.queries", 108_000);
   private static final long SEED = Long.getLong("carom.seed", 1);
   private static final int CHUNK = 500;
 

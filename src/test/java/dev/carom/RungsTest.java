@@ -33,14 +33,22 @@ class RungsTest {
    * @param doubtful decisions that plain doubles left open
    * @param exact of them, those that double-double left open too
    * @param roots of doubles
-   * @param times those that double-double could not round
+   * @param steps corrections of times of impact after the first one
+   * @param times of impact that double-double could not round
+   * @param normals likewise
    */
-  private record Counts(long doubtful, long exact, long roots, long times) {
+  private record Counts(
+      long doubtful, long exact, long roots, long steps, long times, long normals) {
 
     static Counts now() {
       Rungs count = Rungs.COUNT;
       return new Counts(
-          count.doubtfulDecisions, count.exactDecisions, count.roots, count.exactTimes);
+          count.doubtfulDecisions,
+          count.exactDecisions,
+          count.roots,
+          count.steps,
+          count.exactTimes,
+          count.exactNormals);
     }
 
     static Counts of(Draw draw, Consumer<Draw> question) {
@@ -53,15 +61,18 @@ class RungsTest {
           after.doubtful - before.doubtful,
           after.exact - before.exact,
           after.roots - before.roots,
-          after.times - before.times);
+          after.steps - before.steps,
+          after.times - before.times,
+          after.normals - before.normals);
     }
   }
 
   @ParameterizedTest
   @CsvFileSource(resources = "/rungs.csv", useHeadersInDisplayName = true)
-  void asManyClimbAsBefore(String family, long doubtful, long exact, long roots, long times) {
+  void asManyClimbAsBefore(
+      String family, long doubtful, long exact, long roots, long steps, long times, long normals) {
     assertThat(Counts.of(new Draw(family.hashCode()), question(family)))
-        .isEqualTo(new Counts(doubtful, exact, roots, times));
+        .isEqualTo(new Counts(doubtful, exact, roots, steps, times, normals));
   }
 
   private static Consumer<Draw> question(String name) {

@@ -20,7 +20,8 @@ public final class Brinks {
         new Family("brink_short_graze", Brinks::shortGraze),
         new Family("brink_seg_units", Brinks::segmentUnits),
         new Family("brink_seg_units_window_end", Brinks::segmentWindow),
-        new Family("brink_circ_units", Brinks::pairUnits));
+        new Family("brink_circ_units", Brinks::pairUnits),
+        new Family("brink_circ_window_end", Brinks::pairWindow));
   }
 
   /** Coordinates of different magnitudes, whose differences are rounded. */
@@ -114,6 +115,15 @@ public final class Brinks {
   private static PairQuery pairUnits(Draw d) {
     PairQuery q = d.chance(0.5) ? NearTies.pair(d) : PairFamilies.nearGraze(d);
     return PairQuery.of(units(d, q, 3, 4, 8, 9));
+  }
+
+  /** The window ends within ulps of the impact. */
+  private static PairQuery pairWindow(Draw d) {
+    double[] n = (d.chance(0.6) ? PairFamilies.uniform(d) : PairFamilies.lattice(d)).numbers();
+    n[10] = Double.POSITIVE_INFINITY;
+    double time = PairQuery.of(n).truth().time();
+    n[10] = Math.max(0, d.chance(0.4) ? time : Draw.ulps(time, d.whole(-3, 3)));
+    return PairQuery.of(n);
   }
 
   private static double[] units(Draw d, Query q, int... velocities) {
