@@ -101,6 +101,33 @@ class LineTest {
     assertThat(line.closestPointInfinite(q)).isEqualTo(new Vec2(3 * scale, 2 * scale));
   }
 
+  /** The difference of its ends overflows; everything else is as for a line of 8 x 4. */
+  @ParameterizedTest
+  @CsvSource({"-4, -2", "-4.5, -3", "0, 0", "2, 1", "3, -1", "4, 2", "6, 5", "-1, 2", "5, -3"})
+  void closestPointOfALineLongerThanTheLargestDouble(double x, double y) {
+    double scale = 0x1p1020 * 2.5;
+    Line small = new Line(-4, -2, 4, 2);
+    Line large = new Line(-4 * scale, -2 * scale, 4 * scale, 2 * scale);
+    Vec2 p = new Vec2(x * Math.min(scale, Double.MAX_VALUE / 10), y * (Double.MAX_VALUE / 10));
+    Vec2 q = new Vec2(p.x() / scale, p.y() / scale);
+    near(large.closestPoint(p), small.closestPoint(q), scale);
+    near(large.closestPointInfinite(p), small.closestPointInfinite(q), scale);
+  }
+
+  private static void near(Vec2 actual, Vec2 expected, double scale) {
+    assertThat(actual.x() / scale).isCloseTo(expected.x(), within(1e-14));
+    assertThat(actual.y() / scale).isCloseTo(expected.y(), within(1e-14));
+  }
+
+  /** Where a + (b - a) is not b. */
+  @Test
+  void theClosestPointToAnEndIsThatEnd() {
+    Line line = new Line(-1, 0x1p-60, 0x1p-53, 0x1p-60);
+    assertThat(-1 + (0x1p-53 - -1)).isNotEqualTo(0x1p-53);
+    assertThat(line.closestPoint(new Vec2(0x1p-53, 1))).isEqualTo(new Vec2(0x1p-53, 0x1p-60));
+    assertThat(line.closestPoint(new Vec2(-1, 1))).isEqualTo(new Vec2(-1, 0x1p-60));
+  }
+
   @Test
   void theFootIsPerpendicularAndTheClosestPointIsTheNearest() {
     SplittableRandom random = new SplittableRandom(1);

@@ -51,6 +51,8 @@ class SweptCircleTest {
    */
   private static void assertImpact(Impact actual, Impact expected) {
     assertThat(actual.time()).isEqualTo(expected.time());
+    assertThat(actual.kind()).isEqualTo(expected.kind());
+    assertThat(actual.id()).isEqualTo(expected.id());
     assertThat(actual.obstacle()).isEqualTo(expected.obstacle());
     assertThat(actual.feature()).isEqualTo(expected.feature());
     assertVector(actual.normal(), expected.normal(), 1e-15);
@@ -545,6 +547,19 @@ class SweptCircleTest {
         .isEqualTo(NEVER);
   }
 
+  /** 20 apart along (0.6, 0.8), and closing at 5; both move across besides. */
+  @Test
+  void aPairMetAtAnAngle() {
+    Circle first = new Circle(18, 24, 5);
+    Circle second = new Circle(0, 0, 5);
+    Impact impact =
+        SweptCircle.cast(first, new Vec2(-4, 3), second, new Vec2(3 - 4, 4 + 3), 9).orElseThrow();
+    assertThat(impact.time()).isEqualTo(4);
+    assertVector(impact.normal(), new Vec2(0.6, 0.8), 1e-15);
+    assertThat(impact.approachSpeed()).isCloseTo(5, within(1e-15));
+    assertVector(impact.point(), new Vec2(-1, 32), 1e-14);
+  }
+
   @Test
   void aPairThatMovesTogetherNeverMeets() {
     assertThat(SweptCircle.pair(0, 0, 1, 7, 5, 13, 0, 2, 7, 5, NEVER)).isEqualTo(NEVER);
@@ -621,6 +636,9 @@ class SweptCircleTest {
     refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, 0, bad, 1, 1), "y", bad);
     refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, 0, 0, bad, 1), "radius", bad);
     refused(() -> SweptCircle.pair(0, 0, 1, 1, 1, 0, 0, 1, bad, 1, 1), "vx", bad);
+    refused(() -> SweptCircle.pair(0, bad, 1, 1, 1, 0, 0, 1, 1, 1, 1), "y", bad);
+    refused(() -> SweptCircle.pair(0, 0, 1, 1, bad, 0, 0, 1, 1, 1, 1), "vy", bad);
+    refused(() -> SweptCircle.pair(0, 0, bad, 1, 1, 0, 0, 1, 1, 1, 1), "radius", bad);
     refused(() -> SweptCircle.bounds(0, 0, 1, 1, 1, bad, 0, 1, 1, 1), "xmin", bad);
     refused(() -> SweptCircle.bounds(0, 0, bad, 1, 1, 0, 0, 1, 1, 1), "radius", bad);
   }
@@ -633,6 +651,7 @@ class SweptCircleTest {
     refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, 0, 1, 1, Double.NaN), "T", Double.NaN);
     refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, 0, 0, 1, -0.5), "T", -0.5);
     refused(() -> SweptCircle.pair(0, 0, 1, 1, 1, 0, 0, 1, 1, 1, -0.5), "T", -0.5);
+    refused(() -> SweptCircle.pair(0, 0, -1, 1, 1, 0, 0, 3, 1, 1, 1), "radius", -1);
     refused(() -> SweptCircle.bounds(0, 0, 1, 1, 1, 0, 0, 1, 1, -0.5), "T", -0.5);
     refused(() -> SweptCircle.bounds(0, 0, 1, 1, 1, 2, 0, 1, 1, 1), "xmax", 1);
     Circle c = new Circle(0, 0, 1);

@@ -11,15 +11,19 @@ import dev.carom.oracle.Family;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.SphereFamilies;
 import dev.carom.oracle.SphereQuery;
+import java.util.Arrays;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** More queries, and others: {@code -Dcarom.queries=10000000 -Dcarom.seed=2}. */
 class SweptSphereTest {
+  /** Of each family; of some, few are hits. */
   private static final int QUERIES =
-      (int) (Long.getLong("carom.queries", 46_000) / SphereFamilies.NAMES.size());
+      (int) Math.max(500, Long.getLong("carom.queries", 46_000) / SphereFamilies.NAMES.size());
+
   private static final long SEED = Long.getLong("carom.seed", 1);
 
   static Stream<String> families() {
@@ -155,6 +159,39 @@ class SweptSphereTest {
     double[] concentric = {-3, 5, 7, 2, 1, 4};
     SweptSphere.respond(1, 2, 3, 1, 1, 2, 3, 1, 1, concentric);
     assertThat(concentric).containsExactly(-3, 5, 7, 2, 1, 4);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "0, x1", "1, y1", "2, z1", "3, r1", "4, vx1", "5, vy1", "6, vz1", "7, x2", "8, y2", "9, z2",
+    "10, r2", "11, vx2", "12, vy2", "13, vz2", "14, T"
+  })
+  void refusesWhatIsNoNumber(int at, String name) {
+    double[] n = {0, 0, 0, 1, 1, 1, 1, 9, 9, 9, 1, 1, 1, 1, 1};
+    n[at] = Double.NaN;
+    assertThatThrownBy(() -> time(n))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageStartingWith(name + " is NaN");
+    if (name.length() == 2) {
+      assertThatThrownBy(() -> SweptSphere.overlap(n[0], n[1], n[2], n[3], n[7], n[8], n[9], n[10]))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessageStartingWith(name + " is NaN");
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "0, x1", "1, y1", "2, z1", "3, m1", "4, x2", "5, y2", "6, z2", "7, m2", "8, e", "9, vx1",
+    "10, vy1", "11, vz1", "12, vx2", "13, vy2", "14, vz2"
+  })
+  void refusesToRespondToWhatIsNoNumber(int at, String name) {
+    double[] n = {0, 0, 0, 1, 9, 9, 9, 1, 1, 1, 1, 1, 1, 1, 1};
+    n[at] = Double.NaN;
+    double[] v = Arrays.copyOfRange(n, 9, 15);
+    assertThatThrownBy(
+            () -> SweptSphere.respond(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], v))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageStartingWith(name + " is NaN");
   }
 
   @Test
