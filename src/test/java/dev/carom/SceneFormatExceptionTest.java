@@ -125,6 +125,8 @@ class SceneFormatExceptionTest {
         "circle,1,2,-3,4,5 | 12 | radius is -3.0: expected a finite number, more than 0",
         "circle,1,2,3,4,5,0 | 18 | mass is 0.0: expected a number from 2^-500 to 2^500, or"
             + " infinity",
+        "line,1,2,3,4,response=halt,restitution=-1 | 28"
+            + " | restitution is -1.0: expected a finite number, at least 0",
         "line,1,2,3,4, restitution=-1 | 15"
             + " | restitution is -1.0: expected a finite number, at least 0",
       })

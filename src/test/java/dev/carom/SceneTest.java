@@ -117,6 +117,7 @@ class SceneTest {
   void equalScenesHoldTheSameThings() {
     Scene scene = full().build();
     assertThat(full().build()).isEqualTo(scene).hasSameHashCodeAs(scene);
+    assertThat(full().line(1, 2, 3, 4).build()).doesNotHaveSameHashCodeAs(scene);
     assertThat(scene).isNotEqualTo(null).isNotEqualTo("scene");
   }
 
