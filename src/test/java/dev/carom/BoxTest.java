@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.math.BigDecimal;
 import java.util.function.IntFunction;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -12,6 +13,7 @@ import org.junit.jupiter.api.Test;
  * px/s at 60 frames a second and 30 directions from 1 to 89 degrees: each coordinate is a triangle
  * wave, here computed exactly. After each of 600 frames the circle must be within 1e-9 radii of it.
  */
+@Tag("long")
 class BoxTest {
 
   private static final int SPEEDS = 28;

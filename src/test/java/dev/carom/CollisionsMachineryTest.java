@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -94,6 +95,7 @@ class CollisionsMachineryTest {
 
   // Forced.
 
+  @Tag("long")
   @ParameterizedTest(name = "{0}")
   @MethodSource("recipes")
   void cellsAndGridsOfAnySizeGiveTheSame(String name, Object recipe) {
@@ -111,6 +113,7 @@ class CollisionsMachineryTest {
 
   // Frames.
 
+  @Tag("long")
   @ParameterizedTest(name = "{0}")
   @MethodSource("recipes")
   void stepsOfAnyLengthGiveTheSame(String name, Object recipe) {

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -18,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * which searches everything anew. {@code -Dcarom.edits=1000000} makes a longer run of it, {@code
  * -Dcarom.seed} another one.
  */
+@Tag("long")
 class EditsTest {
 
   private static final int EDITS = Integer.getInteger("carom.edits", 6_000);

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -143,6 +144,7 @@ class EndsTest {
    * No number is exact here, and rounding may leave less room than the diameter, or some ulps more:
    * then 1e16 impacts are to be made, and the budget ends each call. Resting circles keep it small.
    */
+  @Tag("long")
   @ParameterizedTest
   @CsvSource({"1,0.3", "1,0.33", "3,-0.7", "0.1,1", "7,5"})
   void corridorsOfAboutOneDiameterNeverGainEnergy(double wx, double wy) {

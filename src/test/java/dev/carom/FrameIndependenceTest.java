@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -42,6 +43,7 @@ class FrameIndependenceTest {
     assertThat(Run.advance(new World(scene), times)).isEqualTo(whole(scene));
   }
 
+  @Tag("long")
   @ParameterizedTest
   @ValueSource(strings = {"base-1.csv", "fast-1.csv", "radii.csv"})
   void anySlicing(String file) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -14,6 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * the rate of collisions, Z - 1 = sqrt(pi) / 4 sigma omega sqrt(m / kT). Density and collisions are
  * counted in the inner quarter of the box, away from the walls, where disks stand closer.
  */
+@Tag("long")
 class GasTest {
 
   private static final int SIDE = 30;

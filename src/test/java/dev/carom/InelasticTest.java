@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -77,6 +78,7 @@ class InelasticTest {
   }
 
   /** A heavy circle gathers a row of light ones; in one piece they reach the far wall. */
+  @Tag("long")
   @ParameterizedTest
   @CsvSource({"0, 8", "0.5, 8", "0, 20"})
   void aRowPushedByAHeavyOneJamsAndGoesOn(double restitution, int count) {
@@ -96,6 +98,7 @@ class InelasticTest {
   }
 
   /** Pairs keep momentum, jammed or not: nothing else is there to take it. */
+  @Tag("long")
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.5})
   void aClusterKeepsMomentum(double restitution) {

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -34,6 +35,7 @@ class MachineryTest {
     }
   }
 
+  @Tag("long")
   @ParameterizedTest
   @ValueSource(strings = {"base-1.csv", "fast-1.csv", "radii.csv"})
   void onTheScenesOfTheExperiment(String file) {
@@ -60,6 +62,7 @@ class MachineryTest {
     return Arguments.of(name, recipe);
   }
 
+  @Tag("long")
   @ParameterizedTest(name = "{0}")
   @MethodSource("recipes")
   void onRandomScenes(String name, RandomScenes.Recipe recipe) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -135,6 +136,7 @@ class PairResponseTest {
   }
 
   /** Momentum and energy over a million collisions among 64 circles, in all directions. */
+  @Tag("long")
   @ParameterizedTest
   @ValueSource(doubles = {1, 4, 1e3, 1e6, 1e12})
   void momentumAndEnergyOverAMillionCollisions(double ratio) {

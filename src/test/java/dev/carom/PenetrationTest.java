@@ -3,10 +3,12 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Nothing is passed through: at no frame does a circle reach into a line or over the bounds. */
+@Tag("long")
 class PenetrationTest {
 
   private static final int FRAMES = 600;

@@ -14,6 +14,7 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -24,6 +25,7 @@ import org.junit.jupiter.api.Test;
  * <p>Reference: the scene {@code radii} in arbitrary precision, places correctly rounded at each of
  * 600 frames.
  */
+@Tag("long")
 class RadiiTrajectoryTest {
 
   private static final int FRAMES = 600;

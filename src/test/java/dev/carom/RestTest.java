@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -14,6 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * No jitter, without a threshold: contact without approach is no impact, and what was just hit is
  * not hit again before a velocity changes; so circles at rest stay where they are, to the bit.
  */
+@Tag("long")
 class RestTest {
 
   private static int impactsOf(World world, int steps) {

@@ -14,6 +14,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.SplittableRandom;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -150,6 +151,7 @@ class SceneFileTest {
   }
 
   /** Velocities may be any finite double, so every kind of bit pattern can be tried on them. */
+  @Tag("long")
   @Test
   void anyBitsReadBack() throws IOException {
     SplittableRandom random = new SplittableRandom(1);

@@ -10,6 +10,7 @@ import java.util.Random;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -21,6 +22,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * by a bit. Queries stand on a grid of 2^-10, with coordinates below 2^7: a third of them hits,
  * many graze, touch or tie within some steps of the grid.
  */
+@Tag("long")
 class SweptCircleLawsTest {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;

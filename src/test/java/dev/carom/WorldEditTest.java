@@ -10,6 +10,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Consumer;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -310,6 +311,7 @@ class WorldEditTest {
   // Unfinished.
 
   /** A circle in a corridor as wide as itself never comes to an end; an edit sets it free. */
+  @Tag("long")
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void anUnfinishedWorldCanBeEdited(boolean collide) {
