@@ -11,9 +11,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The first impact of a resolver is that of the detector: the same time and feature, and to rounding
- * the same point, normal and speed; but for the point on a peg that is overlapped, which a resolver
- * places between the centres, in proportion to the radii.
+ * The first impact of a resolver is that of the detector: the same time and feature, and to
+ * rounding the same point, normal and speed; but for the point on a peg that is overlapped, which a
+ * resolver places between the centres, in proportion to the radii.
  */
 class ContactTest {
   private static final int QUERIES = 1_500;

@@ -429,6 +429,27 @@ class SweptCircleTest {
     assertThat(time(new Circle(7, 1, 5), new Vec2(1, 0), point)).isEqualTo(NEVER);
   }
 
+  /** Vectors compare by their bits. */
+  @Test
+  void noComponentOfANormalIsMinusZero() {
+    Line across = new Line(-8, 0, 8, 0);
+    Line up = new Line(0, -8, 0, 8);
+    assertThat(hit(new Circle(1, 3, 1), new Vec2(0, -1), across).normal())
+        .isEqualTo(new Vec2(0, 1));
+    assertThat(hit(new Circle(1, -3, 1), new Vec2(0, 1), across).normal())
+        .isEqualTo(new Vec2(0, -1));
+    assertThat(hit(new Circle(3, 1, 1), new Vec2(-1, 0), up).normal()).isEqualTo(new Vec2(1, 0));
+    assertThat(hit(new Circle(-3, 1, 1), new Vec2(1, 0), up).normal()).isEqualTo(new Vec2(-1, 0));
+    assertThat(
+            SweptCircle.cast(new Circle(-0.0, 2, 1), new Vec2(0, -1), new Endpoint(0, 1), 0)
+                .map(Impact::normal))
+        .contains(new Vec2(0, 1));
+    assertThat(
+            SweptCircle.cast(new Circle(2, -0.0, 1), new Vec2(-1, 0), new Endpoint(1, 0), 0)
+                .map(Impact::normal))
+        .contains(new Vec2(1, 0));
+  }
+
   // Bounds.
 
   private static final Bounds ROOM = new Bounds(0, 0, 80, 60);
