@@ -619,6 +619,20 @@ class SweptCircleTest {
     assertVector(impact.normal(), new Vec2(0.6, 0.8), 1e-15);
   }
 
+  /** The way is 2^-53 more than a double: a tie, which only exact numbers see. */
+  @ParameterizedTest
+  @CsvSource({"0x1p0, 0x1p0", "0x1.0000000000001p0, 0x1.0000000000002p0"})
+  void aTimeHalfwayBetweenTwoDoublesIsTheEvenOne(String from, String time) {
+    double x = Double.parseDouble(from);
+    double t = Double.parseDouble(time);
+    double to = -0x1p-53;
+    assertThat(SweptCircle.bounds(x, 0, 0, -1, 0, to, -9, 9, 9, NEVER)).isEqualTo(t);
+    assertThat(SweptCircle.pair(x, 0, 0, -1, 0, to, 0, 0, 0, 0, NEVER)).isEqualTo(t);
+    assertThat(SweptCircle.line(x, 0, 0, -1, 0, to, -9, to, 9, NEVER)).isEqualTo(t);
+    assertThat(SweptCircle.bounds(x, 0, 0, -1, 0, to, -9, 9, 9, Math.max(t, x)))
+        .isEqualTo(x < t ? t : NEVER);
+  }
+
   @Test
   void aTimeBeyondTheRangeOfDoublesIsNever() {
     Circle circle = new Circle(4, 1e300, 2);
