@@ -102,4 +102,21 @@ class TrajectoryTest {
     assertThatThrownBy(() -> trajectory.impacts().clear())
         .isInstanceOf(UnsupportedOperationException.class);
   }
+
+  @Test
+  void equalsWhatHoldsTheSame() {
+    List<Flight> flights = List.of(new Flight(0, 0, 0, 1, 0));
+    Trajectory path = new Trajectory(flights, List.of(), 2, true);
+    assertThat(path.duration()).isEqualTo(2);
+    assertThat(path.complete()).isTrue();
+    Trajectory same = new Trajectory(flights, List.of(), 2, true);
+    assertThat(path).isEqualTo(same).hasSameHashCodeAs(same).isNotEqualTo("path");
+    List<Flight> others = List.of(new Flight(0, 1, 0, 1, 0));
+    assertThat(path)
+        .isNotEqualTo(new Trajectory(others, List.of(), 2, true))
+        .isNotEqualTo(new Trajectory(flights, List.of(post(1, 0, 1)), 2, true))
+        .isNotEqualTo(new Trajectory(flights, List.of(), 3, true))
+        .isNotEqualTo(new Trajectory(flights, List.of(), 2, false))
+        .doesNotHaveSameHashCodeAs(new Trajectory(flights, List.of(), 3, true));
+  }
 }

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ResolverWayTest {
+  private static final Bounds ROOM = new Bounds(0, 0, 100, 100);
+  private static final Line LINE = new Line(20, 0, 20, 60);
+  private static final Circle PEG = new Circle(80, 80, 10);
+  private static final Endpoint END = new Endpoint(60, 20);
+  private static final Circle CIRCLE = new Circle(50, 50, 5);
+  private static final Resolver RESOLVER = Resolver.of(List.of(LINE, END, ROOM, PEG));
+
+  /** At 95, 5, 95 and so on, after 15 and each 30 more. */
+  @Test
+  void aTraceEndsAtTheNextImpactAfterItsBounces() {
+    Trajectory path = Resolver.of(List.of(ROOM)).trace(CIRCLE, new Vec2(3, 0), 1, 1000, 2);
+    assertThat(path.impacts()).extracting(Impact::time).containsExactly(15.0, 45.0);
+    assertThat(path.impacts()).extracting(Impact::id).containsExactly(1, 0);
+    assertThat(path.duration()).isEqualTo(75);
+    assertThat(path.complete()).isTrue();
+    assertThat(path.end()).isEqualTo(new Vec2(95, 50));
+  }
+
+  @Test
+  void aTraceEndsAtItsTime() {
+    Trajectory path = Resolver.of(List.of(ROOM)).trace(CIRCLE, new Vec2(3, 0), 0.5, 45, 9);
+    assertThat(path.impacts()).extracting(Impact::time).containsExactly(15.0);
+    assertThat(path.velocityAt(45)).isEqualTo(new Vec2(-1.5, 0));
+    assertThat(path.duration()).isEqualTo(45);
+    assertThat(path.complete()).isTrue();
+    assertThat(path.end()).isEqualTo(new Vec2(50, 50));
+  }
+
+  /** A millionth of room: an impact every millionth of a time. */
+  @Test
+  void aTraceOfTooManyImpactsIsNotComplete() {
+    Resolver narrow = Resolver.of(List.of(new Bounds(0, 0, 2 + 0x1p-20, 9)));
+    Trajectory path = narrow.trace(new Circle(1, 4, 1), new Vec2(1, 0), 1);
+    assertThat(path.complete()).isFalse();
+    assertThat(path.impacts()).hasSize(Resolver.IMPACTS_PER_TRACE);
+    assertThat(path.duration()).isEqualTo(Resolver.IMPACTS_PER_TRACE * 0x1p-20);
+    assertThat(narrow.trace(new Circle(1, 4, 1), new Vec2(1, 0), 0.01).complete()).isTrue();
+  }
+
+  @Test
+  void theFirstImpactWithAnyKind() {
+    assertThat(RESOLVER.cast(CIRCLE, new Vec2(-5, 0), 9).map(Impact::obstacle)).contains(LINE);
+    assertThat(RESOLVER.cast(CIRCLE, new Vec2(1, 1), 99).map(Impact::obstacle)).contains(PEG);
+    assertThat(RESOLVER.cast(CIRCLE, new Vec2(1, -3), 99).map(Impact::obstacle)).contains(END);
+    assertThat(RESOLVER.cast(CIRCLE, new Vec2(0, 1), 99).map(Impact::obstacle)).contains(ROOM);
+    assertThat(RESOLVER.cast(CIRCLE, new Vec2(0, 1), 44)).isEmpty();
+    assertThat(RESOLVER.cast(CIRCLE, new Vec2(1, -3), 99).orElseThrow().id()).isZero();
+    assertThat(RESOLVER.cast(CIRCLE, new Vec2(1, 1), 99).orElseThrow().id()).isEqualTo(1);
+  }
+
+  @Test
+  void whatIsNearestAndWhatOverlaps() {
+    assertThat(RESOLVER.nearest(new Vec2(30, 30))).contains(LINE);
+    assertThat(RESOLVER.nearest(new Vec2(65, 25))).contains(END);
+    assertThat(RESOLVER.overlapping(new Circle(75, 75, 4))).containsExactly(PEG);
+    assertThat(RESOLVER.overlapping(new Circle(40, 10, 30)))
+        .containsExactlyInAnyOrder(ROOM, LINE, END);
+    assertThat(RESOLVER.overlapping(new Bounds(59, 19, 61, 21))).containsExactly(END);
+    assertThat(RESOLVER.overlapping(new Bounds(10, 10, 30, 30))).containsExactly(LINE);
+  }
+
+  @Test
+  void sensorsArePassed() {
+    Scene scene =
+        Scene.builder().line(60, 0, 60, 100).response(Response.SENSOR).line(80, 0, 80, 100).build();
+    Resolver resolver = Resolver.of(scene);
+    assertThat(resolver.cast(CIRCLE, new Vec2(1, 0), 99).map(Impact::id)).contains(1);
+    Trajectory path = resolver.trace(CIRCLE, new Vec2(1, 0), 99);
+    assertThat(path.impacts()).extracting(Impact::time).containsExactly(25.0);
+  }
+
+  @Test
+  void reflects() {
+    assertThat(Resolver.reflect(new Vec2(3, -4), new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 2));
+    assertThat(Resolver.reflect(new Vec2(3, -4), new Vec2(-1, 1), 1)).isEqualTo(new Vec2(-4, 3));
+    assertThat(Resolver.reflect(new Vec2(3, 4), new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 4));
+    assertThat(Resolver.reflect(new Vec2(3, 0), new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 0));
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {-1, Double.NaN, Double.POSITIVE_INFINITY})
+  void refusesWhatIsOutOfRange(double bad) {
+    refused(() -> RESOLVER.trace(CIRCLE, Vec2.ZERO, bad, 1, 1), "restitution is " + bad);
+    refused(() -> RESOLVER.trace(CIRCLE, Vec2.ZERO, 1, bad, 1), "duration is " + bad);
+    refused(() -> RESOLVER.trace(CIRCLE, Vec2.ZERO, bad), "duration is " + bad);
+    refused(() -> Resolver.reflect(Vec2.ZERO, new Vec2(1, 0), bad), "restitution is " + bad);
+  }
+
+  @Test
+  void refusesWhatMakesNoSense() {
+    refused(() -> RESOLVER.trace(CIRCLE, Vec2.ZERO, 1, 1, -1), "bounces is -1");
+    refused(() -> RESOLVER.cast(CIRCLE, Vec2.ZERO, -1), "T is -1");
+    refused(() -> Resolver.reflect(new Vec2(1, 0), Vec2.ZERO, 1), "normal");
+    refused(() -> Resolver.of(List.of(ROOM, new Bounds(1, 2, 3, 4))), "second");
+  }
+
+  private static void refused(Runnable call, String message) {
+    assertThatIllegalArgumentException().isThrownBy(call::run).withMessageContaining(message);
+  }
+}
