@@ -17,6 +17,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvFileSource;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * How many questions of each family climb beyond plain doubles. A bound of rounding errors that is
@@ -108,5 +109,20 @@ class RungsTest {
         n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12], n[13],
         n[14]);
     SweptSphere.overlap(n[0], n[1], n[2], n[3], n[7], n[8], n[9], n[10]);
+  }
+
+  /**
+   * How often 600 frames look at a circle and a line together: the grid changes nothing but that.
+   * Room for a fifth more, since which cells are the best is a matter of speed.
+   */
+  @ParameterizedTest
+  @CsvSource({"base-1.csv, 13992", "fast-1.csv, 151930", "radii.csv, 13792"})
+  void theGridLeavesFewPairsToLookAt(String scene, long pairs) {
+    World world = new World(TestScenes.read(scene));
+    long before = Rungs.COUNT.pairTests;
+    for (int frame = 0; frame < 600; frame++) {
+      world.step(1);
+    }
+    assertThat(Rungs.COUNT.pairTests - before).isBetween(1L, pairs + pairs / 5);
   }
 }
