@@ -2,31 +2,28 @@
 package dev.carom.bench.examples;
 
 import java.util.Locale;
-import java.util.function.Supplier;
 
 /** The examples by name. */
 public enum Examples {
   /** See {@link Breakout}. */
-  BREAKOUT("a paddle is a line that moves between frames", 900, Breakout::new),
+  BREAKOUT("a paddle is a line that moves between frames", 900),
   /** See {@link Billiards}. */
-  BILLIARDS("a break; friction is a velocity set between frames", 90, Billiards::new),
+  BILLIARDS("a break; friction is a velocity set between frames", 90),
   /** See {@link Relaxation}. */
-  GAS("speeds relax to those of Maxwell and Boltzmann", 200, Relaxation::new),
+  GAS("speeds relax to those of Maxwell and Boltzmann", 200),
   /** See {@link AimingLine}. */
-  AIM("the way that a shot would take, bounces included", 0, AimingLine::new),
+  AIM("the way that a shot would take, bounces included", 0),
   /** See {@link GameLoop}. */
-  LOOP("fixed steps in a Swing timer, with gravity", 100, GameLoop::new),
+  LOOP("fixed steps in a Swing timer, with gravity", 100),
   /** See {@link Threads}. */
-  THREADS("a scene split over two threads", 150, Threads::new);
+  THREADS("a scene split over two threads", 150);
 
   private final String about;
   private final int frames;
-  private final Supplier<Example> maker;
 
-  Examples(String about, int frames, Supplier<Example> maker) {
+  Examples(String about, int frames) {
     this.about = about;
     this.frames = frames;
-    this.maker = maker;
   }
 
   /**
@@ -53,7 +50,14 @@ public enum Examples {
    * @return a new one, at its beginning
    */
   public Example start() {
-    return maker.get();
+    return switch (this) {
+      case BREAKOUT -> new Breakout();
+      case BILLIARDS -> new Billiards();
+      case GAS -> new Relaxation();
+      case AIM -> new AimingLine();
+      case LOOP -> new GameLoop();
+      case THREADS -> new Threads();
+    };
   }
 
   /** Its name in small letters. */

@@ -40,7 +40,8 @@ public final class Relaxation implements Example {
     scene.bounds(0, 0, COLUMNS * CELL, COLUMNS * CELL);
     for (int i = 0; i < CIRCLES; i++) {
       double x = (i % COLUMNS + 0.5) * CELL;
-      double y = (i / COLUMNS + 0.5) * CELL;
+      int row = i / COLUMNS;
+      double y = (row + 0.5) * CELL;
       double angle = 2 * StrictMath.PI * random.nextDouble();
       scene.circle(x, y, 1, StrictMath.cos(angle), StrictMath.sin(angle));
     }

@@ -179,12 +179,13 @@ class ExamplesTest {
     GameLoop loop = new GameLoop();
     loop.elapse(5 * GameLoop.STEP);
     double before = loop.shown();
-    loop.elapse(GameLoop.STEP / 4);
-    assertThat(loop.shown() - before).isCloseTo(GameLoop.STEP / 4 / 1e9, offset(1e-15));
+    long quarter = GameLoop.STEP / 4;
+    loop.elapse(quarter);
+    assertThat(loop.shown() - before).isCloseTo(quarter / 1e9, offset(1e-15));
     assertThat(loop.shown()).isLessThan(loop.world().now());
     loop.elapse(3_600_000_000_000L);
     assertThat(loop.world().now())
         .as("no run after the clock")
-        .isLessThan(26 * GameLoop.STEP / 1e9);
+        .isLessThan(26.0 * GameLoop.STEP / 1e9);
   }
 }
