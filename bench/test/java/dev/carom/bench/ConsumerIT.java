@@ -90,6 +90,7 @@ class ConsumerIT {
   void sourcesAndJavadocStandBesideIt() throws Exception {
     assertThat(entry("-sources", "dev/carom/World.java")).contains("public final class World");
     assertThat(entry("-javadoc", "dev.carom/dev/carom/World.html")).contains("A scene in motion");
+    assertThat(entry("-javadoc", "dev.carom/dev/carom/doc-files/line.svg")).contains("<svg");
     assertThat(entry("", "META-INF/LICENSE")).contains("Apache License");
   }
 

@@ -62,7 +62,7 @@ class JavadocTest {
 
   @Test
   void picturesAreThereAndToldInWords() throws IOException {
-    Path pictures = SOURCES.resolve("doc-files");
+    Path pictures = Path.of("../src/main/javadoc/dev.carom/dev/carom/doc-files");
     String all = sources().map(JavadocTest::read).collect(Collectors.joining());
     List<String> shown = find(PICTURE, all).distinct().toList();
     assertThat(all.split("<img ", -1)).hasSize((int) find(PICTURE, all).count() + 1);
