@@ -16,6 +16,9 @@ final class BroadSearch {
    */
   static final int FIRST_REACH = 16;
 
+  /** The same for a flight that an edit began: another edit may cut it short. */
+  static final int EDITED_REACH = 1;
+
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   /** Least speed times size for which underflow stays beneath the bound of {@link #clear}. */

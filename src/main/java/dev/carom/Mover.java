@@ -86,7 +86,7 @@ final class Mover {
     return m;
   }
 
-  /** Begins a new flight at a given time, from where the circle is then. */
+  /** Begins a new flight at a given time, from where the circle is then, as an edit does. */
   void restart(double now) {
     double dt = now - t - tl;
     x = Math.fma(vx, dt, x);
@@ -94,6 +94,7 @@ final class Mover {
     t = now;
     tl = 0;
     newFlight();
+    reach = BroadSearch.EDITED_REACH;
   }
 
   /** Forgets what was hit: the next impact may be with anything. */
