@@ -64,7 +64,7 @@ final class Circles {
    * When a circle needs attention: its next impact, or the end of what is known ahead of it; of
    * circles that ignore each other only.
    */
-  double[] due;
+  final Agenda due;
 
   /** Of stuck circles; null until there is one. */
   Jam[] jams;
@@ -83,7 +83,7 @@ final class Circles {
     this.codeStride = codeStride;
     state = new double[first + count * stride];
     codes = new int[count * codeStride];
-    due = new double[dues];
+    due = new Agenda(dues);
   }
 
   /** Circles that collide; when one needs attention stands in a queue. */
@@ -98,7 +98,7 @@ final class Circles {
 
   /** Forgets all circles. */
   void clear() {
-    Arrays.fill(due, Double.POSITIVE_INFINITY);
+    due.clear();
     jams = null;
     count = 0;
   }
@@ -111,9 +111,8 @@ final class Circles {
       int capacity = 2 * count + 4;
       state = Arrays.copyOf(state, first + capacity * stride);
       codes = Arrays.copyOf(codes, capacity * codeStride);
-      if (due.length > 0 || codeStride == CODES) {
-        due = Arrays.copyOf(due, capacity);
-        Arrays.fill(due, count, capacity, Double.POSITIVE_INFINITY);
+      if (codeStride == CODES) {
+        due.extend(capacity);
       }
       jams = jams == null ? null : Arrays.copyOf(jams, capacity);
     }
@@ -206,7 +205,7 @@ final class Circles {
   /** Stores a circle that ignores others, and when it needs attention. */
   void store(int i, Mover m) {
     keep(i, m);
-    due[i] = m.due();
+    due.set(i, m.due());
   }
 
   /** Stores a circle, and leaves its {@link #due} to the caller. */

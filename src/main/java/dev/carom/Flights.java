@@ -66,18 +66,16 @@ final class Flights extends Engine {
     int allowance =
         Math.max(LEAST_IMPACTS_PER_CALL, IMPACTS_PER_CALL / Math.max(1, roster.count()));
     ExactWork work = ExactWork.ofThread();
-    double[] due = circles.due;
+    Agenda due = circles.due;
     double end = goal;
-    for (int i = 0; i < due.length; i++) {
-      if (due[i] <= end) {
-        journal.save(i, due[i], circles.jam(i), circles.state, circles.codes);
-        circles.load(i);
-        boolean spent = fly(circles.mover, work, allowance, end);
-        circles.store(i);
-        if (spent) {
-          unfinished = true;
-          end = Math.min(end, circles.mover.t);
-        }
+    for (int i = due.next(0, end); i < due.size(); i = due.next(i + 1, end)) {
+      journal.save(i, due.get(i), circles.jam(i), circles.state, circles.codes);
+      circles.load(i);
+      boolean spent = fly(circles.mover, work, allowance, end);
+      circles.store(i);
+      if (spent) {
+        unfinished = true;
+        end = Math.min(end, circles.mover.t);
       }
     }
     return end;
@@ -117,7 +115,7 @@ final class Flights extends Engine {
 
   @Override
   void remove(int i) {
-    circles.due[i] = Double.POSITIVE_INFINITY;
+    circles.due.set(i, Double.POSITIVE_INFINITY);
   }
 
   @Override

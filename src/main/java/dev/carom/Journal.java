@@ -48,10 +48,10 @@ final class Journal {
   }
 
   /** Puts all noted circles back, and forgets them. */
-  void restore(double[] allDues, Jam[] allJams, double[] allState, int[] allCodes) {
+  void restore(Agenda allDues, Jam[] allJams, double[] allState, int[] allCodes) {
     for (int k = 0; k < size; k++) {
       int i = ids[k];
-      allDues[i] = dues[k];
+      allDues.set(i, dues[k]);
       if (allJams != null) {
         allJams[i] = jams[k];
       }
