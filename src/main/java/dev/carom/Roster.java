@@ -12,6 +12,9 @@ final class Roster {
 
   private double[] masses;
 
+  /** Whether the scene uses the same array of masses. */
+  private boolean shared;
+
   /** Null if no circle has any. */
   private byte[] traits;
 
@@ -24,7 +27,8 @@ final class Roster {
   Roster(Scene scene) {
     end = scene.circleCount();
     count = end;
-    masses = scene.masses.clone();
+    masses = scene.masses;
+    shared = true;
     traits = scene.circleTraits == null ? null : scene.circleTraits.clone();
   }
 
@@ -48,6 +52,7 @@ final class Roster {
   /** Takes over what another one holds. */
   void set(Roster other) {
     masses = Arrays.copyOf(other.masses, other.end);
+    shared = false;
     traits = other.traits == null ? null : Arrays.copyOf(other.traits, other.end);
     gone = other.gone == null ? null : Arrays.copyOf(other.gone, other.end);
     end = other.end;
@@ -78,6 +83,7 @@ final class Roster {
     if (end == masses.length) {
       int capacity = 2 * end + 4;
       masses = Arrays.copyOf(masses, capacity);
+      shared = false;
       traits = traits == null ? null : Arrays.copyOf(traits, capacity);
       gone = gone == null ? null : Arrays.copyOf(gone, capacity);
     }
@@ -99,6 +105,10 @@ final class Roster {
   }
 
   void setMass(int id, double m) {
+    if (shared) {
+      masses = masses.clone();
+      shared = false;
+    }
     masses[id] = m;
   }
 
