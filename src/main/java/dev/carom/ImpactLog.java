@@ -18,6 +18,10 @@ public final class ImpactLog {
    */
   private static final int ROW = 6;
 
+  // Ordinals are kept as bytes: storing a reference costs what a garbage collector must know of it.
+  private static final ObstacleKind[] KINDS = ObstacleKind.values();
+  private static final Feature[] FEATURES = Feature.values();
+
   /** Rows that are sorted by insertion. */
   private static final int FEW = 32;
 
@@ -25,8 +29,8 @@ public final class ImpactLog {
   private double[] numbers;
   private int[] circles;
   private int[] obstacles;
-  private ObstacleKind[] kinds;
-  private Feature[] features;
+  private byte[] kinds;
+  private byte[] features;
   private boolean[] jammed;
 
   /** The rows in the order of time; before {@link #sort}, of their arrival. */
@@ -39,8 +43,8 @@ public final class ImpactLog {
     numbers = new double[rows * ROW];
     circles = new int[rows];
     obstacles = new int[rows];
-    kinds = new ObstacleKind[rows];
-    features = new Feature[rows];
+    kinds = new byte[rows];
+    features = new byte[rows];
     jammed = new boolean[rows];
     order = new int[rows];
     scratch = new int[rows];
@@ -85,7 +89,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public ObstacleKind kind(int row) {
-    return kinds[at(row)];
+    return KINDS[kinds[at(row)]];
   }
 
   /**
@@ -107,7 +111,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public Feature feature(int row) {
-    return features[at(row)];
+    return FEATURES[features[at(row)]];
   }
 
   /**
@@ -197,8 +201,8 @@ public final class ImpactLog {
     numbers[size * ROW] = time;
     circles[size] = circle;
     obstacles[size] = obstacle;
-    kinds[size] = kind;
-    features[size] = feature;
+    kinds[size] = (byte) kind.ordinal();
+    features[size] = (byte) feature.ordinal();
     jammed[size] = false;
     order[size] = size;
     size++;
