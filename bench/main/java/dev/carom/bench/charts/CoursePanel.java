@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.function.DoubleFunction;
 import java.util.stream.DoubleStream;
 import org.jfree.chart.axis.NumberAxis;
+import org.jfree.chart.axis.ValueAxis;
 
 /** Lines with bands against a logarithmic height, their names at their right ends. */
 final class CoursePanel {
@@ -60,7 +61,7 @@ final class CoursePanel {
       Graphics2D g,
       Rectangle2D where,
       double names,
-      NumberAxis places,
+      ValueAxis places,
       DecadeAxis heights,
       Marks marks,
       List<Course> courses) {

@@ -22,6 +22,7 @@ import picocli.CommandLine.ParameterException;
       ReportCommand.class,
       SweepCommand.class,
       StabilityCommand.class,
+      ScaleCommand.class,
       GasCommand.class,
       SimulateCommand.class,
       CastCommand.class,

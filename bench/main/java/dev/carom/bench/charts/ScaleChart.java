@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Times against the number of circles, both axes logarithmic, a panel for each kind of time. Where
+ * a method has no time, a crossed ring at the limit says that it took longer.
+ */
+public final class ScaleChart {
+
+  private static final int WIDTH = 900;
+  private static final int PANEL = 330;
+  private static final int COLUMNS = 2;
+  private static final double TITLE = 22;
+  private static final double NAMES = 130;
+
+  private final String title;
+  private final String subtitle;
+  private final Marks marks;
+  private final Map<String, List<Course>> panels;
+  private final double limit;
+
+  /**
+   * Takes what is drawn.
+   *
+   * @param title what the reader is to take home
+   * @param subtitle what is shown
+   * @param marks how methods are drawn
+   * @param panels the lines of each panel, by its title; NaN where a frame took too long
+   * @param limit the time of a frame that is too long, in nanoseconds
+   */
+  public ScaleChart(
+      String title, String subtitle, Marks marks, Map<String, List<Course>> panels, double limit) {
+    this.title = title;
+    this.subtitle = subtitle;
+    this.marks = marks;
+    this.panels = new LinkedHashMap<>(panels);
+    this.limit = limit;
+  }
+
+  /**
+   * Draws it.
+   *
+   * @return the picture
+   */
+  public Picture picture() {
+    int rows = (panels.size() + 1) / COLUMNS;
+    return new Picture(WIDTH, 72 + rows * PANEL, title + ". " + subtitle, this::paint);
+  }
+
+  private void paint(Graphics2D g) {
+    double top = Heading.draw(g, WIDTH, title, subtitle);
+    double width = (WIDTH - 20.0) / COLUMNS;
+    int i = 0;
+    for (Map.Entry<String, List<Course>> panel : panels.entrySet()) {
+      double x = 10 + i % COLUMNS * width;
+      double y = top + (double) (i / COLUMNS) * (PANEL - 4);
+      g.setFont(Style.bold(13));
+      g.setColor(Style.INK);
+      g.drawString(panel.getKey(), (float) x + 6, (float) y + 15);
+      Rectangle2D where = new Rectangle2D.Double(x, y + TITLE, width - 6, PANEL - TITLE - 12);
+      panel(g, where, panel.getValue());
+      i++;
+    }
+  }
+
+  private void panel(Graphics2D g, Rectangle2D where, List<Course> courses) {
+    boolean timeOut = courses.stream().anyMatch(ScaleChart::isCut);
+    double[] others = timeOut ? new double[] {limit} : new double[0];
+    DecadeAxis circles =
+        DecadeAxis.covering(
+            courses.stream().flatMapToDouble(c -> Arrays.stream(c.x())),
+            n -> Durations.number(n, 1));
+    DecadeAxis times = CoursePanel.heights(courses, null, v -> Durations.text(v, 1), others);
+    Axes axes = CoursePanel.draw(g, where, NAMES, circles, times, marks, courses);
+    for (Course course : courses) {
+      for (int i = 0; i < course.x().length; i++) {
+        if (Double.isNaN(course.middle()[i])) {
+          marks.drawFailure(g, course.method(), axes.x(course.x()[i]), axes.y(limit));
+        }
+      }
+    }
+  }
+
+  private static boolean isCut(Course course) {
+    return Arrays.stream(course.middle()).anyMatch(Double::isNaN);
+  }
+}

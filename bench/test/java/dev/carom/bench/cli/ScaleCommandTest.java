@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.bench.results.ResultsCsv;
+import dev.carom.bench.results.Row;
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ScaleCommandTest {
+
+  @Test
+  void tellsTimesGrowthAndMemory(@TempDir Path folder) throws IOException {
+    Path csv = folder.resolve("scale.csv");
+    Cli run = Cli.run("scale", "--quick", "--csv", csv, "--pictures", folder);
+
+    assertThat(run.exitCode()).isZero();
+    assertThat(run.out().lines())
+        .anyMatch(line -> line.matches("alone +900 +carom .*"))
+        .anyMatch(line -> line.matches("alone +400 +poster .*"))
+        .anyMatch(line -> line.matches("gas +900 +carom .*"))
+        .anyMatch(line -> line.startsWith("alone: poster, the time of a frame grows"))
+        .anyMatch(line -> line.matches("A world of 900 circles and lines takes .* a line\\."));
+    assertThat(ResultsCsv.read(csv)).extracting(Row::scene).contains("scale:gas=100");
+    assertThat(folder.resolve("scale.png")).isNotEmptyFile();
+    assertThat(folder.resolve("scale.svg")).isNotEmptyFile();
+  }
+
+  @Test
+  void fewerThanAHundredCirclesAreRefused() {
+    Cli run = Cli.run("scale", "--max", 99);
+    assertThat(run.exitCode()).isEqualTo(2);
+    assertThat(run.err()).contains("--max is 99: expected at least 100");
+  }
+}
