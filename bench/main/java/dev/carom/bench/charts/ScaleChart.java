@@ -14,7 +14,8 @@ import java.util.Map;
  */
 public final class ScaleChart {
 
-  private static final int WIDTH = 900;
+  private static final int HEAD = 72;
+  private static final int NARROW_HEAD = 110;
   private static final int PANEL = 330;
   private static final int COLUMNS = 2;
   private static final double TITLE = 22;
@@ -47,20 +48,24 @@ public final class ScaleChart {
   /**
    * Draws it.
    *
+   * @param width {@link Picture#WIDE} or {@link Picture#NARROW}
    * @return the picture
    */
-  public Picture picture() {
-    int rows = (panels.size() + 1) / COLUMNS;
-    return new Picture(WIDTH, 72 + rows * PANEL, title + ". " + subtitle, this::paint);
+  public Picture picture(int width) {
+    int columns = width < Picture.WIDE ? 1 : COLUMNS;
+    int rows = (panels.size() + columns - 1) / columns;
+    int height = (columns == 1 ? NARROW_HEAD : HEAD) + rows * PANEL;
+    return new Picture(width, height, title + ". " + subtitle, g -> paint(g, width, columns));
   }
 
-  private void paint(Graphics2D g) {
-    double top = Heading.draw(g, WIDTH, title, subtitle);
-    double width = (WIDTH - 20.0) / COLUMNS;
+  private void paint(Graphics2D g, int whole, int columns) {
+    double top = Heading.draw(g, whole, title, subtitle);
+    double width = (whole - 20.0) / columns;
     int i = 0;
     for (Map.Entry<String, List<Course>> panel : panels.entrySet()) {
-      double x = 10 + i % COLUMNS * width;
-      double y = top + (double) (i / COLUMNS) * (PANEL - 4);
+      double x = 10 + i % columns * width;
+      int row = i / columns;
+      double y = top + row * (PANEL - 4.0);
       g.setFont(Style.bold(13));
       g.setColor(Style.INK);
       g.drawString(panel.getKey(), (float) x + 6, (float) y + 15);

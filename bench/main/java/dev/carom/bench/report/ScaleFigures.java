@@ -72,7 +72,7 @@ public final class ScaleFigures {
             panels,
             limit);
     String caption = title + ". " + String.join(" ", growth());
-    return new Figure("scale", title, caption, chart.picture(), table());
+    return new Figure("scale", title, caption, chart::picture, table());
   }
 
   /**
