@@ -80,8 +80,7 @@ public final class ScaleChart {
     double[] others = timeOut ? new double[] {limit} : new double[0];
     DecadeAxis circles =
         DecadeAxis.covering(
-            courses.stream().flatMapToDouble(c -> Arrays.stream(c.x())),
-            n -> Durations.number(n, 1));
+            courses.stream().flatMapToDouble(c -> Arrays.stream(c.x())), ScaleChart::count);
     DecadeAxis times = CoursePanel.heights(courses, null, v -> Durations.text(v, 1), others);
     Axes axes = CoursePanel.draw(g, where, NAMES, circles, times, marks, courses);
     for (Course course : courses) {
@@ -91,6 +90,13 @@ public final class ScaleChart {
         }
       }
     }
+  }
+
+  /** Short, for the last one stands at the edge. */
+  private static String count(double n) {
+    return n < 1e3
+        ? Durations.number(n, 1)
+        : n < 1e6 ? Durations.number(n / 1e3, 1) + "k" : Durations.number(n / 1e6, 1) + "M";
   }
 
   private static boolean isCut(Course course) {

@@ -58,7 +58,9 @@ public final class ScaleFigures {
       for (Per per : Per.values()) {
         List<Course> courses = courses(model, per);
         if (!courses.isEmpty()) {
-          panels.put(model.words() + ": time of " + per.words, courses);
+          panels.put(
+              model.words() + ": time of " + per.words,
+              courses.stream().map(ScaleFigures::unset).toList());
         }
       }
     }
@@ -73,6 +75,11 @@ public final class ScaleFigures {
             limit);
     String caption = title + ". " + String.join(" ", growth());
     return new Figure("scale", title, caption, chart::picture, table());
+  }
+
+  /** Each method stands there in one setting: it needs no name. */
+  private static Course unset(Course c) {
+    return new Course(c.method(), "", c.x(), c.low(), c.middle(), c.high());
   }
 
   /**

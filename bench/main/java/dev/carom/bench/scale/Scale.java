@@ -68,6 +68,7 @@ public final class Scale {
       throws CannotPlaceException {
     rows.clear();
     timedOut.clear();
+    warmUp(plan.scene(model, plan.sides().get(0)), contenders);
     for (int side : plan.sides()) {
       play(
           SCENE + model.label() + "=" + ScalePlan.circles(side),
@@ -76,6 +77,17 @@ public final class Scale {
       progress.run();
     }
     return List.copyOf(rows);
+  }
+
+  private void warmUp(Scene scene, List<Contender> contenders) {
+    for (Contender contender : contenders) {
+      long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(plan.warmUpMillis());
+      try (Method method = contender.start(scene)) {
+        while (System.nanoTime() < end) {
+          method.frame();
+        }
+      }
+    }
   }
 
   private void play(String name, Scene scene, List<Contender> contenders) {

@@ -15,11 +15,17 @@ import java.util.stream.IntStream;
  *     many lines; ascending
  * @param rounds in which methods take turns, at least 1
  * @param roundMillis how long a method plays in a round, at least one frame
+ * @param warmUpMillis how long each method plays the first scene before anything is measured
  * @param limitMillis a method of which one frame takes longer plays no larger scenes
  * @param seed of the scenes
  */
 public record ScalePlan(
-    List<Integer> sides, int rounds, int roundMillis, int limitMillis, long seed) {
+    List<Integer> sides,
+    int rounds,
+    int roundMillis,
+    int warmUpMillis,
+    int limitMillis,
+    long seed) {
 
   /** What the circles are to each other. */
   public enum Model {
@@ -71,7 +77,8 @@ public record ScalePlan(
   public static ScalePlan of(int most, boolean quick, int limitMillis, long seed) {
     int end = quick ? Math.min(most, MOST_QUICK) : most;
     List<Integer> sides = IntStream.of(SIDES).filter(s -> circles(s) <= end).boxed().toList();
-    return new ScalePlan(sides, quick ? 3 : 5, quick ? 20 : 300, limitMillis, seed);
+    return new ScalePlan(
+        sides, quick ? 3 : 5, quick ? 20 : 300, quick ? 500 : 2000, limitMillis, seed);
   }
 
   /**

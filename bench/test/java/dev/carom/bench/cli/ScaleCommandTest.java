@@ -23,7 +23,7 @@ class ScaleCommandTest {
         .anyMatch(line -> line.matches("alone +400 +poster .*"))
         .anyMatch(line -> line.matches("gas +900 +carom .*"))
         .anyMatch(line -> line.startsWith("alone: poster, the time of a frame grows"))
-        .anyMatch(line -> line.matches("A world of 900 circles and lines takes .* a line\\."));
+        .anyMatch(line -> line.matches("A world of 102,400 circles and lines takes .* a line\\."));
     assertThat(ResultsCsv.read(csv)).extracting(Row::scene).contains("scale:gas=100");
     assertThat(folder.resolve("scale.png")).isNotEmptyFile();
     assertThat(folder.resolve("scale.svg")).isNotEmptyFile();
