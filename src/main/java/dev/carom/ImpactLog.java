@@ -38,6 +38,9 @@ public final class ImpactLog {
 
   private int[] scratch;
 
+  /** Whether a row arrived that is earlier than the one before it. */
+  private boolean disordered;
+
   /** With room for some rows; it grows as needed. */
   ImpactLog(int rows) {
     numbers = new double[rows * ROW];
@@ -191,6 +194,7 @@ public final class ImpactLog {
 
   void clear() {
     size = 0;
+    disordered = false;
   }
 
   /** Adds a row, to be completed by {@link #set}. */
@@ -198,7 +202,9 @@ public final class ImpactLog {
     if (size == circles.length) {
       grow();
     }
-    numbers[size * ROW] = time;
+    int k = size * ROW;
+    disordered |= size > 0 && time < numbers[k - ROW];
+    numbers[k] = time;
     circles[size] = circle;
     obstacles[size] = obstacle;
     kinds[size] = (byte) kind.ordinal();
@@ -233,6 +239,9 @@ public final class ImpactLog {
    * circle as they happened.
    */
   void sort() {
+    if (!disordered) {
+      return;
+    }
     if (size <= FEW) {
       insert(0, size);
       return;

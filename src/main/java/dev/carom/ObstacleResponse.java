@@ -308,7 +308,7 @@ final class ObstacleResponse {
     boolean here = Math.abs(m.x - m.anchorX) <= size && Math.abs(m.y - m.anchorY) <= size;
     int exponent = Math.min(Math.getExponent(speed), Double.MAX_EXPONENT);
     int pace = Math.max(m.pace, exponent);
-    boolean faint = Math.abs(approach) <= ROUNDING * Math.scalb(1.0, pace);
+    boolean faint = Math.abs(approach) <= ROUNDING * powerOfTwo(pace);
     boolean slides = faint && (isJammed(m) || m.flown * Math.abs(approach) <= size);
     if (m.standsStill || (here && way <= size) || slides) {
       m.stuck = Math.min(m.stuck + (faint ? 1 + patience / FAINT : 1), 2 * patience + 1);
@@ -321,6 +321,13 @@ final class ObstacleResponse {
       m.jam = null;
     }
     return m.stuck > patience;
+  }
+
+  /** 2^k, for the exponent of a double: 0 and subnormal ones have that of 2^-1023. */
+  private static double powerOfTwo(int k) {
+    return k < Double.MIN_EXPONENT
+        ? Double.MIN_NORMAL / 2
+        : Double.longBitsToDouble((long) (k + Double.MAX_EXPONENT) << 52);
   }
 
   boolean isJammed(Mover m) {
