@@ -19,7 +19,7 @@ final class EntryLists {
   private int[] next;
 
   private int[] filled;
-  private int[] heads;
+  private final int[] heads;
   private int free;
 
   EntryLists(int lists, int chunk, int chunks) {
@@ -38,14 +38,6 @@ final class EntryLists {
     for (int c = next.length - 1; c >= from; c--) {
       next[c] = free;
       free = c;
-    }
-  }
-
-  /** Makes room for so many lists; they are empty. */
-  void room(int lists) {
-    if (lists > heads.length) {
-      heads = new int[2 * lists];
-      Arrays.fill(heads, NONE);
     }
   }
 

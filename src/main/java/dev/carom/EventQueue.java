@@ -24,18 +24,46 @@ final class EventQueue {
     boolean before(int i, int j);
   }
 
+  /** Is told which events come next, some time before they come. */
+  interface Outlook {
+
+    /** Takes notice of the circles whose events are next, in any order. */
+    void next(int[] circles, int size);
+  }
+
   /** No event. */
   static final int NONE = -1;
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
-  private static final int LEAST_BUCKETS = 16;
-  private static final int MOST_BUCKETS = 1024;
+
+  /** Bits of a word: 2^6. */
+  private static final int WORD = 6;
+
+  /**
+   * Events that an outlook is told of at a time, and at most where many are due at nearly one time:
+   * a core waits for some dozens of reads at once.
+   */
+  private static final int OUTLOOK = 32;
+
+  static final int MOST_OUTLOOK = 2 * OUTLOOK;
+
+  private static final int LEAST_BUCKETS = 64;
+  private static final int MOST_BUCKETS = 4096;
 
   /** Events for which one coarse bucket is made. */
   private static final int PER_BUCKET = 16;
 
-  /** A round, in mean times that events wait. */
-  private static final double ROUND = 4;
+  /**
+   * Fine buckets made for each event: most then hold one event or none, and what is next is found
+   * by one look at 64 bits, not by comparing events, which cannot be foretold. As long as there are
+   * no more than so many, that is; beyond, one for each event.
+   */
+  private static final int FINE_PER_EVENT = 8;
+
+  private static final int MANY_FINE = 1 << 16;
+
+  /** A round, in mean times that events wait: what begins anew each time is shared by many. */
+  private static final double ROUND = 16;
 
   /** A sum of so small parts of times does not overflow. */
   private static final double PART = 0x1p-32;
@@ -43,15 +71,20 @@ final class EventQueue {
   /** More than this many times longer than the next shorter one is a length of time too long. */
   private static final double SKEW = 8;
 
-  private final Order order;
+  /** Or null. */
+  private final Outlook outlook;
+
+  private final int[] next = new int[MOST_OUTLOOK];
+
+  /** Fine buckets before this one were told of. */
+  private int lookedAt;
+
   private final int buckets;
   private final EntryLists coarse;
-  private final EntryLists fine = new EntryLists(1, 1, 64);
+  private final EntryChains fine = new EntryChains(64, 64);
 
-  /** When the event of each circle is due, and its place in the heap or NONE. */
+  /** When the event of each circle is due. */
   private final double[] times;
-
-  private final int[] place;
 
   // The calendar's beginning, and coarse buckets in a unit of time.
   private double base = -1;
@@ -64,19 +97,25 @@ final class EventQueue {
   private int fineBuckets = 1;
   private int currentFine = 1;
 
-  private int[] heap = new int[16];
-  private double[] heapTimes = new double[16];
-  private int heapSize;
+  /** Which fine buckets hold something: a bit for each. */
+  private long[] filled = new long[1];
+
+  /** The events of the current fine bucket and of those before it. */
+  private final EventHeap heap;
 
   EventQueue(int count, Order order) {
-    this.order = order;
+    this(count, order, null);
+  }
+
+  /** One that tells an outlook which events come next; null for none. */
+  EventQueue(int count, Order order, Outlook outlook) {
+    this.outlook = outlook;
     int fair = Integer.highestOneBit(Math.max(1, count / PER_BUCKET));
     buckets = Math.max(LEAST_BUCKETS, Math.min(MOST_BUCKETS, fair));
     coarse = new EntryLists(buckets + 1, 16, buckets + 2 + count / 8);
     times = new double[count];
     Arrays.fill(times, NEVER);
-    place = new int[count];
-    Arrays.fill(place, NONE);
+    heap = new EventHeap(count, order);
     current = buckets;
   }
 
@@ -94,10 +133,7 @@ final class EventQueue {
 
   /** Takes out the event of circle i: to be done before anything changes what orders it. */
   void clear(int i) {
-    int k = place[i];
-    if (k != NONE) {
-      remove(k);
-    }
+    heap.remove(i);
     times[i] = NEVER;
   }
 
@@ -107,12 +143,24 @@ final class EventQueue {
 
   /** The circle whose event is first, or NONE. */
   int first() {
-    while (heapSize == 0) {
+    while (heap.isEmpty()) {
       if (!turn()) {
         return NONE;
       }
     }
-    return heap[0];
+    return heap.first();
+  }
+
+  /**
+   * Whether a time is earlier than those of all events; false too if that takes a longer look than
+   * at the current bucket.
+   */
+  boolean isBeforeAll(double time) {
+    return isCurrent(time) && (heap.isEmpty() || time < heap.firstTime());
+  }
+
+  private boolean isCurrent(double time) {
+    return (time - base) * perBucket < current + 1 && fineBucket(time) <= currentFine;
   }
 
   private void insert(int i, double time) {
@@ -123,26 +171,32 @@ final class EventQueue {
     }
     int f = fineBucket(time);
     if (f <= currentFine) {
-      push(i, time);
+      heap.add(i, time);
     } else {
-      fine.add(f, i, time);
+      addFine(f, i, time);
     }
   }
 
+  private void addFine(int f, int i, double time) {
+    fine.add(f, i, time);
+    filled[f >> WORD] |= 1L << f;
+  }
+
   private int fineBucket(double time) {
-    double f = (time - fineBase) * perFine;
-    return f < fineBuckets ? Math.max(0, (int) f) : fineBuckets - 1;
+    int f = (int) ((time - fineBase) * perFine);
+    return Math.max(0, Math.min(f, fineBuckets - 1));
   }
 
   /** Goes on to the next bucket that holds something; false if no event is left. */
   private boolean turn() {
-    while (++currentFine < fineBuckets) {
-      if (!fine.isEmpty(currentFine)) {
-        drain();
-        return true;
+    currentFine = nextFilled(currentFine + 1);
+    if (currentFine < fineBuckets) {
+      if (outlook != null && currentFine >= lookedAt) {
+        lookAhead();
       }
+      drain();
+      return true;
     }
-    currentFine = fineBuckets;
     while (++current < buckets) {
       if (!coarse.isEmpty(current)) {
         deal();
@@ -153,32 +207,68 @@ final class EventQueue {
     return begin();
   }
 
-  private void drain() {
-    int chunk = fine.take(currentFine);
-    while (chunk != NONE) {
-      for (int k = fine.start(chunk); k < fine.end(chunk); k++) {
-        int i = fine.ids[k];
-        double time = fine.times[k];
-        if (isMeant(i, time)) {
-          push(i, time);
-        }
+  /** The first fine bucket from one on that holds something, or their number. */
+  private int nextFilled(int from) {
+    if (from >= fineBuckets) {
+      return fineBuckets;
+    }
+    int word = from >> WORD;
+    long bits = filled[word] & -1L << from;
+    while (bits == 0) {
+      if (++word << WORD >= fineBuckets) {
+        return fineBuckets;
       }
-      chunk = fine.release(chunk);
+      bits = filled[word];
+    }
+    return (word << WORD) + Long.numberOfTrailingZeros(bits);
+  }
+
+  /** Tells which events come next. */
+  private void lookAhead() {
+    int size = 0;
+    int f = currentFine;
+    while (f < fineBuckets && size < OUTLOOK) {
+      for (int k = fine.head(f); k != NONE && size < MOST_OUTLOOK; k = fine.next(k)) {
+        next[size++] = fine.ids[k];
+      }
+      f = nextFilled(f + 1);
+    }
+    lookedAt = f;
+    outlook.next(next, size);
+  }
+
+  private void drain() {
+    filled[currentFine >> WORD] &= ~(1L << currentFine);
+    int k = fine.take(currentFine);
+    while (k != NONE) {
+      int i = fine.ids[k];
+      double time = fine.times[k];
+      if (isMeant(i, time)) {
+        heap.add(i, time);
+      }
+      k = fine.release(k);
     }
   }
 
   /** Deals out the current coarse bucket to fine ones. */
   private void deal() {
-    fineBuckets = Math.max(1, Integer.highestOneBit(coarse.size(current)));
+    int events = Integer.highestOneBit(coarse.size(current));
+    fineBuckets = Math.max(events, Math.min(FINE_PER_EVENT * events, MANY_FINE));
     fine.room(fineBuckets);
+    if (filled.length << WORD < fineBuckets) {
+      filled = new long[fineBuckets >> WORD - 1];
+    }
     fineBase = base + current / perBucket;
     perFine = perBucket * fineBuckets;
     currentFine = -1;
+    lookedAt = 0;
     int chunk = coarse.take(current);
     while (chunk != NONE) {
       for (int k = coarse.start(chunk); k < coarse.end(chunk); k++) {
         double time = coarse.times[k];
-        fine.add(fineBucket(time), coarse.ids[k], time);
+        if (isMeant(coarse.ids[k], time)) {
+          addFine(fineBucket(time), coarse.ids[k], time);
+        }
       }
       chunk = coarse.release(chunk);
     }
@@ -186,7 +276,7 @@ final class EventQueue {
 
   /** Whether an entry is still that of its circle, and not in the heap already. */
   private boolean isMeant(int i, double time) {
-    return times[i] == time && place[i] == NONE;
+    return times[i] == time && !heap.contains(i);
   }
 
   /** Begins a new round with what waits beyond the last bucket. */
@@ -242,69 +332,5 @@ final class EventQueue {
       mean = shorter;
       limit = shorter;
     }
-  }
-
-  private void push(int i, double time) {
-    if (heapSize == heap.length) {
-      heap = Arrays.copyOf(heap, 2 * heapSize);
-      heapTimes = Arrays.copyOf(heapTimes, 2 * heapSize);
-    }
-    up(heapSize++, i, time);
-  }
-
-  private void remove(int k) {
-    place[heap[k]] = NONE;
-    heapSize--;
-    if (k < heapSize) {
-      int i = heap[heapSize];
-      double time = heapTimes[heapSize];
-      if (k > 0 && before(i, time, (k - 1) / 2)) {
-        up(k, i, time);
-      } else {
-        down(k, i, time);
-      }
-    }
-  }
-
-  private void put(int k, int i, double time) {
-    heap[k] = i;
-    heapTimes[k] = time;
-    place[i] = k;
-  }
-
-  /** Puts an event at place k of the heap or above. */
-  private void up(int k, int i, double time) {
-    int at = k;
-    while (at > 0) {
-      int parent = (at - 1) / 2;
-      if (!before(i, time, parent)) {
-        break;
-      }
-      put(at, heap[parent], heapTimes[parent]);
-      at = parent;
-    }
-    put(at, i, time);
-  }
-
-  /** Puts an event at place k of the heap or below. */
-  private void down(int k, int i, double time) {
-    int at = k;
-    while (2 * at + 1 < heapSize) {
-      int child = 2 * at + 1;
-      if (child + 1 < heapSize && before(heap[child + 1], heapTimes[child + 1], child)) {
-        child++;
-      }
-      if (before(i, time, child)) {
-        break;
-      }
-      put(at, heap[child], heapTimes[child]);
-      at = child;
-    }
-    put(at, i, time);
-  }
-
-  private boolean before(int i, double time, int k) {
-    double other = heapTimes[k];
-    return time != other ? time < other : order.before(i, heap[k]);
   }
 }

@@ -3,7 +3,10 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Random;
 import java.util.TreeSet;
 import java.util.function.DoubleUnaryOperator;
@@ -135,6 +138,29 @@ class EventQueueTest {
     twin.set(1, 1, -1, 2);
     assertThat(twin.first()).isEqualTo(1);
     assertThat(twin.queue.time(2)).isEqualTo(1);
+  }
+
+  /** With nothing set in between, every event that is taken was told of before, and once. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 40, 3000})
+  void tellsWhatComesNext(int count) {
+    List<Integer> told = new ArrayList<>();
+    EventQueue queue =
+        new EventQueue(
+            count,
+            (i, j) -> i < j,
+            (circles, size) -> Arrays.stream(circles, 0, size).forEach(told::add));
+    Random random = new Random(count);
+    for (int i = 0; i < count; i++) {
+      queue.set(i, random.nextInt(count / 4 + 1));
+    }
+    for (int taken = 0; taken < count; taken++) {
+      int first = queue.first();
+      assertThat(told).contains(first);
+      assertThat(told.size() - taken).isLessThanOrEqualTo(count - taken);
+      queue.clear(first);
+    }
+    assertThat(told).doesNotHaveDuplicates();
   }
 
   @Test
