@@ -72,33 +72,25 @@ final class Cells {
   }
 
   /**
-   * Finds the circles in a cell and in the eight around it. Most cells are empty or hold one
-   * circle, and which is which cannot be foretold: what is found is written down first, without a
-   * branch, and kept by counting on.
+   * Finds the first circles of a cell's list and of the eight around it. Most cells are empty or
+   * hold one circle, and which is which cannot be foretold: what is found is written down first,
+   * without a branch, and kept by counting on.
    *
-   * @param self a circle that is left out
    * @param found room for all circles and 9 more, from the place {@code size} on
    * @return the place after the last one found
    */
-  int around(int column, int row, int self, int[] found, int size) {
+  int around(int column, int row, int[] found, int size) {
     int end = row(column, row - 1, found, size);
     end = row(column, row, found, end);
-    end = row(column, row + 1, found, end);
-    return follow(self, found, size, end);
+    return row(column, row + 1, found, end);
   }
 
-  /** Finds the circles in a cell and in those to its left and right, as {@link #around}. */
-  int inRow(int column, int row, int self, int[] found, int size) {
-    return follow(self, found, size, row(column, row, found, size));
-  }
-
-  /** Finds the circles in a cell and in those above and below, as {@link #around}. */
-  int inColumn(int column, int row, int self, int[] found, int size) {
-    int x = column & maskX;
-    int a = heads[x | ((row - 1) & maskY) << shift];
-    int b = heads[x | (row & maskY) << shift];
-    int c = heads[x | ((row + 1) & maskY) << shift];
-    return follow(self, found, size, three(a, b, c, found, size));
+  /** The same for a cell and those a step before and after it. */
+  int beside(int column, int row, int dx, int dy, int[] found, int size) {
+    int a = heads[index(column - dx, row - dy)];
+    int b = heads[index(column, row)];
+    int c = heads[index(column + dx, row + dy)];
+    return three(a, b, c, found, size);
   }
 
   private int row(int column, int row, int[] found, int size) {
@@ -118,20 +110,15 @@ final class Cells {
     return end + 1 + (c >> 31);
   }
 
-  /** Adds those that follow in the lists, and leaves out one. */
-  private int follow(int self, int[] found, int from, int to) {
+  /** Adds those that follow in the lists, and returns the place after the last. */
+  int follow(int[] found, int from, int to) {
     int end = to;
-    int kept = from;
     for (int k = from; k < end; k++) {
-      int j = found[k];
-      int follower = next[j];
+      int follower = next[found[k]];
       found[end] = follower;
       end += 1 + (follower >> 31);
-      found[kept] = j;
-      int differs = j ^ self;
-      kept += (differs | -differs) >>> 31;
     }
-    return kept;
+    return end;
   }
 
   private int index(int column, int row) {

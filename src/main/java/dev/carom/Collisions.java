@@ -42,6 +42,9 @@ final class Collisions extends Engine {
   /** The time of the last event, or of the end of the last step. */
   private double reached;
 
+  /** The end of the step in hand. */
+  private double end;
+
   /** What a search among neighbours found. */
   private int[] found;
 
@@ -68,10 +71,10 @@ final class Collisions extends Engine {
   private void begin() {
     int room = circles.capacity();
     kinds = new short[room];
-    queue = new EventQueue(room, this::before);
     found = new int[room + 9];
     neighbors = new Neighbors(circles, roster, bounds, machinery.pairCells(), reached);
-    meetings = new Meetings(circles, pairs, sensed);
+    queue = new EventQueue(room, this::before);
+    meetings = new Meetings(circles, neighbors.followers(), pairs, sensed);
     for (int i = 0; i < circles.count; i++) {
       if (roster.contains(i)) {
         lookAround(i);
@@ -88,6 +91,7 @@ final class Collisions extends Engine {
   @Override
   double advance(double end) {
     unfinished = false;
+    this.end = end;
     prepare();
     if (outgrown) {
       outgrown = false;
@@ -159,6 +163,14 @@ final class Collisions extends Engine {
       foresee(i);
       return;
     }
+    if (meetings.isOpen(i)) {
+      meetings.refine(i);
+      if (!isStillFirst(i)) {
+        schedule(i);
+        return;
+      }
+      reached = Math.max(reached, meetings.time(i));
+    }
     int j = meetings.partner(i);
     queue.clear(j);
     int low = Math.min(i, j);
@@ -178,6 +190,15 @@ final class Collisions extends Engine {
     }
     foresee(low);
     foresee(high);
+  }
+
+  /** Whether the meeting of circle i, now that its time is known, comes before all other events. */
+  private boolean isStillFirst(int i) {
+    double time = meetings.time(i);
+    return time <= end
+        && queue.isBeforeAll(time)
+        && time < neighbors.crossing(i)
+        && time < due(i);
   }
 
   /** Notes that a sensor reported what circle i met: one of two. */
@@ -267,27 +288,23 @@ final class Collisions extends Engine {
 
   /** Puts the first of a circle's events into the calendar. */
   private void schedule(int i) {
-    double time = neighbors.crossing(i);
-    int kind = CROSSING + neighbors.way();
+    double crossing = neighbors.crossing(i);
     double due = due(i);
-    if (due < time) {
+    double meeting = meetings.time(i);
+    double time = Math.min(crossing, meeting);
+    // Without a branch, as it cannot be foretold: if none ever is, there is no event of any kind.
+    int pair = (int) (Double.doubleToRawLongBits(meeting - crossing) >> 63);
+    int way = CROSSING + neighbors.way();
+    int kind = way ^ ((way ^ PAIR) & pair);
+    if (due <= time && due < crossing && !(meeting <= due && isBeforeObstacle(i))) {
       kind = STATIC;
       time = due;
-    }
-    if (meetings.time(i) <= time) {
-      meetings.refine(i);
-      double meeting = meetings.time(i);
-      if (meeting < time
-          || (meeting == time && kind == STATIC && isBeforeObstacle(i))) {
-        kind = PAIR;
-        time = meeting;
-      }
     }
     kinds[i] = (short) kind;
     queue.set(i, time);
   }
 
-  /** Of a meeting and an obstacle at one time: whether the meeting is first. */
+  /** Of a meeting and an obstacle at one time: whether the meeting is first, or is to be refined. */
   private boolean isBeforeObstacle(int i) {
     double tail = meetings.tail(i);
     double other = dueTail(i);

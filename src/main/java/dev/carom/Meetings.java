@@ -45,6 +45,7 @@ final class Meetings {
   private final Circles circles;
   private final double[] state;
   private final int[] codes;
+  private final int[] followers;
   private final PairResponse pairs;
   private final SensedPairs sensed;
 
@@ -61,7 +62,8 @@ final class Meetings {
   private double exactHead;
   private double exactTail;
 
-  Meetings(Circles circles, PairResponse pairs, SensedPairs sensed) {
+  Meetings(Circles circles, int[] followers, PairResponse pairs, SensedPairs sensed) {
+    this.followers = followers;
     this.sensed = sensed;
     this.circles = circles;
     state = circles.state;
@@ -87,6 +89,11 @@ final class Meetings {
     return state[circles.at(i) + Circles.MEETING_TAIL];
   }
 
+  /** Whether the time of what was foreseen of circle i is known by bounds only. */
+  boolean isOpen(int i) {
+    return Double.isNaN(tau(i));
+  }
+
   /** How long after the later one of the two flights' starts. */
   double tau(int i) {
     return state[circles.at(i) + Circles.TAU];
@@ -103,21 +110,20 @@ final class Meetings {
     return codes[c + Circles.PARTNER_COUNT] == codes[circles.codesAt(j) + Circles.COUNT];
   }
 
-  /** Finds the time of what was foreseen of circle i, unless the partner has changed since. */
+  /** Finds the time of what was foreseen of circle i, which is open and holds. */
   void refine(int i) {
     int a = circles.at(i);
-    if (Double.isNaN(state[a + Circles.TAU]) && holds(i)) {
-      exactLater(i, partner(i));
-      state[a + Circles.MEETING] = exactHead;
-      state[a + Circles.MEETING_TAIL] = exactTail;
-      state[a + Circles.TAU] = exactTau;
-    }
+    exactLater(i, partner(i));
+    state[a + Circles.MEETING] = exactHead;
+    state[a + Circles.MEETING_TAIL] = exactTail;
+    state[a + Circles.TAU] = exactTau;
   }
 
   /**
    * Looks whether circle i meets one of some others before what is foreseen of it.
    *
-   * @param found the others; those that it cannot meet are taken out
+   * @param found the others, as {@link Neighbors} finds them; those that it cannot meet are taken
+   *     out
    * @return false if what was foreseen does not hold and stands in the way of telling: then it is
    *     to be cleared, and all are to be looked at
    */
@@ -138,8 +144,9 @@ final class Meetings {
   }
 
   /**
-   * Takes out those that circle i certainly does not meet: they do not approach, or pass. Written
-   * without a branch, for the answers cannot be foretold, and each waits for a chain of operations.
+   * Adds those that follow in the lists, and takes out those that circle i certainly does not meet:
+   * they do not approach, or pass. Written without a branch, for the answers cannot be foretold,
+   * and each waits for a chain of operations.
    */
   private int sift(int i, int[] found, int size) {
     double[] s = state;
@@ -152,8 +159,12 @@ final class Meetings {
     double tli = s[a + Circles.TL];
     double ri = s[a + Circles.RADIUS];
     int left = 0;
-    for (int k = 0; k < size; k++) {
+    int end = size;
+    for (int k = 0; k < end; k++) {
       int j = found[k];
+      int follower = followers[j];
+      found[end] = follower;
+      end += 1 + (follower >> 31);
       int c = circles.at(j);
       double vxj = s[c + Circles.VX];
       double vyj = s[c + Circles.VY];
@@ -180,7 +191,8 @@ final class Meetings {
       double near =
           (arr - cross * cross) + Math.fma(REACH_BOUND, terms, FirstRoot.TINY * (u2 + rr + m + 1));
       found[left] = j;
-      left += mayMeet(apart, near);
+      int other = j ^ i;
+      left += mayMeet(apart, near) & (other | -other) >>> 31;
     }
     return left;
   }
@@ -206,9 +218,9 @@ final class Meetings {
     double ti = s[a + Circles.T];
     double tj = s[c + Circles.T];
     double later = (tj - ti) + (s[c + Circles.TL] - s[a + Circles.TL]);
-    double ofI = Math.max(later, 0);
-    double ofJ = Math.max(-later, 0);
-    double from = later > 0 ? tj : ti;
+    double ofI = positive(later);
+    double ofJ = positive(-later);
+    double from = Math.max(ti, tj);
     double vxi = s[a + Circles.VX];
     double vyi = s[a + Circles.VY];
     double vxj = s[c + Circles.VX];
@@ -335,20 +347,16 @@ final class Meetings {
     double vy1 = s[a + Circles.VY];
     double vx2 = s[b + Circles.VX];
     double vy2 = s[b + Circles.VY];
-    double x1 = s[a + Circles.X];
-    double y1 = s[a + Circles.Y];
-    double x2 = s[b + Circles.X];
-    double y2 = s[b + Circles.Y];
-    // By how much the second starts later than the first.
+    // By how much the second starts later than the first, and the first than the second.
     double later = (s[b + Circles.T] - s[a + Circles.T]) + (s[b + Circles.TL] - s[a + Circles.TL]);
-    int late = later > 0 ? b : a;
-    if (later > 0) {
-      x1 = Math.fma(vx1, later, x1);
-      y1 = Math.fma(vy1, later, y1);
-    } else {
-      x2 = Math.fma(vx2, -later, x2);
-      y2 = Math.fma(vy2, -later, y2);
-    }
+    double earlier = 0 - later;
+    double of1 = positive(later);
+    double of2 = positive(earlier);
+    int late = a + ((b - a) & (int) (Double.doubleToRawLongBits(earlier) >> 63));
+    double x1 = Math.fma(vx1, of1, s[a + Circles.X]);
+    double y1 = Math.fma(vy1, of1, s[a + Circles.Y]);
+    double x2 = Math.fma(vx2, of2, s[b + Circles.X]);
+    double y2 = Math.fma(vy2, of2, s[b + Circles.Y]);
     if (!(Math.abs(x1 - x2) + Math.abs(y1 - y2) < NEVER)) {
       exactTau = NEVER; // one of them is beyond the range of doubles
       return;

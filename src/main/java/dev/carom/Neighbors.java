@@ -19,14 +19,9 @@ final class Neighbors {
   /** Beyond so many cells from the origin a place no longer tells one cell from the next. */
   private static final double FARTHEST = 0x1p48;
 
-  // Directions in which a circle leaves a cell.
-  private static final int RIGHT = 0;
-  private static final int LEFT = 1;
-  private static final int UP = 2;
-  private static final int DOWN = 3;
+  // Directions in which a circle leaves a cell: right, left, up, down.
+  private static final int VERTICAL = 2;
   private static final int DIRECTIONS = 4;
-  private static final int HORIZONTAL = RIGHT;
-  private static final int VERTICAL = UP;
 
   private final int levels;
 
@@ -53,6 +48,8 @@ final class Neighbors {
   /** Of each level: columns and rows within which no wall is near; first, after last, for both. */
   private final double[] inside;
 
+  private final int[] followers;
+
   private int way;
 
   Neighbors(Circles circles, Roster roster, Bounds bounds, double diameters, double now) {
@@ -72,6 +69,10 @@ final class Neighbors {
     for (int k = 0; k < levels; k++) {
       own[k] = cells(extent, size[k], next, null);
       smaller[k] = k == 0 ? null : cells(extent, size[k], new int[count], new int[count]);
+    }
+    followers = levels == 1 ? next : new int[count];
+    if (levels != 1) {
+      Arrays.fill(followers, Cells.NONE);
     }
     coarse = new double[levels == 1 ? 0 : 2 * levels * count];
     inside = new double[4 * levels];
@@ -179,6 +180,15 @@ final class Neighbors {
     return (int) (long) cell;
   }
 
+  /**
+   * The circle that follows each one in its cell's list, or Cells.NONE: whom {@link #find} and
+   * {@link #cross} leave to be found while those before are looked at. Where there are several
+   * levels they find all, and none follows.
+   */
+  int[] followers() {
+    return followers;
+  }
+
   /** Whether a circle meets no wall before it next leaves its cell. */
   boolean isInside(int i) {
     int a = circles.at(i);
@@ -208,10 +218,11 @@ final class Neighbors {
       double least = Math.min(dx, dy);
       if (least < first) {
         first = least;
-        // RIGHT or LEFT, UP or DOWN: by the signs, without a branch, as they cannot be foretold.
-        int side = dx <= dy ? HORIZONTAL : VERTICAL;
-        double v = dx <= dy ? vx : vy;
-        way = level * DIRECTIONS + side + (int) (Double.doubleToRawLongBits(v) >>> 63);
+        // Which is first, and its sign, without a branch, as they cannot be foretold.
+        long vertical = Double.doubleToRawLongBits(dy - dx) >> 63;
+        long right = Double.doubleToRawLongBits(vx);
+        long v = right ^ ((right ^ Double.doubleToRawLongBits(vy)) & vertical);
+        way = level * DIRECTIONS + (int) ((vertical & VERTICAL) | v >>> 63);
       }
     }
     return state[a + Circles.T] + first;
@@ -235,7 +246,7 @@ final class Neighbors {
 
   /**
    * Moves circle i into the cell that it enters, and finds the circles in those now next to it that
-   * were not.
+   * were not, as {@link #find} does.
    *
    * @param found room for all circles and 9 more
    * @return how many were found
@@ -249,33 +260,47 @@ final class Neighbors {
     int column = wrapped(cells[k]);
     int row = wrapped(cells[k + 1]);
     list.remove(i, column, row);
-    int dx = direction == RIGHT ? 1 : direction == LEFT ? -1 : 0;
-    int dy = direction == UP ? 1 : direction == DOWN ? -1 : 0;
-    cells[k] += dx;
-    cells[k + 1] += dy;
-    column += dx;
-    row += dy;
+    // One step to the side, by arithmetic: the way cannot be foretold.
+    int dy = direction >> 1;
+    int dx = 1 - dy;
+    int sign = sign(direction);
+    cells[k] += sign * dx;
+    cells[k + 1] += sign * dy;
+    column += sign * dx;
+    row += sign * dy;
     list.add(i, column, row);
-    int end =
-        dx != 0
-            ? own[level].inColumn(column + dx, row, i, found, 0)
-            : own[level].inRow(column, row + dy, i, found, 0);
-    if (hasSmaller(i, level)) {
-      end =
-          dx != 0
-              ? smaller[level].inColumn(column + dx, row, i, found, end)
-              : smaller[level].inRow(column, row + dy, i, found, end);
+    int c = column + sign * dx;
+    int r = row + sign * dy;
+    int end = own[level].beside(c, r, dy, dx, found, 0);
+    if (levels == 1) {
+      return end;
     }
-    return end;
+    end = own[level].follow(found, 0, end);
+    return hasSmaller(i, level)
+        ? smaller[level].follow(found, end, smaller[level].beside(c, r, dy, dx, found, end))
+        : end;
+  }
+
+  /** Whether a way goes up its axis or down: 1 or -1. */
+  private static int sign(int way) {
+    return 1 - ((way & 1) << 1);
   }
 
   /**
-   * Finds all circles that circle i could touch before one of them leaves its cell.
+   * Finds all circles that circle i could touch before one of them leaves its cell, and itself;
+   * those in the lists of {@link #followers} are to be added.
    *
    * @param found room for all circles and 9 more
    * @return how many were found
    */
   int find(int i, int[] found) {
+    if (levels == 1) {
+      int a = circles.at(i);
+      double column = state[a + Circles.COLUMN];
+      return isListed(column)
+          ? own[0].around(wrapped(column), wrapped(state[a + Circles.ROW]), found, 0)
+          : 0;
+    }
     int end = 0;
     for (int level = levelOf[i]; level < levels; level++) {
       double[] cells = cellsOf(i, level);
@@ -285,9 +310,11 @@ final class Neighbors {
       }
       int column = wrapped(cells[k]);
       int row = wrapped(cells[k + 1]);
-      end = own[level].around(column, row, i, found, end);
+      int from = end;
+      end = own[level].follow(found, from, own[level].around(column, row, found, from));
       if (hasSmaller(i, level)) {
-        end = smaller[level].around(column, row, i, found, end);
+        from = end;
+        end = smaller[level].follow(found, from, smaller[level].around(column, row, found, from));
       }
     }
     return end;

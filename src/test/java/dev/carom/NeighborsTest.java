@@ -27,16 +27,28 @@ class NeighborsTest {
   @ParameterizedTest
   @ValueSource(doubles = {1, 1.5, 5, 1000})
   void allThatTouchAreVisited(double diameters) {
-    Scene scene = CollidingScenes.mixed(new Random(1), 200).build();
+    allThatTouchAreVisited(CollidingScenes.mixed(new Random(1), 200).build(), diameters);
+    allThatTouchAreVisited(alike(new Random(2), 200), diameters);
+  }
+
+  /** Circles of one radius: they need one level only. */
+  private static Scene alike(Random random, int count) {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 30, 30).collide(true);
+    for (int i = 0; i < count; i++) {
+      builder.circle(30 * random.nextDouble(), 30 * random.nextDouble(), 1, 0, 0);
+    }
+    return builder.build();
+  }
+
+  private static void allThatTouchAreVisited(Scene scene, double diameters) {
     Circles circles = circles(scene);
     for (Bounds bounds : new Bounds[] {null, scene.bounds}) {
       Neighbors neighbors = new Neighbors(circles, new Roster(scene), bounds, diameters, 0);
       for (int i = 0; i < circles.count; i++) {
         int[] found = new int[circles.count + 9];
-        int size = neighbors.find(i, found);
+        int size = follow(neighbors.followers(), found, neighbors.find(i, found));
         Set<Integer> visited = new HashSet<>(Arrays.stream(found, 0, size).boxed().toList());
         assertThat(visited).as("each once").hasSize(size);
-        assertThat(visited).doesNotContain(i);
         for (int j = 0; j < circles.count; j++) {
           if (j != i && touch(scene.circle(i), scene.circle(j))) {
             assertThat(visited).contains(j);
@@ -44,6 +56,17 @@ class NeighborsTest {
         }
       }
     }
+  }
+
+  /** Adds those that follow in the lists. */
+  private static int follow(int[] followers, int[] found, int size) {
+    int end = size;
+    for (int k = 0; k < end; k++) {
+      if (followers[found[k]] != Cells.NONE) {
+        found[end++] = followers[found[k]];
+      }
+    }
+    return end;
   }
 
   private static boolean touch(Circle a, Circle b) {
@@ -103,7 +126,7 @@ class NeighborsTest {
 
   private static List<Integer> around(Cells cells, int column, int row) {
     int[] found = new int[12];
-    int size = cells.around(column, row, -2, found, 0);
+    int size = cells.follow(found, 0, cells.around(column, row, found, 0));
     return Arrays.stream(found, 0, size).boxed().toList();
   }
 }
