@@ -121,6 +121,16 @@ final class Cells {
     return end;
   }
 
+  /** The first of a cell's list, or NONE. */
+  int head(int column, int row) {
+    return heads[index(column, row)];
+  }
+
+  /** The circle that follows another one in its list, or NONE. */
+  int next(int i) {
+    return next[i];
+  }
+
   private int index(int column, int row) {
     return (column & maskX) | (row & maskY) << shift;
   }

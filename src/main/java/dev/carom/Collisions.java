@@ -27,9 +27,9 @@ final class Collisions extends Engine {
 
   // Kinds of events; those from CROSSING on tell over which edge.
   private static final int STATIC = 0;
-  private static final int PAIR = 1;
+  static final int PAIR = 1;
   private static final int EDIT = 2;
-  private static final int CROSSING = 3;
+  static final int CROSSING = 3;
 
   private final Machinery machinery;
   private final Bounds bounds;
@@ -73,7 +73,8 @@ final class Collisions extends Engine {
     kinds = new short[room];
     found = new int[room + 9];
     neighbors = new Neighbors(circles, roster, bounds, machinery.pairCells(), reached);
-    queue = new EventQueue(room, this::before);
+    boolean many = room >= Ahead.LEAST_CIRCLES;
+    queue = new EventQueue(room, this::before, many ? new Ahead(circles, neighbors, kinds) : null);
     meetings = new Meetings(circles, neighbors.followers(), pairs, sensed);
     for (int i = 0; i < circles.count; i++) {
       if (roster.contains(i)) {

@@ -320,6 +320,23 @@ final class Neighbors {
     return end;
   }
 
+  /** The lists of a circle's own level. */
+  Cells cells(int i) {
+    return own[levelOf[i]];
+  }
+
+  /** In which column of its own level circle i is once it went a way, if that is not negative. */
+  int columnAfter(int i, int way) {
+    int column = wrapped(state[circles.at(i) + Circles.COLUMN]);
+    return way < 0 || (way & VERTICAL) != 0 ? column : column + sign(way);
+  }
+
+  /** The like row. */
+  int rowAfter(int i, int way) {
+    int row = wrapped(state[circles.at(i) + Circles.ROW]);
+    return way < 0 || (way & VERTICAL) == 0 ? row : row + sign(way);
+  }
+
   private boolean hasSmaller(int i, int level) {
     return level == levelOf[i] && smaller[level] != null;
   }
