@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import java.util.Arrays;
+
 /**
  * Which circles are near which: levels of {@link Cells}, one for each of the {@link SizeClasses},
  * with cells a little wider than that level's largest diameter. A circle lists itself on its own
