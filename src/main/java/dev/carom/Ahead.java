@@ -18,6 +18,7 @@ final class Ahead implements EventQueue.Outlook {
   private final int[] concerned = new int[2 * EventQueue.MOST_OUTLOOK];
 
   /** What was read comes together here, for else it need not be read. */
+  @SuppressWarnings("UnusedVariable")
   private long sum;
 
   /** For circles with events of these kinds, as {@link Collisions} numbers them. */
@@ -60,7 +61,7 @@ final class Ahead implements EventQueue.Outlook {
   }
 
   /** Reads the lists of cells around circle i, where it is or, if it crosses an edge, will be. */
-  private long lists(int i) {
+  private int lists(int i) {
     int way = kinds[i] - Collisions.CROSSING;
     int column = neighbors.columnAfter(i, way);
     int row = neighbors.rowAfter(i, way);

@@ -213,9 +213,9 @@ final class EventQueue {
       return fineBuckets;
     }
     int word = from >> WORD;
-    long bits = filled[word] & -1L << from;
+    long bits = filled[word] & (-1L << from);
     while (bits == 0) {
-      if (++word << WORD >= fineBuckets) {
+      if ((++word << WORD) >= fineBuckets) {
         return fineBuckets;
       }
       bits = filled[word];
@@ -255,8 +255,8 @@ final class EventQueue {
     int events = Integer.highestOneBit(coarse.size(current));
     fineBuckets = Math.max(events, Math.min(FINE_PER_EVENT * events, MANY_FINE));
     fine.room(fineBuckets);
-    if (filled.length << WORD < fineBuckets) {
-      filled = new long[fineBuckets >> WORD - 1];
+    if ((filled.length << WORD) < fineBuckets) {
+      filled = new long[fineBuckets >> (WORD - 1)];
     }
     fineBase = base + current / perBucket;
     perFine = perBucket * fineBuckets;

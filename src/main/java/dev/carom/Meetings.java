@@ -192,7 +192,7 @@ final class Meetings {
           (arr - cross * cross) + Math.fma(REACH_BOUND, terms, FirstRoot.TINY * (u2 + rr + m + 1));
       found[left] = j;
       int other = j ^ i;
-      left += mayMeet(apart, near) & (other | -other) >>> 31;
+      left += mayMeet(apart, near) & ((other | -other) >>> 31);
     }
     return left;
   }

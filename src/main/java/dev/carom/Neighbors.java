@@ -224,7 +224,7 @@ final class Neighbors {
         long vertical = Double.doubleToRawLongBits(dy - dx) >> 63;
         long right = Double.doubleToRawLongBits(vx);
         long v = right ^ ((right ^ Double.doubleToRawLongBits(vy)) & vertical);
-        way = level * DIRECTIONS + (int) ((vertical & VERTICAL) | v >>> 63);
+        way = level * DIRECTIONS + (int) ((vertical & VERTICAL) | (v >>> 63));
       }
     }
     return state[a + Circles.T] + first;
