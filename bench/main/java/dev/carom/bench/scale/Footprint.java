@@ -37,10 +37,12 @@ public record Footprint(int circles, double perCircle, double perLine) {
   private static double bytes(Scene scene) {
     long before = used();
     World world = new World(scene);
-    long after = used();
-    Reference.reachabilityFence(world);
-    Reference.reachabilityFence(scene);
-    return after - before;
+    try {
+      return used() - before;
+    } finally {
+      Reference.reachabilityFence(world);
+      Reference.reachabilityFence(scene);
+    }
   }
 
   private static long used() {
