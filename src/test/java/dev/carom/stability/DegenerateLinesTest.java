@@ -37,7 +37,7 @@ class DegenerateLinesTest {
   }
 
   @ParameterizedTest
-  @ValueSource(doubles = {5e-324, 1e-310, 1e-200, 1e-17})
+  @ValueSource(doubles = {Double.MIN_VALUE, 1e-310, 1e-200, 1e-17})
   void aLineOfHardlyAnyLengthIsNearlyAPoint(double length) {
     double squared = length * length;
     assertThat(length < 1e-160 ? 1 / squared : Double.POSITIVE_INFINITY)

@@ -123,7 +123,8 @@ public final class FailureMapChart {
           double below = head(g);
           for (int i = 0; i < panels.size(); i++) {
             double left = LEFT + i % columns * (wide + SPACE);
-            double top = below + i / columns * each;
+            int band = i / columns;
+            double top = below + band * each;
             panel(g, panels.get(i), left, top);
             if (i % columns == 0) {
               heights(g, top + HEAD);
