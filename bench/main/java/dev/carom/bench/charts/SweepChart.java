@@ -69,7 +69,8 @@ public final class SweepChart {
 
   private void paint(Graphics2D g, int whole, int columns, int height) {
     double top = Heading.draw(g, whole, title, subtitle);
-    double each = (height - top - 8) / ((panels.size() + columns - 1) / columns);
+    int rows = (panels.size() + columns - 1) / columns;
+    double each = (height - top - 8) / rows;
     List<Course> all = panels.values().stream().flatMap(List::stream).toList();
     double width = (whole - 20.0) / columns;
     int i = 0;

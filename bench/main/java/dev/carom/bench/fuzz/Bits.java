@@ -76,9 +76,11 @@ final class Bits {
     return switch (kind) {
       case 0 -> Double.longBitsToDouble(random.nextLong());
       case 1 -> (random.nextBoolean() ? 1 : -1) * EDGES[random.nextInt(EDGES.length)];
-      case 2 -> neighbour(Math.scalb(random.nextInt(-8, 9), exponent));
+      case 2 -> neighbour(Math.scalb((double) random.nextInt(-8, 9), exponent));
       case 3 ->
-          random.nextBoolean() ? neighbour(last) : Math.scalb(random.nextInt(-8, 9), exponent);
+          random.nextBoolean()
+              ? neighbour(last)
+              : Math.scalb((double) random.nextInt(-8, 9), exponent);
       default -> Math.scalb(random.nextDouble() * 200 - 100, exponent);
     };
   }
