@@ -151,6 +151,7 @@ final class Collisions extends Engine {
     }
     if (response.resolve(m, log)) {
       changed(i, m);
+      revive(i);
       foresee(i);
     } else {
       surroundings.extend(m, m.cleared);
@@ -186,6 +187,8 @@ final class Collisions extends Engine {
     if (pairs.resolve(circles.mover, other, log)) {
       changed(low, circles.mover);
       changed(high, other);
+      revive(low);
+      revive(high);
     } else {
       report(low, high, i);
     }
@@ -231,6 +234,24 @@ final class Collisions extends Engine {
       timeline.add(m);
     }
     lookAround(i);
+  }
+
+  /** Circles that were inert for a jammed one are there again if it now runs into them. */
+  private void revive(int i) {
+    Jam jam = circles.jam(i);
+    if (jam == null) {
+      return;
+    }
+    circles.load(i);
+    for (int code : jam.codes()) {
+      if (code >= Obstacles.CIRCLES) {
+        circles.load(code - Obstacles.CIRCLES, other);
+        if (pairs.revives(circles.mover, other)) {
+          jam = jam.without(code);
+        }
+      }
+    }
+    circles.jams[i] = jam;
   }
 
   /** Notes that a circle changed: what others foresaw with it does not hold, nor what it met. */

@@ -37,6 +37,12 @@ final class Jam {
     return left.length == jam.codes.length ? jam : left.length == 0 ? null : new Jam(left);
   }
 
+  /** What is left of it without one thing, null for nothing. */
+  Jam without(int code) {
+    int[] left = Arrays.stream(codes).filter(other -> other != code).toArray();
+    return left.length == 0 ? null : new Jam(left);
+  }
+
   int[] codes() {
     return codes.clone();
   }

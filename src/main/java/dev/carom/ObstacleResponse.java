@@ -12,13 +12,15 @@ package dev.carom;
  * time. A circle that makes {@link #patience} impacts without its centre leaving a place of 4 ulps
  * loses its motion along each further normal (e = 0); after as many again it is jammed: what it
  * touches becomes inert if it approaches by no more than rounding, so that it can slide along; else
- * it stops. An impact that approaches by no more than the rounding of the speeds that the circle
- * met at that place has nothing left to take away: it counts as a 32nd of the patience, for a
- * cluster with e = 0 makes thousands of them each time something joins it. Motion is taken away,
- * not given: the TC model of S. Luding and S. McNamara (How to handle the inelastic collapse of a
- * dissipative hard-sphere gas with the TC model, Granular Matter 1, 1998) instead makes impacts
- * elastic that follow each other too fast, which feeds back energy that the scene had taken away,
- * and needs a length of time that a scene does not have.
+ * it stops. Two circles that are inert for each other are there again when another impact makes
+ * them approach by more than a jam bears ({@link #bearing}). An impact that approaches by no more
+ * than the rounding of the speeds that the circle met at that place has nothing left to take away:
+ * it counts as a 32nd of the patience, for a cluster with e = 0 makes thousands of them each time
+ * something joins it. Motion is taken away, not given: the TC model of S. Luding and S. McNamara
+ * (How to handle the inelastic collapse of a dissipative hard-sphere gas with the TC model,
+ * Granular Matter 1, 1998) instead makes impacts elastic that follow each other too fast, which
+ * feeds back energy that the scene had taken away, and needs a length of time that a scene does not
+ * have.
  */
 final class ObstacleResponse {
 
@@ -30,6 +32,11 @@ final class ObstacleResponse {
 
   /** So much sooner patience ends with impacts that have nothing but rounding to take away. */
   private static final int FAINT = 32;
+
+  /** The exponent of {@link #ROUNDING}, and that of the approach that a jam bears in the end. */
+  private static final int FIRST_BEARING = -48;
+
+  private static final int LAST_BEARING = -10;
 
   /** Range of a normal's size, and of a speed, within which their products are safe. */
   private static final double LEAST = 0x1p-300;
@@ -308,10 +315,10 @@ final class ObstacleResponse {
     boolean here = Math.abs(m.x - m.anchorX) <= size && Math.abs(m.y - m.anchorY) <= size;
     int exponent = Math.min(Math.getExponent(speed), Double.MAX_EXPONENT);
     int pace = Math.max(m.pace, exponent);
-    boolean faint = Math.abs(approach) <= ROUNDING * powerOfTwo(pace);
+    boolean faint = isFaint(approach, pace);
     boolean slides = faint && (isJammed(m) || m.flown * Math.abs(approach) <= size);
     if (m.standsStill || (here && way <= size) || slides) {
-      m.stuck = Math.min(m.stuck + (faint ? 1 + patience / FAINT : 1), 2 * patience + 1);
+      m.stuck = Math.min(m.stuck + (faint ? 1 + patience / FAINT : 1), 3 * patience + 1);
       m.pace = pace;
     } else {
       m.stuck = 0;
@@ -324,14 +331,30 @@ final class ObstacleResponse {
   }
 
   /** 2^k, for the exponent of a double: 0 and subnormal ones have that of 2^-1023. */
-  private static double powerOfTwo(int k) {
+  static double powerOfTwo(int k) {
     return k < Double.MIN_EXPONENT
         ? Double.MIN_NORMAL / 2
         : Double.longBitsToDouble((long) (k + Double.MAX_EXPONENT) << 52);
   }
 
+  /** Whether an approach is no more than rounding of speeds of the binary exponent given. */
+  private static boolean isFaint(double approach, int pace) {
+    return Math.abs(approach) <= ROUNDING * powerOfTwo(pace);
+  }
+
   boolean isJammed(Mover m) {
     return m.stuck > 2 * patience;
+  }
+
+  /**
+   * What approach of another circle leaves a jam as it is, in proportion to the speeds met there:
+   * no more than rounding when the circle jams, and from then on the more, the more impacts it
+   * makes there. The impacts of a pressed row share out its motion ever more slowly.
+   */
+  double bearing(Mover m) {
+    long more = Math.max(0, m.stuck - 2 * patience);
+    int span = LAST_BEARING - FIRST_BEARING;
+    return powerOfTwo((int) Math.min(FIRST_BEARING + span * more / patience, LAST_BEARING));
   }
 
   /**

@@ -42,6 +42,20 @@ final class PairResponse {
   }
 
   /**
+   * Whether a circle that jammed with another, and has just been set on a new flight, approaches it
+   * by more than their jam bears: then the two are there for each other again.
+   */
+  boolean revives(Mover m, Mover other) {
+    double later = (m.t - other.t) + (m.tl - other.tl);
+    double nx = m.x - Math.fma(other.vx, later, other.x);
+    double ny = m.y - Math.fma(other.vy, later, other.y);
+    double un = (m.vx - other.vx) * nx + (m.vy - other.vy) * ny;
+    double approach = un / (Math.abs(nx) + Math.abs(ny));
+    int pace = Math.max(m.pace, other.pace);
+    return approach < -response.bearing(m) * ObstacleResponse.powerOfTwo(pace);
+  }
+
+  /**
    * The rank of a meeting among events of the same time, the lower number first: after what circles
    * meet that stands still. Sensors come first of all, since they change nothing.
    */

@@ -124,6 +124,7 @@ final class PlainWorld {
       int code = m.next;
       if (response.resolve(m, log)) {
         begin(m);
+        revive(m);
       } else {
         met.get(low).add(code);
       }
@@ -150,8 +151,19 @@ final class PlainWorld {
       movers.set(b.id, two);
       begin(one);
       begin(two);
+      revive(one);
+      revive(two);
     } else {
       metPairs.add(pair(a, b));
+    }
+  }
+
+  private void revive(Mover m) {
+    for (Mover other : movers) {
+      int code = Obstacles.CIRCLES + other.id;
+      if (m.jam != null && m.jam.makesInert(code) && pairs.revives(m, other)) {
+        m.jam = m.jam.without(code);
+      }
     }
   }
 

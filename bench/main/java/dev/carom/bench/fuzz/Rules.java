@@ -14,7 +14,7 @@ final class Rules {
   private final Map<ObstacleKind, Set<Integer>> sensors = new EnumMap<>(ObstacleKind.class);
   private final Set<Integer> oneWay = new HashSet<>();
 
-  /** Pairs that jammed each other: they are inert for each other, as World tells. */
+  /** Pairs that jammed each other: they may sink into each other a little, as World tells. */
   private final Set<Long> jammed = new HashSet<>();
 
   /** Whether some impact may add energy. */

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.stability;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.World;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Circles that jammed each other are inert for each other, but only as long as nothing makes them
+ * approach by more than a jam bears: none is pushed through another.
+ */
+class JammedCirclesTest {
+
+  /**
+   * A jam bears an approach of up to a 1,024th of the speeds: of the smallest radius, which is 1.
+   */
+  private static final double BORNE = 0.1;
+
+  /** The gap of the two circles that are nearest to each other. */
+  private static double leastGap(World world, double... radii) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < radii.length; i++) {
+      for (int j = 0; j < i; j++) {
+        double distance = Math.hypot(world.x(i) - world.x(j), world.y(i) - world.y(j));
+        least = Math.min(least, distance - radii[i] - radii[j]);
+      }
+    }
+    return least;
+  }
+
+  private static void assertApart(World world, double end, int steps, double... radii) {
+    int calls = 0;
+    for (int k = 1; k <= steps; k++) {
+      while (!world.advanceTo(end * k / steps)) {
+        assertThat(++calls).as("calls that did not finish").isLessThan(100);
+      }
+      assertThat(leastGap(world, radii)).as("gap at %s", world.now()).isGreaterThan(-BORNE);
+    }
+  }
+
+  /** The first one runs into the row, and the last; with e = 0 they press it from both sides. */
+  @ParameterizedTest
+  @ValueSource(ints = {3, 5, 8, 20})
+  void aRowWithoutBounceIsNotPressedIntoItself(int count) {
+    SceneBuilder builder = Scene.builder().collide(true);
+    double[] radii = new double[count];
+    for (int i = 0; i < count; i++) {
+      builder.circle(3 * i, 0, 1, i == 0 ? 1 : i == count - 1 ? -1 : 0, 0).restitution(0);
+      radii[i] = 1;
+    }
+    assertApart(new World(builder.build()), 100, 200, radii);
+  }
+
+  /** Walls that add a tenth to each bounce drive circles into each other, ever faster. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1, 2.5, 10})
+  void bumpersDriveNoCircleThroughAnother(double end) {
+    SceneBuilder builder =
+        Scene.builder()
+            .collide(true)
+            .bounds(0, 0, 100, 80)
+            .restitution(1.1)
+            .circle(93.50504846265642, 27.84381529396026, 5.000000000000003, 2000, 0)
+            .circle(45, 30.294114675945274, 5, 3, -2.799987593119373)
+            .restitution(0.5)
+            .circle(60, 55, 3.0156474963818867, 2.345558100010409e-9, -1e-9)
+            .restitution(0)
+            .circle(84.99999999999996, 55, 3.2234935528701176, -3, -2);
+    double[] radii = {5.000000000000003, 5, 3.0156474963818867, 3.2234935528701176};
+    assertApart(new World(builder.build()), end, 100, radii);
+  }
+}
