@@ -10,7 +10,7 @@ import static dev.carom.DoubleDouble.sumTail;
  *
  * <pre>{@code
  * // Two spheres of radius 1, 10 apart, that approach each other at 4 units a second.
- * System.out.println(SweptSphere.sphere(0, 0, 0, 1, 4, 0, 0, 10, 0, 0, 1, 0, 0, 0, 5)); // 2.0
+ * System.out.println(SweptSphere.pair(0, 0, 0, 1, 4, 0, 0, 10, 0, 0, 1, 0, 0, 0, 5)); // 2.0
  * }</pre>
  *
  * <p>An impact is defined as by {@link SweptCircle}, whose mathematics this shares: hit or miss is
@@ -53,7 +53,7 @@ public final class SweptSphere {
    * @return the time of impact, {@code +infinity} = never
    * @throws IllegalArgumentException if a number is outside its range
    */
-  public static double sphere(
+  public static double pair(
       double x1, double y1, double z1, double r1, double vx1, double vy1, double vz1, double x2,
       double y2, double z2, double r2, double vx2, double vy2, double vz2, double T) {
     check(x1, y1, z1, r1, x2, y2, z2, r2);

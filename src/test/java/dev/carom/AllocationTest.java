@@ -43,9 +43,9 @@ class AllocationTest {
             sum += SweptCircle.pair(0, 0, 1, 1, 0.01, 9 + i % 100, 0, 2, 0, 0, 1e6);
             sum += SweptCircle.line(5, TOUCHING, 1, 0, 1, 0, 0, 10, 0, 1) > 0 ? 1 : 0;
             sum += SweptCircle.peg(0, TOUCHING, 1, 1, 1, 0, 0, 0, 1) > 0 ? 1 : 0;
-            sum += SweptSphere.sphere(0, 0, 0, 1, 1, 0, 0, 9 + i % 100, 0, 1, 2, 0, 0, 0, 1e6);
+            sum += SweptSphere.pair(0, 0, 0, 1, 1, 0, 0, 9 + i % 100, 0, 1, 2, 0, 0, 0, 1e6);
             sum +=
-                SweptSphere.sphere(0, 0, TOUCHING, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1) > 0 ? 1 : 0;
+                SweptSphere.pair(0, 0, TOUCHING, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1) > 0 ? 1 : 0;
           }
         };
     for (int i = 0; i < 20; i++) {

@@ -132,7 +132,7 @@ class ExtremeQuestionsTest {
       double r2 = e.size();
       double window = e.window();
       double t =
-          SweptSphere.sphere(
+          SweptSphere.pair(
               p[0], p[1], p[2], r1, v[0], v[1], v[2], p[3], p[4], p[5], r2, v[3], v[4], v[5],
               window);
       checkTime(t, window);
