@@ -102,7 +102,7 @@ public final class ImpactLog {
    * @return the number of the line or peg in its scene; of a wall, 0 left, 1 right, 2 bottom, 3 top
    * @throws IndexOutOfBoundsException if there is no such row
    */
-  public int obstacle(int row) {
+  public int id(int row) {
     return obstacles[at(row)];
   }
 
@@ -170,7 +170,7 @@ public final class ImpactLog {
    * @return at least 0
    * @throws IndexOutOfBoundsException if there is no such row
    */
-  public double speed(int row) {
+  public double approachSpeed(int row) {
     int k = at(row) * ROW;
     return Math.max(0, -numbers[k + 5] / length(k));
   }

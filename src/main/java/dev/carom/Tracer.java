@@ -91,12 +91,12 @@ final class Tracer {
     return new Impact(
         log.time(0),
         log.kind(0),
-        log.obstacle(0),
+        log.id(0),
         things.apply(code),
         log.feature(0),
         new Vec2(log.x(0), log.y(0)),
         new Vec2(log.nx(0), log.ny(0)),
-        log.speed(0));
+        log.approachSpeed(0));
   }
 
   private static Flight flight(Mover m) {

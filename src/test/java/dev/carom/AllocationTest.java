@@ -44,8 +44,7 @@ class AllocationTest {
             sum += SweptCircle.line(5, TOUCHING, 1, 0, 1, 0, 0, 10, 0, 1) > 0 ? 1 : 0;
             sum += SweptCircle.peg(0, TOUCHING, 1, 1, 1, 0, 0, 0, 1) > 0 ? 1 : 0;
             sum += SweptSphere.pair(0, 0, 0, 1, 1, 0, 0, 9 + i % 100, 0, 1, 2, 0, 0, 0, 1e6);
-            sum +=
-                SweptSphere.pair(0, 0, TOUCHING, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1) > 0 ? 1 : 0;
+            sum += SweptSphere.pair(0, 0, TOUCHING, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1) > 0 ? 1 : 0;
           }
         };
     for (int i = 0; i < 20; i++) {
@@ -108,7 +107,7 @@ class AllocationTest {
     ImpactLog log = world.impacts();
     impacts += log.size();
     for (int row = 0; row < log.size(); row++) {
-      sum += log.time(row) + log.x(row) + log.nx(row) + log.speed(row);
+      sum += log.time(row) + log.x(row) + log.nx(row) + log.approachSpeed(row);
       sum += log.kind(row) == ObstacleKind.WALL ? 1 : log.feature(row) == Feature.END ? 2 : 3;
     }
     for (int i = 0; i < world.circleCount(); i++) {

@@ -98,7 +98,7 @@ class GasTest {
         ImpactLog log = world.impacts();
         for (int row = 0; row < log.size(); row++) {
           if (log.kind(row) == ObstacleKind.WALL) {
-            push += 2 * log.speed(row);
+            push += 2 * log.approachSpeed(row);
           } else if (isInside(log.x(row), log.y(row), length)) {
             hits += 2;
           }

@@ -132,7 +132,7 @@ class PairResponseTest {
     assertThat(a.vx).isEqualTo(1);
     assertThat(b.vx).isEqualTo(-2);
     assertThat(log.size()).isEqualTo(1);
-    assertThat(log.speed(0)).isEqualTo(3);
+    assertThat(log.approachSpeed(0)).isEqualTo(3);
   }
 
   /** Momentum and energy over a million collisions among 64 circles, in all directions. */

@@ -65,13 +65,13 @@ record Run(List<Row> impacts, List<State> end) {
               log.time(i),
               log.circle(i),
               log.kind(i),
-              log.obstacle(i),
+              log.id(i),
               log.feature(i),
               log.x(i),
               log.y(i),
               log.nx(i),
               log.ny(i),
-              log.speed(i),
+              log.approachSpeed(i),
               log.jammed(i)));
     }
     return rows;

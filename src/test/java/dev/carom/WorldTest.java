@@ -83,13 +83,13 @@ class WorldTest {
     assertThat(log.time(0)).isEqualTo(2);
     assertThat(log.circle(0)).isZero();
     assertThat(log.kind(0)).isEqualTo(ObstacleKind.LINE);
-    assertThat(log.obstacle(0)).isZero();
+    assertThat(log.id(0)).isZero();
     assertThat(log.feature(0)).isEqualTo(Feature.SIDE);
     assertThat(log.x(0)).isCloseTo(2, within(1e-14));
     assertThat(log.y(0)).isZero();
     assertThat(log.nx(0)).isZero();
     assertThat(log.ny(0)).isEqualTo(1);
-    assertThat(log.speed(0)).isEqualTo(4);
+    assertThat(log.approachSpeed(0)).isEqualTo(4);
     assertThat(log.jammed(0)).isFalse();
   }
 
@@ -208,13 +208,13 @@ class WorldTest {
             () -> log.time(row),
             () -> log.circle(row),
             () -> log.kind(row),
-            () -> log.obstacle(row),
+            () -> log.id(row),
             () -> log.feature(row),
             () -> log.x(row),
             () -> log.y(row),
             () -> log.nx(row),
             () -> log.ny(row),
-            () -> log.speed(row),
+            () -> log.approachSpeed(row),
             () -> log.jammed(row))) {
       assertThatExceptionOfType(IndexOutOfBoundsException.class)
           .isThrownBy(query::run)

@@ -119,7 +119,7 @@ class ExtremeWorldsTest {
     for (int row = 0; row < Math.min(log.size(), 100); row++) {
       assertThat(log.x(row)).isFinite();
       assertThat(log.y(row)).isFinite();
-      assertThat(log.speed(row)).isNotNaN();
+      assertThat(log.approachSpeed(row)).isNotNaN();
       assertThat(Math.hypot(log.nx(row), log.ny(row))).isCloseTo(1, within(1e-15));
     }
   }

@@ -72,9 +72,9 @@ final class Play {
               log.time(i),
               log.circle(i),
               log.kind(i),
-              log.obstacle(i),
+              log.id(i),
               log.feature(i),
-              log.speed(i),
+              log.approachSpeed(i),
               log.jammed(i)));
     }
     return hits;

@@ -40,13 +40,13 @@ record Recorder(OutputFile positions, OutputFile impacts) {
       impacts.row(
           Decimals.shortest(log.time(row)),
           log.circle(row),
-          obstacle(log.kind(row), log.obstacle(row)),
+          obstacle(log.kind(row), log.id(row)),
           log.feature(row),
           Decimals.shortest(log.x(row)),
           Decimals.shortest(log.y(row)),
           Decimals.shortest(log.nx(row)),
           Decimals.shortest(log.ny(row)),
-          Decimals.shortest(log.speed(row)));
+          Decimals.shortest(log.approachSpeed(row)));
     }
   }
 

@@ -69,8 +69,8 @@ public final class Breakout implements Example {
     ImpactLog impacts = world.impacts();
     for (int row = 0; row < impacts.size(); row++) {
       if (impacts.kind(row) == ObstacleKind.LINE) {
-        hit(impacts.obstacle(row));
-      } else if (impacts.obstacle(row) == 2) { // the wall at the bottom
+        hit(impacts.id(row));
+      } else if (impacts.id(row) == 2) { // the wall at the bottom
         lost++;
       }
     }

@@ -33,10 +33,10 @@ final class LogCheck {
     double length = Math.hypot(log.nx(row), log.ny(row));
     boolean there =
         world.contains(ObstacleKind.CIRCLE, log.circle(row))
-            && world.contains(log.kind(row), log.obstacle(row));
+            && world.contains(log.kind(row), log.id(row));
     boolean numbers =
         Math.abs(length - 1) <= NORMAL
-            && log.speed(row) >= 0
+            && log.approachSpeed(row) >= 0
             && Double.isFinite(log.x(row) + log.y(row));
     if (!there || !numbers) {
       throw new FindingException(
@@ -45,12 +45,12 @@ final class LogCheck {
                   row,
                   log.circle(row),
                   log.kind(row),
-                  log.obstacle(row),
+                  log.id(row),
                   log.x(row),
                   log.y(row),
                   log.nx(row),
                   log.ny(row),
-                  log.speed(row)));
+                  log.approachSpeed(row)));
     }
   }
 }

@@ -106,7 +106,7 @@ final class Session {
       if (log.jammed(row)) {
         jams++;
         if (log.kind(row) == ObstacleKind.CIRCLE) {
-          rules.jam(log.circle(row), log.obstacle(row));
+          rules.jam(log.circle(row), log.id(row));
         }
       }
     }

@@ -43,7 +43,7 @@ final class StepFlights {
     for (int row = 0; row < log.size(); row++) {
       moments.get(log.circle(row)).add(log.time(row));
       if (log.kind(row) == ObstacleKind.CIRCLE) {
-        moments.get(log.obstacle(row)).add(log.time(row));
+        moments.get(log.id(row)).add(log.time(row));
       }
     }
     moments.forEach(of -> of.add(world.now()));

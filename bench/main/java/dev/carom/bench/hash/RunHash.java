@@ -73,13 +73,13 @@ public final class RunHash {
           .putDouble(log.time(row))
           .putInt(log.circle(row))
           .put((byte) log.kind(row).ordinal())
-          .putInt(log.obstacle(row))
+          .putInt(log.id(row))
           .put((byte) log.feature(row).ordinal())
           .putDouble(log.x(row))
           .putDouble(log.y(row))
           .putDouble(log.nx(row))
           .putDouble(log.ny(row))
-          .putDouble(log.speed(row))
+          .putDouble(log.approachSpeed(row))
           .put((byte) (log.jammed(row) ? 1 : 0));
     }
   }

@@ -49,7 +49,7 @@ final class Guard {
       double r = world.radius(i);
       land(i, log.x(row) + r * log.nx(row), log.y(row) + r * log.ny(row));
       if (log.kind(row) == ObstacleKind.CIRCLE) {
-        int j = log.obstacle(row);
+        int j = log.id(row);
         double s = world.radius(j);
         land(j, log.x(row) - s * log.nx(row), log.y(row) - s * log.ny(row));
       }

@@ -25,10 +25,8 @@ class SplitWorldTest {
     static List<Row> of(ImpactLog log) {
       List<Row> rows = new ArrayList<>();
       for (int i = 0; i < log.size(); i++) {
-        List<Double> rest = List.of(log.x(i), log.y(i), log.nx(i), log.ny(i), log.speed(i));
-        rows.add(
-            new Row(
-                log.time(i), log.circle(i), log.kind(i), log.obstacle(i), log.feature(i), rest));
+        List<Double> rest = List.of(log.x(i), log.y(i), log.nx(i), log.ny(i), log.approachSpeed(i));
+        rows.add(new Row(log.time(i), log.circle(i), log.kind(i), log.id(i), log.feature(i), rest));
       }
       return rows;
     }
