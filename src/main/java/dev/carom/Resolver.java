@@ -24,11 +24,8 @@ import java.util.stream.IntStream;
  */
 public final class Resolver {
 
-  /**
-   * Impacts in one trace, exact arithmetic counted as {@link World} tells; one that needs more is
-   * not {@linkplain Trajectory#complete complete}.
-   */
-  public static final int IMPACTS_PER_TRACE = 100_000;
+  /** Impacts in one trace, exact arithmetic counted as {@link World} tells. */
+  static final int IMPACTS_PER_TRACE = 100_000;
 
   /** That of a world with one circle. */
   private static final int PATIENCE = 1_010;
@@ -102,7 +99,8 @@ public final class Resolver {
   }
 
   /**
-   * The way of an elastic circle.
+   * The way of an elastic circle. It ends at impact 100,000, exact arithmetic counted as {@link
+   * World} tells; one that would go on is not {@linkplain Trajectory#complete complete}.
    *
    * @param circle the circle at the start
    * @param velocity its velocity at the start
@@ -115,7 +113,8 @@ public final class Resolver {
   }
 
   /**
-   * The way of a circle with a restitution of its own, with its next bounces: an aiming line.
+   * The way of a circle with a restitution of its own, with its next bounces: an aiming line. It
+   * ends at impact 100,000 as the other one does.
    *
    * @param circle the circle at the start
    * @param velocity its velocity at the start
