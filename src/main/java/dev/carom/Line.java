@@ -82,19 +82,6 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
     return s >= 1 ? new Vec2(bx, by) : pointAt(s);
   }
 
-  /**
-   * The foot of the perpendicular from a given point on the infinite line through this segment.
-   * Computed in plain doubles.
-   *
-   * @param p any point
-   * @return {@code a + s (b - a)} for any real s; the start if this line has length zero
-   * @throws IllegalArgumentException if the foot lies outside the range of doubles
-   */
-  public Vec2 closestPointInfinite(Vec2 p) {
-    double s = fraction(ax, ay, bx, by, p.x(), p.y());
-    return Double.isNaN(s) ? new Vec2(ax, ay) : pointAt(s);
-  }
-
   /** s = (p - a).w / w.w with w = b - a, as cosine times lengths; NaN for zero length. */
   static double fraction(double ax, double ay, double bx, double by, double px, double py) {
     double half = Double.isInfinite(bx - ax) || Double.isInfinite(by - ay) ? 0.5 : 1;
