@@ -167,7 +167,8 @@ public final class Resolver {
    * What overlaps a disk: has points inside of it, not only on its rim. Decided exactly.
    *
    * @param disk the disk
-   * @return the obstacles, walls first, then lines, then pegs and endpoints, each in their order
+   * @return the obstacles: the bounds once, however many walls overlap, then lines, then pegs and
+   *     endpoints, each in their order, equal ones too
    */
   public List<Obstacle> overlapping(Circle disk) {
     return things(new Region(obstacles).overlapping(disk));
@@ -177,14 +178,21 @@ public final class Resolver {
    * What overlaps a box: has points inside of it, not only on its edge. Decided exactly.
    *
    * @param box the box
-   * @return the obstacles, walls first, then lines, then pegs and endpoints, each in their order
+   * @return the obstacles, as for a disk
    */
   public List<Obstacle> overlapping(Bounds box) {
     return things(new Region(obstacles).overlapping(box));
   }
 
+  /** What codes stand for. Walls come first: those after the first one are the same bounds. */
   private List<Obstacle> things(IntStream codes) {
-    return codes.mapToObj(this::thing).distinct().toList();
+    List<Obstacle> things = new ArrayList<>();
+    for (int code : codes.toArray()) {
+      if (code >= Obstacles.WALLS || things.isEmpty()) {
+        things.add(thing(code));
+      }
+    }
+    return List.copyOf(things);
   }
 
   private Tracer tracer() {

@@ -72,6 +72,19 @@ class ResolverWayTest {
   }
 
   @Test
+  void equalObstaclesAreToldEach() {
+    Line line = new Line(10, 10, 30, 10);
+    Line same = new Line(10, 10, 30, 10);
+    Circle peg = new Circle(20, 12, 1);
+    Resolver resolver = Resolver.of(List.of(new Bounds(0, 0, 40, 40), peg, line, same, peg));
+    assertThat(resolver.overlapping(new Circle(20, 10, 3))).containsExactly(line, same, peg, peg);
+    assertThat(resolver.overlapping(new Circle(20, 10, 50)))
+        .as("of four walls one bounds")
+        .containsExactly(new Bounds(0, 0, 40, 40), line, same, peg, peg);
+    assertThat(resolver.overlapping(new Bounds(-1, -1, 41, 41))).hasSize(5);
+  }
+
+  @Test
   void sensorsArePassed() {
     Scene scene =
         Scene.builder().line(60, 0, 60, 100).response(Response.SENSOR).line(80, 0, 80, 100).build();
