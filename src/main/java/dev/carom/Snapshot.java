@@ -73,7 +73,7 @@ public final class Snapshot {
   }
 
   /**
-   * Writes this snapshot in a format of its own, with a version and a check sum: 134 bytes a circle
+   * Writes this snapshot in a format of its own, with a version and a check sum: 138 bytes a circle
    * (4 more for each thing that it is jammed by), 41 a line, 33 a peg, those that were removed
    * included, and about 100 for the rest.
    *

@@ -8,6 +8,8 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.Random;
@@ -60,6 +62,25 @@ class SnapshotStreamTest {
                 .build());
     world.step(40);
     return bytes(world.snapshot());
+  }
+
+  @Test
+  void theBytesAreThoseOfTheJavadoc() throws IOException {
+    int rest = size(room());
+    int circle = size(room().circle(50, 50, 5, 1, 2)) - rest;
+    int line = size(room().line(10, 20, 30, 40)) - rest;
+    int peg = size(room().peg(50, 50, 5)) - rest;
+    assertThat(Files.readString(Path.of("main/java/dev/carom/Snapshot.java")))
+        .contains(circle + " bytes a circle", line + " a line, " + peg + " a peg");
+    assertThat(rest).as("about 100").isBetween(90, 110);
+  }
+
+  private static SceneBuilder room() {
+    return Scene.builder().bounds(0, 0, 100, 100);
+  }
+
+  private static int size(SceneBuilder scene) throws IOException {
+    return bytes(new World(scene.build()).snapshot()).length;
   }
 
   @ParameterizedTest
