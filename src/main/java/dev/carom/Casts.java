@@ -66,7 +66,7 @@ final class Casts {
                 0,
                 t);
     Vec2 point = new Vec2(end.x(), end.y());
-    return new Impact(t, ObstacleKind.LINE, Impact.NO_ID, line, feature, point, normal, approach(v, Vec2.ZERO, normal));
+    return impact(t, v, line, feature, point, normal);
   }
 
   /** Whether a point particle comes to an end over the line's side, not from beyond the end. */
@@ -85,7 +85,13 @@ final class Casts {
   private static Impact side(int side, Circle circle, Vec2 v, Line line, double t) {
     Vec2 normal = Directions.normal(side, line.ax(), line.ay(), line.bx(), line.by());
     Vec2 point = line.closestPoint(place(circle, v, t));
-    return new Impact(t, ObstacleKind.LINE, Impact.NO_ID, line, Feature.SIDE, point, normal, approach(v, Vec2.ZERO, normal));
+    return impact(t, v, line, Feature.SIDE, point, normal);
+  }
+
+  private static Impact impact(
+      double t, Vec2 v, Line line, Feature feature, Vec2 point, Vec2 normal) {
+    double speed = approach(v, Vec2.ZERO, normal);
+    return new Impact(t, ObstacleKind.LINE, Impact.NO_ID, line, feature, point, normal, speed);
   }
 
   static Optional<Impact> bounds(Circle circle, Vec2 v, Bounds bounds, double T) {

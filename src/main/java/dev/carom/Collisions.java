@@ -326,7 +326,7 @@ final class Collisions extends Engine {
     queue.set(i, time);
   }
 
-  /** Of a meeting and an obstacle at one time: whether the meeting is first, or is to be refined. */
+  /** Of a meeting and an obstacle at one time: if the meeting is first, or is to be refined. */
   private boolean isBeforeObstacle(int i) {
     double tail = meetings.tail(i);
     double other = dueTail(i);

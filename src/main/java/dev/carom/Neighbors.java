@@ -111,13 +111,13 @@ final class Neighbors {
   }
 
   /** Finds the cells of a level all of whose places are further than that from every wall. */
-  private void limit(int level, double distance, Bounds bounds) {
+  private void limit(int level, double distance, Bounds b) {
     int k = 4 * level;
     double cell = size[level];
-    inside[k] = bounds == null ? -NEVER : Math.ceil((bounds.xmin() + distance - originX) / cell);
-    inside[k + 1] = bounds == null ? NEVER : Math.floor((bounds.xmax() - distance - originX) / cell);
-    inside[k + 2] = bounds == null ? -NEVER : Math.ceil((bounds.ymin() + distance - originY) / cell);
-    inside[k + 3] = bounds == null ? NEVER : Math.floor((bounds.ymax() - distance - originY) / cell);
+    inside[k] = b == null ? -NEVER : Math.ceil((b.xmin() + distance - originX) / cell);
+    inside[k + 1] = b == null ? NEVER : Math.floor((b.xmax() - distance - originX) / cell);
+    inside[k + 2] = b == null ? -NEVER : Math.ceil((b.ymin() + distance - originY) / cell);
+    inside[k + 3] = b == null ? NEVER : Math.floor((b.ymax() - distance - originY) / cell);
   }
 
   /**
