@@ -3,6 +3,7 @@ package dev.carom;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
@@ -171,6 +172,7 @@ public final class Resolver {
    *     endpoints, each in their order, equal ones too
    */
   public List<Obstacle> overlapping(Circle disk) {
+    Objects.requireNonNull(disk, "disk");
     return things(new Region(obstacles).overlapping(disk));
   }
 
@@ -181,6 +183,7 @@ public final class Resolver {
    * @return the obstacles, as for a disk
    */
   public List<Obstacle> overlapping(Bounds box) {
+    Objects.requireNonNull(box, "box");
     return things(new Region(obstacles).overlapping(box));
   }
 

@@ -136,6 +136,7 @@ public final class Scene {
    *     {@link SceneBuilder} refuses
    */
   public static Scene read(Reader in, String name) throws IOException {
+    Objects.requireNonNull(name, "name");
     return SceneFile.read(in, name);
   }
 
@@ -157,6 +158,7 @@ public final class Scene {
    * @throws IOException if writing fails
    */
   public void write(Appendable out) throws IOException {
+    Objects.requireNonNull(out, "out");
     SceneFile.write(this, out);
   }
 

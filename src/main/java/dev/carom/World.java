@@ -390,6 +390,7 @@ public final class World {
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Circle disk) {
+    Objects.requireNonNull(disk, "disk");
     return questions.overlapping(kind, disk, now);
   }
 
@@ -402,6 +403,7 @@ public final class World {
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Bounds box) {
+    Objects.requireNonNull(box, "box");
     return questions.overlapping(kind, box, now);
   }
 
