@@ -3,7 +3,8 @@ package dev.carom;
 
 /**
  * An axis-parallel rectangle that keeps circles inside. Its four walls are half-planes: the left
- * one is everything with {@code x <= xmin}, also above and below the rectangle.
+ * one is everything with {@code x <= xmin}, also above and below the rectangle. Also the box that
+ * is asked about in {@link World#overlapping(ObstacleKind, Bounds)}.
  *
  * @param xmin the x coordinate of the left wall, finite
  * @param ymin the y coordinate of the bottom wall, finite

@@ -7,8 +7,9 @@ import java.util.Arrays;
  * The impacts of a world's last step, one row each, read without allocation. Valid until the next
  * step of that world, which overwrites it.
  *
- * <p>Rows stand in the order of time; at equal times, of the circle's number; the impacts of one
- * circle, in the order in which they happened. Rows are numbered from 0.
+ * <p>Rows stand in the order of time, and are numbered from 0. At equal times, where circles ignore
+ * each other: by the id of the circle, and those of one circle as they happened; where they
+ * collide: in the order in which they were resolved, see {@link ObstacleKind}.
  */
 public final class ImpactLog {
 
@@ -77,7 +78,7 @@ public final class ImpactLog {
    * Which circle.
    *
    * @param row a row, 0..{@link #size()} - 1
-   * @return the id of the circle
+   * @return its id; of two circles that collide, the smaller one
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public int circle(int row) {
@@ -99,7 +100,7 @@ public final class ImpactLog {
    * Which thing of that kind it hit.
    *
    * @param row a row, 0..{@link #size()} - 1
-   * @return the number of the line or peg in its scene; of a wall, 0 left, 1 right, 2 bottom, 3 top
+   * @return the id of the line, peg or other circle; of a wall 0 left, 1 right, 2 bottom, 3 top
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public int id(int row) {
@@ -179,7 +180,7 @@ public final class ImpactLog {
    * Whether this impact left its circle jammed: see {@link World} on scenes that would not end.
    *
    * @param row a row, 0..{@link #size()} - 1
-   * @return true in the row at which a circle jams, false in every other
+   * @return true in each row after which the circle counts as jammed; of two circles, if both do
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public boolean jammed(int row) {

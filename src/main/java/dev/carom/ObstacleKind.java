@@ -3,7 +3,10 @@ package dev.carom;
 
 import java.util.Locale;
 
-/** What a circle of a world hit; simultaneous impacts are taken in this order. */
+/**
+ * The kinds of things: what a circle hits, and what ids belong to. Simultaneous impacts are taken
+ * in this order.
+ */
 public enum ObstacleKind {
   /** A wall of the bounds: number 0 is the left one, 1 the right, 2 the bottom, 3 the top one. */
   WALL,

@@ -9,8 +9,8 @@ import java.util.stream.IntStream;
 
 /**
  * Reflects a circle and continues: the way of one circle among obstacles for a given time, with all
- * its bounces. For own game loops and aiming lines; no world is needed. Immutable, safe for use by
- * several threads.
+ * its bounces. For game loops of your own and aiming lines; no world is needed. Immutable, safe for
+ * use by several threads.
  *
  * <pre>{@code
  * Resolver resolver = Resolver.of(List.of(new Line(0, 0, 100, 0), new Circle(50, 40, 5)));
@@ -21,11 +21,11 @@ import java.util.stream.IntStream;
  *
  * <p>The first impacts are those of {@link SweptCircle}; of simultaneous ones walls come first,
  * then lines, then pegs and endpoints, each in their order. The thing just hit cannot be hit again
- * before another one is. A circle that gets stuck is treated as {@link World} tells.
+ * before another one is. A circle that gets stuck is treated as {@link World} describes.
  */
 public final class Resolver {
 
-  /** Impacts in one trace, exact arithmetic counted as {@link World} tells. */
+  /** Impacts in one trace, exact arithmetic counted as {@link World} describes. */
   static final int IMPACTS_PER_TRACE = 100_000;
 
   /** That of a world with one circle. */
@@ -81,8 +81,9 @@ public final class Resolver {
   }
 
   /**
-   * Resolves among the lines, pegs and bounds of a scene, with their restitutions; its circles are
-   * not there.
+   * Resolves among the lines, pegs and bounds of a scene, with their restitutions and responses:
+   * sensors are passed over, and one-way lines are met from their left only. The circles of the
+   * scene are not there.
    *
    * @param scene the scene
    * @return the resolver
@@ -101,7 +102,7 @@ public final class Resolver {
 
   /**
    * The way of an elastic circle. It ends at impact 100,000, exact arithmetic counted as {@link
-   * World} tells; one that would go on is not {@linkplain Trajectory#complete complete}.
+   * World} describes; one that would go on is not {@linkplain Trajectory#complete complete}.
    *
    * @param circle the circle at the start
    * @param velocity its velocity at the start

@@ -6,8 +6,9 @@ import java.util.Objects;
 /**
  * Collects the things of a {@link Scene}. Each call adds one thing, or gives the thing added last a
  * property. What is refused is refused at once, with a message that names the thing, its number,
- * its value and what was expected, and leaves the builder as it was. Not safe for use by several
- * threads.
+ * its value and what was expected, and leaves the builder as it was; only a radius that is too
+ * small beside the scene's coordinates is refused by {@link #build}, when all of them are known.
+ * Not safe for use by several threads.
  *
  * <pre>{@code
  * Scene scene = Scene.builder()

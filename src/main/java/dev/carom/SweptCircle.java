@@ -191,9 +191,11 @@ public final class SweptCircle {
       return Casts.bounds(circle, velocity, bounds, T);
     }
     if (obstacle instanceof Endpoint end) {
-      return Casts.disk(circle, velocity, new Circle(end.x(), end.y(), 0), Vec2.ZERO, ObstacleKind.PEG, end, T);
+      Circle point = new Circle(end.x(), end.y(), 0);
+      return Casts.disk(circle, velocity, point, Vec2.ZERO, ObstacleKind.PEG, end, T);
     }
-    return Casts.disk(circle, velocity, (Circle) obstacle, Vec2.ZERO, ObstacleKind.PEG, obstacle, T);
+    Circle peg = (Circle) obstacle;
+    return Casts.disk(circle, velocity, peg, Vec2.ZERO, ObstacleKind.PEG, peg, T);
   }
 
   /**
@@ -237,8 +239,8 @@ public final class SweptCircle {
   /**
    * The least translation that moves a circle out of another one, or out of a peg, so that they
    * touch: from the other's centre, of concentric ones along +x. If x and y are added to the
-   * circle's centre in doubles, the two do not {@link #overlap}; for that it is longer than the
-   * least one by at most 8 ulps of the sum of the largest coordinate and the radii.
+   * circle's centre in doubles, the two do not {@link #overlap}. To make sure of that it may exceed
+   * the least translation, by at most 8 ulps of the sum of the largest coordinate and the radii.
    *
    * @param circle the circle to be moved
    * @param other the one that stays
@@ -253,8 +255,8 @@ public final class SweptCircle {
    * The least translation that moves a circle out of a line, ends included, so that they touch:
    * from the line's nearest point, along its left normal if the centre is exactly on it, and along
    * +x if the line has no length either. If x and y are added to the circle's centre in doubles,
-   * its distance from the line is not less than its radius; for that it is longer than the least
-   * one by at most 8 ulps of the sum of the largest coordinate and the radius.
+   * its distance from the line is not less than its radius. To make sure of that it may exceed the
+   * least translation, by at most 8 ulps of the sum of the largest coordinate and the radius.
    *
    * @param circle the circle to be moved
    * @param line the line

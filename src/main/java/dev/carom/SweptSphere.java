@@ -15,7 +15,8 @@ import static dev.carom.DoubleDouble.sumTail;
  *
  * <p>An impact is defined as by {@link SweptCircle}, whose mathematics this shares: hit or miss is
  * that of real arithmetic on the given doubles, exact ties included, and the time is the correctly
- * rounded one. Spheres whose centres move in one plane are answered as circles, bit for bit.
+ * rounded one. Spheres whose centres move in a plane z = constant are answered as circles, bit for
+ * bit.
  *
  * <p>Lengths share one unit, times another; coordinates and velocities are finite, radii finite and
  * at least 0, the window's end T at least 0, {@code +infinity} included; anything else is an {@link
@@ -139,7 +140,8 @@ public final class SweptSphere {
     double nx = difference(x1, x2, size);
     double ny = difference(y1, y2, size);
     double nz = difference(z1, z2, size);
-    int speed = Math.max(exponent(v[0], v[3]), Math.max(exponent(v[1], v[4]), exponent(v[2], v[5])));
+    int speed =
+        Math.max(exponent(v[0], v[3]), Math.max(exponent(v[1], v[4]), exponent(v[2], v[5])));
     int ofU = Math.abs(speed) < ORDINARY ? 0 : speed;
     int ofF = f < 0x1p100 ? 0 : Math.getExponent(f);
     double ux = difference(v[0], v[3], ofU);
@@ -158,7 +160,7 @@ public final class SweptSphere {
     push(v, 3, 1, m1, m2, j, tail, ofU + ofF, nx, ny, nz);
   }
 
-  /** The exponent of a difference; of one beyond the range of doubles, one more than the largest. */
+  /** The exponent of a difference; of one beyond the doubles, one more than the largest. */
   private static int exponent(double p, double q) {
     return Math.getExponent(p - q);
   }

@@ -5,8 +5,8 @@ package dev.carom;
  * A point or a vector of the plane: a position, a velocity or a direction.
  *
  * <p>Units are the caller's: lengths in one unit of length, velocities in that unit per unit of
- * time. The x axis points right; whether y points up or down is the caller's choice, nothing in
- * this package depends on it.
+ * time. The x axis points right; whether y points up or down is the caller's choice, see the
+ * conventions of {@linkplain dev.carom this package}.
  *
  * @param x the first component, finite
  * @param y the second component, finite

@@ -181,7 +181,8 @@ public final class World {
   }
 
   /**
-   * The number of circles.
+   * The number of circles. Once one was removed, their ids are no longer 0 to this number less 1:
+   * go up to {@link #idEnd}, and ask {@link #contains} for each.
    *
    * @return at least 0
    */
@@ -329,7 +330,8 @@ public final class World {
    * The first impact of a circle that need not be in this world: with what stands still here, and,
    * if circles collide, with the circles as they move now. Nothing moves. Sensors are passed over.
    * A circle of radius 0 is a ray; the centre exactly on that of a circle does not meet it, so one
-   * can ask for a circle of this world.
+   * can ask for a circle of this world. Where circles collide it looks at every one of them; it
+   * allocates.
    *
    * @param circle the circle now
    * @param velocity its velocity
@@ -344,7 +346,8 @@ public final class World {
 
   /**
    * The way of a circle among what stands still here, with its next bounces: an aiming line.
-   * Nothing moves, and other circles are not there; sensors are passed over.
+   * Nothing moves, and other circles are not there; sensors are passed over. It ends at impact
+   * 100,000; one that would go on is not {@linkplain Trajectory#complete complete}.
    *
    * @param circle the circle at the start; of radius 0 too
    * @param velocity its velocity at the start
@@ -367,7 +370,7 @@ public final class World {
   /**
    * The thing of a kind that is nearest to a point; of equally near ones the one of the smallest
    * id. Distances are computed in plain doubles: to a wall, a line, or the rim of a peg or a circle
-   * from outside; 0 inside of those.
+   * from outside; 0 inside of those. It looks at every thing of the kind, and allocates.
    *
    * @param kind which kind of thing
    * @param x the x coordinate of the point, finite
@@ -383,7 +386,8 @@ public final class World {
 
   /**
    * What overlaps a disk: has points inside of it, not only on its rim. Decided exactly, for
-   * circles on their places as {@link #x} and {@link #y} give them.
+   * circles on their places as {@link #x} and {@link #y} give them. It looks at every thing of the
+   * kind, and allocates.
    *
    * @param kind which kind of thing
    * @param disk the disk
@@ -432,7 +436,7 @@ public final class World {
    * @param y the y coordinate of the centre, finite
    * @throws IndexOutOfBoundsException if there is no such circle
    * @throws IllegalArgumentException if a coordinate is NaN or infinite, or so large that 2^10 ulps
-   *     of it exceed the radius of a circle
+   *     of it exceed the least radius that was ever in this world
    */
   public void setPosition(int id, double x, double y) {
     editor.setPosition(checked(id), x, y, now);
@@ -512,11 +516,13 @@ public final class World {
    *
    * @param x the x coordinate of the centre, finite
    * @param y the y coordinate of the centre, finite
-   * @param radius finite, more than 0, and at least 2^10 ulps of the largest coordinate
+   * @param radius finite, more than 0, and at least 2^10 ulps of the largest coordinate of anything
+   *     that was ever put into this world
    * @param vx the x component of the velocity, finite
    * @param vy the y component of the velocity, finite
    * @return its id
-   * @throws IllegalArgumentException if a number is refused
+   * @throws IllegalArgumentException if a number is NaN or infinite, the radius too small, or a
+   *     coordinate too large, as by {@link #setPosition}
    */
   public int addCircle(double x, double y, double radius, double vx, double vy) {
     return editor.addCircle(x, y, radius, vx, vy, now);
@@ -532,7 +538,7 @@ public final class World {
    * @param by the y coordinate of the end, finite
    * @return its id
    * @throws IllegalArgumentException if a coordinate is NaN or infinite, or so large that 2^10 ulps
-   *     of it exceed the radius of a circle
+   *     of it exceed the least radius that was ever in this world
    */
   public int addLine(double ax, double ay, double bx, double by) {
     return editor.addLine(ax, ay, bx, by, now);
@@ -561,7 +567,8 @@ public final class World {
    * @param radius finite and at least 0
    * @return its id
    * @throws IllegalArgumentException if a coordinate or the radius is NaN or infinite, the radius
-   *     negative, or a coordinate so large that 2^10 ulps of it exceed the radius of a circle
+   *     negative, or a coordinate so large that 2^10 ulps of it exceed the least radius that was
+   *     ever in this world
    */
   public int addPeg(double x, double y, double radius) {
     return editor.addPeg(x, y, radius, now);

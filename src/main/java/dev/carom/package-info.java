@@ -1,24 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 
 /**
- * Circles that move and bounce: against lines and their endpoints, against pegs and walls. Every
- * impact inside a step is found and resolved at its own moment, whatever the speed.
+ * Circles that move and bounce: against lines and their endpoints, against pegs and walls, and
+ * against each other. Every impact inside a step is found and resolved at its own moment, whatever
+ * the speed.
  *
  * <h2>Four layers</h2>
  *
- * Each uses only those before it, and each is of use alone.
+ * Each uses only those before it, and is of use without those after it.
  *
  * <ol>
- *   <li>Geometry: the records {@link dev.carom.Vec2}, {@link dev.carom.Circle}, {@link
- *       dev.carom.Line}, {@link dev.carom.Endpoint} and {@link dev.carom.Bounds}. They are checked
- *       when they are made, so no other method meets a NaN in one.
+ *   <li>Geometry: the records {@link dev.carom.Vec2}, and as {@link dev.carom.Obstacle}s {@link
+ *       dev.carom.Circle}, {@link dev.carom.Line}, {@link dev.carom.Endpoint} and {@link
+ *       dev.carom.Bounds}. They are checked when they are made, so no other method meets a NaN in
+ *       one.
  *   <li>Detector: {@link dev.carom.SweptCircle} answers when a moving circle meets an obstacle or
- *       another circle. Its hot form takes and returns doubles, {@code +infinity} for never.
+ *       another circle. Its hot form takes and returns doubles, {@code +infinity} for never; its
+ *       friendly form returns an {@link dev.carom.Impact}, which tells the {@link
+ *       dev.carom.ObstacleKind} and the {@link dev.carom.Feature} that was hit. {@link
+ *       dev.carom.SweptSphere} answers for two spheres in space.
  *   <li>Resolver: {@link dev.carom.Resolver} follows one circle through given obstacles for a given
- *       time, all bounces included.
- *   <li>World: {@link dev.carom.Scene} says what is there at time 0, in files too, {@link
- *       dev.carom.World} sets it in motion; a {@link dev.carom.Snapshot} holds all that determines
- *       its future, a {@link dev.carom.Timeline} its past.
+ *       time, all bounces included: its way is a {@link dev.carom.Trajectory}.
+ *   <li>World: a {@link dev.carom.Scene}, made by a {@link dev.carom.SceneBuilder} or read from a
+ *       file, says what is there at time 0, and with which {@link dev.carom.Response}; a {@link
+ *       dev.carom.World} sets it in motion, and its {@link dev.carom.ImpactLog} tells what hit
+ *       what; a {@link dev.carom.Snapshot} holds all that determines its future, a {@link
+ *       dev.carom.Timeline} its past.
  * </ol>
  *
  * One question to each, in turn:
@@ -37,7 +44,7 @@
  * World world =
  *     new World(Scene.builder().line(0, 0, 0, 10).circle(-15, 4, 5, 20, 0).build());
  * world.step(1);
- * System.out.println(world.x(0) + " after " + world.impacts().size() + " impact"); // -15.0 after 1 impact
+ * System.out.println(world.x(0) + ", " + world.impacts().size()); // -15.0, 1
  * }</pre>
  *
  * <h2>What is promised</h2>
@@ -49,7 +56,9 @@
  *       run is cut into steps changes no bit of it.
  *   <li>There is no threshold below which a bounce is dropped, no cap on speed, no slop; positions
  *       are never nudged, and what touches does not jitter.
- *   <li>A step allocates nothing, and costs what happens in it.
+ *   <li>A step costs what happens in it. It allocates nothing, unless it records, its log or
+ *       another list grows, exact arithmetic has to decide, a circle jams, or edits made grids
+ *       stale.
  *   <li>It always ends: a scene that would make infinitely many impacts in finite time jams the
  *       circle and says so, a step that runs out of its budget says that it is unfinished.
  * </ul>
@@ -65,16 +74,20 @@
  *   <li>The x axis points right. Whether y points up or down changes nothing but the names of two
  *       walls: the bottom one is that at the smaller y.
  *   <li>A normal is a unit vector from the obstacle to the circle; of two circles, from the second
- *       to the first. Lines are solid from both sides, so their direction matters only for which
- *       end is called {@linkplain dev.carom.Feature#START start}.
+ *       to the first. Lines are solid from both sides; their direction matters for which end is
+ *       called {@linkplain dev.carom.Feature#START start}, for {@linkplain
+ *       dev.carom.SceneBuilder#oneWay one-way lines}, and for the {@linkplain
+ *       dev.carom.SweptCircle#separation(Circle, Line) separation} of a centre exactly on the line.
  *   <li>Restitution acts along the normal: 1 is elastic, 0 keeps no motion along it, above 1 is a
  *       bumper. That of an impact is the product of the two parties'.
  *   <li>An impact is the first moment at which the distance is at most the radius and falling. To
  *       touch and leave, or to slide along, is none; to overlap and come nearer is one, at once.
  *       Positions are never corrected.
  *   <li>Numbers out of their range throw {@link java.lang.IllegalArgumentException}, numbers of
- *       things that do not exist {@link java.lang.IndexOutOfBoundsException}. The messages name the
- *       thing, the value and what was expected.
+ *       things that do not exist {@link java.lang.IndexOutOfBoundsException}; a timeline refuses
+ *       ids and times alike by {@link java.lang.IllegalArgumentException}. A builder's call out of
+ *       order is an {@link java.lang.IllegalStateException}. The messages name the thing, the value
+ *       and what was expected. A null is a {@link java.lang.NullPointerException}.
  * </ul>
  *
  * <h2>Determinism</h2>
@@ -86,9 +99,10 @@
  *
  * <h2>Threads</h2>
  *
- * Records, scenes and all static methods may be used by any number of threads at once. A {@link
- * dev.carom.World} and a {@link dev.carom.SceneBuilder} belong to one thread at a time; different
- * worlds share nothing, even if they are made of the same scene.
+ * Records, scenes, resolvers, trajectories, snapshots and all static methods may be used by any
+ * number of threads at once. A {@link dev.carom.World}, with its log and its timeline, and a {@link
+ * dev.carom.SceneBuilder} belong to one thread at a time; different worlds share nothing that
+ * changes, even if they are made of the same scene.
  *
  * <h2>What the method gives up</h2>
  *
