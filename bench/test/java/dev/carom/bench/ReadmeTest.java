@@ -19,7 +19,7 @@ class ReadmeTest {
   @TempDir Path folder;
 
   @Test
-  void theTenLinesPrintWhatTheReadmeSays() throws Exception {
+  void theFirstProgramPrintsWhatTheReadmeSays() throws Exception {
     String printed = JavaSample.run(block("java", 0), folder);
     assertThat(printed.strip()).isEqualTo(block("", 0).strip());
   }
