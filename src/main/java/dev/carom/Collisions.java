@@ -86,7 +86,7 @@ final class Collisions extends Engine {
 
   @Override
   String model() {
-    return surroundings.model().toString().replace("ignore each other", "collide");
+    return surroundings.model(true).toString();
   }
 
   @Override

@@ -31,7 +31,7 @@ final class Flights extends Engine {
 
   @Override
   String model() {
-    return surroundings.model().toString();
+    return surroundings.model(false).toString();
   }
 
   /**

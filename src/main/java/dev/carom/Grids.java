@@ -140,8 +140,8 @@ final class Grids {
     }
   }
 
-  Model model() {
+  Model model(boolean collide) {
     int cells = byExponent.values().stream().mapToInt(Grid::cells).sum();
-    return new Model(obstacles.size(), byExponent.size(), cells);
+    return new Model(collide, obstacles.size(), byExponent.size(), cells);
   }
 }

@@ -4,16 +4,17 @@ package dev.carom;
 /**
  * The machinery that a world chose for its scene.
  *
+ * @param collide whether its circles collide with each other
  * @param obstacles the number of lines and pegs
  * @param grids the number of grids, one for each power of two among the circles' radii; 0 if each
  *     obstacle is looked at
  * @param cells the number of cells of all grids together
  */
-record Model(int obstacles, int grids, int cells) {
+record Model(boolean collide, int obstacles, int grids, int cells) {
 
   @Override
   public String toString() {
-    String circles = "circles that ignore each other";
+    String circles = collide ? "circles that collide" : "circles that ignore each other";
     if (obstacles == 0) {
       return circles + ", no lines or pegs";
     }

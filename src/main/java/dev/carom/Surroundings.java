@@ -26,8 +26,8 @@ final class Surroundings {
     }
   }
 
-  Model model() {
-    return grids.model();
+  Model model(boolean collide) {
+    return grids.model(collide);
   }
 
   /** Extends what is known ahead of a circle; see {@link BroadSearch#extend}. */

@@ -410,7 +410,9 @@ class WorldTest {
   @Test
   void theModelSaysWhatIsUsed() {
     SceneBuilder empty = Scene.builder().bounds(0, 0, 9, 9).circle(4, 4, 1, 1, 1);
-    assertThat(world(empty).model()).contains("no lines or pegs");
+    assertThat(world(empty).model()).isEqualTo("circles that ignore each other, no lines or pegs");
+    assertThat(world(empty.collide(true)).model())
+        .isEqualTo("circles that collide, no lines or pegs");
     assertThat(world(floor()).model()).contains("each of 1 lines and pegs");
     assertThat(new World(TestScenes.read("base-1.csv")).model())
         .contains("100 lines and pegs in 1 grid of");
