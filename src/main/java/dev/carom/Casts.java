@@ -112,8 +112,8 @@ final class Casts {
             t,
             ObstacleKind.WALL,
             vertical
-                ? (v.x() < 0 ? Obstacles.LEFT : Obstacles.RIGHT)
-                : (v.y() < 0 ? Obstacles.BOTTOM : Obstacles.TOP),
+                ? (v.x() < 0 ? WallSweep.LEFT : WallSweep.RIGHT)
+                : (v.y() < 0 ? WallSweep.BOTTOM : WallSweep.TOP),
             bounds,
             Feature.SIDE,
             point,
@@ -168,7 +168,7 @@ final class Casts {
             t);
     Vec2 centre = place(c2, v2, t);
     Vec2 point =
-        within(
+        Vec2.within(
             Math.fma(c2.radius(), normal.x(), centre.x()),
             Math.fma(c2.radius(), normal.y(), centre.y()));
     return Optional.of(
@@ -184,16 +184,7 @@ final class Casts {
   }
 
   private static Vec2 place(Circle circle, Vec2 v, double t) {
-    return within(Math.fma(v.x(), t, circle.x()), Math.fma(v.y(), t, circle.y()));
-  }
-
-  /** The point (x, y), or where a coordinate overflowed, the largest double instead. */
-  private static Vec2 within(double x, double y) {
-    return new Vec2(within(x), within(y));
-  }
-
-  private static double within(double x) {
-    return ImpactLog.within(x);
+    return Vec2.within(Math.fma(v.x(), t, circle.x()), Math.fma(v.y(), t, circle.y()));
   }
 
   /** The speed along the normal at which the distance falls: -(v1 - v2).n; it may be infinite. */

@@ -20,7 +20,6 @@ record Flight(double t0, double x0, double y0, double vx, double vy) {
    *     doubles is the largest one
    */
   Vec2 at(double t) {
-    return new Vec2(
-        ImpactLog.within(Math.fma(vx, t - t0, x0)), ImpactLog.within(Math.fma(vy, t - t0, y0)));
+    return Vec2.within(Math.fma(vx, t - t0, x0), Math.fma(vy, t - t0, y0));
   }
 }

@@ -225,9 +225,9 @@ public final class ImpactLog {
     numbers[k + 5] = vn;
   }
 
-  /** A coordinate; of one beyond the range of doubles, the largest one. */
+  /** See {@link Vec2#within(double)}. */
   static double within(double x) {
-    return Math.max(-Double.MAX_VALUE, Math.min(x, Double.MAX_VALUE));
+    return Vec2.within(x);
   }
 
   /** Marks the row added last as the one at which its circle jams. */

@@ -12,12 +12,12 @@ import java.util.Objects;
  */
 final class Obstacles {
 
-  /** The codes of the walls; the one of the upper wall of an axis follows that of the lower one. */
-  static final int LEFT = 0;
+  /** The codes of the walls are their ids. */
+  static final int LEFT = WallSweep.LEFT;
 
-  static final int RIGHT = 1;
-  static final int BOTTOM = 2;
-  static final int TOP = 3;
+  static final int RIGHT = WallSweep.RIGHT;
+  static final int BOTTOM = WallSweep.BOTTOM;
+  static final int TOP = WallSweep.TOP;
 
   /** The number of codes of walls, used or not: the code of the first line. */
   static final int WALLS = 4;

@@ -28,6 +28,16 @@ public record Vec2(double x, double y) {
     Check.finite("y", y);
   }
 
+  /** A coordinate; of one beyond the range of doubles, the largest one. */
+  static double within(double x) {
+    return Math.max(-Double.MAX_VALUE, Math.min(x, Double.MAX_VALUE));
+  }
+
+  /** The point (x, y), with coordinates {@link #within(double)} the range of doubles. */
+  static Vec2 within(double x, double y) {
+    return new Vec2(within(x), within(y));
+  }
+
   /**
    * The length of this vector.
    *

@@ -13,6 +13,13 @@ import static dev.carom.DoubleDouble.differenceTail;
  */
 final class WallSweep {
 
+  /** The ids of the walls; that of the upper wall of an axis follows that of the lower one. */
+  static final int LEFT = 0;
+
+  static final int RIGHT = 1;
+  static final int BOTTOM = 2;
+  static final int TOP = 3;
+
   private static final double LEAST = 0x1p-500;
 
   private static final double MOST = 0x1p500;
