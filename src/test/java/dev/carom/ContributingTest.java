@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** What CONTRIBUTING.md says of where to look is true of every file, and of no other. */
+class ContributingTest {
+
+  private static final Path GUIDE = Path.of("../.github/CONTRIBUTING.md");
+  private static final Path SOURCES = Path.of("main/java/dev/carom");
+  private static final Pattern ROW = Pattern.compile("(?m)^\\|[^|]*\\|[^|]*\\|([^|]*)\\|$");
+  private static final Pattern NAME = Pattern.compile("`([\\w-]+)`");
+
+  @Test
+  void whereToLookNamesEveryFile() throws IOException {
+    String guide = Files.readString(GUIDE);
+    String section = guide.substring(guide.indexOf("## Where to look"));
+    Set<String> named =
+        ROW.matcher(section.substring(0, section.indexOf("| To change |")))
+            .results()
+            .flatMap(row -> NAME.matcher(row.group(1)).results())
+            .map(name -> name.group(1))
+            .collect(Collectors.toCollection(TreeSet::new));
+    assertThat(named).containsExactlyElementsOf(sources());
+  }
+
+  private static Set<String> sources() throws IOException {
+    try (Stream<Path> files = Files.list(SOURCES)) {
+      return files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> name.endsWith(".java"))
+          .map(name -> name.replace(".java", ""))
+          .collect(Collectors.toCollection(TreeSet::new));
+    }
+  }
+}
