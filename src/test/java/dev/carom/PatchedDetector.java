@@ -44,7 +44,7 @@ final class PatchedDetector {
     pairContact = loader.handle("DiskSweep", "contact", 10, 11);
     pairTime = loader.handle("DiskSweep", "time", 11, 11);
     bounds = loader.handle("SweptCircle", "bounds", 10, 10);
-    sphereTime = loader.handle("SweptSphere", "sphere", 15, 15);
+    sphereTime = loader.handle("SweptSphere", "pair", 15, 15);
   }
 
   /** The detector with one bound scaled down: 1 for none, 0 to remove it. */

@@ -111,9 +111,9 @@ public record Picture(int width, int height, String title, Consumer<Graphics2D> 
     painter.accept(g);
   }
 
-  /** A hundredth of a pixel is more than an eye can see. */
+  /** A tenth of a pixel is as much as an eye can see. */
   private static String shorten(double x) {
-    BigDecimal rounded = BigDecimal.valueOf(x).setScale(2, RoundingMode.HALF_EVEN);
+    BigDecimal rounded = BigDecimal.valueOf(x).setScale(1, RoundingMode.HALF_EVEN);
     return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
   }
 }

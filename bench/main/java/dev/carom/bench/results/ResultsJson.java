@@ -10,6 +10,7 @@ import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonMappingException;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -120,14 +121,14 @@ public final class ResultsJson {
   /**
    * Reads results back.
    *
-   * @param file the file
+   * @param file the file; where it is not there, the same with {@code .gz} at its end is unpacked
    * @return what was written
    * @throws IOException if it cannot be read, or holds no results: the message names the file, the
    *     place in it, and what is wrong
    */
   public static Results read(Path file) throws IOException {
-    try {
-      Content content = MAPPER.readValue(file.toFile(), Content.class);
+    try (InputStream in = WholeFile.open(file)) {
+      Content content = MAPPER.readValue(in, Content.class);
       if (content.version != VERSION) {
         throw new IOException(
             "%s: version is %d: expected %d".formatted(file, content.version, VERSION));

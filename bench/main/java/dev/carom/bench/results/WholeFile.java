@@ -2,15 +2,32 @@
 package dev.carom.bench.results;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.util.zip.GZIPInputStream;
 
 /** Files that appear as a whole or not at all, even if the process is ended while it writes. */
 public final class WholeFile {
 
   private WholeFile() {}
+
+  /**
+   * Opens a file, or where it is not there its packed twin, {@code .gz} at the end of its name.
+   *
+   * @param file the file
+   * @return its bytes, unpacked
+   * @throws IOException if neither can be read; the message names the file
+   */
+  static InputStream open(Path file) throws IOException {
+    Path packed = file.resolveSibling(file.getFileName() + ".gz");
+    if (Files.exists(file) || !Files.exists(packed)) {
+      return Files.newInputStream(file);
+    }
+    return new GZIPInputStream(Files.newInputStream(packed));
+  }
 
   /**
    * Writes text in UTF-8.

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
+import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -92,6 +93,21 @@ class ResultsFilesTest {
         .isThrownBy(() -> ResultsJson.read(file))
         .withMessageStartingWith(file.toString())
         .withMessageContaining(message);
+  }
+
+  @Test
+  void aPackedFileIsReadWhereThePlainOneIsNotThere() throws IOException {
+    Path file = folder.resolve("results.json");
+    Results results = new Results(METADATA, ROWS);
+    ResultsJson.write(results, file);
+    byte[] plain = Files.readAllBytes(file);
+    try (var out = new GZIPOutputStream(Files.newOutputStream(folder.resolve("results.json.gz")))) {
+      out.write(plain);
+    }
+    Files.delete(file);
+    assertThat(ResultsJson.read(file).rows()).isEqualTo(ROWS);
+    ResultsJson.write(new Results(METADATA, ROWS.subList(0, 1)), file);
+    assertThat(ResultsJson.read(file).rows()).hasSize(1);
   }
 
   private static String quoted(String text) {
