@@ -218,16 +218,11 @@ public final class ImpactLog {
   /** Completes the row added last, with a normal of any length and v.n. */
   void set(double x, double y, double nx, double ny, double vn) {
     int k = (size - 1) * ROW;
-    numbers[k + 1] = within(x);
-    numbers[k + 2] = within(y);
+    numbers[k + 1] = Vec2.within(x);
+    numbers[k + 2] = Vec2.within(y);
     numbers[k + 3] = nx;
     numbers[k + 4] = ny;
     numbers[k + 5] = vn;
-  }
-
-  /** See {@link Vec2#within(double)}. */
-  static double within(double x) {
-    return Vec2.within(x);
   }
 
   /** Marks the row added last as the one at which its circle jams. */

@@ -223,7 +223,7 @@ final class ObstacleResponse {
     double s =
         size > LEAST && size < MOST
             ? ((m.x - ax) * wx + (m.y - ay) * wy) / (wx * wx + wy * wy)
-            : Line.fraction(ax, ay, bx, by, ImpactLog.within(m.x), ImpactLog.within(m.y));
+            : Line.fraction(ax, ay, bx, by, Vec2.within(m.x), Vec2.within(m.y));
     contactX = Line.between(s, ax, bx);
     contactY = Line.between(s, ay, by);
     normal(m, px, py, qx, qy);
@@ -239,8 +239,8 @@ final class ObstacleResponse {
    */
   private void locateAt(Mover m, double cx, double cy, double radius) {
     double share = share(radius, m.radius);
-    contactX = Line.between(share, cx, ImpactLog.within(m.x));
-    contactY = Line.between(share, cy, ImpactLog.within(m.y));
+    contactX = Line.between(share, cx, Vec2.within(m.x));
+    contactY = Line.between(share, cy, Vec2.within(m.y));
     double reach = radius + m.radius;
     if (reach == 0) {
       normal(m, 0, 0, m.vx, m.vy);
@@ -286,8 +286,8 @@ final class ObstacleResponse {
     if (exponent == 0) {
       return p - q;
     }
-    double a = ImpactLog.within(p);
-    double b = ImpactLog.within(q);
+    double a = Vec2.within(p);
+    double b = Vec2.within(q);
     double d = a - b;
     return Math.abs(d) <= Double.MAX_VALUE
         ? Math.scalb(d, -exponent)
