@@ -122,8 +122,9 @@ final class Mover {
       contact = sensedCode;
     }
     if (jam != null && jam.makesInert(code)) {
-      jam = null;
-      stuck = 0;
+      // The rest stays inert: it would be hit where the flight began, before the edit.
+      jam = jam.without(code);
+      stuck = jam == null ? 0 : stuck;
     }
     return knew;
   }

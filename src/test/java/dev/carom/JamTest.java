@@ -39,4 +39,20 @@ class JamTest {
     assertThat(of(3, 4)).isNotEqualTo(of(3, 5)).doesNotHaveSameHashCodeAs(of(3, 5));
     assertThat(of(3)).isNotEqualTo("3");
   }
+
+  /** Else the rest would be hit where the flight began, at a time before the edit. */
+  @Test
+  void whatIsMovedIsThereAgainAndTheRestStaysInert() {
+    int circle = Obstacles.CIRCLES + 7;
+    Mover m = new Mover();
+    m.stuck = 99;
+    m.jam = Jam.with(Jam.with(null, Obstacles.WALLS), circle);
+    assertThat(m.forget(Obstacles.WALLS, 0)).isTrue();
+    assertThat(m.jam.makesInert(Obstacles.WALLS)).isFalse();
+    assertThat(m.jam.makesInert(circle)).isTrue();
+    assertThat(m.stuck).isEqualTo(99);
+    m.forget(circle, 0);
+    assertThat(m.jam).isNull();
+    assertThat(m.stuck).isZero();
+  }
 }
