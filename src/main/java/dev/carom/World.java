@@ -41,10 +41,12 @@ import java.util.Optional;
  * circle has met at that place counts for N / 32. Of two circles that jam each other both are inert
  * for each other, until another impact makes them approach by more than rounding; a circle that
  * goes on to be hit there bears more and more, at 3 N impacts a 1,024th of the speeds met, so a row
- * that is pressed from outside may sink into itself by some hundredths of a radius. A circle's
- * impacts count as at one place only while what hits it comes from as near. Motion is stopped
- * there, not given: the TC model of Luding and McNamara (Granular Matter 1, 1998) makes impacts
- * elastic that follow each other too fast, which feeds energy back that the scene had taken away.
+ * that is pressed from outside may sink into itself by some hundredths of a radius; where speeds
+ * met differ by very many orders, as with a mass of 1e-151 between bumpers, a jammed circle may
+ * even be passed through, and be left beyond a wall. A circle's impacts count as at one place only
+ * while what hits it comes from as near. Motion is stopped there, not given: the TC model of Luding
+ * and McNamara (Granular Matter 1, 1998) makes impacts elastic that follow each other too fast,
+ * which feeds energy back that the scene had taken away.
  *
  * <p>Independently there is a budget of work for one call of {@link #step} or {@link #advanceTo}.
  * If circles ignore each other, each may make 4,000,000 / circles impacts, at least 10,000; if they

@@ -90,8 +90,8 @@ class InelasticTest {
     World world = new World(builder.build());
     End end = play(world, 100);
     assertThat(end.jammed()).isPositive();
-    // Pressed against the wall, n circles share out the motion in some n^2 rounds of n impacts.
-    assertThat(end.impacts()).isLessThan(count * count * count * IMPACTS);
+    // Measured: 0.4 million for 8 circles, 2.0 million for 20; no law is known for it.
+    assertThat(end.impacts()).isLessThan(count * IMPACTS * 40);
     assertThat(energy(world)).isLessThan(50);
     for (int i = 0; i <= count; i++) {
       assertThat(world.x(i)).isBetween(1 - 1e-9, 19 + 3 * count + 1e-9);
