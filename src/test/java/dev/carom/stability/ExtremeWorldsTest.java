@@ -13,6 +13,7 @@ import dev.carom.Snapshot;
 import dev.carom.Timeline;
 import dev.carom.Vec2;
 import dev.carom.World;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -25,7 +26,8 @@ class ExtremeWorldsTest {
   private static final int WORLDS = 300;
 
   @Test
-  @Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+  @Tag("long")
+  @Timeout(value = 600, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
   void worldsGoOn() {
     int refused = 0;
     int impacts = 0;
