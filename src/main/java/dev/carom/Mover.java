@@ -166,6 +166,12 @@ final class Mover {
     return DoubleDouble.sumTail(s, l, head);
   }
 
+  /** from + v dt - to, for to = fl(from + v dt): what the rounded place lacks. */
+  static double lack(double from, double v, double dt, double to) {
+    double d = from - to;
+    return Math.fma(v, dt, d) + DoubleDouble.differenceTail(from, to, d);
+  }
+
   /** Flies on for dt, to a new start of a flight. */
   void fly(double dt) {
     x = Math.fma(vx, dt, x);

@@ -249,7 +249,19 @@ final class ObstacleResponse {
           DiskSweep.normal(startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, 0, 0, m.cleared);
       normal(m, n.x(), n.y(), 0, 0);
     } else {
-      normal(m, m.x, m.y, cx, cy);
+      offset(m, cx, cy);
+    }
+  }
+
+  /**
+   * Keeps the offset from (cx, cy) to the true centre: it is smaller than the coordinates, and so
+   * has places that the rounded centre lacks. Without them its direction would be wrong by a
+   * rounding of the coordinates over the radius, and so would be the new velocity's.
+   */
+  private void offset(Mover m, double cx, double cy) {
+    if (normal(m, m.x, m.y, cx, cy) == 0) {
+      nx += Mover.lack(startX, m.vx, m.cleared, m.x);
+      ny += Mover.lack(startY, m.vy, m.cleared, m.y);
     }
   }
 
@@ -259,13 +271,14 @@ final class ObstacleResponse {
     return sum == 0 ? 0 : sum <= Double.MAX_VALUE ? a / sum : a / 2 / (a / 2 + b / 2);
   }
 
-  /** Keeps the normal p - q. */
-  private void normal(Mover m, double px, double py, double qx, double qy) {
+  /** Keeps the normal p - q; returns by which power of two it was divided. */
+  private int normal(Mover m, double px, double py, double qx, double qy) {
     double speed = Math.max(Math.abs(m.vx), Math.abs(m.vy));
     int exponent = exponent(px, py, qx, qy, speed);
     // + 0 turns -0 into 0.
     nx = difference(px, qx, exponent) + 0.0;
     ny = difference(py, qy, exponent) + 0.0;
+    return exponent;
   }
 
   /**

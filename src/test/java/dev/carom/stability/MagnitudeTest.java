@@ -8,9 +8,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Circle;
+import dev.carom.Impact;
 import dev.carom.Line;
+import dev.carom.Resolver;
 import dev.carom.Scene;
 import dev.carom.SweptSphere;
+import dev.carom.Trajectory;
 import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.List;
@@ -133,5 +136,30 @@ class MagnitudeTest {
     assertThat(advance(world, 1)).hasSize(1);
     assertThat(world.x(0)).isCloseTo(1, within(1e-15));
     assertThat(Play.speed(world, 0)).isZero();
+  }
+
+  /**
+   * The same scene, moved by 2^30: the centre at the impact is rounded to 2^-22, its offset from
+   * the peg is not. The normal of rounded coordinates would err by up to 2^-23 / 10.
+   */
+  @Test
+  void theNormalIsAsAccurateFarFromTheOrigin() {
+    double far = 0x1p30;
+    double worst = 0;
+    for (int k = 1; k < 64; k++) {
+      Circle circle = new Circle(-32, k / 8.0, 9);
+      Circle moved = new Circle(far - 32, far + k / 8.0, 9);
+      Circle peg = new Circle(0, 0, 1);
+      Vec2 v = new Vec2(3, 0.125);
+      Impact near = Resolver.of(List.of(peg)).trace(circle, v, 20).impacts().get(0);
+      Trajectory way = Resolver.of(List.of(new Circle(far, far, 1))).trace(moved, v, 20);
+      Impact there = way.impacts().get(0);
+      assertThat(there.time()).isEqualTo(near.time());
+      Vec2 centre = way.points().get(1);
+      worst = Math.max(worst, Math.abs((centre.x() - far) / 10 - near.normal().x()));
+      assertThat(there.normal().x()).isCloseTo(near.normal().x(), within(0x1p-50));
+      assertThat(there.normal().y()).isCloseTo(near.normal().y(), within(0x1p-50));
+    }
+    assertThat(worst).as("naive: of the rounded centre").isGreaterThan(0x1p-28);
   }
 }
