@@ -134,7 +134,13 @@ final class Circles {
     Circle circle = scene.circle(i);
     Vec2 v = scene.velocity(i);
     mover.start(
-        i, circle.x(), circle.y(), circle.radius(), v.x(), v.y(), scene.circleRestitution(i));
+        i,
+        circle.x(),
+        circle.y(),
+        circle.radius(),
+        v.x(),
+        v.y(),
+        scene.restitution(ObstacleKind.CIRCLE, i));
   }
 
   double x(int i, double now) {
@@ -157,6 +163,10 @@ final class Circles {
 
   double radius(int i) {
     return state[at(i) + RADIUS];
+  }
+
+  double restitution(int i) {
+    return state[at(i) + RESTITUTION];
   }
 
   void setRestitution(int i, double e) {

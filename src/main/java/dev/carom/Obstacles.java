@@ -292,6 +292,14 @@ final class Obstacles {
     if (specials > 0 && Traits.halts(traits(code))) {
       return 0;
     }
+    return givenRestitution(code);
+  }
+
+  /** The restitution as it was given, whatever the response. */
+  double givenRestitution(int code) {
+    if (code < WALLS) {
+      return boundsRestitution;
+    }
     return code < PEGS ? lines[offset(code) + 4] : pegs[offset(code) + 3];
   }
 

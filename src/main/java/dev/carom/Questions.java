@@ -46,6 +46,28 @@ final class Questions {
             Mover.of(circle, velocity, restitution), duration, bounces, Resolver.IMPACTS_PER_TRACE);
   }
 
+  double restitution(int code) {
+    return code >= Obstacles.CIRCLES
+        ? circles.restitution(code - Obstacles.CIRCLES)
+        : surroundings.obstacles.givenRestitution(code);
+  }
+
+  Response response(int code) {
+    return Traits.response(traits(code));
+  }
+
+  boolean isOneWay(int code) {
+    return Traits.isOneWay(traits(code));
+  }
+
+  private int traits(int code) {
+    if (code >= Obstacles.CIRCLES) {
+      return roster.traits(code - Obstacles.CIRCLES);
+    }
+    Obstacles obstacles = surroundings.obstacles;
+    return code < Obstacles.WALLS ? obstacles.boundsTraits : obstacles.traits(code);
+  }
+
   int nearest(ObstacleKind kind, double x, double y, double now) {
     if (kind != ObstacleKind.CIRCLE) {
       int code = region.nearest(region.codes(kind), x, y);

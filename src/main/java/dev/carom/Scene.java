@@ -197,7 +197,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public Circle circle(int i) {
-    int k = at("circle", i, circleCount()) * CIRCLE;
+    int k = at(ObstacleKind.CIRCLE, i) * CIRCLE;
     return new Circle(circles[k], circles[k + 1], circles[k + 2]);
   }
 
@@ -209,30 +209,8 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public Vec2 velocity(int i) {
-    int k = at("circle", i, circleCount()) * CIRCLE;
+    int k = at(ObstacleKind.CIRCLE, i) * CIRCLE;
     return new Vec2(circles[k + 3], circles[k + 4]);
-  }
-
-  /**
-   * The restitution of a circle; that of an impact is the product of the two parties' restitutions.
-   *
-   * @param i its number, 0..{@link #circleCount()} - 1
-   * @return at least 0; 1 is elastic
-   * @throws IndexOutOfBoundsException if there is no such circle
-   */
-  public double circleRestitution(int i) {
-    return circles[at("circle", i, circleCount()) * CIRCLE + 5];
-  }
-
-  /**
-   * The response of a circle, to other circles.
-   *
-   * @param i its number, 0..{@link #circleCount()} - 1
-   * @return the response, {@link Response#BOUNCE} unless another was set
-   * @throws IndexOutOfBoundsException if there is no such circle
-   */
-  public Response circleResponse(int i) {
-    return Traits.response(Traits.of(circleTraits, at("circle", i, circleCount())));
   }
 
   /**
@@ -243,7 +221,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double mass(int i) {
-    return masses[at("circle", i, circleCount())];
+    return masses[at(ObstacleKind.CIRCLE, i)];
   }
 
   /**
@@ -254,42 +232,8 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int i) {
-    int k = at("line", i, lineCount()) * LINE;
+    int k = at(ObstacleKind.LINE, i) * LINE;
     return new Line(lines[k], lines[k + 1], lines[k + 2], lines[k + 3]);
-  }
-
-  /**
-   * The restitution of a line.
-   *
-   * @param i its number, 0..{@link #lineCount()} - 1
-   * @return at least 0; 1 is elastic
-   * @throws IndexOutOfBoundsException if there is no such line
-   */
-  public double lineRestitution(int i) {
-    return lines[at("line", i, lineCount()) * LINE + 4];
-  }
-
-  /**
-   * The response of circles to a line.
-   *
-   * @param i its number, 0..{@link #lineCount()} - 1
-   * @return the response, {@link Response#BOUNCE} unless another was set
-   * @throws IndexOutOfBoundsException if there is no such line
-   */
-  public Response lineResponse(int i) {
-    return Traits.response(Traits.of(lineTraits, at("line", i, lineCount())));
-  }
-
-  /**
-   * Whether a line is there only for circles that come from its left; see {@link
-   * SceneBuilder#oneWay()}.
-   *
-   * @param i its number, 0..{@link #lineCount()} - 1
-   * @return false unless it was set
-   * @throws IndexOutOfBoundsException if there is no such line
-   */
-  public boolean lineOneWay(int i) {
-    return Traits.isOneWay(Traits.of(lineTraits, at("line", i, lineCount())));
   }
 
   /**
@@ -300,30 +244,52 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such peg
    */
   public Circle peg(int i) {
-    int k = at("peg", i, pegCount()) * PEG;
+    int k = at(ObstacleKind.PEG, i) * PEG;
     return new Circle(pegs[k], pegs[k + 1], pegs[k + 2]);
   }
 
   /**
-   * The restitution of a peg.
+   * The restitution of something; that of an impact is the product of the two parties'
+   * restitutions.
    *
-   * @param i its number, 0..{@link #pegCount()} - 1
-   * @return at least 0; 1 is elastic
-   * @throws IndexOutOfBoundsException if there is no such peg
+   * @param kind its kind; the four walls have the same one
+   * @param i its number: of a wall 0..3, else from 0 to the number of such things less 1
+   * @return at least 0; 1, elastic, unless another was set
+   * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public double pegRestitution(int i) {
-    return pegs[at("peg", i, pegCount()) * PEG + 3];
+  public double restitution(ObstacleKind kind, int i) {
+    int k = at(kind, i);
+    return switch (kind) {
+      case WALL -> boundsRestitution;
+      case LINE -> lines[k * LINE + 4];
+      case PEG -> pegs[k * PEG + 3];
+      case CIRCLE -> circles[k * CIRCLE + 5];
+    };
   }
 
   /**
-   * The response of circles to a peg.
+   * What happens when a circle meets something.
    *
-   * @param i its number, 0..{@link #pegCount()} - 1
-   * @return the response, {@link Response#BOUNCE} unless another was set
-   * @throws IndexOutOfBoundsException if there is no such peg
+   * @param kind its kind; the four walls have the same response
+   * @param i its number: of a wall 0..3, else from 0 to the number of such things less 1
+   * @return the response, {@link Response#BOUNCE} unless another was set; of a circle, to other
+   *     circles
+   * @throws IndexOutOfBoundsException if there is no such thing
    */
-  public Response pegResponse(int i) {
-    return Traits.response(Traits.of(pegTraits, at("peg", i, pegCount())));
+  public Response response(ObstacleKind kind, int i) {
+    return Traits.response(traits(kind, at(kind, i)));
+  }
+
+  /**
+   * Whether a line is there only for circles that come from its left; see {@link
+   * SceneBuilder#oneWay()}.
+   *
+   * @param i its number, 0..{@link #lineCount()} - 1
+   * @return false unless it was set
+   * @throws IndexOutOfBoundsException if there is no such line
+   */
+  public boolean oneWay(int i) {
+    return Traits.isOneWay(traits(ObstacleKind.LINE, at(ObstacleKind.LINE, i)));
   }
 
   /**
@@ -342,24 +308,6 @@ public final class Scene {
    */
   public boolean collide() {
     return collide;
-  }
-
-  /**
-   * The restitution of the four walls.
-   *
-   * @return at least 0; 1 is elastic, and 1 if the scene has no bounds
-   */
-  public double boundsRestitution() {
-    return boundsRestitution;
-  }
-
-  /**
-   * The response of circles to the four walls.
-   *
-   * @return {@link Response#BOUNCE} or {@link Response#HALT}
-   */
-  public Response boundsResponse() {
-    return Traits.response(boundsTraits);
   }
 
   /**
@@ -396,10 +344,31 @@ public final class Scene {
         .formatted(circleCount(), lineCount(), pegCount(), bounds == null ? "none" : bounds);
   }
 
-  private static int at(String kind, int i, int count) {
+  /** The {@link Traits} of a thing that is there. */
+  int traits(ObstacleKind kind, int i) {
+    return switch (kind) {
+      case WALL -> boundsTraits;
+      case LINE -> Traits.of(lineTraits, i);
+      case PEG -> Traits.of(pegTraits, i);
+      case CIRCLE -> Traits.of(circleTraits, i);
+    };
+  }
+
+  private int count(ObstacleKind kind) {
+    return switch (kind) {
+      case WALL -> bounds == null ? 0 : Obstacles.WALLS;
+      case LINE -> lineCount();
+      case PEG -> pegCount();
+      case CIRCLE -> circleCount();
+    };
+  }
+
+  /** A number of a thing that is there. */
+  private int at(ObstacleKind kind, int i) {
+    int count = count(kind);
     if (i < 0 || i >= count) {
       throw new IndexOutOfBoundsException(
-          kind + " " + i + " does not exist: the scene has " + count + " of them, from 0");
+          kind.nameOf(i) + " does not exist: the scene has " + count + " of them, from 0");
     }
     return i;
   }

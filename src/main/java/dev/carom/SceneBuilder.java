@@ -18,7 +18,7 @@ import java.util.Objects;
  *     .circle(100, 100, 10, 4, 3).mass(2).restitution(0.9)
  *     .collide(true)
  *     .build();
- * System.out.println(scene.lineOneWay(0) + ", " + scene.mass(0)); // true, 2.0
+ * System.out.println(scene.oneWay(0) + ", " + scene.mass(0)); // true, 2.0
  * }</pre>
  */
 public final class SceneBuilder {

@@ -20,24 +20,24 @@ final class SceneWriter {
     if (scene.bounds != null) {
       Bounds b = scene.bounds;
       begin("wall", b.xmin(), b.ymin(), b.xmax(), b.ymax());
-      end(scene.boundsRestitution, scene.boundsTraits);
+      end(scene, ObstacleKind.WALL, 0);
     }
     for (int i = 0; i < scene.lineCount(); i++) {
       Line line = scene.line(i);
       begin("line", line.ax(), line.ay(), line.bx(), line.by());
-      end(scene.lineRestitution(i), Traits.of(scene.lineTraits, i));
+      end(scene, ObstacleKind.LINE, i);
     }
     for (int i = 0; i < scene.pegCount(); i++) {
       Circle peg = scene.peg(i);
       begin("peg", peg.x(), peg.y(), peg.radius());
-      end(scene.pegRestitution(i), Traits.of(scene.pegTraits, i));
+      end(scene, ObstacleKind.PEG, i);
     }
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
       Vec2 v = scene.velocity(i);
       begin("circle", c.x(), c.y(), c.radius(), v.x(), v.y());
       mass(scene.mass(i));
-      end(scene.circleRestitution(i), Traits.of(scene.circleTraits, i));
+      end(scene, ObstacleKind.CIRCLE, i);
     }
   }
 
@@ -57,14 +57,16 @@ final class SceneWriter {
     }
   }
 
-  private void end(double restitution, int traits) throws IOException {
+  private void end(Scene scene, ObstacleKind kind, int i) throws IOException {
+    double restitution = scene.restitution(kind, i);
+    Response response = scene.response(kind, i);
     if (restitution != 1) {
       row.append(",restitution=").append(restitution);
     }
-    if (Traits.response(traits) != Response.BOUNCE) {
-      row.append(",response=").append(SceneText.word(Traits.response(traits)));
+    if (response != Response.BOUNCE) {
+      row.append(",response=").append(SceneText.word(response));
     }
-    if (Traits.isOneWay(traits)) {
+    if (kind == ObstacleKind.LINE && scene.oneWay(i)) {
       row.append(",oneway=1");
     }
     out.append(row.append('\n'));

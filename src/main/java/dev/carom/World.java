@@ -285,6 +285,42 @@ public final class World {
   }
 
   /**
+   * The restitution of something now; that of an impact is the product of the two parties'
+   * restitutions.
+   *
+   * @param kind its kind; the four walls have the same one
+   * @param id its id
+   * @return at least 0; 1 is elastic
+   * @throws IndexOutOfBoundsException if there is no such thing
+   */
+  public double restitution(ObstacleKind kind, int id) {
+    return questions.restitution(checked(kind, id));
+  }
+
+  /**
+   * What happens now when a circle meets something.
+   *
+   * @param kind its kind; the four walls have the same response
+   * @param id its id
+   * @return the response; of a circle, to other circles
+   * @throws IndexOutOfBoundsException if there is no such thing
+   */
+  public Response response(ObstacleKind kind, int id) {
+    return questions.response(checked(kind, id));
+  }
+
+  /**
+   * Whether a line is a one-way line now; see {@link SceneBuilder#oneWay}.
+   *
+   * @param id the line
+   * @return whether it is there only for circles that come from its left
+   * @throws IndexOutOfBoundsException if there is no such line
+   */
+  public boolean oneWay(int id) {
+    return questions.isOneWay(checked(ObstacleKind.LINE, id));
+  }
+
+  /**
    * Whether something is there. The ids of a kind begin at 0, with the things of the scene in its
    * order; each thing that is added gets the next one, and the id of one that was removed is not
    * used again.

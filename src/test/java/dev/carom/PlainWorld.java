@@ -52,7 +52,7 @@ final class PlainWorld {
       Circle c = scene.circle(i);
       Vec2 v = scene.velocity(i);
       Mover m = new Mover();
-      m.start(i, c.x(), c.y(), c.radius(), v.x(), v.y(), scene.circleRestitution(i));
+      m.start(i, c.x(), c.y(), c.radius(), v.x(), v.y(), scene.restitution(ObstacleKind.CIRCLE, i));
       movers.add(m);
       met.add(new HashSet<>());
     }

@@ -221,11 +221,11 @@ class ResponseTest {
             "circle,50.0,50.0,5.0,0.0,0.0,response=sensor");
     Scene read = Scene.read(new StringReader(text.toString()), "text");
     assertThat(read).isEqualTo(scene);
-    assertThat(read.boundsResponse()).isEqualTo(Response.HALT);
-    assertThat(read.lineResponse(0)).isEqualTo(Response.SENSOR);
-    assertThat(read.lineOneWay(0)).isTrue();
-    assertThat(read.pegResponse(0)).isEqualTo(Response.HALT);
-    assertThat(read.circleResponse(0)).isEqualTo(Response.SENSOR);
+    assertThat(read.response(ObstacleKind.WALL, 0)).isEqualTo(Response.HALT);
+    assertThat(read.response(ObstacleKind.LINE, 0)).isEqualTo(Response.SENSOR);
+    assertThat(read.oneWay(0)).isTrue();
+    assertThat(read.response(ObstacleKind.PEG, 0)).isEqualTo(Response.HALT);
+    assertThat(read.response(ObstacleKind.CIRCLE, 0)).isEqualTo(Response.SENSOR);
     assertThat(read).isNotEqualTo(box().line(1, 2, 3, 4).build());
   }
 

@@ -88,7 +88,7 @@ class SceneBuilderTest {
     assertThatIllegalArgumentException().isThrownBy(() -> builder.restitution(-1));
     assertThatIllegalArgumentException().isThrownBy(() -> builder.mass(0));
     assertThat(builder.build()).isEqualTo(two().build());
-    assertThat(builder.restitution(0.5).build().circleRestitution(2)).isEqualTo(0.5);
+    assertThat(builder.restitution(0.5).build().restitution(ObstacleKind.CIRCLE, 2)).isEqualTo(0.5);
   }
 
   @ParameterizedTest

@@ -50,13 +50,13 @@ class SceneTest {
   @Test
   void restitutionAndMassBelongToTheThingAddedLast() {
     Scene scene = full().build();
-    assertThat(scene.boundsRestitution()).isEqualTo(0.5);
-    assertThat(scene.lineRestitution(0)).isEqualTo(1);
-    assertThat(scene.lineRestitution(1)).isEqualTo(0.25);
-    assertThat(scene.pegRestitution(0)).isEqualTo(1.5);
-    assertThat(scene.pegRestitution(1)).isEqualTo(1);
-    assertThat(scene.circleRestitution(0)).isZero();
-    assertThat(scene.circleRestitution(1)).isEqualTo(1);
+    assertThat(scene.restitution(ObstacleKind.WALL, 0)).isEqualTo(0.5);
+    assertThat(scene.restitution(ObstacleKind.LINE, 0)).isEqualTo(1);
+    assertThat(scene.restitution(ObstacleKind.LINE, 1)).isEqualTo(0.25);
+    assertThat(scene.restitution(ObstacleKind.PEG, 0)).isEqualTo(1.5);
+    assertThat(scene.restitution(ObstacleKind.PEG, 1)).isEqualTo(1);
+    assertThat(scene.restitution(ObstacleKind.CIRCLE, 0)).isZero();
+    assertThat(scene.restitution(ObstacleKind.CIRCLE, 1)).isEqualTo(1);
     assertThat(scene.mass(0)).isEqualTo(56);
     assertThat(scene.mass(1)).isEqualTo(1);
   }
@@ -65,7 +65,9 @@ class SceneTest {
   void anEmptySceneIsOpen() {
     Scene scene = Scene.builder().build();
     assertThat(scene.bounds()).isEmpty();
-    assertThat(scene.boundsRestitution()).isEqualTo(1);
+    assertThatExceptionOfType(IndexOutOfBoundsException.class)
+        .isThrownBy(() -> scene.restitution(ObstacleKind.WALL, 0))
+        .withMessage("wall 0 does not exist: the scene has 0 of them, from 0");
     assertThat(scene.circleCount() + scene.lineCount() + scene.pegCount()).isZero();
     assertThat(scene).hasToString("Scene[circles=0, lines=0, pegs=0, bounds=none]");
   }
@@ -83,7 +85,7 @@ class SceneTest {
         .hasToString(
             "Scene[circles=1, lines=1, pegs=0,"
                 + " bounds=Bounds[xmin=0.0, ymin=0.0, xmax=800.0, ymax=600.0]]");
-    assertThat(scene.lineRestitution(0)).isEqualTo(0.9);
+    assertThat(scene.restitution(ObstacleKind.LINE, 0)).isEqualTo(0.9);
   }
 
   static Stream<Arguments> lookups() {
@@ -92,11 +94,15 @@ class SceneTest {
         lookup("circle", scene::circle),
         lookup("circle", scene::velocity),
         lookup("circle", scene::mass),
-        lookup("circle", scene::circleRestitution),
+        lookup("circle", i -> scene.restitution(ObstacleKind.CIRCLE, i)),
+        lookup("circle", i -> scene.response(ObstacleKind.CIRCLE, i)),
         lookup("line", scene::line),
-        lookup("line", scene::lineRestitution),
+        lookup("line", i -> scene.restitution(ObstacleKind.LINE, i)),
+        lookup("line", i -> scene.response(ObstacleKind.LINE, i)),
+        lookup("line", scene::oneWay),
         lookup("peg", scene::peg),
-        lookup("peg", scene::pegRestitution));
+        lookup("peg", i -> scene.restitution(ObstacleKind.PEG, i)),
+        lookup("peg", i -> scene.response(ObstacleKind.PEG, i)));
   }
 
   private static Arguments lookup(String kind, IntFunction<?> get) {

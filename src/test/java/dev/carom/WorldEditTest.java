@@ -273,6 +273,57 @@ class WorldEditTest {
     assertThat(world.vx(0)).isZero();
   }
 
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void whatWasSetIsReadBack(boolean collide) {
+    World world =
+        world(
+            box()
+                .restitution(0.5)
+                .response(Response.HALT)
+                .collide(collide)
+                .line(60, 0, 60, 100)
+                .restitution(0.25)
+                .oneWay()
+                .peg(80, 50, 1)
+                .response(Response.SENSOR)
+                .circle(50, 50, 5, 1, 0)
+                .restitution(2));
+    assertTraits(world, WALL, 3, 0.5, Response.HALT);
+    assertTraits(world, LINE, 0, 0.25, Response.BOUNCE);
+    assertTraits(world, PEG, 0, 1, Response.SENSOR);
+    assertTraits(world, CIRCLE, 0, 2, Response.BOUNCE);
+    assertThat(world.oneWay(0)).isTrue();
+
+    for (ObstacleKind kind : ObstacleKind.values()) {
+      world.setRestitution(kind, 0, 0.75 + kind.ordinal());
+      world.setResponse(kind, 0, kind == PEG ? Response.BOUNCE : Response.HALT);
+    }
+    world.setOneWay(0, false);
+    assertThat(world.addLine(1, 1, 2, 2)).isEqualTo(1);
+    assertThat(world.addCircle(20, 20, 5, 0, 0)).isEqualTo(1);
+    Snapshot edited = world.snapshot();
+    world.step(100);
+    World other = world(box().collide(collide));
+    other.restore(edited);
+    for (World each : List.of(world, other)) {
+      assertTraits(each, WALL, 2, 0.75, Response.HALT);
+      assertTraits(each, LINE, 0, 1.75, Response.HALT);
+      assertTraits(each, PEG, 0, 2.75, Response.BOUNCE);
+      assertTraits(each, CIRCLE, 0, 3.75, Response.HALT);
+      assertTraits(each, LINE, 1, 1, Response.BOUNCE);
+      assertTraits(each, CIRCLE, 1, 1, Response.BOUNCE);
+      assertThat(each.oneWay(0) || each.oneWay(1)).isFalse();
+    }
+    assertThat(world.scene().restitution(LINE, 0)).isEqualTo(0.25);
+    assertThat(world.scene().oneWay(0)).isTrue();
+  }
+
+  private static void assertTraits(World world, ObstacleKind kind, int id, double e, Response r) {
+    assertThat(world.restitution(kind, id)).isEqualTo(e);
+    assertThat(world.response(kind, id)).isEqualTo(r);
+  }
+
   /** More than a few lines, and more than are looked at beside a grid: it is made later. */
   @ParameterizedTest
   @ValueSource(ints = {9, 40, 1100})

@@ -13,18 +13,15 @@ import java.util.Optional;
 
 /**
  * A world at one moment, as a scene: to be drawn, or saved. What was removed is not in it, so its
- * numbers need not be the world's ids. Restitutions and responses are those of the scene from which
- * the world started; what was added later bounces elastically.
+ * numbers need not be the world's ids.
  */
 public final class WorldScene {
 
   private final World world;
-  private final Scene start;
   private final SceneBuilder builder = Scene.builder();
 
   private WorldScene(World world) {
     this.world = world;
-    start = world.scene();
   }
 
   /**
@@ -57,7 +54,8 @@ public final class WorldScene {
    * @param world the world
    * @param past its timeline
    * @param t a time within the recording
-   * @return what was there then; the masses are those of now, and removed circles have mass 1
+   * @return what was there then; masses, restitutions and responses are those of now, and what was
+   *     removed since has mass 1 and bounces elastically, from both sides
    * @throws IllegalArgumentException if the time is not within the recording
    */
   public static Scene of(World world, Timeline past, double t) {
@@ -79,12 +77,12 @@ public final class WorldScene {
   }
 
   private void bounds() {
-    builder.collide(start.collide());
-    Optional<Bounds> bounds = start.bounds();
+    builder.collide(world.scene().collide());
+    Optional<Bounds> bounds = world.scene().bounds();
     if (bounds.isPresent()) {
       Bounds b = bounds.get();
       builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax());
-      builder.restitution(start.boundsRestitution()).response(start.boundsResponse());
+      keep(ObstacleKind.WALL, 0);
     }
   }
 
@@ -93,11 +91,9 @@ public final class WorldScene {
       return;
     }
     builder.line(line.ax(), line.ay(), line.bx(), line.by());
-    if (id < start.lineCount()) {
-      builder.restitution(start.lineRestitution(id)).response(start.lineResponse(id));
-      if (start.lineOneWay(id)) {
-        builder.oneWay();
-      }
+    keep(ObstacleKind.LINE, id);
+    if (world.contains(ObstacleKind.LINE, id) && world.oneWay(id)) {
+      builder.oneWay();
     }
   }
 
@@ -106,9 +102,7 @@ public final class WorldScene {
       return;
     }
     builder.peg(peg.x(), peg.y(), peg.radius());
-    if (id < start.pegCount()) {
-      builder.restitution(start.pegRestitution(id)).response(start.pegResponse(id));
-    }
+    keep(ObstacleKind.PEG, id);
   }
 
   private void circle(int id, double x, double y, double radius, double vx, double vy) {
@@ -117,8 +111,13 @@ public final class WorldScene {
     }
     builder.circle(x, y, radius, vx, vy);
     builder.mass(world.contains(ObstacleKind.CIRCLE, id) ? world.mass(id) : 1);
-    if (id < start.circleCount()) {
-      builder.restitution(start.circleRestitution(id)).response(start.circleResponse(id));
+    keep(ObstacleKind.CIRCLE, id);
+  }
+
+  /** Gives the thing added last what the world's thing has. */
+  private void keep(ObstacleKind kind, int id) {
+    if (world.contains(kind, id)) {
+      builder.restitution(world.restitution(kind, id)).response(world.response(kind, id));
     }
   }
 }

@@ -4,6 +4,7 @@ package dev.carom.bench.measures;
 import dev.carom.Bounds;
 import dev.carom.Circle;
 import dev.carom.Line;
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
@@ -82,7 +83,7 @@ final class States {
       Circle c = state.circle(i);
       Vec2 v = state.velocity(i);
       builder.circle(c.x(), c.y(), c.radius(), v.x(), v.y());
-      builder.restitution(scene.circleRestitution(i)).mass(scene.mass(i));
+      builder.restitution(scene.restitution(ObstacleKind.CIRCLE, i)).mass(scene.mass(i));
     }
     return builder.build();
   }
@@ -91,16 +92,18 @@ final class States {
     if (scene.bounds().isPresent()) {
       Bounds b = scene.bounds().get();
       builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax());
-      builder.restitution(scene.boundsRestitution());
+      builder.restitution(scene.restitution(ObstacleKind.WALL, 0));
     }
     for (int k = 0; k < scene.lineCount(); k++) {
       Line line = scene.line(k);
       builder.line(line.ax(), line.ay(), line.bx(), line.by());
-      builder.restitution(scene.lineRestitution(k));
+      builder.restitution(scene.restitution(ObstacleKind.LINE, k));
     }
     for (int k = 0; k < scene.pegCount(); k++) {
       Circle peg = scene.peg(k);
-      builder.peg(peg.x(), peg.y(), peg.radius()).restitution(scene.pegRestitution(k));
+      builder
+          .peg(peg.x(), peg.y(), peg.radius())
+          .restitution(scene.restitution(ObstacleKind.PEG, k));
     }
   }
 }

@@ -4,6 +4,7 @@ package dev.carom.bench.methods;
 import dev.carom.Bounds;
 import dev.carom.Circle;
 import dev.carom.Line;
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 
@@ -42,7 +43,7 @@ abstract class PlainMethod implements Method {
     radius = new double[circles];
     restitution = new double[circles];
     for (int i = 0; i < circles; i++) {
-      restitution[i] = scene.circleRestitution(i);
+      restitution[i] = scene.restitution(ObstacleKind.CIRCLE, i);
       setCircle(i, scene.circle(i), scene.velocity(i));
     }
     lines = scene.lineCount();
@@ -52,11 +53,11 @@ abstract class PlainMethod implements Method {
     by = new double[lines];
     lineRestitution = new double[lines];
     for (int k = 0; k < lines; k++) {
-      lineRestitution[k] = scene.lineRestitution(k);
+      lineRestitution[k] = scene.restitution(ObstacleKind.LINE, k);
       setLine(k, scene.line(k));
     }
-    wallRestitution = scene.boundsRestitution();
     Bounds bounds = scene.bounds().orElse(null);
+    wallRestitution = bounds == null ? 1 : scene.restitution(ObstacleKind.WALL, 0);
     xmin = bounds == null ? Double.NEGATIVE_INFINITY : bounds.xmin();
     ymin = bounds == null ? Double.NEGATIVE_INFINITY : bounds.ymin();
     xmax = bounds == null ? Double.POSITIVE_INFINITY : bounds.xmax();

@@ -2,6 +2,7 @@
 package dev.carom.bench.methods;
 
 import dev.carom.Circle;
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 
@@ -48,7 +49,7 @@ final class Poster implements Method {
       radius[i] = (float) circle.radius();
       vx[i] = (float) velocity.x();
       vy[i] = (float) velocity.y();
-      restitution[i] = (float) scene.circleRestitution(i);
+      restitution[i] = (float) scene.restitution(ObstacleKind.CIRCLE, i);
     }
     lines = new PosterLines(scene);
     walls = new PosterWalls(scene);

@@ -2,6 +2,7 @@
 package dev.carom.bench.methods;
 
 import dev.carom.Circle;
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 
@@ -40,7 +41,7 @@ final class PosterDouble implements Method {
       radius[i] = circle.radius();
       vx[i] = velocity.x();
       vy[i] = velocity.y();
-      restitution[i] = scene.circleRestitution(i);
+      restitution[i] = scene.restitution(ObstacleKind.CIRCLE, i);
     }
     lines = new PosterDoubleLines(scene);
     walls = new PosterDoubleWalls(scene);

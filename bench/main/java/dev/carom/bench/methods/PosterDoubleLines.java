@@ -3,6 +3,7 @@ package dev.carom.bench.methods;
 
 import dev.carom.Circle;
 import dev.carom.Line;
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 
 /**
@@ -39,11 +40,14 @@ final class PosterDoubleLines {
     length = new double[count];
     thickness = new double[count];
     for (int k = 0; k < straight; k++) {
-      setLine(k, scene.line(k), scene.lineRestitution(k));
+      setLine(k, scene.line(k), scene.restitution(ObstacleKind.LINE, k));
     }
     for (int k = straight; k < count; k++) {
       Circle peg = scene.peg(k - straight);
-      setLine(k, new Line(peg.x(), peg.y(), peg.x(), peg.y()), scene.pegRestitution(k - straight));
+      setLine(
+          k,
+          new Line(peg.x(), peg.y(), peg.x(), peg.y()),
+          scene.restitution(ObstacleKind.PEG, k - straight));
       thickness[k] = peg.radius();
     }
   }

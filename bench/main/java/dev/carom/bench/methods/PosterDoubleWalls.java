@@ -2,6 +2,7 @@
 package dev.carom.bench.methods;
 
 import dev.carom.Bounds;
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 
 /** The bounds in double, as the published algorithm meets them; infinite for an open scene. */
@@ -20,7 +21,7 @@ final class PosterDoubleWalls {
     ymin = bounds == null ? Double.NEGATIVE_INFINITY : bounds.ymin();
     xmax = bounds == null ? Double.POSITIVE_INFINITY : bounds.xmax();
     ymax = bounds == null ? Double.POSITIVE_INFINITY : bounds.ymax();
-    restitution = scene.boundsRestitution();
+    restitution = bounds == null ? 1 : scene.restitution(ObstacleKind.WALL, 0);
   }
 
   /** The fraction of the motion v at which the circle meets a wall, 0 if it stands beyond. */

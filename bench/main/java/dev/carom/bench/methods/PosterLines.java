@@ -3,6 +3,7 @@ package dev.carom.bench.methods;
 
 import dev.carom.Circle;
 import dev.carom.Line;
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 
 /**
@@ -32,11 +33,14 @@ final class PosterLines {
     this(scene.lineCount() + scene.pegCount());
     int straight = scene.lineCount();
     for (int k = 0; k < straight; k++) {
-      setLine(k, scene.line(k), scene.lineRestitution(k));
+      setLine(k, scene.line(k), scene.restitution(ObstacleKind.LINE, k));
     }
     for (int k = straight; k < count; k++) {
       Circle peg = scene.peg(k - straight);
-      setLine(k, new Line(peg.x(), peg.y(), peg.x(), peg.y()), scene.pegRestitution(k - straight));
+      setLine(
+          k,
+          new Line(peg.x(), peg.y(), peg.x(), peg.y()),
+          scene.restitution(ObstacleKind.PEG, k - straight));
       thickness[k] = (float) peg.radius();
     }
   }

@@ -2,6 +2,7 @@
 package dev.carom.bench.methods;
 
 import dev.carom.Bounds;
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 
 /** The bounds in float, as the published algorithm meets them; infinite for an open scene. */
@@ -20,7 +21,7 @@ final class PosterWalls {
     ymin = bounds == null ? Float.NEGATIVE_INFINITY : (float) bounds.ymin();
     xmax = bounds == null ? Float.POSITIVE_INFINITY : (float) bounds.xmax();
     ymax = bounds == null ? Float.POSITIVE_INFINITY : (float) bounds.ymax();
-    restitution = (float) scene.boundsRestitution();
+    restitution = bounds == null ? 1 : (float) scene.restitution(ObstacleKind.WALL, 0);
   }
 
   /** The fraction of the motion v at which the circle meets a wall, 0 if it stands beyond. */

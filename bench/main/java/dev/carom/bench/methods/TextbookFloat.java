@@ -4,6 +4,7 @@ package dev.carom.bench.methods;
 import dev.carom.Bounds;
 import dev.carom.Circle;
 import dev.carom.Line;
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 
@@ -55,22 +56,22 @@ final class TextbookFloat implements Method {
     hit = new int[circles];
     lines = scene.lineCount();
     lineRestitution = new float[lines];
-    wallRestitution = (float) scene.boundsRestitution();
     ax = new float[lines];
     ay = new float[lines];
     bx = new float[lines];
     by = new float[lines];
     for (int k = 0; k < lines; k++) {
       setLine(k, scene.line(k));
-      lineRestitution[k] = (float) scene.lineRestitution(k);
+      lineRestitution[k] = (float) scene.restitution(ObstacleKind.LINE, k);
     }
     Bounds bounds = scene.bounds().orElse(null);
+    wallRestitution = bounds == null ? 1 : (float) scene.restitution(ObstacleKind.WALL, 0);
     xmin = bounds == null ? Float.NEGATIVE_INFINITY : (float) bounds.xmin();
     ymin = bounds == null ? Float.NEGATIVE_INFINITY : (float) bounds.ymin();
     xmax = bounds == null ? Float.POSITIVE_INFINITY : (float) bounds.xmax();
     ymax = bounds == null ? Float.POSITIVE_INFINITY : (float) bounds.ymax();
     for (int i = 0; i < circles; i++) {
-      restitution[i] = (float) scene.circleRestitution(i);
+      restitution[i] = (float) scene.restitution(ObstacleKind.CIRCLE, i);
       setCircle(i, scene.circle(i), scene.velocity(i));
     }
   }

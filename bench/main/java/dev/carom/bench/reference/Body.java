@@ -2,6 +2,7 @@
 package dev.carom.bench.reference;
 
 import dev.carom.Circle;
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 
@@ -35,7 +36,7 @@ final class Body {
     Vec2 velocity = scene.velocity(id);
     mass = scene.mass(id);
     radius = Ball.of(circle.radius(), bits);
-    restitution = Ball.of(scene.circleRestitution(id), bits);
+    restitution = Ball.of(scene.restitution(ObstacleKind.CIRCLE, id), bits);
     p = Vec.of(circle.x(), circle.y(), bits);
     v = Vec.of(velocity.x(), velocity.y(), bits);
     t = Ball.of(0, bits);

@@ -28,7 +28,7 @@ final class LineTarget implements Target {
     w = end.minus(start);
     squared = w.dot(w);
     length = squared.sqrt();
-    restitution = Ball.of(scene.lineRestitution(index), bits);
+    restitution = Ball.of(scene.restitution(ObstacleKind.LINE, index), bits);
   }
 
   @Override

@@ -22,7 +22,7 @@ final class PegTarget implements Target {
     peg = scene.peg(index);
     center = Vec.of(peg.x(), peg.y(), bits);
     radius = Ball.of(peg.radius(), bits);
-    restitution = Ball.of(scene.pegRestitution(index), bits);
+    restitution = Ball.of(scene.restitution(ObstacleKind.PEG, index), bits);
   }
 
   @Override

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.reference;
 
+import dev.carom.ObstacleKind;
 import dev.carom.Response;
 import dev.carom.Scene;
 
@@ -13,19 +14,21 @@ final class Scope {
     if (frames < 1) {
       throw new IllegalArgumentException("frames is " + frames + ": expected at least 1");
     }
-    bounces("bounds", 0, scene.boundsResponse());
+    if (scene.bounds().isPresent()) {
+      bounces("bounds", 0, scene.response(ObstacleKind.WALL, 0));
+    }
     for (int i = 0; i < scene.lineCount(); i++) {
-      bounces("line", i, scene.lineResponse(i));
-      if (scene.lineOneWay(i)) {
+      bounces("line", i, scene.response(ObstacleKind.LINE, i));
+      if (scene.oneWay(i)) {
         throw new IllegalArgumentException(
             "line " + i + " is one-way: a reference expects lines that are there from both sides");
       }
     }
     for (int i = 0; i < scene.pegCount(); i++) {
-      bounces("peg", i, scene.pegResponse(i));
+      bounces("peg", i, scene.response(ObstacleKind.PEG, i));
     }
     for (int i = 0; i < scene.circleCount(); i++) {
-      bounces("circle", i, scene.circleResponse(i));
+      bounces("circle", i, scene.response(ObstacleKind.CIRCLE, i));
     }
   }
 

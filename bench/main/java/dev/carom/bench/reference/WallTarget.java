@@ -20,7 +20,7 @@ final class WallTarget implements Target {
     Bounds b = scene.bounds().orElseThrow();
     double[] places = {b.xmin(), b.xmax(), b.ymin(), b.ymax()};
     place = Ball.of(places[index], bits);
-    restitution = Ball.of(scene.boundsRestitution(), bits);
+    restitution = Ball.of(scene.restitution(ObstacleKind.WALL, 0), bits);
   }
 
   @Override

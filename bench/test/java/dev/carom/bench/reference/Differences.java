@@ -3,6 +3,7 @@ package dev.carom.bench.reference;
 
 import dev.carom.Circle;
 import dev.carom.Line;
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
@@ -38,7 +39,7 @@ final class Differences {
       builder
           .circle(values[0], values[1], c.radius(), values[2], values[3])
           .mass(scene.mass(i))
-          .restitution(scene.circleRestitution(i));
+          .restitution(scene.restitution(ObstacleKind.CIRCLE, i));
     }
     return builder.build();
   }
@@ -51,14 +52,16 @@ final class Differences {
             b ->
                 builder
                     .bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax())
-                    .restitution(scene.boundsRestitution()));
+                    .restitution(scene.restitution(ObstacleKind.WALL, 0)));
     for (int i = 0; i < scene.lineCount(); i++) {
       Line l = scene.line(i);
-      builder.line(l.ax(), l.ay(), l.bx(), l.by()).restitution(scene.lineRestitution(i));
+      builder
+          .line(l.ax(), l.ay(), l.bx(), l.by())
+          .restitution(scene.restitution(ObstacleKind.LINE, i));
     }
     for (int i = 0; i < scene.pegCount(); i++) {
       Circle p = scene.peg(i);
-      builder.peg(p.x(), p.y(), p.radius()).restitution(scene.pegRestitution(i));
+      builder.peg(p.x(), p.y(), p.radius()).restitution(scene.restitution(ObstacleKind.PEG, i));
     }
     return builder;
   }

@@ -4,6 +4,7 @@ package dev.carom.bench.view;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.offset;
 
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.bench.view.ScenePainter.Layer;
 import java.awt.Color;
@@ -172,7 +173,7 @@ class ViewPanelTest {
     Scene saved = Scene.read(file);
     assertThat(saved.circle(0).x()).isEqualTo(90);
     assertThat(saved.velocity(0).x()).isEqualTo(-8);
-    assertThat(saved.lineRestitution(0)).isEqualTo(0.5);
+    assertThat(saved.restitution(ObstacleKind.LINE, 0)).isEqualTo(0.5);
     panel.load(file);
     assertThat(player.scene()).isEqualTo(saved);
     assertThat(panel.status()).endsWith("loaded " + file);

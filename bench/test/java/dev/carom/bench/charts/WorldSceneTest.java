@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.ObstacleKind;
+import dev.carom.Response;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.Timeline;
+import dev.carom.World;
+import org.junit.jupiter.api.Test;
+
+/** A world as a scene: all that it holds, edits included, so that it can be saved. */
+class WorldSceneTest {
+
+  private static SceneBuilder start() {
+    return Scene.builder()
+        .bounds(0, 0, 100, 60)
+        .response(Response.HALT)
+        .line(10, 10, 20, 20)
+        .restitution(0.5)
+        .oneWay()
+        .peg(50, 50, 2)
+        .response(Response.SENSOR)
+        .circle(30, 30, 5, 1, 0)
+        .mass(3)
+        .restitution(0.25)
+        .collide(true);
+  }
+
+  @Test
+  void aWorldThatStandsAtItsStartIsItsScene() {
+    Scene scene = start().build();
+    assertThat(WorldScene.of(new World(scene))).isEqualTo(scene);
+  }
+
+  @Test
+  void whatEditsChangedIsInIt() {
+    World world = new World(start().build());
+    Timeline past = world.record(10);
+    world.step(1);
+    world.setOneWay(0, false);
+    world.setRestitution(ObstacleKind.WALL, 0, 0.75);
+    world.setRestitution(ObstacleKind.PEG, 0, 2);
+    world.setResponse(ObstacleKind.PEG, 0, Response.HALT);
+    world.setRestitution(ObstacleKind.LINE, world.addLine(70, 10, 80, 10), 0.125);
+    world.remove(ObstacleKind.CIRCLE, 0);
+    Scene now = WorldScene.of(world);
+    assertThat(now.restitution(ObstacleKind.WALL, 0)).isEqualTo(0.75);
+    assertThat(now.response(ObstacleKind.WALL, 0)).isEqualTo(Response.HALT);
+    assertThat(now.oneWay(0)).isFalse();
+    assertThat(now.restitution(ObstacleKind.LINE, 0)).isEqualTo(0.5);
+    assertThat(now.restitution(ObstacleKind.LINE, 1)).isEqualTo(0.125);
+    assertThat(now.restitution(ObstacleKind.PEG, 0)).isEqualTo(2);
+    assertThat(now.response(ObstacleKind.PEG, 0)).isEqualTo(Response.HALT);
+    assertThat(now.circleCount()).isZero();
+
+    Scene then = WorldScene.of(world, past, 0.5);
+    assertThat(then.circle(0).x()).isEqualTo(30.5);
+    assertThat(then.mass(0)).isEqualTo(1);
+    assertThat(then.restitution(ObstacleKind.CIRCLE, 0)).isEqualTo(1);
+    assertThat(then.lineCount()).isEqualTo(1);
+    assertThat(then.restitution(ObstacleKind.PEG, 0)).isEqualTo(2);
+  }
+}
