@@ -19,6 +19,9 @@ import java.util.stream.IntStream;
  * System.out.println(path.at(4.5)); // Vec2[x=23.5, y=2.0]
  * }</pre>
  *
+ * <p>Where circles meet each other too, {@link SweptCircle#pair} tells when, and {@link #respond}
+ * what becomes of their velocities.
+ *
  * <p>The first impacts are those of {@link SweptCircle}; of simultaneous ones walls come first,
  * then lines, then pegs and endpoints, each in their order. The thing just hit cannot be hit again
  * before another one is. A circle that gets stuck is treated as {@link World} describes.
@@ -244,5 +247,70 @@ public final class Resolver {
           "restitution", restitution, "one with which " + velocity + " stays finite");
     }
     return new Vec2(vx, vy);
+  }
+
+  /**
+   * The velocities of two circles after an impact, as of {@link SweptSphere#respond}: along the
+   * line of centres {@code d = c1 - c2} the relative velocity {@code u = v1 - v2} is turned round
+   * and scaled by e, with
+   *
+   * <pre>
+   *   J = (1 + e) (u.d) / (d.d),  v1 -= m2 / (m1 + m2) J d,  v2 += m1 / (m1 + m2) J d
+   * </pre>
+   *
+   * For loops of your own, which keep their circles where they like; nothing is allocated, unless
+   * exact arithmetic has to decide whether they approach.
+   *
+   * <pre>{@code
+   * // Circles of radius 5: the first comes at 4 a second, the second rests 20 to the right.
+   * double[] v = {4, 0, 0, 0};
+   * double t = SweptCircle.pair(0, 0, 5, v[0], v[1], 20, 0, 5, v[2], v[3], 10);
+   * double x1 = 0 + v[0] * t;
+   * double x2 = 20 + v[2] * t;
+   * Resolver.respond(x1, 0, 1, x2, 0, 3, 1, v);
+   * System.out.println(t + ": " + v[0] + ", " + v[2]); // 2.5: -2.0, 2.0
+   * }</pre>
+   *
+   * @param x1 the x coordinate of the first circle's centre at the impact
+   * @param y1 the y coordinate of the first circle's centre
+   * @param m1 the mass of the first circle, from 2^-500 to 2^500, or infinite
+   * @param x2 the x coordinate of the second circle's centre
+   * @param y2 the y coordinate of the second circle's centre
+   * @param m2 the mass of the second circle, from 2^-500 to 2^500, or infinite
+   * @param e the restitution, finite and at least 0: 1 elastic, 0 no bounce
+   * @param velocities vx1, vy1, vx2, vy2 before the impact, replaced by those after it, each
+   *     rounded once, after d and u were; beyond the range of doubles it is infinite. A circle of
+   *     infinite mass goes on as it was; two of them pass through each other. Circles that do not
+   *     approach each other, {@code u.d >= 0}, concentric ones among them, keep their velocities
+   * @throws IllegalArgumentException if a number is outside its range, or there are not four
+   *     velocities
+   */
+  public static void respond(
+      double x1,
+      double y1,
+      double m1,
+      double x2,
+      double y2,
+      double m2,
+      double e,
+      double[] velocities) {
+    Check.finite("x1", x1);
+    Check.finite("y1", y1);
+    Check.mass("m1", m1);
+    Check.finite("x2", x2);
+    Check.finite("y2", y2);
+    Check.mass("m2", m2);
+    Check.notNegative("e", e);
+    double[] v = velocities;
+    if (v.length != 4) {
+      throw Check.refused("velocities.length", v.length, "4");
+    }
+    Check.finite("vx1", v[0]);
+    Check.finite("vy1", v[1]);
+    Check.finite("vx2", v[2]);
+    Check.finite("vy2", v[3]);
+    if (Predicates.dot(v[0], v[1], v[2], v[3], x1, y1, x2, y2) < 0) {
+      SphereResponse.respond(x1, y1, 0, m1, x2, y2, 0, m2, 1 + e, v);
+    }
   }
 }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import static dev.carom.DoubleDouble.productTail;
-import static dev.carom.DoubleDouble.sumTail;
-
 /**
  * The detector in space: when do two moving spheres first touch, do they overlap, and how do they
  * part? Pure functions on doubles, without a world.
@@ -27,9 +24,6 @@ import static dev.carom.DoubleDouble.sumTail;
  * sphere of radius r1 + r2 (C. Ericson, Real-Time Collision Detection, 2005, 5.5.5).
  */
 public final class SweptSphere {
-
-  /** Of speeds of a size below 2 to this, and above 2 to minus this, products are doubles. */
-  private static final int ORDINARY = 300;
 
   private SweptSphere() {}
 
@@ -125,88 +119,8 @@ public final class SweptSphere {
     int dot = SpherePredicates.dot(
         x1, y1, z1, v[0], v[1], v[2], x2, y2, z2, v[3], v[4], v[5]);
     if (dot < 0) {
-      collide(x1, y1, z1, m1, x2, y2, z2, m2, 1 + e, v);
+      SphereResponse.respond(x1, y1, z1, m1, x2, y2, z2, m2, 1 + e, v);
     }
-  }
-
-  /**
-   * Takes away f times the part of the relative velocity along d. What could leave the range of
-   * doubles is scaled by powers of two: d to 1 or so, and if need be u and f.
-   */
-  private static void collide(
-      double x1, double y1, double z1, double m1, double x2, double y2, double z2, double m2,
-      double f, double[] v) {
-    int size = Math.max(exponent(x1, x2), Math.max(exponent(y1, y2), exponent(z1, z2)));
-    double nx = difference(x1, x2, size);
-    double ny = difference(y1, y2, size);
-    double nz = difference(z1, z2, size);
-    int speed =
-        Math.max(exponent(v[0], v[3]), Math.max(exponent(v[1], v[4]), exponent(v[2], v[5])));
-    int ofU = Math.abs(speed) < ORDINARY ? 0 : speed;
-    int ofF = f < 0x1p100 ? 0 : Math.getExponent(f);
-    double ux = difference(v[0], v[3], ofU);
-    double uy = difference(v[1], v[4], ofU);
-    double uz = difference(v[2], v[5], ofU);
-    double g = Math.scalb(f, -ofF);
-    // j = g u.n / n.n as head and tail, as in Impulse
-    double nn = dot(nx, ny, nz, nx, ny, nz);
-    double un = dot(ux, uy, uz, nx, ny, nz);
-    double gun = g * un;
-    double j = gun / nn;
-    double rest = Math.fma(-j, nn, gun) + productTail(g, un, gun);
-    double nnl = dotTail(nx, ny, nz, nx, ny, nz);
-    double tail = (rest + (g * dotTail(ux, uy, uz, nx, ny, nz) - j * nnl)) / nn;
-    push(v, 0, -1, m2, m1, j, tail, ofU + ofF, nx, ny, nz);
-    push(v, 3, 1, m1, m2, j, tail, ofU + ofF, nx, ny, nz);
-  }
-
-  /** The exponent of a difference; of one beyond the doubles, one more than the largest. */
-  private static int exponent(double p, double q) {
-    return Math.getExponent(p - q);
-  }
-
-  /** (p - q) / 2^exponent. */
-  private static double difference(double p, double q, int exponent) {
-    double d = p - q;
-    return Math.abs(d) <= Double.MAX_VALUE
-        ? Math.scalb(d, -exponent)
-        : Math.scalb(p, -exponent) - Math.scalb(q, -exponent);
-  }
-
-  /** Gives a sphere its share of the impulse, the other's mass over the sum of both. */
-  private static void push(
-      double[] v, int at, int sign, double other, double own, double j, double tail, int exponent,
-      double nx, double ny, double nz) {
-    if (own == Double.POSITIVE_INFINITY) {
-      return;
-    }
-    boolean all = other == Double.POSITIVE_INFINITY;
-    double sum = other + own;
-    double share = all ? 1 : other / sum;
-    double rest = Math.fma(-share, sum, other) - share * sumTail(other, own, sum);
-    double shareTail = all ? 0 : rest / sum;
-    double s = sign * share;
-    double sl = sign * shareTail;
-    v[at] = Impulse.change(j, tail, exponent, v[at], s, sl, nx);
-    v[at + 1] = Impulse.change(j, tail, exponent, v[at + 1], s, sl, ny);
-    v[at + 2] = Impulse.change(j, tail, exponent, v[at + 2], s, sl, nz);
-  }
-
-  private static double dot(
-      double ax, double ay, double az, double bx, double by, double bz) {
-    return ax * bx + ay * by + az * bz;
-  }
-
-  /** What {@link #dot} left behind. */
-  private static double dotTail(
-      double ax, double ay, double az, double bx, double by, double bz) {
-    double x = ax * bx;
-    double y = ay * by;
-    double z = az * bz;
-    double xy = x + y;
-    return sumTail(x, y, xy)
-        + sumTail(xy, z, xy + z)
-        + (productTail(ax, bx, x) + productTail(ay, by, y) + productTail(az, bz, z));
   }
 
   private static void check(

@@ -41,6 +41,7 @@ class NullTest {
         () -> Resolver.of((Scene) null),
         () -> Resolver.of((List<Obstacle>) null),
         () -> Resolver.of(Collections.<Obstacle>singletonList(null)),
+        () -> Resolver.respond(0, 0, 1, 1, 1, 1, 1, null),
         () -> Resolver.reflect(null, V, 1),
         () -> Resolver.reflect(V, null, 1),
         () -> RESOLVER.cast(null, V, 1),
