@@ -166,11 +166,7 @@ final class Casts {
             v2.x(),
             v2.y(),
             t);
-    Vec2 centre = place(c2, v2, t);
-    Vec2 point =
-        Vec2.within(
-            Math.fma(c2.radius(), normal.x(), centre.x()),
-            Math.fma(c2.radius(), normal.y(), centre.y()));
+    Vec2 point = contact == DiskSweep.NOW ? between(c1, c2) : rim(c2, v2, t, normal);
     return Optional.of(
         new Impact(
             t,
@@ -181,6 +177,19 @@ final class Casts {
             point,
             normal,
             approach(v1, v2, normal)));
+  }
+
+  /** Where two that overlap or touch meet: their distance is divided as their radii. */
+  private static Vec2 between(Circle c1, Circle c2) {
+    double share = ObstacleResponse.share(c2.radius(), c1.radius());
+    return new Vec2(Line.between(share, c2.x(), c1.x()), Line.between(share, c2.y(), c1.y()));
+  }
+
+  private static Vec2 rim(Circle circle, Vec2 v, double t, Vec2 normal) {
+    Vec2 centre = place(circle, v, t);
+    return Vec2.within(
+        Math.fma(circle.radius(), normal.x(), centre.x()),
+        Math.fma(circle.radius(), normal.y(), centre.y()));
   }
 
   private static Vec2 place(Circle circle, Vec2 v, double t) {

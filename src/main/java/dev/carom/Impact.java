@@ -11,9 +11,10 @@ package dev.carom;
  *     alone was asked about one line, peg or circle
  * @param obstacle what was hit; of two moving circles the second one, as it stood at the start
  * @param feature the part that was hit
- * @param point the contact point: on the obstacle; of two circles the point where they touch; where
- *     they overlap at the start, the point of the obstacle nearest to the centre; a coordinate
- *     beyond the range of doubles is the largest one
+ * @param point the contact point: on the obstacle; of two circles the point where they touch. Where
+ *     they overlap at the start: of a line or a wall the point nearest to the centre; of a peg or
+ *     another circle the one between the centres that divides their distance as the radii. A
+ *     coordinate beyond the range of doubles is the largest one
  * @param normal unit vector from the obstacle to the circle (of two circles: from the second to the
  *     first), each component within 1e-15 of the true one
  * @param approachSpeed the speed at which the distance falls at contact: {@code -v.n}, greater than

@@ -119,7 +119,7 @@ public final class ImpactLog {
   }
 
   /**
-   * The x coordinate of the contact point.
+   * The x coordinate of the contact point, see {@link Impact#point}.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return the coordinate
@@ -130,7 +130,7 @@ public final class ImpactLog {
   }
 
   /**
-   * The y coordinate of the contact point.
+   * The y coordinate of the contact point, see {@link Impact#point}.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return the coordinate
