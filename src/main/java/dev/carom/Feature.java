@@ -6,7 +6,7 @@ package dev.carom;
  * circle lies at contact.
  *
  * <p><img src="doc-files/line.svg" alt="Beside the line is its side; beyond the perpendiculars at
- * its ends a and b are its start and its end">
+ * its ends a and b are its start and its end" style="max-width:100%">
  */
 public enum Feature {
   /** The open inside of a line, from either side; also a wall of bounds. */

@@ -19,8 +19,8 @@ import java.util.stream.IntStream;
  * System.out.println(path.at(4.5)); // Vec2[x=23.5, y=2.0]
  * }</pre>
  *
- * <p>Where circles meet each other too, {@link SweptCircle#pair} tells when, and {@link #respond}
- * what becomes of their velocities.
+ * <p>Where circles meet each other too, {@link SweptCircle#pair SweptCircle.pair} tells when, and
+ * {@link #respond respond} what becomes of their velocities.
  *
  * <p>The first impacts are those of {@link SweptCircle}; of simultaneous ones walls come first,
  * then lines, then pegs and endpoints, each in their order. The thing just hit cannot be hit again
@@ -141,8 +141,8 @@ public final class Resolver {
   }
 
   /**
-   * The first impact of a circle: of {@link SweptCircle#cast} with each obstacle, the earliest; of
-   * simultaneous ones the first in the order above. A circle of radius 0 is a ray.
+   * The first impact of a circle: of {@link SweptCircle#cast SweptCircle.cast} with each obstacle,
+   * the earliest; of simultaneous ones the first in the order above. A circle of radius 0 is a ray.
    *
    * @param circle the circle at the start
    * @param velocity its velocity
@@ -250,9 +250,9 @@ public final class Resolver {
   }
 
   /**
-   * The velocities of two circles after an impact, as of {@link SweptSphere#respond}: along the
-   * line of centres {@code d = c1 - c2} the relative velocity {@code u = v1 - v2} is turned round
-   * and scaled by e, with
+   * The velocities of two circles after an impact, as {@link SweptSphere#respond
+   * SweptSphere.respond} gives those of two spheres. Along the line of centres {@code d = c1 - c2}
+   * the relative velocity {@code u = v1 - v2} is turned round and scaled by e, with
    *
    * <pre>
    *   J = (1 + e) (u.d) / (d.d),  v1 -= m2 / (m1 + m2) J d,  v2 += m1 / (m1 + m2) J d

@@ -8,7 +8,7 @@ package dev.carom;
  * #SENSOR} if either has it, else {@link #HALT} if either has it, else {@link #BOUNCE}.
  *
  * <p><img src="doc-files/restitution.svg" alt="A circle bounces off a line: at restitution 1 as
- * steeply as it came, at 0.5 less so, at 0 it slides along">
+ * steeply as it came, at 0.5 less so, at 0 it slides along" style="max-width:100%">
  */
 public enum Response {
   /**

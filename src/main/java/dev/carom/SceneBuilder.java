@@ -153,7 +153,7 @@ public final class SceneBuilder {
    * of zero length has no left: it never is.
    *
    * <p><img src="doc-files/one-way.svg" alt="A line from a to b: a circle that comes from its left
-   * bounces, one that comes from its right passes">
+   * bounces, one that comes from its right passes" style="max-width:100%">
    *
    * @return this builder
    * @throws IllegalStateException if the thing added last is not a line

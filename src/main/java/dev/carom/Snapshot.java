@@ -23,8 +23,8 @@ import java.util.Arrays;
  *
  * <p>A world into which a snapshot is restored goes on as the one it was taken from, bit for bit;
  * equal snapshots mean equal futures. What a world remembers only to be fast is not in it: after
- * {@link World#restore} the next step searches once for every circle. Nor is the log of the last
- * step.
+ * {@link World#restore World.restore} the next step searches once for every circle. Nor is the log
+ * of the last step.
  */
 public final class Snapshot {
 

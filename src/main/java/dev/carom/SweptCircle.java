@@ -17,7 +17,7 @@ import java.util.Optional;
  *
  * <p><img src="doc-files/line.svg" alt="A circle that touches the side of a line, and one that
  * touches its end: the normal points from the line to the centre, which lies on a capsule around
- * the line">
+ * the line" style="max-width:100%">
  *
  * <p>An impact is the smallest t in the closed window [0, T] at which the distance between the two
  * is at most the radius and falling (strictly; judged just after t at t = 0, just before it later).
@@ -239,8 +239,9 @@ public final class SweptCircle {
   /**
    * The least translation that moves a circle out of another one, or out of a peg, so that they
    * touch: from the other's centre, of concentric ones along +x. If x and y are added to the
-   * circle's centre in doubles, the two do not {@link #overlap}. To make sure of that it may exceed
-   * the least translation, by at most 8 ulps of the sum of the largest coordinate and the radii.
+   * circle's centre in doubles, the two do not {@linkplain #overlap overlap}. To make sure of that
+   * it may exceed the least translation, by at most 8 ulps of the sum of the largest coordinate and
+   * the radii.
    *
    * @param circle the circle to be moved
    * @param other the one that stays

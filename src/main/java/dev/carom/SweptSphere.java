@@ -79,7 +79,7 @@ public final class SweptSphere {
   }
 
   /**
-   * The velocities after an impact of two spheres: along the line of centres {@code d = c1 - c2}
+   * The velocities of two spheres after an impact. Along the line of centres {@code d = c1 - c2}
    * the relative velocity {@code u = v1 - v2} is turned round and scaled by e, with
    *
    * <pre>

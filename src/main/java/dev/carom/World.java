@@ -48,13 +48,13 @@ import java.util.Optional;
  * and McNamara (Granular Matter 1, 1998) makes impacts elastic that follow each other too fast,
  * which feeds energy back that the scene had taken away.
  *
- * <p>Independently there is a budget of work for one call of {@link #step} or {@link #advanceTo}.
- * If circles ignore each other, each may make 4,000,000 / circles impacts, at least 10,000; if they
- * collide, all together may take 200,000 + 1,000 x circles events (impacts, and circles that leave
- * a cell). Exact arithmetic counts too, one impact for each 8,192 bits of the numbers it makes (a
- * root or a quotient of n bits as n^2 / 64), so that near-ties take no longer. If that is not
- * enough, the call returns false, unfinished, with the whole world at an earlier time, nothing
- * dropped; the next call goes on.
+ * <p>Independently there is a budget of work for one call of {@link #step step} or {@link
+ * #advanceTo advanceTo}. If circles ignore each other, each may make 4,000,000 / circles impacts,
+ * at least 10,000; if they collide, all together may take 200,000 + 1,000 x circles events
+ * (impacts, and circles that leave a cell). Exact arithmetic counts too, one impact for each 8,192
+ * bits of the numbers it makes (a root or a quotient of n bits as n^2 / 64), so that near-ties take
+ * no longer. If that is not enough, the call returns false, unfinished, with the whole world at an
+ * earlier time, nothing dropped; the next call goes on.
  *
  * <p><b>Accuracy.</b> Each question is answered exactly on the doubles with which it is asked, and
  * each impact's state is rounded once; a scene multiplies such roundings from impact to impact. A
@@ -67,7 +67,7 @@ import java.util.Optional;
  * cost it one search. To add or move a line or a peg asks every circle once whether its flight
  * meets it. An edit that is refused leaves the world as it was, and no edit changes the log of the
  * last step. The future can be saved and gone back to ({@link #snapshot}), the past be looked at
- * ({@link #record}).
+ * ({@link #record record}).
  *
  * <p>Uses +, -, *, /, sqrt and fma only, in a fixed order: the same run gives the same bits on
  * every Java virtual machine. Not safe for use by several threads; worlds do not share anything
@@ -176,7 +176,8 @@ public final class World {
   /**
    * The impacts of the last step, which edits leave as they are.
    *
-   * @return always the same log; its rows are valid until the next step, or {@link #restore}
+   * @return always the same log; its rows are valid until the next step, or {@link #restore
+   *     restore}
    */
   public ImpactLog impacts() {
     return log;
@@ -184,7 +185,7 @@ public final class World {
 
   /**
    * The number of circles. Once one was removed, their ids are no longer 0 to this number less 1:
-   * go up to {@link #idEnd}, and ask {@link #contains} for each.
+   * go up to {@link #idEnd idEnd}, and ask {@link #contains contains} for each.
    *
    * @return at least 0
    */
@@ -560,7 +561,7 @@ public final class World {
    * @param vy the y component of the velocity, finite
    * @return its id
    * @throws IllegalArgumentException if a number is NaN or infinite, the radius too small, or a
-   *     coordinate too large, as by {@link #setPosition}
+   *     coordinate too large, as by {@link #setPosition setPosition}
    */
   public int addCircle(double x, double y, double radius, double vx, double vy) {
     return editor.addCircle(x, y, radius, vx, vy, now);
@@ -583,7 +584,7 @@ public final class World {
   }
 
   /**
-   * Puts a line elsewhere; a circle on the way is not hit, see {@link #setPosition}.
+   * Puts a line elsewhere; a circle on the way is not hit, see {@link #setPosition setPosition}.
    *
    * @param id the line
    * @param ax the x coordinate of the start, finite
@@ -591,7 +592,7 @@ public final class World {
    * @param bx the x coordinate of the end, finite
    * @param by the y coordinate of the end, finite
    * @throws IndexOutOfBoundsException if there is no such line
-   * @throws IllegalArgumentException if a coordinate is refused, as by {@link #addLine}
+   * @throws IllegalArgumentException if a coordinate is refused, as by {@link #addLine addLine}
    */
   public void moveLine(int id, double ax, double ay, double bx, double by) {
     editor.moveLine(checked(ObstacleKind.LINE, id), ax, ay, bx, by, now);
@@ -613,14 +614,14 @@ public final class World {
   }
 
   /**
-   * Puts a peg elsewhere; a circle on the way is not hit, see {@link #setPosition}.
+   * Puts a peg elsewhere; a circle on the way is not hit, see {@link #setPosition setPosition}.
    *
    * @param id the peg
    * @param x the x coordinate of the centre, finite
    * @param y the y coordinate of the centre, finite
    * @param radius finite and at least 0
    * @throws IndexOutOfBoundsException if there is no such peg
-   * @throws IllegalArgumentException if a number is refused, as by {@link #addPeg}
+   * @throws IllegalArgumentException if a number is refused, as by {@link #addPeg addPeg}
    */
   public void movePeg(int id, double x, double y, double radius) {
     editor.movePeg(checked(ObstacleKind.PEG, id), x, y, radius, now);

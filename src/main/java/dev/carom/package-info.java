@@ -20,7 +20,8 @@
  *       dev.carom.ObstacleKind} and the {@link dev.carom.Feature} that was hit. {@link
  *       dev.carom.SweptSphere} answers for two spheres in space.
  *   <li>Resolver: {@link dev.carom.Resolver} follows one circle through given obstacles for a given
- *       time, all bounces included: its way is a {@link dev.carom.Trajectory}.
+ *       time, all bounces included: its way is a {@link dev.carom.Trajectory}. It also tells what
+ *       an impact does to the velocities of one circle, or of two.
  *   <li>World: a {@link dev.carom.Scene}, made by a {@link dev.carom.SceneBuilder} or read from a
  *       file, says what is there at time 0, and with which {@link dev.carom.Response}; a {@link
  *       dev.carom.World} sets it in motion, and its {@link dev.carom.ImpactLog} tells what hit
@@ -64,7 +65,7 @@
  * </ul>
  *
  * <p><img src="doc-files/line.svg" alt="A circle that touches the side of a line, and one that
- * touches its end: the normal points from the line to the centre">
+ * touches its end: the normal points from the line to the centre" style="max-width:100%">
  *
  * <h2>Conventions</h2>
  *
