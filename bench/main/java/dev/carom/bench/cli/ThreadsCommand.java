@@ -19,8 +19,8 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "threads",
     description = {
-      "Times a scene whose circles ignore each other on one thread, and split over several; the two",
-      "take turns. Each thread has a world of its own, and all meet after each frame."
+      "Times a scene whose circles ignore each other on one thread, and split over several.",
+      "The two take turns. Each thread has a world of its own, and all meet after each frame."
     },
     mixinStandardHelpOptions = true,
     sortOptions = false)

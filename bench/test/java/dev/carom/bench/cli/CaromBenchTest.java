@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -35,6 +37,16 @@ class CaromBenchTest {
     assertThat(help.exitCode()).isZero();
     assertThat(help.out()).startsWith("Usage: carom-bench " + command.strip());
     assertThat(help.err()).isEmpty();
+  }
+
+  /** The list takes the first string of a description: a sentence that goes on was cut there. */
+  @Test
+  void theListTellsOfEachCommandInWholeSentences() {
+    String list = Cli.run("--help").out().split("Commands:\\R")[1].stripTrailing();
+    List<String> entries = List.of(list.split("\\R(?=  \\S)"));
+    assertThat(entries)
+        .hasSizeGreaterThan(14)
+        .allSatisfy(entry -> assertThat(entry).matches("(?s).*[.?]"));
   }
 
   @ParameterizedTest
