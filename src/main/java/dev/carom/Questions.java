@@ -10,7 +10,7 @@ final class Questions {
   private final Surroundings surroundings;
   private final Circles circles;
   private final Roster roster;
-  private final Region region;
+  private final Proximity proximity;
   private final boolean collide;
 
   Questions(Engine engine, Roster roster, boolean collide) {
@@ -18,7 +18,7 @@ final class Questions {
     this.collide = collide;
     surroundings = engine.surroundings;
     circles = engine.circles;
-    region = new Region(surroundings.obstacles);
+    proximity = new Proximity(surroundings.obstacles);
   }
 
   Optional<Impact> cast(Circle circle, Vec2 velocity, double T, double now) {
@@ -70,13 +70,13 @@ final class Questions {
 
   int nearest(ObstacleKind kind, double x, double y, double now) {
     if (kind != ObstacleKind.CIRCLE) {
-      int code = region.nearest(region.codes(kind), x, y);
-      return code == Region.NONE ? -1 : surroundings.obstacles.index(code);
+      int code = proximity.nearest(proximity.codes(kind), x, y);
+      return code == Proximity.NONE ? -1 : surroundings.obstacles.index(code);
     }
     double least = Double.POSITIVE_INFINITY;
     int nearest = -1;
     for (int id : ids(now).toArray()) {
-      double distance = Region.distance(circle(id, now), x, y);
+      double distance = Proximity.distance(circle(id, now), x, y);
       if (nearest < 0 || distance < least) {
         least = distance;
         nearest = id;
@@ -87,14 +87,14 @@ final class Questions {
 
   int[] overlapping(ObstacleKind kind, Circle disk, double now) {
     return kind == ObstacleKind.CIRCLE
-        ? ids(now).filter(id -> Region.overlap(circle(id, now), disk)).toArray()
-        : ids(region.codes(kind).filter(code -> region.overlaps(code, disk)));
+        ? ids(now).filter(id -> Proximity.overlap(circle(id, now), disk)).toArray()
+        : ids(proximity.codes(kind).filter(code -> proximity.overlaps(code, disk)));
   }
 
   int[] overlapping(ObstacleKind kind, Bounds box, double now) {
     return kind == ObstacleKind.CIRCLE
-        ? ids(now).filter(id -> Region.overlap(circle(id, now), box)).toArray()
-        : ids(region.codes(kind).filter(code -> region.overlaps(code, box)));
+        ? ids(now).filter(id -> Proximity.overlap(circle(id, now), box)).toArray()
+        : ids(proximity.codes(kind).filter(code -> proximity.overlaps(code, box)));
   }
 
   private int[] ids(IntStream codes) {

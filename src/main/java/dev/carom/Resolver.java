@@ -164,8 +164,8 @@ public final class Resolver {
    * @return the obstacle, empty if there is none
    */
   public Optional<Obstacle> nearest(Vec2 point) {
-    int nearest = new Region(obstacles).nearest(point.x(), point.y());
-    return nearest == Region.NONE ? Optional.empty() : Optional.of(thing(nearest));
+    int nearest = new Proximity(obstacles).nearest(point.x(), point.y());
+    return nearest == Proximity.NONE ? Optional.empty() : Optional.of(thing(nearest));
   }
 
   /**
@@ -177,7 +177,7 @@ public final class Resolver {
    */
   public List<Obstacle> overlapping(Circle disk) {
     Objects.requireNonNull(disk, "disk");
-    return things(new Region(obstacles).overlapping(disk));
+    return things(new Proximity(obstacles).overlapping(disk));
   }
 
   /**
@@ -188,7 +188,7 @@ public final class Resolver {
    */
   public List<Obstacle> overlapping(Bounds box) {
     Objects.requireNonNull(box, "box");
-    return things(new Region(obstacles).overlapping(box));
+    return things(new Proximity(obstacles).overlapping(box));
   }
 
   /** What codes stand for. Walls come first: those after the first one are the same bounds. */

@@ -23,15 +23,15 @@ import java.util.Objects;
  */
 public final class SceneBuilder {
 
-  final SceneRows circles = new SceneRows("circle", Scene.CIRCLE, 2);
-  final SceneRows lines = new SceneRows("line", Scene.LINE, 4);
-  final SceneRows pegs = new SceneRows("peg", Scene.PEG, 2);
-  final SceneRows bounds = new SceneRows("bounds", Scene.BOUNDS, 4);
+  final SceneThings circles = new SceneThings("circle", Scene.CIRCLE, 2);
+  final SceneThings lines = new SceneThings("line", Scene.LINE, 4);
+  final SceneThings pegs = new SceneThings("peg", Scene.PEG, 2);
+  final SceneThings bounds = new SceneThings("bounds", Scene.BOUNDS, 4);
   final DoubleList masses = new DoubleList();
   boolean collide;
 
-  /** The rows whose last one is the thing added last; null before the first. */
-  private SceneRows last;
+  /** The things whose last one is the thing added last; null before the first. */
+  private SceneThings last;
 
   SceneBuilder() {}
 
@@ -234,19 +234,19 @@ public final class SceneBuilder {
         Math.max(pegs.largestCoordinate(), bounds.largestCoordinate()));
   }
 
-  private SceneBuilder add(SceneRows rows, Runnable checks, double... row) {
-    check(rows, rows.count(), checks);
-    rows.add(row);
-    last = rows;
+  private SceneBuilder add(SceneThings things, Runnable checks, double... row) {
+    check(things, things.count(), checks);
+    things.add(row);
+    last = things;
     return this;
   }
 
   /** Puts the name of thing i before what its checks have to say. */
-  private static void check(SceneRows rows, int i, Runnable checks) {
+  private static void check(SceneThings things, int i, Runnable checks) {
     try {
       checks.run();
     } catch (RefusedException e) {
-      throw e.of(rows.name(i));
+      throw e.of(things.name(i));
     }
   }
 }

@@ -331,7 +331,7 @@ class QuestionsTest {
 
   @Test
   void distancesArePlain() {
-    assertThat(Region.distance(new Circle(0, 0, 1), 3, 4)).isCloseTo(4, within(1e-15));
-    assertThat(Region.distance(new Circle(0, 0, 10), 3, 4)).isZero();
+    assertThat(Proximity.distance(new Circle(0, 0, 1), 3, 4)).isCloseTo(4, within(1e-15));
+    assertThat(Proximity.distance(new Circle(0, 0, 10), 3, 4)).isZero();
   }
 }

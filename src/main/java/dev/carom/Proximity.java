@@ -8,13 +8,13 @@ import java.util.stream.IntStream;
  * Which obstacles are near a point, or overlap a disk or a box. Overlaps are decided exactly, by
  * the signs that the detector uses; to touch is not to overlap.
  */
-final class Region {
+final class Proximity {
 
   static final int NONE = -1;
 
   private final Obstacles obstacles;
 
-  Region(Obstacles obstacles) {
+  Proximity(Obstacles obstacles) {
     this.obstacles = obstacles;
   }
 

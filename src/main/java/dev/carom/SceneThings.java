@@ -7,7 +7,7 @@ import java.util.Arrays;
  * The things of one kind while a scene is built: a row of doubles for each, which begins with
  * coordinates and ends with the restitution; and its traits, see {@link Traits}.
  */
-final class SceneRows {
+final class SceneThings {
 
   private final String kind;
   private final int width;
@@ -15,7 +15,7 @@ final class SceneRows {
   private final DoubleList values = new DoubleList();
   private byte[] traits = new byte[16];
 
-  SceneRows(String kind, int width, int coordinates) {
+  SceneThings(String kind, int width, int coordinates) {
     this.kind = kind;
     this.width = width;
     this.coordinates = coordinates;
