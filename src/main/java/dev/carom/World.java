@@ -83,6 +83,7 @@ public final class World {
   private final Scene scene;
   private final ImpactLog log;
   private final Roster roster;
+  private final Ids ids;
   private final Engine engine;
   private final Circles circles;
   private final Obstacles obstacles;
@@ -112,6 +113,7 @@ public final class World {
             : new Flights(scene, roster, machinery, log);
     circles = engine.circles;
     obstacles = engine.surroundings.obstacles;
+    ids = new Ids(roster, obstacles);
     editor = new Editor(scene, engine, roster);
     questions = new Questions(engine, roster, scene.collide);
   }
@@ -201,7 +203,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double x(int id) {
-    return circles.x(checked(id), now);
+    return circles.x(ids.circle(id), now);
   }
 
   /**
@@ -212,7 +214,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double y(int id) {
-    return circles.y(checked(id), now);
+    return circles.y(ids.circle(id), now);
   }
 
   /**
@@ -223,7 +225,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double vx(int id) {
-    return circles.vx(checked(id));
+    return circles.vx(ids.circle(id));
   }
 
   /**
@@ -234,7 +236,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double vy(int id) {
-    return circles.vy(checked(id));
+    return circles.vy(ids.circle(id));
   }
 
   /**
@@ -245,7 +247,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double radius(int id) {
-    return circles.radius(checked(id));
+    return circles.radius(ids.circle(id));
   }
 
   /**
@@ -256,7 +258,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double mass(int id) {
-    return roster.mass(checked(id));
+    return roster.mass(ids.circle(id));
   }
 
   /**
@@ -267,7 +269,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int id) {
-    int k = obstacles.offset(checked(ObstacleKind.LINE, id));
+    int k = obstacles.offset(ids.checked(ObstacleKind.LINE, id));
     double[] l = obstacles.lines;
     return new Line(l[k], l[k + 1], l[k + 2], l[k + 3]);
   }
@@ -280,7 +282,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such peg
    */
   public Circle peg(int id) {
-    int k = obstacles.offset(checked(ObstacleKind.PEG, id));
+    int k = obstacles.offset(ids.checked(ObstacleKind.PEG, id));
     double[] p = obstacles.pegs;
     return new Circle(p[k], p[k + 1], p[k + 2]);
   }
@@ -295,7 +297,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public double restitution(ObstacleKind kind, int id) {
-    return questions.restitution(checked(kind, id));
+    return questions.restitution(ids.checked(kind, id));
   }
 
   /**
@@ -307,7 +309,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public Response response(ObstacleKind kind, int id) {
-    return questions.response(checked(kind, id));
+    return questions.response(ids.checked(kind, id));
   }
 
   /**
@@ -318,7 +320,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public boolean oneWay(int id) {
-    return questions.isOneWay(checked(ObstacleKind.LINE, id));
+    return questions.isOneWay(ids.checked(ObstacleKind.LINE, id));
   }
 
   /**
@@ -331,11 +333,7 @@ public final class World {
    * @return false if it was removed, or never was
    */
   public boolean contains(ObstacleKind kind, int id) {
-    return switch (kind) {
-      case CIRCLE -> roster.contains(id);
-      case WALL -> obstacles.bounds != null && id >= 0 && id < Obstacles.WALLS;
-      case LINE, PEG -> id >= 0 && id < idEnd(kind) && !obstacles.isGone(code(kind, id));
-    };
+    return ids.contains(kind, id);
   }
 
   /**
@@ -345,12 +343,7 @@ public final class World {
    * @return one more than the largest id ever given
    */
   public int idEnd(ObstacleKind kind) {
-    return switch (kind) {
-      case WALL -> obstacles.bounds == null ? 0 : Obstacles.WALLS;
-      case LINE -> obstacles.endOfLines - Obstacles.WALLS;
-      case PEG -> obstacles.endOfPegs - Obstacles.PEGS;
-      case CIRCLE -> roster.end();
-    };
+    return ids.end(kind);
   }
 
   /**
@@ -463,7 +456,7 @@ public final class World {
    * @throws IllegalArgumentException if a component is NaN or infinite
    */
   public void setVelocity(int id, double vx, double vy) {
-    editor.setVelocity(checked(id), vx, vy, now);
+    editor.setVelocity(ids.circle(id), vx, vy, now);
   }
 
   /**
@@ -478,7 +471,7 @@ public final class World {
    *     of it exceed the least radius that was ever in this world
    */
   public void setPosition(int id, double x, double y) {
-    editor.setPosition(checked(id), x, y, now);
+    editor.setPosition(ids.circle(id), x, y, now);
   }
 
   /**
@@ -491,7 +484,7 @@ public final class World {
    * @throws IllegalArgumentException if the radius is refused
    */
   public void setRadius(int id, double radius) {
-    editor.setRadius(checked(id), radius, now);
+    editor.setRadius(ids.circle(id), radius, now);
   }
 
   /**
@@ -503,7 +496,7 @@ public final class World {
    * @throws IllegalArgumentException if m is NaN or out of these limits
    */
   public void setMass(int id, double m) {
-    editor.setMass(checked(id), m);
+    editor.setMass(ids.circle(id), m);
   }
 
   /**
@@ -518,7 +511,7 @@ public final class World {
    * @throws IllegalArgumentException if e is NaN, infinite or negative
    */
   public void setRestitution(ObstacleKind kind, int id, double e) {
-    editor.setRestitution(checked(kind, id), e);
+    editor.setRestitution(ids.checked(kind, id), e);
   }
 
   /**
@@ -534,7 +527,7 @@ public final class World {
    * @throws NullPointerException if the response is null
    */
   public void setResponse(ObstacleKind kind, int id, Response response) {
-    int code = checked(kind, id);
+    int code = ids.checked(kind, id);
     Objects.requireNonNull(response, "response");
     editor.setResponse(code, response, now);
   }
@@ -547,7 +540,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public void setOneWay(int id, boolean oneWay) {
-    editor.setOneWay(checked(ObstacleKind.LINE, id), oneWay, now);
+    editor.setOneWay(ids.checked(ObstacleKind.LINE, id), oneWay, now);
   }
 
   /**
@@ -595,7 +588,7 @@ public final class World {
    * @throws IllegalArgumentException if a coordinate is refused, as by {@link #addLine addLine}
    */
   public void moveLine(int id, double ax, double ay, double bx, double by) {
-    editor.moveLine(checked(ObstacleKind.LINE, id), ax, ay, bx, by, now);
+    editor.moveLine(ids.checked(ObstacleKind.LINE, id), ax, ay, bx, by, now);
   }
 
   /**
@@ -624,7 +617,7 @@ public final class World {
    * @throws IllegalArgumentException if a number is refused, as by {@link #addPeg addPeg}
    */
   public void movePeg(int id, double x, double y, double radius) {
-    editor.movePeg(checked(ObstacleKind.PEG, id), x, y, radius, now);
+    editor.movePeg(ids.checked(ObstacleKind.PEG, id), x, y, radius, now);
   }
 
   /**
@@ -636,7 +629,7 @@ public final class World {
    * @throws IllegalArgumentException if the kind is {@link ObstacleKind#WALL}
    */
   public void remove(ObstacleKind kind, int id) {
-    int code = checked(kind, id);
+    int code = ids.checked(kind, id);
     if (kind == ObstacleKind.WALL) {
       throw Check.refused("kind", kind, "LINE, PEG or CIRCLE: walls stay");
     }
@@ -711,37 +704,5 @@ public final class World {
   public void stopRecording() {
     timeline = null;
     engine.record(null);
-  }
-
-  private static int code(ObstacleKind kind, int id) {
-    return switch (kind) {
-      case WALL -> id;
-      case LINE -> Obstacles.WALLS + id;
-      case PEG -> Obstacles.PEGS + id;
-      case CIRCLE -> Obstacles.CIRCLES + id;
-    };
-  }
-
-  private int checked(int id) {
-    if (!roster.contains(id)) {
-      throw missing(ObstacleKind.CIRCLE, id);
-    }
-    return id;
-  }
-
-  /** The code of a thing that is there. */
-  private int checked(ObstacleKind kind, int id) {
-    if (!contains(kind, id)) {
-      throw missing(kind, id);
-    }
-    return code(kind, id);
-  }
-
-  private IndexOutOfBoundsException missing(ObstacleKind kind, int id) {
-    int end = idEnd(kind);
-    boolean removed = id >= 0 && id < end;
-    String reason = removed ? "it was removed" : "expected an id from 0 on, below " + end;
-    return new IndexOutOfBoundsException(
-        "%s does not exist: %s".formatted(kind.nameOf(id), reason));
   }
 }

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * The ids by which callers name the things of a world. Those of a kind begin at 0, and one is not
+ * used again when its thing is removed; within, a kind and an id are one code, see {@link
+ * Obstacles}.
+ */
+final class Ids {
+
+  private final Roster roster;
+  private final Obstacles obstacles;
+
+  Ids(Roster roster, Obstacles obstacles) {
+    this.roster = roster;
+    this.obstacles = obstacles;
+  }
+
+  /** Whether something is there, for any number. */
+  boolean contains(ObstacleKind kind, int id) {
+    return switch (kind) {
+      case CIRCLE -> roster.contains(id);
+      case WALL -> obstacles.bounds != null && id >= 0 && id < Obstacles.WALLS;
+      case LINE, PEG -> id >= 0 && id < end(kind) && !obstacles.isGone(code(kind, id));
+    };
+  }
+
+  /** One more than the largest id ever given. */
+  int end(ObstacleKind kind) {
+    return switch (kind) {
+      case WALL -> obstacles.bounds == null ? 0 : Obstacles.WALLS;
+      case LINE -> obstacles.endOfLines - Obstacles.WALLS;
+      case PEG -> obstacles.endOfPegs - Obstacles.PEGS;
+      case CIRCLE -> roster.end();
+    };
+  }
+
+  /** The id of a circle that is there; any other one is refused. */
+  int circle(int id) {
+    if (!roster.contains(id)) {
+      throw missing(ObstacleKind.CIRCLE, id);
+    }
+    return id;
+  }
+
+  /** The code of a thing that is there; any other id is refused. */
+  int checked(ObstacleKind kind, int id) {
+    if (!contains(kind, id)) {
+      throw missing(kind, id);
+    }
+    return code(kind, id);
+  }
+
+  private static int code(ObstacleKind kind, int id) {
+    return switch (kind) {
+      case WALL -> id;
+      case LINE -> Obstacles.WALLS + id;
+      case PEG -> Obstacles.PEGS + id;
+      case CIRCLE -> Obstacles.CIRCLES + id;
+    };
+  }
+
+  private IndexOutOfBoundsException missing(ObstacleKind kind, int id) {
+    int end = end(kind);
+    boolean removed = id >= 0 && id < end;
+    String reason = removed ? "it was removed" : "expected an id from 0 on, below " + end;
+    return new IndexOutOfBoundsException(
+        "%s does not exist: %s".formatted(kind.nameOf(id), reason));
+  }
+}
