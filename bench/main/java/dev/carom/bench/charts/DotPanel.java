@@ -28,12 +28,12 @@ final class DotPanel {
   private final Marks marks;
   private final List<Dot> dots;
   private final DotLabels labels;
-  private final double scale;
+  private final DotNames names;
 
   private DotPanel(
       Graphics2D g, Axes axes, DecadeAxis errors, Marks marks, List<Dot> dots, double scale) {
     this.g = g;
-    this.scale = scale;
+    names = new DotNames(scale);
     this.axes = axes;
     this.errors = errors;
     this.marks = marks;
@@ -78,6 +78,7 @@ final class DotPanel {
     panel.staircase();
     panel.lines();
     panel.dots();
+    panel.names.addTo(panel.labels);
     panel.labels.draw(g);
   }
 
@@ -265,10 +266,9 @@ final class DotPanel {
     double x = (x(first) + x(last)) / 2;
     double y = (y(first) + y(last)) / 2;
     if (named) {
-      labels.add(x, y, whole, Style.bold(scale * 12), Style.INK, 0);
+      names.method(x, y, whole);
     } else {
-      String text = first.hollow() ? whole : knobs;
-      labels.add(x, y, text, Style.font(scale * 11), Style.QUIET, 1);
+      names.knob(x, y, first.hollow() ? whole : knobs);
     }
   }
 }

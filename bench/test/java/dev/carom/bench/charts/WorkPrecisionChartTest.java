@@ -60,6 +60,17 @@ class WorkPrecisionChartTest {
   }
 
   @Test
+  void methodsWhoseDotsCoverEachOtherShareAText() {
+    assertThat(
+            svg(
+                dot("carom", "", 1e-15, 1e6),
+                dot("overlap", "", 0.5, 2000),
+                dot("peer", "best", 0.5, 2001),
+                dot("substeps", "4", 1e-5, 2000)))
+        .contains(">overlap, peer best<", ">substeps 4<", ">carom<");
+  }
+
+  @Test
   void aFailureIsDrawnInAGutter() {
     String without = svg(dot("carom", "", 1e-15, 1000));
     assertThat(without).doesNotContain(">failed<", ">no error<");

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/**
+ * What is written at the dots of a panel. Names of methods whose dots cover each other are one
+ * text: single ones would stand around a spot where nobody can tell whose is whose.
+ */
+final class DotNames {
+
+  /** Marks nearer than this, in px, cover each other. */
+  private static final double COVERED = 7;
+
+  private record Name(double x, double y, String text) {
+
+    boolean isAt(Name other) {
+      return Math.hypot(x - other.x, y - other.y) < COVERED;
+    }
+  }
+
+  private final double scale;
+  private final List<Name> methods = new ArrayList<>();
+  private final List<Name> knobs = new ArrayList<>();
+
+  /** Takes the scale of texts. */
+  DotNames(double scale) {
+    this.scale = scale;
+  }
+
+  /** Names a method at one of its dots. */
+  void method(double x, double y, String text) {
+    methods.add(new Name(x, y, text));
+  }
+
+  /** Tells the knob of a dot. */
+  void knob(double x, double y, String text) {
+    knobs.add(new Name(x, y, text));
+  }
+
+  void addTo(DotLabels labels) {
+    List<Name> left = new ArrayList<>(methods);
+    while (!left.isEmpty()) {
+      Name first = left.get(0);
+      List<Name> here = left.stream().filter(first::isAt).toList();
+      left.removeAll(here);
+      String text = here.stream().map(Name::text).collect(Collectors.joining(", "));
+      labels.add(first.x, first.y, text, Style.bold(scale * 12), Style.INK, 0);
+    }
+    for (Name knob : knobs) {
+      labels.add(knob.x, knob.y, knob.text, Style.font(scale * 11), Style.QUIET, 1);
+    }
+  }
+}
