@@ -36,7 +36,7 @@ final class ReferenceCommand implements Callable<Integer> {
       "scene   circles  impacts  digits: least  median   most  10^x worst  seconds    bytes";
 
   private static final String REVERSAL_HEADER =
-      "scene   digits, at most  back to  with twice the digits  back in doubles, to 1e-6  seconds";
+      "scene   digits, at most  back to    with 39 digits more  back in doubles, to 1e-6  seconds";
 
   @Spec private CommandSpec spec;
 
@@ -125,7 +125,7 @@ final class ReferenceCommand implements Callable<Integer> {
         name,
         reversal.bits() * DIGITS_PER_BIT,
         -reversal.digits(),
-        -reversal.digitsOfTwice(),
+        -reversal.digitsOfMore(),
         reversal.returned(),
         reversal.circles(),
         (System.nanoTime() - start) / 1e9);

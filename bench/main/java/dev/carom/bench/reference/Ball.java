@@ -92,7 +92,7 @@ final class Ball {
     if (sign() == 0) {
       return new Ball(BigInteger.ZERO, Magnitude.ZERO, bits);
     }
-    BigInteger[] root = units.shiftLeft(bits).sqrtAndRemainder();
+    BigInteger[] root = SquareRoot.withRemainder(units.shiftLeft(bits));
     double part = error.ratio(size());
     Magnitude least = Magnitude.of(root[0]).times((2 - part) * (1 - 0x1p-40));
     return of(root[0], error.over(least).shift(bits), root[1].signum() == 0, bits);

@@ -13,19 +13,22 @@ import java.util.stream.IntStream;
  *
  * @param bits how many the worst circle carried behind the point
  * @param digits the decimal digits behind the point to which all circles are proved to be back
- * @param digitsOfTwice the same, where each circle carries twice the bits
+ * @param digitsOfMore the same, where each circle carries {@link #MORE_BITS} more
  * @param returned how many circles of a {@link World}, in doubles, are back within {@link #NEAR}
  * @param circles of how many
  */
-public record Reversal(int bits, double digits, double digitsOfTwice, int returned, int circles) {
+public record Reversal(int bits, double digits, double digitsOfMore, int returned, int circles) {
 
   /** In units of the scene. */
   public static final double NEAR = 1e-6;
 
+  /** Each bit more is to bring circles nearer to their start by half. */
+  public static final int MORE_BITS = 128;
+
   private static final int FIRST_BITS = 128;
   private static final int MOST_BITS = 1 << 15;
 
-  private record Return(int bits, double log10, double log10OfTwice) {}
+  private record Return(int bits, double log10, double log10OfMore) {}
 
   /**
    * Lets a scene go forwards and back, in as many digits as it takes and in doubles.
@@ -54,20 +57,21 @@ public record Reversal(int bits, double digits, double digitsOfTwice, int return
             });
     int bits = 0;
     double worst = Double.NEGATIVE_INFINITY;
-    double worstOfTwice = Double.NEGATIVE_INFINITY;
+    double worstOfMore = Double.NEGATIVE_INFINITY;
     for (Return r : returns) {
       bits = Math.max(bits, r.bits);
       worst = Math.max(worst, r.log10);
-      worstOfTwice = Math.max(worstOfTwice, r.log10OfTwice);
+      worstOfMore = Math.max(worstOfMore, r.log10OfMore);
     }
-    return new Reversal(bits, -worst, -worstOfTwice, inDoubles(scene, frames), count);
+    return new Reversal(bits, -worst, -worstOfMore, inDoubles(scene, frames), count);
   }
 
   private static Return prove(Scene scene, int circle, int frames, Map<Integer, Lookout> lookouts) {
     for (int bits = FIRST_BITS; bits <= MOST_BITS; bits *= 2) {
       try {
         double once = thereAndBack(scene, circle, frames, bits, lookouts);
-        return new Return(bits, once, thereAndBack(scene, circle, frames, 2 * bits, lookouts));
+        return new Return(
+            bits, once, thereAndBack(scene, circle, frames, bits + MORE_BITS, lookouts));
       } catch (DoubtException e) {
         // With more digits, then.
       }

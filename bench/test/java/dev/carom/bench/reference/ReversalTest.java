@@ -16,7 +16,8 @@ class ReversalTest {
     Reversal reversal = Reversal.of(References.scene("base-1"), 200, () -> {});
     System.out.println("base-1, 200 frames and back: " + reversal);
     assertThat(reversal.digits()).isGreaterThan(12);
-    assertThat(reversal.digitsOfTwice()).isGreaterThan(reversal.digits() + 128 * Math.log10(2) - 1);
+    assertThat(reversal.digitsOfMore())
+        .isGreaterThan(reversal.digits() + Reversal.MORE_BITS * Math.log10(2) - 1);
     assertThat(reversal.circles()).isEqualTo(100);
     assertThat(reversal.returned()).isBetween(1, 90);
   }
