@@ -28,6 +28,8 @@ final class Body {
   Tangents tangents;
   Course course;
 
+  private boolean inDoubles;
+
   /** Puts a circle of the scene at its start; its start values are those from the first one on. */
   Body(Scene scene, int id, int bits, int frames, int values, int first) {
     this.id = id;
@@ -44,13 +46,19 @@ final class Body {
     course = new Course(frames);
   }
 
+  /** From now on each flight starts at the doubles that are nearest to its place. */
+  void keepPlacesInDoubles() {
+    inDoubles = true;
+  }
+
   Vec at(Ball dt) {
     return p.plus(v.times(dt));
   }
 
   /** Goes to a new start of a flight. */
   void fly(Ball dt) {
-    p = at(dt);
+    Vec place = at(dt);
+    p = inDoubles ? Vec.of(place.x().rounded(), place.y().rounded(), bits) : place;
     t = t.plus(dt);
     tangents.fly(dt.head());
   }

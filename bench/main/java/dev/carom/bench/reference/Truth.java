@@ -119,6 +119,16 @@ public final class Truth implements Reference {
   }
 
   /**
+   * The number of impacts of one circle in all frames, of a scene whose circles ignore each other.
+   *
+   * @param circle which one
+   * @return at least 0
+   */
+  public int impacts(int circle) {
+    return proofs.get(circle).hits().size();
+  }
+
+  /**
    * How many binary digits behind the point were enough.
    *
    * @return one number a circle, or a single one if they collide, in increasing order
