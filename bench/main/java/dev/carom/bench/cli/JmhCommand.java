@@ -13,8 +13,8 @@ import picocli.CommandLine.Unmatched;
 @Command(
     name = "jmh",
     description =
-        "Runs JMH's own command line: single queries, what exactness costs, one"
-            + " frame, building a world.",
+        "Runs JMH's own command line: single queries, what exactness costs, frames, building and"
+            + " reading worlds of one circle to a million, gases and their events, edits.",
     customSynopsis = "carom-bench jmh [JMH OPTIONS] [REGEXP]...",
     footer = {"", "JMH explains its options with: jmh -h", "It lists the benchmarks with: jmh -l"})
 final class JmhCommand implements Callable<Integer> {

@@ -9,6 +9,7 @@ import dev.carom.World;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.experiment.Gas;
+import dev.carom.bench.experiment.Tiles;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -37,27 +38,6 @@ public class EditBenchmark {
   private static final double WIDTH = 800;
   private static final double HEIGHT = 600;
 
-  /** Canonical scenes side by side, without bounds between them. */
-  static Scene tiled(int tiles) throws CannotPlaceException {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, tiles * WIDTH, tiles * HEIGHT);
-    for (int tile = 0; tile < tiles * tiles; tile++) {
-      double x = WIDTH * (tile % tiles);
-      int row = tile / tiles;
-      double y = HEIGHT * row;
-      Scene scene = Crosses.canonical(1 + tile).scene();
-      for (int i = 0; i < scene.lineCount(); i++) {
-        var line = scene.line(i);
-        builder.line(line.ax() + x, line.ay() + y, line.bx() + x, line.by() + y);
-      }
-      for (int i = 0; i < scene.circleCount(); i++) {
-        var c = scene.circle(i);
-        var v = scene.velocity(i);
-        builder.circle(c.x() + x, c.y() + y, c.radius(), v.x(), v.y());
-      }
-    }
-    return builder.build();
-  }
-
   /** A world whose circles all get a new velocity in each frame. */
   @State(Scope.Thread)
   public static class Steered {
@@ -77,9 +57,15 @@ public class EditBenchmark {
     }
 
     void start(int tiles) throws CannotPlaceException {
-      world = new World(tiled(tiles));
+      world = new World(new Tiles(tiles, true, 1).scene());
       SplittableRandom random = new SplittableRandom(1);
       velocities = random.doubles(1 << 16, -7, 7).toArray();
+    }
+
+    void steerOne() {
+      int k = 17 * frame++;
+      int circle = Math.floorMod(k, world.circleCount());
+      world.setVelocity(circle, velocities[k & 0xffff], velocities[k + 1 & 0xffff]);
     }
 
     void steer() {
@@ -166,6 +152,30 @@ public class EditBenchmark {
   public boolean steer(Steered s) {
     s.steer();
     return s.world.step(1);
+  }
+
+  /**
+   * One velocity set, and a frame.
+   *
+   * @param s the world
+   * @return how the step ended
+   */
+  @Benchmark
+  public boolean steerOne(Steered s) {
+    s.steerOne();
+    return s.world.step(1);
+  }
+
+  /**
+   * One velocity set.
+   *
+   * @param s the world
+   * @return the world
+   */
+  @Benchmark
+  public World setVelocity(Steered s) {
+    s.steerOne();
+    return s.world;
   }
 
   /**

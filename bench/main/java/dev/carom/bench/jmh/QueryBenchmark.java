@@ -111,6 +111,76 @@ public class QueryBenchmark {
   }
 
   /**
+   * A line abeam of the circle's way, along it, its nearest point at a distance from the centre.
+   */
+  private double beside(int k, double distance) {
+    double vx = aimed[k + 2];
+    double vy = aimed[k + 3];
+    double part = distance / Math.hypot(vx, vy);
+    double ax = aimed[k] + 0.4 * vx - part * vy;
+    double ay = aimed[k + 1] + 0.4 * vy + part * vx;
+    double bx = ax + HALF_LINE * aimed[k + 4];
+    double by = ay + HALF_LINE * aimed[k + 5];
+    boolean away = vx * (by - ay) - vy * (bx - ax) >= 0;
+    return SweptCircle.line(
+        aimed[k],
+        aimed[k + 1],
+        RADIUS,
+        vx,
+        vy,
+        ax,
+        ay,
+        away ? bx : 2 * ax - bx,
+        away ? by : 2 * ay - by,
+        1);
+  }
+
+  /**
+   * A circle that passes the end of a line by a hundredth of its radius.
+   *
+   * @return infinity
+   */
+  @Benchmark
+  public double lineNearMiss() {
+    return beside(query(), 1.01 * RADIUS);
+  }
+
+  /**
+   * A circle that grazes the end of a line, as nearly as doubles have it: some hit, some do not.
+   *
+   * @return the time of impact, or infinity
+   */
+  @Benchmark
+  public double lineGraze() {
+    return beside(query(), RADIUS);
+  }
+
+  /**
+   * A circle that flies away from a peg.
+   *
+   * @return infinity
+   */
+  @Benchmark
+  public double pegMiss() {
+    int k = query();
+    return SweptCircle.peg(
+        aimed[k], aimed[k + 1], RADIUS, -aimed[k + 2], -aimed[k + 3], 0, 0, RADIUS, 1);
+  }
+
+  /**
+   * Two moving circles that fly apart.
+   *
+   * @return infinity
+   */
+  @Benchmark
+  public double pairMiss() {
+    int k = query();
+    double vx = -aimed[k + 2] / 2;
+    double vy = -aimed[k + 3] / 2;
+    return SweptCircle.pair(aimed[k], aimed[k + 1], RADIUS, vx, vy, 0, 0, RADIUS, -vx, -vy, 1);
+  }
+
+  /**
    * A circle that is aimed at a peg.
    *
    * @return the time of impact

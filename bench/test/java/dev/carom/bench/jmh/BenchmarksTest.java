@@ -4,7 +4,14 @@ package dev.carom.bench.jmh;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.ObstacleKind;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.runner.Runner;
+import org.openjdk.jmh.runner.options.Options;
+import org.openjdk.jmh.runner.options.OptionsBuilder;
+import org.openjdk.jmh.runner.options.VerboseMode;
 
 class BenchmarksTest {
 
@@ -13,9 +20,14 @@ class BenchmarksTest {
   void queriesAreWhatTheirNamesSay() {
     QueryBenchmark queries = new QueryBenchmark();
     int hits = 0;
+    int grazes = 0;
     for (int i = 0; i < 4096; i++) {
       assertThat(queries.lineSide()).isBetween(0.0, 1.0);
       assertThat(queries.lineMiss()).isInfinite();
+      assertThat(queries.lineNearMiss()).isInfinite();
+      assertThat(queries.pegMiss()).isInfinite();
+      assertThat(queries.pairMiss()).isInfinite();
+      grazes += Double.isFinite(queries.lineGraze()) ? 1 : 0;
       assertThat(queries.peg()).isBetween(0.0, 1.0);
       assertThat(queries.pair()).isBetween(0.0, 1.0);
       assertThat(queries.sphere()).isBetween(0.0, 1.0);
@@ -23,6 +35,59 @@ class BenchmarksTest {
       hits += Double.isFinite(queries.lineEndpoint()) ? 1 : 0;
     }
     assertThat(hits).isGreaterThan(4000);
+    assertThat(grazes).isBetween(1000, 3000); // rounding decides
+  }
+
+  @Test
+  void everyBenchmarkRuns() throws Exception {
+    long benchmarks =
+        Stream.of(
+                EditBenchmark.class,
+                ExactnessBenchmark.class,
+                GasBenchmark.class,
+                GrowthBenchmark.class,
+                QueryBenchmark.class,
+                WorldBenchmark.class)
+            .flatMap(type -> Stream.of(type.getDeclaredMethods()))
+            .filter(method -> method.isAnnotationPresent(Benchmark.class))
+            .count();
+    Options once =
+        new OptionsBuilder()
+            .include("dev\\.carom\\.bench\\.jmh\\.")
+            .forks(0)
+            .warmupIterations(0)
+            .measurementIterations(1)
+            .mode(Mode.SingleShotTime)
+            .param("circles", "100")
+            .param("family", "seg_uniform")
+            .param("queries", "4096")
+            .verbosity(VerboseMode.SILENT)
+            .shouldFailOnError(true)
+            .build();
+    assertThat(new Runner(once).run()).hasSize(Math.toIntExact(benchmarks));
+  }
+
+  @Test
+  void aGasHasEvents() throws Exception {
+    GasBenchmark gas = new GasBenchmark();
+    gas.circles = 100;
+    gas.generate();
+    gas.start();
+    GasBenchmark.Count count = new GasBenchmark.Count();
+    for (int i = 0; i < 100; i++) {
+      assertThat(gas.frame(count)).isTrue();
+    }
+    assertThat(count.events).isPositive();
+  }
+
+  @Test
+  void growthIsOfAsManyCirclesAsAsked() throws Exception {
+    GrowthBenchmark growth = new GrowthBenchmark();
+    for (int circles : new int[] {1, 10, 100, 400}) {
+      growth.circles = circles;
+      growth.generate();
+      assertThat(growth.build().circleCount()).isEqualTo(circles);
+    }
   }
 
   @Test
@@ -33,7 +98,8 @@ class BenchmarksTest {
     for (int i = 0; i < 20; i++) {
       assertThat(edits.steer(steered)).isTrue();
     }
-    assertThat(steered.world.circleCount()).isEqualTo(400);
+    assertThat(edits.steerOne(steered)).isTrue();
+    assertThat(edits.setVelocity(steered).circleCount()).isEqualTo(400);
     assertThat(steered.world.idEnd(ObstacleKind.LINE)).isEqualTo(400);
     assertThat(steered.world.impacts().size()).isPositive();
 
