@@ -8,7 +8,8 @@ import dev.carom.Vec2;
 
 /**
  * The published algorithm as {@link Poster} has it, every float a double: what of its error comes
- * from precision, and what from its method.
+ * from precision, and what from its method. A copy, line by line: Java has no type that is a float
+ * here and a double there, and every rounding between is what is compared.
  */
 final class PosterDouble implements Method {
 

@@ -8,7 +8,11 @@ import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 
-/** The loop of {@link EventDriven} with the test of the textbooks, every double a float. */
+/**
+ * The loop of {@link EventDriven} with the test of the textbooks, every double a float. A copy:
+ * Java has no type that is a float here and a double there, and one double between would be
+ * measured, too.
+ */
 final class TextbookFloat implements Method {
 
   private static final int WALL_X = -1;

@@ -20,6 +20,9 @@ import dev.carom.Vec2;
 /**
  * Box2D as libGDX carries it: C++ behind JNI, without its window. At its best no bounce is too slow
  * to keep its speed, lines have no skin, circles are bullets, and nothing falls asleep.
+ *
+ * <p>It is set up as {@link Jbox2dPeer} is, by calls of the same names on classes that have nothing
+ * in common.
  */
 final class GdxPeer extends Peer {
 
