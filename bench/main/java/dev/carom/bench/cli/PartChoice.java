@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
 /** Which parts of a report are to be run. What they do can be told from their ids. */
 final class PartChoice {
 
-  private static final Pattern TIMED = Pattern.compile("(?:time|query-time|sweep)/.*");
+  private static final Pattern TIMED = Pattern.compile("(?:time|query-time|sweep|scale)/.*");
   private static final Pattern OF_SCENE = Pattern.compile("(?:scene|time)/([^/]+)/.*");
 
   private PartChoice() {}

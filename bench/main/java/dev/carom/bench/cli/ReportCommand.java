@@ -9,6 +9,7 @@ import dev.carom.bench.report.ReportRun;
 import dev.carom.bench.results.Metadata;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.ResultsJson;
+import dev.carom.bench.scale.ScalePart;
 import dev.carom.bench.stability.StabilityPart;
 import dev.carom.bench.sweep.SweepPart;
 import java.io.IOException;
@@ -97,7 +98,7 @@ final class ReportCommand implements Callable<Integer> {
   private void measure(Path dir) throws IOException {
     List<Part> parts = chosen();
     String day = date == null ? LocalDate.now(ZoneId.systemDefault()).toString() : date;
-    Metadata metadata = Origin.of(Map.of("sweep", 1L), day, quick);
+    Metadata metadata = Origin.of(Map.of("sweep", 1L, "scale", 1L), day, quick);
     ReportRun run = new ReportRun(metadata, dir.resolve(PARTS));
     if (quick) {
       spec.commandLine().getErr().println(Parts.leftOut());
@@ -114,7 +115,10 @@ final class ReportCommand implements Callable<Integer> {
   private List<Part> chosen() {
     List<Part> parts = new ArrayList<>(Parts.of(quick));
     for (int fork = 0; fork < Parts.FORKS; fork++) {
-      parts.add(new SweepPart(fork, quick));
+      parts.add(SweepPart.of(fork, quick));
+    }
+    for (int fork = 0; fork < Parts.FORKS; fork++) {
+      parts.add(ScalePart.of(fork, quick));
     }
     parts.addAll(StabilityPart.all(quick));
     try {

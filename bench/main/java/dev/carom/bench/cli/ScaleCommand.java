@@ -3,10 +3,11 @@ package dev.carom.bench.cli;
 
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.methods.Contender;
+import dev.carom.bench.methods.Methods;
 import dev.carom.bench.peers.Contenders;
+import dev.carom.bench.report.Figure;
 import dev.carom.bench.report.Origin;
 import dev.carom.bench.report.Report;
-import dev.carom.bench.report.ReportTable;
 import dev.carom.bench.report.ScaleFigures;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.ResultsCsv;
@@ -16,16 +17,13 @@ import dev.carom.bench.scale.Scale;
 import dev.carom.bench.scale.ScalePlan;
 import dev.carom.bench.scale.ScalePlan.Model;
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -37,8 +35,8 @@ import picocli.CommandLine.Spec;
     description = {
       "Measures the time of a frame from a hundred circles to a million: circles that ignore each"
           + " other among as many lines, by Carom, the published algorithm and other engines in"
-          + " turns; and circles that collide, by Carom. Tells how times grow, and what a world"
-          + " of 102,400 circles or more takes of memory."
+          + " turns; and circles that collide, by Carom and the engines. Tells how times grow, and"
+          + " what a world of 102,400 circles or more takes of memory."
     },
     mixinStandardHelpOptions = true,
     sortOptions = false)
@@ -48,6 +46,13 @@ final class ScaleCommand implements Callable<Integer> {
 
   /** In smaller scenes the heap's regions and the logs weigh more than what is asked for. */
   private static final int LEAST_SIDE_OF_MEMORY = 32;
+
+  private static final List<String> ALONE =
+      List.of("carom", "poster", "dyn4j-defaults", "jbox2d-defaults", "gdx-box2d-defaults");
+
+  /** The published algorithm knows no pairs. */
+  private static final List<String> COLLIDING =
+      List.of("carom", "dyn4j-defaults", "jbox2d-defaults", "gdx-box2d-defaults");
 
   @Spec private CommandSpec spec;
 
@@ -61,7 +66,7 @@ final class ScaleCommand implements Callable<Integer> {
   @Option(
       names = "--limit",
       paramLabel = "MS",
-      defaultValue = "1000",
+      defaultValue = "" + ScalePlan.LIMIT_MILLIS,
       description =
           "A method one frame of which takes longer plays no larger scenes (default:"
               + " ${DEFAULT-VALUE}).")
@@ -73,6 +78,27 @@ final class ScaleCommand implements Callable<Integer> {
       defaultValue = "1",
       description = "Of the random scenes (default: ${DEFAULT-VALUE}).")
   private long seed;
+
+  @Option(
+      names = "--turns",
+      paramLabel = "N",
+      description = "Seed of the order in which methods take turns (default: that of --seed).")
+  private Long turns;
+
+  @Option(
+      names = "--rounds",
+      paramLabel = "N",
+      description = "In which methods take turns (default: 5, or 3 with --quick).")
+  private Integer rounds;
+
+  @Option(
+      names = "--warm-up",
+      paramLabel = "MILLIS",
+      description = "How long each plays before the first scene (default: 2000, or 500).")
+  private Integer warmUpMillis;
+
+  @Option(names = "--no-memory", description = "Do not measure what a world takes of memory.")
+  private boolean noMemory;
 
   @Option(names = "--quick", description = "Up to 1,000 circles only, in short rounds: seconds.")
   private boolean quick;
@@ -90,63 +116,48 @@ final class ScaleCommand implements Callable<Integer> {
     if (pictures != null) {
       Files.createDirectories(pictures);
     }
-    ScalePlan plan = ScalePlan.of(max, quick, limit, seed);
-    List<Row> rows = measure(plan);
+    List<Row> rows = measure(plan());
     if (csv != null) {
       ResultsCsv.write(rows, csv);
     }
     Results results = new Results(Origin.of(Map.of("scale", seed), "", quick), rows);
     ScaleFigures figures = new ScaleFigures(results, TimeUnit.MILLISECONDS.toNanos(limit));
-    print(figures);
-    int largest = plan.sides().get(plan.sides().size() - 1);
-    print(Footprint.of(Math.max(largest, LEAST_SIDE_OF_MEMORY), seed));
+    TextTable.print(
+        figures.table(), figures.told(), spec.commandLine().getOut(), "%-10s", "%12s  ");
     if (pictures != null) {
-      Report.writePictures(figures.figure(), pictures);
+      for (Figure figure : figures.figures()) {
+        Report.writePictures(figure, pictures);
+      }
     }
     return 0;
   }
 
-  private static List<Row> measure(ScalePlan plan) throws CannotPlaceException {
-    List<Contender> alone =
-        Stream.of("carom", "poster", "dyn4j-defaults", "jbox2d-defaults", "gdx-box2d-defaults")
-            .map(Contenders::byId)
-            .toList();
+  private ScalePlan plan() {
+    ScalePlan plan = ScalePlan.of(max, quick, limit, seed);
+    int times = rounds == null ? plan.rounds() : rounds;
+    int millis = warmUpMillis == null ? plan.warmUpMillis() : warmUpMillis;
+    Bounded.atLeast(1, "--rounds", times, spec);
+    Bounded.atLeast(0, "--warm-up", millis, spec);
+    return plan.lasting(times, millis);
+  }
+
+  /** Memory first: engines leave things behind that the heap gives up late. */
+  private List<Row> measure(ScalePlan plan) throws CannotPlaceException {
     List<Row> rows = new ArrayList<>();
+    if (!noMemory) {
+      int largest = plan.sides().get(plan.sides().size() - 1);
+      int side = Math.max(largest, LEAST_SIDE_OF_MEMORY);
+      rows.addAll(Footprint.of(side, seed).rows(Methods.CAROM.method()));
+    }
     try (Progress progress = Progress.start("scale", 2 * plan.sides().size())) {
-      Scale scale = new Scale(plan);
-      rows.addAll(scale.run(Model.ALONE, alone, progress::step));
-      rows.addAll(scale.run(Model.GAS, alone.subList(0, 1), progress::step));
+      Scale scale = new Scale(plan, turns == null ? seed : turns);
+      rows.addAll(scale.run(Model.ALONE, contenders(ALONE), progress::step));
+      rows.addAll(scale.run(Model.GAS, contenders(COLLIDING), progress::step));
     }
     return rows;
   }
 
-  private void print(ScaleFigures figures) {
-    PrintWriter out = spec.commandLine().getOut();
-    ReportTable table = figures.table();
-    print(out, table.head());
-    table.rows().forEach(row -> print(out, row));
-    out.println();
-    figures.growth().forEach(out::println);
-    out.flush();
-  }
-
-  private static void print(PrintWriter out, List<String> cells) {
-    StringBuilder line = new StringBuilder();
-    for (int i = 0; i < cells.size(); i++) {
-      line.append(String.format(i == 0 || i == 2 ? "%-10s" : "%12s  ", cells.get(i)));
-    }
-    out.println(line.toString().stripTrailing());
-  }
-
-  private void print(Footprint memory) {
-    PrintWriter out = spec.commandLine().getOut();
-    out.println();
-    out.printf(
-        Locale.ROOT,
-        "A world of %,d circles and lines takes %.0f bytes a circle and %.0f a line.%n",
-        memory.circles(),
-        memory.perCircle(),
-        memory.perLine());
-    out.flush();
+  private static List<Contender> contenders(List<String> ids) {
+    return ids.stream().map(Contenders::byId).toList();
   }
 }

@@ -8,7 +8,6 @@ import dev.carom.bench.methods.Methods;
 import dev.carom.bench.report.Figure;
 import dev.carom.bench.report.Origin;
 import dev.carom.bench.report.Report;
-import dev.carom.bench.report.ReportTable;
 import dev.carom.bench.report.SweepFigures;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.ResultsCsv;
@@ -16,7 +15,6 @@ import dev.carom.bench.results.Row;
 import dev.carom.bench.sweep.Sweep;
 import dev.carom.bench.sweep.SweepPlan;
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -106,7 +104,8 @@ final class SweepCommand implements Callable<Integer> {
     }
     SweepFigures figures =
         new SweepFigures(new Results(Origin.of(Map.of("sweep", seed), "", quick), rows));
-    print(figures);
+    TextTable.print(
+        figures.table(), figures.growth(), spec.commandLine().getOut(), "%-9s", "%16s  ");
     if (pictures != null) {
       for (Figure figure : figures.figures()) {
         Report.writePictures(figure, pictures);
@@ -123,23 +122,5 @@ final class SweepCommand implements Callable<Integer> {
       return new Sweep(plan, methods, turns == null ? seed : turns)
           .run(warmUpMillis, progress::step);
     }
-  }
-
-  private void print(SweepFigures figures) {
-    PrintWriter out = spec.commandLine().getOut();
-    ReportTable table = figures.table();
-    print(out, table.head());
-    table.rows().forEach(row -> print(out, row));
-    out.println();
-    figures.growth().forEach(out::println);
-    out.flush();
-  }
-
-  private static void print(PrintWriter out, List<String> cells) {
-    StringBuilder line = new StringBuilder();
-    for (int i = 0; i < cells.size(); i++) {
-      line.append(String.format(i == 0 || i == 2 ? "%-9s" : "%16s  ", cells.get(i)));
-    }
-    out.println(line.toString().stripTrailing());
   }
 }

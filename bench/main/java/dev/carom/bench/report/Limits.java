@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
+import dev.carom.bench.measures.RoundingPart;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Row;
@@ -43,9 +44,7 @@ final class Limits {
 
   private static final List<String> SLOW = List.of("base-1", "base-2", "base-3", "radii");
 
-  /** In units of 2^-53 times the conditioning of the frame, where they are many. */
-  private static final double ROUNDINGS = 4;
-
+  /** Where impacts are many. */
   private static final String FAST = "fast-1";
 
   /** The canonical scene, and the same with smaller circles. */
@@ -130,12 +129,19 @@ final class Limits {
   }
 
   private void roundings() {
+    Optional<Spread> worst = results.spread(FAST, Metrics.CAROM, RoundingPart.METRIC, "max");
+    String above = new RoundingNote(results, FAST).above().map(t -> ", " + t).orElse("");
     atMost(
         "worst error of one frame, in 2^-53 x its conditioning",
         FAST,
-        ROUNDINGS,
-        Numbers::ratio,
-        results.spread(FAST, Metrics.CAROM, Metrics.ROUNDINGS, "max"));
+        RoundingPart.LIMIT,
+        units -> Numbers.ratio(units) + (units > RoundingPart.LIMIT ? above : ""),
+        worst);
+  }
+
+  /** What is behind a limit that needs words. */
+  static Optional<String> note(Results results) {
+    return new RoundingNote(results, FAST).sentences();
   }
 
   private void atMost(
@@ -202,9 +208,11 @@ final class Limits {
 
   /** Of the time that has the fewest. */
   private void forks() {
+    ScaleTimes scale = new ScaleTimes(results);
     Map<String, Set<Integer>> forks =
         results.rows().stream()
             .filter(row -> row.unit().equals("ns") && !row.metric().equals(Metrics.FRAME_RAW))
+            .filter(row -> !scale.isBeyond(row))
             .collect(
                 Collectors.groupingBy(
                     row -> row.scene() + " " + row.method() + " " + row.knob(),

@@ -15,7 +15,6 @@ final class Metrics {
   static final String FRAME_TIME = "frame_time";
   static final String FRAME_RAW = "frame_raw";
   static final String FRAME_ERROR = "frame_error";
-  static final String ROUNDINGS = "frame_roundings";
   static final String HORIZON = "horizon";
   static final String MISSED = "decisions_missed";
   static final String INVENTED = "decisions_false";

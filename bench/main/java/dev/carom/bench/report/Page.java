@@ -124,6 +124,9 @@ final class Page {
   private void limits() {
     html.append("<h2>The limits, and whether they hold</h2>\n");
     table(Limits.table(results), "Limits");
+    Limits.note(results)
+        .ifPresent(
+            note -> html.append("<p class=\"machine\">").append(text(note)).append("</p>\n"));
   }
 
   private void shortcomings() {

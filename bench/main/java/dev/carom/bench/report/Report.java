@@ -7,6 +7,7 @@ import dev.carom.bench.results.ResultsCsv;
 import dev.carom.bench.results.ResultsJson;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.results.WholeFile;
+import dev.carom.bench.scale.ScalePlan;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -44,7 +45,9 @@ public final class Report {
     if (!ratios.rows().isEmpty()) {
       text.append('\n').append(ratios.text());
     }
-    return text.append('\n').append(Limits.table(results).text()).toString();
+    text.append('\n').append(Limits.table(results).text());
+    Limits.note(results).ifPresent(note -> text.append('\n').append(note).append('\n'));
+    return text.toString();
   }
 
   /**
@@ -96,6 +99,7 @@ public final class Report {
     figures.addAll(new StabilityFigures(results).figures());
     figures.addAll(new FrameTimeFigures(results).figures());
     figures.addAll(new SweepFigures(results).figures());
+    figures.addAll(new ScaleFigures(results, 1e6 * ScalePlan.LIMIT_MILLIS).figures());
     return figures;
   }
 }

@@ -3,24 +3,21 @@ package dev.carom.bench.report;
 
 import dev.carom.bench.charts.Course;
 import dev.carom.bench.charts.ScaleChart;
+import dev.carom.bench.report.ScaleTimes.Per;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
-import dev.carom.bench.scale.Scale;
 import dev.carom.bench.scale.ScalePlan.Model;
-import dev.carom.bench.sweep.Growth;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 
 /** Time per frame, per impact and per circle, against the number of circles. */
 public final class ScaleFigures {
 
-  private static final int LEAST_POINTS = 3;
-
   private final Results results;
+  private final ScaleTimes times;
+  private final ScaleGrowth growth;
   private final double limit;
 
   /**
@@ -32,31 +29,23 @@ public final class ScaleFigures {
   public ScaleFigures(Results results, double limit) {
     this.results = results;
     this.limit = limit;
-  }
-
-  /** What a time is divided by. */
-  private enum Per {
-    FRAME("a frame"),
-    IMPACT("an impact"),
-    CIRCLE("a circle and frame");
-
-    private final String words;
-
-    Per(String words) {
-      this.words = words;
-    }
+    times = new ScaleTimes(results);
+    growth = new ScaleGrowth(results);
   }
 
   /**
    * Makes the figure.
    *
-   * @return the figure
+   * @return one, or none if nothing was measured
    */
-  public Figure figure() {
+  public List<Figure> figures() {
+    if (times.isEmpty()) {
+      return List.of();
+    }
     Map<String, List<Course>> panels = new LinkedHashMap<>();
     for (Model model : Model.values()) {
       for (Per per : Per.values()) {
-        List<Course> courses = courses(model, per);
+        List<Course> courses = times.courses(model, per);
         if (!courses.isEmpty()) {
           panels.put(
               model.words() + ": time of " + per.words,
@@ -64,17 +53,21 @@ public final class ScaleFigures {
         }
       }
     }
-    String title = "Time against the number of circles";
+    int forks = times.forks();
+    String band = forks > 1 ? "5 to 95 % over " + forks + " forks" : "all rounds";
     ScaleChart chart =
         new ScaleChart(
-            title,
-            "Line: median; band: from the fastest to the slowest round. A crossed ring: one frame took longer than %s."
-                .formatted(Numbers.time(limit)),
+            "Time against the number of circles",
+            "Equal density in all scenes. Line: median; band: %s. A crossed ring: one frame took longer than %s."
+                .formatted(band, Numbers.time(limit)),
             Settings.marks(results),
             panels,
             limit);
-    String caption = title + ". " + String.join(" ", growth());
-    return new Figure("scale", title, caption, chart::picture, table());
+    String caption =
+        "Time of a frame, of an impact and of a circle against the number of circles, by each method up to where one frame takes longer than %s. "
+                .formatted(Numbers.time(limit))
+            + String.join(" ", told());
+    return List.of(new Figure("scale", "Many circles", caption.strip(), chart::picture, table()));
   }
 
   /** Each method stands there in one setting: it needs no name. */
@@ -83,75 +76,14 @@ public final class ScaleFigures {
   }
 
   /**
-   * How the time of a frame, and of an impact, grows with the number of circles.
+   * How times grow with the number of circles, and what a world takes of memory.
    *
-   * @return a sentence for each model and method
+   * @return sentences
    */
-  public List<String> growth() {
-    List<String> sentences = new ArrayList<>();
-    for (Model model : Model.values()) {
-      for (Per per : List.of(Per.FRAME, Per.IMPACT)) {
-        for (Course course : courses(model, per)) {
-          int n = (int) Arrays.stream(course.middle()).filter(v -> !Double.isNaN(v)).count();
-          if (n >= LEAST_POINTS) {
-            Growth fit = Growth.of(Arrays.copyOf(course.x(), n), Arrays.copyOf(course.middle(), n));
-            sentences.add(
-                String.format(
-                    Locale.ROOT,
-                    "%s: %s, the time of %s grows with the circles to the power %.2f (%.2f .. %.2f at 95 %%).",
-                    model.label(),
-                    new Setting(course.method(), course.knob()),
-                    per.words,
-                    fit.slope(),
-                    fit.low(),
-                    fit.high()));
-          }
-        }
-      }
-    }
-    return sentences;
-  }
-
-  private List<Course> courses(Model model, Per per) {
-    Map<Setting, List<Integer>> places = new LinkedHashMap<>();
-    String prefix = Scale.SCENE + model.label() + "=";
-    for (String scene : results.scenes(Scale.TIME)) {
-      if (scene.startsWith(prefix)) {
-        int at = Integer.parseInt(scene.substring(prefix.length()));
-        for (Setting setting : Settings.of(results, scene, Scale.TIME)) {
-          if (per != Per.IMPACT || impacts(scene, setting) > 0) {
-            places.computeIfAbsent(setting, none -> new ArrayList<>()).add(at);
-          }
-        }
-      }
-    }
-    List<Course> courses = new ArrayList<>();
-    places.forEach((setting, at) -> courses.add(course(prefix, setting, at, per)));
-    return courses;
-  }
-
-  private Course course(String prefix, Setting setting, List<Integer> places, Per per) {
-    double[] x = places.stream().mapToDouble(i -> i).sorted().toArray();
-    double[][] values = new double[3][x.length];
-    String[] stats = {"min", "median", "max"};
-    for (int i = 0; i < x.length; i++) {
-      String scene = prefix + (int) x[i];
-      double share =
-          switch (per) {
-            case FRAME -> 1;
-            case IMPACT -> impacts(scene, setting);
-            case CIRCLE -> x[i];
-          };
-      for (int k = 0; k < stats.length; k++) {
-        values[k][i] = results.value(scene, setting, Scale.TIME, stats[k]) / share;
-      }
-    }
-    return new Course(setting.method(), setting.knob(), x, values[0], values[1], values[2]);
-  }
-
-  /** Not above 0 for a method that does not tell, or did not come so far. */
-  private double impacts(String scene, Setting setting) {
-    return results.value(scene, setting, Scale.IMPACTS, "mean");
+  public List<String> told() {
+    List<String> told = new ArrayList<>(growth.sentences());
+    growth.memory().ifPresent(told::add);
+    return told;
   }
 
   /**
@@ -164,26 +96,29 @@ public final class ScaleFigures {
         new ReportTable.Builder(
             "model", "circles", "method", "a frame", "least", "greatest", "an impact", "a circle");
     for (Model model : Model.values()) {
-      String prefix = Scale.SCENE + model.label() + "=";
-      for (Course course : courses(model, Per.FRAME)) {
-        Setting setting = new Setting(course.method(), course.knob());
+      for (Course course : times.courses(model, Per.FRAME)) {
         for (int i = 0; i < course.x().length; i++) {
-          double n = course.x()[i];
-          double time = course.middle()[i];
-          double impacts = impacts(prefix + (int) n, setting);
-          boolean cut = Double.isNaN(time);
-          table.row(
-              model.label(),
-              Numbers.count(n),
-              course.method(),
-              cut ? "over " + Numbers.time(limit) : Numbers.time(time),
-              cut ? "-" : Numbers.time(course.low()[i]),
-              cut ? "-" : Numbers.time(course.high()[i]),
-              impacts > 0 ? Numbers.time(time / impacts) : "-",
-              cut ? "-" : Numbers.time(time / n));
+          row(table, model, course, i);
         }
       }
     }
     return table.build();
+  }
+
+  private void row(ReportTable.Builder table, Model model, Course course, int i) {
+    double n = course.x()[i];
+    double time = course.middle()[i];
+    Setting setting = new Setting(course.method(), course.knob());
+    double impacts = times.impacts(ScaleTimes.scene(model, n), setting);
+    boolean cut = Double.isNaN(time);
+    table.row(
+        model.label(),
+        Numbers.count(n),
+        course.method(),
+        cut ? "over " + Numbers.time(limit) : Numbers.time(time),
+        cut ? "-" : Numbers.time(course.low()[i]),
+        cut ? "-" : Numbers.time(course.high()[i]),
+        impacts > 0 && !cut ? Numbers.time(time / impacts) : "-",
+        cut ? "-" : Numbers.time(time / n));
   }
 }

@@ -4,6 +4,7 @@ package dev.carom.bench.report;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.results.Spread;
+import dev.carom.bench.scale.Scale;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -29,11 +30,15 @@ final class Shortcomings {
     all.scenes("More accurate than carom", Standing::isMoreAccurateThan);
     all.scenes("As accurate as carom", (s, ours) -> s.error() == ours.error());
     all.questions();
+    results.scenes(Metrics.FRAME_ERROR).forEach(all::leftOut);
     results.scenes(Metrics.HORIZON).forEach(all::horizon);
     results.scenes(REVERSAL).forEach(all::reversal);
     all.told.add(
-        "Not measured here: circles that collide with each other, thousands of circles, other"
-            + " processors, more than one thread.");
+        results.scenes(Scale.TIME).isEmpty()
+            ? "Not measured here: circles that collide with each other, thousands of circles, other"
+                + " processors, more than one thread."
+            : "Of circles that collide, and of thousands of them, only times and memory were"
+                + " measured; not measured at all: other processors, more than one thread.");
     all.told.add(
         "The engines were set up by us, as well as their documentation allows; they do what carom"
             + " does not: rotation, friction, polygons, joints, stacks.");
@@ -83,6 +88,26 @@ final class Shortcomings {
         .only(scene, setting, Metrics.QUERY_TIME)
         .filter(time -> time.isBelow(ours))
         .isPresent();
+  }
+
+  /** What other scenes were played by, and this one was not. */
+  private void leftOut(String scene) {
+    List<Setting> here = results.settings(scene, Metrics.FRAME_ERROR);
+    List<String> others =
+        Settings.sorted(
+                results.scenes(Metrics.FRAME_ERROR).stream()
+                    .flatMap(other -> results.settings(other, Metrics.FRAME_ERROR).stream())
+                    .distinct()
+                    .filter(setting -> !here.contains(setting))
+                    .toList())
+            .stream()
+            .map(Metrics::shortName)
+            .toList();
+    if (!others.isEmpty()) {
+      told.add(
+          "Left out in %s, though played in other scenes: %s."
+              .formatted(scene, String.join(", ", others)));
+    }
   }
 
   private void horizon(String scene) {

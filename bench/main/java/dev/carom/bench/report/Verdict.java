@@ -12,8 +12,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * Five sentences by rule from the data, each with its number: decisions, accuracy, budget, the
- * place between speed and accuracy, and the limits that are to be kept. What beats Carom anywhere
+ * Six sentences by rule from the data, each with its number: decisions, accuracy, budget, the place
+ * between speed and accuracy, growth, and the limits that are to be kept. What beats Carom anywhere
  * is named; where intervals overlap, nobody is.
  */
 public final class Verdict {
@@ -30,7 +30,7 @@ public final class Verdict {
    * Judges.
    *
    * @param results what was measured
-   * @return five sentences
+   * @return six sentences
    */
   public static List<String> of(Results results) {
     Verdict verdict = new Verdict(results);
@@ -39,6 +39,7 @@ public final class Verdict {
         verdict.accuracy(),
         verdict.budget(),
         verdict.place(),
+        new ScaleGrowth(results).verdict(),
         Limits.sentence(results));
   }
 

@@ -5,7 +5,10 @@ import dev.carom.Scene;
 import dev.carom.World;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Tiles;
+import dev.carom.bench.results.Row;
+import dev.carom.bench.scale.ScalePlan.Model;
 import java.lang.ref.Reference;
+import java.util.List;
 
 /**
  * The memory of a world that is ready for its first step, beside that of its scene, from what the
@@ -32,6 +35,19 @@ public record Footprint(int circles, double perCircle, double perLine) {
     double bare = bytes(new Tiles(side, false, seed).scene());
     double full = bytes(new Tiles(side, true, seed).scene());
     return new Footprint(n, bare / n, (full - bare) / n);
+  }
+
+  /**
+   * As rows.
+   *
+   * @param label of the method
+   * @return two
+   */
+  public List<Row> rows(String label) {
+    String scene = Scale.SCENE + Model.ALONE.label() + "=" + circles;
+    return List.of(
+        new Row(scene, label, "", Scale.MEMORY, "circle", perCircle, "bytes", circles, 0),
+        new Row(scene, label, "", Scale.MEMORY, "line", perLine, "bytes", circles, 0));
   }
 
   private static double bytes(Scene scene) {

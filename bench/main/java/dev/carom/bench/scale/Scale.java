@@ -32,6 +32,9 @@ public final class Scale {
   /** The metric of the impacts of a frame, on average. */
   public static final String IMPACTS = "scale_impacts";
 
+  /** The metric of what a world takes of memory. */
+  public static final String MEMORY = "scale_memory";
+
   /** The stat of a method one frame of which took longer than the limit: that frame's time. */
   public static final String TIMED_OUT = "timed out";
 
@@ -49,10 +52,11 @@ public final class Scale {
    * Prepares it.
    *
    * @param plan what to play
+   * @param turns seed of the order in which methods take turns
    */
-  public Scale(ScalePlan plan) {
+  public Scale(ScalePlan plan, long turns) {
     this.plan = plan;
-    random = new Random(plan.seed());
+    random = new Random(turns);
   }
 
   /**

@@ -61,6 +61,9 @@ public record ScalePlan(
     }
   }
 
+  /** By default, one frame may take so long. */
+  public static final int LIMIT_MILLIS = 1000;
+
   private static final int[] SIDES = {1, 2, 3, 6, 10, 18, 32, 56, 100};
   private static final int MOST_QUICK = 1000;
   private static final double PACKING = 0.2;
@@ -79,6 +82,17 @@ public record ScalePlan(
     List<Integer> sides = IntStream.of(SIDES).filter(s -> circles(s) <= end).boxed().toList();
     return new ScalePlan(
         sides, quick ? 3 : 5, quick ? 20 : 300, quick ? 500 : 2000, limitMillis, seed);
+  }
+
+  /**
+   * The same scenes for another time.
+   *
+   * @param rounds see above
+   * @param warmUpMillis see above
+   * @return the plan
+   */
+  public ScalePlan lasting(int rounds, int warmUpMillis) {
+    return new ScalePlan(sides, rounds, roundMillis, warmUpMillis, limitMillis, seed);
   }
 
   /**

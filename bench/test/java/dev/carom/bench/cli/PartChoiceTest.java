@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import dev.carom.bench.measures.Part;
 import dev.carom.bench.measures.Parts;
 import dev.carom.bench.results.Row;
+import dev.carom.bench.scale.ScalePart;
 import dev.carom.bench.stability.StabilityPart;
 import dev.carom.bench.sweep.SweepPart;
 import java.util.ArrayList;
@@ -34,7 +35,8 @@ class PartChoiceTest {
           new Named("query/grazing"),
           new Named("query-time/fork-0"),
           new Named("time/base-1/fork-0"),
-          new SweepPart(0, true),
+          SweepPart.of(0, true),
+          ScalePart.of(0, true),
           StabilityPart.all(true).get(0));
 
   @Test
@@ -54,6 +56,7 @@ class PartChoiceTest {
             "query/grazing",
             "query-time/fork-0",
             "sweep/fork-0",
+            "scale/fork-0",
             "stability/angle");
   }
 

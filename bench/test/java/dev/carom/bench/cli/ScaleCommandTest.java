@@ -22,11 +22,45 @@ class ScaleCommandTest {
         .anyMatch(line -> line.matches("alone +900 +carom .*"))
         .anyMatch(line -> line.matches("alone +400 +poster .*"))
         .anyMatch(line -> line.matches("gas +900 +carom .*"))
+        .anyMatch(line -> line.matches("gas +400 +dyn4j .*"))
+        .noneMatch(line -> line.matches("gas +100 +poster .*"))
         .anyMatch(line -> line.startsWith("alone: poster, the time of a frame grows"))
         .anyMatch(line -> line.matches("A world of 102,400 circles and lines takes .* a line\\."));
     assertThat(ResultsCsv.read(csv)).extracting(Row::scene).contains("scale:gas=100");
+    assertThat(ResultsCsv.read(csv))
+        .filteredOn(row -> row.metric().equals("scale_memory"))
+        .hasSize(2)
+        .allMatch(row -> row.value() > 8 && row.unit().equals("bytes"));
     assertThat(folder.resolve("scale.png")).isNotEmptyFile();
     assertThat(folder.resolve("scale.svg")).isNotEmptyFile();
+  }
+
+  @Test
+  void aRoundOfTheReportIsOneOfItsOwn(@TempDir Path folder) throws IOException {
+    Path csv = folder.resolve("scale.csv");
+    Cli run =
+        Cli.run(
+            "scale",
+            "--quick",
+            "--max",
+            100,
+            "--rounds",
+            1,
+            "--warm-up",
+            0,
+            "--turns",
+            3,
+            "--no-memory",
+            "--csv",
+            csv);
+    assertThat(run.exitCode()).isZero();
+    assertThat(ResultsCsv.read(csv))
+        .isNotEmpty()
+        .noneMatch(row -> row.metric().equals("scale_memory"))
+        .filteredOn(row -> row.metric().equals("scale_time"))
+        .allMatch(row -> row.n() == 1);
+    assertThat(Cli.run("scale", "--rounds", 0).err()).contains("--rounds is 0");
+    assertThat(Cli.run("scale", "--warm-up", -1).err()).contains("--warm-up is -1");
   }
 
   @Test

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 class ReadmeQuotesTest {
 
   private static final Path ROOT = Path.of("..");
-  private static final String VERDICT = "(Decisions|Accuracy|Budget|Place|Limits): .*";
+  private static final String VERDICT = "(Decisions|Accuracy|Budget|Place|Growth|Limits): .*";
 
   @Test
   void theVerdictIsThatOfTheCommittedResults() throws IOException {

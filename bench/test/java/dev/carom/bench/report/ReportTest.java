@@ -122,7 +122,7 @@ class ReportTest {
   @Test
   void theVerdictIsStoredAsTextWithItsRatiosAndLimits() throws IOException {
     List<String> lines = Files.readAllLines(dir.resolve("verdict.txt"));
-    assertThat(lines.subList(0, 5)).isEqualTo(Verdict.of(stored));
+    assertThat(lines.subList(0, 6)).isEqualTo(Verdict.of(stored));
     assertThat(lines)
         .anyMatch(line -> line.matches("poster +66 \\(61.6 .. 70.7\\) +66 \\(61.6 .. 70.7\\)"))
         .anyMatch(line -> line.matches("slowest frame +base-1 +16.7 ms +3.12 µs +yes"));

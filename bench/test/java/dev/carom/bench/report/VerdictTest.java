@@ -13,7 +13,7 @@ class VerdictTest {
   }
 
   @Test
-  void tellsFiveThingsEachWithItsNumber() {
+  void tellsSixThingsEachWithItsNumber() {
     assertThat(verdict(Sample.complete()))
         .containsExactly(
             "Decisions: wrong answers of carom: 0 of 30,000 (below 0.01 % at 95 %); next is"
@@ -24,6 +24,7 @@ class VerdictTest {
                 + " forks), 1/5,342 of the 16.67 ms of 60 FPS.",
             "Place: in 2 scenes nothing measured is both faster and more accurate than carom; in 2"
                 + " of 2 it is itself faster and more accurate than all others.",
+            "Growth: not measured.",
             "Limits: 7 of the 7 that were measured hold.");
   }
 
@@ -106,6 +107,7 @@ class VerdictTest {
             "Accuracy: carom has no error to show: not measured.",
             "Budget: not measured.",
             "Place: not measured.",
+            "Growth: not measured.",
             "Limits: not measured.");
   }
 }

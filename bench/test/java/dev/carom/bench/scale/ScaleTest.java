@@ -41,7 +41,7 @@ class ScaleTest {
   void eachSceneHasTimesAndImpacts() throws CannotPlaceException {
     AtomicInteger steps = new AtomicInteger();
     List<Row> rows =
-        new Scale(new ScalePlan(List.of(1, 2), 3, 1, 0, 10_000, 1))
+        new Scale(new ScalePlan(List.of(1, 2), 3, 1, 0, 10_000, 1), 1)
             .run(Model.ALONE, List.of(Methods.CAROM, Methods.POSTER), steps::incrementAndGet);
 
     assertThat(steps).hasValue(2);
@@ -70,7 +70,7 @@ class ScaleTest {
     Contender slow =
         new Contender("slow", "slow", "", scene -> new SlowMethod(Methods.CAROM.start(scene), 20));
     List<Row> rows =
-        new Scale(new ScalePlan(List.of(1, 2), 1, 1, 0, 10, 1))
+        new Scale(new ScalePlan(List.of(1, 2), 1, 1, 0, 10, 1), 1)
             .run(Model.ALONE, List.of(slow), () -> {});
 
     assertThat(rows)

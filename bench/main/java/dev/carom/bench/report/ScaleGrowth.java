@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import dev.carom.bench.charts.Course;
+import dev.carom.bench.report.ScaleTimes.Per;
+import dev.carom.bench.results.Results;
+import dev.carom.bench.results.Setting;
+import dev.carom.bench.scale.Scale;
+import dev.carom.bench.scale.ScalePlan.Model;
+import dev.carom.bench.sweep.Growth;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/** How times and memory grow with the number of circles, in sentences. */
+final class ScaleGrowth {
+
+  private static final int LEAST_POINTS = 3;
+
+  private final Results results;
+  private final ScaleTimes times;
+
+  ScaleGrowth(Results results) {
+    this.results = results;
+    times = new ScaleTimes(results);
+  }
+
+  /** The fit of all places that have a time, if there are enough. */
+  private static Optional<Growth> fit(Course course) {
+    int n = (int) Arrays.stream(course.middle()).filter(v -> !Double.isNaN(v)).count();
+    return n < LEAST_POINTS
+        ? Optional.empty()
+        : Optional.of(Growth.of(Arrays.copyOf(course.x(), n), Arrays.copyOf(course.middle(), n)));
+  }
+
+  private static String power(Growth fit) {
+    return String.format(
+        Locale.ROOT,
+        "to the power %.2f (%.2f .. %.2f at 95 %%)",
+        fit.slope(),
+        fit.low(),
+        fit.high());
+  }
+
+  /** For each model and method, how the time of a frame grows, and of an impact. */
+  List<String> sentences() {
+    List<String> sentences = new ArrayList<>();
+    for (Model model : Model.values()) {
+      for (Per per : List.of(Per.FRAME, Per.IMPACT)) {
+        for (Course course : times.courses(model, per)) {
+          fit(course)
+              .ifPresent(
+                  fit ->
+                      sentences.add(
+                          "%s: %s, the time of %s grows with the circles %s."
+                              .formatted(
+                                  model.label(),
+                                  new Setting(course.method(), course.knob()),
+                                  per.words,
+                                  power(fit))));
+        }
+      }
+    }
+    return sentences;
+  }
+
+  /** What a world takes of memory, or nothing if that was not measured. */
+  Optional<String> memory() {
+    return results.scenes(Scale.MEMORY).stream()
+        .findFirst()
+        .map(
+            scene ->
+                String.format(
+                    Locale.ROOT,
+                    "A world of %s circles and lines takes %.0f bytes a circle and %.0f a line.",
+                    Numbers.count(Double.parseDouble(scene.substring(scene.indexOf('=') + 1))),
+                    results.value(scene, Metrics.CAROM, Scale.MEMORY, "circle"),
+                    results.value(scene, Metrics.CAROM, Scale.MEMORY, "line")));
+  }
+
+  /** Of carom in each model, and who took too long where. */
+  String verdict() {
+    List<String> models = new ArrayList<>();
+    List<String> late = new ArrayList<>();
+    for (Model model : Model.values()) {
+      for (Course course : times.courses(model, Per.FRAME)) {
+        int last = course.x().length - 1;
+        if (course.method().equals(Metrics.OURS)) {
+          fit(course).ifPresent(fit -> models.add(ours(model, course, fit)));
+        }
+        if (Double.isNaN(course.middle()[last])) {
+          late.add(
+              "%s at %s (%s)"
+                  .formatted(course.method(), Numbers.count(course.x()[last]), model.label()));
+        }
+      }
+    }
+    if (models.isEmpty()) {
+      return "Growth: not measured.";
+    }
+    String whole = "Growth: the time of a frame of carom grows " + String.join("; ", models);
+    return late.isEmpty()
+        ? whole + "."
+        : whole + "; too slow to go on: " + String.join(", ", late) + ".";
+  }
+
+  private static String ours(Model model, Course course, Growth fit) {
+    int last = course.x().length - 1;
+    return "with %s %s, up to %s for %s"
+        .formatted(
+            model.words(),
+            power(fit),
+            Numbers.time(course.middle()[last]),
+            Numbers.count(course.x()[last]));
+  }
+}

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import dev.carom.bench.charts.Course;
+import dev.carom.bench.results.Results;
+import dev.carom.bench.results.Row;
+import dev.carom.bench.results.Setting;
+import dev.carom.bench.results.Spread;
+import dev.carom.bench.scale.Scale;
+import dev.carom.bench.scale.ScalePlan.Model;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+
+/**
+ * The times against the number of circles. A method that took too long in one virtual machine has
+ * no time there, and none in larger scenes, where others may have gone on.
+ */
+final class ScaleTimes {
+
+  /** What a time is divided by. */
+  enum Per {
+    FRAME("a frame"),
+    IMPACT("an impact"),
+    CIRCLE("a circle and frame");
+
+    final String words;
+
+    Per(String words) {
+      this.words = words;
+    }
+  }
+
+  private final Results results;
+
+  ScaleTimes(Results results) {
+    this.results = results;
+  }
+
+  /** Whether anything was measured. */
+  boolean isEmpty() {
+    return results.scenes(Scale.TIME).isEmpty();
+  }
+
+  static String scene(Model model, double circles) {
+    return prefix(model) + (int) circles;
+  }
+
+  private static String prefix(Model model) {
+    return Scale.SCENE + model.label() + "=";
+  }
+
+  /** How many virtual machines measured. */
+  int forks() {
+    return results.scenes(Scale.TIME).stream()
+        .flatMap(
+            scene ->
+                results.settings(scene, Scale.TIME).stream()
+                    .flatMap(s -> results.spread(scene, s, Scale.TIME, "median").stream()))
+        .mapToInt(Spread::forks)
+        .max()
+        .orElse(0);
+  }
+
+  /** The lines of a model; at the last place of one that took too long it is NaN. */
+  List<Course> courses(Model model, Per per) {
+    Map<Setting, TreeSet<Integer>> places = new LinkedHashMap<>();
+    for (String scene : results.scenes(Scale.TIME)) {
+      if (scene.startsWith(prefix(model))) {
+        int at = circles(scene);
+        for (Setting setting : Settings.of(results, scene, Scale.TIME)) {
+          if (per != Per.IMPACT || impacts(scene, setting) > 0) {
+            places.computeIfAbsent(setting, none -> new TreeSet<>()).add(at);
+          }
+        }
+      }
+    }
+    List<Course> courses = new ArrayList<>();
+    places.forEach(
+        (setting, all) -> {
+          double[] x =
+              all.headSet(end(model, setting), true).stream().mapToDouble(n -> n).toArray();
+          courses.add(course(model, setting, x, per));
+        });
+    return courses;
+  }
+
+  private static int circles(String scene) {
+    return Integer.parseInt(scene.substring(scene.indexOf('=') + 1));
+  }
+
+  /** The smallest scene in which it took too long. */
+  private int end(Model model, Setting setting) {
+    return results.scenes(Scale.TIME).stream()
+        .filter(scene -> scene.startsWith(prefix(model)) && isCut(scene, setting))
+        .mapToInt(ScaleTimes::circles)
+        .min()
+        .orElse(Integer.MAX_VALUE);
+  }
+
+  private boolean isCut(String scene, Setting setting) {
+    return results.spread(scene, setting, Scale.TIME, Scale.TIMED_OUT).isPresent();
+  }
+
+  /** Whether a row is of a scene that only some of the virtual machines came to. */
+  boolean isBeyond(Row row) {
+    if (!row.metric().equals(Scale.TIME)) {
+      return false;
+    }
+    Setting setting = new Setting(row.method(), row.knob());
+    for (Model model : Model.values()) {
+      if (row.scene().startsWith(prefix(model))) {
+        return circles(row.scene()) > end(model, setting);
+      }
+    }
+    return false;
+  }
+
+  private Course course(Model model, Setting setting, double[] x, Per per) {
+    double[][] values = new double[3][x.length];
+    for (int i = 0; i < x.length; i++) {
+      String scene = scene(model, x[i]);
+      double share =
+          switch (per) {
+            case FRAME -> 1;
+            case IMPACT -> impacts(scene, setting);
+            case CIRCLE -> x[i];
+          };
+      double[] times = times(scene, setting);
+      for (int k = 0; k < times.length; k++) {
+        values[k][i] = times[k] / share;
+      }
+    }
+    return new Course(setting.method(), setting.knob(), x, values[0], values[1], values[2]);
+  }
+
+  /** Low, middle, high: over the virtual machines, or, if there is but one, over its rounds. */
+  private double[] times(String scene, Setting setting) {
+    Spread s =
+        results
+            .spread(scene, setting, Scale.TIME, "median")
+            .filter(spread -> !isCut(scene, setting))
+            .orElse(Spread.of(0, Double.NaN));
+    return s.forks() > 1
+        ? new double[] {s.low(), s.middle(), s.high()}
+        : new double[] {
+          results.value(scene, setting, Scale.TIME, "min"),
+          s.middle(),
+          results.value(scene, setting, Scale.TIME, "max")
+        };
+  }
+
+  /** Not above 0 for a method that does not tell, or did not come so far. */
+  double impacts(String scene, Setting setting) {
+    return results.value(scene, setting, Scale.IMPACTS, "mean");
+  }
+}
