@@ -154,7 +154,7 @@ final class DotLabels {
   }
 
   private static List<Placed> without(Placed one, List<Placed> placed) {
-    return placed.stream().filter(other -> other != one).toList();
+    return placed.stream().filter(other -> !other.equals(one)).toList();
   }
 
   private Placed best(Label label, List<Placed> placed) {

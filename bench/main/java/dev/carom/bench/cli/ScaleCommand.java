@@ -5,26 +5,22 @@ import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Methods;
 import dev.carom.bench.peers.Contenders;
-import dev.carom.bench.report.Figure;
 import dev.carom.bench.report.Origin;
-import dev.carom.bench.report.Report;
 import dev.carom.bench.report.ScaleFigures;
 import dev.carom.bench.results.Results;
-import dev.carom.bench.results.ResultsCsv;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.scale.Footprint;
 import dev.carom.bench.scale.Scale;
 import dev.carom.bench.scale.ScalePlan;
 import dev.carom.bench.scale.ScalePlan.Model;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -56,6 +52,8 @@ final class ScaleCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec;
 
+  @Mixin private SeriesOptions series;
+
   @Option(
       names = "--max",
       paramLabel = "N",
@@ -71,19 +69,6 @@ final class ScaleCommand implements Callable<Integer> {
           "A method one frame of which takes longer plays no larger scenes (default:"
               + " ${DEFAULT-VALUE}).")
   private int limit;
-
-  @Option(
-      names = "--seed",
-      paramLabel = "N",
-      defaultValue = "1",
-      description = "Of the random scenes (default: ${DEFAULT-VALUE}).")
-  private long seed;
-
-  @Option(
-      names = "--turns",
-      paramLabel = "N",
-      description = "Seed of the order in which methods take turns (default: that of --seed).")
-  private Long turns;
 
   @Option(
       names = "--rounds",
@@ -103,37 +88,23 @@ final class ScaleCommand implements Callable<Integer> {
   @Option(names = "--quick", description = "Up to 1,000 circles only, in short rounds: seconds.")
   private boolean quick;
 
-  @Option(names = "--csv", paramLabel = "FILE", description = "Write the rows as CSV.")
-  private Path csv;
-
-  @Option(names = "--pictures", paramLabel = "DIR", description = "Write scale.png and scale.svg.")
-  private Path pictures;
-
   @Override
   public Integer call() throws IOException, CannotPlaceException {
     Bounded.atLeast(LEAST_CIRCLES, "--max", max, spec);
     Bounded.atLeast(1, "--limit", limit, spec);
-    if (pictures != null) {
-      Files.createDirectories(pictures);
-    }
+    series.prepare();
     List<Row> rows = measure(plan());
-    if (csv != null) {
-      ResultsCsv.write(rows, csv);
-    }
-    Results results = new Results(Origin.of(Map.of("scale", seed), "", quick), rows);
+    series.write(rows);
+    Results results = new Results(Origin.of(Map.of("scale", series.seed()), "", quick), rows);
     ScaleFigures figures = new ScaleFigures(results, TimeUnit.MILLISECONDS.toNanos(limit));
     TextTable.print(
         figures.table(), figures.told(), spec.commandLine().getOut(), "%-10s", "%12s  ");
-    if (pictures != null) {
-      for (Figure figure : figures.figures()) {
-        Report.writePictures(figure, pictures);
-      }
-    }
+    series.draw(figures.figures());
     return 0;
   }
 
   private ScalePlan plan() {
-    ScalePlan plan = ScalePlan.of(max, quick, limit, seed);
+    ScalePlan plan = ScalePlan.of(max, quick, limit, series.seed());
     int times = rounds == null ? plan.rounds() : rounds;
     int millis = warmUpMillis == null ? plan.warmUpMillis() : warmUpMillis;
     Bounded.atLeast(1, "--rounds", times, spec);
@@ -147,10 +118,10 @@ final class ScaleCommand implements Callable<Integer> {
     if (!noMemory) {
       int largest = plan.sides().get(plan.sides().size() - 1);
       int side = Math.max(largest, LEAST_SIDE_OF_MEMORY);
-      rows.addAll(Footprint.of(side, seed).rows(Methods.CAROM.method()));
+      rows.addAll(Footprint.of(side, series.seed()).rows(Methods.CAROM.method()));
     }
     try (Progress progress = Progress.start("scale", 2 * plan.sides().size())) {
-      Scale scale = new Scale(plan, turns == null ? seed : turns);
+      Scale scale = new Scale(plan, series.turns());
       rows.addAll(scale.run(Model.ALONE, contenders(ALONE), progress::step));
       rows.addAll(scale.run(Model.GAS, contenders(COLLIDING), progress::step));
     }

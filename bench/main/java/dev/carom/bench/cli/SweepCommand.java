@@ -5,24 +5,20 @@ import dev.carom.Scene;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.methods.Method;
 import dev.carom.bench.methods.Methods;
-import dev.carom.bench.report.Figure;
 import dev.carom.bench.report.Origin;
-import dev.carom.bench.report.Report;
 import dev.carom.bench.report.SweepFigures;
 import dev.carom.bench.results.Results;
-import dev.carom.bench.results.ResultsCsv;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.sweep.Sweep;
 import dev.carom.bench.sweep.SweepPlan;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -44,6 +40,8 @@ final class SweepCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec;
 
+  @Mixin private SeriesOptions series;
+
   @Option(
       names = "--frames",
       paramLabel = "N",
@@ -60,19 +58,6 @@ final class SweepCommand implements Callable<Integer> {
   private Integer replays;
 
   @Option(
-      names = "--seed",
-      paramLabel = "N",
-      defaultValue = "1",
-      description = "Of the random scenes (default: ${DEFAULT-VALUE}).")
-  private long seed;
-
-  @Option(
-      names = "--turns",
-      paramLabel = "N",
-      description = "Seed of the order in which methods take turns (default: that of --seed).")
-  private Long turns;
-
-  @Option(
       names = "--warm-up",
       paramLabel = "MILLIS",
       defaultValue = "3000",
@@ -82,35 +67,21 @@ final class SweepCommand implements Callable<Integer> {
   @Option(names = "--quick", description = "A few scenes only: seconds instead of a minute.")
   private boolean quick;
 
-  @Option(names = "--csv", paramLabel = "FILE", description = "Write the rows as CSV.")
-  private Path csv;
-
-  @Option(names = "--pictures", paramLabel = "DIR", description = "Write sweep.png and sweep.svg.")
-  private Path pictures;
-
   @Override
   public Integer call() throws IOException, CannotPlaceException {
     int times = replays == null ? (quick ? QUICK_REPLAYS : REPLAYS) : replays;
     Bounded.atLeast(1, "--frames", frames, spec);
     Bounded.atLeast(1, "--replays", times, spec);
     Bounded.atLeast(0, "--warm-up", warmUpMillis, spec);
-    if (pictures != null) {
-      Files.createDirectories(pictures);
-    }
-    SweepPlan plan = SweepPlan.of(seed, frames, times, quick);
+    series.prepare();
+    SweepPlan plan = SweepPlan.of(series.seed(), frames, times, quick);
     List<Row> rows = measure(plan);
-    if (csv != null) {
-      ResultsCsv.write(rows, csv);
-    }
+    series.write(rows);
     SweepFigures figures =
-        new SweepFigures(new Results(Origin.of(Map.of("sweep", seed), "", quick), rows));
+        new SweepFigures(new Results(Origin.of(Map.of("sweep", series.seed()), "", quick), rows));
     TextTable.print(
         figures.table(), figures.growth(), spec.commandLine().getOut(), "%-9s", "%16s  ");
-    if (pictures != null) {
-      for (Figure figure : figures.figures()) {
-        Report.writePictures(figure, pictures);
-      }
-    }
+    series.draw(figures.figures());
     return 0;
   }
 
@@ -119,8 +90,7 @@ final class SweepCommand implements Callable<Integer> {
     methods.put("carom", Methods.CAROM::start);
     methods.put("poster", Methods.POSTER::start);
     try (Progress progress = Progress.start("sweep", plan.points().size())) {
-      return new Sweep(plan, methods, turns == null ? seed : turns)
-          .run(warmUpMillis, progress::step);
+      return new Sweep(plan, methods, series.turns()).run(warmUpMillis, progress::step);
     }
   }
 }

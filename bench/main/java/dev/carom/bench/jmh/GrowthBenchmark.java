@@ -53,7 +53,7 @@ public class GrowthBenchmark {
     scene =
         circles <= TILE
             ? new Crosses(circles, 50, 10, 1, 10, 1).scene()
-            : new Tiles((int) Math.sqrt(circles / TILE), true, 1).scene();
+            : new Tiles((int) Math.sqrt((double) circles / TILE), true, 1).scene();
   }
 
   /** Starts from the beginning, so that no world grows old. */

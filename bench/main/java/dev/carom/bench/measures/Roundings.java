@@ -49,7 +49,7 @@ final class Roundings {
   List<Row> rows(Trial trial) {
     Quantiles all = new Quantiles(units);
     int n = all.size();
-    double above = Arrays.stream(units).filter(u -> u > RoundingPart.LIMIT).count();
+    double above = (double) Arrays.stream(units).filter(u -> u > RoundingPart.LIMIT).count();
     double worstOfFrames = new Quantiles(ofFrames).max();
     return new ArrayList<>(
         List.of(

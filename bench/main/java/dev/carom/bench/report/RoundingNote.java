@@ -28,7 +28,7 @@ final class RoundingNote {
     return above.map(
         spread ->
             "%s of %s circle-frames above"
-                .formatted(Numbers.count(spread.middle()), Numbers.count(spread.n())));
+                .formatted(Numbers.count(spread.middle()), Numbers.count((double) spread.n())));
   }
 
   /** Two sentences, or nothing if it was not measured. */
