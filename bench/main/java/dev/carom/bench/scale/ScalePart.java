@@ -10,7 +10,7 @@ import java.util.List;
 public final class ScalePart {
 
   private static final int WARM_UP_MILLIS = 800;
-  private static final int QUICK_WARM_UP_MILLIS = 60;
+  private static final int QUICK_WARM_UP_MILLIS = 120;
 
   private ScalePart() {}
 
