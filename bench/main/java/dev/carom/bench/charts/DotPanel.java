@@ -109,10 +109,12 @@ final class DotPanel {
       return;
     }
     axes.level(g, budget, Style.VERMILION, Style.dashes(Style.FIRM, 9, 5));
+    double level = axes.y(budget);
+    labels.avoid(axes.area().getMinX(), level, axes.area().getMaxX(), level);
     String text = "budget " + Durations.text(budget, 4);
     g.setFont(Style.bold(12));
     double width = g.getFontMetrics().stringWidth(text);
-    double y = axes.y(budget) - 6;
+    double y = level - 6;
     Rectangle2D box = new Rectangle2D.Double(axes.x(errors.most()) - width - 8, y - 12, width, 18);
     while (isTaken(box) && box.getX() - width > axes.area().getMinX()) {
       box.setRect(box.getX() - width / 2, box.getY(), width, box.getHeight());
