@@ -38,7 +38,7 @@ final class Ahead implements EventQueue.Outlook {
     int end = size;
     for (int k = 0; k < size; k++) {
       if (kinds[ids[k]] == Collisions.PAIR) {
-        concerned[end++] = circles.codes[circles.codesAt(ids[k]) + Circles.PARTNER];
+        concerned[end++] = circles.codes[Circles.collidingCodesAt(ids[k]) + Circles.PARTNER];
       }
     }
     for (int k = size; k < end; k++) {
@@ -54,10 +54,10 @@ final class Ahead implements EventQueue.Outlook {
   }
 
   private long flight(int i) {
-    int a = circles.at(i);
+    int a = Circles.collidingAt(i);
     return Double.doubleToRawLongBits(circles.state[a + Circles.X])
         + Double.doubleToRawLongBits(circles.state[a + Circles.MEETING])
-        + circles.codes[circles.codesAt(i)];
+        + circles.codes[Circles.collidingCodesAt(i)];
   }
 
   /** Reads the lists of cells around circle i, where it is or, if it crosses an edge, will be. */
@@ -88,6 +88,6 @@ final class Ahead implements EventQueue.Outlook {
 
   private long first(Cells cells, int column, int row) {
     int j = Math.max(0, cells.head(column, row));
-    return Double.doubleToRawLongBits(circles.state[circles.at(j)]) + cells.next(j);
+    return Double.doubleToRawLongBits(circles.state[Circles.collidingAt(j)]) + cells.next(j);
   }
 }

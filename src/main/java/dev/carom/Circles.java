@@ -129,6 +129,16 @@ final class Circles {
     return i * codeStride;
   }
 
+  /** Where the doubles of a circle that collides begin, by a stride that compilers know. */
+  static int collidingAt(int i) {
+    return ALIGNMENT + i * COLLIDING_STATE;
+  }
+
+  /** Where its ints begin. */
+  static int collidingCodesAt(int i) {
+    return i * COLLIDING_CODES;
+  }
+
   /** Puts circle i of a scene at the start of its first flight, into the mover only. */
   void start(Scene scene, int i) {
     Circle circle = scene.circle(i);

@@ -45,8 +45,10 @@ final class Collisions extends Engine {
   /** The end of the step in hand. */
   private double end;
 
-  /** What a search among neighbours found. */
+  /** What searches among neighbours found: for one circle, and for another. */
   private int[] found;
+
+  private int[] foundOfOther;
 
   /** Whether an edit needs more room or other cells than there are. */
   private boolean outgrown;
@@ -72,6 +74,7 @@ final class Collisions extends Engine {
     int room = circles.capacity();
     kinds = new short[room];
     found = new int[room + 9];
+    foundOfOther = new int[room + 9];
     neighbors = new Neighbors(circles, roster, bounds, machinery.pairCells(), reached);
     boolean many = room >= Ahead.LEAST_CIRCLES;
     queue = new EventQueue(room, this::before, many ? new Ahead(circles, neighbors, kinds) : null);
@@ -132,9 +135,11 @@ final class Collisions extends Engine {
 
   private void cross(int i) {
     int size = neighbors.cross(i, kinds[i] - CROSSING, found);
+    double crossing = neighbors.crossing(i);
+    int way = neighbors.way();
     lookAround(i);
     if (meetings.look(i, found, size)) {
-      schedule(i);
+      schedule(i, crossing, way);
     } else {
       foresee(i);
     }
@@ -192,8 +197,7 @@ final class Collisions extends Engine {
     } else {
       report(low, high, i);
     }
-    foresee(low);
-    foresee(high);
+    foresee(low, high);
   }
 
   /** Whether the meeting of circle i, now that its time is known, comes before all other events. */
@@ -256,7 +260,7 @@ final class Collisions extends Engine {
 
   /** Notes that a circle changed: what others foresaw with it does not hold, nor what it met. */
   private void count(int i) {
-    circles.codes[circles.codesAt(i) + Circles.COUNT]++;
+    circles.codes[Circles.collidingCodesAt(i) + Circles.COUNT]++;
     sensed.forget(i);
   }
 
@@ -273,24 +277,48 @@ final class Collisions extends Engine {
   }
 
   private boolean isLookedAhead(int i) {
-    return circles.state[circles.at(i) + Circles.CLEARED] > 0 || next(i) >= 0;
+    return circles.state[Circles.collidingAt(i) + Circles.CLEARED] > 0 || next(i) >= 0;
   }
 
   /** What is ahead of a circle; negative for nothing. */
   private int next(int i) {
-    return circles.codes[circles.codesAt(i) + Circles.NEXT];
+    return circles.codes[Circles.collidingCodesAt(i) + Circles.NEXT];
   }
 
   /** Looks anew for the first circle that circle i meets. */
   private void foresee(int i) {
     meetings.clear(i);
-    meetings.look(i, found, neighbors.find(i, found));
-    schedule(i);
+    int size = neighbors.find(i, found);
+    double crossing = neighbors.crossing(i);
+    int way = neighbors.way();
+    meetings.look(i, found, size);
+    schedule(i, crossing, way);
+  }
+
+  /**
+   * The same for two circles: first what can be computed without a branch, for both, then what
+   * branches on it, which cannot be foretold. So the waits of one overlap with those of the other.
+   */
+  private void foresee(int i, int j) {
+    meetings.clear(i);
+    meetings.clear(j);
+    int size = neighbors.find(i, found);
+    int sizeOfJ = neighbors.find(j, foundOfOther);
+    double crossingOfI = neighbors.crossing(i);
+    int wayOfI = neighbors.way();
+    double crossingOfJ = neighbors.crossing(j);
+    int wayOfJ = neighbors.way();
+    int leftOfI = meetings.sift(i, found, size);
+    int leftOfJ = meetings.sift(j, foundOfOther, sizeOfJ);
+    meetings.decide(i, found, leftOfI);
+    schedule(i, crossingOfI, wayOfI);
+    meetings.decide(j, foundOfOther, leftOfJ);
+    schedule(j, crossingOfJ, wayOfJ);
   }
 
   /** When the obstacle ahead is met, or what is known of obstacles ends. */
   private double due(int i) {
-    int a = circles.at(i);
+    int a = Circles.collidingAt(i);
     double cleared = circles.state[a + Circles.CLEARED];
     return isLookedAhead(i) && cleared < NEVER
         ? Mover.sum(circles.state[a + Circles.T], circles.state[a + Circles.TL], cleared)
@@ -299,7 +327,7 @@ final class Collisions extends Engine {
 
   /** The tail of the time of the obstacle ahead. */
   private double dueTail(int i) {
-    int a = circles.at(i);
+    int a = Circles.collidingAt(i);
     double t = circles.state[a + Circles.T];
     double tl = circles.state[a + Circles.TL];
     double cleared = circles.state[a + Circles.CLEARED];
@@ -311,13 +339,18 @@ final class Collisions extends Engine {
   /** Puts the first of a circle's events into the calendar. */
   private void schedule(int i) {
     double crossing = neighbors.crossing(i);
+    schedule(i, crossing, neighbors.way());
+  }
+
+  /** The same with the crossing that is next, {@code way} over which edge. */
+  private void schedule(int i, double crossing, int way) {
     double due = due(i);
     double meeting = meetings.time(i);
     double time = Math.min(crossing, meeting);
     // Without a branch, as it cannot be foretold: if none ever is, there is no event of any kind.
     int pair = (int) (Double.doubleToRawLongBits(meeting - crossing) >> 63);
-    int way = CROSSING + neighbors.way();
-    int kind = way ^ ((way ^ PAIR) & pair);
+    int cross = CROSSING + way;
+    int kind = cross ^ ((cross ^ PAIR) & pair);
     if (due <= time && due < crossing && !(meeting <= due && isBeforeObstacle(i))) {
       kind = STATIC;
       time = due;

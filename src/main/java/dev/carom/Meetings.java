@@ -73,20 +73,20 @@ final class Meetings {
 
   /** Forgets what was foreseen of circle i. */
   void clear(int i) {
-    int a = circles.at(i);
+    int a = Circles.collidingAt(i);
     state[a + Circles.MEETING] = NEVER;
     state[a + Circles.MEETING_TAIL] = 0;
     state[a + Circles.TAU] = 0;
-    codes[circles.codesAt(i) + Circles.PARTNER] = EventQueue.NONE;
+    codes[Circles.collidingCodesAt(i) + Circles.PARTNER] = EventQueue.NONE;
   }
 
   /** When circle i meets another one, at the earliest; it is the time itself once refined. */
   double time(int i) {
-    return state[circles.at(i) + Circles.MEETING];
+    return state[Circles.collidingAt(i) + Circles.MEETING];
   }
 
   double tail(int i) {
-    return state[circles.at(i) + Circles.MEETING_TAIL];
+    return state[Circles.collidingAt(i) + Circles.MEETING_TAIL];
   }
 
   /** Whether the time of what was foreseen of circle i is known by bounds only. */
@@ -96,23 +96,23 @@ final class Meetings {
 
   /** How long after the later one of the two flights' starts. */
   double tau(int i) {
-    return state[circles.at(i) + Circles.TAU];
+    return state[Circles.collidingAt(i) + Circles.TAU];
   }
 
   int partner(int i) {
-    return codes[circles.codesAt(i) + Circles.PARTNER];
+    return codes[Circles.collidingCodesAt(i) + Circles.PARTNER];
   }
 
   /** Whether the partner is still on the flight with which it was foreseen. */
   boolean holds(int i) {
-    int c = circles.codesAt(i);
+    int c = Circles.collidingCodesAt(i);
     int j = codes[c + Circles.PARTNER];
-    return codes[c + Circles.PARTNER_COUNT] == codes[circles.codesAt(j) + Circles.COUNT];
+    return codes[c + Circles.PARTNER_COUNT] == codes[Circles.collidingCodesAt(j) + Circles.COUNT];
   }
 
   /** Finds the time of what was foreseen of circle i, which is open and holds. */
   void refine(int i) {
-    int a = circles.at(i);
+    int a = Circles.collidingAt(i);
     exactLater(i, partner(i));
     state[a + Circles.MEETING] = exactHead;
     state[a + Circles.MEETING_TAIL] = exactTail;
@@ -128,7 +128,11 @@ final class Meetings {
    *     to be cleared, and all are to be looked at
    */
   boolean look(int i, int[] found, int size) {
-    int left = sift(i, found, size);
+    return decide(i, found, sift(i, found, size));
+  }
+
+  /** The same of those that {@link #sift} left. */
+  boolean decide(int i, int[] found, int left) {
     if (left == 0) {
       return true;
     }
@@ -147,10 +151,12 @@ final class Meetings {
    * Adds those that follow in the lists, and takes out those that circle i certainly does not meet:
    * they do not approach, or pass. Written without a branch, for the answers cannot be foretold,
    * and each waits for a chain of operations.
+   *
+   * @return how many are left
    */
-  private int sift(int i, int[] found, int size) {
+  int sift(int i, int[] found, int size) {
     double[] s = state;
-    int a = circles.at(i);
+    int a = Circles.collidingAt(i);
     double xi = s[a + Circles.X];
     double yi = s[a + Circles.Y];
     double vxi = s[a + Circles.VX];
@@ -165,7 +171,7 @@ final class Meetings {
       int follower = followers[j];
       found[end] = follower;
       end += 1 + (follower >> 31);
-      int c = circles.at(j);
+      int c = Circles.collidingAt(j);
       double vxj = s[c + Circles.VX];
       double vyj = s[c + Circles.VY];
       // By how much j starts later than i, and i later than j; 0 for the one that does not.
@@ -213,8 +219,8 @@ final class Meetings {
   /** Keeps j as what circle i meets first, if that is so; false as in look. */
   private boolean consider(int i, int j, int before) {
     double[] s = state;
-    int a = circles.at(i);
-    int c = circles.at(j);
+    int a = Circles.collidingAt(i);
+    int c = Circles.collidingAt(j);
     double ti = s[a + Circles.T];
     double tj = s[c + Circles.T];
     double later = (tj - ti) + (s[c + Circles.TL] - s[a + Circles.TL]);
@@ -267,9 +273,9 @@ final class Meetings {
   }
 
   private void start(int i) {
-    int a = circles.at(i);
+    int a = Circles.collidingAt(i);
     double ti = state[a + Circles.T];
-    partner = codes[circles.codesAt(i) + Circles.PARTNER];
+    partner = codes[Circles.collidingCodesAt(i) + Circles.PARTNER];
     low = state[a + Circles.MEETING];
     tau = state[a + Circles.TAU];
     tail = state[a + Circles.MEETING_TAIL];
@@ -278,14 +284,14 @@ final class Meetings {
   }
 
   private void store(int i) {
-    int a = circles.at(i);
+    int a = Circles.collidingAt(i);
     state[a + Circles.MEETING] = low;
     state[a + Circles.TAU] = tau;
     state[a + Circles.MEETING_TAIL] = tail;
-    int c = circles.codesAt(i);
+    int c = Circles.collidingCodesAt(i);
     if (partner != codes[c + Circles.PARTNER]) {
       codes[c + Circles.PARTNER] = partner;
-      codes[c + Circles.PARTNER_COUNT] = codes[circles.codesAt(partner) + Circles.COUNT];
+      codes[c + Circles.PARTNER_COUNT] = codes[Circles.collidingCodesAt(partner) + Circles.COUNT];
     }
   }
 
@@ -341,8 +347,8 @@ final class Meetings {
 
   private void exact(int i, int j, boolean known) {
     double[] s = state;
-    int a = circles.at(Math.min(i, j));
-    int b = circles.at(Math.max(i, j));
+    int a = Circles.collidingAt(Math.min(i, j));
+    int b = Circles.collidingAt(Math.max(i, j));
     double vx1 = s[a + Circles.VX];
     double vy1 = s[a + Circles.VY];
     double vx2 = s[b + Circles.VX];

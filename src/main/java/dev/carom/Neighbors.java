@@ -171,7 +171,7 @@ final class Neighbors {
   }
 
   private int cellAt(int i, int level) {
-    return level == levelOf[i] ? circles.at(i) + Circles.COLUMN : 2 * (level * count + i);
+    return level == levelOf[i] ? Circles.collidingAt(i) + Circles.COLUMN : 2 * (level * count + i);
   }
 
   private Cells list(int i, int level) {
@@ -193,7 +193,7 @@ final class Neighbors {
 
   /** Whether a circle meets no wall before it next leaves its cell. */
   boolean isInside(int i) {
-    int a = circles.at(i);
+    int a = Circles.collidingAt(i);
     int k = 4 * levelOf[i];
     double column = state[a + Circles.COLUMN];
     double row = state[a + Circles.ROW];
@@ -205,7 +205,7 @@ final class Neighbors {
 
   /** When circle i next leaves a cell. */
   double crossing(int i) {
-    int a = circles.at(i);
+    int a = Circles.collidingAt(i);
     double x = state[a + Circles.X] - originX;
     double y = state[a + Circles.Y] - originY;
     double vx = state[a + Circles.VX];
@@ -297,7 +297,7 @@ final class Neighbors {
    */
   int find(int i, int[] found) {
     if (levels == 1) {
-      int a = circles.at(i);
+      int a = Circles.collidingAt(i);
       double column = state[a + Circles.COLUMN];
       return isListed(column)
           ? own[0].around(wrapped(column), wrapped(state[a + Circles.ROW]), found, 0)
@@ -329,13 +329,13 @@ final class Neighbors {
 
   /** In which column of its own level circle i is once it went a way, if that is not negative. */
   int columnAfter(int i, int way) {
-    int column = wrapped(state[circles.at(i) + Circles.COLUMN]);
+    int column = wrapped(state[Circles.collidingAt(i) + Circles.COLUMN]);
     return way < 0 || (way & VERTICAL) != 0 ? column : column + sign(way);
   }
 
   /** The like row. */
   int rowAfter(int i, int way) {
-    int row = wrapped(state[circles.at(i) + Circles.ROW]);
+    int row = wrapped(state[Circles.collidingAt(i) + Circles.ROW]);
     return way < 0 || (way & VERTICAL) == 0 ? row : row + sign(way);
   }
 

@@ -26,8 +26,8 @@ final class PairResponse {
 
   /** Whether two circles just hit each other and neither changed since, or are jammed together. */
   boolean skips(Circles circles, int i, int j) {
-    if (circles.codes[circles.codesAt(i) + Circles.LAST] == Obstacles.CIRCLES + j
-        && circles.codes[circles.codesAt(j) + Circles.LAST] == Obstacles.CIRCLES + i) {
+    if (circles.codes[Circles.collidingCodesAt(i) + Circles.LAST] == Obstacles.CIRCLES + j
+        && circles.codes[Circles.collidingCodesAt(j) + Circles.LAST] == Obstacles.CIRCLES + i) {
       return true;
     }
     if (circles.jams == null) {
