@@ -116,7 +116,7 @@ final class Collisions extends Engine {
       }
       // A crossing may be noticed late by rounding: time does not go back for it.
       reached = Math.max(reached, queue.time(i));
-      queue.clear(i);
+      queue.take(i);
       happen(i);
     }
   }

@@ -5,108 +5,115 @@ import java.util.Arrays;
 
 /**
  * Lists of entries of an {@link EventQueue}, each a circle and a time. A list is a chain of chunks
- * of entries; what is taken is given back, and serves again while it is still in the cache.
+ * of entries, all full but the one to which entries are added; what is taken is given back, and
+ * serves again while it is still in the cache.
+ *
+ * <p>A chunk is named by the end of its entries, one more than the place of its last one, which
+ * tells how many it holds.
  */
 final class EntryLists {
 
-  private static final int NONE = EventQueue.NONE;
+  /** The end of no chunk. */
+  static final int NONE = 0;
 
-  private final int chunk;
-  int[] ids;
-  double[] times;
+  /** Entries of a chunk: 2^4. */
+  private static final int SHIFT = 4;
 
-  /** Of each chunk: the one that follows in its list, and how many entries it holds. */
+  private static final int CHUNK = 1 << SHIFT;
+
+  /** Of each entry its time, and its circle as a whole number: they are read together. */
+  private double[] entries;
+
+  /** Of each list the end of the chunk to which it adds. */
+  private final int[] ends;
+
+  /** Of each chunk the end of the one that follows in its list. */
   private int[] next;
 
-  private int[] filled;
-  private final int[] heads;
+  /** The end of a free chunk, if it were full. */
   private int free;
 
-  EntryLists(int lists, int chunk, int chunks) {
-    this.chunk = chunk;
-    heads = new int[lists];
-    Arrays.fill(heads, NONE);
-    ids = new int[chunks * chunk];
-    times = new double[chunks * chunk];
+  EntryLists(int lists, int chunks) {
+    ends = new int[lists];
+    entries = new double[chunks * CHUNK * 2];
     next = new int[chunks];
-    filled = new int[chunks];
-    free = NONE;
     free(0);
   }
 
   private void free(int from) {
     for (int c = next.length - 1; c >= from; c--) {
       next[c] = free;
-      free = c;
+      free = (c + 1) << SHIFT;
     }
   }
 
   void add(int list, int id, double time) {
-    int c = heads[list];
-    if (c == NONE || filled[c] == chunk) {
-      c = chunkFor(list);
+    int k = ends[list];
+    if ((k & (CHUNK - 1)) == 0) {
+      k = chunkAfter(k);
     }
-    int k = c * chunk + filled[c]++;
-    ids[k] = id;
-    times[k] = time;
+    entries[2 * k] = time;
+    entries[2 * k + 1] = id;
+    ends[list] = k + 1;
   }
 
-  private int chunkFor(int list) {
+  /** The start of a new chunk for a list that is full or empty. */
+  private int chunkAfter(int end) {
     if (free == NONE) {
       int chunks = next.length;
       next = Arrays.copyOf(next, 2 * chunks);
-      filled = Arrays.copyOf(filled, 2 * chunks);
-      ids = Arrays.copyOf(ids, 2 * chunks * chunk);
-      times = Arrays.copyOf(times, 2 * chunks * chunk);
+      entries = Arrays.copyOf(entries, 2 * entries.length);
       free(chunks);
     }
-    int c = free;
-    free = next[c];
-    next[c] = heads[list];
-    filled[c] = 0;
-    heads[list] = c;
-    return c;
+    int start = start(free);
+    free = next[start >> SHIFT];
+    next[start >> SHIFT] = end;
+    return start;
+  }
+
+  double time(int k) {
+    return entries[2 * k];
+  }
+
+  int id(int k) {
+    return (int) entries[2 * k + 1];
   }
 
   boolean isEmpty(int list) {
-    return heads[list] == NONE;
+    return ends[list] == NONE;
   }
 
   /** The number of entries of a list. */
   int size(int list) {
     int size = 0;
-    for (int c = heads[list]; c != NONE; c = next[c]) {
-      size += filled[c];
+    for (int end = ends[list]; end != NONE; end = next(end)) {
+      size += end - start(end);
     }
     return size;
   }
 
-  /** Takes a list's chunks: the first one, or NONE. */
+  /** Takes a list's chunks: the end of the first one, or NONE. */
   int take(int list) {
-    int c = heads[list];
-    heads[list] = NONE;
-    return c;
+    int end = ends[list];
+    ends[list] = NONE;
+    return end;
   }
 
   /** Where the entries of a chunk start. */
-  int start(int c) {
-    return c * chunk;
+  int start(int end) {
+    return (end - 1) & -CHUNK;
   }
 
-  /** Where they end. */
-  int end(int c) {
-    return c * chunk + filled[c];
-  }
-
-  int next(int c) {
-    return next[c];
+  int next(int end) {
+    return next[start(end) >> SHIFT];
   }
 
   /** Gives a chunk back, and returns the next one of its list. */
-  int release(int c) {
+  int release(int end) {
+    int c = start(end) >> SHIFT;
     int following = next[c];
     next[c] = free;
-    free = c;
+    free = (c + 1) << SHIFT;
     return following;
   }
 }

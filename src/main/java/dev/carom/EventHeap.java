@@ -58,6 +58,15 @@ final class EventHeap {
     }
   }
 
+  /** Takes out the first event. */
+  void removeFirst() {
+    place[heap[0]] = NONE;
+    size--;
+    if (size > 0) {
+      down(0, heap[size], times[size]);
+    }
+  }
+
   private void removeAt(int k) {
     place[heap[k]] = NONE;
     size--;

@@ -112,7 +112,7 @@ final class EventQueue {
     this.outlook = outlook;
     int fair = Integer.highestOneBit(Math.max(1, count / PER_BUCKET));
     buckets = Math.max(LEAST_BUCKETS, Math.min(MOST_BUCKETS, fair));
-    coarse = new EntryLists(buckets + 1, 16, buckets + 2 + count / 8);
+    coarse = new EntryLists(buckets + 1, buckets + 2 + count / 8);
     times = new double[count];
     Arrays.fill(times, NEVER);
     heap = new EventHeap(count, order);
@@ -124,7 +124,9 @@ final class EventQueue {
    * of the old one is not asked for any more.
    */
   void set(int i, double time) {
-    clear(i);
+    if (times[i] != NEVER) { // most events were taken
+      heap.remove(i);
+    }
     times[i] = time;
     if (time != NEVER) {
       insert(i, time);
@@ -139,6 +141,12 @@ final class EventQueue {
 
   double time(int i) {
     return times[i];
+  }
+
+  /** Takes out the event of circle i, which is {@link #first}. */
+  void take(int i) {
+    heap.removeFirst();
+    times[i] = NEVER;
   }
 
   /** The circle whose event is first, or NONE. */
@@ -263,11 +271,11 @@ final class EventQueue {
     currentFine = -1;
     lookedAt = 0;
     int chunk = coarse.take(current);
-    while (chunk != NONE) {
-      for (int k = coarse.start(chunk); k < coarse.end(chunk); k++) {
-        double time = coarse.times[k];
-        if (isMeant(coarse.ids[k], time)) {
-          addFine(fineBucket(time), coarse.ids[k], time);
+    while (chunk != EntryLists.NONE) {
+      for (int k = coarse.start(chunk); k < chunk; k++) {
+        double time = coarse.time(k);
+        if (isMeant(coarse.id(k), time)) {
+          addFine(fineBucket(time), coarse.id(k), time);
         }
       }
       chunk = coarse.release(chunk);
@@ -282,14 +290,14 @@ final class EventQueue {
   /** Begins a new round with what waits beyond the last bucket. */
   private boolean begin() {
     int waiting = coarse.take(buckets);
-    if (waiting == NONE) {
+    if (waiting == EntryLists.NONE) {
       return false;
     }
     double earliest = NEVER;
-    for (int chunk = waiting; chunk != NONE; chunk = coarse.next(chunk)) {
-      for (int k = coarse.start(chunk); k < coarse.end(chunk); k++) {
-        if (isMeant(coarse.ids[k], coarse.times[k])) {
-          earliest = Math.min(earliest, coarse.times[k]);
+    for (int chunk = waiting; chunk != EntryLists.NONE; chunk = coarse.next(chunk)) {
+      for (int k = coarse.start(chunk); k < chunk; k++) {
+        if (isMeant(coarse.id(k), coarse.time(k))) {
+          earliest = Math.min(earliest, coarse.time(k));
         }
       }
     }
@@ -298,10 +306,10 @@ final class EventQueue {
       perBucket = Math.min(0x1p1000, buckets / ROUND / length(waiting, earliest));
       current = -1;
     }
-    while (waiting != NONE) {
-      for (int k = coarse.start(waiting); k < coarse.end(waiting); k++) {
-        if (isMeant(coarse.ids[k], coarse.times[k])) {
-          insert(coarse.ids[k], coarse.times[k]);
+    while (waiting != EntryLists.NONE) {
+      for (int k = coarse.start(waiting); k < waiting; k++) {
+        if (isMeant(coarse.id(k), coarse.time(k))) {
+          insert(coarse.id(k), coarse.time(k));
         }
       }
       waiting = coarse.release(waiting);
@@ -316,10 +324,10 @@ final class EventQueue {
     while (true) {
       double sum = 0;
       int count = 0;
-      for (int chunk = waiting; chunk != NONE; chunk = coarse.next(chunk)) {
-        for (int k = coarse.start(chunk); k < coarse.end(chunk); k++) {
-          double wait = coarse.times[k] - earliest;
-          if (wait >= 0 && wait <= limit && isMeant(coarse.ids[k], coarse.times[k])) {
+      for (int chunk = waiting; chunk != EntryLists.NONE; chunk = coarse.next(chunk)) {
+        for (int k = coarse.start(chunk); k < chunk; k++) {
+          double wait = coarse.time(k) - earliest;
+          if (wait >= 0 && wait <= limit && isMeant(coarse.id(k), coarse.time(k))) {
             sum += wait * PART;
             count++;
           }

@@ -150,7 +150,7 @@ final class Neighbors {
 
   /** Takes a circle off all lists. */
   void leave(int i) {
-    for (int level = levelOf[i]; level < levels; level++) {
+    for (int level = levelOf(i); level < levels; level++) {
       int k = cellAt(i, level);
       double[] cells = cellsOf(i, level);
       if (isListed(cells[k])) {
@@ -165,17 +165,22 @@ final class Neighbors {
     return !Double.isNaN(column);
   }
 
+  /** The level of a circle, without a look at memory where there is but one. */
+  private int levelOf(int i) {
+    return levels == 1 ? 0 : levelOf[i];
+  }
+
   /** Where the cell of a circle on a level is kept: column, then row. */
   private double[] cellsOf(int i, int level) {
-    return level == levelOf[i] ? state : coarse;
+    return level == levelOf(i) ? state : coarse;
   }
 
   private int cellAt(int i, int level) {
-    return level == levelOf[i] ? Circles.collidingAt(i) + Circles.COLUMN : 2 * (level * count + i);
+    return level == levelOf(i) ? Circles.collidingAt(i) + Circles.COLUMN : 2 * (level * count + i);
   }
 
   private Cells list(int i, int level) {
-    return level == levelOf[i] ? own[level] : smaller[level];
+    return level == levelOf(i) ? own[level] : smaller[level];
   }
 
   private static int wrapped(double cell) {
@@ -194,7 +199,7 @@ final class Neighbors {
   /** Whether a circle meets no wall before it next leaves its cell. */
   boolean isInside(int i) {
     int a = Circles.collidingAt(i);
-    int k = 4 * levelOf[i];
+    int k = 4 * levelOf(i);
     double column = state[a + Circles.COLUMN];
     double row = state[a + Circles.ROW];
     return column >= inside[k]
@@ -211,7 +216,7 @@ final class Neighbors {
     double vx = state[a + Circles.VX];
     double vy = state[a + Circles.VY];
     double first = NEVER;
-    for (int level = levelOf[i]; level < levels; level++) {
+    for (int level = levelOf(i); level < levels; level++) {
       double[] cells = cellsOf(i, level);
       int k = cellAt(i, level);
       double cell = size[level];
@@ -304,7 +309,7 @@ final class Neighbors {
           : 0;
     }
     int end = 0;
-    for (int level = levelOf[i]; level < levels; level++) {
+    for (int level = levelOf(i); level < levels; level++) {
       double[] cells = cellsOf(i, level);
       int k = cellAt(i, level);
       if (!isListed(cells[k])) {
@@ -324,7 +329,7 @@ final class Neighbors {
 
   /** The lists of a circle's own level. */
   Cells cells(int i) {
-    return own[levelOf[i]];
+    return own[levelOf(i)];
   }
 
   /** In which column of its own level circle i is once it went a way, if that is not negative. */
@@ -340,6 +345,6 @@ final class Neighbors {
   }
 
   private boolean hasSmaller(int i, int level) {
-    return level == levelOf[i] && smaller[level] != null;
+    return level == levelOf(i) && smaller[level] != null;
   }
 }

@@ -51,6 +51,14 @@ class EventQueueTest {
       queue.set(circle, time);
     }
 
+    /** Takes the first event, as a world does before it sets another one. */
+    void take(int first) {
+      sorted.remove(events[first]);
+      events[first] = null;
+      queue.take(first);
+      assertThat(queue.time(first)).isEqualTo(NEVER);
+    }
+
     int first() {
       int first = queue.first();
       assertThat(first).isEqualTo(sorted.isEmpty() ? EventQueue.NONE : sorted.first().circle());
@@ -71,6 +79,9 @@ class EventQueueTest {
         return;
       }
       double now = twin.events[first].time();
+      if (random.nextBoolean()) {
+        twin.take(first);
+      }
       twin.set(first, next.applyAsDouble(now), random.nextInt(3), rank(random, first));
       for (int k = random.nextInt(3); k > 0; k--) {
         int i = random.nextInt(count);
