@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import java.util.Arrays;
+import java.util.List;
+
 /**
  * Circles that collide: event after event, in the order of time.
  *
@@ -34,6 +37,7 @@ final class Collisions extends Engine {
   private final Machinery machinery;
   private final Bounds bounds;
   private final PairResponse pairs;
+  private final Piece piece;
   private Neighbors neighbors;
   private Meetings meetings;
   private EventQueue queue;
@@ -61,6 +65,7 @@ final class Collisions extends Engine {
     this.machinery = machinery;
     bounds = scene.bounds;
     pairs = new PairResponse(roster, response);
+    piece = new Piece(roster, pairs);
     int count = circles.count;
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
@@ -155,6 +160,11 @@ final class Collisions extends Engine {
       return;
     }
     if (response.resolve(m, log)) {
+      if (response.seizes()) {
+        circles.keep(i, m);
+        seize(i);
+        return;
+      }
       changed(i, m);
       revive(i);
       foresee(i);
@@ -190,6 +200,12 @@ final class Collisions extends Engine {
     other.fly(tau);
     early.standsStill &= early.flown == tau;
     if (pairs.resolve(circles.mover, other, log)) {
+      if (response.seizes()) {
+        circles.keep(low, circles.mover);
+        circles.keep(high, other);
+        seize(low, high);
+        return;
+      }
       changed(low, circles.mover);
       changed(high, other);
       revive(low);
@@ -233,11 +249,30 @@ final class Collisions extends Engine {
   /** Puts a circle on its new flight. */
   private void changed(int i, Mover m) {
     circles.keep(i, m);
+    neighbors.comeBack(i);
     count(i);
     if (timeline != null) {
       timeline.add(m);
     }
     lookAround(i);
+  }
+
+  /** Lets the circles that are jammed to those that have just jammed go on with them as one. */
+  private void seize(int... hit) {
+    Mover[] first = Arrays.stream(hit).mapToObj(this::copy).toArray(Mover[]::new);
+    List<Mover> members = piece.seize(this::copy, log, first);
+    for (Mover m : members) {
+      queue.clear(m.id);
+      changed(m.id, m);
+    }
+    members.forEach(m -> revive(m.id));
+    members.forEach(m -> foresee(m.id));
+  }
+
+  private Mover copy(int i) {
+    Mover m = new Mover();
+    circles.load(i, m);
+    return m;
   }
 
   /** Circles that were inert for a jammed one are there again if it now runs into them. */
@@ -250,7 +285,7 @@ final class Collisions extends Engine {
     for (int code : jam.codes()) {
       if (code >= Obstacles.CIRCLES) {
         circles.load(code - Obstacles.CIRCLES, other);
-        if (pairs.revives(circles.mover, other)) {
+        if (pairs.part(circles.mover, other)) {
           jam = jam.without(code);
         }
       }
@@ -277,7 +312,11 @@ final class Collisions extends Engine {
   }
 
   private boolean isLookedAhead(int i) {
-    return circles.state[Circles.collidingAt(i) + Circles.CLEARED] > 0 || next(i) >= 0;
+    return cleared(i) > 0 || next(i) >= 0;
+  }
+
+  private double cleared(int i) {
+    return circles.state[Circles.collidingAt(i) + Circles.CLEARED];
   }
 
   /** What is ahead of a circle; negative for nothing. */
@@ -351,12 +390,32 @@ final class Collisions extends Engine {
     int pair = (int) (Double.doubleToRawLongBits(meeting - crossing) >> 63);
     int cross = CROSSING + way;
     int kind = cross ^ ((cross ^ PAIR) & pair);
-    if (due <= time && due < crossing && !(meeting <= due && isBeforeObstacle(i))) {
+    // Within one stored time a fast circle could go on through the cells behind what it hits.
+    if (meeting == crossing && meeting < NEVER && isBeforeCrossing(i)) {
+      kind = PAIR;
+    }
+    boolean first = due < crossing || (due == crossing && cleared(i) < untilCrossing(i));
+    if (due <= time && first && !(meeting <= due && isBeforeObstacle(i))) {
       kind = STATIC;
       time = due;
     }
     kinds[i] = (short) kind;
     queue.set(i, time);
+  }
+
+  /** How long after the start of its flight a circle's crossing is. */
+  private double untilCrossing(int i) {
+    neighbors.crossing(i);
+    return neighbors.until();
+  }
+
+  /** Of a meeting and a crossing at one time: if the meeting is first, or is to be refined. */
+  private boolean isBeforeCrossing(int i) {
+    int a = Circles.collidingAt(i);
+    int c = Circles.collidingAt(meetings.partner(i));
+    double[] s = circles.state;
+    double later = (s[c + Circles.T] - s[a + Circles.T]) + (s[c + Circles.TL] - s[a + Circles.TL]);
+    return meetings.isOpen(i) || Math.max(0, later) + meetings.tau(i) < untilCrossing(i);
   }
 
   /** Of a meeting and an obstacle at one time: if the meeting is first, or is to be refined. */

@@ -54,6 +54,8 @@ final class Neighbors {
 
   private int way;
 
+  private double until;
+
   Neighbors(Circles circles, Roster roster, Bounds bounds, double diameters, double now) {
     this.circles = circles;
     state = circles.state;
@@ -131,10 +133,13 @@ final class Neighbors {
       return false;
     }
     levelOf[i] = (short) level;
-    double x = circles.x(i, now) - originX;
-    double y = circles.y(i, now) - originY;
+    enter(i, circles.x(i, now) - originX, circles.y(i, now) - originY);
+    return true;
+  }
+
+  private void enter(int i, double x, double y) {
     boolean there = Math.abs(x) + Math.abs(y) < NEVER;
-    for (; level < levels; level++) {
+    for (int level = levelOf[i]; level < levels; level++) {
       double column = there ? Math.floor(x / size[level]) : NOWHERE;
       double row = there ? Math.floor(y / size[level]) : NOWHERE;
       int k = cellAt(i, level);
@@ -145,7 +150,23 @@ final class Neighbors {
         list(i, level).add(i, wrapped(column), wrapped(row));
       }
     }
-    return true;
+  }
+
+  /**
+   * Lists a circle anew where its new flight starts, if it is not listed there: it went on into
+   * cells that a fast one enters at the same stored time.
+   */
+  void comeBack(int i) {
+    int a = Circles.collidingAt(i);
+    double cell = size[levelOf[i]];
+    double x = state[a + Circles.X] - originX;
+    double y = state[a + Circles.Y] - originY;
+    double column = x - state[a + Circles.COLUMN] * cell;
+    double row = y - state[a + Circles.ROW] * cell;
+    if (column < 0 || column > cell || row < 0 || row > cell) {
+      leave(i);
+      enter(i, x, y);
+    }
   }
 
   /** Takes a circle off all lists. */
@@ -232,7 +253,13 @@ final class Neighbors {
         way = level * DIRECTIONS + (int) ((vertical & VERTICAL) | (v >>> 63));
       }
     }
+    until = first;
     return state[a + Circles.T] + first;
+  }
+
+  /** How long after the start of its flight the crossing is that was asked for last. */
+  double until() {
+    return until;
   }
 
   /** Over which edge, and of which level, the crossing that was asked for last goes. */

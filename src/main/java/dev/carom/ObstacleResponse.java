@@ -12,10 +12,10 @@ package dev.carom;
  * time. A circle that makes {@link #patience} impacts without its centre leaving a place of 4 ulps
  * loses its motion along each further normal (e = 0); after as many again it is jammed: what it
  * touches becomes inert if it approaches by no more than rounding, so that it can slide along; else
- * it stops. Two circles that are inert for each other are there again when another impact makes
- * them approach by more than a jam bears ({@link #bearing}). An impact that approaches by no more
- * than the rounding of the speeds that the circle met at that place has nothing left to take away:
- * it counts as a 32nd of the patience, for a cluster with e = 0 makes thousands of them each time
+ * it stops, and the circles that are jammed to it with it. Two jammed circles that approach each
+ * other by more than rounding go on as one {@link Piece}. An impact that approaches by no more than
+ * the rounding of the speeds that the circle met at that place has nothing left to take away: it
+ * counts as a 32nd of the patience, for a cluster with e = 0 makes thousands of them each time
  * something joins it. Motion is taken away, not given: the TC model of S. Luding and S. McNamara
  * (How to handle the inelastic collapse of a dissipative hard-sphere gas with the TC model,
  * Granular Matter 1, 1998) instead makes impacts elastic that follow each other too fast, which
@@ -33,11 +33,6 @@ final class ObstacleResponse {
   /** So much sooner patience ends with impacts that have nothing but rounding to take away. */
   private static final int FAINT = 32;
 
-  /** The exponent of {@link #ROUNDING}, and that of the approach that a jam bears in the end. */
-  private static final int FIRST_BEARING = -48;
-
-  private static final int LAST_BEARING = -10;
-
   /** Range of a normal's size, and of a speed, within which their products are safe. */
   private static final double LEAST = 0x1p-300;
 
@@ -52,6 +47,9 @@ final class ObstacleResponse {
   private final Obstacles obstacles;
   private int patience;
   private final Impulse impulse = new Impulse();
+
+  /** Whether the last impact jammed what then has to go on as one piece. */
+  private boolean seizes;
 
   /** Where the flight started that ends in the impact in hand. */
   private double startX;
@@ -90,6 +88,7 @@ final class ObstacleResponse {
     m.fly(m.cleared);
     double vn = report(m, code, m.t, log);
     double speed = Math.abs(m.vx) + Math.abs(m.vy);
+    seizes = false;
     boolean stuck = countStuck(m, m.flown * speed, speed, vn / (Math.abs(nx) + Math.abs(ny)));
     double e = stuck ? 0 : m.restitution * obstacles.restitution(code);
     if (vn < 0) {
@@ -98,6 +97,8 @@ final class ObstacleResponse {
     if (isJammed(m)) {
       jam(m, code, -vn / Math.sqrt(nx * nx + ny * ny));
       log.setJammed();
+    } else {
+      m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
     }
     m.last = code;
     m.newFlight();
@@ -324,14 +325,14 @@ final class ObstacleResponse {
    * @param approach along the normal
    */
   boolean countStuck(Mover m, double way, double speed, double approach) {
-    double size = Math.max(Math.max(Math.abs(m.anchorX), Math.abs(m.anchorY)), m.radius) * PLACE;
-    boolean here = Math.abs(m.x - m.anchorX) <= size && Math.abs(m.y - m.anchorY) <= size;
-    int exponent = Math.min(Math.getExponent(speed), Double.MAX_EXPONENT);
+    double size = place(m);
+    int exponent = exponent(speed);
     int pace = Math.max(m.pace, exponent);
     boolean faint = isFaint(approach, pace);
-    boolean slides = faint && (isJammed(m) || m.flown * Math.abs(approach) <= size);
-    if (m.standsStill || (here && way <= size) || slides) {
-      m.stuck = Math.min(m.stuck + (faint ? 1 + patience / FAINT : 1), 3 * patience + 1);
+    boolean slides =
+        isFaint(approach, exponent) && (isJammed(m) || m.flown * Math.abs(approach) <= size);
+    if (m.standsStill || (isInPlace(m) && way <= size) || slides) {
+      m.stuck = Math.min(m.stuck + (faint ? 1 + patience / FAINT : 1), 2 * patience + 1);
       m.pace = pace;
     } else {
       m.stuck = 0;
@@ -343,8 +344,23 @@ final class ObstacleResponse {
     return m.stuck > patience;
   }
 
+  /** Whether a circle's centre is within 4 ulps of where its impacts began to count. */
+  static boolean isInPlace(Mover m) {
+    double size = place(m);
+    return Math.abs(m.x - m.anchorX) <= size && Math.abs(m.y - m.anchorY) <= size;
+  }
+
+  private static double place(Mover m) {
+    return Math.max(Math.max(Math.abs(m.anchorX), Math.abs(m.anchorY)), m.radius) * PLACE;
+  }
+
+  /** The binary exponent of a speed. */
+  private static int exponent(double speed) {
+    return Math.min(Math.getExponent(speed), Double.MAX_EXPONENT);
+  }
+
   /** 2^k, for the exponent of a double: 0 and subnormal ones have that of 2^-1023. */
-  static double powerOfTwo(int k) {
+  private static double powerOfTwo(int k) {
     return k < Double.MIN_EXPONENT
         ? Double.MIN_NORMAL / 2
         : Double.longBitsToDouble((long) (k + Double.MAX_EXPONENT) << 52);
@@ -355,24 +371,18 @@ final class ObstacleResponse {
     return Math.abs(approach) <= ROUNDING * powerOfTwo(pace);
   }
 
+  /** Whether an approach is no more than rounding of a speed. */
+  static boolean isRounding(double approach, double speed) {
+    return isFaint(approach, exponent(speed));
+  }
+
   boolean isJammed(Mover m) {
     return m.stuck > 2 * patience;
   }
 
   /**
-   * What approach of another circle leaves a jam as it is, in proportion to the speeds met there:
-   * no more than rounding when the circle jams, and from then on the more, the more impacts it
-   * makes there. The impacts of a pressed row share out its motion ever more slowly.
-   */
-  double bearing(Mover m) {
-    long more = Math.max(0, m.stuck - 2 * patience);
-    int span = LAST_BEARING - FIRST_BEARING;
-    return powerOfTwo((int) Math.min(FIRST_BEARING + span * more / patience, LAST_BEARING));
-  }
-
-  /**
-   * Lets the circle slide along what it hit if that is all it does; stops it otherwise, and what it
-   * slid along is there for it again.
+   * Lets the circle slide along what it hit if that is all it does; stops it otherwise, and what is
+   * jammed to it, and what it slid along is there for it again.
    */
   private void jam(Mover m, int code, double approach) {
     if (approach <= ROUNDING * (Math.abs(m.vx) + Math.abs(m.vy))) {
@@ -381,6 +391,16 @@ final class ObstacleResponse {
       m.vx = 0;
       m.vy = 0;
       m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
+      seizes = true;
     }
+  }
+
+  /** Whether the circles that jammed in the last impact have to go on as one {@link Piece}. */
+  boolean seizes() {
+    return seizes;
+  }
+
+  void setSeizes(boolean seizes) {
+    this.seizes = seizes;
   }
 }

@@ -19,6 +19,14 @@ final class PairResponse {
   private final ObstacleResponse response;
   private final Impulse impulse = new Impulse();
 
+  // The two in hand: 2^fast u, n, and u.n.
+  private int fast;
+  private double ux;
+  private double uy;
+  private double nx;
+  private double ny;
+  private double un;
+
   PairResponse(Roster roster, ObstacleResponse response) {
     this.roster = roster;
     this.response = response;
@@ -42,17 +50,20 @@ final class PairResponse {
   }
 
   /**
-   * Whether a circle that jammed with another, and has just been set on a new flight, approaches it
-   * by more than their jam bears: then the two are there for each other again.
+   * Whether a circle that jammed with another, and has just been set on a new flight, approaches or
+   * leaves it by more than rounding: then the two are there for each other again.
    */
-  boolean revives(Mover m, Mover other) {
+  boolean part(Mover m, Mover other) {
     double later = (m.t - other.t) + (m.tl - other.tl);
     double nx = m.x - Math.fma(other.vx, later, other.x);
     double ny = m.y - Math.fma(other.vy, later, other.y);
     double un = (m.vx - other.vx) * nx + (m.vy - other.vy) * ny;
     double approach = un / (Math.abs(nx) + Math.abs(ny));
-    int pace = Math.max(m.pace, other.pace);
-    return approach < -response.bearing(m) * ObstacleResponse.powerOfTwo(pace);
+    return !ObstacleResponse.isRounding(approach, speeds(m, other));
+  }
+
+  private static double speeds(Mover a, Mover b) {
+    return Math.abs(a.vx) + Math.abs(a.vy) + Math.abs(b.vx) + Math.abs(b.vy);
   }
 
   /**
@@ -81,21 +92,12 @@ final class PairResponse {
    * @return whether new flights begin
    */
   boolean resolve(Mover a, Mover b, ImpactLog log) {
-    int fast = exponent(a, b);
-    double ux = ObstacleResponse.difference(a.vx, b.vx, fast);
-    double uy = ObstacleResponse.difference(a.vy, b.vy, fast);
-    int large = ObstacleResponse.exponent(a.x, a.y, b.x, b.y, Math.max(Math.abs(ux), Math.abs(uy)));
-    double nx = ObstacleResponse.difference(a.x, b.x, large);
-    double ny = ObstacleResponse.difference(a.y, b.y, large);
-    double un = Math.scalb(ObstacleResponse.dot(ux, uy, nx, ny), fast);
-    double share = ObstacleResponse.share(b.radius, a.radius);
-    log.add(a.t, a.id, ObstacleKind.CIRCLE, b.id, Feature.CIRCLE);
-    log.set(Line.between(share, b.x, a.x), Line.between(share, b.y, a.y), nx, ny, un);
+    report(a, b, log);
     if (isSensor(a.id, b.id)) {
       return false;
     }
     double speed = Math.scalb(Math.abs(ux) + Math.abs(uy), fast);
-    double speeds = Math.abs(a.vx) + Math.abs(a.vy) + Math.abs(b.vx) + Math.abs(b.vy);
+    double speeds = speeds(a, b);
     double approach = un / (Math.abs(nx) + Math.abs(ny));
     boolean stuckA = response.countStuck(a, a.flown * speed, speeds, approach);
     boolean stuckB = response.countStuck(b, b.flown * speed, speeds, approach);
@@ -114,16 +116,32 @@ final class PairResponse {
         push(b, 1, massA, massB, nx, ny);
       }
     }
-    if (response.isJammed(a) && response.isJammed(b)) {
+    boolean jams = response.isJammed(a) && response.isJammed(b);
+    if (jams) {
       a.jam = Jam.with(a.jam, Obstacles.CIRCLES + b.id);
       b.jam = Jam.with(b.jam, Obstacles.CIRCLES + a.id);
       log.setJammed();
     }
+    response.setSeizes(jams && !ObstacleResponse.isRounding(approach, speeds));
     a.last = Obstacles.CIRCLES + b.id;
     b.last = Obstacles.CIRCLES + a.id;
     a.newFlight();
     b.newFlight();
     return true;
+  }
+
+  /** Writes that two circles are in contact, the lower number first, and how they approach. */
+  void report(Mover a, Mover b, ImpactLog log) {
+    fast = exponent(a, b);
+    ux = ObstacleResponse.difference(a.vx, b.vx, fast);
+    uy = ObstacleResponse.difference(a.vy, b.vy, fast);
+    int large = ObstacleResponse.exponent(a.x, a.y, b.x, b.y, Math.max(Math.abs(ux), Math.abs(uy)));
+    nx = ObstacleResponse.difference(a.x, b.x, large);
+    ny = ObstacleResponse.difference(a.y, b.y, large);
+    un = Math.scalb(ObstacleResponse.dot(ux, uy, nx, ny), fast);
+    double share = ObstacleResponse.share(b.radius, a.radius);
+    log.add(a.t, a.id, ObstacleKind.CIRCLE, b.id, Feature.CIRCLE);
+    log.set(Line.between(share, b.x, a.x), Line.between(share, b.y, a.y), nx, ny, un);
   }
 
   /**

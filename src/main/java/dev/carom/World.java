@@ -38,15 +38,15 @@ import java.util.Optional;
  * there for it any more if it approaches them by no more than rounding, so that it slides along
  * them, else it stops; the log says so, and the next impact with anything else ends that. Steps do
  * not reset the counts. An impact whose approach is no more than rounding of the speeds that the
- * circle has met at that place counts for N / 32. Of two circles that jam each other both are inert
- * for each other, until another impact makes them approach by more than rounding; a circle that
- * goes on to be hit there bears more and more, at 3 N impacts a 1,024th of the speeds met, so a row
- * that is pressed from outside may sink into itself by some hundredths of a radius; where speeds
- * met differ by very many orders, as with a mass of 1e-151 between bumpers, a jammed circle may
- * even be passed through, and be left beyond a wall. A circle's impacts count as at one place only
- * while what hits it comes from as near. Motion is stopped there, not given: the TC model of Luding
- * and McNamara (Granular Matter 1, 1998) makes impacts elastic that follow each other too fast,
- * which feeds energy back that the scene had taken away.
+ * circle has met at that place counts for N / 32. Two circles that jam each other are inert for
+ * each other if they approach by no more than rounding, until an impact makes them approach or part
+ * by more. If they approach by more, the two and all that are jammed to them go on as one piece:
+ * with the velocity of their common momentum (if some have infinite mass, the mean of theirs); and
+ * where one of a piece stops at an obstacle, all of it stops, infinite masses too. The log has a
+ * row for each of them. So nothing is pressed through a jammed circle, however light. A circle's
+ * impacts count as at one place only while what hits it comes from as near. Motion is stopped
+ * there, not given: the TC model of Luding and McNamara (Granular Matter 1, 1998) makes impacts
+ * elastic that follow each other too fast, which feeds energy back that the scene had taken away.
  *
  * <p>Independently there is a budget of work for one call of {@link #step step} or {@link
  * #advanceTo advanceTo}. If circles ignore each other, each may make 4,000,000 / circles impacts,

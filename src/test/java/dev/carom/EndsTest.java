@@ -206,6 +206,43 @@ class EndsTest {
     assertThat(world.vy(0)).isFinite();
   }
 
+  /**
+   * Among circles that collide, too. At speeds at which a circle could cross cells without end
+   * within one ulp of the clock, it once went on through those behind the wall instead of hitting
+   * it.
+   */
+  @Test
+  void bumpersAboveOneEndAmongCirclesThatCollide() {
+    World world =
+        new World(
+            Scene.builder()
+                .collide(true)
+                .bounds(0, 0, 40, 40)
+                .restitution(1.1)
+                .circle(37, 20, 2, 0, 0)
+                .mass(1e-3)
+                .circle(20, 20.5, 3, 1, 0)
+                .build());
+    assertThat(world.advanceTo(100)).isTrue();
+    for (int i = 0; i < 2; i++) {
+      assertThat(world.x(i)).isBetween(2 - 1e-9, 38 + 1e-9);
+      assertThat(world.y(i)).isBetween(2 - 1e-9, 38 + 1e-9);
+    }
+  }
+
+  /**
+   * It slid along the wall, which was inert for it; N then was larger, and the wall stayed inert.
+   */
+  @Test
+  void aWallAlongWhichACircleSlidIsThereForItWhenAPegTurnsIt() {
+    World world = new World(Scene.builder().bounds(-100, 0, 100, 4).circle(0, 2, 2, 1, 1).build());
+    world.advanceTo(0);
+    world.addCircle(50, 2, 1, 0, 0);
+    world.addPeg(2, 4, 2 * Math.sqrt(2) - 2);
+    world.advanceTo(20);
+    assertThat(world.y(0)).isBetween(2 - 1e-9, 2 + 1e-9);
+  }
+
   // The budget of a step.
 
   /** With 800 circles each may make 10,000 impacts a call; circles 3 and 5 need far more. */

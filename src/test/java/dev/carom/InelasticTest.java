@@ -20,8 +20,8 @@ class InelasticTest {
   /** Impacts that a circle may make in a unit of time, on average: thousands before they jam. */
   private static final int IMPACTS = 3_000;
 
-  /** Budgets that a frame may take: jams are near-ties, which exact arithmetic decides. */
-  private static final int CALLS = 10;
+  /** Budgets that a frame may take: measured, each takes one. */
+  private static final int CALLS = 1;
 
   /** What a run left. */
   private record End(int impacts, int jammed) {}
@@ -90,14 +90,16 @@ class InelasticTest {
     World world = new World(builder.build());
     End end = play(world, 100);
     assertThat(end.jammed()).isPositive();
-    // Measured: 0.4 million for 8 circles, 2.0 million for 20; no law is known for it.
-    assertThat(end.impacts()).isLessThan(count * IMPACTS * 40);
+    // Each circle that joins makes the heavy one, which loses little by each, hit up to 2 N times;
+    // the whole row passes that on, a row of the log each. Measured: 1.05 and 2.4 times as many.
+    int patience = 1_000 + 10 * (count + 1);
+    assertThat(end.impacts()).isLessThan(3 * count * 2 * patience * count);
     assertThat(energy(world)).isLessThan(50);
     for (int i = 0; i <= count; i++) {
       assertThat(world.x(i)).isBetween(1 - 1e-9, 19 + 3 * count + 1e-9);
     }
     for (int i = 1; i < count; i++) {
-      assertThat(world.x(i) - world.x(i - 1)).as("pressed into itself").isGreaterThan(2 - 0.1);
+      assertThat(world.x(i) - world.x(i - 1)).as("pressed into itself").isGreaterThan(2 - 1e-12);
     }
   }
 

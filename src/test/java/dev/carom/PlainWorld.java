@@ -24,6 +24,7 @@ final class PlainWorld {
   private Roster roster;
   private ObstacleResponse response;
   private PairResponse pairs;
+  private Piece piece;
   private List<Mover> movers = new ArrayList<>();
 
   /** The sensors that each circle's flight met: codes of obstacles. */
@@ -61,6 +62,7 @@ final class PlainWorld {
   private void respond() {
     response = new ObstacleResponse(obstacles, roster.patience());
     pairs = new PairResponse(roster, response);
+    piece = new Piece(roster, pairs);
   }
 
   private PlainWorld(PlainWorld other) {
@@ -124,7 +126,7 @@ final class PlainWorld {
       int code = m.next;
       if (response.resolve(m, log)) {
         begin(m);
-        revive(m);
+        settle(m);
       } else {
         met.get(low).add(code);
       }
@@ -151,17 +153,29 @@ final class PlainWorld {
       movers.set(b.id, two);
       begin(one);
       begin(two);
-      revive(one);
-      revive(two);
+      settle(one, two);
     } else {
       metPairs.add(pair(a, b));
     }
   }
 
+  /** What the new flights do to jams. */
+  private void settle(Mover... hit) {
+    List<Mover> changed = List.of(hit);
+    if (response.seizes()) {
+      changed = piece.seize(id -> copy(movers.get(id)), log, hit);
+      for (Mover m : changed) {
+        movers.set(m.id, m);
+        begin(m);
+      }
+    }
+    changed.forEach(this::revive);
+  }
+
   private void revive(Mover m) {
     for (Mover other : movers) {
       int code = Obstacles.CIRCLES + other.id;
-      if (m.jam != null && m.jam.makesInert(code) && pairs.revives(m, other)) {
+      if (m.jam != null && m.jam.makesInert(code) && pairs.part(m, other)) {
         m.jam = m.jam.without(code);
       }
     }

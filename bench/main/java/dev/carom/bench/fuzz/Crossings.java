@@ -15,9 +15,6 @@ import java.util.List;
  */
 final class Crossings {
 
-  /** The part of their distance that jammed circles keep. */
-  private static final double SUNK = 0.5;
-
   private final World world;
   private final Rules rules;
   private final Rounding rounding;
@@ -37,7 +34,7 @@ final class Crossings {
       }
       for (int j = 0; world.scene().collide() && j < i; j++) {
         if (isSolid(i, j)) {
-          checkPair(flights.get(i), flights.get(j), rules.areJammed(i, j));
+          checkPair(flights.get(i), flights.get(j));
         }
       }
     }
@@ -135,8 +132,7 @@ final class Crossings {
     }
   }
 
-  private void checkPair(List<Flight> first, List<Flight> second, boolean jammed)
-      throws FindingException {
+  private void checkPair(List<Flight> first, List<Flight> second) throws FindingException {
     int k = 0;
     for (Flight f : first) {
       while (k < second.size() && second.get(k).to() <= f.from()) {
@@ -145,17 +141,15 @@ final class Crossings {
       for (int n = k; n < second.size() && second.get(n).from() < f.to(); n++) {
         double begin = Math.max(f.from(), second.get(n).from());
         double end = Math.min(f.to(), second.get(n).to());
-        checkPair(f.within(begin, end), second.get(n).within(begin, end), jammed);
+        checkPair(f.within(begin, end), second.get(n).within(begin, end));
       }
     }
   }
 
-  /** Circles that jammed each other may sink into each other by a part of their radii. */
-  private void checkPair(Flight f, Flight g, boolean jammed) throws FindingException {
+  private void checkPair(Flight f, Flight g) throws FindingException {
     double start = Math.hypot(f.px() - g.px(), f.py() - g.py());
     double slack = rounding.of(f) + rounding.of(g);
-    double reach = jammed ? SUNK * (f.radius() + g.radius()) : f.radius() + g.radius();
-    double limit = Math.min(reach, start) * (1 - 0x1p-50) - slack;
+    double limit = Math.min(f.radius() + g.radius(), start) * (1 - 0x1p-50) - slack;
     if (limit > 0 && f.passage().seenFrom(g.passage()).comesNearer(0, 0, 0, 0, limit)) {
       throw new FindingException("%s and %s come nearer than %s".formatted(f, g, limit));
     }

@@ -14,9 +14,6 @@ final class Rules {
   private final Map<ObstacleKind, Set<Integer>> sensors = new EnumMap<>(ObstacleKind.class);
   private final Set<Integer> oneWay = new HashSet<>();
 
-  /** Pairs that jammed each other: they may sink into each other a little, as World tells. */
-  private final Set<Long> jammed = new HashSet<>();
-
   /** Whether some impact may add energy. */
   private boolean bumpers;
 
@@ -59,18 +56,6 @@ final class Rules {
 
   boolean isSensor(ObstacleKind kind, int id) {
     return sensors.get(kind).contains(id);
-  }
-
-  void jam(int circle, int other) {
-    jammed.add(pair(circle, other));
-  }
-
-  boolean areJammed(int circle, int other) {
-    return jammed.contains(pair(circle, other));
-  }
-
-  private static long pair(int i, int j) {
-    return (long) Math.min(i, j) << 32 | Math.max(i, j);
   }
 
   boolean isOneWay(int line) {

@@ -92,7 +92,7 @@ final class Session {
     steps++;
     impacts += log.size();
     LogCheck.check(world, start);
-    keepJams(log);
+    countJams(log);
     stuck = !complete || log.size() >= MOST_IMPACTS;
     if (!stuck) {
       keepLimits();
@@ -101,14 +101,9 @@ final class Session {
     }
   }
 
-  private void keepJams(ImpactLog log) {
+  private void countJams(ImpactLog log) {
     for (int row = 0; row < log.size(); row++) {
-      if (log.jammed(row)) {
-        jams++;
-        if (log.kind(row) == ObstacleKind.CIRCLE) {
-          rules.jam(log.circle(row), log.id(row));
-        }
-      }
+      jams += log.jammed(row) ? 1 : 0;
     }
   }
 

@@ -56,7 +56,7 @@ public final class WorldFuzz {
     return flights;
   }
 
-  /** Impacts that jammed a circle; of two that jam each other nothing is demanded any more. */
+  /** Impacts that jammed a circle. */
   public long jams() {
     return jams;
   }

@@ -84,8 +84,6 @@ class ChecksTest {
 
     assertFound("come nearer", world, up, resting);
     check(world, up, flight(30, 70, 30, 70));
-    rules.jam(1, 0);
-    check(world, up, resting);
   }
 
   @Test

@@ -4,6 +4,8 @@ package dev.carom.bench.fuzz;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class WorldFuzzTest {
 
@@ -20,6 +22,19 @@ class WorldFuzzTest {
     assertThat(fuzz.impacts()).isGreaterThan(1_000).isEqualTo(again.impacts());
     assertThat(fuzz.flights()).isGreaterThan(500).isEqualTo(again.flights());
     assertThat(fuzz.steps()).isGreaterThan(100);
+  }
+
+  /**
+   * A light circle in a corner, jammed and passed through; a fast one that was listed in a cell it
+   * never came to; a wall that stayed inert after circles were added.
+   */
+  @ParameterizedTest
+  @ValueSource(longs = {8646, 9377, 22180})
+  void sessionsThatOnceFoundSomethingDoNotAnyMore(long seed) throws FindingException {
+    WorldFuzz fuzz = new WorldFuzz();
+    fuzz.play(seed);
+
+    assertThat(fuzz.jams()).isPositive();
   }
 
   @Test
