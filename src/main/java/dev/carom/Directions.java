@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-/** Unit vectors, each component within 1e-15 of the true one. */
+/** Signs, and unit vectors, each component within 1e-15 of the true one. */
 final class Directions {
 
   /** Range of components whose squares neither underflow nor overflow. */
@@ -10,6 +10,11 @@ final class Directions {
   private static final double MOST = 0x1p400;
 
   private Directions() {}
+
+  /** +1 or -1 by the bit of the sign: a branch on it could not be foretold. 0 has a sign too. */
+  static int sign(double value) {
+    return (int) (Double.doubleToRawLongBits(value) >> 63) | 1;
+  }
 
   /** (a - b) / |a - b| for two different points. */
   static Vec2 unit(double ax, double ay, double bx, double by) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import java.util.Arrays;
+
 /**
  * Square cells over the lines and pegs of a scene; each cell lists every one that a circle of at
  * most a given radius could touch while its centre is in the cell.
  *
  * <p>Lists are made for cells grown by a margin of 2^-8 of their size. A path of at most 2^14 cells
- * inside the grid is followed with an error below 2^-30 cells, so rounding can put it into a
+ * inside the grid is followed with an error below 2^-11 cells, so rounding can put it into a
  * neighbour of the true cell only where both lists hold what matters.
  */
 final class Grid {
@@ -16,12 +18,29 @@ final class Grid {
 
   private static final double MARGIN = 0x1p-8;
 
+  /** In place of a list: outside of the grid, which one ring of such cells surrounds. */
+  static final long OUTSIDE = Long.MIN_VALUE;
+
+  /** Cells a unit of time, and its inverse, within which times and cells convert. */
+  private static final double MOST_PACE = 0x1p500;
+
+  private static final int CODES_INLINE = 2;
+
+  private static final int CODE_BITS = 32;
+
   final double cell;
   final int columns;
   final int rows;
 
-  /** The codes listed in cell i stand at starts[i] .. starts[i + 1] - 1. */
-  final int[] starts;
+  /** What one row further means for the number of a cell. */
+  final int stride;
+
+  /**
+   * What each cell lists, by its number: 0 nothing; above 0, one code or two, of 32 bits each, the
+   * first one lowest; below 0, {@code -1 - k} for more, at {@code codes[k + 1]} and on, codes[k] of
+   * them.
+   */
+  final long[] lists;
 
   final int[] codes;
 
@@ -56,8 +75,52 @@ final class Grid {
     xmax = xmin + columns * this.cell;
     ymax = ymin + rows * this.cell;
     perCell = 1 / this.cell;
-    starts = new int[columns * rows + 1];
-    codes = list();
+    stride = columns + 2;
+    int[] starts = new int[columns * rows + 1];
+    int[] listed = list(starts);
+    lists = new long[stride * (rows + 2)];
+    codes = new int[room(starts)];
+    pack(starts, listed);
+  }
+
+  /** The room that longer lists take. */
+  private static int room(int[] starts) {
+    int room = 0;
+    for (int i = 1; i < starts.length; i++) {
+      int size = starts[i] - starts[i - 1];
+      room += size > CODES_INLINE ? 1 + size : 0;
+    }
+    return room;
+  }
+
+  private void pack(int[] starts, int[] listed) {
+    Arrays.fill(lists, OUTSIDE);
+    int end = 0;
+    for (int i = 0; i < columns * rows; i++) {
+      int size = starts[i + 1] - starts[i];
+      long list = 0;
+      if (size > CODES_INLINE) {
+        list = -1L - end;
+        codes[end++] = size;
+        System.arraycopy(listed, starts[i], codes, end, size);
+        end += size;
+      } else {
+        for (int k = size - 1; k >= 0; k--) {
+          list = (list << CODE_BITS) | listed[starts[i] + k];
+        }
+      }
+      lists[number(i % columns, i / columns)] = list;
+    }
+  }
+
+  /** The number of a cell. */
+  int number(int column, int row) {
+    return (row + 1) * stride + column + 1;
+  }
+
+  /** The code after the first one of those that a list holds itself, 0 for none. */
+  static int second(long list) {
+    return (int) (list >>> CODE_BITS);
   }
 
   /** About two cells an obstacle, none smaller than the radius: measured, the optimum is flat. */
@@ -100,9 +163,15 @@ final class Grid {
     return columns * rows;
   }
 
-  /** Whether a path from this place can be followed to within the margin: 2^-40 of its size is. */
-  boolean resolves(double x, double y) {
-    return (Math.abs(x) + Math.abs(y) + Math.abs(xmin) + Math.abs(ymin)) * 0x1p-40 < cell;
+  /**
+   * Whether a path from this place can be followed to within the margin: 2^-40 of its size is; and
+   * whether cells that are passed at this speed can be counted by time.
+   */
+  boolean resolves(double x, double y, double speed) {
+    double pace = speed * perCell;
+    return (Math.abs(x) + Math.abs(y) + Math.abs(xmin) + Math.abs(ymin)) * 0x1p-40 < cell
+        && pace < MOST_PACE
+        && pace > 1 / MOST_PACE;
   }
 
   boolean contains(double x, double y) {
@@ -138,17 +207,21 @@ final class Grid {
     return Math.max(0, Math.min(rows - 1, (int) ((y - ymin) * perCell)));
   }
 
-  /** The edge through which a column is left, towards smaller x for step -1. */
-  double columnEdge(int column, int step) {
-    return xmin + (step < 0 ? column : column + 1) * cell;
+  /** How far x is from the edge through which a column is left, towards smaller x for step -1. */
+  double toColumnEdge(int column, int step, double x) {
+    return toEdge(xmin + (column + (step + 1) / 2) * cell, step, x);
   }
 
-  double rowEdge(int row, int step) {
-    return ymin + (step < 0 ? row : row + 1) * cell;
+  double toRowEdge(int row, int step, double y) {
+    return toEdge(ymin + (row + (step + 1) / 2) * cell, step, y);
+  }
+
+  private static double toEdge(double edge, int step, double p) {
+    return Math.max(0, step * (edge - p));
   }
 
   /** Counts, then fills: two passes over the obstacles. */
-  private int[] list() {
+  private int[] list(int[] starts) {
     int cells = columns * rows;
     int[] counts = new int[cells + 1];
     visitAll(counts, null);

@@ -86,7 +86,7 @@ final class SegmentSweep {
     double strip = c * c - reach;
     double bound = Math.fma(STRIP_BOUND, m * m + reach, TINY * (m + rr + ww + 1));
     if (strip > bound) {
-      return outside(c > 0 ? 1 : -1, px, py, r, vx, vy, ax, ay, bx, by);
+      return outside(Directions.sign(c), px, py, r, vx, vy, ax, ay, bx, by);
     }
     if (!(strip < -bound) && Predicates.reach(bx, by, ax, ay, px, py, ax, ay, r, 0) < 0) {
       int side = Predicates.cross(bx, by, ax, ay, px, py, ax, ay);
@@ -167,7 +167,7 @@ final class SegmentSweep {
     double c = c0 - c1;
     double bound = Math.fma(SPEED_BOUND, Math.abs(c0) + Math.abs(c1), TINY);
     if (Math.abs(c) > bound) {
-      return c > 0 ? 1 : -1;
+      return Directions.sign(c);
     }
     return Predicates.cross(bx, by, ax, ay, vx, vy, 0, 0);
   }
@@ -180,7 +180,7 @@ final class SegmentSweep {
     double c = c0 + c1;
     double bound = Math.fma(PLACE_BOUND, Math.abs(c0) + Math.abs(c1), TINY);
     if (Math.abs(c) > bound) {
-      return c > 0 ? 1 : -1;
+      return Directions.sign(c);
     }
     return Predicates.dot(px, py, qx, qy, bx, by, ax, ay);
   }
@@ -208,7 +208,7 @@ final class SegmentSweep {
             mx * mx * ww + my * my,
             TINY * ((1 + mx) * (1 + mx + ww) + (1 + r) * (1 + my)));
     if (Math.abs(s) > bound) {
-      return s > 0 ? 1 : -1;
+      return Directions.sign(s);
     }
     return Predicates.corner(side, px, py, qx, qy, vx, vy, bx, by, ax, ay, r);
   }
