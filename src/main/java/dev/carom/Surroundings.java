@@ -2,6 +2,7 @@
 package dev.carom;
 
 import java.util.Arrays;
+import java.util.function.IntToDoubleFunction;
 
 /**
  * What stands still around the circles of a world: the obstacles, the grids over them, and the
@@ -13,16 +14,42 @@ final class Surroundings {
   private final Grids grids;
   private final BroadSearch search;
 
-  /** The grid of each circle's class of radius, null where none is used. */
-  private Grid[] grid;
+  /** The grid of all circles, while they share one; null where none is used. */
+  private Grid shared;
+
+  /** Else the grid of each one's class of radius; null while they share one. */
+  private Grid[] own;
+
+  /** The circles that there is room for. */
+  private int room;
 
   Surroundings(Scene scene, Machinery machinery) {
     obstacles = Obstacles.of(scene);
     grids = new Grids(scene, obstacles, machinery);
     search = new BroadSearch(obstacles, grids.loose());
-    grid = new Grid[scene.circleCount()];
-    for (int i = 0; i < grid.length; i++) {
-      grid[i] = grids.of(scene.circles[i * Scene.CIRCLE + 2]);
+    assign(scene.circleCount(), i -> scene.circles[i * Scene.CIRCLE + 2]);
+  }
+
+  private void assign(int count, IntToDoubleFunction radius) {
+    room = Math.max(room, count);
+    own = null;
+    shared = count == 0 ? null : grids.of(radius.applyAsDouble(0));
+    for (int i = 1; i < count; i++) {
+      set(i, grids.of(radius.applyAsDouble(i)));
+    }
+  }
+
+  private Grid grid(int i) {
+    return own == null ? shared : own[i];
+  }
+
+  private void set(int i, Grid grid) {
+    if (own == null && grid != shared) {
+      own = new Grid[room];
+      Arrays.fill(own, shared);
+    }
+    if (own != null) {
+      own[i] = grid;
     }
   }
 
@@ -32,7 +59,7 @@ final class Surroundings {
 
   /** Extends what is known ahead of a circle; see {@link BroadSearch#extend}. */
   void extend(Mover m, double needed) {
-    search.extend(m, grid[m.id], needed);
+    search.extend(m, grid(m.id), needed);
   }
 
   /** What follows a circle of any radius that is not of this world. */
@@ -47,11 +74,12 @@ final class Surroundings {
 
   /** Takes notice of a circle's radius, which may be new. */
   void setRadius(int i, double radius) {
-    if (i >= grid.length) {
-      grid = Arrays.copyOf(grid, 2 * i + 4);
+    if (i >= room) {
+      room = 2 * i + 4;
+      own = own == null ? null : Arrays.copyOf(own, room);
     }
-    if (!grids.serve(grid[i], radius)) {
-      grid[i] = grids.ofNew(radius);
+    if (!grids.serve(grid(i), radius)) {
+      set(i, grids.ofNew(radius));
     }
   }
 
@@ -65,9 +93,7 @@ final class Surroundings {
   void prepare(Circles circles) {
     if (grids.areStale()) {
       grids.remake(circles);
-      for (int i = 0; i < circles.count; i++) {
-        grid[i] = grids.of(circles.radius(i));
-      }
+      assign(circles.count, circles::radius);
     }
   }
 
@@ -75,7 +101,8 @@ final class Surroundings {
   void restore(Obstacles other) {
     if (!obstacles.equals(other)) {
       grids.forget();
-      Arrays.fill(grid, null);
+      shared = null;
+      own = null;
     }
     obstacles.set(other);
     search.lookAgainAtAll();
