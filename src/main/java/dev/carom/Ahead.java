@@ -21,7 +21,7 @@ final class Ahead implements EventQueue.Outlook {
   @SuppressWarnings("UnusedVariable")
   private long sum;
 
-  /** For circles with events of these kinds, as {@link Collisions} numbers them. */
+  /** For circles with events of these kinds, as {@link Schedule} numbers them. */
   Ahead(Circles circles, Neighbors neighbors, short[] kinds) {
     this.circles = circles;
     this.neighbors = neighbors;
@@ -37,7 +37,7 @@ final class Ahead implements EventQueue.Outlook {
     }
     int end = size;
     for (int k = 0; k < size; k++) {
-      if (kinds[ids[k]] == Collisions.PAIR) {
+      if (kinds[ids[k]] == Schedule.PAIR) {
         concerned[end++] = circles.codes[Circles.collidingCodesAt(ids[k]) + Circles.PARTNER];
       }
     }
@@ -62,7 +62,7 @@ final class Ahead implements EventQueue.Outlook {
 
   /** Reads the lists of cells around circle i, where it is or, if it crosses an edge, will be. */
   private int lists(int i) {
-    int way = kinds[i] - Collisions.CROSSING;
+    int way = kinds[i] - Schedule.CROSSING;
     int column = neighbors.columnAfter(i, way);
     int row = neighbors.rowAfter(i, way);
     Cells cells = neighbors.cells(i);
@@ -73,7 +73,7 @@ final class Ahead implements EventQueue.Outlook {
 
   /** Reads the circles in these lists. */
   private long listed(int i) {
-    int way = kinds[i] - Collisions.CROSSING;
+    int way = kinds[i] - Schedule.CROSSING;
     int column = neighbors.columnAfter(i, way);
     int row = neighbors.rowAfter(i, way);
     Cells cells = neighbors.cells(i);

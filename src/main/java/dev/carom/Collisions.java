@@ -7,32 +7,20 @@ import java.util.List;
 /**
  * Circles that collide: event after event, in the order of time.
  *
- * <p>Each circle has one event in a calendar, the first of three: it meets something that stands
- * still (or the end of what is known of that), it meets another circle, or it leaves a cell. When a
- * circle's velocity changes, its count goes up, and what was foreseen for it is foreseen anew; that
+ * <p>Which event of a circle is next, and the order of all, is for {@link Schedule}. When a circle's
+ * velocity changes, its count goes up, and what was foreseen for it is foreseen anew; that
  * another circle foresaw a meeting with it is noticed there by the count.
  *
  * <p>When two circles meet depends on their two flights alone: the search starts where the later
  * one starts, from the place of the other one then. So neither the cells through which they found
  * each other nor the steps of the caller change a bit of it.
- *
- * <p>Simultaneous events are taken by kind (wall, line, peg, pair), then by the numbers of what
- * meets.
  */
 final class Collisions extends Engine {
-
-  private static final double NEVER = Double.POSITIVE_INFINITY;
 
   /** Events in one call, and so many more for each circle. */
   static final int EVENTS_PER_CALL = 200_000;
 
   private static final int EVENTS_PER_CIRCLE = 1_000;
-
-  // Kinds of events; those from CROSSING on tell over which edge.
-  private static final int STATIC = 0;
-  static final int PAIR = 1;
-  private static final int EDIT = 2;
-  static final int CROSSING = 3;
 
   private final Machinery machinery;
   private final Bounds bounds;
@@ -40,8 +28,8 @@ final class Collisions extends Engine {
   private final Piece piece;
   private Neighbors neighbors;
   private Meetings meetings;
+  private Schedule schedule;
   private EventQueue queue;
-  private short[] kinds;
 
   /** The time of the last event, or of the end of the last step. */
   private double reached;
@@ -77,13 +65,12 @@ final class Collisions extends Engine {
   /** Foresees everything anew, from the flights. */
   private void begin() {
     int room = circles.capacity();
-    kinds = new short[room];
     found = new int[room + 9];
     foundOfOther = new int[room + 9];
     neighbors = new Neighbors(circles, roster, bounds, machinery.pairCells(), reached);
-    boolean many = room >= Ahead.LEAST_CIRCLES;
-    queue = new EventQueue(room, this::before, many ? new Ahead(circles, neighbors, kinds) : null);
     meetings = new Meetings(circles, neighbors.followers(), pairs, sensed);
+    schedule = new Schedule(circles, neighbors, meetings, pairs, room);
+    queue = schedule.queue;
     for (int i = 0; i < circles.count; i++) {
       if (roster.contains(i)) {
         lookAround(i);
@@ -127,10 +114,10 @@ final class Collisions extends Engine {
   }
 
   private void happen(int i) {
-    switch (kinds[i]) {
-      case STATIC -> meetObstacle(i);
-      case PAIR -> meet(i);
-      case EDIT -> {
+    switch (schedule.kind(i)) {
+      case Schedule.STATIC -> meetObstacle(i);
+      case Schedule.PAIR -> meet(i);
+      case Schedule.EDIT -> {
         lookAround(i);
         foresee(i);
       }
@@ -139,12 +126,12 @@ final class Collisions extends Engine {
   }
 
   private void cross(int i) {
-    int size = neighbors.cross(i, kinds[i] - CROSSING, found);
+    int size = neighbors.cross(i, schedule.kind(i) - Schedule.CROSSING, found);
     double crossing = neighbors.crossing(i);
     int way = neighbors.way();
     lookAround(i);
     if (meetings.look(i, found, size)) {
-      schedule(i, crossing, way);
+      schedule.set(i, crossing, way);
     } else {
       foresee(i);
     }
@@ -156,7 +143,7 @@ final class Collisions extends Engine {
     if (m.next == Mover.NOTHING) {
       surroundings.extend(m, m.cleared);
       circles.keep(i, m);
-      schedule(i);
+      schedule.set(i);
       return;
     }
     if (response.resolve(m, log)) {
@@ -171,7 +158,7 @@ final class Collisions extends Engine {
     } else {
       surroundings.extend(m, m.cleared);
       circles.keep(i, m);
-      schedule(i);
+      schedule.set(i);
     }
   }
 
@@ -183,7 +170,7 @@ final class Collisions extends Engine {
     if (meetings.isOpen(i)) {
       meetings.refine(i);
       if (!isStillFirst(i)) {
-        schedule(i);
+        schedule.set(i);
         return;
       }
       reached = Math.max(reached, meetings.time(i));
@@ -222,7 +209,7 @@ final class Collisions extends Engine {
     return time <= end
         && queue.isBeforeAll(time)
         && time < neighbors.crossing(i)
-        && time < due(i);
+        && time < schedule.due(i);
   }
 
   /** Notes that a sensor reported what circle i met: one of two. */
@@ -304,24 +291,11 @@ final class Collisions extends Engine {
    */
   private void lookAround(int i) {
     boolean nothingNear = surroundings.obstacles.size() == 0 && neighbors.isInside(i);
-    if (!nothingNear && !isLookedAhead(i)) {
+    if (!nothingNear && !schedule.isLookedAhead(i)) {
       circles.load(i);
       surroundings.extend(circles.mover, 0);
       circles.keep(i, circles.mover);
     }
-  }
-
-  private boolean isLookedAhead(int i) {
-    return cleared(i) > 0 || next(i) >= 0;
-  }
-
-  private double cleared(int i) {
-    return circles.state[Circles.collidingAt(i) + Circles.CLEARED];
-  }
-
-  /** What is ahead of a circle; negative for nothing. */
-  private int next(int i) {
-    return circles.codes[Circles.collidingCodesAt(i) + Circles.NEXT];
   }
 
   /** Looks anew for the first circle that circle i meets. */
@@ -331,7 +305,7 @@ final class Collisions extends Engine {
     double crossing = neighbors.crossing(i);
     int way = neighbors.way();
     meetings.look(i, found, size);
-    schedule(i, crossing, way);
+    schedule.set(i, crossing, way);
   }
 
   /**
@@ -350,105 +324,9 @@ final class Collisions extends Engine {
     int leftOfI = meetings.sift(i, found, size);
     int leftOfJ = meetings.sift(j, foundOfOther, sizeOfJ);
     meetings.decide(i, found, leftOfI);
-    schedule(i, crossingOfI, wayOfI);
+    schedule.set(i, crossingOfI, wayOfI);
     meetings.decide(j, foundOfOther, leftOfJ);
-    schedule(j, crossingOfJ, wayOfJ);
-  }
-
-  /** When the obstacle ahead is met, or what is known of obstacles ends. */
-  private double due(int i) {
-    int a = Circles.collidingAt(i);
-    double cleared = circles.state[a + Circles.CLEARED];
-    return isLookedAhead(i) && cleared < NEVER
-        ? Mover.sum(circles.state[a + Circles.T], circles.state[a + Circles.TL], cleared)
-        : NEVER;
-  }
-
-  /** The tail of the time of the obstacle ahead. */
-  private double dueTail(int i) {
-    int a = Circles.collidingAt(i);
-    double t = circles.state[a + Circles.T];
-    double tl = circles.state[a + Circles.TL];
-    double cleared = circles.state[a + Circles.CLEARED];
-    return next(i) < 0
-        ? Double.NEGATIVE_INFINITY
-        : Mover.sumTail(t, tl, cleared, Mover.sum(t, tl, cleared));
-  }
-
-  /** Puts the first of a circle's events into the calendar. */
-  private void schedule(int i) {
-    double crossing = neighbors.crossing(i);
-    schedule(i, crossing, neighbors.way());
-  }
-
-  /** The same with the crossing that is next, {@code way} over which edge. */
-  private void schedule(int i, double crossing, int way) {
-    double due = due(i);
-    double meeting = meetings.time(i);
-    double time = Math.min(crossing, meeting);
-    // Without a branch, as it cannot be foretold: if none ever is, there is no event of any kind.
-    int pair = (int) (Double.doubleToRawLongBits(meeting - crossing) >> 63);
-    int cross = CROSSING + way;
-    int kind = cross ^ ((cross ^ PAIR) & pair);
-    // Within one stored time a fast circle could go on through the cells behind what it hits.
-    if (meeting == crossing && meeting < NEVER && isBeforeCrossing(i)) {
-      kind = PAIR;
-    }
-    boolean first = due < crossing || (due == crossing && cleared(i) < untilCrossing(i));
-    if (due <= time && first && !(meeting <= due && isBeforeObstacle(i))) {
-      kind = STATIC;
-      time = due;
-    }
-    kinds[i] = (short) kind;
-    queue.set(i, time);
-  }
-
-  /** How long after the start of its flight a circle's crossing is. */
-  private double untilCrossing(int i) {
-    neighbors.crossing(i);
-    return neighbors.until();
-  }
-
-  /** Of a meeting and a crossing at one time: if the meeting is first, or is to be refined. */
-  private boolean isBeforeCrossing(int i) {
-    int a = Circles.collidingAt(i);
-    int c = Circles.collidingAt(meetings.partner(i));
-    double[] s = circles.state;
-    double later = (s[c + Circles.T] - s[a + Circles.T]) + (s[c + Circles.TL] - s[a + Circles.TL]);
-    return meetings.isOpen(i) || Math.max(0, later) + meetings.tau(i) < untilCrossing(i);
-  }
-
-  /** Of a meeting and an obstacle at one time: if the meeting is first, or is to be refined. */
-  private boolean isBeforeObstacle(int i) {
-    double tail = meetings.tail(i);
-    double other = dueTail(i);
-    return tail < other || (tail == other && pairs.isSensor(i, meetings.partner(i)));
-  }
-
-  /** The order of two events of the same time. */
-  private boolean before(int i, int j) {
-    double a = tail(i);
-    double b = tail(j);
-    return a != b ? a < b : rank(i) < rank(j);
-  }
-
-  private double tail(int i) {
-    return switch (kinds[i]) {
-      case STATIC -> dueTail(i);
-      case PAIR -> meetings.tail(i);
-      default -> Double.NEGATIVE_INFINITY;
-    };
-  }
-
-  private long rank(int i) {
-    return switch (kinds[i]) {
-      case STATIC -> next(i) < 0 ? i : (long) next(i) << 31 | i;
-      case PAIR -> {
-        int j = meetings.partner(i);
-        yield pairs.rank(Math.min(i, j), Math.max(i, j));
-      }
-      default -> i;
-    };
+    schedule.set(j, crossingOfJ, wayOfJ);
   }
 
   // Edits.
@@ -477,8 +355,7 @@ final class Collisions extends Engine {
   private void lookAnew(int i) {
     if (!outgrown) {
       queue.clear(i);
-      kinds[i] = EDIT;
-      queue.set(i, reached);
+      schedule.edit(i, reached);
     }
   }
 

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * What happens next among circles that collide. Each has one event in a queue, the first of three:
+ * it meets something that stands still (or the end of what is known of that), it meets another
+ * circle, or it leaves a cell.
+ *
+ * <p>Simultaneous events are taken by kind (wall, line, peg, pair), then by the numbers of what
+ * meets.
+ */
+final class Schedule {
+
+  // Kinds of events; those from CROSSING on tell over which edge.
+  static final int STATIC = 0;
+  static final int PAIR = 1;
+  static final int EDIT = 2;
+  static final int CROSSING = 3;
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** The circles by the times of their events. */
+  final EventQueue queue;
+
+  private final Circles circles;
+  private final Neighbors neighbors;
+  private final Meetings meetings;
+  private final PairResponse pairs;
+  private final short[] kinds;
+
+  Schedule(Circles circles, Neighbors neighbors, Meetings meetings, PairResponse pairs, int room) {
+    this.circles = circles;
+    this.neighbors = neighbors;
+    this.meetings = meetings;
+    this.pairs = pairs;
+    kinds = new short[room];
+    boolean many = room >= Ahead.LEAST_CIRCLES;
+    queue = new EventQueue(room, this::before, many ? new Ahead(circles, neighbors, kinds) : null);
+  }
+
+  /** The kind of a circle's event. */
+  int kind(int i) {
+    return kinds[i];
+  }
+
+  /** Lets a circle be looked at anew at the given time. */
+  void edit(int i, double time) {
+    kinds[i] = EDIT;
+    queue.set(i, time);
+  }
+
+  /** Whether it is known what a circle meets that stands still, or that there is nothing near. */
+  boolean isLookedAhead(int i) {
+    return cleared(i) > 0 || next(i) >= 0;
+  }
+
+  private double cleared(int i) {
+    return circles.state[Circles.collidingAt(i) + Circles.CLEARED];
+  }
+
+  /** What is ahead of a circle; negative for nothing. */
+  private int next(int i) {
+    return circles.codes[Circles.collidingCodesAt(i) + Circles.NEXT];
+  }
+
+  /** When the obstacle ahead is met, or what is known of obstacles ends. */
+  double due(int i) {
+    int a = Circles.collidingAt(i);
+    double cleared = circles.state[a + Circles.CLEARED];
+    return isLookedAhead(i) && cleared < NEVER
+        ? Mover.sum(circles.state[a + Circles.T], circles.state[a + Circles.TL], cleared)
+        : NEVER;
+  }
+
+  /** The tail of the time of the obstacle ahead. */
+  private double dueTail(int i) {
+    int a = Circles.collidingAt(i);
+    double t = circles.state[a + Circles.T];
+    double tl = circles.state[a + Circles.TL];
+    double cleared = circles.state[a + Circles.CLEARED];
+    return next(i) < 0
+        ? Double.NEGATIVE_INFINITY
+        : Mover.sumTail(t, tl, cleared, Mover.sum(t, tl, cleared));
+  }
+
+  /** Puts the first of a circle's events into the queue. */
+  void set(int i) {
+    double crossing = neighbors.crossing(i);
+    set(i, crossing, neighbors.way());
+  }
+
+  /** The same with the crossing that is next, {@code way} over which edge. */
+  void set(int i, double crossing, int way) {
+    double due = due(i);
+    double meeting = meetings.time(i);
+    double time = Math.min(crossing, meeting);
+    // Without a branch, as it cannot be foretold: if none ever is, there is no event of any kind.
+    int pair = (int) (Double.doubleToRawLongBits(meeting - crossing) >> 63);
+    int cross = CROSSING + way;
+    int kind = cross ^ ((cross ^ PAIR) & pair);
+    // Within one stored time a fast circle could go on through the cells behind what it hits.
+    if (meeting == crossing && meeting < NEVER && isBeforeCrossing(i)) {
+      kind = PAIR;
+    }
+    boolean first = due < crossing || (due == crossing && cleared(i) < untilCrossing(i));
+    if (due <= time && first && !(meeting <= due && isBeforeObstacle(i))) {
+      kind = STATIC;
+      time = due;
+    }
+    kinds[i] = (short) kind;
+    queue.set(i, time);
+  }
+
+  /** How long after the start of its flight a circle's crossing is. */
+  private double untilCrossing(int i) {
+    neighbors.crossing(i);
+    return neighbors.until();
+  }
+
+  /** Of a meeting and a crossing at one time: if the meeting is first, or is to be refined. */
+  private boolean isBeforeCrossing(int i) {
+    int a = Circles.collidingAt(i);
+    int c = Circles.collidingAt(meetings.partner(i));
+    double[] s = circles.state;
+    double later = (s[c + Circles.T] - s[a + Circles.T]) + (s[c + Circles.TL] - s[a + Circles.TL]);
+    return meetings.isOpen(i) || Math.max(0, later) + meetings.tau(i) < untilCrossing(i);
+  }
+
+  /** Of a meeting and an obstacle at one time: if the meeting is first, or is to be refined. */
+  private boolean isBeforeObstacle(int i) {
+    double tail = meetings.tail(i);
+    double other = dueTail(i);
+    return tail < other || (tail == other && pairs.isSensor(i, meetings.partner(i)));
+  }
+
+  /** The order of two events of the same time. */
+  private boolean before(int i, int j) {
+    double a = tail(i);
+    double b = tail(j);
+    return a != b ? a < b : rank(i) < rank(j);
+  }
+
+  private double tail(int i) {
+    return switch (kinds[i]) {
+      case STATIC -> dueTail(i);
+      case PAIR -> meetings.tail(i);
+      default -> Double.NEGATIVE_INFINITY;
+    };
+  }
+
+  private long rank(int i) {
+    return switch (kinds[i]) {
+      case STATIC -> next(i) < 0 ? i : (long) next(i) << 31 | i;
+      case PAIR -> {
+        int j = meetings.partner(i);
+        yield pairs.rank(Math.min(i, j), Math.max(i, j));
+      }
+      default -> i;
+    };
+  }
+}
