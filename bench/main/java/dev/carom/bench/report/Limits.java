@@ -132,11 +132,17 @@ final class Limits {
     Optional<Spread> worst = results.spread(FAST, Metrics.CAROM, RoundingPart.METRIC, "max");
     String above = new RoundingNote(results, FAST).above().map(t -> ", " + t).orElse("");
     atMost(
-        "worst error of one frame, in 2^-53 x its conditioning",
+        "worst error of one circle in one frame, in 2^-53 x its conditioning",
         FAST,
         RoundingPart.LIMIT,
         units -> Numbers.ratio(units) + (units > RoundingPart.LIMIT ? above : ""),
         worst);
+    atMost(
+        "worst error of one frame, in 2^-53 x the greatest conditioning in it",
+        FAST,
+        RoundingPart.LIMIT,
+        Numbers::ratio,
+        results.spread(FAST, Metrics.CAROM, RoundingPart.METRIC, RoundingPart.OF_FRAMES));
   }
 
   /** What is behind a limit that needs words. */

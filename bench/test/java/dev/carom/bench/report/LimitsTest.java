@@ -45,7 +45,8 @@ class LimitsTest {
     more.add("fast-1", "carom", "", "frame_roundings", "max", 4.01, "1", -1);
     assertThat(row(more, "worst error", "fast-1").get(4)).isEqualTo("no");
     assertThat(sentence(more))
-        .startsWith("Limits: 7 of the 8 that were measured hold; missed: worst error of one frame")
+        .startsWith(
+            "Limits: 7 of the 8 that were measured hold; missed: worst error of one circle in one frame")
         .endsWith(", fast-1: 4.01 (limit: 4).");
   }
 
@@ -60,6 +61,8 @@ class LimitsTest {
     sample.add("fast-1", "carom", "", "frame_roundings", "max of frames", 1.2, "1", -1);
     assertThat(row(sample, "worst error", "fast-1"))
         .endsWith("4", "8.4, 3 of 600 circle-frames above", "no");
+    assertThat(row(sample, "worst error of one frame, in 2^-53", "fast-1"))
+        .endsWith("4", "1.2", "yes");
     assertThat(Limits.note(sample.results()).orElseThrow())
         .contains("fast-1: 3 of 600 circle-frames above 4 x", "the worst, of 8.4, has 7 impacts")
         .contains("errs there by 8.1.")
