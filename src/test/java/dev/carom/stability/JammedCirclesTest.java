@@ -15,7 +15,7 @@ class JammedCirclesTest {
 
   /**
    * A jam bears an approach of 2^-48 of the speeds, so a way of 100 units brings 4e-13 at most; and
-   * coordinates of 100 have ulps of 1.4e-14. Measured: 4e-14 in rows, 2e-14 between bumpers.
+   * coordinates of 100 have ulps of 1.4e-14. Measured in rows: 4e-14.
    */
   private static final double BORNE = 1e-12;
 
