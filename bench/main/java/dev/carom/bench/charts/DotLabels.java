@@ -43,10 +43,11 @@ final class DotLabels {
   private static final double TEXT_MARGIN = 4;
   private static final double JOINED_FROM = 15;
 
-  /** What it costs to cover the whole of a text by texts or dots, and by a line. */
+  /** What it costs to cover the whole of a text by texts or dots. */
   private static final double COVERED = 1000;
 
-  private static final double UNDERLINED = 60;
+  /** What it costs if a line runs through a text: more than to stand in the farthest place. */
+  private static final double UNDERLINED = 160;
 
   /** What it costs if the line from a text to its dot runs through another dot. */
   private static final double CROSSED = 40;
