@@ -4,90 +4,125 @@ package dev.carom;
 /**
  * Reads what the next events will need, for many of them at once: whom they concern, the lists of
  * the cells around, and the circles listed there. An event by itself waits for memory once for each
- * of these; the reads of many events do not depend on each other, so their waits overlap. Nothing
- * changes but what is in the cache.
+ * of these; the reads of many events do not depend on each other, so their waits overlap, the more
+ * of them the less is to be computed in between. Nothing changes but what is in the cache.
  */
 final class Ahead implements EventQueue.Outlook {
 
   /** From so many circles on their flights are more than a core's own cache holds: measured. */
   static final int LEAST_CIRCLES = 1 << 13;
 
+  // Cells whose lists are gone through where a flight begins anew, and where one goes on.
+  private static final int AROUND = 9;
+  private static final int AHEAD = 5;
+
   private final Circles circles;
   private final Neighbors neighbors;
+  private final int[] followers;
   private final short[] kinds;
-  private final int[] concerned = new int[2 * EventQueue.MOST_OUTLOOK];
+
+  /** Those on whom something is to be done, with their partners where two meet. */
+  private final int[] concerned = new int[2 * EventQueue.MOST_OUTLOOK + 1];
+
+  /** Those that only go on into another cell. */
+  private final int[] crossing = new int[EventQueue.MOST_OUTLOOK + 1];
+
+  /** The lists that will be needed: their places, and then their first circles. */
+  private final int[] lists = new int[AROUND * 2 * EventQueue.MOST_OUTLOOK];
 
   /** What was read comes together here, for else it need not be read. */
   @SuppressWarnings("UnusedVariable")
-  private long sum;
+  private double sum;
 
   /** For circles with events of these kinds, as {@link Schedule} numbers them. */
   Ahead(Circles circles, Neighbors neighbors, short[] kinds) {
     this.circles = circles;
     this.neighbors = neighbors;
     this.kinds = kinds;
+    followers = neighbors.followers();
   }
 
   @Override
   public void next(int[] ids, int size) {
-    long read = 0;
+    double read = 0;
     for (int k = 0; k < size; k++) {
-      concerned[k] = ids[k];
-      read += flight(ids[k]) + kinds[ids[k]];
+      read += flight(ids[k]);
     }
-    int end = size;
+    int crossings = 0;
+    int others = 0;
     for (int k = 0; k < size; k++) {
-      if (kinds[ids[k]] == Schedule.PAIR) {
-        concerned[end++] = circles.codes[Circles.collidingCodesAt(ids[k]) + Circles.PARTNER];
-      }
+      // Which it is cannot be foretold: it is written down for both.
+      int isOther = (kinds[ids[k]] - Schedule.CROSSING) >>> 31;
+      concerned[others] = ids[k];
+      others += isOther;
+      crossing[crossings] = ids[k];
+      crossings += 1 - isOther;
     }
-    for (int k = size; k < end; k++) {
+    int end = addPartners(others);
+    for (int k = others; k < end; k++) {
       read += flight(concerned[k]);
     }
-    for (int k = 0; k < end; k++) {
-      read += lists(concerned[k]);
-    }
-    for (int k = 0; k < end; k++) {
-      read += listed(concerned[k]);
-    }
-    sum += read;
+    placesAround(end);
+    placesAhead(AROUND * end, crossings);
+    sum += read + listed(firsts(end, crossings));
   }
 
-  private long flight(int i) {
+  /** Adds whom the first circles that are concerned meet, and returns the end. */
+  private int addPartners(int others) {
+    int end = others;
+    for (int k = 0; k < others; k++) {
+      int i = concerned[k];
+      concerned[end] = circles.codes[Circles.collidingCodesAt(i) + Circles.PARTNER];
+      end += kinds[i] == Schedule.PAIR ? 1 : 0;
+    }
+    return end;
+  }
+
+  /** Reads both cache lines of a circle's record. */
+  private double flight(int i) {
     int a = Circles.collidingAt(i);
-    return Double.doubleToRawLongBits(circles.state[a + Circles.X])
-        + Double.doubleToRawLongBits(circles.state[a + Circles.MEETING])
-        + circles.codes[Circles.collidingCodesAt(i)];
+    return circles.state[a + Circles.X] + circles.state[a + Circles.MEETING] + kinds[i];
   }
 
-  /** Reads the lists of cells around circle i, where it is or, if it crosses an edge, will be. */
-  private int lists(int i) {
-    int way = kinds[i] - Schedule.CROSSING;
-    int column = neighbors.columnAfter(i, way);
-    int row = neighbors.rowAfter(i, way);
-    Cells cells = neighbors.cells(i);
-    return (cells.head(column - 1, row - 1) + cells.head(column + 1, row - 1))
-        + (cells.head(column - 1, row) + cells.head(column + 1, row))
-        + (cells.head(column - 1, row + 1) + cells.head(column + 1, row + 1));
+  private void placesAround(int concerns) {
+    for (int k = 0; k < concerns; k++) {
+      int i = concerned[k];
+      int column = neighbors.column(i);
+      neighbors.cells(i).placesAround(column, neighbors.row(i), lists, AROUND * k);
+    }
   }
 
-  /** Reads the circles in these lists. */
-  private long listed(int i) {
-    int way = kinds[i] - Schedule.CROSSING;
-    int column = neighbors.columnAfter(i, way);
-    int row = neighbors.rowAfter(i, way);
-    Cells cells = neighbors.cells(i);
-    return row(cells, column, row - 1) + row(cells, column, row) + row(cells, column, row + 1);
+  private void placesAhead(int from, int crossings) {
+    for (int k = 0; k < crossings; k++) {
+      int i = crossing[k];
+      int way = kinds[i] - Schedule.CROSSING;
+      int column = neighbors.column(i);
+      int row = neighbors.row(i);
+      int dx = Neighbors.columnsOn(way);
+      int dy = Neighbors.rowsOn(way);
+      neighbors.cells(i).placesAhead(column, row, dx, dy, lists, from + AHEAD * k);
+    }
   }
 
-  private long row(Cells cells, int column, int row) {
-    return first(cells, column - 1, row)
-        + first(cells, column, row)
-        + first(cells, column + 1, row);
+  /** Reads the lists at these places, and returns how many. */
+  private int firsts(int concerns, int crossings) {
+    for (int k = 0; k < concerns; k++) {
+      neighbors.cells(concerned[k]).firsts(lists, AROUND * k, AROUND * (k + 1));
+    }
+    int from = AROUND * concerns;
+    for (int k = 0; k < crossings; k++) {
+      neighbors.cells(crossing[k]).firsts(lists, from + AHEAD * k, from + AHEAD * (k + 1));
+    }
+    return from + AHEAD * crossings;
   }
 
-  private long first(Cells cells, int column, int row) {
-    int j = Math.max(0, cells.head(column, row));
-    return Double.doubleToRawLongBits(circles.state[Circles.collidingAt(j)]) + cells.next(j);
+  /** Reads the first circles of so many lists. */
+  private double listed(int size) {
+    double read = 0;
+    for (int k = 0; k < size; k++) {
+      int j = Math.max(0, lists[k]);
+      read += circles.state[Circles.collidingAt(j)] + followers[j];
+    }
+    return read;
   }
 }

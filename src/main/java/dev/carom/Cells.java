@@ -121,14 +121,32 @@ final class Cells {
     return end;
   }
 
-  /** The first of a cell's list, or NONE. */
-  int head(int column, int row) {
-    return heads[index(column, row)];
+  /** Writes down where the lists of a cell and of the eight around it stand. */
+  void placesAround(int column, int row, int[] places, int from) {
+    int end = from;
+    for (int r = row - 1; r <= row + 1; r++) {
+      places[end++] = index(column - 1, r);
+      places[end++] = index(column, r);
+      places[end++] = index(column + 1, r);
+    }
   }
 
-  /** The circle that follows another one in its list, or NONE. */
-  int next(int i) {
-    return next[i];
+  /** The same of a cell, the one a step on, and the three that are next to it then. */
+  void placesAhead(int column, int row, int dx, int dy, int[] places, int from) {
+    int c = column + 2 * dx;
+    int r = row + 2 * dy;
+    places[from] = index(column, row);
+    places[from + 1] = index(column + dx, row + dy);
+    places[from + 2] = index(c - dy, r - dx);
+    places[from + 3] = index(c, r);
+    places[from + 4] = index(c + dy, r + dx);
+  }
+
+  /** Puts the first circle of each list, or NONE, where its place is written. */
+  void firsts(int[] places, int from, int to) {
+    for (int k = from; k < to; k++) {
+      places[k] = heads[places[k]];
+    }
   }
 
   private int index(int column, int row) {

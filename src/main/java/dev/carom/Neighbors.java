@@ -359,16 +359,24 @@ final class Neighbors {
     return own[levelOf(i)];
   }
 
-  /** In which column of its own level circle i is once it went a way, if that is not negative. */
-  int columnAfter(int i, int way) {
-    int column = wrapped(state[Circles.collidingAt(i) + Circles.COLUMN]);
-    return way < 0 || (way & VERTICAL) != 0 ? column : column + sign(way);
+  /** In which column of its own level circle i is. */
+  int column(int i) {
+    return wrapped(state[Circles.collidingAt(i) + Circles.COLUMN]);
   }
 
-  /** The like row. */
-  int rowAfter(int i, int way) {
-    int row = wrapped(state[Circles.collidingAt(i) + Circles.ROW]);
-    return way < 0 || (way & VERTICAL) == 0 ? row : row + sign(way);
+  /** And in which row. */
+  int row(int i) {
+    return wrapped(state[Circles.collidingAt(i) + Circles.ROW]);
+  }
+
+  /** By how many columns a way leads on: 1, 0, or -1. */
+  static int columnsOn(int way) {
+    return sign(way) * (1 - ((way & VERTICAL) >> 1));
+  }
+
+  /** And by how many rows. */
+  static int rowsOn(int way) {
+    return sign(way) * ((way & VERTICAL) >> 1);
   }
 
   private boolean hasSmaller(int i, int level) {
