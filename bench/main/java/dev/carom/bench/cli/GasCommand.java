@@ -69,8 +69,18 @@ final class GasCommand implements Callable<Integer> {
       names = "--frames",
       paramLabel = "N",
       defaultValue = "600",
-      description = "Frames of one replay, each one unit of time (default: ${DEFAULT-VALUE}).")
+      description = "Frames of one replay (default: ${DEFAULT-VALUE}).")
   private int frames;
+
+  @Option(
+      names = "--frame-time",
+      paramLabel = "T",
+      defaultValue = "1",
+      description = {
+        "How long a frame of a replay lasts (default: ${DEFAULT-VALUE}); in a unit of time a",
+        "circle of mass 1 moves by 1.25 on average."
+      })
+  private double frameTime;
 
   @Option(
       names = "--replays",
@@ -101,6 +111,7 @@ final class GasCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException, CannotPlaceException {
     Bounded.atLeast(1, "--frames", frames, spec);
+    Bounded.positive("--frame-time", frameTime, spec);
     Bounded.atLeast(1, "--replays", replays, spec);
     Scene scene = scene();
     if (save != null) {
@@ -111,12 +122,12 @@ final class GasCommand implements Callable<Integer> {
       print(GasSteady.play(scene, replays, steady));
       return 0;
     }
-    GasReplay best = GasReplay.play(scene, frames);
+    GasReplay best = GasReplay.play(scene, frames, frameTime);
     for (int i = 1; i < replays; i++) {
-      GasReplay next = GasReplay.play(scene, frames);
+      GasReplay next = GasReplay.play(scene, frames, frameTime);
       best = next.nanos() < best.nanos() ? next : best;
     }
-    print(best);
+    print(best, GasOverlap.deepest(scene, frames, frameTime));
     return 0;
   }
 
@@ -163,9 +174,14 @@ final class GasCommand implements Callable<Integer> {
     out.flush();
   }
 
-  private void print(GasReplay best) {
+  private void print(GasReplay best, double overlap) {
     PrintWriter out = printGas();
-    out.printf(Locale.ROOT, "run      %,d frames, the fastest of %,d replays%n", frames, replays);
+    out.printf(
+        Locale.ROOT,
+        "run      %,d frames of %s, the fastest of %,d replays%n",
+        frames,
+        Decimals.plain(frameTime),
+        replays);
     out.printf(
         Locale.ROOT,
         "impacts  %,d between circles, %,d with walls%n",
@@ -177,6 +193,7 @@ final class GasCommand implements Callable<Integer> {
         best.collisions() * 1e9 / best.nanos(),
         best.nanos() / 1e3 / frames);
     out.printf(Locale.ROOT, "energy   changed by %.1e of itself%n", best.energyChange());
+    out.printf(Locale.ROOT, "overlap  %.1e of a radius at most, at the ends of frames%n", overlap);
     out.flush();
   }
 }

@@ -16,7 +16,7 @@ import dev.carom.World;
  */
 record GasReplay(long nanos, long collisions, long wallImpacts, double energyChange) {
 
-  static GasReplay play(Scene scene, int frames) {
+  static GasReplay play(Scene scene, int frames, double frameTime) {
     World world = new World(scene);
     double before = energy(scene, world);
     long nanos = 0;
@@ -26,7 +26,7 @@ record GasReplay(long nanos, long collisions, long wallImpacts, double energyCha
       boolean complete;
       do {
         long start = System.nanoTime();
-        complete = world.advanceTo(frame);
+        complete = world.advanceTo(frame * frameTime);
         nanos += System.nanoTime() - start;
         ImpactLog log = world.impacts();
         for (int row = 0; row < log.size(); row++) {

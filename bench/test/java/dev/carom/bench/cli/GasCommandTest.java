@@ -4,8 +4,11 @@ package dev.carom.bench.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -21,13 +24,46 @@ class GasCommandTest {
             line ->
                 assertThat(line)
                     .isEqualTo("gas      --seed 1 --circles 50 --packing 0.2 --spread 1 --heavy"),
-            line -> assertThat(line).isEqualTo("run      20 frames, the fastest of 2 replays"),
+            line -> assertThat(line).isEqualTo("run      20 frames of 1, the fastest of 2 replays"),
             line ->
                 assertThat(line).matches("impacts  [\\d,]+ between circles, [\\d,]+ with walls"),
             line ->
                 assertThat(line)
                     .matches("speed    [\\d,]+ collisions per second, [\\d,.]+ us per frame"),
-            line -> assertThat(line).matches("energy   changed by -?\\d\\.\\de[-+]\\d+ of itself"));
+            line -> assertThat(line).matches("energy   changed by -?\\d\\.\\de[-+]\\d+ of itself"),
+            line ->
+                assertThat(line)
+                    .matches(
+                        "overlap  \\d\\.\\de[-+]\\d+ of a radius at most, at the ends of frames"));
+  }
+
+  @Test
+  void shorterFramesHaveFewerImpacts() {
+    long whole = impacts(Cli.run("gas", "--frames", 20, "--replays", 1));
+    Cli shorter = Cli.run("gas", "--frames", 20, "--replays", 1, "--frame-time", 0.25);
+
+    assertThat(shorter.out()).contains("20 frames of 0.25,");
+    assertThat((double) impacts(shorter) / whole).isBetween(0.2, 0.3);
+    Cli refused = Cli.run("gas", "--frame-time", 0);
+    assertThat(refused.exitCode()).isEqualTo(2);
+    assertThat(refused.err()).contains("--frame-time is 0.0: expected").hasLineCount(1);
+  }
+
+  private static long impacts(Cli run) {
+    Matcher found = Pattern.compile("impacts +([\\d,]+) between").matcher(run.out());
+    assertThat(found.find()).isTrue();
+    return Long.parseLong(found.group(1).replace(",", ""));
+  }
+
+  /** A pair drawn into each other, one that touches, and one apart. */
+  @Test
+  void tellsTheDeepestOverlap() {
+    SceneBuilder builder = Scene.builder().collide(true);
+    builder.circle(0, 0, 2, 0, 0).circle(2.5, 0, 1, 0, 0);
+    builder.circle(0, 10, 1, 0, 0).circle(2, 10, 1, 0, 0);
+    assertThat(GasOverlap.deepest(builder.build(), 2, 0.5)).isEqualTo(0.5);
+    Scene touching = Scene.builder().circle(0, 0, 1, 0, 0).circle(2, 0, 1, 0, 0).build();
+    assertThat(GasOverlap.deepest(touching, 1, 1)).isZero();
   }
 
   @Test
