@@ -23,9 +23,6 @@ public final class ImpactLog {
   private static final ObstacleKind[] KINDS = ObstacleKind.values();
   private static final Feature[] FEATURES = Feature.values();
 
-  /** Rows that are sorted by insertion. */
-  private static final int FEW = 32;
-
   private int size;
   private double[] numbers;
   private int[] circles;
@@ -34,10 +31,7 @@ public final class ImpactLog {
   private byte[] features;
   private boolean[] jammed;
 
-  /** The rows in the order of time; before {@link #sort}, of their arrival. */
-  private int[] order;
-
-  private int[] scratch;
+  private final TimeOrder order;
 
   /** Whether a row arrived that is earlier than the one before it. */
   private boolean disordered;
@@ -50,8 +44,7 @@ public final class ImpactLog {
     kinds = new byte[rows];
     features = new byte[rows];
     jammed = new boolean[rows];
-    order = new int[rows];
-    scratch = new int[rows];
+    order = new TimeOrder(numbers, ROW);
   }
 
   /**
@@ -211,7 +204,7 @@ public final class ImpactLog {
     kinds[size] = (byte) kind.ordinal();
     features[size] = (byte) feature.ordinal();
     jammed[size] = false;
-    order[size] = size;
+    order.rows[size] = size;
     size++;
   }
 
@@ -235,45 +228,8 @@ public final class ImpactLog {
    * circle as they happened.
    */
   void sort() {
-    if (!disordered) {
-      return;
-    }
-    if (size <= FEW) {
-      insert(0, size);
-      return;
-    }
-    for (int i = 0; i < size; i += FEW) {
-      insert(i, Math.min(i + FEW, size));
-    }
-    for (int width = FEW; width < size; width *= 2) {
-      for (int i = 0; i < size; i += 2 * width) {
-        merge(i, Math.min(i + width, size), Math.min(i + 2 * width, size));
-      }
-      int[] merged = scratch;
-      scratch = order;
-      order = merged;
-    }
-  }
-
-  private void insert(int from, int to) {
-    for (int i = from + 1; i < to; i++) {
-      int row = order[i];
-      double time = numbers[row * ROW];
-      int k = i - 1;
-      while (k >= from && numbers[order[k] * ROW] > time) {
-        order[k + 1] = order[k];
-        k--;
-      }
-      order[k + 1] = row;
-    }
-  }
-
-  private void merge(int from, int middle, int to) {
-    int i = from;
-    int k = middle;
-    for (int out = from; out < to; out++) {
-      boolean second = i == middle || (k < to && numbers[order[k] * ROW] < numbers[order[i] * ROW]);
-      scratch[out] = second ? order[k++] : order[i++];
+    if (disordered) {
+      order.sort(size);
     }
   }
 
@@ -285,8 +241,7 @@ public final class ImpactLog {
     kinds = Arrays.copyOf(kinds, capacity);
     features = Arrays.copyOf(features, capacity);
     jammed = Arrays.copyOf(jammed, capacity);
-    order = Arrays.copyOf(order, capacity);
-    scratch = new int[capacity];
+    order.extend(numbers);
   }
 
   private int at(int row) {
@@ -294,6 +249,6 @@ public final class ImpactLog {
       throw new IndexOutOfBoundsException(
           "row " + row + " does not exist: the log has " + size + " of them, from 0");
     }
-    return order[row];
+    return order.rows[row];
   }
 }
