@@ -17,10 +17,12 @@ final class Flights extends Engine {
   private static final int LEAST_IMPACTS_PER_CALL = 10_000;
 
   private final Journal journal;
+  private final DueCircles ahead;
 
   Flights(Scene scene, Roster roster, Machinery machinery, ImpactLog log) {
     super(scene, roster, new Circles(scene.circleCount()), machinery, log);
     int count = circles.count;
+    ahead = new DueCircles(circles, surroundings);
     journal = new Journal(Math.min(count, JOURNAL), Circles.STATE, Circles.CODES);
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
@@ -68,7 +70,9 @@ final class Flights extends Engine {
     ExactWork work = ExactWork.ofThread();
     Agenda due = circles.due;
     double end = goal;
-    for (int i = due.next(0, end); i < due.size(); i = due.next(i + 1, end)) {
+    boolean many = circles.count >= DueCircles.LEAST_CIRCLES;
+    int i = many ? ahead.first(end) : due.next(0, end);
+    while (i < due.size()) {
       journal.save(i, due.get(i), circles.jam(i), circles.state, circles.codes);
       circles.load(i);
       boolean spent = fly(circles.mover, work, allowance, end);
@@ -77,6 +81,7 @@ final class Flights extends Engine {
         unfinished = true;
         end = Math.min(end, circles.mover.t);
       }
+      i = many ? ahead.next(end) : due.next(i + 1, end);
     }
     return end;
   }

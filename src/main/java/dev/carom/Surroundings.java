@@ -39,7 +39,8 @@ final class Surroundings {
     }
   }
 
-  private Grid grid(int i) {
+  /** The grid of a circle; null where none is used. */
+  Grid grid(int i) {
     return own == null ? shared : own[i];
   }
 
