@@ -21,6 +21,7 @@ public final class SphereFamilies {
           "tiny_or_huge",
           "size_ratio",
           "window_end",
+          "end_after_a_long_way",
           "lattice",
           "extreme",
           "brink_across",
@@ -42,7 +43,8 @@ public final class SphereFamilies {
           case "far" -> far(d);
           case "tiny_or_huge" -> scale(d, aimed(d, d.in(0, 1.5), 10, 1));
           case "size_ratio" -> sizeRatio(d);
-          case "window_end" -> windowEnd(d);
+          case "window_end" -> ended(d, d.chance(0.5) ? aimed(d, d.in(0, 1.5), 20, 1) : lattice(d));
+          case "end_after_a_long_way" -> ended(d, longWay(d));
           case "lattice" -> lattice(d);
           case "extreme" -> extreme(d);
           case "brink_across" -> across(d);
@@ -172,11 +174,23 @@ public final class SphereFamilies {
   }
 
   /** The window ends at, or some ulps beside, the time of impact. */
-  private static double[] windowEnd(Draw d) {
-    double[] n = d.chance(0.5) ? aimed(d, d.in(0, 1.5), 20, 1) : lattice(d);
+  private static double[] ended(Draw d, double[] n) {
     n[14] = Double.POSITIVE_INFINITY;
     double t = new SphereQuery(n).truth();
     n[14] = Math.abs(Draw.ulps(Math.min(t, 1e300), d.whole(-2, 2)));
+    return n;
+  }
+
+  /** Along one axis, from many radii away: there the other axes add little to what is rounded. */
+  private static double[] longWay(Draw d) {
+    double[] u = {-d.log(2, 1e4), 0, 0};
+    double[] normal = turned(d, new double[] {1, 0, 0}, d.in(0, 1.2));
+    double radius = d.in(0.5, 2);
+    double[] way = scaled(u, -d.log(2, 1e4));
+    double[] n = query(d, plus(scaled(normal, radius), way), u, radius);
+    for (int turns = d.whole(0, 2); turns > 0; turns--) {
+      n = permuted(n);
+    }
     return n;
   }
 
