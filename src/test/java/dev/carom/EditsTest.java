@@ -19,7 +19,6 @@ import org.junit.jupiter.params.provider.ValueSource;
  * which searches everything anew. {@code -Dcarom.edits=1000000} makes a longer run of it, {@code
  * -Dcarom.seed} another one.
  */
-@Tag("long")
 class EditsTest {
 
   private static final int EDITS = Integer.getInteger("carom.edits", 6_000);
@@ -31,6 +30,7 @@ class EditsTest {
   /** A step of more, in a corridor hardly wider than the circle, would take the model minutes. */
   private static final int MOST_IMPACTS = 5_000;
 
+  @Tag("long")
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void theWorldDoesWhatThePlainModelDoes(boolean collide) throws IOException {
@@ -62,6 +62,13 @@ class EditsTest {
   @ParameterizedTest
   @CsvSource({"7022521, false", "7016021, true", "5386515, true"})
   void sessionsThatOnceDiffered(long seed, boolean collide) throws IOException {
+    assertThat(new Session(new Random(seed), collide).run()).isPositive();
+  }
+
+  /** Short ones, for who cannot wait for the long run. */
+  @ParameterizedTest
+  @CsvSource({"1, false", "2, true", "3, false", "4, true"})
+  void aSessionDoesWhatThePlainModelDoes(long seed, boolean collide) throws IOException {
     assertThat(new Session(new Random(seed), collide).run()).isPositive();
   }
 

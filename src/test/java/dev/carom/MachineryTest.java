@@ -75,6 +75,12 @@ class MachineryTest {
     assertThat(impacts).isGreaterThan(500);
   }
 
+  @ParameterizedTest(name = "{0}")
+  @MethodSource("recipes")
+  void onARandomScene(String name, RandomScenes.Recipe recipe) {
+    assertSameWithAllMachinery(recipe.draw(new Random(6)).build(), 0.5, 40, 120);
+  }
+
   /** In cells smaller than the circles, and in one cell for all. */
   @ParameterizedTest
   @ValueSource(doubles = {0.7, 3, 4000})
