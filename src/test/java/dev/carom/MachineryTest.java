@@ -94,7 +94,7 @@ class MachineryTest {
    * Moved far away, a cell is only some thousand ulps wide: the grid may not trust its rounding.
    */
   @ParameterizedTest
-  @ValueSource(doubles = {1e6, 1e9, 0x1p33 * 100, 1e12})
+  @ValueSource(doubles = {1e6, 1e9, 0x1p33 * 100, 1e12, 4e13})
   void farFromTheOrigin(double far) {
     SceneBuilder builder = Scene.builder();
     Random random = new Random(5);
@@ -109,6 +109,27 @@ class MachineryTest {
       builder.circle(x, y, 8, random.nextInt(21) - 10, random.nextInt(21) - 10);
     }
     assertSameWithAllMachinery(builder.build(), 300);
+  }
+
+  /** So fast or slow that cells cannot be counted by time, or hardly. */
+  @ParameterizedTest
+  @ValueSource(ints = {-1000, -480, 480, 520, 990})
+  void inAnyUnitOfTime(int exponent) {
+    Scene scene = RandomScenes.mixed(new Random(7)).build();
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600);
+    for (int i = 0; i < scene.lineCount(); i++) {
+      Line l = scene.line(i);
+      builder.line(l.ax(), l.ay(), l.bx(), l.by());
+    }
+    for (int i = 0; i < scene.circleCount(); i++) {
+      Circle c = scene.circle(i);
+      Vec2 v = scene.velocity(i);
+      builder.circle(
+          c.x(), c.y(), c.radius(), Math.scalb(v.x(), exponent), Math.scalb(v.y(), exponent));
+    }
+    double time = Math.scalb(5.0, -exponent);
+    assertThat(Run.advance(new World(builder.build(), Machinery.cells(17)), time))
+        .isEqualTo(Run.advance(new World(builder.build(), Machinery.EACH), time));
   }
 
   // Order.

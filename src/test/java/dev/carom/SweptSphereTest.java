@@ -107,6 +107,27 @@ class SweptSphereTest {
     assertThat(v).containsExactly(-2, 5, 7, 3, 1, 4);
   }
 
+  /** Differences of these places, or of these velocities, are beyond the doubles. */
+  @Test
+  void alsoWhereDifferencesAreBeyondTheDoubles() {
+    double[] v = {3, 5, 7, -2, 1, 4};
+    SweptSphere.respond(-1.5e308, 0, 0, 2, 1.5e308, 0, 0, 2, 1, v);
+    assertThat(v).containsExactly(-2, 5, 7, 3, 1, 4);
+    double[] fast = {1.5e308, 5, 7, -1.25e308, 1, 4};
+    SweptSphere.respond(0, 0, 0, 2, 10, 0, 0, 2, 1, fast);
+    assertThat(fast).containsExactly(-1.25e308, 5, 7, 1.5e308, 1, 4);
+  }
+
+  @Test
+  void anyRestitutionTurnsTheVelocityRound() {
+    double[] v = {3, 5, 7, -2, 1, 4};
+    SweptSphere.respond(0, 0, 0, 2, 10, 0, 0, 2, 0x1p200, v);
+    assertThat(v).containsExactly(-2.5 * 0x1p200, 5, 7, 2.5 * 0x1p200, 1, 4);
+    double[] slow = {0x1p-600, 5, 7, -0x1p-600, 5, 7};
+    SweptSphere.respond(0, 0, 0, 2, 10, 0, 0, 2, 0x1p200, slow);
+    assertThat(slow).containsExactly(-0x1p-400, 5, 7, 0x1p-400, 5, 7);
+  }
+
   @Test
   void energyAndMomentumAreKept() {
     Draw draw = new Draw(SEED);
