@@ -11,6 +11,7 @@ import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -159,6 +160,13 @@ class RefusedEditTest {
         .isInstanceOf(IndexOutOfBoundsException.class)
         .hasMessage(message);
     assertUntouched(world, before);
+  }
+
+  @Test
+  void theFirstIdToo() {
+    World world = world(false);
+    world.remove(CIRCLE, 0);
+    assertThatThrownBy(() -> world.x(0)).hasMessage("circle 0 does not exist: it was removed");
   }
 
   private static void assertUntouched(World world, Snapshot before) {

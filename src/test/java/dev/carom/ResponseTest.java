@@ -195,11 +195,15 @@ class ResponseTest {
     assertThat(impacts(box().line(50, 100, 50, 50).oneWay().circle(20, 47, 5, 2, 0), 20)).isEmpty();
   }
 
-  /** It moves neither to the right nor to the left, towards the start. */
+  /** It moves neither to the right nor to the left, or is neither here nor there. */
   @Test
   void alongAOneWayLineIsPastIt() {
     assertThat(impacts(box().line(50, 50, 50, 80).oneWay().circle(48, 20, 5, 0, 2), 20)).isEmpty();
     assertThat(impacts(box().line(50, 50, 50, 80).circle(48, 20, 5, 0, 2), 20)).hasSize(1);
+    // Neither on its left nor on its right, and bound for the right.
+    assertThat(impacts(box().line(50, 50, 50, 80).oneWay().circle(50, 20, 5, 0.01, 2), 20))
+        .isEmpty();
+    assertThat(impacts(box().line(50, 50, 50, 80).circle(50, 20, 5, 0.01, 2), 20)).hasSize(1);
   }
 
   // Scenes.
