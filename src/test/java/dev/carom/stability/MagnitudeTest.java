@@ -12,6 +12,7 @@ import dev.carom.Impact;
 import dev.carom.Line;
 import dev.carom.Resolver;
 import dev.carom.Scene;
+import dev.carom.SweptCircle;
 import dev.carom.SweptSphere;
 import dev.carom.Trajectory;
 import dev.carom.Vec2;
@@ -136,6 +137,17 @@ class MagnitudeTest {
     assertThat(advance(world, 1)).hasSize(1);
     assertThat(world.x(0)).isCloseTo(1, within(1e-15));
     assertThat(Play.speed(world, 0)).isZero();
+  }
+
+  /** The relative velocity is no double; its part along the normal, 60 degrees aside, is one. */
+  @Test
+  void anApproachIsToldIfItIsADouble() {
+    double aside = Math.sqrt(1.5);
+    Circle first = new Circle(0, 0, 1);
+    Circle second = new Circle(10 - aside, 10 + aside, 1);
+    Vec2 v = new Vec2(1e308, 1e308);
+    Impact hit = SweptCircle.cast(first, v, second, new Vec2(-1e308, -1e308), 1).orElseThrow();
+    assertThat(hit.approachSpeed() / 1e308).isCloseTo(Math.sqrt(2), within(1e-12));
   }
 
   /**

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+class ExactWorkTest {
+
+  /** What some work counts, in ordinary impacts. */
+  private static long impacts(Runnable work) {
+    long before = ExactWork.ofThread().impacts();
+    work.run();
+    return ExactWork.ofThread().impacts() - before;
+  }
+
+  @Test
+  void numbersCountByTheirBitsAndQuotientsByTheSquareOfThem() {
+    int bits = ExactWork.BITS_PER_IMPACT;
+    assertThat(impacts(() -> ExactWork.add(3 * bits))).isEqualTo(3);
+    assertThat(impacts(() -> ExactWork.addSquared(4 * Long.SIZE))).isBetween(0L, 1L);
+    assertThat(impacts(() -> ExactWork.addSquared(bits))).isEqualTo(bits / Long.SIZE);
+  }
+
+  @Test
+  void longRootsAndQuotientsAreWork() {
+    int bits = ExactWork.BITS_PER_IMPACT;
+    Dyadic three = Dyadic.of(3);
+    assertThat(impacts(() -> Dyadic.of(1).over(three, bits))).isGreaterThanOrEqualTo(128);
+    assertThat(impacts(() -> three.sqrt(bits))).isGreaterThanOrEqualTo(4 * 128);
+  }
+}
