@@ -150,6 +150,17 @@ class MagnitudeTest {
     assertThat(hit.approachSpeed() / 1e308).isCloseTo(Math.sqrt(2), within(1e-12));
   }
 
+  /** It touches at 0.6 of its radius from the middle: of the way, no digit tells where. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0x1p-40, 0x1p-100, 0x1p-300, 0x1p-900})
+  void theNormalOfASpeckIsAccurate(double radius) {
+    Circle circle = new Circle(1, 0.6 * radius, radius / 2);
+    Circle speck = new Circle(0, 0, radius / 2);
+    Impact hit = SweptCircle.cast(circle, new Vec2(-1, 0), speck, 1).orElseThrow();
+    assertThat(hit.normal().x()).isCloseTo(0.8, within(1e-15));
+    assertThat(hit.normal().y()).isCloseTo(0.6, within(1e-15));
+  }
+
   /**
    * The same scene, moved by 2^30: the centre at the impact is rounded to 2^-22, its offset from
    * the peg is not. The normal of rounded coordinates would err by up to 2^-23 / 10.
