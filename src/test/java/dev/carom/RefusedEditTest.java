@@ -9,6 +9,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -160,6 +161,22 @@ class RefusedEditTest {
         .isInstanceOf(IndexOutOfBoundsException.class)
         .hasMessage(message);
     assertUntouched(world, before);
+  }
+
+  /** A coordinate of 10^14 has ulps of 2^-6: 2^10 of them are 16. */
+  @Test
+  void aRadiusTooSmallForTheFarthestEnd() {
+    for (Line far : List.of(new Line(1e14, 1, 0, 0), new Line(0, 0, 1, -1e14))) {
+      World world =
+          new World(
+              Scene.builder()
+                  .line(far.ax(), far.ay(), far.bx(), far.by())
+                  .circle(0, 99, 16, 0, 0)
+                  .build());
+      assertThatThrownBy(() -> world.setRadius(0, 8))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessageContaining("expected at least 16.0");
+    }
   }
 
   @Test

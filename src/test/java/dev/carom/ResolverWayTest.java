@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ResolverWayTest {
@@ -92,6 +93,25 @@ class ResolverWayTest {
     assertThat(resolver.cast(CIRCLE, new Vec2(1, 0), 99).map(Impact::id)).contains(1);
     Trajectory path = resolver.trace(CIRCLE, new Vec2(1, 0), 99);
     assertThat(path.impacts()).extracting(Impact::time).containsExactly(25.0);
+  }
+
+  /** The normal is that of the side where it came along the line; else it is turned back. */
+  @ParameterizedTest
+  @CsvSource({
+    "5, 5, -1, -1, -1, 1",
+    "5, -5, -1, 1, -1, -1",
+    "5, 5, 1, -1, 1, 1",
+    "5, -5, 1, 1, 1, -1",
+    "-5, 5, 1, -1, -1, 1",
+    "15, -5, -1, 1, 1, -1",
+    "0, 5, 0, -1, 0, 1"
+  })
+  void aPointThatHitsTheVeryEnd(double x, double y, double vx, double vy, double ux, double uy) {
+    for (Line line : List.of(new Line(0, 0, 10, 0), new Line(10, 0, 0, 0))) {
+      Trajectory way = Resolver.of(List.of(line)).trace(new Circle(x, y, 0), new Vec2(vx, vy), 6);
+      assertThat(way.impacts()).extracting(Impact::time).containsExactly(5.0);
+      assertThat(way.velocityAt(6)).isEqualTo(new Vec2(ux, uy));
+    }
   }
 
   @Test

@@ -111,6 +111,21 @@ class SnapshotStreamTest {
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
   }
 
+  /** What was removed keeps its id, and counts no more. */
+  @Test
+  void whatWasRemovedIsNotAmongWhatIsLookedAt() throws IOException {
+    SceneBuilder scene = Scene.builder().circle(0, 0, 1, 1, 0);
+    for (int i = 0; i < 3; i++) {
+      scene.line(20 + i, -5, 20 + i, 5).peg(-20 - i, 0, 1);
+    }
+    World world = new World(scene.build());
+    world.remove(ObstacleKind.LINE, 1);
+    world.remove(ObstacleKind.PEG, 2);
+    World other = new World(world.scene());
+    other.restore(read(bytes(world.snapshot())));
+    assertThat(other.model()).isEqualTo(world.model()).contains("each of 4 lines and pegs");
+  }
+
   @Test
   void aJamIsKept() throws IOException {
     Snapshot snapshot = read(small());

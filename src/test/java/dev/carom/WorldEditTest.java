@@ -213,6 +213,7 @@ class WorldEditTest {
     world.remove(PEG, 0);
     assertThat(world.contains(PEG, 0)).isFalse();
     assertThat(world.addPeg(1, 1, 1)).isEqualTo(1);
+    assertThat(world.peg(1)).isEqualTo(new Circle(1, 1, 1));
   }
 
   /** A paddle that goes up and down every frame; the circle meets it where it is by then. */

@@ -54,6 +54,29 @@ class JammedCirclesTest {
     assertApart(new World(builder.build()), 100, 200, radii);
   }
 
+  /** Slow or fast, they jam at the same places, and as often: rounding is told by the speeds. */
+  @ParameterizedTest
+  @ValueSource(ints = {-600, -60, 60, 600})
+  void inAnyUnitOfTimeTheSameHappens(int exponent) {
+    World world = row(0);
+    World other = row(exponent);
+    assertThat(other.advanceTo(Math.scalb(10.0, -exponent))).isEqualTo(world.advanceTo(10));
+    assertThat(other.impacts().size()).isEqualTo(world.impacts().size()).isGreaterThan(1000);
+    for (int i = 0; i < 5; i++) {
+      assertThat(other.x(i)).isEqualTo(world.x(i));
+      assertThat(other.vx(i)).isEqualTo(Math.scalb(world.vx(i), exponent));
+    }
+  }
+
+  private static World row(int exponent) {
+    double speed = Math.scalb(1.0, exponent);
+    SceneBuilder builder = Scene.builder().collide(true);
+    for (int i = 0; i < 5; i++) {
+      builder.circle(3 * i, 0, 1, i == 0 ? speed : i == 4 ? -speed : 0, 0).restitution(0);
+    }
+    return new World(builder.build());
+  }
+
   /** Walls that add a tenth to each bounce drive circles into each other, ever faster. */
   @ParameterizedTest
   @ValueSource(doubles = {1, 2.5, 10})

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+
+class ObstaclesTest {
+
+  private static Obstacles obstacles() {
+    return Obstacles.of(
+        Scene.builder()
+            .bounds(0, 0, 9, 9)
+            .line(1, 2, 3, 4)
+            .line(2, 3, 4, 5)
+            .peg(5, 6, 1)
+            .peg(6, 7, 1)
+            .build());
+  }
+
+  @Test
+  void theyEqualWhatIsTheSameInAllWays() {
+    assertThat(obstacles()).isEqualTo(obstacles()).hasSameHashCodeAs(obstacles());
+    assertThat(obstacles().copy()).isEqualTo(obstacles());
+    int line = Obstacles.WALLS + 1;
+    int peg = Obstacles.PEGS + 1;
+    List<Consumer<Obstacles>> changes =
+        List.of(
+            o -> o.moveLine(line, 2, 3, 4, 6),
+            o -> o.movePeg(peg, 6, 7, 2),
+            o -> o.setRestitution(line, 0.5),
+            o -> o.setRestitution(peg, 0.5),
+            o -> o.setRestitution(Obstacles.LEFT, 0.5),
+            o -> o.setTraits(line, Traits.with(0, Response.HALT)),
+            o -> o.setTraits(peg, Traits.with(0, Response.HALT)),
+            o -> o.setTraits(Obstacles.LEFT, Traits.with(0, Response.HALT)),
+            o -> o.addLine(1, 1, 2, 2),
+            o -> o.addPeg(1, 1, 2),
+            o -> o.remove(line),
+            o -> o.remove(peg));
+    for (Consumer<Obstacles> change : changes) {
+      Obstacles changed = obstacles();
+      change.accept(changed);
+      assertThat(changed).isNotEqualTo(obstacles());
+    }
+    assertThat(obstacles()).isNotEqualTo("obstacles");
+  }
+
+  @Test
+  void otherLinesHaveAnotherHashCode() {
+    Obstacles moved = obstacles();
+    moved.moveLine(Obstacles.WALLS, 7, 2, 3, 4);
+    assertThat(moved).doesNotHaveSameHashCodeAs(obstacles());
+  }
+
+  /** The second product is rounded by 2^-60, and the first takes away all but that. */
+  @Test
+  void sumsOfProductsKeepWhatRoundingLeaves() {
+    double x = 1 + 0x1p-30;
+    assertThat(ObstacleResponse.dot(-(1 + 0x1p-29), x, 1, x)).isEqualTo(0x1p-60);
+    assertThat(ObstacleResponse.dot(3, 5, 7, -2)).isEqualTo(11);
+  }
+}
