@@ -137,4 +137,12 @@ class ImpulseTest {
     }
     assertThat(met).isGreaterThan(IMPACTS / 4);
   }
+
+  @Test
+  void ofAnyRestitution() {
+    Impulse impulse = new Impulse();
+    impulse.of(0x1p500, -3, 5, 2, 0);
+    assertThat(impulse.change(-3, -1, 0, 2)).isEqualTo(0x1.8p501);
+    assertThat(impulse.change(5, -1, 0, 0)).isEqualTo(5);
+  }
 }

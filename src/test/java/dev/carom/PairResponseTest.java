@@ -38,6 +38,59 @@ class PairResponseTest {
     response.resolve(a, b, log);
   }
 
+  /** In no time, after so many impacts of each. */
+  private ObstacleResponse jam(int stuck, double vx, double vy) {
+    SceneBuilder scene = Scene.builder().circle(0, 0, 1, 0, 0).circle(7, 7, 1, 0, 0);
+    ObstacleResponse response = new ObstacleResponse(Obstacles.of(scene.build()), 1_000);
+    a.start(0, 0, 0, 1, vx, vy, 1);
+    b.start(1, 7, 7, 1, 1, 1, 1);
+    for (Mover m : new Mover[] {a, b}) {
+      m.stuck = stuck;
+      m.standsStill = true;
+    }
+    log.clear();
+    new PairResponse(new Roster(scene.build()), response).resolve(a, b, log);
+    return response;
+  }
+
+  @Test
+  void whoIsOutOfPatienceTwiceIsJammed() {
+    assertThat(jam(1_999, 2, 1).seizes()).isFalse();
+    assertThat(log.jammed(0)).isFalse();
+    assertThat(a.jam).isNull();
+    assertThat(jam(2_000, 2, 1).seizes()).isTrue();
+    assertThat(log.jammed(0)).isTrue();
+    assertThat(a.jam.makesInert(Obstacles.CIRCLES + 1)).isTrue();
+    assertThat(b.jam.makesInert(Obstacles.CIRCLES)).isTrue();
+  }
+
+  /** Two that go on alike, but for rounding, are no piece that has to be seized. */
+  @Test
+  void whoApproachesByRoundingIsNotSeized() {
+    assertThat(jam(2_000, 1 + 0x1p-49, 1).seizes()).isFalse();
+    assertThat(log.jammed(0)).isTrue();
+  }
+
+  @Test
+  void whoCameFromFurtherOffIsNotStuck() {
+    a.start(0, 0, 0, 1, 1, -1, 1);
+    b.start(1, 2, 0, 1, 0, 0, 1);
+    a.stuck = 5;
+    b.stuck = 5;
+    b.flown = 1;
+    masses(1, 1).resolve(a, b, log);
+    assertThat(a.stuck).isEqualTo(6);
+    assertThat(b.stuck).isZero();
+  }
+
+  @Test
+  void whoWouldBeFasterThanDoublesCanTellStops() {
+    collide(masses(1e150, 1), 0, 1.5e308, 0, 0, 0);
+    assertThat(a.vx).isEqualTo(1.5e308);
+    assertThat(b.vx).isZero();
+    assertThat(b.vy).isZero();
+  }
+
   @ParameterizedTest
   @CsvSource({
     "1, 1, 1, 0",

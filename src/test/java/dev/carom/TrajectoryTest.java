@@ -119,4 +119,11 @@ class TrajectoryTest {
         .isNotEqualTo(new Trajectory(flights, List.of(), 2, false))
         .doesNotHaveSameHashCodeAs(new Trajectory(flights, List.of(), 3, true));
   }
+
+  @Test
+  void saysWhatItIsInOneLine() {
+    Trajectory way =
+        Resolver.of(List.of(new Line(5, -9, 5, 9))).trace(new Circle(0, 0, 1), new Vec2(1, 0), 8);
+    assertThat(way).hasToString("Trajectory[duration=8.0, impacts=1, complete=true]");
+  }
 }

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.math.BigDecimal;
+import org.junit.jupiter.api.Test;
+
+class MoverTest {
+
+  private static BigDecimal exact(double x) {
+    return new BigDecimal(x);
+  }
+
+  private static Mover mover(double t, double tl) {
+    Mover m = new Mover();
+    m.start(0, 1, 2, 1, 1, 3, 1);
+    m.t = t;
+    m.tl = tl;
+    return m;
+  }
+
+  /** A thousand flights of a tenth, each a little off a tenth, from a late time on. */
+  @Test
+  void theClockKeepsTwiceTheDigits() {
+    Mover m = mover(1e6, 0);
+    BigDecimal time = exact(m.t);
+    for (int i = 0; i < 1000; i++) {
+      double dt = 0.1 + i * 1e-9;
+      assertThat(m.after(dt)).isEqualTo(exact(m.t).add(exact(m.tl)).add(exact(dt)).doubleValue());
+      m.fly(dt);
+      time = time.add(exact(dt));
+      assertThat(m.t).isEqualTo(time.doubleValue());
+      BigDecimal error = exact(m.t).add(exact(m.tl)).subtract(time).abs();
+      assertThat(error).isLessThan(exact(1e6 * 0x1p-96));
+    }
+    assertThat(m.tl).isNotZero();
+  }
+
+  @Test
+  void anEditBeginsWhereItIsByThen() {
+    Mover m = mover(0x1p53, -0.5);
+    m.restart(0x1p53 + 2);
+    assertThat(m.x).isEqualTo(3.5);
+    assertThat(m.y).isEqualTo(9.5);
+    assertThat(m.t).isEqualTo(0x1p53 + 2);
+    assertThat(m.tl).isZero();
+  }
+
+  @Test
+  void aRoundedPlaceLacksWhatIsLeft() {
+    assertThat(Mover.lack(1, 1e20, 1, 1e20)).isOne();
+    assertThat(Mover.lack(1, 0x1p-60, 3, 1)).isEqualTo(0x1.8p-59);
+  }
+}
