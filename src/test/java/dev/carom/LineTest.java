@@ -132,6 +132,13 @@ class LineTest {
     }
   }
 
+  /** The foot, half way, of a line that rises by 4 in 3, and of one that rises by 3 in 4. */
+  @Test
+  void closestPointOfASlope() {
+    assertThat(new Line(0, 0, 3, 4).closestPoint(new Vec2(-2.5, 5))).isEqualTo(new Vec2(1.5, 2));
+    assertThat(new Line(0, 0, 4, 3).closestPoint(new Vec2(5, -2.5))).isEqualTo(new Vec2(2, 1.5));
+  }
+
   @Test
   void mirrorsAreExactAndSwappedEndsChangeNothingButRounding() {
     SplittableRandom random = new SplittableRandom(2);

@@ -93,4 +93,11 @@ class SceneTextTest {
     assertThat(SceneText.quoted("x".repeat(40))).isEqualTo("\"" + "x".repeat(40) + "\"");
     assertThat(SceneText.quoted("x".repeat(41))).isEqualTo("\"" + "x".repeat(40) + "...\"");
   }
+
+  @Test
+  void countsTheCharsBeforeAPlace() {
+    assertThat(SceneText.count(',', ",a,b,c", 4)).isEqualTo(2);
+    assertThat(SceneText.count(',', ",a,b,c", 6)).isEqualTo(3);
+    assertThat(SceneText.count(',', "abc", 3)).isZero();
+  }
 }
