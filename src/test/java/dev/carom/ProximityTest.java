@@ -67,4 +67,21 @@ class ProximityTest {
     assertThat(world.overlapping(ObstacleKind.WALL, new Bounds(-11, -11, 11, 11)))
         .containsExactly(Obstacles.LEFT, Obstacles.RIGHT, Obstacles.BOTTOM, Obstacles.TOP);
   }
+
+  @Test
+  void circlesAreNearWhereTheyAre() {
+    SceneBuilder scene = Scene.builder().circle(0, 0, 1, 1e308, 0).circle(10, 0, 1, 0, 0);
+    World world = new World(scene.circle(-10, 0, 1, 0, 0).circle(0, 3, 1, 0, 1e308).build());
+    Bounds all = new Bounds(-99, -99, 99, 99);
+    assertThat(world.overlapping(ObstacleKind.CIRCLE, all)).containsExactly(0, 1, 2, 3);
+    assertThat(world.overlapping(ObstacleKind.CIRCLE, new Bounds(-99, -99, 5, 99)))
+        .containsExactly(0, 2, 3);
+    assertThat(world.nearest(ObstacleKind.CIRCLE, 1, 0)).isZero();
+    world.step(10);
+    assertThat(world.overlapping(ObstacleKind.CIRCLE, all)).containsExactly(1, 2);
+    assertThat(world.nearest(ObstacleKind.CIRCLE, 0, 0)).as("as near as 2").isOne();
+    world.remove(ObstacleKind.CIRCLE, 1);
+    assertThat(world.overlapping(ObstacleKind.CIRCLE, all)).containsExactly(2);
+    assertThat(world.nearest(ObstacleKind.CIRCLE, 9, 0)).isEqualTo(2);
+  }
 }

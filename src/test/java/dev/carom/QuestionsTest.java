@@ -327,6 +327,9 @@ class QuestionsTest {
     assertThatThrownBy(() -> world.nearest(ObstacleKind.LINE, Double.NaN, 0))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("x is NaN");
+    assertThatThrownBy(() -> world.nearest(ObstacleKind.LINE, 0, Double.NaN))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("y is NaN");
   }
 
   @Test

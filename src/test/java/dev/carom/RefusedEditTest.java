@@ -173,10 +173,45 @@ class RefusedEditTest {
                   .line(far.ax(), far.ay(), far.bx(), far.by())
                   .circle(0, 99, 16, 0, 0)
                   .build());
-      assertThatThrownBy(() -> world.setRadius(0, 8))
-          .isInstanceOf(IllegalArgumentException.class)
-          .hasMessageContaining("expected at least 16.0");
+      assertTooSmall(world);
     }
+  }
+
+  static Stream<Consumer<World>> farEdits() {
+    return Stream.of(
+        w -> w.setPosition(0, 1e14, 0),
+        w -> w.setPosition(0, 0, -1e14),
+        w -> w.addCircle(0, 1e14, 16, 0, 0),
+        w -> w.addLine(-1e14, 1, 0, 0),
+        w -> w.addLine(0, 0, 1e14, 1),
+        w -> w.moveLine(0, 1, 1e14, 0, 0),
+        w -> w.moveLine(0, 0, 0, 1, -1e14),
+        w -> w.addPeg(1e14, 0, 1),
+        w -> w.movePeg(0, 0, 1e14, 1));
+  }
+
+  @ParameterizedTest
+  @MethodSource("farEdits")
+  void aRadiusTooSmallForWhatWasPutFarAway(Consumer<World> edit) {
+    World world =
+        new World(Scene.builder().line(1, 2, 3, 4).peg(9, 9, 1).circle(0, 99, 16, 0, 0).build());
+    edit.accept(world);
+    assertTooSmall(world);
+  }
+
+  @Test
+  void aRadiusTooSmallForTheScene() {
+    assertTooSmall(new World(Scene.builder().circle(1e14, 0, 16, 0, 0).build()));
+    for (Bounds b : List.of(new Bounds(-1e14, 0, 9, 9), new Bounds(0, 0, 9, 1e14))) {
+      SceneBuilder scene = Scene.builder().bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax());
+      assertTooSmall(new World(scene.circle(4, 4, 16, 0, 0).build()));
+    }
+  }
+
+  private static void assertTooSmall(World world) {
+    assertThatThrownBy(() -> world.setRadius(0, 8))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("expected at least 16.0");
   }
 
   @Test

@@ -29,6 +29,7 @@ class SnapshotStreamTest {
   private static final int LARGEST = 21;
   private static final int LEAST = 29;
   private static final int XMAX = 54;
+  private static final int BOUNDS_E = 70;
   private static final int BOUNDS_TRAITS = 78;
   private static final int LINES = 79;
   private static final int LINE_AX = 83;
@@ -39,6 +40,8 @@ class SnapshotStreamTest {
   private static final int MASS = CIRCLES + 5;
   private static final int FLIGHT = MASS + 9;
   private static final int LAST = FLIGHT + 13 * 8;
+  private static final int STUCK = LAST + 4;
+  private static final int PACE = LAST + 16;
 
   private static byte[] bytes(Snapshot snapshot) throws IOException {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
@@ -203,6 +206,7 @@ class SnapshotStreamTest {
         LEAST + " | 4 | a radius is 3.0, the least one 4.0",
         LEAST + " | NaN | least radius is NaN",
         XMAX + " | -1 | xmax is -1.0",
+        BOUNDS_E + " | -1 | restitution is -1.0",
         LINE_AX + " | NaN | a number of line or peg 0 is NaN",
         LINE_AX + " | Infinity | a number of line or peg 0 is Infinity",
         LINE_E + " | -1 | restitution is -1.0",
@@ -210,6 +214,7 @@ class SnapshotStreamTest {
         MASS + " | 0 | mass is 0.0",
         FLIGHT + " | NaN | a number of a circle is NaN",
         (FLIGHT + 16) + " | Infinity | vx is Infinity",
+        (FLIGHT + 24) + " | Infinity | vy is Infinity",
         (FLIGHT + 40) + " | 1 | the tail of a time is 1.0",
         (FLIGHT + 48) + " | 0 | radius is 0.0",
         (FLIGHT + 56) + " | -1 | restitution is -1.0",
@@ -230,6 +235,9 @@ class SnapshotStreamTest {
         LAST + " | 5 | code 5 does not exist",
         LAST + " | 268435457 | code 268435457 does not exist",
         LAST + " | 536870914 | code 536870914 does not exist",
+        STUCK + " | -1 | a circle made -1 impacts",
+        PACE + " | -1024 | a pace is -1024",
+        PACE + " | 1025 | a pace is 1025",
         LINES + " | -1 | it holds -1 of a kind",
         LINES + " | 268435456 | it holds 268435456 of a kind",
       })
@@ -238,6 +246,20 @@ class SnapshotStreamTest {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putInt(at, number);
     assertRefused(bytes, message);
+  }
+
+  @Test
+  void whatDoesNotBeginAsOneIsRefused() throws IOException {
+    byte[] bytes = small();
+    bytes[0]++;
+    assertRefused(bytes, "it does not begin as one");
+  }
+
+  @Test
+  void aJamWithNothingIsRefused() throws IOException {
+    Snapshot snapshot = read(small());
+    snapshot.flights.jams = new Jam[] {null, Jam.with(null, 77)};
+    assertRefused(bytes(snapshot), "code 77 does not exist");
   }
 
   @Test

@@ -92,6 +92,16 @@ class SurroundingsTest {
     assertThat(firstImpact(world)).isEqualTo(44);
   }
 
+  @Test
+  void aRestoredCircleHitsByTheRadiusThatItHadThen() {
+    Scene scene = room().line(60, 58, 60, 62).circle(10, 50, 1, 1, 0).build();
+    World grown = new World(scene, Machinery.cells(2));
+    grown.setRadius(0, 10);
+    World world = new World(scene, Machinery.cells(2));
+    world.restore(grown.snapshot());
+    assertThat(firstImpact(world)).isEqualTo(44);
+  }
+
   /** A new flight would round the place where it begins. */
   @Test
   void aLineThatNoneMeetsChangesNoBit() {

@@ -214,6 +214,9 @@ class WorldEditTest {
     assertThat(world.contains(PEG, 0)).isFalse();
     assertThat(world.addPeg(1, 1, 1)).isEqualTo(1);
     assertThat(world.peg(1)).isEqualTo(new Circle(1, 1, 1));
+    world.addLine(1, 2, 3, 4);
+    assertThat(world.addLine(5, 6, 7, 8)).isOne();
+    assertThat(world.line(1)).isEqualTo(new Line(5, 6, 7, 8));
   }
 
   /** A paddle that goes up and down every frame; the circle meets it where it is by then. */

@@ -108,4 +108,23 @@ class TimeStepTest {
     assertThat(world.step(7)).isTrue();
     Play.assertState(world, 0, 0, 2, 0, 1);
   }
+
+  /** Of many circles, so that the budget of each is a small one. */
+  @Test
+  void anUnfinishedStepReportsItsOwnImpactsOnly() {
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 0, 8);
+    for (int i = 0; i < 400; i++) {
+      scene.circle(5, 5, 1, i == 0 ? 1 : 0, 0);
+    }
+    World world = new World(scene.build());
+    assertThat(world.step(1)).isTrue();
+    assertThat(world.impacts().size()).isPositive();
+    world.setVelocity(1, 1e150, 0);
+    assertThat(world.step(1)).isFalse();
+    assertThat(world.impacts().size()).isPositive();
+    for (int row = 0; row < world.impacts().size(); row++) {
+      assertThat(world.impacts().time(row)).isGreaterThanOrEqualTo(1);
+    }
+    assertThat(world.y(0)).isBetween(1.0, 9.0);
+  }
 }

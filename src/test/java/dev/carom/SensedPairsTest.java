@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class SensedPairsTest {
+
+  private final SensedPairs pairs = new SensedPairs();
+
+  /** Circle 1 met circle 3 at 5 + 1e-20. */
+  @ParameterizedTest
+  @CsvSource({
+    "5, 1e-20, 3, false",
+    "5, 1e-20, 2, false",
+    "5, 1e-20, 4, true",
+    "5, 0, 9, false",
+    "5, 2e-20, 0, true",
+    "4, 9e-20, 9, false",
+    "6, 0, 0, true"
+  })
+  void whatComesLaterIsNew(double head, double tail, int partner, boolean isNew) {
+    assertThat(pairs.isNew(1, head, tail, partner)).isTrue();
+    pairs.report(1, 5, 1e-20, 3);
+    assertThat(pairs.isNew(1, head, tail, partner)).isEqualTo(isNew);
+    pairs.forget(1);
+    assertThat(pairs.isNew(1, head, tail, partner)).isTrue();
+  }
+
+  @Test
+  void toAnyOtherCircleAllIsNew() {
+    pairs.report(1, 5, 0, 3);
+    for (int i = 0; i < 40; i++) {
+      assertThat(pairs.isNew(i, 0, 0, 0)).isEqualTo(i != 1);
+      if (i != 1) {
+        pairs.forget(i);
+      }
+    }
+    pairs.clear();
+    assertThat(pairs.isNew(1, 5, 0, 3)).isTrue();
+    pairs.forget(1);
+  }
+
+  @Test
+  void whatIsSavedIsRestored() {
+    FlightStates states = new FlightStates(40);
+    pairs.report(1, 5, 1e-20, 3);
+    SensedPairs others = new SensedPairs();
+    for (int i = 0; i < 40; i++) {
+      pairs.save(i, states);
+      others.restore(i, states);
+      assertThat(others.isNew(i, 5, 1e-20, 3)).isEqualTo(i != 1);
+      assertThat(others.isNew(i, 5, 1e-20, 4)).isTrue();
+    }
+  }
+}
