@@ -321,6 +321,9 @@ class QuestionsTest {
     assertThatThrownBy(() -> world.trace(circle, Vec2.ZERO, 1, NEVER, 1))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("duration is Infinity");
+    assertThatThrownBy(() -> world.trace(circle, Vec2.ZERO, -1, 1, 1))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("restitution is -1.0");
     assertThatThrownBy(() -> world.trace(circle, Vec2.ZERO, 1, 1, -1))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("bounces is -1");

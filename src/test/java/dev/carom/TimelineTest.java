@@ -261,11 +261,32 @@ class TimelineTest {
     assertThat(timeline.line(2, 4)).isEmpty();
     assertThat(timeline.line(-1, 4)).isEmpty();
     assertThat(timeline.line(Integer.MAX_VALUE, 4)).isEmpty();
+    assertThat(timeline.line(Obstacles.PEGS - Obstacles.WALLS, 4)).as("a peg's code").isEmpty();
     assertThat(timeline.peg(0, 2)).contains(new Circle(5, 5, 1));
     assertThat(timeline.peg(0, 4)).contains(new Circle(6, 6, 2));
     assertThat(timeline.peg(1, 4)).isEmpty();
     assertThatThrownBy(() -> timeline.line(0, 0.5)).isInstanceOf(IllegalArgumentException.class);
     assertThatThrownBy(() -> timeline.peg(0, 4.5)).isInstanceOf(IllegalArgumentException.class);
+  }
+
+  @Test
+  void pegsAreKnownByTheirIds() {
+    World world = new World(Scene.builder().peg(5, 5, 1).peg(6, 6, 2).build());
+    Timeline timeline = world.record(9);
+    world.step(1);
+    assertThat(timeline.peg(1, 1)).contains(new Circle(6, 6, 2));
+  }
+
+  /** Else new flights would push out the old ones. */
+  @Test
+  void whatIsNoLongerRecordedStaysAsItIs() {
+    World world = new World(Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 3, 0).build());
+    Timeline timeline = world.record(2);
+    world.step(0.5);
+    world.stopRecording();
+    world.step(100);
+    assertThat(timeline.start()).isZero();
+    assertThat(timeline.x(0, 0.5)).isEqualTo(6.5);
   }
 
   @Test

@@ -107,6 +107,7 @@ class WorldEditTest {
     world.step(1);
     world.setMass(1, 3);
     assertThat(world.mass(1)).isEqualTo(3);
+    assertThat(world.scene().mass(1)).as("the scene stays as it is").isOne();
     world.step(9);
     assertThat(List.of(world.vx(0), world.vx(1))).containsExactly(-0.5, 0.5);
     world.setMass(1, Double.POSITIVE_INFINITY);

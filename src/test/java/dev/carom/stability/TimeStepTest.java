@@ -126,5 +126,11 @@ class TimeStepTest {
       assertThat(world.impacts().time(row)).isGreaterThanOrEqualTo(1);
     }
     assertThat(world.y(0)).isBetween(1.0, 9.0);
+    world.setVelocity(1, 0, 0);
+    world.advanceTo(20);
+    World other = new World(world.scene());
+    other.advanceTo(20);
+    assertThat(world.y(0)).as("the others go on as they would").isEqualTo(other.y(0));
+    assertThat(world.vy(0)).isEqualTo(other.vy(0));
   }
 }
