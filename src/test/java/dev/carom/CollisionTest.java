@@ -182,4 +182,19 @@ class CollisionTest {
       assertThat(world.y(i)).isBetween(1 - 1e-9, 99 + 1e-9);
     }
   }
+
+  /** Of pairs that meet at one time the one of the smallest ids is first. */
+  @Test
+  void simultaneousMeetingsStandInTheOrderOfIds() {
+    SceneBuilder scene = Scene.builder().collide(true);
+    for (int i = 0; i < 5; i++) {
+      scene.circle(0, 10 * i, 1, 1, 0).circle(6, 10 * i, 1, -1, 0);
+    }
+    World world = new World(scene.build());
+    world.step(3);
+    assertThat(Run.rows(world.impacts())).extracting(Run.Row::time).containsOnly(2.0);
+    assertThat(Run.rows(world.impacts()))
+        .extracting(Run.Row::circle)
+        .containsExactly(0, 2, 4, 6, 8);
+  }
 }

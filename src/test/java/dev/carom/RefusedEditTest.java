@@ -212,6 +212,7 @@ class RefusedEditTest {
     assertThatThrownBy(() -> world.setRadius(0, 8))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("expected at least 16.0");
+    world.setRadius(0, 16);
   }
 
   @Test
