@@ -4,6 +4,7 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -196,5 +197,48 @@ class CollisionTest {
     assertThat(Run.rows(world.impacts()))
         .extracting(Run.Row::circle)
         .containsExactly(0, 2, 4, 6, 8);
+  }
+
+  /** Whichever of the two stands where. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1.2, -1.2})
+  void ofTwoThatItMeetsAtOneTimeTheSmallerIdIsFirst(double y) {
+    World world =
+        new World(
+            Scene.builder()
+                .collide(true)
+                .circle(0, 0, 1, 1, 0)
+                .circle(6, y, 1, 0, 0)
+                .circle(6, -y, 1, 0, 0)
+                .build());
+    world.step(5);
+    assertThat(world.impacts().time(0)).isCloseTo(4.4, within(1e-15));
+    assertThat(world.impacts().circle(0)).isZero();
+    assertThat(world.impacts().id(0)).isOne();
+    assertThat(world.impacts().id(1)).isEqualTo(2);
+    assertThat(world.impacts().time(1)).isEqualTo(world.impacts().time(0));
+  }
+
+  /** Before it is certain when two meet, it is known but for some ulps. */
+  @Test
+  void aStepThatEndsJustBeforeAMeetingDoesNotReportIt() {
+    Random random = new Random(1);
+    for (int i = 0; i < 200; i++) {
+      double speed = 1 + random.nextDouble();
+      Scene scene =
+          colliding()
+              .circle(0, random.nextDouble(), 1, speed, 0)
+              .circle(9 + random.nextDouble(), 0, 1, -random.nextDouble(), 0)
+              .build();
+      World world = new World(scene);
+      world.step(20);
+      double time = world.impacts().time(0);
+      World cut = new World(scene);
+      cut.advanceTo(Math.nextDown(time));
+      assertThat(cut.impacts().size()).isZero();
+      cut.advanceTo(time);
+      assertThat(cut.impacts().size()).isOne();
+      assertThat(cut.impacts().time(0)).isEqualTo(time);
+    }
   }
 }
