@@ -195,6 +195,17 @@ class ResponseTest {
     assertThat(impacts(box().line(50, 100, 50, 50).oneWay().circle(20, 47, 5, 2, 0), 20)).isEmpty();
   }
 
+  @Test
+  void aLineThatOpensIsNotHitAnyMore() {
+    for (boolean collide : new boolean[] {false, true}) {
+      SceneBuilder scene = box().collide(collide).line(50, 0, 50, 99).circle(80, 50, 5, -2, 0);
+      World world = new World(scene.build());
+      world.step(1);
+      world.setOneWay(0, true);
+      assertThat(Run.advance(world, 20).impacts()).isEmpty();
+    }
+  }
+
   /** It moves neither to the right nor to the left, or is neither here nor there. */
   @Test
   void alongAOneWayLineIsPastIt() {
