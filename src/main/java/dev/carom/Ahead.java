@@ -2,10 +2,11 @@
 package dev.carom;
 
 /**
- * Reads what the next events will need, for many of them at once: whom they concern, the lists of
- * the cells around, and the circles listed there. An event by itself waits for memory once for each
- * of these; the reads of many events do not depend on each other, so their waits overlap, the more
- * of them the less is to be computed in between. Nothing changes but what is in the cache.
+ * Reads what the next events will need, for many of them at once: whom they concern, with masses
+ * and places in the queue, the lists of the cells around, and the circles listed there. An event by
+ * itself waits for memory once for each of these; the reads of many events do not depend on each
+ * other, so their waits overlap, the more of them the less is to be computed in between. Nothing
+ * changes but what is in the cache.
  */
 final class Ahead implements EventQueue.Outlook {
 
@@ -17,6 +18,7 @@ final class Ahead implements EventQueue.Outlook {
   private static final int AHEAD = 5;
 
   private final Circles circles;
+  private final Roster roster;
   private final Neighbors neighbors;
   private final int[] followers;
   private final short[] kinds;
@@ -35,15 +37,16 @@ final class Ahead implements EventQueue.Outlook {
   private double sum;
 
   /** For circles with events of these kinds, as {@link Schedule} numbers them. */
-  Ahead(Circles circles, Neighbors neighbors, short[] kinds) {
+  Ahead(Circles circles, Roster roster, Neighbors neighbors, short[] kinds) {
     this.circles = circles;
+    this.roster = roster;
     this.neighbors = neighbors;
     this.kinds = kinds;
     followers = neighbors.followers();
   }
 
   @Override
-  public void next(int[] ids, int size) {
+  public void next(EventQueue queue, int[] ids, int size) {
     double read = 0;
     for (int k = 0; k < size; k++) {
       read += flight(ids[k]);
@@ -62,6 +65,9 @@ final class Ahead implements EventQueue.Outlook {
     for (int k = others; k < end; k++) {
       read += flight(concerned[k]);
     }
+    for (int k = 0; k < end; k++) {
+      read += roster.mass(concerned[k]) + queue.read(concerned[k]);
+    }
     placesAround(end);
     placesAhead(AROUND * end, crossings);
     sum += read + listed(firsts(end, crossings));
@@ -78,10 +84,13 @@ final class Ahead implements EventQueue.Outlook {
     return end;
   }
 
-  /** Reads both cache lines of a circle's record. */
+  /** Reads the cache lines of a circle's record: two of doubles, and one of ints. */
   private double flight(int i) {
     int a = Circles.collidingAt(i);
-    return circles.state[a + Circles.X] + circles.state[a + Circles.MEETING] + kinds[i];
+    return circles.state[a + Circles.X]
+        + circles.state[a + Circles.MEETING]
+        + circles.codes[Circles.collidingCodesAt(i)]
+        + kinds[i];
   }
 
   private void placesAround(int concerns) {

@@ -69,7 +69,7 @@ final class Collisions extends Engine {
     foundOfOther = new int[room + 9];
     neighbors = new Neighbors(circles, roster, bounds, machinery.pairCells(), reached);
     meetings = new Meetings(circles, neighbors.followers(), pairs, sensed);
-    schedule = new Schedule(circles, neighbors, meetings, pairs, room);
+    schedule = new Schedule(circles, roster, neighbors, meetings, pairs, room);
     queue = schedule.queue;
     for (int i = 0; i < circles.count; i++) {
       if (roster.contains(i)) {

@@ -34,6 +34,11 @@ final class EventHeap {
     return place[i] != NONE;
   }
 
+  /** Reads where the event of circle i is. */
+  int read(int i) {
+    return place[i];
+  }
+
   /** The circle whose event is first. */
   int first() {
     return heap[0];

@@ -27,8 +27,8 @@ final class EventQueue {
   /** Is told which events come next, some time before they come. */
   interface Outlook {
 
-    /** Takes notice of the circles whose events are next, in any order. */
-    void next(int[] circles, int size);
+    /** Takes notice of the circles whose events are next in a queue, in any order. */
+    void next(EventQueue queue, int[] circles, int size);
   }
 
   /** No event. */
@@ -143,6 +143,11 @@ final class EventQueue {
     return times[i];
   }
 
+  /** Reads what another event of circle i will need; the number means nothing. */
+  double read(int i) {
+    return times[i] + heap.read(i);
+  }
+
   /** Takes out the event of circle i, which is {@link #first}. */
   void take(int i) {
     heap.removeFirst();
@@ -242,7 +247,7 @@ final class EventQueue {
       f = nextFilled(f + 1);
     }
     lookedAt = f;
-    outlook.next(next, size);
+    outlook.next(this, next, size);
   }
 
   private void drain() {

@@ -158,7 +158,7 @@ final class Neighbors {
    */
   void comeBack(int i) {
     int a = Circles.collidingAt(i);
-    double cell = size[levelOf[i]];
+    double cell = size[levelOf(i)];
     double x = state[a + Circles.X] - originX;
     double y = state[a + Circles.Y] - originY;
     double column = x - state[a + Circles.COLUMN] * cell;

@@ -28,14 +28,21 @@ final class Schedule {
   private final PairResponse pairs;
   private final short[] kinds;
 
-  Schedule(Circles circles, Neighbors neighbors, Meetings meetings, PairResponse pairs, int room) {
+  Schedule(
+      Circles circles,
+      Roster roster,
+      Neighbors neighbors,
+      Meetings meetings,
+      PairResponse pairs,
+      int room) {
     this.circles = circles;
     this.neighbors = neighbors;
     this.meetings = meetings;
     this.pairs = pairs;
     kinds = new short[room];
     boolean many = room >= Ahead.LEAST_CIRCLES;
-    queue = new EventQueue(room, this::before, many ? new Ahead(circles, neighbors, kinds) : null);
+    Ahead ahead = many ? new Ahead(circles, roster, neighbors, kinds) : null;
+    queue = new EventQueue(room, this::before, ahead);
   }
 
   /** The kind of a circle's event. */
