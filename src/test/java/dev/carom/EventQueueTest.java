@@ -160,7 +160,7 @@ class EventQueueTest {
         new EventQueue(
             count,
             (i, j) -> i < j,
-            (circles, size) -> Arrays.stream(circles, 0, size).forEach(told::add));
+            (calendar, circles, size) -> Arrays.stream(circles, 0, size).forEach(told::add));
     Random random = new Random(count);
     for (int i = 0; i < count; i++) {
       queue.set(i, random.nextInt(count / 4 + 1));
