@@ -95,14 +95,14 @@ final class Collisions extends Engine {
     }
     long budget = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * roster.count();
     ExactWork work = ExactWork.ofThread();
-    long before = work.impacts();
+    long before = work.bits();
     for (long events = 0; ; events++) {
       int i = queue.first();
       if (i == EventQueue.NONE || queue.time(i) > end) {
         reached = end;
         return end;
       }
-      if (events > 0 && events + (work.impacts() - before) >= budget) {
+      if (events > 0 && events + work.impactsSince(before) >= budget) {
         unfinished = true;
         return reached;
       }

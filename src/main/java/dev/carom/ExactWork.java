@@ -32,8 +32,13 @@ final class ExactWork {
     OF_THREAD.get().bits += (long) bits * bits / Long.SIZE;
   }
 
-  /** All work so far, in ordinary impacts. */
-  long impacts() {
-    return bits / BITS_PER_IMPACT;
+  /** All work so far, in bits. */
+  long bits() {
+    return bits;
+  }
+
+  /** The work since there were so many bits, in ordinary impacts. */
+  long impactsSince(long before) {
+    return (bits - before) / BITS_PER_IMPACT;
   }
 }

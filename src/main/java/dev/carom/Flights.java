@@ -88,13 +88,13 @@ final class Flights extends Engine {
 
   /** Resolves the mover's impacts until the given time; tells whether the allowance was spent. */
   private boolean fly(Mover m, ExactWork work, int allowance, double end) {
-    long before = work.impacts();
+    long before = work.bits();
     int impacts = 0;
     do {
       if (m.next == Mover.NOTHING) {
         surroundings.extend(m, end - m.t);
       } else {
-        if (impacts > 0 && impacts + (work.impacts() - before) >= allowance) {
+        if (impacts > 0 && impacts + work.impactsSince(before) >= allowance) {
           return true;
         }
         if (response.resolve(m, log) && timeline != null) {

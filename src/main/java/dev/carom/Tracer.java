@@ -54,12 +54,12 @@ final class Tracer {
     List<Flight> flights = new ArrayList<>(List.of(flight(mover)));
     List<Impact> impacts = new ArrayList<>();
     ExactWork work = ExactWork.ofThread();
-    long before = work.impacts();
+    long before = work.bits();
     while (next(mover, duration)) {
       if (impacts.size() == bounces) {
         return new Trajectory(flights, impacts, mover.due(), true);
       }
-      if (!impacts.isEmpty() && impacts.size() + (work.impacts() - before) >= most) {
+      if (!impacts.isEmpty() && impacts.size() + work.impactsSince(before) >= most) {
         return new Trajectory(flights, impacts, mover.t, false);
       }
       impacts.add(resolve(mover));

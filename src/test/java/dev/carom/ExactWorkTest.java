@@ -9,16 +9,17 @@ class ExactWorkTest {
 
   /** What some work counts, in ordinary impacts. */
   private static long impacts(Runnable work) {
-    long before = ExactWork.ofThread().impacts();
+    long before = ExactWork.ofThread().bits();
     work.run();
-    return ExactWork.ofThread().impacts() - before;
+    return ExactWork.ofThread().impactsSince(before);
   }
 
   @Test
   void numbersCountByTheirBitsAndQuotientsByTheSquareOfThem() {
     int bits = ExactWork.BITS_PER_IMPACT;
     assertThat(impacts(() -> ExactWork.add(3 * bits))).isEqualTo(3);
-    assertThat(impacts(() -> ExactWork.addSquared(4 * Long.SIZE))).isBetween(0L, 1L);
+    assertThat(impacts(() -> ExactWork.add(3 * bits - 1))).as("whole ones").isEqualTo(2);
+    assertThat(impacts(() -> ExactWork.addSquared(4 * Long.SIZE))).isZero();
     assertThat(impacts(() -> ExactWork.addSquared(bits))).isEqualTo(bits / Long.SIZE);
   }
 

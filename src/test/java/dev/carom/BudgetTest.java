@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Where exactly an unfinished step, or trace, ends: impacts counted by hand, and exact work. */
+class BudgetTest {
+
+  /** A cell holds the whole room: then every event is an impact. */
+  private static final Machinery ONE_CELL = Machinery.CHOSEN.withPairCells(1000);
+
+  /**
+   * They turn each other round at a half, 2.5 and so on, and a unit of time later each is turned
+   * round by its wall: three impacts in two units.
+   */
+  @Test
+  void twoThatCollideMayHaveSoManyEvents() {
+    SceneBuilder row = Scene.builder().bounds(0, 0, 12, 10).collide(true);
+    Scene scene = row.circle(3, 5, 1, 4, 0).circle(9, 5, 1, -4, 0).build();
+    World world = new World(scene, ONE_CELL);
+    assertThat(world.advanceTo(0.5)).isTrue();
+    int events = 200_000 + 2 * 1_000;
+    assertThat(world.advanceTo(1e6)).isFalse();
+    assertThat(world.impacts().size()).isEqualTo(events);
+    assertThat(world.now()).as("of two at a time, one is left").isEqualTo(events / 3 * 2 + 1.5);
+    assertThat(world.advanceTo(world.now())).isTrue();
+    assertThat(world.impacts().size()).isOne();
+    assertThat(world.advanceTo(world.now() + 2)).isTrue();
+    assertThat(world.impacts().size()).isEqualTo(3);
+  }
+
+  /** From wall to wall in a unit of time; the others rest. */
+  @ParameterizedTest
+  @ValueSource(ints = {200, 500})
+  void ofThoseThatIgnoreEachOtherEachMayMakeSoManyImpacts(int circles) {
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 8, 0);
+    for (int i = 1; i < circles; i++) {
+      scene.circle(5, 5, 1, 0, 0);
+    }
+    World world = new World(scene.build());
+    int most = circles == 200 ? 20_000 : 10_000;
+    assertThat(world.advanceTo(most - 0.5)).as("as many as allowed").isTrue();
+    assertThat(world.impacts().size()).isEqualTo(most);
+    assertThat(world.advanceTo(2 * most + 0.5)).as("one more").isFalse();
+    assertThat(world.impacts().size()).isEqualTo(most);
+    assertThat(world.now()).isEqualTo(2 * most - 0.5);
+  }
+
+  // Exact work.
+
+  private static final double UNIT = 0x1p900;
+
+  /**
+   * Each time the circle leaves the right wall, its next impact is within 5e-324 of the middle of
+   * two doubles: only numbers of thousands of bits tell which is nearer.
+   */
+  private static final Bounds NEAR_TIES =
+      new Bounds(Double.MIN_VALUE, -9 * UNIT, (9 + 0x1p-49) * UNIT, 9 * UNIT);
+
+  private static final Circle LEAVING = new Circle(8 * UNIT, 0, (1 + 0x1p-51) * UNIT);
+
+  private static Scene nearTies(boolean collide) {
+    Bounds b = NEAR_TIES;
+    Circle c = LEAVING;
+    SceneBuilder scene = Scene.builder().bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax());
+    scene.collide(collide).circle(c.x(), c.y(), c.radius(), -UNIT, 0);
+    for (int i = 1; i < 401 && !collide; i++) {
+      scene.circle(5 * UNIT, 0, UNIT, 0, 0);
+    }
+    return scene.build();
+  }
+
+  private static long bits() {
+    return ExactWork.ofThread().bits();
+  }
+
+  private static long workSince(long before) {
+    return ExactWork.ofThread().impactsSince(before);
+  }
+
+  /** One search makes no more than 20 impacts of work. */
+  @Test
+  void exactWorkAndImpactsOfOneCallSpendItsBudgetTogether() {
+    World world = new World(nearTies(true), ONE_CELL);
+    long before = bits();
+    assertThat(world.advanceTo(1e9)).isFalse();
+    long work = workSince(before);
+    assertThat(work).isGreaterThan(100_000);
+    assertThat(world.impacts().size() + work).isBetween(201_000L, 201_020L);
+  }
+
+  /** The same, but all is done twice: for where the first circle spends its own, nobody knows. */
+  @Test
+  void exactWorkAndImpactsOfOneCircleSpendItsBudgetTogether() {
+    World world = new World(nearTies(false));
+    long before = bits();
+    assertThat(world.advanceTo(1e9)).isFalse();
+    long work = workSince(before) / 2;
+    assertThat(work).isGreaterThan(5_000);
+    assertThat(world.impacts().size() + work).isBetween(10_000L, 10_020L);
+  }
+
+  private static Trajectory trace(int bounces, int most) {
+    Obstacles obstacles = Obstacles.of(nearTies(true));
+    BroadSearch search = new BroadSearch(obstacles, new CodeList());
+    Tracer tracer = new Tracer(obstacles, code -> NEAR_TIES, search, null, 1_010);
+    return tracer.trace(Mover.of(LEAVING, new Vec2(-UNIT, 0), 1), 1e3, bounces, most);
+  }
+
+  /** What it takes to know the impact that comes after so many. */
+  private static long workAfter(int impacts) {
+    long before = bits();
+    assertThat(trace(impacts, Integer.MAX_VALUE).complete()).isTrue();
+    return workSince(before);
+  }
+
+  /** But one impact is always made; and what was done in this thread before does not count. */
+  @Test
+  void exactWorkAndImpactsOfATraceSpendItsBudgetTogether() {
+    assertThat(workAfter(0)).isGreaterThan(5);
+    for (int most = 1; most < 40; most++) {
+      int impacts = 1;
+      while (impacts + workAfter(impacts) < most) {
+        impacts++;
+      }
+      ExactWork.add(1_000 * most);
+      Trajectory trace = trace(1_000_000, most);
+      assertThat(trace.impacts()).as("of %s", most).hasSize(impacts);
+      assertThat(trace.complete()).isFalse();
+    }
+  }
+
+  /**
+   * A circle slides up from lines by less than doubles can tell, and hits one before: to know that
+   * takes more work than a call may do, and the impact is made all the same.
+   */
+  @Test
+  void aCallMakesAnImpactWhateverItTakesToFindIt() {
+    SceneBuilder scene = Scene.builder();
+    for (int i = 0; i < 1200; i++) {
+      scene.line(40 * UNIT, 0, 60 * UNIT, 0);
+    }
+    scene.line(30 * UNIT, 0, 30 * UNIT, 9 * UNIT);
+    for (int i = 0; i < 401; i++) {
+      scene.circle(20 * UNIT, 1.5 * UNIT, 1.5 * UNIT, 0, 0);
+    }
+    World world = new World(scene.build(), Machinery.EACH);
+    world.setVelocity(0, 16 * UNIT, Double.MIN_VALUE);
+    long before = bits();
+    world.step(1e9);
+    assertThat(workSince(before)).isGreaterThan(10_000);
+    assertThat(world.impacts().size()).isOne();
+  }
+}
