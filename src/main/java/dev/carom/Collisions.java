@@ -102,7 +102,7 @@ final class Collisions extends Engine {
         reached = end;
         return end;
       }
-      if (events > 0 && events + work.impactsSince(before) >= budget) {
+      if (events + work.impactsSince(before) >= budget) {
         unfinished = true;
         return reached;
       }
