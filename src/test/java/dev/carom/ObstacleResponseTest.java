@@ -73,6 +73,39 @@ class ObstacleResponseTest {
     assertThat(response.seizes()).isFalse();
   }
 
+  /** A place of 4 ulps, at most: for a circle of radius 1 at 1. */
+  private static final double PLACE = 0x1p-51;
+
+  /** Far from where its impacts began to count, with speed 1, after a flight of so long. */
+  private boolean counts(double flown, double approach, int stuck) {
+    m.start(0, 1, 0, 1, 0, 1, 1);
+    m.anchorY = -1;
+    m.stuck = stuck;
+    m.flown = flown;
+    response.countStuck(m, 1, 1, approach);
+    return m.stuck > stuck;
+  }
+
+  /** As long as it came no nearer to what it slides along than a place is wide. */
+  @Test
+  void whoSlidesCountsWhereverItIs() {
+    double faint = 0x1p-48;
+    assertThat(counts(PLACE / faint, -faint, 7)).isTrue();
+    assertThat(counts(2 * PLACE / faint, -faint / 2, 7)).isTrue();
+    assertThat(counts(Math.nextUp(PLACE / faint), -faint, 7)).as("too long").isFalse();
+    assertThat(counts(0, -Math.nextUp(faint), 7)).as("too fast").isFalse();
+    assertThat(counts(1e9, -faint, 2 * PATIENCE)).as("too long").isFalse();
+    assertThat(m.stuck).isZero();
+  }
+
+  @Test
+  void whoIsJammedAndSlidesOnStaysSo() {
+    counts(1e9, -0x1p-48, 2 * PATIENCE + 1);
+    assertThat(response.isJammed(m)).isTrue();
+    counts(1e9, -0x1p-47, 2 * PATIENCE + 1);
+    assertThat(response.isJammed(m)).isFalse();
+  }
+
   @Test
   void sharesOfRadiiOfAnySize() {
     assertThat(ObstacleResponse.share(1, 3)).isEqualTo(0.25);

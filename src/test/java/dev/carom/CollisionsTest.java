@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Who is stuck, what a jam ends with, and what an edit forgets. */
+class CollisionsTest {
+
+  /** More impacts than the patience with a few circles. */
+  private static final int MANY = 1_100;
+
+  /**
+   * The middle one meets both others at moments when both begin new flights: it never stood still.
+   *
+   * <pre>
+   *   | (0)->   <-(2)   (1)-> |
+   * </pre>
+   */
+  @Test
+  void whoMeetsAnotherAtTheTimeOfItsOwnStartHasMoved() {
+    SceneBuilder row = Scene.builder().bounds(0, 0, 12, 10).collide(true);
+    row.circle(2, 5, 1, 1, 0).circle(10, 5, 1, 1, 0).circle(6, 5, 1, -1, 0);
+    World world = new World(row.build());
+    for (int k = 0; k < MANY; k++) {
+      assertThat(world.step(2)).isTrue();
+    }
+    int rows = world.impacts().size();
+    assertThat(rows).isEqualTo(2);
+    assertThat(world.impacts().kind(rows - 1)).isEqualTo(ObstacleKind.CIRCLE);
+    assertThat(world.impacts().approachSpeed(rows - 1)).isEqualTo(2);
+    assertThat(Math.abs(world.vx(2))).isOne();
+  }
+
+  /**
+   * The first one passes its motion through the second, which touches the rock, and gets it back:
+   * the rock is hit at once by what begins its flight there, but has waited for it.
+   *
+   * <pre>
+   *   |  (0)->   (1)( 2 )
+   * </pre>
+   */
+  @Test
+  void whoWaitedForWhatHitsItAtOnceHasNotStoodStill() {
+    SceneBuilder cradle = Scene.builder().bounds(0, 0, 100, 10).collide(true);
+    cradle.circle(3, 5, 1, 1, 0).circle(7, 5, 1, 0, 0).circle(11, 5, 3, 0, 0);
+    cradle.mass(Double.POSITIVE_INFINITY);
+    World world = new World(cradle.build());
+    for (int k = 0; k < MANY; k++) {
+      assertThat(world.step(8)).isTrue();
+      assertThat(world.impacts().size()).isEqualTo(4);
+    }
+    assertThat(world.vx(0)).isOne();
+  }
+
+  /** A third of a time after 1: such a time has a tail. */
+  private static final double THIRD = 0x1.5555555555555p-2;
+
+  /**
+   * The step ends at the double nearest to the moment of contact, a little before it: for the
+   * flight that an edit begins there the contact is still to come.
+   */
+  @Test
+  void whatASensorReportedIsNewToAFlightThatBeginsBeforeIt() {
+    SceneBuilder scene = Scene.builder().collide(true).circle(2, 0, 1, 0, 0);
+    scene.response(Response.SENSOR).circle(-THIRD, 0, 1, 0, 0);
+    World world = new World(scene.build());
+    world.advanceTo(1);
+    world.setVelocity(1, 1, 0);
+    world.advanceTo(1 + THIRD);
+    assertThat(world.impacts().size()).isOne();
+    assertThat(world.x(1)).isEqualTo(-0x1p-54);
+    world.step(0);
+    assertThat(world.impacts().size()).as("of the same flight").isZero();
+    world.setVelocity(1, 1, 0);
+    world.step(0);
+    assertThat(world.impacts().size()).as("of a new one").isOne();
+    assertThat(world.impacts().time(0)).isEqualTo(1 + THIRD);
+  }
+
+  /** Of an approach, in proportion to a speed of 1: half of that of two. */
+  private static final double FAINT = 0x1p-48;
+
+  /**
+   * Two that are jammed to each other rise together. The second one comes by little more than
+   * rounding; by less, as long as the first one moves away, to a line that takes that from it.
+   *
+   * <pre>
+   *   | (0)(1)
+   * </pre>
+   */
+  @Test
+  void whatATurnAtALineDrivesTogetherIsThereAgain() {
+    assertThat(hitByTheFirst(2.25 * FAINT)).startsWith(ObstacleKind.LINE, ObstacleKind.CIRCLE);
+    assertThat(hitByTheFirst(1.75 * FAINT)).containsExactly(ObstacleKind.LINE);
+  }
+
+  private static List<ObstacleKind> hitByTheFirst(double speedOfTheSecond) {
+    Scene scene =
+        Scene.builder()
+            .collide(true)
+            .line(-1, -9, -1, 9)
+            .circle(0, 0, 1, -FAINT / 2, 1)
+            .circle(2, 0, 1, -speedOfTheSecond, 1)
+            .build();
+    World world = new World(scene);
+    Snapshot jammed = world.snapshot();
+    for (int i = 0; i < 2; i++) {
+      Mover m = new Mover();
+      jammed.flights.get(i, m);
+      m.stuck = 5_000;
+      m.jam = Jam.with(null, Obstacles.CIRCLES + 1 - i);
+      jammed.flights.put(m, 0, 0);
+    }
+    world.restore(jammed);
+    assertThat(world.step(1)).isTrue();
+    return Run.rows(world.impacts()).stream().map(Run.Row::kind).toList();
+  }
+}
