@@ -93,18 +93,20 @@ class CollisionsTest {
    */
   @Test
   void whatATurnAtALineDrivesTogetherIsThereAgain() {
-    assertThat(hitByTheFirst(2.25 * FAINT)).startsWith(ObstacleKind.LINE, ObstacleKind.CIRCLE);
-    assertThat(hitByTheFirst(1.75 * FAINT)).containsExactly(ObstacleKind.LINE);
+    for (int first = 0; first < 2; first++) {
+      assertThat(hits(first, 2.25 * FAINT)).startsWith(ObstacleKind.LINE, ObstacleKind.CIRCLE);
+      assertThat(hits(first, 1.75 * FAINT)).containsExactly(ObstacleKind.LINE);
+    }
   }
 
-  private static List<ObstacleKind> hitByTheFirst(double speedOfTheSecond) {
-    Scene scene =
-        Scene.builder()
-            .collide(true)
-            .line(-1, -9, -1, 9)
-            .circle(0, 0, 1, -FAINT / 2, 1)
-            .circle(2, 0, 1, -speedOfTheSecond, 1)
-            .build();
+  /** What is hit if the circle of that id moves to the line. */
+  private static List<ObstacleKind> hits(int first, double speedOfTheSecond) {
+    SceneBuilder builder = Scene.builder().collide(true).line(-1, -9, -1, 9);
+    for (int i = 0; i < 2; i++) {
+      boolean second = i != first;
+      builder.circle(second ? 2 : 0, 0, 1, second ? -speedOfTheSecond : -FAINT / 2, 1);
+    }
+    Scene scene = builder.build();
     World world = new World(scene);
     Snapshot jammed = world.snapshot();
     for (int i = 0; i < 2; i++) {
@@ -117,5 +119,24 @@ class CollisionsTest {
     world.restore(jammed);
     assertThat(world.step(1)).isTrue();
     return Run.rows(world.impacts()).stream().map(Run.Row::kind).toList();
+  }
+
+  /** It is in no cell: an edit takes it out of none, and one that brings it back into one. */
+  @Test
+  void whoFliesOutOfTheRangeOfDoublesCanBeBroughtBack() {
+    double unit = 1e306;
+    SceneBuilder scene = Scene.builder().collide(true).circle(0, 0, unit, 100 * unit, 0);
+    World world = new World(scene.circle(0, 9 * unit, unit, 0, 0).build());
+    assertThat(world.advanceTo(2)).isTrue();
+    assertThat(world.x(0)).isInfinite();
+    for (int k = 0; k < 3; k++) {
+      world.setVelocity(0, -unit, 0);
+      assertThat(world.step(1)).isTrue();
+    }
+    world.setPosition(0, 0, 4 * unit);
+    world.setVelocity(0, 0, unit);
+    assertThat(world.step(4)).isTrue();
+    assertThat(world.impacts().size()).isOne();
+    assertThat(world.vy(1)).isEqualTo(unit);
   }
 }

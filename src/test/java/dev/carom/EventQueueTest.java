@@ -174,6 +174,41 @@ class EventQueueTest {
     assertThat(told).doesNotHaveDuplicates();
   }
 
+  /** Of those at one moment no more than a core waits for at once. */
+  @Test
+  void tellsNoMoreThanThereIsRoomFor() {
+    int count = 3 * EventQueue.MOST_OUTLOOK;
+    List<Integer> told = new ArrayList<>();
+    EventQueue queue =
+        new EventQueue(
+            count,
+            (i, j) -> i < j,
+            (circles, size) -> Arrays.stream(circles, 0, size).forEach(told::add));
+    for (int i = 0; i < count; i++) {
+      queue.set(i, 1);
+    }
+    assertThat(queue.first()).isZero();
+    assertThat(told).hasSize(EventQueue.MOST_OUTLOOK).doesNotHaveDuplicates();
+  }
+
+  /** Whether it waits for its turn or is among the next. */
+  @Test
+  void anEventIsSetInPlaceOfTheOneThatACircleHad() {
+    EventQueue queue = new EventQueue(3, (i, j) -> i < j);
+    assertThat(queue.time(2)).isEqualTo(NEVER);
+    queue.set(0, 1);
+    queue.set(1, 1.5);
+    queue.set(2, 9);
+    assertThat(queue.first()).isZero();
+    queue.set(0, 2);
+    queue.set(2, 1.75);
+    for (int i : new int[] {1, 2, 0}) {
+      assertThat(queue.first()).isEqualTo(i);
+      queue.take(i);
+    }
+    assertThat(queue.first()).isEqualTo(EventQueue.NONE);
+  }
+
   @Test
   void isMadeForNoneToo() {
     assertThat(new EventQueue(0, (i, j) -> false).first()).isEqualTo(EventQueue.NONE);

@@ -8,8 +8,10 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Who touches is found, whatever the sizes; lists take in and let go. */
@@ -44,6 +46,10 @@ class NeighborsTest {
     Circles circles = circles(scene);
     for (Bounds bounds : new Bounds[] {null, scene.bounds}) {
       Neighbors neighbors = new Neighbors(circles, new Roster(scene), bounds, diameters, 0);
+      for (int i = 0; i < circles.count; i += 3) {
+        neighbors.leave(i);
+        assertThat(neighbors.enter(i, 0)).isTrue();
+      }
       for (int i = 0; i < circles.count; i++) {
         int[] found = new int[circles.count + 9];
         int size = follow(neighbors.followers(), found, neighbors.find(i, found));
@@ -124,8 +130,116 @@ class NeighborsTest {
     }
   }
 
+  /** The lists that are read ahead are those through which a search goes then. */
+  @Test
+  void whatIsReadAheadIsWhatIsLookedAt() {
+    Random random = new Random(4);
+    Cells cells = new Cells(16, 8, new int[90], null);
+    for (int i = 0; i < 90; i++) {
+      cells.add(i, random.nextInt(16), random.nextInt(8));
+    }
+    int[] lists = new int[20];
+    int[] found = new int[100];
+    int[][] steps = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    for (int k = 0; k < 200; k++) {
+      int column = random.nextInt(30) - 10;
+      int row = random.nextInt(30) - 10;
+      cells.placesAround(column, row, lists, 2);
+      cells.firsts(lists, 2, 11);
+      int size = cells.around(column, row, found, 0);
+      assertThat(heads(lists, 2, 11)).isEqualTo(heads(found, 0, size));
+      int dx = steps[k % 4][0];
+      int dy = steps[k % 4][1];
+      cells.placesAhead(column, row, dx, dy, lists, 11);
+      cells.firsts(lists, 11, 16);
+      size = cells.beside(column + 2 * dx, row + 2 * dy, Math.abs(dy), Math.abs(dx), found, 0);
+      assertThat(heads(lists, 13, 16)).isEqualTo(heads(found, 0, size));
+      size = cells.beside(column, row, 0, 0, found, 0);
+      assertThat(heads(lists, 11, 12)).isEqualTo(heads(found, 0, size));
+      size = cells.beside(column + dx, row + dy, 0, 0, found, 0);
+      assertThat(heads(lists, 12, 13)).isEqualTo(heads(found, 0, size));
+    }
+  }
+
+  private static Set<Integer> heads(int[] lists, int from, int to) {
+    return Arrays.stream(lists, from, to)
+        .filter(i -> i != Cells.NONE)
+        .boxed()
+        .collect(Collectors.toSet());
+  }
+
+  /** Right, left, up, down. */
+  @ParameterizedTest
+  @CsvSource({"3, 0.25", "-3, -0.25", "0.25, 3", "-0.25, -3"})
+  void aWayLeadsIntoTheCellThatIsEnteredNext(double vx, double vy) {
+    Scene scene = Scene.builder().circle(3, 4, 1, vx, vy).circle(-30, -40, 1, 0, 0).build();
+    Circles circles = circles(scene);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene), null, 1, 0);
+    int column = neighbors.column(0);
+    int row = neighbors.row(0);
+    double crossing = neighbors.crossing(0);
+    int way = neighbors.way();
+    assertThat(Neighbors.columnsOn(way)).isEqualTo((int) Math.signum((int) vx));
+    assertThat(Neighbors.rowsOn(way)).isEqualTo((int) Math.signum((int) vy));
+    neighbors.cross(0, way, new int[11]);
+    assertThat(neighbors.column(0)).isEqualTo(column + Neighbors.columnsOn(way));
+    assertThat(neighbors.row(0)).isEqualTo(row + Neighbors.rowsOn(way));
+    assertThat(around(neighbors.cells(0), neighbors.column(0), neighbors.row(0))).contains(0);
+    assertThat(neighbors.crossing(0)).isGreaterThan(crossing);
+  }
+
+  /** Where a new flight starts, in any direction and far, or in the same cell still. */
+  @Test
+  void whoBeginsANewFlightIsListedWhereThatStarts() {
+    Scene scene = alike(new Random(6), 40);
+    Circles circles = circles(scene);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene), scene.bounds, 1, 0);
+    Random random = new Random(7);
+    int stayed = 0;
+    for (int k = 0; k < 400; k++) {
+      int i = random.nextInt(40);
+      int a = Circles.collidingAt(i);
+      int coordinate = random.nextBoolean() ? Circles.X : Circles.Y;
+      circles.state[a + coordinate] += random.nextGaussian() * (random.nextInt(4) + 0.1);
+      int before = neighbors.column(i) * 1000 + neighbors.row(i);
+      neighbors.comeBack(i);
+      int column = neighbors.column(i);
+      int row = neighbors.row(i);
+      stayed += before == column * 1000 + row ? 1 : 0;
+      neighbors.leave(i);
+      assertThat(around(neighbors.cells(i), column, row)).as("once").doesNotContain(i);
+      assertThat(neighbors.enter(i, 0)).isTrue();
+      assertThat(neighbors.column(i)).isEqualTo(column);
+      assertThat(neighbors.row(i)).isEqualTo(row);
+    }
+    assertThat(stayed).isBetween(100, 300);
+  }
+
+  /** What is read comes to nothing but a sum. */
+  @Test
+  void readingAheadChangesNothing() {
+    Scene scene = alike(new Random(5), 40);
+    Circles circles = circles(scene);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene), scene.bounds, 1, 0);
+    short[] kinds = new short[40];
+    int[] ids = new int[EventQueue.MOST_OUTLOOK];
+    for (int k = 0; k < ids.length; k++) {
+      ids[k] = k * 7 % 40;
+      kinds[ids[k]] = (short) (k % (Schedule.CROSSING + 4));
+      circles.codes[Circles.collidingCodesAt(ids[k]) + Circles.PARTNER] = k % 40;
+    }
+    double[] state = circles.state.clone();
+    int[] codes = circles.codes.clone();
+    Ahead ahead = new Ahead(circles, neighbors, kinds);
+    for (int size = 0; size <= ids.length; size++) {
+      ahead.next(ids, size);
+    }
+    assertThat(circles.state).isEqualTo(state);
+    assertThat(circles.codes).isEqualTo(codes);
+  }
+
   private static List<Integer> around(Cells cells, int column, int row) {
-    int[] found = new int[12];
+    int[] found = new int[60];
     int size = cells.follow(found, 0, cells.around(column, row, found, 0));
     return Arrays.stream(found, 0, size).boxed().toList();
   }

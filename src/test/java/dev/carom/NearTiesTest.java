@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Circles that meet at one time, or some ulps apart, and steps that end there: what happens is what
+ * the plain way gives, which asks everyone before each event.
+ */
+class NearTiesTest {
+
+  private static final int SEEDS = 250;
+  private static final int[][] DIRECTIONS = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+
+  /** Circles that come from four sides into the middle, and lines that some of them meet before. */
+  private static final class Cross {
+
+    final Random random;
+    final double way;
+    final double speed;
+    final SceneBuilder builder = Scene.builder().collide(true);
+    private final boolean sensors;
+
+    Cross(long seed) {
+      random = new Random(seed);
+      sensors = random.nextInt(3) == 0;
+      way = 3 + random.nextInt(8) + some();
+      speed = 1 + random.nextInt(3) + some();
+      if (random.nextBoolean()) {
+        builder.bounds(-20, -20, 20, 20);
+      }
+      if (random.nextBoolean()) {
+        builder.circle(0, 0, 1, 0, 0);
+        sense();
+      }
+      for (int[] d : DIRECTIONS) {
+        add(d[0], d[1]);
+      }
+    }
+
+    private double some() {
+      return random.nextBoolean() ? random.nextDouble() : 0;
+    }
+
+    private void sense() {
+      if (sensors && random.nextInt(3) == 0) {
+        builder.response(Response.SENSOR);
+      }
+    }
+
+    private void add(int x, int y) {
+      if (random.nextInt(5) > 0) {
+        double far = near(way);
+        double fast = near(speed);
+        builder.circle(x * far, y * far, 1, -x * fast, -y * fast);
+        sense();
+      }
+      if (random.nextInt(4) == 0) {
+        double at = way - 1 - speed * random.nextInt(3);
+        builder.line(x * at + y * 3, y * at + x * 3, x * at - y * 3, y * at - x * 3);
+        sense();
+      }
+    }
+
+    /** The same, or up to two ulps off. */
+    private double near(double value) {
+      double near = value;
+      for (int k = random.nextInt(3); k > 0; k--) {
+        near = random.nextBoolean() ? Math.nextUp(near) : Math.nextDown(near);
+      }
+      return near;
+    }
+
+    /** Ends of steps at moments when much happens, and an ulp before and after these. */
+    double[] times() {
+      double meeting = (way - 2) / speed;
+      double[] times = new double[8];
+      for (int k = 0; k < times.length; k++) {
+        double t = meeting * (1 + k / 2);
+        times[k] = k % 2 == 0 ? Math.nextDown(t) : t;
+      }
+      return times;
+    }
+  }
+
+  @Test
+  void thePlainWayGivesTheSameImpacts() {
+    int impacts = 0;
+    for (int seed = 0; seed < SEEDS; seed++) {
+      Cross cross = new Cross(seed);
+      Scene scene = cross.builder.build();
+      World world = new World(scene);
+      PlainWorld plain = new PlainWorld(scene);
+      for (double time : cross.times()) {
+        assertThat(world.advanceTo(time)).isTrue();
+        List<Run.Row> rows = Run.rows(world.impacts());
+        assertThat(rows)
+            .as("cross %s at %s", seed, time)
+            .isEqualTo(Run.rows(plain.advance(time, rows.size() + 1)));
+        impacts += rows.size();
+      }
+    }
+    assertThat(impacts).isGreaterThan(4 * SEEDS);
+  }
+
+  /**
+   * Two circles so late that a double tells no times apart in which one crosses the box: what comes
+   * first shows only in the tails of the times.
+   */
+  @Test
+  void soDoesAllThatHappensWithinAnUlpOfTime() {
+    int impacts = 0;
+    for (int seed = 0; seed < SEEDS; seed++) {
+      Random random = new Random(seed);
+      SceneBuilder builder = Scene.builder().collide(true);
+      if (random.nextInt(4) > 0) {
+        builder.bounds(0, 0, 40, 40);
+      }
+      for (int i = 0; i < 2; i++) {
+        builder.circle(2 + random.nextInt(36), 2 + random.nextInt(36), 1 + i, 0, 0);
+      }
+      Scene scene = builder.build();
+      World world = new World(scene);
+      PlainWorld plain = new PlainWorld(scene);
+      double end = Math.scalb(1.0, 30 + random.nextInt(20));
+      world.advanceTo(end);
+      plain.advance(end, 1);
+      double speed = Math.scalb(1.0, 15 + random.nextInt(15));
+      for (int i = 0; i < 2; i++) {
+        double vx = speed * (random.nextInt(9) - 4);
+        double vy = speed * (random.nextInt(9) - 4);
+        world.setVelocity(i, vx, vy);
+        plain.setVelocity(i, vx, vy);
+      }
+      for (int k = 0; k < 3 && impacts < 40 * (seed + 1); k++) {
+        end = Math.nextUp(end);
+        world.advanceTo(end);
+        List<Run.Row> rows = Run.rows(world.impacts());
+        assertThat(rows).as("scene %s", seed).isEqualTo(Run.rows(plain.advance(end, rows.size())));
+        impacts += rows.size();
+      }
+    }
+    assertThat(impacts).isGreaterThan(SEEDS);
+  }
+}
