@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Who is stuck, what a jam ends with, and what an edit forgets. */
 class CollisionsTest {
@@ -138,5 +140,20 @@ class CollisionsTest {
     assertThat(world.step(4)).isTrue();
     assertThat(world.impacts().size()).isOne();
     assertThat(world.vy(1)).isEqualTo(unit);
+  }
+
+  /** Twice such a coordinate is beyond it. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void circlesMeetNearTheEndOfTheRangeOfDoubles(boolean upright) {
+    SceneBuilder scene = Scene.builder().collide(true);
+    for (double place : new double[] {1.5e308, 1.6e308}) {
+      double v = place < 1.6e308 ? 1e304 : 0;
+      scene.circle(
+          upright ? 0 : place, upright ? place : 0, 1e306, upright ? 0 : v, upright ? v : 0);
+    }
+    World world = new World(scene.build());
+    assertThat(world.step(1_000)).isTrue();
+    assertThat(world.impacts().size()).isOne();
   }
 }
