@@ -20,8 +20,6 @@ final class Ahead implements EventQueue.Outlook {
   private final Circles circles;
   private final Roster roster;
   private final Neighbors neighbors;
-  private final int[] followers;
-  private final short[] kinds;
 
   /** Those on whom something is to be done, with their partners where two meet. */
   private final int[] concerned = new int[2 * EventQueue.MOST_OUTLOOK + 1];
@@ -36,13 +34,10 @@ final class Ahead implements EventQueue.Outlook {
   @SuppressWarnings("UnusedVariable")
   private double sum;
 
-  /** For circles with events of these kinds, as {@link Schedule} numbers them. */
-  Ahead(Circles circles, Roster roster, Neighbors neighbors, short[] kinds) {
+  Ahead(Circles circles, Roster roster, Neighbors neighbors) {
     this.circles = circles;
     this.roster = roster;
     this.neighbors = neighbors;
-    this.kinds = kinds;
-    followers = neighbors.followers();
   }
 
   @Override
@@ -55,7 +50,7 @@ final class Ahead implements EventQueue.Outlook {
     int others = 0;
     for (int k = 0; k < size; k++) {
       // Which it is cannot be foretold: it is written down for both.
-      int isOther = (kinds[ids[k]] - Schedule.CROSSING) >>> 31;
+      int isOther = (kind(ids[k]) - Schedule.CROSSING) >>> 31;
       concerned[others] = ids[k];
       others += isOther;
       crossing[crossings] = ids[k];
@@ -66,7 +61,7 @@ final class Ahead implements EventQueue.Outlook {
       read += flight(concerned[k]);
     }
     for (int k = 0; k < end; k++) {
-      read += roster.mass(concerned[k]) + queue.read(concerned[k]);
+      read += roster.mass(concerned[k]) + queue.time(concerned[k]);
     }
     placesAround(end);
     placesAhead(AROUND * end, crossings);
@@ -79,7 +74,7 @@ final class Ahead implements EventQueue.Outlook {
     for (int k = 0; k < others; k++) {
       int i = concerned[k];
       concerned[end] = circles.codes[Circles.collidingCodesAt(i) + Circles.PARTNER];
-      end += kinds[i] == Schedule.PAIR ? 1 : 0;
+      end += kind(i) == Schedule.PAIR ? 1 : 0;
     }
     return end;
   }
@@ -87,10 +82,11 @@ final class Ahead implements EventQueue.Outlook {
   /** Reads the cache lines of a circle's record: two of doubles, and one of ints. */
   private double flight(int i) {
     int a = Circles.collidingAt(i);
-    return circles.state[a + Circles.X]
-        + circles.state[a + Circles.MEETING]
-        + circles.codes[Circles.collidingCodesAt(i)]
-        + kinds[i];
+    return circles.state[a + Circles.X] + circles.state[a + Circles.MEETING] + kind(i);
+  }
+
+  private int kind(int i) {
+    return circles.codes[Circles.collidingCodesAt(i) + Circles.KIND];
   }
 
   private void placesAround(int concerns) {
@@ -104,7 +100,7 @@ final class Ahead implements EventQueue.Outlook {
   private void placesAhead(int from, int crossings) {
     for (int k = 0; k < crossings; k++) {
       int i = crossing[k];
-      int way = kinds[i] - Schedule.CROSSING;
+      int way = kind(i) - Schedule.CROSSING;
       int column = neighbors.column(i);
       int row = neighbors.row(i);
       int dx = Neighbors.columnsOn(way);
@@ -130,7 +126,7 @@ final class Ahead implements EventQueue.Outlook {
     double read = 0;
     for (int k = 0; k < size; k++) {
       int j = Math.max(0, lists[k]);
-      read += circles.state[Circles.collidingAt(j)] + followers[j];
+      read += circles.state[Circles.collidingAt(j)] + kind(j);
     }
     return read;
   }

@@ -16,7 +16,12 @@ final class Cells {
   private final int maskY;
   private final int shift;
   private final int[] heads;
+
+  /** The follower of circle i is at first + (i << spread). */
   private final int[] next;
+
+  private final int first;
+  private final int spread;
 
   /** Null where lists are short: there a circle is found in its list by going through it. */
   private final int[] previous;
@@ -28,19 +33,36 @@ final class Cells {
    * @param previous room for those before them, or null for short lists
    */
   Cells(int columns, int rows, int[] next, int[] previous) {
+    this(columns, rows, next, 0, 0, previous);
+  }
+
+  /** Short lists; followers stand among the ints of circles that collide. */
+  Cells(int columns, int rows, Circles circles) {
+    this(
+        columns,
+        rows,
+        circles.codes,
+        Circles.collidingCodesAt(0) + Circles.FOLLOWER,
+        Circles.COLLIDING_CODES_SHIFT,
+        null);
+  }
+
+  private Cells(int columns, int rows, int[] next, int first, int spread, int[] previous) {
     maskX = columns - 1;
     maskY = rows - 1;
     shift = Integer.numberOfTrailingZeros(columns);
     heads = new int[columns * rows];
     Arrays.fill(heads, NONE);
     this.next = next;
+    this.first = first;
+    this.spread = spread;
     this.previous = previous;
   }
 
   void add(int i, int column, int row) {
     int cell = index(column, row);
     int head = heads[cell];
-    next[i] = head;
+    next[at(i)] = head;
     if (previous != null) {
       previous[i] = NONE;
       if (head != NONE) {
@@ -52,11 +74,11 @@ final class Cells {
 
   void remove(int i, int column, int row) {
     int before = previous == null ? before(i, column, row) : previous[i];
-    int after = next[i];
+    int after = next[at(i)];
     if (before == NONE) {
       heads[index(column, row)] = after;
     } else {
-      next[before] = after;
+      next[at(before)] = after;
     }
     if (previous != null && after != NONE) {
       previous[after] = before;
@@ -65,7 +87,7 @@ final class Cells {
 
   private int before(int i, int column, int row) {
     int before = NONE;
-    for (int j = heads[index(column, row)]; j != i; j = next[j]) {
+    for (int j = heads[index(column, row)]; j != i; j = next[at(j)]) {
       before = j;
     }
     return before;
@@ -114,7 +136,7 @@ final class Cells {
   int follow(int[] found, int from, int to) {
     int end = to;
     for (int k = from; k < end; k++) {
-      int follower = next[found[k]];
+      int follower = next[at(found[k])];
       found[end] = follower;
       end += 1 + (follower >> 31);
     }
@@ -147,6 +169,10 @@ final class Cells {
     for (int k = from; k < to; k++) {
       places[k] = heads[places[k]];
     }
+  }
+
+  private int at(int i) {
+    return first + (i << spread);
   }
 
   private int index(int column, int row) {

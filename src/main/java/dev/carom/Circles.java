@@ -35,6 +35,9 @@ final class Circles {
   /** Doubles before the first circle: large arrays then have each 8 of them in one cache line. */
   private static final int ALIGNMENT = 6;
 
+  /** Ints before the first circle, for the same. */
+  private static final int CODES_ALIGNMENT = 12;
+
   // Ints of one circle in codes.
   static final int LAST = 0;
   static final int NEXT = 1;
@@ -47,17 +50,26 @@ final class Circles {
   private static final int PACE_SHIFT = 8;
   private static final int CONTACT_BITS = (1 << PACE_SHIFT) - 1;
 
-  // And of one that collides: whom it meets, that one's count then, and its own count of changes.
+  // And of one that collides: whom it meets, that one's count then, and its own count of changes;
+  // who follows it in its cell's list, and its event's place in the heap, and kind.
   static final int PARTNER = 5;
   static final int PARTNER_COUNT = 6;
   static final int COUNT = 7;
-  private static final int COLLIDING_CODES = 8;
+  static final int FOLLOWER = 8;
+  static final int PLACE = 9;
+  static final int KIND = 10;
+
+  /** A cache line of ints for each circle that collides: 2^4, of which 11 are used. */
+  static final int COLLIDING_CODES_SHIFT = 4;
+
+  private static final int COLLIDING_CODES = 1 << COLLIDING_CODES_SHIFT;
 
   int count;
   double[] state;
   int[] codes;
   private final int first;
   private final int stride;
+  private final int firstCode;
   private final int codeStride;
 
   /**
@@ -73,27 +85,28 @@ final class Circles {
 
   /** Circles that ignore each other. */
   Circles(int count) {
-    this(count, STATE, 0, CODES, count);
+    this(count, false);
   }
 
-  private Circles(int count, int stride, int first, int codeStride, int dues) {
+  private Circles(int count, boolean collide) {
     this.count = count;
-    this.stride = stride;
-    this.first = first;
-    this.codeStride = codeStride;
-    state = new double[first + count * stride];
-    codes = new int[count * codeStride];
-    due = new Agenda(dues);
+    first = collide ? ALIGNMENT : 0;
+    stride = collide ? COLLIDING_STATE : STATE;
+    firstCode = collide ? CODES_ALIGNMENT : 0;
+    codeStride = collide ? COLLIDING_CODES : CODES;
+    state = new double[at(count)];
+    codes = new int[codesAt(count)];
+    due = new Agenda(collide ? 0 : count);
   }
 
   /** Circles that collide; when one needs attention stands in a queue. */
   static Circles colliding(int count) {
-    return new Circles(count, COLLIDING_STATE, ALIGNMENT, COLLIDING_CODES, 0);
+    return new Circles(count, true);
   }
 
   /** How many circles there is room for. */
   int capacity() {
-    return codes.length / codeStride;
+    return (codes.length - firstCode) / codeStride;
   }
 
   /** Forgets all circles. */
@@ -109,8 +122,8 @@ final class Circles {
   void add() {
     if (count == capacity()) {
       int capacity = 2 * count + 4;
-      state = Arrays.copyOf(state, first + capacity * stride);
-      codes = Arrays.copyOf(codes, capacity * codeStride);
+      state = Arrays.copyOf(state, at(capacity));
+      codes = Arrays.copyOf(codes, codesAt(capacity));
       if (codeStride == CODES) {
         due.extend(capacity);
       }
@@ -126,7 +139,7 @@ final class Circles {
 
   /** Where the ints of circle i begin. */
   int codesAt(int i) {
-    return i * codeStride;
+    return firstCode + i * codeStride;
   }
 
   /** Where the doubles of a circle that collides begin, by a stride that compilers know. */
@@ -136,7 +149,7 @@ final class Circles {
 
   /** Where its ints begin. */
   static int collidingCodesAt(int i) {
-    return i * COLLIDING_CODES;
+    return CODES_ALIGNMENT + (i << COLLIDING_CODES_SHIFT);
   }
 
   /** Puts circle i of a scene at the start of its first flight, into the mover only. */

@@ -68,7 +68,7 @@ final class Collisions extends Engine {
     found = new int[room + 9];
     foundOfOther = new int[room + 9];
     neighbors = new Neighbors(circles, roster, bounds, machinery.pairCells(), reached);
-    meetings = new Meetings(circles, neighbors.followers(), pairs, sensed);
+    meetings = new Meetings(circles, pairs, sensed);
     schedule = new Schedule(circles, roster, neighbors, meetings, pairs, room);
     queue = schedule.queue;
     for (int i = 0; i < circles.count; i++) {

@@ -13,17 +13,27 @@ final class EventHeap {
 
   private final EventQueue.Order order;
 
-  /** Of each circle: the place of its event here, or NONE. */
-  private final int[] place;
+  /** The ints of circles; of each the place of its event here, or NONE. */
+  private final int[] codes;
 
   private int[] heap = new int[16];
   private double[] times = new double[16];
   private int size;
 
-  EventHeap(int count, EventQueue.Order order) {
+  EventHeap(int count, EventQueue.Order order, int[] codes) {
     this.order = order;
-    place = new int[count];
-    Arrays.fill(place, NONE);
+    this.codes = codes;
+    for (int i = 0; i < count; i++) {
+      setPlace(i, NONE);
+    }
+  }
+
+  private int place(int i) {
+    return codes[Circles.collidingCodesAt(i) + Circles.PLACE];
+  }
+
+  private void setPlace(int i, int place) {
+    codes[Circles.collidingCodesAt(i) + Circles.PLACE] = place;
   }
 
   boolean isEmpty() {
@@ -31,12 +41,7 @@ final class EventHeap {
   }
 
   boolean contains(int i) {
-    return place[i] != NONE;
-  }
-
-  /** Reads where the event of circle i is. */
-  int read(int i) {
-    return place[i];
+    return place(i) != NONE;
   }
 
   /** The circle whose event is first. */
@@ -58,14 +63,15 @@ final class EventHeap {
 
   /** Takes out the event of circle i, if it is here. */
   void remove(int i) {
-    if (place[i] != NONE) {
-      removeAt(place[i]);
+    int k = place(i);
+    if (k != NONE) {
+      removeAt(k);
     }
   }
 
   /** Takes out the first event. */
   void removeFirst() {
-    place[heap[0]] = NONE;
+    setPlace(heap[0], NONE);
     size--;
     if (size > 0) {
       down(0, heap[size], times[size]);
@@ -73,7 +79,7 @@ final class EventHeap {
   }
 
   private void removeAt(int k) {
-    place[heap[k]] = NONE;
+    setPlace(heap[k], NONE);
     size--;
     if (k < size) {
       int i = heap[size];
@@ -89,7 +95,7 @@ final class EventHeap {
   private void put(int k, int i, double time) {
     heap[k] = i;
     times[k] = time;
-    place[i] = k;
+    setPlace(i, k);
   }
 
   /** Puts an event at place k of the heap or above. */

@@ -104,18 +104,23 @@ final class EventQueue {
   private final EventHeap heap;
 
   EventQueue(int count, Order order) {
-    this(count, order, null);
+    this(count, order, null, new int[Circles.collidingCodesAt(count)]);
   }
 
-  /** One that tells an outlook which events come next; null for none. */
-  EventQueue(int count, Order order, Outlook outlook) {
+  /**
+   * One that tells an outlook which events come next.
+   *
+   * @param outlook or null for none
+   * @param codes the ints of so many circles: it keeps their {@link Circles#PLACE}
+   */
+  EventQueue(int count, Order order, Outlook outlook, int[] codes) {
     this.outlook = outlook;
     int fair = Integer.highestOneBit(Math.max(1, count / PER_BUCKET));
     buckets = Math.max(LEAST_BUCKETS, Math.min(MOST_BUCKETS, fair));
     coarse = new EntryLists(buckets + 1, buckets + 2 + count / 8);
     times = new double[count];
     Arrays.fill(times, NEVER);
-    heap = new EventHeap(count, order);
+    heap = new EventHeap(count, order, codes);
     current = buckets;
   }
 
@@ -141,11 +146,6 @@ final class EventQueue {
 
   double time(int i) {
     return times[i];
-  }
-
-  /** Reads what another event of circle i will need; the number means nothing. */
-  double read(int i) {
-    return times[i] + heap.read(i);
   }
 
   /** Takes out the event of circle i, which is {@link #first}. */

@@ -45,7 +45,6 @@ final class Meetings {
   private final Circles circles;
   private final double[] state;
   private final int[] codes;
-  private final int[] followers;
   private final PairResponse pairs;
   private final SensedPairs sensed;
 
@@ -62,8 +61,7 @@ final class Meetings {
   private double exactHead;
   private double exactTail;
 
-  Meetings(Circles circles, int[] followers, PairResponse pairs, SensedPairs sensed) {
-    this.followers = followers;
+  Meetings(Circles circles, PairResponse pairs, SensedPairs sensed) {
     this.sensed = sensed;
     this.circles = circles;
     state = circles.state;
@@ -168,7 +166,7 @@ final class Meetings {
     int end = size;
     for (int k = 0; k < end; k++) {
       int j = found[k];
-      int follower = followers[j];
+      int follower = codes[Circles.collidingCodesAt(j) + Circles.FOLLOWER];
       found[end] = follower;
       end += 1 + (follower >> 31);
       int c = Circles.collidingAt(j);

@@ -50,8 +50,6 @@ final class Neighbors {
   /** Of each level: columns and rows within which no wall is near; first, after last, for both. */
   private final double[] inside;
 
-  private final int[] followers;
-
   private int way;
 
   private double until;
@@ -69,14 +67,13 @@ final class Neighbors {
     own = new Cells[levels];
     smaller = new Cells[levels];
     levelOf = new short[count];
-    int[] next = new int[count];
+    int[] next = new int[levels == 1 ? 0 : count];
     for (int k = 0; k < levels; k++) {
       own[k] = cells(extent, size[k], next, null);
       smaller[k] = k == 0 ? null : cells(extent, size[k], new int[count], new int[count]);
     }
-    followers = levels == 1 ? next : new int[count];
-    if (levels != 1) {
-      Arrays.fill(followers, Cells.NONE);
+    for (int i = 0; i < count; i++) {
+      circles.codes[Circles.collidingCodesAt(i) + Circles.FOLLOWER] = Cells.NONE;
     }
     coarse = new double[levels == 1 ? 0 : 2 * levels * count];
     inside = new double[4 * levels];
@@ -90,7 +87,10 @@ final class Neighbors {
     }
   }
 
-  /** About as many cells as the extent takes, but no more than sixteen a circle. */
+  /**
+   * About as many cells as the extent takes, but no more than sixteen a circle; if there is but one
+   * level, with followers among the ints of the circles.
+   */
   private Cells cells(Extent extent, double cell, int[] next, int[] previous) {
     int nx = powerOfTwo((extent.right() - extent.left()) / cell + 2);
     int ny = powerOfTwo((extent.top() - extent.bottom()) / cell + 2);
@@ -101,7 +101,9 @@ final class Neighbors {
         ny /= 2;
       }
     }
-    return new Cells(Math.max(4, nx), Math.max(4, ny), next, previous);
+    nx = Math.max(4, nx);
+    ny = Math.max(4, ny);
+    return levels == 1 ? new Cells(nx, ny, circles) : new Cells(nx, ny, next, previous);
   }
 
   private static int powerOfTwo(double atLeast) {
@@ -208,15 +210,6 @@ final class Neighbors {
     return (int) (long) cell;
   }
 
-  /**
-   * The circle that follows each one in its cell's list, or Cells.NONE: whom {@link #find} and
-   * {@link #cross} leave to be found while those before are looked at. Where there are several
-   * levels they find all, and none follows.
-   */
-  int[] followers() {
-    return followers;
-  }
-
   /** Whether a circle meets no wall before it next leaves its cell. */
   boolean isInside(int i) {
     int a = Circles.collidingAt(i);
@@ -321,8 +314,9 @@ final class Neighbors {
   }
 
   /**
-   * Finds all circles that circle i could touch before one of them leaves its cell, and itself;
-   * those in the lists of {@link #followers} are to be added.
+   * Finds all circles that circle i could touch before one of them leaves its cell, and itself; of
+   * each list the first one, whose followers are to be added, as {@link Circles#FOLLOWER} tells.
+   * Where there are several levels it finds all, and none follows.
    *
    * @param found room for all circles and 9 more
    * @return how many were found

@@ -26,7 +26,6 @@ final class Schedule {
   private final Neighbors neighbors;
   private final Meetings meetings;
   private final PairResponse pairs;
-  private final short[] kinds;
 
   Schedule(
       Circles circles,
@@ -39,20 +38,23 @@ final class Schedule {
     this.neighbors = neighbors;
     this.meetings = meetings;
     this.pairs = pairs;
-    kinds = new short[room];
     boolean many = room >= Ahead.LEAST_CIRCLES;
-    Ahead ahead = many ? new Ahead(circles, roster, neighbors, kinds) : null;
-    queue = new EventQueue(room, this::before, ahead);
+    Ahead ahead = many ? new Ahead(circles, roster, neighbors) : null;
+    queue = new EventQueue(room, this::before, ahead, circles.codes);
   }
 
   /** The kind of a circle's event. */
   int kind(int i) {
-    return kinds[i];
+    return circles.codes[Circles.collidingCodesAt(i) + Circles.KIND];
   }
 
   /** Lets a circle be looked at anew at the given time. */
   void edit(int i, double time) {
-    kinds[i] = EDIT;
+    put(i, time, EDIT);
+  }
+
+  private void put(int i, double time, int kind) {
+    circles.codes[Circles.collidingCodesAt(i) + Circles.KIND] = kind;
     queue.set(i, time);
   }
 
@@ -114,8 +116,7 @@ final class Schedule {
       kind = STATIC;
       time = due;
     }
-    kinds[i] = (short) kind;
-    queue.set(i, time);
+    put(i, time, kind);
   }
 
   /** How long after the start of its flight a circle's crossing is. */
@@ -148,7 +149,7 @@ final class Schedule {
   }
 
   private double tail(int i) {
-    return switch (kinds[i]) {
+    return switch (kind(i)) {
       case STATIC -> dueTail(i);
       case PAIR -> meetings.tail(i);
       default -> Double.NEGATIVE_INFINITY;
@@ -156,7 +157,7 @@ final class Schedule {
   }
 
   private long rank(int i) {
-    return switch (kinds[i]) {
+    return switch (kind(i)) {
       case STATIC -> next(i) < 0 ? i : (long) next(i) << 31 | i;
       case PAIR -> {
         int j = meetings.partner(i);

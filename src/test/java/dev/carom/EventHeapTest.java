@@ -16,7 +16,8 @@ class EventHeapTest {
     Random random = new Random(1);
     double[] times = new double[count];
     boolean[] here = new boolean[count];
-    EventHeap heap = new EventHeap(count, (i, j) -> i < j);
+    EventHeap heap =
+        new EventHeap(count, (i, j) -> i < j, new int[Circles.collidingCodesAt(count)]);
     for (int step = 0; step < 20_000; step++) {
       int i = random.nextInt(count);
       if (random.nextInt(3) == 0 && !heap.isEmpty()) {

@@ -151,16 +151,20 @@ class EventQueueTest {
     assertThat(twin.queue.time(2)).isEqualTo(1);
   }
 
+  private static EventQueue telling(List<Integer> told, int count) {
+    return new EventQueue(
+        count,
+        (i, j) -> i < j,
+        (calendar, circles, size) -> Arrays.stream(circles, 0, size).forEach(told::add),
+        new int[Circles.collidingCodesAt(count)]);
+  }
+
   /** With nothing set in between, every event that is taken was told of before, and once. */
   @ParameterizedTest
   @ValueSource(ints = {1, 40, 3000})
   void tellsWhatComesNext(int count) {
     List<Integer> told = new ArrayList<>();
-    EventQueue queue =
-        new EventQueue(
-            count,
-            (i, j) -> i < j,
-            (calendar, circles, size) -> Arrays.stream(circles, 0, size).forEach(told::add));
+    EventQueue queue = telling(told, count);
     Random random = new Random(count);
     for (int i = 0; i < count; i++) {
       queue.set(i, random.nextInt(count / 4 + 1));
@@ -179,11 +183,7 @@ class EventQueueTest {
   void tellsNoMoreThanThereIsRoomFor() {
     int count = 3 * EventQueue.MOST_OUTLOOK;
     List<Integer> told = new ArrayList<>();
-    EventQueue queue =
-        new EventQueue(
-            count,
-            (i, j) -> i < j,
-            (circles, size) -> Arrays.stream(circles, 0, size).forEach(told::add));
+    EventQueue queue = telling(told, count);
     for (int i = 0; i < count; i++) {
       queue.set(i, 1);
     }

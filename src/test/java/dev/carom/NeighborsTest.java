@@ -52,7 +52,7 @@ class NeighborsTest {
       }
       for (int i = 0; i < circles.count; i++) {
         int[] found = new int[circles.count + 9];
-        int size = follow(neighbors.followers(), found, neighbors.find(i, found));
+        int size = follow(circles, found, neighbors.find(i, found));
         Set<Integer> visited = new HashSet<>(Arrays.stream(found, 0, size).boxed().toList());
         assertThat(visited).as("each once").hasSize(size);
         for (int j = 0; j < circles.count; j++) {
@@ -65,11 +65,12 @@ class NeighborsTest {
   }
 
   /** Adds those that follow in the lists. */
-  private static int follow(int[] followers, int[] found, int size) {
+  private static int follow(Circles circles, int[] found, int size) {
     int end = size;
     for (int k = 0; k < end; k++) {
-      if (followers[found[k]] != Cells.NONE) {
-        found[end++] = followers[found[k]];
+      int follower = circles.codes[Circles.collidingCodesAt(found[k]) + Circles.FOLLOWER];
+      if (follower != Cells.NONE) {
+        found[end++] = follower;
       }
     }
     return end;
@@ -221,18 +222,19 @@ class NeighborsTest {
     Scene scene = alike(new Random(5), 40);
     Circles circles = circles(scene);
     Neighbors neighbors = new Neighbors(circles, new Roster(scene), scene.bounds, 1, 0);
-    short[] kinds = new short[40];
     int[] ids = new int[EventQueue.MOST_OUTLOOK];
     for (int k = 0; k < ids.length; k++) {
       ids[k] = k * 7 % 40;
-      kinds[ids[k]] = (short) (k % (Schedule.CROSSING + 4));
-      circles.codes[Circles.collidingCodesAt(ids[k]) + Circles.PARTNER] = k % 40;
+      int c = Circles.collidingCodesAt(ids[k]);
+      circles.codes[c + Circles.KIND] = k % (Schedule.CROSSING + 4);
+      circles.codes[c + Circles.PARTNER] = k % 40;
     }
     double[] state = circles.state.clone();
     int[] codes = circles.codes.clone();
-    Ahead ahead = new Ahead(circles, neighbors, kinds);
+    EventQueue queue = new EventQueue(40, (i, j) -> i < j);
+    Ahead ahead = new Ahead(circles, new Roster(scene), neighbors);
     for (int size = 0; size <= ids.length; size++) {
-      ahead.next(ids, size);
+      ahead.next(queue, ids, size);
     }
     assertThat(circles.state).isEqualTo(state);
     assertThat(circles.codes).isEqualTo(codes);
