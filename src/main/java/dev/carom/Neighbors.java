@@ -247,7 +247,9 @@ final class Neighbors {
       }
     }
     until = first;
-    return state[a + Circles.T] + first;
+    return first < NEVER
+        ? Mover.sum(state[a + Circles.T], state[a + Circles.TL], first)
+        : NEVER;
   }
 
   /** How long after the start of its flight the crossing is that was asked for last. */

@@ -127,11 +127,7 @@ final class Schedule {
 
   /** Of a meeting and a crossing at one time: if the meeting is first, or is to be refined. */
   private boolean isBeforeCrossing(int i) {
-    int a = Circles.collidingAt(i);
-    int c = Circles.collidingAt(meetings.partner(i));
-    double[] s = circles.state;
-    double later = (s[c + Circles.T] - s[a + Circles.T]) + (s[c + Circles.TL] - s[a + Circles.TL]);
-    return meetings.isOpen(i) || Math.max(0, later) + meetings.tau(i) < untilCrossing(i);
+    return meetings.tail(i) < crossingTail(i);
   }
 
   /** Of a meeting and an obstacle at one time: if the meeting is first, or is to be refined. */
@@ -152,8 +148,16 @@ final class Schedule {
     return switch (kind(i)) {
       case STATIC -> dueTail(i);
       case PAIR -> meetings.tail(i);
-      default -> Double.NEGATIVE_INFINITY;
+      case EDIT -> Double.NEGATIVE_INFINITY;
+      default -> crossingTail(i);
     };
+  }
+
+  private double crossingTail(int i) {
+    double crossing = neighbors.crossing(i);
+    int a = Circles.collidingAt(i);
+    double t = circles.state[a + Circles.T];
+    return Mover.sumTail(t, circles.state[a + Circles.TL], neighbors.until(), crossing);
   }
 
   private long rank(int i) {

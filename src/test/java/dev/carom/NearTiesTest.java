@@ -13,6 +13,8 @@ import org.junit.jupiter.api.Test;
  */
 class NearTiesTest {
 
+  private static final int LATE_WORLDS = 300;
+
   private static final int SEEDS = 250;
   private static final int[][] DIRECTIONS = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
 
@@ -145,5 +147,51 @@ class NearTiesTest {
       }
     }
     assertThat(impacts).isGreaterThan(SEEDS);
+  }
+
+  /** Small worlds in bounds or none, some with lines, so late as above: with up to nine circles. */
+  @Test
+  void soDoManyCirclesThatCrossCellsWithinAnUlpOfTime() {
+    int impacts = 0;
+    for (int seed = 0; seed < LATE_WORLDS; seed++) {
+      Random random = new Random(seed);
+      Scene scene = small(random);
+      World world = new World(scene);
+      PlainWorld plain = new PlainWorld(scene);
+      double start = Math.scalb(1.0, 30 + random.nextInt(20));
+      world.advanceTo(start);
+      plain.advance(start, 1);
+      double speed = Math.scalb(1 / Math.ulp(start), random.nextInt(6) - 1);
+      for (int i = 0; i < scene.circleCount(); i++) {
+        double vx = speed * (random.nextInt(9) - 4);
+        double vy = speed * (random.nextInt(9) - 4);
+        world.setVelocity(i, vx, vy);
+        plain.setVelocity(i, vx, vy);
+      }
+      for (double end : List.of(Math.nextUp(start), Math.nextUp(Math.nextUp(start)))) {
+        assertThat(world.advanceTo(end)).isTrue();
+        List<Run.Row> rows = Run.rows(world.impacts());
+        assertThat(rows)
+            .as("scene %s", seed)
+            .isEqualTo(Run.rows(plain.advance(end, rows.size() + 1)));
+        impacts += rows.size();
+      }
+    }
+    assertThat(impacts).isGreaterThan(3 * LATE_WORLDS);
+  }
+
+  private static Scene small(Random random) {
+    SceneBuilder builder = Scene.builder().collide(true);
+    if (random.nextInt(4) > 0) {
+      builder.bounds(0, 0, 40, 40);
+    }
+    for (int k = random.nextInt(3); k > 0; k--) {
+      builder.line(random.nextInt(40), random.nextInt(40), random.nextInt(40), random.nextInt(40));
+    }
+    for (int k = 2 + random.nextInt(8); k > 0; k--) {
+      int radius = random.nextInt(3) == 0 ? 2 : 1;
+      builder.circle(2 + random.nextInt(36), 2 + random.nextInt(36), radius, 0, 0);
+    }
+    return builder.build();
   }
 }
