@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -44,5 +45,28 @@ class AgendaTest {
     agenda.set(i, time);
     assertThat(agenda.get(i)).isEqualTo(time);
     return time;
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {3, 2000})
+  void nothingIsDueAtFirst(int count) {
+    assertThat(new Agenda(count).next(0, Double.MAX_VALUE)).isEqualTo(count);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {3, 2000})
+  void whatIsDueAtTheVeryEndIsFound(int count) {
+    Agenda agenda = new Agenda(count);
+    agenda.set(count - 1, 5);
+    assertThat(agenda.next(0, 5)).isEqualTo(count - 1);
+    assertThat(agenda.next(0, Math.nextDown(5.0))).isEqualTo(count);
+  }
+
+  @Test
+  void minusZeroIsZero() {
+    Agenda agenda = new Agenda(3);
+    agenda.set(1, -0.0);
+    assertThat(Double.doubleToRawLongBits(agenda.get(1))).isZero();
+    assertThat(agenda.next(0, -0.0)).isOne();
   }
 }

@@ -302,4 +302,46 @@ class EndsTest {
     }
     return times;
   }
+
+  /** What an earlier step did is not taken back by a later one that has to. */
+  @Test
+  void anUnfinishedStepTakesBackNothingButItsOwn() {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 64, 64);
+    for (int i = 0; i < 400; i++) {
+      builder.circle(32, 32, 1, 0, 0);
+    }
+    World world = new World(builder.circle(50, 32, 1, 8, 0).build());
+    world.step(2);
+    assertThat(world.impacts().size()).isOne();
+    world.setVelocity(0, 0x1p21, 0);
+    assertThat(world.step(1)).isFalse();
+    assertThat(Run.rows(world.impacts())).allMatch(row -> row.circle() == 0);
+    assertThat(world.vx(400)).isEqualTo(-8);
+    assertThat(world.x(400)).isCloseTo(60 - 8 * (world.now() - 2), within(1e-9));
+  }
+
+  /** 4,000,000 impacts, shared by 400 circles. */
+  @Test
+  void theBudgetIsSpentToTheLastImpact() {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 64, 64).circle(32, 32, 1, 0x1p21, 0);
+    for (int i = 1; i < 400; i++) {
+      builder.circle(32, 32, 1, 0, 0);
+    }
+    World world = new World(builder.build());
+    assertThat(world.step(1)).isFalse();
+    assertThat(world.impacts().size()).isEqualTo(10_000);
+  }
+
+  /** Impacts so soon that exact numbers tell when, on a slope of a thousand bits. */
+  @Test
+  void exactWorkIsPartOfTheBudget() {
+    SceneBuilder builder =
+        Scene.builder().bounds(0, -9, 9, 4).line(0, 0, 8, 0x1p-1000).circle(4, 2, 1, 0, -0x1p260);
+    for (int i = 1; i < 400; i++) {
+      builder.circle(4, 2, 1, 0, 0);
+    }
+    World world = new World(builder.build());
+    assertThat(world.step(6_000 * 0x1p-259)).isFalse();
+    assertThat(world.impacts().size()).isBetween(10, 5_000);
+  }
 }

@@ -145,4 +145,14 @@ class ImpulseTest {
     assertThat(impulse.change(-3, -1, 0, 2)).isEqualTo(0x1.8p501);
     assertThat(impulse.change(5, -1, 0, 0)).isEqualTo(5);
   }
+
+  /** Twice 2^700, times a component of 2^280, would be beyond the doubles. */
+  @Test
+  void ofAnyRestitutionAlongLongNormals() {
+    Impulse impulse = new Impulse();
+    impulse.of(0x1p700, -3, 5, 0x1p280, 0);
+    assertThat(impulse.change(-3, -1, 0, 0x1p280)).isEqualTo(0x1.8p701);
+    impulse.of(0x1p800, -3, 0, 0x1p280, 0);
+    assertThat(impulse.change(-3, -1, 0, 0x1p280)).isEqualTo(0x1.8p801);
+  }
 }

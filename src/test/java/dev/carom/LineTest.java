@@ -161,4 +161,35 @@ class LineTest {
   private static double distance(Vec2 p, Vec2 q) {
     return new Vec2(p.x() - q.x(), p.y() - q.y()).length();
   }
+
+  /** Beyond the doubles in one direction only. */
+  @Test
+  void closestPointOfALineThatIsTooLongOnOneAxis() {
+    double most = Double.MAX_VALUE;
+    assertThat(new Line(0, -most, 0, most).closestPoint(new Vec2(5, 0))).isEqualTo(new Vec2(0, 0));
+    assertThat(new Line(-most, 0, most, 0).closestPoint(new Vec2(0, 5))).isEqualTo(new Vec2(0, 0));
+  }
+
+  /** Of some of the least doubles, none of which has a half. */
+  @Test
+  void closestPointOfTheShortestLines() {
+    double least = Double.MIN_VALUE;
+    Line line = new Line(least, least, 3 * least, 3 * least);
+    assertThat(line.closestPoint(new Vec2(2 * least, 2 * least)))
+        .isEqualTo(new Vec2(2 * least, 2 * least));
+    assertThat(line.closestPoint(new Vec2(0, least))).isEqualTo(new Vec2(least, least));
+  }
+
+  @Test
+  void theFractionAtTheStartIsZeroWhateverTheSlope() {
+    assertThat(Line.fraction(0, 0, 0, 2, 5, 0)).isZero();
+    assertThat(Line.fraction(0, 0, 2, 0, 0, 5)).isZero();
+    assertThat(Line.fraction(1, 1, 1, 1, 0, 5)).isNaN();
+  }
+
+  /** Beside it: the very start, down to the sign of its zeros. */
+  @Test
+  void theClosestPointToWhatIsBesideTheStartIsTheStart() {
+    assertThat(new Line(-0.0, 0, 1, 0).closestPoint(new Vec2(0, 5))).isEqualTo(new Vec2(-0.0, 0));
+  }
 }

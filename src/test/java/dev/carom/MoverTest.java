@@ -52,4 +52,11 @@ class MoverTest {
     assertThat(Mover.lack(1, 1e20, 1, 1e20)).isOne();
     assertThat(Mover.lack(1, 0x1p-60, 3, 1)).isEqualTo(0x1.8p-59);
   }
+
+  /** Half an ulp and a bit: to the nearest of all that, not of its parts. */
+  @Test
+  void timesAreRoundedOnce() {
+    assertThat(Mover.sum(1.25, 0x1p-58, 0x1.8000000000004p-3)).isEqualTo(0x1.7000000000001p0);
+    assertThat(Mover.sum(1.25, -0x1p-58, 0x1.8000000000004p-3)).isEqualTo(0x1.7p0);
+  }
 }

@@ -62,4 +62,40 @@ class ObstaclesTest {
     assertThat(ObstacleResponse.dot(-(1 + 0x1p-29), x, 1, x)).isEqualTo(0x1p-60);
     assertThat(ObstacleResponse.dot(3, 5, 7, -2)).isEqualTo(11);
   }
+
+  @Test
+  void whatIsAddedIsWhereItWasPut() {
+    Obstacles more = obstacles();
+    assertThat(more.thing(more.addPeg(3, 4, 2))).isEqualTo(new Circle(3, 4, 2));
+    assertThat(more.thing(more.addLine(3, 4, 2, 1))).isEqualTo(new Line(3, 4, 2, 1));
+    assertThat(more.size()).isEqualTo(6);
+  }
+
+  /** Both ends of a line count; of a peg, its centre. */
+  @Test
+  void theExtentIsTheLargestCoordinate() {
+    assertThat(Obstacles.of(Scene.builder().line(-9, 2, 3, 4).build()).extent()).isEqualTo(9);
+    assertThat(Obstacles.of(Scene.builder().line(1, 2, 3, -8).build()).extent()).isEqualTo(8);
+    assertThat(Obstacles.of(Scene.builder().peg(1, -2, 50).build()).extent()).isEqualTo(2);
+    assertThat(Obstacles.of(Scene.builder().bounds(0, 0, 9, 9).build()).extent()).isZero();
+  }
+
+  @Test
+  void traitsAreCountedAsTheyComeAndGo() {
+    Obstacles all = obstacles();
+    assertThat(all.areSpecial()).isFalse();
+    assertThat(all.haveSensors()).isFalse();
+    for (int code : new int[] {Obstacles.WALLS, Obstacles.PEGS}) {
+      all.setTraits(code, Traits.with(0, Response.SENSOR));
+      assertThat(all.areSpecial()).isTrue();
+      assertThat(all.haveSensors()).isTrue();
+      all.setTraits(code, 0);
+      assertThat(all.areSpecial()).isFalse();
+      assertThat(all.haveSensors()).isFalse();
+      all.setTraits(code, Traits.with(0, Response.SENSOR));
+      all.remove(code);
+      assertThat(all.areSpecial()).isFalse();
+      assertThat(all.haveSensors()).isFalse();
+    }
+  }
 }

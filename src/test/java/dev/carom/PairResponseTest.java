@@ -235,4 +235,43 @@ class PairResponseTest {
     }
     return sum;
   }
+
+  /** The clock's tail counts: at its speed of 2^60 the second one is 64 further by then. */
+  @Test
+  void whetherTwoPartIsSeenWhereBothAreAtTheSameTime() {
+    PairResponse response = masses(1, 1);
+    a.start(0, 0, -64, 1, 0x1p61, 0x1p60, 1);
+    b.start(1, 0, 0, 1, 0x1p60, 0, 1);
+    a.t = 1;
+    b.t = 1;
+    b.tl = 0x1p-54;
+    assertThat(response.part(a, b)).isFalse();
+    b.tl = -0x1p-54;
+    assertThat(response.part(a, b)).isTrue();
+  }
+
+  @Test
+  void twoDoNotPartByRoundingOfTheirSpeeds() {
+    PairResponse response = masses(1, 1);
+    a.start(0, 1, -1, 1, 1 + 0x1p-49, 1, 1);
+    b.start(1, 0, 0, 1, 0, 0, 1);
+    assertThat(response.part(a, b)).isFalse();
+    a.vx = 1 + 0x1p-45;
+    assertThat(response.part(a, b)).isTrue();
+  }
+
+  @Test
+  void whoHaltsGoesOnAlongsideWhatItDoesNotApproach() {
+    Scene scene =
+        Scene.builder().circle(0, 0, 1, 0, 0).response(Response.HALT).circle(2, 0, 1, 0, 0).build();
+    collide(
+        new PairResponse(new Roster(scene), new ObstacleResponse(Obstacles.of(scene), 1_000)),
+        0,
+        3,
+        1,
+        3,
+        0);
+    assertThat(a.vx).isEqualTo(3);
+    assertThat(b.vx).isEqualTo(3);
+  }
 }

@@ -340,4 +340,15 @@ class QuestionsTest {
     assertThat(Proximity.distance(new Circle(0, 0, 1), 3, 4)).isCloseTo(4, within(1e-15));
     assertThat(Proximity.distance(new Circle(0, 0, 10), 3, 4)).isZero();
   }
+
+  /** The largest double is a place, and what is there can be asked for. */
+  @Test
+  void circlesAtTheEdgeOfTheDoublesAreThere() {
+    double most = Double.MAX_VALUE;
+    World world =
+        new World(
+            Scene.builder().circle(most, 0, 0x1p990, 0, 0).circle(0, -most, 0x1p990, 0, 0).build());
+    assertThat(world.overlapping(ObstacleKind.CIRCLE, new Circle(most, 0, 1))).containsExactly(0);
+    assertThat(world.overlapping(ObstacleKind.CIRCLE, new Circle(0, -most, 1))).containsExactly(1);
+  }
 }

@@ -95,6 +95,9 @@ class RefusedEditTest {
             "peg 0: restitution is Infinity: expected a finite",
             w -> w.setRestitution(PEG, 0, INF)),
         refused(
+            "circle 0: restitution is -1.0: expected a finite",
+            w -> w.setRestitution(CIRCLE, 0, -1)),
+        refused(
             "circle 1: restitution is -0.5: expected a finite",
             w -> w.setRestitution(CIRCLE, 1, -0.5)),
         refused(

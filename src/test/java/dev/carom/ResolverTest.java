@@ -121,4 +121,36 @@ class ResolverTest {
         .isThrownBy(() -> Resolver.reflect(new Vec2(0, -1e300), up, 1e300))
         .withMessageContaining("restitution is 1.0E300");
   }
+
+  @Test
+  void theLargestVelocityCanBeTurnedRound() {
+    double most = Double.MAX_VALUE;
+    assertThat(Resolver.reflect(new Vec2(-most, 0), new Vec2(1, 0), 1))
+        .isEqualTo(new Vec2(most, 0));
+    assertThat(Resolver.reflect(new Vec2(0, most), new Vec2(0, -1), 1))
+        .isEqualTo(new Vec2(0, -most));
+  }
+
+  /** And so it is far away: 10^-9 beside a coordinate of 10^6. */
+  @Test
+  void farAwayItTurnsByTheDetectorsNormalToo() {
+    Endpoint end = new Endpoint(1e6, 3e5);
+    Circle circle = new Circle(999_990, 3e5 + 6e-10, 1e-9);
+    Vec2 velocity = new Vec2(1, 0);
+    Vec2 truth = SweptCircle.cast(circle, velocity, end, 20).orElseThrow().normal();
+    assertThat(truth.y()).isBetween(0.5, 0.7);
+    Trajectory way = Resolver.of(List.of(end)).trace(circle, velocity, 20);
+    Vec2 normal = way.impacts().get(0).normal();
+    assertThat(normal.x()).isCloseTo(truth.x(), within(1e-15));
+    assertThat(normal.y()).isCloseTo(truth.y(), within(1e-15));
+  }
+
+  /** Impacts so soon that exact numbers tell when, on a slope of a thousand bits. */
+  @Test
+  void exactWorkIsPartOfTheBudget() {
+    Resolver resolver = Resolver.of(List.of(new Line(0, 0, 8, 0x1p-1000), new Bounds(0, -9, 9, 4)));
+    Trajectory way = resolver.trace(new Circle(4, 2, 1), new Vec2(0, -0x1p260), 12_000 * 0x1p-259);
+    assertThat(way.complete()).isFalse();
+    assertThat(way.impacts()).hasSizeBetween(10, 12_000);
+  }
 }

@@ -56,4 +56,15 @@ class SensedPairsTest {
       assertThat(others.isNew(i, 5, 1e-20, 4)).isTrue();
     }
   }
+
+  @Test
+  void soIsAMeetingAtTimeZero() {
+    FlightStates states = new FlightStates(2);
+    pairs.report(1, 0, 0, 3);
+    pairs.save(1, states);
+    SensedPairs others = new SensedPairs();
+    others.restore(1, states);
+    assertThat(others.isNew(1, 0, 0, 3)).isFalse();
+    assertThat(others.isNew(1, 0, 0, 4)).isTrue();
+  }
 }

@@ -211,4 +211,12 @@ class SnapshotTest {
     assertThat(Run.advance(world, 20).impacts()).extracting(Run.Row::obstacle).containsExactly(1);
     assertThat(Run.advance(other, 20).impacts()).extracting(Run.Row::obstacle).containsExactly(1);
   }
+
+  @Test
+  void anotherPlaceMakesAnotherHashCode() {
+    World world = new World(Scene.builder().circle(0, 0, 1, 1, 0).build());
+    Snapshot before = world.snapshot();
+    world.setPosition(0, 5, 0);
+    assertThat(world.snapshot()).doesNotHaveSameHashCodeAs(before);
+  }
 }

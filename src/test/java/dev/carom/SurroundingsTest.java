@@ -133,4 +133,13 @@ class SurroundingsTest {
     assertThat(world.impacts().size()).isZero();
     assertThat(world.now()).isEqualTo(20);
   }
+
+  /** Of those at the time of what was found: before a sensor those of lower codes, else all. */
+  @Test
+  void sensorsAreReportedBeforeWhatIsFoundAtTheirTime() {
+    Scene scene = Scene.builder().line(0, 0, 1, 0).response(Response.SENSOR).peg(0, 0, 1).build();
+    Surroundings surroundings = new Surroundings(scene, Machinery.CHOSEN);
+    assertThat(surroundings.sensedBefore(Obstacles.WALLS)).isEqualTo(Obstacles.WALLS - 1);
+    assertThat(surroundings.sensedBefore(Obstacles.PEGS)).isEqualTo(Integer.MAX_VALUE);
+  }
 }

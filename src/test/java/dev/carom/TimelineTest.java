@@ -302,4 +302,30 @@ class TimelineTest {
     assertThat(timeline.line(0, 4.5)).contains(new Line(0, 4, 1, 4));
     assertThatThrownBy(() -> timeline.line(0, 2)).isInstanceOf(IllegalArgumentException.class);
   }
+
+  /** An id is that of a line, or of a peg, however large it is. */
+  @Test
+  void idsThatNoneHasAreThoseOfNothing() {
+    World world = new World(Scene.builder().line(0, 0, 1, 1).peg(5, 5, 1).peg(7, 7, 2).build());
+    Timeline timeline = world.record(9);
+    world.step(1);
+    assertThat(timeline.peg(1, 0.5)).contains(new Circle(7, 7, 2));
+    assertThat(timeline.line(Obstacles.PEGS - Obstacles.WALLS, 0.5)).isEmpty();
+    assertThat(timeline.line(-1, 0.5)).isEmpty();
+    assertThat(timeline.peg(-1, 0.5)).isEmpty();
+  }
+
+  /** Of its two flights none is dropped for what comes later. */
+  @Test
+  void whatFollowsAfterARecordingDropsNothing() {
+    World world = new World(Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 4, 0).build());
+    Timeline timeline = world.record(2);
+    world.step(1.5);
+    world.stopRecording();
+    world.step(20);
+    world.setVelocity(0, 1, 0);
+    assertThat(timeline.start()).isZero();
+    assertThat(timeline.end()).isEqualTo(1.5);
+    assertThat(timeline.x(0, 0.5)).isEqualTo(7);
+  }
 }

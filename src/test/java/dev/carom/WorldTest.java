@@ -419,4 +419,39 @@ class WorldTest {
     assertThat(new World(TestScenes.read("base-1.csv"), Machinery.EACH).model())
         .contains("each of 100 lines and pegs");
   }
+
+  @Test
+  void aStepMayLeadToTheLastOfAllTimes() {
+    World world = new World(Scene.builder().circle(0, 0, 1, 0, 0).build());
+    assertThat(world.step(Double.MAX_VALUE)).isTrue();
+    assertThat(world.now()).isEqualTo(Double.MAX_VALUE);
+  }
+
+  @Test
+  void eachLineIsTheSceneS() {
+    Scene scene = Scene.builder().line(1, 2, 3, 4).line(5, 6, 7, 8).build();
+    World world = new World(scene);
+    assertThat(world.line(0)).isEqualTo(scene.line(0));
+    assertThat(world.line(1)).isEqualTo(scene.line(1));
+  }
+
+  /** Coordinates may be -0; where a component of the normal is 0, it is not. */
+  @Test
+  void normalsHaveNoMinusZero() {
+    World world =
+        new World(
+            Scene.builder()
+                .line(-4, -0.0, 4, 0)
+                .circle(0, 3, 1, 0, -1)
+                .circle(0, -3, 1, 0, 1)
+                .line(-0.0, 10, 0, 18)
+                .circle(3, 14, 1, -1, 0)
+                .circle(-3, 14, 1, 1, 0)
+                .build());
+    world.step(2);
+    for (int row = 0; row < 4; row++) {
+      double zero = row < 2 ? world.impacts().nx(row) : world.impacts().ny(row);
+      assertThat(Double.doubleToRawLongBits(zero)).isZero();
+    }
+  }
 }

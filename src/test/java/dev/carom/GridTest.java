@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Cells of size 8, over (-12, -12) to (92, 52) but where the tests say otherwise. */
+class GridTest {
+
+  private static final double INF = Double.POSITIVE_INFINITY;
+
+  /** The obstacles span (0, 0) to (80, 40); the grid has the radius and a ring of cells more. */
+  private static Grid grid() {
+    return new Grid(
+        Obstacles.of(Scene.builder().line(0, 0, 80, 0).line(0, 40, 80, 40).build()), 4, 8);
+  }
+
+  private static Grid gridOf(SceneBuilder scene) {
+    return new Grid(Obstacles.of(scene.build()), 4, 8);
+  }
+
+  @Test
+  void itSurroundsAllThatCanBeTouched() {
+    assertThat(grid().columns).isEqualTo(13);
+    assertThat(grid().rows).isEqualTo(8);
+    assertThat(grid().cells()).isEqualTo(104);
+    Grid pegs = gridOf(Scene.builder().peg(0, 0, 10).peg(40, 0, 10));
+    assertThat(pegs.columns).isEqualTo(11);
+    assertThat(pegs.rows).isEqualTo(6);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "20, 20, true",
+    "-12, -12, true",
+    "92, 52, true",
+    "-12.5, 20, false",
+    "92.5, 20, false",
+    "20, -12.5, false",
+    "20, 52.5, false"
+  })
+  void itContainsWhatLiesWithinOrOnItsEdge(double x, double y, boolean contains) {
+    assertThat(grid().contains(x, y)).isEqualTo(contains);
+  }
+
+  /** A path is inside as long as its place on both axes is. */
+  @ParameterizedTest
+  @CsvSource({
+    "-112, 20, 2, 0, 0, 50",
+    "192, 20, -2, 0, 0, 50",
+    "20, -112, 0, 2, 0, 50",
+    "20, 152, 0, -2, 0, 50",
+    "-112, 20, 2, 0, 60, 60",
+    "-112, 20, 2, 0, 102, 102",
+    "-112, 20, 2, 0, 103, Infinity",
+    "20, -112, 0, 2, 82, 82",
+    "20, -112, 0, 2, 83, Infinity",
+    "192, 20, -2, 0, 103, Infinity",
+    "20, 152, 0, -2, 83, Infinity",
+    "-112, 152, 1, -1, 0, 100",
+    "-112, 252, 1, -1, 0, 200",
+    "-112, 352, 1, -1, 0, Infinity",
+    "-112, 52, 2, 0, 0, 50",
+    "-112, -12, 2, 0, 0, 50",
+    "-112, 53, 2, 0, 0, Infinity",
+    "-112, -13, 2, 0, 0, Infinity",
+    "92, -112, 0, 2, 0, 50",
+    "93, -112, 0, 2, 0, Infinity"
+  })
+  void aPathComesInWhereItsLastAxisDoes(
+      double x, double y, double vx, double vy, double from, double entry) {
+    assertThat(grid().entry(x, y, vx, vy, from)).isEqualTo(entry);
+  }
+
+  /** Sizes below 2^40 cells, |xmin| + |ymin| = 24 included. */
+  @Test
+  void itResolvesPlacesThatAreNotTooFarAway() {
+    Grid grid = grid();
+    assertThat(grid.resolves(0x1p43 - 25, 0, 1)).isTrue();
+    assertThat(grid.resolves(0x1p43 - 24, 0, 1)).isFalse();
+    assertThat(grid.resolves(-0x1p42, -0x1p42, 1)).isFalse();
+  }
+
+  /** Between 2^-500 and 2^500 cells a unit of time. */
+  @Test
+  void itResolvesSpeedsWithinTheRange() {
+    Grid grid = grid();
+    assertThat(grid.resolves(0, 0, 0x1.fp502)).isTrue();
+    assertThat(grid.resolves(0, 0, 0x1p503)).isFalse();
+    assertThat(grid.resolves(0, 0, 0x1.1p-497)).isTrue();
+    assertThat(grid.resolves(0, 0, 0x1p-497)).isFalse();
+  }
+
+  /** Columns begin at -12, -4, 4 ...: a reach that ends just before 84 is listed beyond it. */
+  @Test
+  void listsReachBeyondTheirCellByTheMargin() {
+    double margin = 0x1p-8 * 8;
+    Grid near = gridOf(Scene.builder().peg(0, 0, 0).peg(40 - 0.9 * margin, 0, 0));
+    Grid far = gridOf(Scene.builder().peg(0, 0, 0).peg(40 - 1.1 * margin, 0, 0));
+    int second = Obstacles.PEGS + 1;
+    assertThat((int) near.lists[near.number(7, 1)]).isEqualTo(second);
+    assertThat(far.lists[far.number(7, 1)]).isZero();
+    assertThat((int) far.lists[far.number(6, 1)]).isEqualTo(second);
+  }
+
+  /** A diagonal: what lies beside it in the box around it is out of reach. */
+  @Test
+  void cellsBesideALineDoNotListIt() {
+    Grid grid = gridOf(Scene.builder().line(0, 0, 80, 80));
+    int line = Obstacles.WALLS;
+    for (int row = 1; row < 12; row++) {
+      for (int column = 1; column < 12; column++) {
+        int apart = Math.abs(column - row);
+        if (apart < 2) {
+          assertThat((int) grid.lists[grid.number(column, row)]).isEqualTo(line);
+        } else if (apart > 2) {
+          assertThat(grid.lists[grid.number(column, row)]).isZero();
+        }
+      }
+    }
+  }
+
+  @Test
+  void twoInACellNeedNoRoomOfTheirOwn() {
+    SceneBuilder scene = Scene.builder().peg(0, 0, 1).peg(0, 0, 2);
+    assertThat(gridOf(scene).codes).isEmpty();
+    assertThat(gridOf(scene.peg(80, 0, 1)).codes).isEmpty();
+    assertThat(gridOf(scene.peg(0, 0, 1)).codes).isNotEmpty();
+  }
+}

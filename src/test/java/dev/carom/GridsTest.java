@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+/** Which grids there are, whom they serve, and when they are made anew. */
+class GridsTest {
+
+  private static final int MANY = 16;
+
+  /** So much may be loose beside the grids: 8 and the root of {@link #MANY}. */
+  private static final int LOOSE = 12;
+
+  private static Scene scene(int pegs) {
+    SceneBuilder scene = Scene.builder().circle(0, 50, 3, 0, 0);
+    for (int i = 0; i < pegs; i++) {
+      scene.peg(10 * i, 0, 1);
+    }
+    return scene.build();
+  }
+
+  private static Grids grids(Scene scene) {
+    return new Grids(scene, Obstacles.of(scene), Machinery.CHOSEN);
+  }
+
+  @Test
+  void aFewPegsNeedNoGrid() {
+    assertThat(grids(scene(8)).of(3)).isNull();
+    assertThat(grids(scene(9)).of(3)).isNotNull();
+    assertThat(grids(scene(8)).ofNew(3)).isNull();
+  }
+
+  @Test
+  void norDoThoseThatAreTooFarAway() {
+    SceneBuilder scene = Scene.builder().circle(0, 0, 0x1p390, 0, 0);
+    for (int i = 0; i < MANY; i++) {
+      scene.peg(i * 0x1p395, 0, 0);
+    }
+    assertThat(grids(scene.peg(0x1p399, 0, 0).build()).of(0x1p390)).isNotNull();
+    assertThat(grids(scene.peg(0x1p400, 0, 0).build()).of(0x1p390)).isNull();
+  }
+
+  @Test
+  void aGridServesRadiiOfItsClassUpToItsOwn() {
+    Grids grids = grids(scene(MANY));
+    Grid grid = grids.of(3);
+    assertThat(grids.serve(grid, 3)).isTrue();
+    assertThat(grids.serve(grid, 2)).isTrue();
+    assertThat(grids.serve(grid, 3.5)).isFalse();
+    assertThat(grids.serve(grid, 1.5)).isFalse();
+    assertThat(grids.serve(null, 3)).isFalse();
+    grids.forget();
+    assertThat(grids.serve(grid, 3)).isFalse();
+    assertThat(grids.serve(null, 3)).isFalse();
+    assertThat(grids(scene(8)).serve(null, 3)).isTrue();
+  }
+
+  @Test
+  void aNewRadiusHasItsGridMade() {
+    Grids grids = grids(scene(MANY));
+    Grid grid = grids.of(3);
+    assertThat(grids.ofNew(3)).isSameAs(grid);
+    assertThat(grids.ofNew(2.5)).isSameAs(grid);
+    assertThat(grids.ofNew(5).radius).isEqualTo(8);
+    assertThat(grids.of(7)).isSameAs(grids.ofNew(6));
+    assertThat(grids.ofNew(3.5)).isNotSameAs(grid).isSameAs(grids.of(3));
+    assertThat(grids.of(3).radius).isEqualTo(4);
+  }
+
+  @Test
+  void questionsUseAnyGridThatIsLargeEnough() {
+    Grids grids = grids(scene(MANY));
+    assertThat(grids.atLeast(3)).isSameAs(grids.of(3));
+    assertThat(grids.atLeast(0)).isSameAs(grids.of(3));
+    assertThat(grids.atLeast(3.5)).isNull();
+    change(grids, LOOSE);
+    assertThat(grids.atLeast(3)).isSameAs(grids.of(3));
+    change(grids, LOOSE + 1);
+    assertThat(grids.atLeast(3)).isNull();
+  }
+
+  /** Notes changes of pegs from the first one on. */
+  private static void change(Grids grids, int pegs) {
+    for (int i = 0; i < pegs; i++) {
+      grids.changed(Obstacles.PEGS + i);
+    }
+  }
+
+  @Test
+  void gridsAreMadeAnewWhenTooMuchIsLoose() {
+    Grids grids = grids(scene(MANY));
+    assertThat(grids.areStale()).isFalse();
+    change(grids, LOOSE);
+    assertThat(grids.loose().size).isEqualTo(LOOSE);
+    assertThat(grids.areStale()).isFalse();
+    change(grids, LOOSE + 1);
+    assertThat(grids.areStale()).isTrue();
+    assertThat(grids.areStale()).as("since then nothing changed").isFalse();
+  }
+
+  /** The last two are not kept any more. */
+  @Test
+  void andWhenSomethingIsNotEvenAmongWhatIsLoose() {
+    Grids grids = grids(scene(MANY));
+    change(grids, LOOSE + 3);
+    assertThat(grids.loose().size).isEqualTo(LOOSE + 1);
+    assertThat(grids.areStale()).isTrue();
+  }
+
+  @Test
+  void gridsThatWereForgottenAreMadeAnewWhereTheyAreWanted() {
+    Grids many = grids(scene(MANY));
+    many.forget();
+    assertThat(many.areStale()).isTrue();
+    Grids few = grids(scene(8));
+    few.forget();
+    assertThat(few.areStale()).isFalse();
+  }
+
+  @Test
+  void theyAreMadeForTheRadiiThatThereAre() {
+    Scene scene = scene(MANY);
+    Grids grids = grids(scene);
+    change(grids, LOOSE + 1);
+    Grid old = grids.of(3);
+    Circles circles = new Circles(1);
+    circles.start(scene, 0);
+    circles.store(0);
+    grids.remake(circles);
+    assertThat(grids.of(3)).isNotNull().isNotSameAs(old);
+    assertThat(grids.of(8)).isNull();
+    assertThat(grids.loose().size).isZero();
+    assertThat(grids.areStale()).isFalse();
+  }
+}
