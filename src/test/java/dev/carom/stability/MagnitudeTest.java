@@ -161,6 +161,17 @@ class MagnitudeTest {
     assertThat(hit.normal().y()).isCloseTo(0.6, within(1e-15));
   }
 
+  /** Of radius 1, with a way that is as much longer. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0x1p130, 0x1p300, 0x1p900})
+  void theNormalAfterALongWayIsAccurate(double way) {
+    Circle circle = new Circle(way, 0.6, 0.5);
+    Impact hit =
+        SweptCircle.cast(circle, new Vec2(-1, 0), new Circle(0, 0, 0.5), way).orElseThrow();
+    assertThat(hit.normal().x()).isCloseTo(0.8, within(1e-15));
+    assertThat(hit.normal().y()).isCloseTo(0.6, within(1e-15));
+  }
+
   /**
    * The same scene, moved by 2^30: the centre at the impact is rounded to 2^-22, its offset from
    * the peg is not. The normal of rounded coordinates would err by up to 2^-23 / 10.

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.oracle.SegmentQuery;
+import java.util.Arrays;
+import java.util.Random;
+import java.util.function.ToDoubleFunction;
+import java.util.function.ToIntFunction;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * Whether an impact comes before the end of the window, put to plain doubles where that end is
+ * nearly the time of impact, in any units of length and of time: they tell the truth or nothing.
+ */
+class WindowEndTest {
+  private static final int QUESTIONS = 4_000;
+  private static final double FOREVER = Double.POSITIVE_INFINITY;
+
+  private final Random random = new Random(3);
+
+  private double number(double size) {
+    double x = random.nextInt(3) == 0 ? random.nextInt(9) / 8.0 : random.nextDouble();
+    return random.nextBoolean() ? x * size : -x * size;
+  }
+
+  private double radius() {
+    return Math.scalb(1 + random.nextDouble(), -random.nextInt(random.nextInt(12) + 1));
+  }
+
+  private static void multiply(double[] n, int exponent, int... places) {
+    for (int i : places) {
+      n[i] = Math.scalb(n[i], exponent);
+    }
+  }
+
+  /**
+   * Ends the window near the time of impact, or makes that nearly 1; then changes the units.
+   *
+   * @param lengths where the lengths stand, the others are velocities, the last one the window's
+   *     end
+   */
+  private void end(double[] n, ToDoubleFunction<double[]> time, int[] lengths, int[] speeds) {
+    int end = n.length - 1;
+    n[end] = FOREVER;
+    double t = time.applyAsDouble(n);
+    double off = random.nextInt(4) == 0 ? 0 : Math.scalb(number(1), -random.nextInt(53));
+    if (!(t > 1e-9 && t < 1e9)) {
+      t = 1;
+    }
+    int length = random.nextInt(3) == 0 ? 0 : -470 - random.nextInt(90);
+    int speed = length;
+    if (random.nextInt(3) == 0) {
+      for (int i : speeds) {
+        n[i] *= t * (1 + off);
+      }
+      n[end] = 1;
+    } else {
+      n[end] = t * (1 + off);
+      int ticks = random.nextInt(3) == 0 ? 0 : random.nextInt(1_000) - 500;
+      speed = Math.max(length - ticks, -1_000);
+      n[end] = Math.scalb(n[end], length - speed);
+    }
+    multiply(n, length, lengths);
+    multiply(n, speed, speeds);
+  }
+
+  private static void assertTrueOrOpen(double[] n, int told, int truth) {
+    assertThat(told).as(() -> Arrays.toString(n)).isIn(0, truth);
+  }
+
+  // Two disks: x1 y1 r1 vx1 vy1 x2 y2 r2 vx2 vy2 T.
+
+  private double[] disks() {
+    double[] n = new double[11];
+    int small = random.nextInt(2) * -random.nextInt(50);
+    for (int i : new int[] {0, 1, 5, 6}) {
+      n[i] = number(4);
+    }
+    for (int i : new int[] {3, 4, 8, 9}) {
+      n[i] = number(1);
+    }
+    if (random.nextInt(3) == 0) {
+      n[5] = -n[0];
+      n[6] = -n[1];
+    }
+    multiply(n, small, 0, 5);
+    multiply(n, random.nextInt(2) * -random.nextInt(50), 3, 8);
+    n[2] = radius();
+    n[7] = random.nextBoolean() ? 0 : radius();
+    if (random.nextBoolean()) {
+      n = new double[] {n[1], n[0], n[2], n[4], n[3], n[6], n[5], n[7], n[9], n[8], 0};
+    }
+    end(n, WindowEndTest::pair, new int[] {0, 1, 2, 5, 6, 7}, new int[] {3, 4, 8, 9});
+    return n;
+  }
+
+  private static double pair(double[] n) {
+    return SweptCircle.pair(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]);
+  }
+
+  @Test
+  void ofDisks() {
+    int asked = 0;
+    while (asked < QUESTIONS) {
+      double[] n = disks();
+      if (DiskSweep.contact(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9])
+          == DiskSweep.LATER) {
+        asked++;
+        int told =
+            DiskSweep.compareTime(
+                n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]);
+        Exact.Disks exact =
+            Exact.Disks.of(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]);
+        assertTrueOrOpen(n, told, exact.compareTime(Dyadic.of(n[10])));
+      }
+    }
+  }
+
+  // Two spheres: x1 y1 z1 r1 vx1 vy1 vz1 x2 y2 z2 r2 vx2 vy2 vz2 T.
+
+  private double[] spheres() {
+    double[] n = new double[15];
+    for (int axis = 0; axis < 3; axis++) {
+      n[axis] = number(4);
+      n[7 + axis] = random.nextInt(3) == 0 ? -n[axis] : number(4);
+      n[4 + axis] = number(1);
+      n[11 + axis] = random.nextInt(3) == 0 ? n[4 + axis] : number(1);
+      multiply(n, random.nextInt(2) * -random.nextInt(50), axis, 7 + axis);
+      multiply(n, random.nextInt(2) * -random.nextInt(50), 4 + axis, 11 + axis);
+    }
+    n[3] = radius();
+    n[10] = random.nextBoolean() ? 0 : radius();
+    end(
+        n,
+        WindowEndTest::sphere,
+        new int[] {0, 1, 2, 3, 7, 8, 9, 10},
+        new int[] {4, 5, 6, 11, 12, 13});
+    return n;
+  }
+
+  private static double sphere(double[] n) {
+    return SweptSphere.pair(
+        n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12], n[13],
+        n[14]);
+  }
+
+  @Test
+  void ofSpheres() {
+    for (int i = 0; i < QUESTIONS; i++) {
+      double[] n = spheres();
+      double time = sphere(n);
+      Exact.Disks exact =
+          Exact.Disks.of(
+              n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12],
+              n[13]);
+      if (exact.gap().sign() > 0 && exact.drift().sign() < 0 && exact.reach().sign() > 0) {
+        assertThat(time).as(() -> Arrays.toString(n)).isEqualTo(exact.time(n[14]));
+      }
+    }
+  }
+
+  // A disk and the side of a line: ax ay bx by px py r vx vy T.
+
+  private double[] side() {
+    double[] n = new double[10];
+    n[0] = number(4);
+    n[1] = number(4);
+    n[2] = n[0] + Math.scalb(number(4), random.nextInt(2) * -random.nextInt(40));
+    n[3] = n[1] + Math.scalb(number(4), random.nextInt(2) * -random.nextInt(40));
+    n[4] = (n[0] + n[2]) / 2;
+    n[5] = (n[1] + n[3]) / 2 + 6 + number(1);
+    n[6] = radius();
+    n[7] = number(1) / 8;
+    n[8] = -radius();
+    return n;
+  }
+
+  private static double line(double[] n) {
+    return SweptCircle.line(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], n[9]);
+  }
+
+  private static int contact(double[] n) {
+    return SegmentSweep.contact(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3]);
+  }
+
+  @Test
+  void ofSides() {
+    assertSides(
+        n -> {
+          end(n, WindowEndTest::line, new int[] {0, 1, 2, 3, 4, 5, 6}, new int[] {7, 8});
+          return contact(n);
+        });
+  }
+
+  /** A line that is as good as a point, beside the radius. */
+  @Test
+  void ofSidesOfAnyLength() {
+    assertSides(
+        n -> {
+          int unit = random.nextInt(300);
+          double half = Math.scalb(1 + random.nextDouble(), -400 - random.nextInt(140));
+          double[] m = {-half, 0, half, 0, 0, 3 + random.nextDouble(), 1, 0, -1, 0};
+          System.arraycopy(m, 0, n, 0, n.length);
+          double t = line(withEnd(n, FOREVER));
+          n[9] = t * (1 + Math.scalb(number(1), -random.nextInt(53)));
+          multiply(n, unit, 5, 6, 8);
+          return contact(n);
+        });
+  }
+
+  /**
+   * Found by search: lines and pegs in units in which a term of the bound that is for what
+   * underflows is all there is of it, or in which the polynomial overflows.
+   */
+  @ParameterizedTest
+  @CsvSource({
+    "0x1.2p4, 0x1.ep3, 0, 0, -0x1.b80ab2c4a1p41, 0x1.520ca9dd8bp41, 0x1.b80ab2bec5p41, 0x1p-771,"
+        + " 0, 0x1.fffffffffffffp1023",
+    "0x1.c90157e3274b2p-531, -0x1.48p10, -0x1.c90157e3274b2p-530, 0, 0, -0x1.0ep11, 0, 0,"
+        + " 0x1.a8p10, 1",
+    "-0x1.7cafa36134e8fp353, -0x1.3cb9487d37ee6p355, -0x1.7f415e36520e4p353,"
+        + " -0x1.3c082bb7a9696p355, -0x1.cc96fcf919206p353, -0x1.1647e20deb775p355, 0,"
+        + " 0x1.f300eb82009a8p148, -0x1.e72e640f3334ap149, 0x1.3d64f961a790bp202"
+  })
+  void ofSidesInExtremeUnits(
+      String ax,
+      String ay,
+      String bx,
+      String by,
+      String px,
+      String py,
+      String r,
+      String vx,
+      String vy,
+      String end) {
+    double[] n =
+        Stream.of(ax, ay, bx, by, px, py, r, vx, vy, end).mapToDouble(Double::valueOf).toArray();
+    assertThat(line(n)).isEqualTo(SegmentQuery.of(n).truth().time());
+  }
+
+  private static double[] withEnd(double[] n, double end) {
+    double[] m = n.clone();
+    m[9] = end;
+    return m;
+  }
+
+  private void assertSides(ToIntFunction<double[]> change) {
+    int asked = 0;
+    for (int i = 0; i < QUESTIONS; i++) {
+      double[] n = side();
+      int contact = change.applyAsInt(n);
+      if (contact == SegmentSweep.LEFT || contact == SegmentSweep.RIGHT) {
+        asked++;
+        int told =
+            SideSweep.compareTime(
+                contact == SegmentSweep.LEFT ? 1 : -1,
+                n[4],
+                n[5],
+                n[6],
+                n[7],
+                n[8],
+                n[0],
+                n[1],
+                n[2],
+                n[3],
+                n[9]);
+        Exact.Side exact = Exact.Side.of(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3]);
+        assertTrueOrOpen(n, told, exact.compareTime(Dyadic.of(n[9])));
+      }
+    }
+    assertThat(asked).isGreaterThan(QUESTIONS / 8);
+  }
+}
