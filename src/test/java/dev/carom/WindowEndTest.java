@@ -4,13 +4,17 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.oracle.SegmentQuery;
+import dev.carom.oracle.SphereQuery;
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.function.ToDoubleFunction;
 import java.util.function.ToIntFunction;
-import java.util.stream.Stream;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.aggregator.ArgumentsAccessor;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
@@ -19,6 +23,7 @@ import org.junit.jupiter.params.provider.CsvSource;
  */
 class WindowEndTest {
   private static final int QUESTIONS = 4_000;
+  private static final MathContext DIGITS = new MathContext(60);
   private static final double FOREVER = Double.POSITIVE_INFINITY;
 
   private final Random random = new Random(3);
@@ -67,6 +72,12 @@ class WindowEndTest {
     }
     multiply(n, length, lengths);
     multiply(n, speed, speeds);
+  }
+
+  private static double[] parse(ArgumentsAccessor numbers, int count) {
+    return IntStream.range(0, count)
+        .mapToDouble(i -> Double.parseDouble(numbers.getString(i)))
+        .toArray();
   }
 
   private static void assertTrueOrOpen(double[] n, int told, int truth) {
@@ -154,14 +165,94 @@ class WindowEndTest {
     for (int i = 0; i < QUESTIONS; i++) {
       double[] n = spheres();
       double time = sphere(n);
-      Exact.Disks exact =
-          Exact.Disks.of(
-              n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12],
-              n[13]);
+      Exact.Disks exact = exact(n);
       if (exact.gap().sign() > 0 && exact.drift().sign() < 0 && exact.reach().sign() > 0) {
         assertThat(time).as(() -> Arrays.toString(n)).isEqualTo(exact.time(n[14]));
       }
     }
+  }
+
+  /**
+   * Apart by next to nothing, and moving nearly along each other: they touch soon, and part again.
+   * Of the plain time no digit is right, so that it may lie beyond the window's end.
+   */
+  private double[] touching() {
+    double size = radius();
+    double[] d = {number(size), number(size), number(size)};
+    double[] u = {-d[1], d[0], random.nextInt(3) == 0 ? Math.scalb(number(1), -60) : 0};
+    double least = Math.scalb(1 + random.nextDouble(), -random.nextInt(16) - 26);
+    BigDecimal dd = BigDecimal.ZERO;
+    BigDecimal b = BigDecimal.ZERO;
+    BigDecimal a = BigDecimal.ZERO;
+    for (int axis = 0; axis < 3; axis++) {
+      u[axis] -= least * d[axis];
+      dd = dd.add(new BigDecimal(d[axis]).pow(2));
+      a = a.add(new BigDecimal(u[axis]).pow(2));
+      b = b.add(new BigDecimal(u[axis]).multiply(new BigDecimal(d[axis])));
+    }
+    if (a.signum() == 0) {
+      return null;
+    }
+    BigDecimal gap = b.pow(2).divide(a, DIGITS).multiply(new BigDecimal(random.nextDouble()));
+    BigDecimal r = dd.subtract(gap).sqrt(DIGITS);
+    double r1 = Math.nextDown(r.doubleValue());
+    double r2 = r.subtract(new BigDecimal(r1)).doubleValue();
+    double end = Math.scalb(1.0, -random.nextInt(14) - 12);
+    double[] n = new double[15];
+    int turn = random.nextInt(3);
+    double share = random.nextBoolean() ? 0.5 : 1;
+    for (int axis = 0; axis < 3; axis++) {
+      int to = (axis + turn) % 3;
+      n[to] = share * d[axis];
+      n[7 + to] = (share - 1) * d[axis];
+      n[4 + to] = u[axis];
+    }
+    n[3] = r1;
+    n[10] = r2;
+    n[14] = end;
+    int ticks = random.nextInt(2) * random.nextInt(60);
+    multiply(n, -ticks, 4, 5, 6);
+    multiply(n, ticks, 14);
+    return n;
+  }
+
+  @Test
+  void ofSpheresThatNearlyTouch() {
+    int hits = 0;
+    for (int i = 0; i < QUESTIONS; i++) {
+      double[] n = touching();
+      Exact.Disks exact = n == null ? null : exact(n);
+      if (exact != null
+          && exact.gap().sign() > 0
+          && exact.drift().sign() < 0
+          && exact.reach().sign() > 0) {
+        assertThat(sphere(n)).as(() -> Arrays.toString(n)).isEqualTo(exact.time(n[14]));
+        hits++;
+      }
+    }
+    assertThat(hits).isGreaterThan(QUESTIONS / 4);
+  }
+
+  /** Found by search: they touch at a time near the end, along an axis of which a term is left. */
+  @ParameterizedTest
+  @CsvSource({
+    "0x1.6b9f37f52ff8ep-64, -0x1.bfc062d69c093p-64, -0x1.3a6fe688a2bb1p-64, 0x1.17cd3abc9b388p-65,"
+        + " -0x1.47a803ecab2c2p-1, 0x1.39fbbf67e7249p-4, -0x1.3ffa2a1515e86p-3,"
+        + " 0x1.547c9c62cd3a8p-64, -0x1.37dadd7713692p-64, -0x1.524b280cd9696p-64, 0, 0, 0, 0,"
+        + " 0x1.c5e48da5b9acbp-116",
+    "0x1.11639f78b6fbap351, -0x1.151cd0bcad9cfp351, -0x1.d5e41794c8c92p350, 0x1.27103e765f848p346,"
+        + " 0x1.17dd069f50eb7p1, -0x1.d83d4d6ab2425p-1, -0x1.514d9f759a211p-2,"
+        + " 0x1.1499625831db8p351, -0x1.15e806134aaf2p351, -0x1.01d8eb3219836p351,"
+        + " 0x1.a0a844fc808eap346, 0, 0, 0, 0x1.55133bb14cae2p344"
+  })
+  void ofSpheresFoundBySearch(ArgumentsAccessor numbers) {
+    double[] n = parse(numbers, 15);
+    assertThat(sphere(n)).isEqualTo(new SphereQuery(n).truth());
+  }
+
+  private static Exact.Disks exact(double[] n) {
+    return Exact.Disks.of(
+        n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12], n[13]);
   }
 
   // A disk and the side of a line: ax ay bx by px py r vx vy T.
@@ -227,19 +318,8 @@ class WindowEndTest {
         + " -0x1.3c082bb7a9696p355, -0x1.cc96fcf919206p353, -0x1.1647e20deb775p355, 0,"
         + " 0x1.f300eb82009a8p148, -0x1.e72e640f3334ap149, 0x1.3d64f961a790bp202"
   })
-  void ofSidesInExtremeUnits(
-      String ax,
-      String ay,
-      String bx,
-      String by,
-      String px,
-      String py,
-      String r,
-      String vx,
-      String vy,
-      String end) {
-    double[] n =
-        Stream.of(ax, ay, bx, by, px, py, r, vx, vy, end).mapToDouble(Double::valueOf).toArray();
+  void ofSidesInExtremeUnits(ArgumentsAccessor numbers) {
+    double[] n = parse(numbers, 10);
     assertThat(line(n)).isEqualTo(SegmentQuery.of(n).truth().time());
   }
 

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * What comes first, and that nothing is passed over: at the edges of what the search allows for.
+ */
+class BroadSearchTest {
+
+  private static ImpactLog step(World world, double dt) {
+    world.step(dt);
+    return world.impacts();
+  }
+
+  // One-way lines, from left to right: open from below, and for whom they are not above.
+
+  private static int impacts(double y, double vy) {
+    World world =
+        new World(Scene.builder().line(0, 0, 10, 0).oneWay().circle(-5, y, 1, 1, vy).build());
+    return step(world, 9).size();
+  }
+
+  @Test
+  void aOneWayLineIsThereForWhomItIsStrictlyRightOf() {
+    assertThat(impacts(0x1p-40, -0.01)).isOne();
+    assertThat(impacts(0, -0.01)).isZero();
+  }
+
+  @Test
+  void aOneWayLineIsThereForWhomItIsApproachedByStrictly() {
+    assertThat(impacts(0.5, -0x1p-40)).isOne();
+    assertThat(impacts(0.5, 0)).isZero();
+  }
+
+  // Places.
+
+  @ParameterizedTest
+  @CsvSource({"1, 0", "-1, 0", "0, 1", "0, -1"})
+  void theLargestDoubleIsAPlaceToComeFrom(double x, double y) {
+    double most = Double.MAX_VALUE;
+    Resolver resolver = Resolver.of(List.of(new Circle(0, 0, 0x1p980)));
+    Circle circle = new Circle(x * most, y * most, 0x1p980);
+    Vec2 velocity = new Vec2(-x * most / 4, -y * most / 4);
+    assertThat(resolver.trace(circle, velocity, 5).impacts()).hasSize(1);
+  }
+
+  /**
+   * Lines that the path touches by next to nothing: from far away on both axes, among lines that
+   * are as far on the other side, and by a circle as large as all that.
+   */
+  @ParameterizedTest
+  @CsvSource({"1, 1, 0, 0, 0x1p-26", "0.5, 0.5, -1, -0.9, 0x1p-26", "0.01, 0.3, 0.3, -0.7, 1"})
+  void aLineThatIsHardlyTouchedIsNotPassedOver(
+      double x, double y, double towardsX, double towardsY, double radius) {
+    Random random = new Random(8);
+    int hits = 0;
+    for (int i = 0; i < 3_000; i++) {
+      double unit = 0x1p26 * (1 + random.nextDouble());
+      double r = unit * radius * (radius < 1 ? 1 + random.nextDouble() : 1);
+      double px = unit * x;
+      double py = unit * y;
+      boolean level = radius == 1;
+      double vx = level ? unit : unit * (towardsX - x);
+      double vy = level ? 0 : unit * (towardsY - y) + random.nextDouble();
+      double speed = Math.hypot(vx, vy);
+      double reach = r * (1 - Math.scalb(random.nextDouble(), -25 - random.nextInt(28))) / speed;
+      double way = level ? 0.3 : 1;
+      double ax = px + way * vx + vy * reach;
+      double ay = py + way * vy - vx * reach;
+      double bx = ax + vy / speed;
+      double by = ay - vx / speed;
+      boolean hit = SweptCircle.line(px, py, r, vx, vy, ax, ay, bx, by, 9) <= 9;
+      hits += hit ? 1 : 0;
+      World world =
+          new World(Scene.builder().line(ax, ay, bx, by).circle(px, py, r, vx, vy).build());
+      assertThat(step(world, 9).size() > 0).isEqualTo(hit);
+    }
+    assertThat(hits).isPositive();
+  }
+
+  /** Products of such places and speeds underflow: none may tell that a line is passed. */
+  @ParameterizedTest
+  @ValueSource(ints = {-480, -505, -520, -530})
+  void nothingIsPassedOverWhereNumbersUnderflow(int exponent) {
+    double unit = Math.scalb(1.0, exponent);
+    Random random = new Random(4);
+    int hits = 0;
+    for (int i = 0; i < 500; i++) {
+      double r = 0.5 + random.nextDouble();
+      Line line = line(random, unit);
+      Circle circle = new Circle(-5 * unit, random.nextDouble() * unit, r * unit);
+      Vec2 v = new Vec2(unit * (0.5 + random.nextDouble()), unit * (random.nextDouble() - 0.5));
+      double t =
+          SweptCircle.line(
+              circle.x(),
+              circle.y(),
+              circle.radius(),
+              v.x(),
+              v.y(),
+              line.ax(),
+              line.ay(),
+              line.bx(),
+              line.by(),
+              20);
+      boolean hit = t <= 20;
+      hits += hit ? 1 : 0;
+      World world =
+          new World(
+              Scene.builder()
+                  .line(line.ax(), line.ay(), line.bx(), line.by())
+                  .circle(circle.x(), circle.y(), circle.radius(), v.x(), v.y())
+                  .build());
+      assertThat(step(world, 20).size() > 0).as("%s, %s, %s", circle, v, line).isEqualTo(hit);
+    }
+    assertThat(hits).isBetween(50, 450);
+  }
+
+  private static Line line(Random random, double unit) {
+    double x = random.nextDouble() * 4 - 2;
+    double y = random.nextDouble() * 6 - 3;
+    return new Line(
+        x * unit, y * unit, (x + random.nextDouble()) * unit, (y + random.nextDouble()) * unit);
+  }
+
+  // Order.
+
+  /** Along a line that lies in the wall the two are hit at one time: the wall comes first. */
+  @Test
+  void aWallComesBeforeALineThatIsHitAtTheSameTime() {
+    Random random = new Random(6);
+    for (int i = 0; i < 500; i++) {
+      double wall = random.nextDouble() - 0.5;
+      double r = Math.scalb(1 + random.nextDouble(), random.nextInt(20));
+      double x = wall + r + Math.scalb(random.nextDouble(), -random.nextInt(20));
+      double y = random.nextDouble();
+      World world =
+          new World(
+              Scene.builder()
+                  .bounds(wall, -1e9, 1e9, 1e9)
+                  .line(wall, -5, wall, 5)
+                  .circle(x, y, r, -0.5 - random.nextDouble(), 0)
+                  .build());
+      ImpactLog log = step(world, 5);
+      assertThat(log.size()).isPositive();
+      assertThat(log.kind(0)).isEqualTo(ObstacleKind.WALL);
+    }
+  }
+
+  /** The wall is an ulp away, and the floor of many lines is touched. */
+  @Test
+  void whatIsTouchedComesBeforeAWallThatIsNearlySo() {
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100);
+    for (int i = 0; i < 20; i++) {
+      scene.line(5 * i, 4, 5 * i + 5, 4);
+    }
+    World world = new World(scene.circle(1 + 0x1p-52, 5, 1, -1, -1).build());
+    ImpactLog log = step(world, 0.5);
+    assertThat(log.kind(0)).isEqualTo(ObstacleKind.LINE);
+    assertThat(log.time(0)).isZero();
+    assertThat(log.kind(1)).isEqualTo(ObstacleKind.WALL);
+    assertThat(log.time(1)).isEqualTo(0x1p-52);
+  }
+}
