@@ -10,8 +10,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Cells of size 8, over (-12, -12) to (92, 52) but where the tests say otherwise. */
 class GridTest {
 
-  private static final double INF = Double.POSITIVE_INFINITY;
-
   /** The obstacles span (0, 0) to (80, 40); the grid has the radius and a ring of cells more. */
   private static Grid grid() {
     return new Grid(
