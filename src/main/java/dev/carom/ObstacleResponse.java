@@ -38,7 +38,10 @@ final class ObstacleResponse {
 
   private static final double MOST = 0x1p300;
 
-  /** An offset that is smaller than so much of a coordinate may be mere rounding: 2^10 ulps. */
+  /**
+   * An offset that is smaller than so much of a coordinate, or of one where the flight started, may
+   * be mere rounding: 2^10 ulps.
+   */
   private static final double SMALL = 0x1p-43;
 
   /** A normal is so many binary places above 1 for slow motion, whose own places may be few. */
@@ -245,13 +248,17 @@ final class ObstacleResponse {
     double reach = radius + m.radius;
     if (reach == 0) {
       normal(m, 0, 0, m.vx, m.vy);
-    } else if (reach < SMALL * Math.max(Math.abs(cx), Math.abs(cy))) {
+    } else if (reach < SMALL * Math.max(size(cx, cy), size(startX, startY))) {
       Vec2 n =
           DiskSweep.normal(startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, 0, 0, m.cleared);
       normal(m, n.x(), n.y(), 0, 0);
     } else {
       offset(m, cx, cy);
     }
+  }
+
+  private static double size(double x, double y) {
+    return Math.max(Math.abs(x), Math.abs(y));
   }
 
   /**

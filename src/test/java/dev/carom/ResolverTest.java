@@ -59,6 +59,21 @@ class ResolverTest {
     assertThat(way.end()).isEqualTo(new Vec2(1, 1.5));
   }
 
+  /** From 2^55 radii the rounded centre can be anywhere in the peg: its own, or beyond. */
+  @ParameterizedTest
+  @CsvSource({"0x1p55, -0x1p53, 5", "0x1p60, -0x1p60, 2", "-0x1p200, 0x1p199, 3"})
+  void aWayFromFarOffTurnsBackAtWhatItHitsHeadOn(double x, double vx, double duration) {
+    for (Obstacle o : List.of(new Circle(0, 0, 1), new Endpoint(0, 0))) {
+      Trajectory way =
+          Resolver.of(List.of(o)).trace(new Circle(x, 0, 1), new Vec2(vx, 0), duration);
+      assertThat(way.impacts()).hasSize(1);
+      assertThat(way.impacts().get(0).normal()).isEqualTo(new Vec2(Math.signum(x), 0));
+      assertThat(way.complete()).isTrue();
+      assertThat(Math.signum(way.end().x())).isEqualTo(Math.signum(x));
+      assertThat(way.end().y()).isZero();
+    }
+  }
+
   @Test
   void aWayThatLeavesTheRangeOfDoublesEndsAtItsEdge() {
     Resolver resolver = Resolver.of(List.of(FLOOR));
