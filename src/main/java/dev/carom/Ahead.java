@@ -2,11 +2,11 @@
 package dev.carom;
 
 /**
- * Reads what the next events will need, for many of them at once: whom they concern, with masses
- * and places in the queue, the lists of the cells around, and the circles listed there. An event by
- * itself waits for memory once for each of these; the reads of many events do not depend on each
- * other, so their waits overlap, the more of them the less is to be computed in between. Nothing
- * changes but what is in the cache.
+ * Reads what the next events will need, for many of them at once: whom they concern, with their
+ * masses and times, the lists of the cells around, and the circles listed there. An event by itself
+ * waits for memory once for each of these; the reads of many events do not depend on each other, so
+ * their waits overlap, the more of them the less is to be computed in between. Nothing changes but
+ * what is in the cache.
  */
 final class Ahead implements EventQueue.Outlook {
 
