@@ -10,6 +10,9 @@ package dev.carom;
  */
 final class Editor {
 
+  private static final double INFINITE = Double.POSITIVE_INFINITY;
+
+  private final boolean collide;
   private final Engine engine;
   private final Circles circles;
   private final Roster roster;
@@ -19,6 +22,7 @@ final class Editor {
   private final Limits limits = new Limits();
 
   Editor(Scene scene, Engine engine, Roster roster) {
+    collide = scene.collide;
     this.engine = engine;
     this.roster = roster;
     circles = engine.circles;
@@ -102,13 +106,18 @@ final class Editor {
     return id;
   }
 
-  void setMass(int id, double m) {
+  void setMass(int id, double m, double now) {
     try {
       Check.mass("mass", m);
     } catch (RefusedException e) {
       throw named(e, ObstacleKind.CIRCLE, id);
     }
+    boolean passes = (roster.mass(id) == INFINITE) != (m == INFINITE);
     roster.setMass(id, m);
+    if (collide && passes) {
+      restarted(id, now).forget();
+      engine.fly(mover);
+    }
   }
 
   private void checkPlace(double x, double y) {

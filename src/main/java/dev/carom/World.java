@@ -489,6 +489,8 @@ public final class World {
 
   /**
    * Sets the mass of a circle, from now on. It has no effect as long as circles ignore each other.
+   * One that becomes infinitely heavy, or ceases to be, begins a new flight: what it hit last, or
+   * passed through, can be hit again.
    *
    * @param id the circle
    * @param m a number from 2^-500 to 2^500, or infinity
@@ -496,7 +498,7 @@ public final class World {
    * @throws IllegalArgumentException if m is NaN or out of these limits
    */
   public void setMass(int id, double m) {
-    editor.setMass(ids.circle(id), m);
+    editor.setMass(ids.circle(id), m, now);
   }
 
   /**

@@ -376,7 +376,12 @@ final class PlainWorld {
   }
 
   void setMass(int id, double mass) {
+    double never = Double.POSITIVE_INFINITY;
+    boolean passes = (roster.mass(id) == never) != (mass == never);
     roster.setMass(id, mass);
+    if (collide && passes) {
+      restarted(id).forget();
+    }
   }
 
   void addCircle(double x, double y, double radius, double vx, double vy) {

@@ -116,6 +116,24 @@ class WorldEditTest {
     assertThat(List.of(world.vx(0), world.vx(1))).containsExactly(-1.5, 0.5);
   }
 
+  /** Infinitely heavy ones pass through each other; halfway one of them is made light. */
+  @Test
+  void whoCeasesToBeInfinitelyHeavyIsThereForWhatItPassesThrough() {
+    SceneBuilder scene = Scene.builder().collide(true);
+    scene.circle(0, 0, 1, 1, 0).mass(Double.POSITIVE_INFINITY);
+    scene.circle(4, 0, 1, -1, 0).mass(Double.POSITIVE_INFINITY);
+    World world = world(scene);
+    world.step(1.5);
+    assertThat(world.impacts().size()).isOne();
+    assertThat(List.of(world.vx(0), world.vx(1))).containsExactly(1.0, -1.0);
+    world.setMass(1, 5);
+    assertThat(world.step(0)).isTrue();
+    assertThat(world.impacts().size()).isOne();
+    assertThat(List.of(world.vx(0), world.vx(1))).containsExactly(1.0, 3.0);
+    world.step(1);
+    assertThat(world.impacts().size()).isZero();
+  }
+
   @Test
   void newRestitutionsCountAtTheNextImpact() {
     World world = world(box().line(60, 0, 60, 100).peg(20, 50, 5).circle(50, 50, 5, 8, 0));
