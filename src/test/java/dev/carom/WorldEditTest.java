@@ -296,6 +296,17 @@ class WorldEditTest {
     assertThat(world.vx(0)).isZero();
   }
 
+  /** Seen from its other side, for which it is not there any more. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aLineThatBecomesOneWayIsNotHitEvenIfItWasFoundAhead(boolean collide) {
+    World world = world(box().collide(collide).line(60, 100, 60, 0).circle(50, 50, 5, 1, 0));
+    world.step(1);
+    world.setOneWay(0, true);
+    assertThat(times(world, LINE, 40)).isEmpty();
+    assertThat(times(world, WALL, 50)).containsExactly(45.0);
+  }
+
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void whatWasSetIsReadBack(boolean collide) {
