@@ -57,6 +57,22 @@ class EndsTest {
     assertThat(Math.hypot(end.vx(), end.vy())).isZero();
   }
 
+  /** Among circles that could collide, too, it stops where it is, not where its flight started. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.5, 2, 3})
+  void anInelasticWedgeJamsToTheSameBitsWhereCirclesCollide(double opening) {
+    SceneBuilder wedge =
+        Scene.builder()
+            .line(0, 0, 100, opening)
+            .restitution(0.5)
+            .line(0, 0, 100, -opening)
+            .restitution(0.5)
+            .circle(50, 0, 0.1, -1, 0.01);
+    Run alone = Run.advance(new World(wedge.build()), 1000);
+    assertThat(jammed(alone)).isEqualTo(1);
+    assertThat(Run.advance(new World(wedge.collide(true).build()), 1000)).isEqualTo(alone);
+  }
+
   @Test
   void aJammedCircleStaysSo() {
     SceneBuilder wedge =
