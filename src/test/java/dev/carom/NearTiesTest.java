@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Circles that meet at one time, or some ulps apart, and steps that end there: what happens is what
@@ -107,6 +109,58 @@ class NearTiesTest {
       }
     }
     assertThat(impacts).isGreaterThan(4 * SEEDS);
+  }
+
+  private static double draw(Random random, boolean whole, int least, int range) {
+    return least + (whole ? random.nextInt(range) : range * random.nextDouble());
+  }
+
+  /**
+   * More circles, and lines, as late. Of some thousand drawn, these two tell whether what comes
+   * first of a meeting and a line is asked again once the meeting's time is known, and whether a
+   * meeting that does not hold any more is let go.
+   */
+  @ParameterizedTest
+  @ValueSource(ints = {366, 459})
+  void soDoManyThatAreLate(int seed) {
+    Random random = new Random(seed);
+    boolean whole = random.nextBoolean();
+    SceneBuilder builder = Scene.builder().collide(true);
+    if (random.nextInt(4) > 0) {
+      builder.bounds(0, 0, 40, 40);
+    }
+    int circles = 2 + random.nextInt(8);
+    for (int i = 0; i < random.nextInt(3); i++) {
+      double ax = draw(random, whole, 0, 40);
+      double ay = draw(random, whole, 0, 40);
+      builder.line(ax, ay, draw(random, whole, 0, 40), draw(random, whole, 0, 40));
+    }
+    for (int i = 0; i < circles; i++) {
+      double x = draw(random, whole, 2, 36);
+      double y = draw(random, whole, 2, 36);
+      builder.circle(x, y, random.nextInt(3) == 0 ? 2 : 1, 0, 0);
+    }
+    Scene scene = builder.build();
+    double end = Math.scalb(1.0, 30 + random.nextInt(20));
+    double speed = Math.scalb(1.0, random.nextInt(36));
+    World world = new World(scene);
+    PlainWorld plain = new PlainWorld(scene);
+    world.advanceTo(end);
+    plain.advance(end, 1);
+    for (int i = 0; i < circles; i++) {
+      double vx = speed * (whole ? random.nextInt(9) - 4 : random.nextGaussian());
+      double vy = speed * (whole ? random.nextInt(9) - 4 : random.nextGaussian());
+      double slower = random.nextInt(4) == 0 ? 0 : 1;
+      slower *= random.nextInt(5) == 0 ? 0x1p-20 : 1;
+      world.setVelocity(i, slower * vx, slower * vy);
+      plain.setVelocity(i, slower * vx, slower * vy);
+    }
+    for (int k = 0; k < 4; k++) {
+      end = random.nextBoolean() ? Math.nextUp(end) : end + 20 / speed;
+      assertThat(world.advanceTo(end)).isTrue();
+      List<Run.Row> rows = Run.rows(world.impacts());
+      assertThat(rows).isEqualTo(Run.rows(plain.advance(end, rows.size() + 1)));
+    }
   }
 
   /**
