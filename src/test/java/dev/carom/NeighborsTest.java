@@ -111,6 +111,25 @@ class NeighborsTest {
     assertThat(inside).isGreaterThan(300);
   }
 
+  /**
+   * Wherever in its cell a wall is touched, it is asked there: also close to where the cell ends,
+   * and so far from the origin that places are hardly finer than a thousandth of a radius.
+   */
+  @ParameterizedTest
+  @CsvSource({"0, 1, 0x1p-11", "0x1p40, 0.25, 0x1p-11"})
+  void whoTouchesAWallIsNotInside(double far, double radius, double step) {
+    for (int k = 0; k * step < 3 * radius; k++) {
+      double right = far + 16 * radius + k * step;
+      SceneBuilder scene = Scene.builder().bounds(far, 0, right, 16 * radius);
+      for (int i = 0; i < 50; i++) {
+        scene.circle(right - radius, 8 * radius, radius, 1, 0);
+      }
+      Scene built = scene.build();
+      Neighbors neighbors = new Neighbors(circles(built), new Roster(built), built.bounds, 1, 0);
+      assertThat(neighbors.isInside(0)).as("wall at %s", right).isFalse();
+    }
+  }
+
   @Test
   void cellsHoldWhatWasAddedAndNotRemovedSince() {
     for (int[] previous : new int[][] {null, new int[3]}) {
