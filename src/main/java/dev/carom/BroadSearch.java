@@ -33,6 +33,9 @@ final class BroadSearch {
   /** More ticks than any path through a grid takes. */
   private static final double MOST_TICKS = 0x1p60;
 
+  /** So much of a cell beyond those visited is covered by the margin of their lists. */
+  private static final double NEAR = 0x1p-10;
+
   /** Least speed times size for which underflow stays beneath the bound of {@link #clear}. */
   private static final double LEAST = 0x1p-900;
 
@@ -103,10 +106,13 @@ final class BroadSearch {
       return;
     }
     double ahead = wallAhead();
-    double known = explore(mover, grid, needed, ahead);
+    double known = explore(mover, grid, mover.cleared, needed, ahead);
     if (known >= ahead) {
       walls();
       known = best;
+      if (grid != null && isFar(ahead, grid)) {
+        known = explore(mover, grid, Math.max(mover.cleared, ahead), needed, best);
+      }
     }
     mover.cleared = known;
     boolean hits = known == best && known != NEVER;
@@ -134,8 +140,16 @@ final class BroadSearch {
         && (vx != 0 || vy != 0);
   }
 
+  /**
+   * Whether what comes first by now is so much later than a wall seemed to be that cells between
+   * were not visited: a slow drift to a wall that is as good as touched takes long.
+   */
+  private boolean isFar(double ahead, Grid grid) {
+    return (best - ahead) * Math.max(Math.abs(vx), Math.abs(vy)) > NEAR * grid.cell;
+  }
+
   /** Looks at lines and pegs, and tells up to where, or up to the wall ahead, the path is known. */
-  private double explore(Mover mover, Grid grid, double needed, double ahead) {
+  private double explore(Mover mover, Grid grid, double from, double needed, double ahead) {
     if (obstacles.size() == 0) {
       return ahead;
     }
@@ -146,7 +160,7 @@ final class BroadSearch {
       }
       int reach = mover.reach;
       mover.reach = Math.min(2 * reach, 1 << 28);
-      return walk(grid, mover.cleared, needed, ahead, reach, speed);
+      return walk(grid, from, needed, ahead, reach, speed);
     }
     for (int code = Obstacles.WALLS; code < obstacles.endOfLines; code++) {
       if (!passed(code, px, py, vx, vy, clear)) {

@@ -168,4 +168,29 @@ class BroadSearchTest {
     assertThat(log.kind(1)).isEqualTo(ObstacleKind.WALL);
     assertThat(log.time(1)).isEqualTo(0x1p-52);
   }
+
+  /**
+   * The circle is within rounding of the left wall and drifts to it so slowly that it comes there
+   * long after it has met a line below: the wall ahead does not end the search.
+   */
+  @Test
+  void aSlowDriftToAWallThatIsNearlyTouchedHidesNoLine() {
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100);
+    for (int i = 0; i < 20; i++) {
+      scene.line(i, 20, i + 1, 20);
+    }
+    scene.circle(50, 50, 2, 0, 0);
+    World world = new World(scene.build());
+    assertThat(world.model()).contains("grid");
+    Circle circle = new Circle(Math.nextUp(2.0), 99 - 2, 2);
+    for (double drift : new double[] {0, -0x1p-60, -0x1p-58}) {
+      Impact impact = world.cast(circle, new Vec2(drift, -1), 1e3).orElseThrow();
+      assertThat(impact.kind()).as("%s", drift).isEqualTo(ObstacleKind.LINE);
+    }
+    Impact wall = world.cast(circle, new Vec2(-0x1p-54, -1), 1e3).orElseThrow();
+    assertThat(wall.kind()).isEqualTo(ObstacleKind.WALL);
+    assertThat(wall.time()).isEqualTo(8);
+    Circle free = new Circle(Math.nextDown(98.0), 50, 2);
+    assertThat(world.cast(free, new Vec2(0x1p-60, -1), 1e3).orElseThrow().time()).isEqualTo(48);
+  }
 }
