@@ -106,7 +106,9 @@ final class BroadSearch {
       return;
     }
     double ahead = wallAhead();
-    double known = explore(mover, grid, mover.cleared, needed, ahead);
+    // Up to the wall itself the last cell is near enough, so it is visited in any case.
+    double from = Math.min(mover.cleared, ahead);
+    double known = explore(mover, grid, from, needed, ahead);
     if (known >= ahead) {
       walls();
       known = best;

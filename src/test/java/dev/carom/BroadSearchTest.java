@@ -193,4 +193,18 @@ class BroadSearchTest {
     Circle free = new Circle(Math.nextDown(98.0), 50, 2);
     assertThat(world.cast(free, new Vec2(0x1p-60, -1), 1e3).orElseThrow().time()).isEqualTo(48);
   }
+
+  /** The first of two lines that stand in one place, an ulp before a wall, is taken away. */
+  @Test
+  void aLineBehindOneThatIsGoneComesBeforeAWallThatIsNearlyThere() {
+    double x = Math.nextDown(100.0);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 1, 1, 0);
+    builder.line(x, 40, x, 60).line(x, 40, x, 60);
+    World world = new World(builder.build(), Machinery.cells(10));
+    world.step(1);
+    world.remove(ObstacleKind.LINE, 0);
+    ImpactLog log = step(world, 50);
+    assertThat(log.kind(0)).isEqualTo(ObstacleKind.LINE);
+    assertThat(log.id(0)).isOne();
+  }
 }
