@@ -168,12 +168,12 @@ final class Circles {
 
   double x(int i, double now) {
     int k = at(i);
-    return Math.fma(state[k + VX], now - state[k + T] - state[k + TL], state[k + X]);
+    return Math.fma(state[k + VX], Mover.since(state[k + T], state[k + TL], now), state[k + X]);
   }
 
   double y(int i, double now) {
     int k = at(i);
-    return Math.fma(state[k + VY], now - state[k + T] - state[k + TL], state[k + Y]);
+    return Math.fma(state[k + VY], Mover.since(state[k + T], state[k + TL], now), state[k + Y]);
   }
 
   double vx(int i) {

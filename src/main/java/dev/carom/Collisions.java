@@ -34,6 +34,17 @@ final class Collisions extends Engine {
   /** The time of the last event, or of the end of the last step. */
   private double reached;
 
+  /**
+   * The time of the last crossing. If it is also that of the last event, the crossing may be
+   * further on by what rounding took: then some cells are those of a moment later.
+   */
+  private double crossed;
+
+  /** When a flight began last, or a sensor reported a meeting, as head and tail. */
+  private double happened;
+
+  private double happenedTail;
+
   /** The end of the step in hand. */
   private double end;
 
@@ -64,6 +75,7 @@ final class Collisions extends Engine {
 
   /** Foresees everything anew, from the flights. */
   private void begin() {
+    crossed = Double.NaN;
     int room = circles.capacity();
     found = new int[room + 9];
     foundOfOther = new int[room + 9];
@@ -126,6 +138,7 @@ final class Collisions extends Engine {
   }
 
   private void cross(int i) {
+    crossed = reached;
     int size = neighbors.cross(i, schedule.kind(i) - Schedule.CROSSING, found);
     double crossing = neighbors.crossing(i);
     int way = neighbors.way();
@@ -216,6 +229,7 @@ final class Collisions extends Engine {
   private void report(int low, int high, int i) {
     double head = meetings.time(i);
     double tail = meetings.tail(i);
+    happened(head, tail);
     sensed.report(low, head, tail, high);
     sensed.report(high, head, tail, low);
   }
@@ -235,6 +249,7 @@ final class Collisions extends Engine {
 
   /** Puts a circle on its new flight. */
   private void changed(int i, Mover m) {
+    happened(m.t, m.tl);
     circles.keep(i, m);
     neighbors.comeBack(i);
     count(i);
@@ -242,6 +257,11 @@ final class Collisions extends Engine {
       timeline.add(m);
     }
     lookAround(i);
+  }
+
+  private void happened(double head, double tail) {
+    happenedTail = head == happened ? Math.max(happenedTail, tail) : tail;
+    happened = head;
   }
 
   /** Lets the circles that are jammed to those that have just jammed go on with them as one. */
@@ -333,6 +353,8 @@ final class Collisions extends Engine {
 
   @Override
   void fly(Mover m) {
+    // The new flight begins now, so it needs all cells as they are now.
+    outgrown |= crossed == reached;
     int i = m.id;
     if (i == circles.count) {
       outgrown |= i == circles.capacity();
@@ -357,6 +379,11 @@ final class Collisions extends Engine {
       queue.clear(i);
       schedule.edit(i, reached);
     }
+  }
+
+  @Override
+  double tailOfEdit(Mover m, double now) {
+    return happened == now ? Math.max(0, happenedTail) : 0;
   }
 
   @Override
@@ -391,8 +418,18 @@ final class Collisions extends Engine {
     outgrown = true;
     sensed.clear();
     super.restore(flights, now);
+    happened = Double.NaN;
     for (int i = 0; i < flights.count(); i++) {
       sensed.restore(i, flights);
+      int a = Circles.collidingAt(i);
+      happenedBy(now, circles.state[a + Circles.T], circles.state[a + Circles.TL]);
+      happenedBy(now, flights.sensedHead(i), flights.sensedTail(i));
+    }
+  }
+
+  private void happenedBy(double now, double head, double tail) {
+    if (head == now) {
+      happened(head, tail);
     }
   }
 }

@@ -100,6 +100,7 @@ final class Editor {
     int id = roster.add();
     mover.start(id, x, y, radius, vx, vy, 1);
     mover.t = now;
+    mover.tl = engine.tailOfEdit(mover, now);
     engine.fly(mover);
     limits.keepPlace(x, y);
     limits.keepRadius(radius);
@@ -144,7 +145,7 @@ final class Editor {
   /** A circle at the start of a new flight, now. */
   private Mover restarted(int id, double now) {
     circles.load(id, mover);
-    mover.restart(now);
+    mover.restart(now, engine.tailOfEdit(mover, now));
     return mover;
   }
 

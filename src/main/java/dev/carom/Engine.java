@@ -45,6 +45,13 @@ abstract class Engine {
    */
   abstract void fly(Mover m);
 
+  /**
+   * An edit comes after all that happened by now, some of it later than now by what rounding took.
+   *
+   * @return the tail of the time of an edit of this circle now
+   */
+  abstract double tailOfEdit(Mover m, double now);
+
   /** Takes a circle out. */
   abstract void remove(int i);
 
@@ -81,7 +88,7 @@ abstract class Engine {
       if (roster.contains(i)) {
         circles.load(i);
         if (surroundings.meets(m, code)) {
-          m.restart(now);
+          m.restart(now, tailOfEdit(m, now));
           fly(m);
         }
       }

@@ -118,6 +118,12 @@ final class Flights extends Engine {
     }
   }
 
+  /** Only what happened to the circle itself is to be before. */
+  @Override
+  double tailOfEdit(Mover m, double now) {
+    return m.t == now ? Math.max(0, m.tl) : 0;
+  }
+
   @Override
   void remove(int i) {
     circles.due.set(i, Double.POSITIVE_INFINITY);

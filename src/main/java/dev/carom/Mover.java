@@ -86,13 +86,18 @@ final class Mover {
     return m;
   }
 
-  /** Begins a new flight at a given time, from where the circle is then, as an edit does. */
-  void restart(double now) {
-    double dt = now - t - tl;
+  /**
+   * Begins a new flight at a given time, from where the circle is then, as an edit does.
+   *
+   * @param now the head of that time, which is not before the flight that ends
+   * @param tail its tail
+   */
+  void restart(double now, double tail) {
+    double dt = (now - t) + (tail - tl);
     x = Math.fma(vx, dt, x);
     y = Math.fma(vy, dt, y);
     t = now;
-    tl = 0;
+    tl = tail;
     newFlight();
     reach = BroadSearch.EDITED_REACH;
   }
@@ -136,6 +141,11 @@ final class Mover {
     next = NOTHING;
     contact = 0;
     reach = BroadSearch.FIRST_REACH;
+  }
+
+  /** How far a time is into a flight: one that begins at its head may begin after it. */
+  static double since(double t, double tl, double now) {
+    return Math.max(0, now - t - tl);
   }
 
   /** When something is to be done: at the next impact, or where what is known ahead ends. */

@@ -89,11 +89,11 @@ final class Track {
   }
 
   double x(int k, double t) {
-    return Math.fma(flights[k + 4], t - flights[k] - flights[k + 1], flights[k + 2]);
+    return Math.fma(flights[k + 4], Mover.since(flights[k], flights[k + 1], t), flights[k + 2]);
   }
 
   double y(int k, double t) {
-    return Math.fma(flights[k + 5], t - flights[k] - flights[k + 1], flights[k + 3]);
+    return Math.fma(flights[k + 5], Mover.since(flights[k], flights[k + 1], t), flights[k + 3]);
   }
 
   double vx(int k) {

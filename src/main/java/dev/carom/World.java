@@ -63,11 +63,12 @@ import java.util.Optional;
  * coordinate beyond that range is the largest one.
  *
  * <p><b>Between steps</b> it can be edited: what is there can be changed, moved, added and removed,
- * from now on. A circle that is edited begins a new flight; any number of edits between two steps
- * cost it one search. To add or move a line or a peg asks every circle once whether its flight
- * meets it. An edit that is refused leaves the world as it was, and no edit changes the log of the
- * last step. The future can be saved and gone back to ({@link #snapshot}), the past be looked at
- * ({@link #record record}).
+ * from now on: after all that has happened, of which some may be later than now by less than the
+ * time now is rounded by. A circle that is edited begins a new flight; any number of edits between
+ * two steps cost it one search. To add or move a line or a peg asks every circle once whether its
+ * flight meets it. An edit that is refused leaves the world as it was, and no edit changes the log
+ * of the last step. The future can be saved and gone back to ({@link #snapshot}), the past be
+ * looked at ({@link #record record}).
  *
  * <p>Uses +, -, *, /, sqrt and fma only, in a fixed order: the same run gives the same bits on
  * every Java virtual machine. Not safe for use by several threads; worlds do not share anything

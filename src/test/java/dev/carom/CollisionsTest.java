@@ -61,8 +61,9 @@ class CollisionsTest {
   private static final double THIRD = 0x1.5555555555555p-2;
 
   /**
-   * The step ends at the double nearest to the moment of contact, a little before it: for the
-   * flight that an edit begins there the contact is still to come.
+   * The step ends at the double nearest to the moment of contact, a little before it: the flight
+   * that an edit begins there begins at that moment. Put back a little, and so fast that a time
+   * does not tell its contact from its beginning, it is reported anew.
    */
   @Test
   void whatASensorReportedIsNewToAFlightThatBeginsBeforeIt() {
@@ -77,6 +78,11 @@ class CollisionsTest {
     world.step(0);
     assertThat(world.impacts().size()).as("of the same flight").isZero();
     world.setVelocity(1, 1, 0);
+    assertThat(world.x(1)).isZero();
+    world.step(0);
+    assertThat(world.impacts().size()).as("of one that begins with the contact").isZero();
+    world.setPosition(1, -0x1p-50, 0);
+    world.setVelocity(1, 0x1p90, 0);
     world.step(0);
     assertThat(world.impacts().size()).as("of a new one").isOne();
     assertThat(world.impacts().time(0)).isEqualTo(1 + THIRD);

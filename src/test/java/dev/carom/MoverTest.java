@@ -40,11 +40,22 @@ class MoverTest {
   @Test
   void anEditBeginsWhereItIsByThen() {
     Mover m = mover(0x1p53, -0.5);
-    m.restart(0x1p53 + 2);
+    m.restart(0x1p53 + 2, 0);
     assertThat(m.x).isEqualTo(3.5);
     assertThat(m.y).isEqualTo(9.5);
     assertThat(m.t).isEqualTo(0x1p53 + 2);
     assertThat(m.tl).isZero();
+    m.restart(0x1p53 + 2, 0.75);
+    assertThat(m.x).isEqualTo(4.25);
+    assertThat(m.tl).isEqualTo(0.75);
+  }
+
+  /** Not before the flight begins: it has just come from elsewhere. */
+  @Test
+  void aFlightThatBeginsAfterATimeWithTheSameHeadIsAtItsStart() {
+    assertThat(Mover.since(1, 0x1p-60, 1)).isZero();
+    assertThat(Mover.since(1, -0x1p-60, 1)).isEqualTo(0x1p-60);
+    assertThat(Mover.since(1, 0x1p-60, 2)).isEqualTo(1);
   }
 
   @Test

@@ -36,6 +36,11 @@ final class PlainWorld {
   private final ImpactLog log = new ImpactLog(16);
   private double now;
 
+  /** The last event that happened when the clock shows the same as now, by the tail of its time. */
+  private double lastTail;
+
+  private double last;
+
   // The first event found so far: when, of what rank, and what it is.
   private double time;
   private double tail;
@@ -80,6 +85,8 @@ final class PlainWorld {
     roster = other.roster.copy();
     respond();
     now = other.now;
+    last = other.last;
+    lastTail = other.lastTail;
     movers = new ArrayList<>(other.movers.stream().map(PlainWorld::copy).toList());
     met =
         new ArrayList<>(other.met.stream().map(set -> (Set<Integer>) new HashSet<>(set)).toList());
@@ -121,16 +128,23 @@ final class PlainWorld {
   private void happen() {
     Mover m = movers.get(low);
     if (high >= 0) {
+      happened();
       meet(m, movers.get(high));
     } else {
       int code = m.next;
       if (response.resolve(m, log)) {
+        happened();
         begin(m);
         settle(m);
       } else {
         met.get(low).add(code);
       }
     }
+  }
+
+  private void happened() {
+    lastTail = last == time ? Math.max(lastTail, tail) : tail;
+    last = time;
   }
 
   /** A flight begins: what it meets is new to it. */
@@ -370,9 +384,16 @@ final class PlainWorld {
 
   private Mover restarted(int id) {
     Mover m = movers.get(id);
-    m.restart(now);
+    m.restart(now, tailOfEdit(m));
     begin(m);
     return m;
+  }
+
+  /** An edit comes after all that happened: to the circle, if it is alone. */
+  private double tailOfEdit(Mover m) {
+    double head = collide ? last : m.t;
+    double tail = collide ? lastTail : m.tl;
+    return head == now ? Math.max(0, tail) : 0;
   }
 
   void setMass(int id, double mass) {
@@ -388,6 +409,7 @@ final class PlainWorld {
     Mover m = new Mover();
     m.start(roster.add(), x, y, radius, vx, vy, 1);
     m.t = now;
+    m.tl = tailOfEdit(m);
     movers.add(m);
     met.add(new HashSet<>());
   }
