@@ -329,9 +329,13 @@ final class Meetings {
         || pairs.rank(Math.min(i, j), Math.max(i, j)) < pairs.rank(Math.min(i, k), Math.max(i, k));
   }
 
-  /** Whether the meeting looked at last is one that a sensor is still to report. */
+  /**
+   * Whether the meeting looked at last is one that a sensor is still to report: it did if both have
+   * been on their flights since.
+   */
   private boolean isEntered(int i, int j) {
-    return exactTau > 0 && sensed.isNew(i, exactHead, exactTail, j);
+    return exactTau > 0
+        && (sensed.isNew(i, exactHead, exactTail, j) || sensed.isNew(j, exactHead, exactTail, i));
   }
 
   private void exact(int i, int j) {

@@ -88,6 +88,26 @@ class CollisionsTest {
     assertThat(world.impacts().time(0)).isEqualTo(1 + THIRD);
   }
 
+  /**
+   * So late that the first circle, from its cell of now, comes to the second one within the last
+   * place of the time: put back by an ulp, the second one is met again at the time to which the
+   * first has reported it, and it is the first that finds it.
+   */
+  @Test
+  void aNewFlightIsNewToWhomReportedItsOldOneJustThen() {
+    SceneBuilder scene = Scene.builder().collide(true).circle(-8, 0, 1, 0, 0);
+    scene.circle(2, 0, 1, 0, 0).response(Response.SENSOR);
+    World world = new World(scene.build());
+    world.advanceTo(0x1p40);
+    world.setVelocity(0, 0x1p17, 0);
+    world.step(0);
+    assertThat(world.impacts().size()).isOne();
+    world.setPosition(1, Math.nextUp(2.0), 0);
+    world.step(0);
+    assertThat(world.impacts().size()).isOne();
+    assertThat(world.impacts().time(0)).isEqualTo(0x1p40);
+  }
+
   /** Of an approach, in proportion to a speed of 1: half of that of two. */
   private static final double FAINT = 0x1p-48;
 

@@ -75,8 +75,10 @@ final class EditSession {
   private Scene scene(boolean collide, boolean hard) {
     SceneBuilder builder = Scene.builder().collide(collide);
     if (!hard || random.nextInt(4) > 0) {
-      double unit = numbers.length();
-      builder.bounds(0, 0, SessionNumbers.WIDTH * unit, SessionNumbers.HEIGHT * unit);
+      double least = numbers.origin();
+      double width = SessionNumbers.WIDTH * numbers.length();
+      double height = SessionNumbers.HEIGHT * numbers.length();
+      builder.bounds(least, least, least + width, least + height);
     }
     for (int i = random.nextInt(12); i > 0; i--) {
       builder.line(numbers.x(), numbers.y(), numbers.x(), numbers.y());
@@ -85,7 +87,7 @@ final class EditSession {
       builder.peg(numbers.x(), numbers.y(), numbers.pegRadius());
     }
     boolean waits = numbers.begin() > 0;
-    for (int i = 2 + random.nextInt(6); i > 0; i--) {
+    for (int i = numbers.circles(); i > 0; i--) {
       builder.circle(numbers.x(), numbers.y(), numbers.radius(), speed(waits), speed(waits));
     }
     return builder.build();

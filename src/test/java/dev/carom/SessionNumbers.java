@@ -26,9 +26,19 @@ class SessionNumbers {
     return 1;
   }
 
+  /** Where the box begins, on both axes. */
+  double origin() {
+    return 0;
+  }
+
   /** When circles begin to move. */
   double begin() {
     return 0;
+  }
+
+  /** How many circles a scene has. */
+  int circles() {
+    return 2 + random.nextInt(6);
   }
 
   double x() {
@@ -73,18 +83,25 @@ class SessionNumbers {
 
   /**
    * Numbers in which methods fail: on a lattice that is that of the radii too (joints, corridors of
-   * one diameter), or some ulps off; in units of any power of two; masses without bound and without
-   * end; walls that add to a speed; and so late that a circle crosses cells within an ulp of time.
+   * one diameter), or some ulps off; in units of any power of two; far from the origin; masses
+   * without bound and without end; walls that add to a speed; and so late that a circle crosses
+   * cells within an ulp of time.
    */
   static final class Hard extends SessionNumbers {
 
     private static final int LARGEST_EXPONENT = 150;
+    private static final int FARTHEST_EXPONENT = 36;
 
     private final boolean lattice;
     private final boolean neighbours;
     private final boolean elastic;
     private final boolean late;
+
+    /** Many circles, of sizes that share no cells. */
+    private final boolean crowded;
+
     private final double length;
+    private final double origin;
     private final double speed;
     private final double begin;
 
@@ -96,9 +113,16 @@ class SessionNumbers {
       late = random.nextInt(3) == 0;
       boolean extreme = !late && random.nextInt(3) == 0;
       length = extreme ? power(LARGEST_EXPONENT) : 1;
-      // The box is crossed in 2^8 to 2^-10 of what a double can tell of the time.
+      origin = random.nextInt(4) > 0 ? 0 : length * farAway();
+      crowded = origin == 0 && random.nextInt(6) == 0;
+      // Within the last place of the time a circle moves by 2^-4 to 2^8 units.
       begin = late ? Math.scalb(1.0, 30 + random.nextInt(20)) : 0;
-      speed = late ? Math.scalb(1 / Math.ulp(begin), random.nextInt(18) - 2) : speed(extreme);
+      speed = late ? Math.scalb(1 / Math.ulp(begin), random.nextInt(13) - 4) : speed(extreme);
+    }
+
+    /** Up to where a double tells a thousandth of the smallest radius, or nearly so. */
+    private double farAway() {
+      return Math.copySign(power(FARTHEST_EXPONENT), random.nextGaussian());
     }
 
     private double speed(boolean extreme) {
@@ -115,21 +139,32 @@ class SessionNumbers {
     }
 
     @Override
+    double origin() {
+      return origin;
+    }
+
+    @Override
     double begin() {
       return begin;
     }
 
     @Override
     double place(int most) {
-      return length
-          * (isWhole()
-              ? near(PITCH * random.nextInt(most / PITCH + 1))
-              : most * random.nextDouble());
+      double place =
+          isWhole() ? PITCH * random.nextInt(most / PITCH + 1) : most * random.nextDouble();
+      return near(origin + length * place);
+    }
+
+    @Override
+    int circles() {
+      return crowded ? 20 + random.nextInt(20) : super.circles();
     }
 
     @Override
     double radius() {
+      double smaller = crowded ? Math.scalb(1.0, -random.nextInt(8)) : 1;
       return length
+          * smaller
           * (isWhole()
               ? near((1 + random.nextInt(4)) * PITCH / 2.0)
               : 0.1 + 8 * random.nextDouble());
