@@ -200,6 +200,14 @@ class PredicatesTest {
       multiply(n, small - random.nextInt(300), 4, 5);
       return n;
     }
+    if (random.nextInt(4) == 0) {
+      // A line so short that the tail of its squared length does, and a large and fast circle.
+      int large = 120 + random.nextInt(20);
+      multiply(n, large, 0, 1, 2, 3, 10);
+      multiply(n, 230 - large + random.nextInt(20), 4, 5);
+      multiply(n, -490 - random.nextInt(40), 6, 7, 8, 9);
+      return n;
+    }
     scale(n, 500, 0, 1, 2, 3, 10);
     scale(n, 500, 4, 5);
     scale(n, 500, 6, 7, 8, 9);
