@@ -4,6 +4,7 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -80,6 +81,53 @@ class MeetingsTest {
     double beside = (r + 1) * (random.nextInt(3) == 0 ? 1 : 1 + off);
     return new double[] {
       beside * sin - far * cos, -far * sin - beside * cos, r, speed * cos, speed * sin
+    };
+  }
+
+  /**
+   * Circle 0 is to meet two others at one time. A fourth one takes one of them away, as often as
+   * not before circle 0 has come so near that it finds the other one.
+   */
+  @Test
+  void aMeetingThatFellThroughHidesNoneAtTheSameTime() {
+    int impacts = 0;
+    for (int seed = 0; seed < 400; seed++) {
+      Scene scene = meetingTwo();
+      World world = new World(scene);
+      world.step(20);
+      List<Run.Row> rows = Run.rows(world.impacts());
+      assertThat(rows)
+          .as("scene %s", seed)
+          .isEqualTo(Run.rows(new PlainWorld(scene).advance(20, rows.size() + 1)));
+      impacts += rows.size();
+    }
+    assertThat(impacts).isGreaterThan(800);
+  }
+
+  private Scene meetingTwo() {
+    double time = 4 + 6 * random.nextDouble();
+    double[] a = {0, 0, 1, 1 + random.nextDouble(), 1 + random.nextDouble()};
+    double[] b = met(a, time, 0, 0);
+    double[] c = met(a, time, 4 * random.nextDouble() - 2, 4 * random.nextDouble() - 2);
+    double vx = c[3] + 4 * random.nextGaussian();
+    double vy = c[4] + 4 * random.nextGaussian();
+    double[] d = met(c, time * random.nextDouble(), vx, vy);
+    SceneBuilder scene = Scene.builder().collide(true);
+    for (double[] n : List.of(a, b, c, d)) {
+      scene.circle(n[0], n[1], n[2], n[3], n[4]);
+    }
+    return scene.build();
+  }
+
+  /** A unit circle that touches another one, where that moves to, at a time. */
+  private double[] met(double[] other, double time, double vx, double vy) {
+    double angle = 2 * Math.PI * random.nextDouble();
+    return new double[] {
+      other[0] + (other[3] - vx) * time + 2 * Math.cos(angle),
+      other[1] + (other[4] - vy) * time + 2 * Math.sin(angle),
+      1,
+      vx,
+      vy
     };
   }
 }
