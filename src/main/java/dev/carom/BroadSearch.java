@@ -39,6 +39,9 @@ final class BroadSearch {
   /** Least speed times size for which underflow stays beneath the bound of {@link #clear}. */
   private static final double LEAST = 0x1p-900;
 
+  /** The most for which nothing overflows: no sum of two cross products is above 3 times that. */
+  private static final double MOST = 0x1p1022;
+
   private final Obstacles obstacles;
   private final CodeList loose;
   private double extent;
@@ -195,7 +198,8 @@ final class BroadSearch {
     // cross(p - a, v) errs by at most 4 u (|dx vy| + |dy vx|) <= 6 u |d|max |v|, u = 2^-53, a sum
     // of two by twice that and its rounding; r |v| by 4 u of itself. |d|max is below the sum here.
     double size = Math.abs(px) + Math.abs(py) + extent + r;
-    clear = speed * size > LEAST ? 2 * speed * (r + 0x1p-48 * size) : NEVER;
+    double scale = speed * size;
+    clear = scale > LEAST && scale < MOST ? 2 * speed * (r + 0x1p-48 * size) : NEVER;
   }
 
   /**
@@ -219,7 +223,8 @@ final class BroadSearch {
     double sign = Math.copySign(1, v);
     double h = Math.max(sign * (low - p), sign * (high - p));
     // The differences err by u |h| and u |h - r|, u = 2^-53, the quotient by u of itself.
-    return Math.max(0, (h - r - 0x1p-50 * (Math.abs(h) + r)) / Math.abs(v));
+    double t = (h - r - 0x1p-50 * (Math.abs(h) + r)) / Math.abs(v);
+    return t > 0 ? t : 0; // NaN if h is beyond the doubles
   }
 
   /** The two walls that the flight moves towards. */

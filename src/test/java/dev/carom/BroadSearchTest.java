@@ -52,6 +52,24 @@ class BroadSearchTest {
     assertThat(resolver.trace(circle, velocity, 5).impacts()).hasSize(1);
   }
 
+  /** The distance to the wall is beyond the doubles, the way to it is not. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aWallIsHitFromTheOtherEndOfTheDoubles(boolean collide) {
+    double far = 0.9 * Double.MAX_VALUE;
+    Scene scene =
+        Scene.builder()
+            .bounds(-far, -far, far, far)
+            .circle(0.8 * far, 0, far / 8, -far, 0)
+            .circle(far / 2, 0.8 * far, far / 8, 0, -far)
+            .collide(collide)
+            .build();
+    ImpactLog log = step(new World(scene), 1.7);
+    assertThat(log.size()).isEqualTo(2);
+    assertThat(log.kind(0)).isEqualTo(ObstacleKind.WALL);
+    assertThat(log.time(0)).isEqualTo(WallSweep.time(0.8 * far, far / 8, -far, -far));
+  }
+
   /**
    * Lines that the path touches by next to nothing: from far away on both axes, among lines that
    * are as far on the other side, and by a circle as large as all that.

@@ -67,4 +67,15 @@ class LevelPathTest {
       assertHit(0, 0, r, unit * (1 + random.nextDouble()), new Line(5 * unit, y, 6 * unit, y));
     }
   }
+
+  /** Of one end it is nearly the largest double, so that the sum of both is beyond. */
+  @Test
+  void aLineIsHitWhereSumsOfProductsOverflow() {
+    double unit = 0x1p511;
+    for (int i = 0; i < LINES; i++) {
+      double far = unit * (3.6 + random.nextDouble() / 4);
+      double near = unit * (random.nextDouble() + 0.3);
+      assertHit(0, 0, 1.4 * unit, unit, new Line(5 * unit, far, 6 * unit, near));
+    }
+  }
 }
