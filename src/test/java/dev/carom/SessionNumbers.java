@@ -89,7 +89,7 @@ class SessionNumbers {
    */
   static final class Hard extends SessionNumbers {
 
-    private static final int LARGEST_EXPONENT = 150;
+    private static final int LARGEST_EXPONENT = 480;
     private static final int FARTHEST_EXPONENT = 36;
 
     private final boolean lattice;
