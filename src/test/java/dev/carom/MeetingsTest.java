@@ -217,18 +217,9 @@ class MeetingsTest {
         double[] b = met(a, time + k * (random.nextInt(9) - 4) * Math.ulp(start) / unit, 0, 0);
         scene.circle(b[0], b[1], 1, 0, 0);
       }
-      Scene resting = scene.build();
-      World world = new World(resting);
-      PlainWorld plain = new PlainWorld(resting);
-      world.advanceTo(start);
-      plain.advance(start, 1);
-      world.setVelocity(0, a[3] / unit, a[4] / unit);
-      plain.setVelocity(0, a[3] / unit, a[4] / unit);
-      double end = start + 20 * unit;
-      assertThat(world.advanceTo(end)).isTrue();
-      List<Run.Row> rows = Run.rows(world.impacts());
-      assertThat(rows).as("world %s", i).isEqualTo(Run.rows(plain.advance(end, rows.size() + 1)));
-      impacts += rows.size();
+      BesidePlain both = BesidePlain.at(start, scene.build());
+      both.setVelocity(0, a[3] / unit, a[4] / unit);
+      impacts += both.advanceTo(start + 20 * unit);
     }
     assertThat(impacts).isGreaterThan(WORLDS);
   }
