@@ -7,41 +7,18 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Objects;
 import java.util.Random;
-import java.util.function.Consumer;
 
-/**
- * Edits, steps, snapshots and restores in random order, done to a world, to a twin of it that finds
- * impacts by other machinery in other steps, and to a {@link PlainWorld}: what happens is the same
- * in all three.
- */
+/** Edits, steps, snapshots and restores of {@link ThreeWorlds} in random order. */
 final class EditSession {
 
-  private static final Machinery[] OTHERS = {
-    Machinery.EACH,
-    Machinery.CHOSEN,
-    new Machinery(true, 0, 4),
-    new Machinery(true, 3, 1.7),
-    new Machinery(true, 23, 2)
-  };
-
   private final Random random;
-
-  /** What is drawn for the twin alone. */
-  private final Random aside;
-
   private final SessionNumbers numbers;
   private final int length;
   private final int mostImpacts;
   private final boolean sensors;
-  private final Scene scene;
-  private final Machinery machinery;
-  private World world;
-  private World twin;
-  private final PlainWorld plain;
+  private final ThreeWorlds worlds;
   private final List<Snapshot> snapshots = new ArrayList<>();
   private final List<PlainWorld> plainSnapshots = new ArrayList<>();
   private int impacts;
@@ -59,17 +36,11 @@ final class EditSession {
    */
   EditSession(long seed, boolean collide, boolean hard, int length, int mostImpacts) {
     random = new Random(seed);
-    aside = new Random(~seed);
     this.length = length;
     this.mostImpacts = mostImpacts;
     numbers = hard ? new SessionNumbers.Hard(random) : new SessionNumbers(random);
     sensors = random.nextBoolean();
-    scene = scene(collide, hard);
-    Machinery other = OTHERS[aside.nextInt(OTHERS.length)];
-    machinery = new Machinery(other.grid(), other.cell() * numbers.length(), other.pairCells());
-    world = new World(scene);
-    twin = new World(scene, machinery);
-    plain = new PlainWorld(scene);
+    worlds = new ThreeWorlds(scene(collide, hard), numbers.length(), new Random(~seed));
   }
 
   private Scene scene(boolean collide, boolean hard) {
@@ -113,13 +84,14 @@ final class EditSession {
       act(random.nextInt(20));
       done++;
     }
+    worlds.comparePast();
     return impacts;
   }
 
   private void begin() {
     if (numbers.begin() > 0) {
       advance(numbers.begin());
-      for (int id = 0; id < scene.circleCount(); id++) {
+      for (int id = 0; id < world().circleCount(); id++) {
         setVelocity(id);
       }
     }
@@ -144,81 +116,28 @@ final class EditSession {
 
   // Steps.
 
+  private World world() {
+    return worlds.world();
+  }
+
   private void step(double dt) {
-    advance(world.now() + dt);
+    advance(world().now() + dt);
   }
 
   private void advance(double end) {
-    double start = world.now();
-    if (!world.advanceTo(end) || world.impacts().size() > mostImpacts) {
-      stuck = true;
-      return;
-    }
-    List<Run.Row> rows = Run.rows(world.impacts());
-    assertThat(advanceTwin(start, end, rows)).as("twin").isEqualTo(rows);
-    assertThat(states(twin)).as("twin").isEqualTo(states(world));
-    assertThat(Run.rows(plain.advance(end, rows.size() + 1))).as("plain").isEqualTo(rows);
-    impacts += rows.size();
-  }
-
-  /** The same in up to four steps, some of which end at an impact, or an ulp from one. */
-  private List<Run.Row> advanceTwin(double start, double end, List<Run.Row> rows) {
-    double[] ends = new double[1 + aside.nextInt(4)];
-    for (int k = 0; k < ends.length; k++) {
-      double drawn = start + (end - start) * aside.nextDouble();
-      double time = rows.isEmpty() ? drawn : rows.get(aside.nextInt(rows.size())).time();
-      double[] some = {drawn, Math.nextDown(time), time, Math.nextUp(time)};
-      ends[k] = Math.max(start, Math.min(end, some[aside.nextInt(some.length)]));
-    }
-    ends[0] = end;
-    Arrays.sort(ends);
-    List<Run.Row> inSteps = new ArrayList<>();
-    for (double time : ends) {
-      boolean complete = false;
-      while (!complete) {
-        complete = twin.advanceTo(time);
-        inSteps.addAll(Run.rows(twin.impacts()));
-      }
-    }
-    return inSteps;
-  }
-
-  private static List<Run.State> states(World world) {
-    List<Run.State> states = new ArrayList<>();
-    for (int i = 0; i < world.idEnd(ObstacleKind.CIRCLE); i++) {
-      if (world.contains(ObstacleKind.CIRCLE, i)) {
-        states.add(new Run.State(world.x(i), world.y(i), world.vx(i), world.vy(i)));
-      }
-    }
-    return states;
+    int happened = worlds.advance(end, mostImpacts);
+    stuck = happened < 0;
+    impacts += Math.max(0, happened);
   }
 
   // Edits.
 
-  /** Makes an edit; if worlds refuse it, both do so in the same words, and the model is spared. */
-  private void edit(Consumer<World> edit, Consumer<PlainWorld> plainEdit) {
-    String refusal = refusal(world, edit);
-    assertThat(refusal(twin, edit)).isEqualTo(refusal);
-    if (Objects.isNull(refusal)) {
-      plainEdit.accept(plain);
-    }
-  }
-
-  private static String refusal(World world, Consumer<World> edit) {
-    try {
-      edit.accept(world);
-      return null;
-    } catch (IllegalArgumentException e) {
-      return e.getMessage();
-    }
-  }
-
   /** The id of a thing of a kind that is there, or -1. */
   private int some(ObstacleKind kind) {
-    int end = world.idEnd(kind);
+    int end = world().idEnd(kind);
     for (int tries = 0; end > 0 && tries < 20; tries++) {
       int id = random.nextInt(end);
-      if (world.contains(kind, id)) {
+      if (world().contains(kind, id)) {
         return id;
       }
     }
@@ -236,40 +155,40 @@ final class EditSession {
     } else if (id >= 0) {
       double x = numbers.x();
       double y = numbers.y();
-      edit(w -> w.setPosition(id, x, y), p -> p.setPosition(id, x, y));
+      worlds.edit(w -> w.setPosition(id, x, y), p -> p.setPosition(id, x, y));
     }
   }
 
   private void setVelocity(int id) {
     double vx = numbers.speed();
     double vy = numbers.speed();
-    edit(w -> w.setVelocity(id, vx, vy), p -> p.setVelocity(id, vx, vy));
+    worlds.edit(w -> w.setVelocity(id, vx, vy), p -> p.setVelocity(id, vx, vy));
   }
 
   private void setProperties() {
     int id = some(ObstacleKind.CIRCLE);
     if (id >= 0) {
       double radius = numbers.radius();
-      edit(w -> w.setRadius(id, radius), p -> p.setRadius(id, radius));
+      worlds.edit(w -> w.setRadius(id, radius), p -> p.setRadius(id, radius));
       double mass = numbers.mass();
-      edit(w -> w.setMass(id, mass), p -> p.setMass(id, mass));
+      worlds.edit(w -> w.setMass(id, mass), p -> p.setMass(id, mass));
     }
     ObstacleKind kind = kind();
     int thing = some(kind);
     if (thing >= 0) {
       double e = numbers.restitution();
-      edit(w -> w.setRestitution(kind, thing, e), p -> p.setRestitution(kind, thing, e));
+      worlds.edit(w -> w.setRestitution(kind, thing, e), p -> p.setRestitution(kind, thing, e));
     }
   }
 
   private void addCircle() {
-    if (world.circleCount() < 10) {
+    if (world().circleCount() < 10) {
       double x = numbers.x();
       double y = numbers.y();
       double radius = numbers.radius();
       double vx = numbers.speed();
       double vy = numbers.speed();
-      edit(w -> w.addCircle(x, y, radius, vx, vy), p -> p.addCircle(x, y, radius, vx, vy));
+      worlds.edit(w -> w.addCircle(x, y, radius, vx, vy), p -> p.addCircle(x, y, radius, vx, vy));
     }
   }
 
@@ -278,11 +197,11 @@ final class EditSession {
     double y = numbers.y();
     if (random.nextInt(3) == 0) {
       double radius = numbers.pegRadius();
-      edit(w -> w.addPeg(x, y, radius), p -> p.addPeg(x, y, radius));
+      worlds.edit(w -> w.addPeg(x, y, radius), p -> p.addPeg(x, y, radius));
     } else {
       double bx = numbers.x();
       double by = numbers.y();
-      edit(w -> w.addLine(x, y, bx, by), p -> p.addLine(x, y, bx, by));
+      worlds.edit(w -> w.addLine(x, y, bx, by), p -> p.addLine(x, y, bx, by));
     }
   }
 
@@ -294,19 +213,19 @@ final class EditSession {
     if (line >= 0 && random.nextBoolean()) {
       double bx = numbers.x();
       double by = numbers.y();
-      edit(w -> w.moveLine(line, x, y, bx, by), p -> p.moveLine(line, x, y, bx, by));
+      worlds.edit(w -> w.moveLine(line, x, y, bx, by), p -> p.moveLine(line, x, y, bx, by));
     } else if (peg >= 0) {
       double radius = numbers.pegRadius();
-      edit(w -> w.movePeg(peg, x, y, radius), p -> p.movePeg(peg, x, y, radius));
+      worlds.edit(w -> w.movePeg(peg, x, y, radius), p -> p.movePeg(peg, x, y, radius));
     }
   }
 
   private void remove() {
     ObstacleKind kind = ObstacleKind.values()[1 + random.nextInt(3)];
     int id = some(kind);
-    if (id >= 0 && (kind != ObstacleKind.CIRCLE || world.circleCount() > 2)) {
-      edit(w -> w.remove(kind, id), p -> p.remove(kind, id));
-      assertThat(world.contains(kind, id)).isFalse();
+    if (id >= 0 && (kind != ObstacleKind.CIRCLE || world().circleCount() > 2)) {
+      worlds.edit(w -> w.remove(kind, id), p -> p.remove(kind, id));
+      assertThat(world().contains(kind, id)).isFalse();
     }
   }
 
@@ -316,38 +235,30 @@ final class EditSession {
     int most = sensors && kind != ObstacleKind.WALL ? 3 : 2;
     Response response = Response.values()[random.nextInt(4) == 0 ? random.nextInt(most) : 0];
     if (id >= 0) {
-      edit(w -> w.setResponse(kind, id, response), p -> p.setResponse(kind, id, response));
+      worlds.edit(w -> w.setResponse(kind, id, response), p -> p.setResponse(kind, id, response));
     }
     if (id >= 0 && kind == ObstacleKind.LINE) {
       boolean oneWay = random.nextInt(3) == 0;
-      edit(w -> w.setOneWay(id, oneWay), p -> p.setOneWay(id, oneWay));
+      worlds.edit(w -> w.setOneWay(id, oneWay), p -> p.setOneWay(id, oneWay));
     }
   }
 
   // Snapshots.
 
   private void snapshot() throws IOException {
-    Snapshot snapshot = world.snapshot();
+    Snapshot snapshot = worlds.snapshot();
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     snapshot.write(out);
     Snapshot read = Snapshot.read(new ByteArrayInputStream(out.toByteArray()));
     assertThat(read).isEqualTo(snapshot);
     snapshots.add(random.nextBoolean() ? snapshot : read);
-    plainSnapshots.add(plain.copy());
+    plainSnapshots.add(worlds.plainSnapshot());
   }
 
   private void restore() {
-    if (snapshots.isEmpty()) {
-      return;
+    if (!snapshots.isEmpty()) {
+      int i = random.nextInt(snapshots.size());
+      worlds.restore(snapshots.get(i), plainSnapshots.get(i));
     }
-    int i = random.nextInt(snapshots.size());
-    if (aside.nextBoolean()) {
-      world = new World(scene);
-      twin = new World(scene, machinery);
-    }
-    world.restore(snapshots.get(i));
-    twin.restore(snapshots.get(i));
-    plain.restore(plainSnapshots.get(i));
-    assertThat(world.snapshot()).isEqualTo(snapshots.get(i));
   }
 }

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.TreeMap;
+
+/** Whether a timeline gives the places and velocities that a world gave when it stood there. */
+final class PastCheck {
+
+  private static final int FLIGHTS = 1 << 16;
+
+  private final World world;
+  private final Timeline past;
+
+  /** Of each circle, by time, how it was when the world left that time. */
+  private final TreeMap<Integer, TreeMap<Double, Run.State>> seen = new TreeMap<>();
+
+  PastCheck(World world) {
+    this.world = world;
+    past = world.record(FLIGHTS);
+  }
+
+  /** After a step: impacts at once changed what was seen when it began. */
+  void forget(double time) {
+    seen.values().forEach(states -> states.remove(time));
+  }
+
+  /** Before or after a step: what is seen last at a time counts. */
+  void look() {
+    for (int i = 0; i < world.idEnd(ObstacleKind.CIRCLE); i++) {
+      if (world.contains(ObstacleKind.CIRCLE, i)) {
+        Run.State state = new Run.State(world.x(i), world.y(i), world.vx(i), world.vy(i));
+        seen.computeIfAbsent(i, k -> new TreeMap<>()).put(world.now(), state);
+      }
+    }
+  }
+
+  /** Compares all that is still recorded, and returns how much that is. */
+  int compare() {
+    look();
+    int compared = 0;
+    for (int i : seen.keySet()) {
+      for (double t : seen.get(i).keySet()) {
+        if (past.contains(i, t)) {
+          Run.State then = new Run.State(past.x(i, t), past.y(i, t), past.vx(i, t), past.vy(i, t));
+          assertThat(then).as("circle %s at %s", i, t).isEqualTo(seen.get(i).get(t));
+          compared++;
+        }
+      }
+    }
+    return compared;
+  }
+}

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import java.util.Random;
+import java.util.function.Consumer;
+
+/**
+ * A world, a twin of it that finds impacts by other machinery in other steps, and a {@link
+ * PlainWorld}: all are told the same, and must do the same. The twin also records its past.
+ */
+final class ThreeWorlds {
+
+  private static final Machinery[] OTHERS = {
+    Machinery.EACH,
+    Machinery.CHOSEN,
+    new Machinery(true, 0, 4),
+    new Machinery(true, 3, 1.7),
+    new Machinery(true, 23, 2)
+  };
+
+  /** What is drawn for the twin alone. */
+  private final Random random;
+
+  private final Scene scene;
+  private final Machinery machinery;
+  private World world;
+  private World twin;
+  private PastCheck past;
+  private final PlainWorld plain;
+
+  /**
+   * Of a scene.
+   *
+   * @param unit of its lengths
+   */
+  ThreeWorlds(Scene scene, double unit, Random random) {
+    this.scene = scene;
+    this.random = random;
+    Machinery other = OTHERS[random.nextInt(OTHERS.length)];
+    machinery = new Machinery(other.grid(), other.cell() * unit, other.pairCells());
+    plain = new PlainWorld(scene);
+    begin();
+  }
+
+  private void begin() {
+    world = new World(scene);
+    twin = new World(scene, machinery);
+    past = new PastCheck(twin);
+  }
+
+  /** The first of them, to look at. */
+  World world() {
+    return world;
+  }
+
+  // Steps.
+
+  /**
+   * Advances all three.
+   *
+   * @param most impacts: of more only the world itself knows
+   * @return the number of impacts, -1 for more than that or unfinished
+   */
+  int advance(double end, int most) {
+    double start = world.now();
+    past.look();
+    if (!world.advanceTo(end) || world.impacts().size() > most) {
+      return -1;
+    }
+    List<Run.Row> rows = Run.rows(world.impacts());
+    assertThat(advanceTwin(start, end, rows)).as("twin").isEqualTo(rows);
+    assertThat(states(twin)).as("twin").isEqualTo(states(world));
+    assertThat(Run.rows(plain.advance(end, rows.size() + 1))).as("plain").isEqualTo(rows);
+    if (rows.stream().anyMatch(row -> row.time() == start)) {
+      past.forget(start);
+    }
+    past.look();
+    return rows.size();
+  }
+
+  /** The same in up to four steps, some of which end at an impact, or an ulp from one. */
+  private List<Run.Row> advanceTwin(double start, double end, List<Run.Row> rows) {
+    double[] ends = new double[1 + random.nextInt(4)];
+    for (int k = 0; k < ends.length; k++) {
+      double drawn = start + (end - start) * random.nextDouble();
+      double time = rows.isEmpty() ? drawn : rows.get(random.nextInt(rows.size())).time();
+      double[] some = {drawn, Math.nextDown(time), time, Math.nextUp(time)};
+      ends[k] = Math.max(start, Math.min(end, some[random.nextInt(some.length)]));
+    }
+    ends[0] = end;
+    Arrays.sort(ends);
+    List<Run.Row> inSteps = new ArrayList<>();
+    for (double time : ends) {
+      boolean complete = false;
+      while (!complete) {
+        complete = twin.advanceTo(time);
+        inSteps.addAll(Run.rows(twin.impacts()));
+      }
+    }
+    return inSteps;
+  }
+
+  private static List<Run.State> states(World world) {
+    List<Run.State> states = new ArrayList<>();
+    for (int i = 0; i < world.idEnd(ObstacleKind.CIRCLE); i++) {
+      if (world.contains(ObstacleKind.CIRCLE, i)) {
+        states.add(new Run.State(world.x(i), world.y(i), world.vx(i), world.vy(i)));
+      }
+    }
+    return states;
+  }
+
+  // Edits.
+
+  /** Makes an edit; if worlds refuse it, both do so in the same words, and the model is spared. */
+  void edit(Consumer<World> edit, Consumer<PlainWorld> plainEdit) {
+    String refusal = refusal(world, edit);
+    assertThat(refusal(twin, edit)).isEqualTo(refusal);
+    if (Objects.isNull(refusal)) {
+      plainEdit.accept(plain);
+    }
+  }
+
+  private static String refusal(World world, Consumer<World> edit) {
+    try {
+      edit.accept(world);
+      return null;
+    } catch (IllegalArgumentException e) {
+      return e.getMessage();
+    }
+  }
+
+  // Snapshots.
+
+  Snapshot snapshot() {
+    return world.snapshot();
+  }
+
+  PlainWorld plainSnapshot() {
+    return plain.copy();
+  }
+
+  /** Takes all three to where they were, some to new worlds. */
+  void restore(Snapshot snapshot, PlainWorld plainSnapshot) {
+    comparePast();
+    if (random.nextBoolean()) {
+      begin();
+    }
+    world.restore(snapshot);
+    twin.restore(snapshot);
+    plain.restore(plainSnapshot);
+    past = new PastCheck(twin);
+    assertThat(world.snapshot()).isEqualTo(snapshot);
+  }
+
+  /** Compares what the twin recorded with what was seen. */
+  void comparePast() {
+    past.compare();
+  }
+}
