@@ -20,9 +20,4 @@ record Machinery(boolean grid, double cell, double pairCells) {
   static Machinery cells(double cell) {
     return new Machinery(true, cell, 1);
   }
-
-  /** The same with cells of another size for circles that collide. */
-  Machinery withPairCells(double diameters) {
-    return new Machinery(grid, cell, diameters);
-  }
 }
