@@ -362,6 +362,31 @@ final class PlainWorld {
     keep(head, sumTail(s, l, head), pairs.rank(a.id, b.id), a.id, b.id, tau);
   }
 
+  // Questions.
+
+  /** When a circle that is not there would first hit something but a sensor. */
+  double cast(Circle circle, Vec2 v) {
+    Mover m = Mover.of(circle, v, 1);
+    double first = NEVER;
+    for (int code : codes()) {
+      first = Math.min(first, obstacles.isSensor(code) ? NEVER : sweep(m, code));
+    }
+    for (Mover other : movers) {
+      boolean there = collide && roster.contains(other.id) && !roster.isSensor(other.id);
+      double dt = Mover.since(other.t, other.tl, now);
+      double x = Math.fma(other.vx, dt, other.x);
+      double y = Math.fma(other.vy, dt, other.y);
+      if (there && Math.abs(x) + Math.abs(y) < NEVER) {
+        first =
+            Math.min(
+                first,
+                SweptCircle.pair(
+                    m.x, m.y, m.radius, m.vx, m.vy, x, y, other.radius, other.vx, other.vy, NEVER));
+      }
+    }
+    return first;
+  }
+
   // Edits.
 
   void setVelocity(int id, double vx, double vy) {

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Random;
 import java.util.function.Consumer;
 
@@ -81,7 +82,23 @@ final class ThreeWorlds {
       past.forget(start);
     }
     past.look();
+    ask();
     return rows.size();
+  }
+
+  /** What would one of the circles hit first if it were here for the first time? */
+  private void ask() {
+    int id = random.nextInt(world.idEnd(ObstacleKind.CIRCLE));
+    if (!world.contains(ObstacleKind.CIRCLE, id)
+        || !(Math.abs(world.x(id)) + Math.abs(world.y(id)) < Double.MAX_VALUE)) {
+      return;
+    }
+    Circle circle = new Circle(world.x(id), world.y(id), world.radius(id));
+    Vec2 v = new Vec2(world.vx(id), world.vy(id));
+    Optional<Impact> first = world.cast(circle, v, Double.POSITIVE_INFINITY);
+    assertThat(twin.cast(circle, v, Double.POSITIVE_INFINITY)).isEqualTo(first);
+    double time = first.map(Impact::time).orElse(Double.POSITIVE_INFINITY);
+    assertThat(plain.cast(circle, v)).isEqualTo(time);
   }
 
   /** The same in up to four steps, some of which end at an impact, or an ulp from one. */
