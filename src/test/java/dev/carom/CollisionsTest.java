@@ -102,10 +102,31 @@ class CollisionsTest {
     world.setVelocity(0, 0x1p17, 0);
     world.step(0);
     assertThat(world.impacts().size()).isOne();
+    Snapshot reported = world.snapshot();
     world.setPosition(1, Math.nextUp(2.0), 0);
     world.step(0);
     assertThat(world.impacts().size()).isOne();
     assertThat(world.impacts().time(0)).isEqualTo(0x1p40);
+
+    // An edit comes after the report, and does so in a world that goes on from there.
+    World other = new World(world.scene());
+    other.restore(reported);
+    other.setVelocity(1, 0, 0x1p17);
+    other.advanceTo(Math.nextUp(0x1p40));
+    assertThat(other.y(1)).isEqualTo(0x1p17 * (0x1p-12 - 0x1p-14));
+  }
+
+  @Test
+  void aSensorReportsAgainWhatIsGoneBackTo() {
+    SceneBuilder scene = Scene.builder().collide(true).circle(-8, 0, 1, 1, 0);
+    scene.circle(2, 0, 1, 0, 0).response(Response.SENSOR);
+    World world = new World(scene.build());
+    Snapshot before = world.snapshot();
+    for (int k = 0; k < 2; k++) {
+      world.step(9);
+      assertThat(world.impacts().size()).isOne();
+      world.restore(before);
+    }
   }
 
   /** Of an approach, in proportion to a speed of 1: half of that of two. */
