@@ -176,10 +176,15 @@ class SnapshotStreamTest {
         () -> assertThatThrownBy(() -> read(bytes)).isInstanceOf(IOException.class));
   }
 
-  private static void assertRefused(byte[] bytes, String message) {
+  /** With the sum that fits. */
+  private static void seal(byte[] bytes) {
     CRC32 sum = new CRC32();
     sum.update(bytes, 0, bytes.length - 8);
     ByteBuffer.wrap(bytes).putLong(bytes.length - 8, sum.getValue());
+  }
+
+  private static void assertRefused(byte[] bytes, String message) {
+    seal(bytes);
     assertThatThrownBy(() -> read(bytes))
         .isInstanceOf(IOException.class)
         .hasMessageStartingWith("snapshot cannot be read: " + message);
@@ -246,6 +251,19 @@ class SnapshotStreamTest {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putInt(at, number);
     assertRefused(bytes, message);
+  }
+
+  @Test
+  void numbersAtTheirLimitsAreTaken() throws IOException {
+    byte[] bytes = small();
+    ByteBuffer numbers = ByteBuffer.wrap(bytes);
+    numbers.putDouble(LEAST, Limits.leastRadius(numbers.getDouble(LARGEST)));
+    numbers.putDouble(FLIGHT + 40, Math.ulp(numbers.getDouble(FLIGHT + 32)));
+    for (int pace : new int[] {Double.MIN_EXPONENT - 1, Double.MAX_EXPONENT + 1}) {
+      numbers.putInt(PACE, pace);
+      seal(bytes);
+      assertThat(bytes(read(bytes))).isEqualTo(bytes);
+    }
   }
 
   @Test
