@@ -191,25 +191,30 @@ class BroadSearchTest {
    * The circle is within rounding of the left wall and drifts to it so slowly that it comes there
    * long after it has met a line below: the wall ahead does not end the search.
    */
-  @Test
-  void aSlowDriftToAWallThatIsNearlyTouchedHidesNoLine() {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100);
+  @ParameterizedTest
+  @CsvSource({"0, 0", "0, 30", "-30, 0", "30, -30"})
+  void aSlowDriftToAWallThatIsNearlyTouchedHidesNoLine(int length, int speed) {
+    double unit = Math.scalb(1.0, length);
+    double fast = Math.scalb(1.0, length + speed);
+    double never = Double.POSITIVE_INFINITY;
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 100 * unit, 100 * unit);
     for (int i = 0; i < 20; i++) {
-      scene.line(i, 20, i + 1, 20);
+      scene.line(i * unit, 20 * unit, (i + 1) * unit, 20 * unit);
     }
-    scene.circle(50, 50, 2, 0, 0);
+    scene.circle(50 * unit, 50 * unit, 2 * unit, 0, 0);
     World world = new World(scene.build());
     assertThat(world.model()).contains("grid");
-    Circle circle = new Circle(Math.nextUp(2.0), 99 - 2, 2);
+    Circle circle = new Circle(Math.nextUp(2 * unit), 97 * unit, 2 * unit);
     for (double drift : new double[] {0, -0x1p-60, -0x1p-58}) {
-      Impact impact = world.cast(circle, new Vec2(drift, -1), 1e3).orElseThrow();
+      Impact impact = world.cast(circle, new Vec2(drift * fast, -fast), never).orElseThrow();
       assertThat(impact.kind()).as("%s", drift).isEqualTo(ObstacleKind.LINE);
     }
-    Impact wall = world.cast(circle, new Vec2(-0x1p-54, -1), 1e3).orElseThrow();
+    Impact wall = world.cast(circle, new Vec2(-0x1p-54 * fast, -fast), never).orElseThrow();
     assertThat(wall.kind()).isEqualTo(ObstacleKind.WALL);
-    assertThat(wall.time()).isEqualTo(8);
-    Circle free = new Circle(Math.nextDown(98.0), 50, 2);
-    assertThat(world.cast(free, new Vec2(0x1p-60, -1), 1e3).orElseThrow().time()).isEqualTo(48);
+    assertThat(wall.time()).isEqualTo(8 * unit / fast);
+    Circle free = new Circle(Math.nextDown(98 * unit), 50 * unit, 2 * unit);
+    Impact bottom = world.cast(free, new Vec2(0x1p-60 * fast, -fast), never).orElseThrow();
+    assertThat(bottom.time()).isEqualTo(48 * unit / fast);
   }
 
   /** The first of two lines that stand in one place, an ulp before a wall, is taken away. */
