@@ -25,6 +25,8 @@ final class ThreeWorlds {
     new Machinery(true, 23, 2)
   };
 
+  private static final int BOUNCES = 5;
+
   /** What is drawn for the twin alone. */
   private final Random random;
 
@@ -86,19 +88,30 @@ final class ThreeWorlds {
     return rows.size();
   }
 
-  /** What would one of the circles hit first if it were here for the first time? */
+  /**
+   * What would one of the circles, or a point in its place, hit first if it were here for the first
+   * time, and which way would it go?
+   */
   private void ask() {
     int id = random.nextInt(world.idEnd(ObstacleKind.CIRCLE));
-    if (!world.contains(ObstacleKind.CIRCLE, id)
-        || !(Math.abs(world.x(id)) + Math.abs(world.y(id)) < Double.MAX_VALUE)) {
+    if (!world.contains(ObstacleKind.CIRCLE, id) || !isWithinRange(id)) {
       return;
     }
-    Circle circle = new Circle(world.x(id), world.y(id), world.radius(id));
+    double radius = random.nextInt(3) == 0 ? 0 : world.radius(id);
+    Circle circle = new Circle(world.x(id), world.y(id), radius);
     Vec2 v = new Vec2(world.vx(id), world.vy(id));
     Optional<Impact> first = world.cast(circle, v, Double.POSITIVE_INFINITY);
     assertThat(twin.cast(circle, v, Double.POSITIVE_INFINITY)).isEqualTo(first);
     double time = first.map(Impact::time).orElse(Double.POSITIVE_INFINITY);
     assertThat(plain.cast(circle, v)).isEqualTo(time);
+    if (time < Double.MAX_VALUE / 8) {
+      assertThat(twin.trace(circle, v, 1, 8 * time, BOUNCES))
+          .isEqualTo(world.trace(circle, v, 1, 8 * time, BOUNCES));
+    }
+  }
+
+  private boolean isWithinRange(int id) {
+    return Math.abs(world.x(id)) <= Double.MAX_VALUE && Math.abs(world.y(id)) <= Double.MAX_VALUE;
   }
 
   /** The same in up to four steps, some of which end at an impact, or an ulp from one. */
