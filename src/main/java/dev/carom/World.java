@@ -63,9 +63,10 @@ import java.util.Optional;
  * coordinate beyond that range is the largest one.
  *
  * <p><b>Between steps</b> it can be edited: what is there can be changed, moved, added and removed,
- * from now on: after all that has happened, of which some may be later than now by less than the
- * time now is rounded by. A circle that is edited begins a new flight; any number of edits between
- * two steps cost it one search. To add or move a line or a peg asks every circle once whether its
+ * from now on, and after all that has happened: {@link #now()} is a rounded time, and the last
+ * impacts may be later by up to half an ulp of it; until then a circle is told to be where such an
+ * impact left it. A circle that is edited begins a new flight; any number of edits between two
+ * steps cost it one search. To add or move a line or a peg asks every circle once whether its
  * flight meets it. An edit that is refused leaves the world as it was, and no edit changes the log
  * of the last step. The future can be saved and gone back to ({@link #snapshot}), the past be
  * looked at ({@link #record record}).

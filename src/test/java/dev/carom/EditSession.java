@@ -73,6 +73,11 @@ final class EditSession {
     return done;
   }
 
+  /** How many states of the past were as the world gave them. */
+  int compared() {
+    return worlds.compared();
+  }
+
   boolean isStuck() {
     return stuck;
   }

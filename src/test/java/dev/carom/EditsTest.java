@@ -26,6 +26,7 @@ class EditsTest {
     int impacts = 0;
     int done = 0;
     int stuck = 0;
+    int past = 0;
     for (int i = 0; done < EDITS; i++) {
       long seed = SEED * 1_000_003L + i * 500L;
       EditSession session = session(seed, collide, hard);
@@ -36,6 +37,7 @@ class EditsTest {
             "session %d, collide %b, hard %b".formatted(seed, collide, hard), e);
       }
       done += session.done();
+      past += session.compared();
       stuck += session.isStuck() ? 1 : 0;
     }
     System.out.printf(
@@ -43,6 +45,7 @@ class EditsTest {
             + " plain model (%d sessions ended where a circle was stuck)%n",
         done, collide, hard, impacts, stuck);
     assertThat(impacts).isGreaterThan(EDITS / 4);
+    assertThat(past).isGreaterThan(EDITS);
   }
 
   /** Hard numbers keep circles busy: such sessions are short. */

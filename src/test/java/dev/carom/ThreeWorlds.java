@@ -35,6 +35,7 @@ final class ThreeWorlds {
   private World world;
   private World twin;
   private PastCheck past;
+  private int compared;
   private final PlainWorld plain;
 
   /**
@@ -191,6 +192,11 @@ final class ThreeWorlds {
 
   /** Compares what the twin recorded with what was seen. */
   void comparePast() {
-    past.compare();
+    compared += past.compare();
+  }
+
+  /** How many states of the past were compared. */
+  int compared() {
+    return compared;
   }
 }
