@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import static dev.carom.SweptCircleAnswers.assertImpact;
+import static dev.carom.SweptCircleAnswers.assertVector;
+import static dev.carom.SweptCircleAnswers.hit;
+import static dev.carom.SweptCircleAnswers.time;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The detector on cases whose answers can be worked out by hand: right triangles 3-4-5 and numbers
- * of few bits, so that every expected value is exact. In the drawings {@code o} is the centre,
- * {@code *} the end that is hit, {@code =} the line.
+ * The detector against lines, on cases whose answers can be worked out by hand: right triangles
+ * 3-4-5 and numbers of few bits, so that every expected value is exact. In the drawings {@code o}
+ * is the centre, {@code *} the end that is hit, {@code =} the line.
  */
 class SweptCircleTest {
 
@@ -21,50 +23,6 @@ class SweptCircleTest {
 
   /** From (0, 0) to (10, 0). */
   private static final Line FLOOR = new Line(0, 0, 10, 0);
-
-  /** Casts in both forms, which must agree on the time; the impact must be there. */
-  private static Impact hit(Circle c, Vec2 v, Line line, double T) {
-    Impact impact = SweptCircle.cast(c, v, line, T).orElseThrow();
-    assertThat(time(c, v, line, T)).isEqualTo(impact.time());
-    assertThat(impact.obstacle()).isEqualTo(line);
-    return impact;
-  }
-
-  private static Impact hit(Circle c, Vec2 v, Line line) {
-    return hit(c, v, line, NEVER);
-  }
-
-  private static double time(Circle c, Vec2 v, Line l, double T) {
-    double t =
-        SweptCircle.line(c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(), T);
-    assertThat(SweptCircle.cast(c, v, l, T).isPresent()).isEqualTo(t < NEVER);
-    return t;
-  }
-
-  private static double time(Circle c, Vec2 v, Line l) {
-    return time(c, v, l, NEVER);
-  }
-
-  /**
-   * Compares an impact: its time and parts exactly, the numbers that the contract allows to be
-   * rounded within some ulps.
-   */
-  private static void assertImpact(Impact actual, Impact expected) {
-    assertThat(actual.time()).isEqualTo(expected.time());
-    assertThat(actual.kind()).isEqualTo(expected.kind());
-    assertThat(actual.id()).isEqualTo(expected.id());
-    assertThat(actual.obstacle()).isEqualTo(expected.obstacle());
-    assertThat(actual.feature()).isEqualTo(expected.feature());
-    assertVector(actual.normal(), expected.normal(), 1e-15);
-    assertVector(actual.point(), expected.point(), 1e-14);
-    assertThat(actual.approachSpeed())
-        .isCloseTo(expected.approachSpeed(), within(1e-15 * (1 + expected.approachSpeed())));
-  }
-
-  private static void assertVector(Vec2 actual, Vec2 expected, double error) {
-    assertThat(actual.x()).isCloseTo(expected.x(), within(error));
-    assertThat(actual.y()).isCloseTo(expected.y(), within(error));
-  }
 
   private static Impact impact(
       double t,
@@ -448,264 +406,5 @@ class SweptCircleTest {
             SweptCircle.cast(new Circle(2, -0.0, 1), new Vec2(-1, 0), new Endpoint(1, 0), 0)
                 .map(Impact::normal))
         .contains(new Vec2(1, 0));
-  }
-
-  // Bounds.
-
-  private static final Bounds ROOM = new Bounds(0, 0, 80, 60);
-
-  private static double walls(Circle c, Vec2 v, double T) {
-    double t = SweptCircle.bounds(c.x(), c.y(), c.radius(), v.x(), v.y(), 0, 0, 80, 60, T);
-    assertThat(SweptCircle.cast(c, v, ROOM, T).map(Impact::time).orElse(NEVER)).isEqualTo(t);
-    return t;
-  }
-
-  @ParameterizedTest
-  @CsvSource({
-    "-4, 1,   9,   0, 32.25, 1, 0, 4",
-    " 4, 1,   9,  80, 39,   -1, 0, 4",
-    " 1,-4,   6.5, 46.5, 0,  0, 1, 4",
-    " 1, 4,   6.5, 46.5, 60, 0,-1, 4"
-  })
-  void eachWall(
-      double vx, double vy, double t, double x, double y, double nx, double ny, double speed) {
-    // From (40, 30) with radius 4: 36 to the left and right, 26 down and up.
-    Circle circle = new Circle(40, 30, 4);
-    double expectedY = nx == 0 ? y : 30 + vy * t;
-    Impact impact = SweptCircle.cast(circle, new Vec2(vx, vy), ROOM, NEVER).orElseThrow();
-    assertImpact(
-        impact,
-        new Impact(
-            t,
-            ObstacleKind.WALL,
-            nx > 0 ? 0 : nx < 0 ? 1 : ny > 0 ? 2 : 3,
-            ROOM,
-            Feature.SIDE,
-            new Vec2(x, expectedY),
-            new Vec2(nx, ny),
-            speed));
-    assertThat(walls(circle, new Vec2(vx, vy), t)).isEqualTo(t);
-    assertThat(walls(circle, new Vec2(vx, vy), Math.nextDown(t))).isEqualTo(NEVER);
-  }
-
-  @Test
-  void inACornerTheVerticalWallIsReported() {
-    Impact impact =
-        SweptCircle.cast(new Circle(10, 10, 4), new Vec2(-2, -2), ROOM, 10).orElseThrow();
-    assertThat(impact.time()).isEqualTo(3);
-    assertVector(impact.normal(), new Vec2(1, 0), 1e-15);
-    assertThat(impact.point()).isEqualTo(new Vec2(0, 4));
-  }
-
-  @Test
-  void wallsAreHalfPlanes() {
-    assertThat(walls(new Circle(-30, 30, 4), new Vec2(-1, 0), 1)).as("beyond, deeper").isZero();
-    assertThat(walls(new Circle(-30, 30, 4), new Vec2(1, 0), 40))
-        .as("beyond, out")
-        .isEqualTo(NEVER);
-    assertThat(walls(new Circle(4, 30, 4), new Vec2(0, 1), 1))
-        .as("touching, along")
-        .isEqualTo(NEVER);
-    assertThat(walls(new Circle(4, 30, 4), new Vec2(-1, 0), 0)).as("touching, in").isZero();
-    assertThat(walls(new Circle(4, 30, 4), Vec2.ZERO, NEVER)).as("at rest").isEqualTo(NEVER);
-  }
-
-  // Pegs, endpoints, pairs.
-
-  @Test
-  void aPeg() {
-    Circle peg = new Circle(0, 0, 7);
-    Impact impact =
-        SweptCircle.cast(new Circle(9 + 3, 12 + 4, 8), new Vec2(-3, -4), peg, 10).orElseThrow();
-    assertThat(impact.time()).isEqualTo(1);
-    assertThat(impact.obstacle()).isEqualTo(peg);
-    assertThat(impact.feature()).isEqualTo(Feature.CIRCLE);
-    assertVector(impact.normal(), new Vec2(0.6, 0.8), 1e-15);
-    assertThat(impact.point().x()).isCloseTo(4.2, within(1e-15));
-    assertThat(impact.point().y()).isCloseTo(5.6, within(1e-15));
-    assertThat(impact.approachSpeed()).isEqualTo(5);
-    assertThat(SweptCircle.peg(12, 16, 8, -3, -4, 0, 0, 7, 1)).isEqualTo(1);
-    assertThat(SweptCircle.peg(12, 16, 8, -3, -4, 0, 0, 7, Math.nextDown(1.0))).isEqualTo(NEVER);
-  }
-
-  @Test
-  void insideAPegTheCircleStillCannotComeNearerToItsCentre() {
-    assertThat(SweptCircle.peg(3, 4, 1, -3, -4, 0, 0, 20, 1)).as("inward").isZero();
-    assertThat(SweptCircle.peg(3, 4, 1, 3, 4, 0, 0, 20, 9)).as("outward").isEqualTo(NEVER);
-    assertThat(SweptCircle.peg(0, 0, 1, 3, 4, 0, 0, 20, 9)).as("concentric").isEqualTo(NEVER);
-  }
-
-  @Test
-  void anEndpointIsAPegOfRadiusZero() {
-    Endpoint end = new Endpoint(10, 0);
-    Impact impact = SweptCircle.cast(new Circle(16, 8, 5), new Vec2(-3, -4), end, 1).orElseThrow();
-    assertImpact(
-        impact,
-        new Impact(
-            1, ObstacleKind.PEG, -1, end, Feature.CIRCLE, new Vec2(10, 0), new Vec2(0.6, 0.8), 5));
-  }
-
-  /** The gap of 10 closes at 2 + 3 a frame; they touch at x = 4 + 1. */
-  @Test
-  void aPairHeadOn() {
-    Circle first = new Circle(0, 0, 1);
-    Circle second = new Circle(13, 0, 2);
-    Impact impact =
-        SweptCircle.cast(first, new Vec2(2, 0), second, new Vec2(-3, 0), 2).orElseThrow();
-    assertImpact(
-        impact,
-        new Impact(
-            2,
-            ObstacleKind.CIRCLE,
-            -1,
-            second,
-            Feature.CIRCLE,
-            new Vec2(5, 0),
-            new Vec2(-1, 0),
-            5));
-    assertThat(SweptCircle.pair(0, 0, 1, 2, 0, 13, 0, 2, -3, 0, 2)).isEqualTo(2);
-    assertThat(SweptCircle.pair(0, 0, 1, 2, 0, 13, 0, 2, -3, 0, Math.nextDown(2.0)))
-        .isEqualTo(NEVER);
-  }
-
-  /** 20 apart along (0.6, 0.8), and closing at 5; both move across besides. */
-  @Test
-  void aPairMetAtAnAngle() {
-    Circle first = new Circle(18, 24, 5);
-    Circle second = new Circle(0, 0, 5);
-    Impact impact =
-        SweptCircle.cast(first, new Vec2(-4, 3), second, new Vec2(3 - 4, 4 + 3), 9).orElseThrow();
-    assertThat(impact.time()).isEqualTo(4);
-    assertVector(impact.normal(), new Vec2(0.6, 0.8), 1e-15);
-    assertThat(impact.approachSpeed()).isCloseTo(5, within(1e-15));
-    assertVector(impact.point(), new Vec2(-1, 32), 1e-14);
-  }
-
-  @Test
-  void aPairThatMovesTogetherNeverMeets() {
-    assertThat(SweptCircle.pair(0, 0, 1, 7, 5, 13, 0, 2, 7, 5, NEVER)).isEqualTo(NEVER);
-    assertThat(SweptCircle.pair(0, 0, 8, 7, 5, 13, 0, 8, 7, 5, NEVER))
-        .as("overlapping")
-        .isEqualTo(NEVER);
-    assertThat(SweptCircle.pair(0, 0, 1, 7, 5, 0, 0, 2, -1, 0, NEVER))
-        .as("concentric")
-        .isEqualTo(NEVER);
-  }
-
-  /** A faster circle catches up from behind: 10 at 5 - 3 a frame. */
-  @Test
-  void aPairFromBehind() {
-    assertThat(SweptCircle.pair(0, 0, 1, 5, 0, 13, 0, 2, 3, 0, NEVER)).isEqualTo(5);
-    assertThat(SweptCircle.pair(0, 0, 1, 3, 0, 13, 0, 2, 5, 0, NEVER)).isEqualTo(NEVER);
-  }
-
-  @Test
-  void aPairThatGrazesIsNone() {
-    assertThat(SweptCircle.pair(0, 0, 1, 1, 0, 20, 3, 2, -1, 0, NEVER)).isEqualTo(NEVER);
-    assertThat(SweptCircle.pair(0, 0, 1, 1, 0, 20, Math.nextDown(3.0), 2, -1, 0, NEVER))
-        .isCloseTo(10, within(1e-6));
-  }
-
-  // Magnitudes and arguments.
-
-  @ParameterizedTest
-  @ValueSource(ints = {-900, -300, 300, 900})
-  void sizeDoesNotMatter(int exponent) {
-    double s = Math.scalb(1.0, exponent);
-    Line line = new Line(0, 0, 10 * s, 0);
-    Impact impact = hit(new Circle(16 * s, 8 * s, 5 * s), new Vec2(-3 * s, -4 * s), line);
-    assertThat(impact.time()).isEqualTo(1);
-    assertThat(impact.feature()).isEqualTo(Feature.END);
-    assertVector(impact.normal(), new Vec2(0.6, 0.8), 1e-15);
-  }
-
-  /** The way is 2^-53 more than a double: a tie, which only exact numbers see. */
-  @ParameterizedTest
-  @CsvSource({"0x1p0, 0x1p0", "0x1.0000000000001p0, 0x1.0000000000002p0"})
-  void aTimeHalfwayBetweenTwoDoublesIsTheEvenOne(String from, String time) {
-    double x = Double.parseDouble(from);
-    double t = Double.parseDouble(time);
-    double to = -0x1p-53;
-    assertThat(SweptCircle.bounds(x, 0, 0, -1, 0, to, -9, 9, 9, NEVER)).isEqualTo(t);
-    assertThat(SweptCircle.pair(x, 0, 0, -1, 0, to, 0, 0, 0, 0, NEVER)).isEqualTo(t);
-    assertThat(SweptCircle.line(x, 0, 0, -1, 0, to, -9, to, 9, NEVER)).isEqualTo(t);
-    assertThat(SweptCircle.bounds(x, 0, 0, -1, 0, to, -9, 9, 9, Math.max(t, x)))
-        .isEqualTo(x < t ? t : NEVER);
-  }
-
-  @Test
-  void aTimeBeyondTheRangeOfDoublesIsNever() {
-    Circle circle = new Circle(4, 1e300, 2);
-    assertThat(time(circle, new Vec2(0, -1e-300), FLOOR, Double.MAX_VALUE)).isEqualTo(NEVER);
-    assertThat(time(circle, new Vec2(0, -1e-300), FLOOR, NEVER)).isEqualTo(NEVER);
-    assertThat(time(circle, new Vec2(0, -1e300), FLOOR, NEVER)).isEqualTo(1);
-  }
-
-  @Test
-  void numbersNearTheLargestDoubleAreNotRefused() {
-    double m = Double.MAX_VALUE;
-    assertThat(SweptCircle.line(m, m, m, m, m, m, m, -m, -m, 1)).isEqualTo(NEVER);
-    assertThat(SweptCircle.pair(m, 0, 1, -m, 0, -m, 0, 1, m, 0, 2)).isEqualTo(1);
-    assertThat(SweptCircle.bounds(0, 0, 1, m, 0, -m, -m, m, m, 2)).isEqualTo(1);
-  }
-
-  private static void refused(Runnable query, String name, double value) {
-    assertThatIllegalArgumentException()
-        .isThrownBy(query::run)
-        .withMessageContaining(name + " is " + value)
-        .withMessageContaining("expected");
-  }
-
-  @ParameterizedTest
-  @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY})
-  void refusesWhatIsNotFinite(double bad) {
-    refused(() -> SweptCircle.line(bad, 0, 1, 1, 1, 0, 0, 1, 1, 1), "x", bad);
-    refused(() -> SweptCircle.line(0, bad, 1, 1, 1, 0, 0, 1, 1, 1), "y", bad);
-    refused(() -> SweptCircle.line(0, 0, bad, 1, 1, 0, 0, 1, 1, 1), "radius", bad);
-    refused(() -> SweptCircle.line(0, 0, 1, bad, 1, 0, 0, 1, 1, 1), "vx", bad);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, bad, 0, 0, 1, 1, 1), "vy", bad);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, bad, 0, 1, 1, 1), "ax", bad);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, bad, 1, 1, 1), "ay", bad);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, 0, bad, 1, 1), "bx", bad);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, 0, 1, bad, 1), "by", bad);
-    refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, 0, bad, 1, 1), "y", bad);
-    refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, 0, 0, bad, 1), "radius", bad);
-    refused(() -> SweptCircle.pair(0, 0, 1, 1, 1, 0, 0, 1, bad, 1, 1), "vx", bad);
-    refused(() -> SweptCircle.pair(0, bad, 1, 1, 1, 0, 0, 1, 1, 1, 1), "y", bad);
-    refused(() -> SweptCircle.pair(0, 0, 1, 1, bad, 0, 0, 1, 1, 1, 1), "vy", bad);
-    refused(() -> SweptCircle.pair(0, 0, bad, 1, 1, 0, 0, 1, 1, 1, 1), "radius", bad);
-    refused(() -> SweptCircle.bounds(0, 0, 1, 1, 1, bad, 0, 1, 1, 1), "xmin", bad);
-    refused(() -> SweptCircle.bounds(0, 0, bad, 1, 1, 0, 0, 1, 1, 1), "radius", bad);
-  }
-
-  @Test
-  void refusesNegativeRadiiAndWindows() {
-    refused(() -> SweptCircle.line(0, 0, -1, 1, 1, 0, 0, 1, 1, 1), "radius", -1);
-    refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, 0, 0, -2, 1), "radius", -2);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, 0, 1, 1, -0.5), "T", -0.5);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, 0, 1, 1, Double.NaN), "T", Double.NaN);
-    refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, 0, 0, 1, -0.5), "T", -0.5);
-    refused(() -> SweptCircle.pair(0, 0, 1, 1, 1, 0, 0, 1, 1, 1, -0.5), "T", -0.5);
-    refused(() -> SweptCircle.pair(0, 0, -1, 1, 1, 0, 0, 3, 1, 1, 1), "radius", -1);
-    refused(() -> SweptCircle.bounds(0, 0, 1, 1, 1, 0, 0, 1, 1, -0.5), "T", -0.5);
-    refused(() -> SweptCircle.bounds(0, 0, 1, 1, 1, 2, 0, 1, 1, 1), "xmax", 1);
-    Circle c = new Circle(0, 0, 1);
-    refused(() -> SweptCircle.cast(c, Vec2.ZERO, FLOOR, -0.5), "T", -0.5);
-    refused(() -> SweptCircle.cast(c, Vec2.ZERO, c, Vec2.ZERO, Double.NaN), "T", Double.NaN);
-  }
-
-  /** The pair runs out of the range of doubles before it meets: its point is at the edge of it. */
-  @Test
-  void aContactPointBeyondTheRangeOfDoublesIsTheLargestOne() {
-    Impact impact =
-        SweptCircle.cast(
-                new Circle(-0x1.c17p1021, -0x1.524p1021, 0x1.a8p1014),
-                new Vec2(0x1.08p1014, 0x1.84p1015),
-                new Circle(0x1.868p1018, -0x1.6fp1017, 0),
-                new Vec2(0x1.9p1013, 0x1.7p1015),
-                0x1.93e5939a08ceap99)
-            .orElseThrow();
-    assertThat(impact.time()).isEqualTo(1000);
-    assertThat(impact.point().y()).isEqualTo(Double.MAX_VALUE);
   }
 }

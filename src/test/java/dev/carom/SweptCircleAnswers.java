@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+/** What tests of the detector ask of its answers. */
+final class SweptCircleAnswers {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private SweptCircleAnswers() {}
+
+  /** Casts in both forms, which must agree on the time; the impact must be there. */
+  static Impact hit(Circle c, Vec2 v, Line line, double T) {
+    Impact impact = SweptCircle.cast(c, v, line, T).orElseThrow();
+    assertThat(time(c, v, line, T)).isEqualTo(impact.time());
+    assertThat(impact.obstacle()).isEqualTo(line);
+    return impact;
+  }
+
+  static Impact hit(Circle c, Vec2 v, Line line) {
+    return hit(c, v, line, NEVER);
+  }
+
+  static double time(Circle c, Vec2 v, Line l, double T) {
+    double t =
+        SweptCircle.line(c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(), T);
+    assertThat(SweptCircle.cast(c, v, l, T).isPresent()).isEqualTo(t < NEVER);
+    return t;
+  }
+
+  static double time(Circle c, Vec2 v, Line l) {
+    return time(c, v, l, NEVER);
+  }
+
+  /**
+   * Compares an impact: its time and parts exactly, the numbers that the contract allows to be
+   * rounded within some ulps.
+   */
+  static void assertImpact(Impact actual, Impact expected) {
+    assertThat(actual.time()).isEqualTo(expected.time());
+    assertThat(actual.kind()).isEqualTo(expected.kind());
+    assertThat(actual.id()).isEqualTo(expected.id());
+    assertThat(actual.obstacle()).isEqualTo(expected.obstacle());
+    assertThat(actual.feature()).isEqualTo(expected.feature());
+    assertVector(actual.normal(), expected.normal(), 1e-15);
+    assertVector(actual.point(), expected.point(), 1e-14);
+    assertThat(actual.approachSpeed())
+        .isCloseTo(expected.approachSpeed(), within(1e-15 * (1 + expected.approachSpeed())));
+  }
+
+  static void assertVector(Vec2 actual, Vec2 expected, double error) {
+    assertThat(actual.x()).isCloseTo(expected.x(), within(error));
+    assertThat(actual.y()).isCloseTo(expected.y(), within(error));
+  }
+}

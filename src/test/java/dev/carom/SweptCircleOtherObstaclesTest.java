@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.SweptCircleAnswers.assertImpact;
+import static dev.carom.SweptCircleAnswers.assertVector;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The detector against bounds, pegs, endpoints and moving circles, on cases like 3-4-5. */
+class SweptCircleOtherObstaclesTest {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  // Bounds.
+
+  private static final Bounds ROOM = new Bounds(0, 0, 80, 60);
+
+  private static double walls(Circle c, Vec2 v, double T) {
+    double t = SweptCircle.bounds(c.x(), c.y(), c.radius(), v.x(), v.y(), 0, 0, 80, 60, T);
+    assertThat(SweptCircle.cast(c, v, ROOM, T).map(Impact::time).orElse(NEVER)).isEqualTo(t);
+    return t;
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "-4, 1,   9,   0, 32.25, 1, 0, 4",
+    " 4, 1,   9,  80, 39,   -1, 0, 4",
+    " 1,-4,   6.5, 46.5, 0,  0, 1, 4",
+    " 1, 4,   6.5, 46.5, 60, 0,-1, 4"
+  })
+  void eachWall(
+      double vx, double vy, double t, double x, double y, double nx, double ny, double speed) {
+    // From (40, 30) with radius 4: 36 to the left and right, 26 down and up.
+    Circle circle = new Circle(40, 30, 4);
+    double expectedY = nx == 0 ? y : 30 + vy * t;
+    Impact impact = SweptCircle.cast(circle, new Vec2(vx, vy), ROOM, NEVER).orElseThrow();
+    assertImpact(
+        impact,
+        new Impact(
+            t,
+            ObstacleKind.WALL,
+            nx > 0 ? 0 : nx < 0 ? 1 : ny > 0 ? 2 : 3,
+            ROOM,
+            Feature.SIDE,
+            new Vec2(x, expectedY),
+            new Vec2(nx, ny),
+            speed));
+    assertThat(walls(circle, new Vec2(vx, vy), t)).isEqualTo(t);
+    assertThat(walls(circle, new Vec2(vx, vy), Math.nextDown(t))).isEqualTo(NEVER);
+  }
+
+  @Test
+  void inACornerTheVerticalWallIsReported() {
+    Impact impact =
+        SweptCircle.cast(new Circle(10, 10, 4), new Vec2(-2, -2), ROOM, 10).orElseThrow();
+    assertThat(impact.time()).isEqualTo(3);
+    assertVector(impact.normal(), new Vec2(1, 0), 1e-15);
+    assertThat(impact.point()).isEqualTo(new Vec2(0, 4));
+  }
+
+  @Test
+  void wallsAreHalfPlanes() {
+    assertThat(walls(new Circle(-30, 30, 4), new Vec2(-1, 0), 1)).as("beyond, deeper").isZero();
+    assertThat(walls(new Circle(-30, 30, 4), new Vec2(1, 0), 40))
+        .as("beyond, out")
+        .isEqualTo(NEVER);
+    assertThat(walls(new Circle(4, 30, 4), new Vec2(0, 1), 1))
+        .as("touching, along")
+        .isEqualTo(NEVER);
+    assertThat(walls(new Circle(4, 30, 4), new Vec2(-1, 0), 0)).as("touching, in").isZero();
+    assertThat(walls(new Circle(4, 30, 4), Vec2.ZERO, NEVER)).as("at rest").isEqualTo(NEVER);
+  }
+
+  // Pegs, endpoints, pairs.
+
+  @Test
+  void aPeg() {
+    Circle peg = new Circle(0, 0, 7);
+    Impact impact =
+        SweptCircle.cast(new Circle(9 + 3, 12 + 4, 8), new Vec2(-3, -4), peg, 10).orElseThrow();
+    assertThat(impact.time()).isEqualTo(1);
+    assertThat(impact.obstacle()).isEqualTo(peg);
+    assertThat(impact.feature()).isEqualTo(Feature.CIRCLE);
+    assertVector(impact.normal(), new Vec2(0.6, 0.8), 1e-15);
+    assertThat(impact.point().x()).isCloseTo(4.2, within(1e-15));
+    assertThat(impact.point().y()).isCloseTo(5.6, within(1e-15));
+    assertThat(impact.approachSpeed()).isEqualTo(5);
+    assertThat(SweptCircle.peg(12, 16, 8, -3, -4, 0, 0, 7, 1)).isEqualTo(1);
+    assertThat(SweptCircle.peg(12, 16, 8, -3, -4, 0, 0, 7, Math.nextDown(1.0))).isEqualTo(NEVER);
+  }
+
+  @Test
+  void insideAPegTheCircleStillCannotComeNearerToItsCentre() {
+    assertThat(SweptCircle.peg(3, 4, 1, -3, -4, 0, 0, 20, 1)).as("inward").isZero();
+    assertThat(SweptCircle.peg(3, 4, 1, 3, 4, 0, 0, 20, 9)).as("outward").isEqualTo(NEVER);
+    assertThat(SweptCircle.peg(0, 0, 1, 3, 4, 0, 0, 20, 9)).as("concentric").isEqualTo(NEVER);
+  }
+
+  @Test
+  void anEndpointIsAPegOfRadiusZero() {
+    Endpoint end = new Endpoint(10, 0);
+    Impact impact = SweptCircle.cast(new Circle(16, 8, 5), new Vec2(-3, -4), end, 1).orElseThrow();
+    assertImpact(
+        impact,
+        new Impact(
+            1, ObstacleKind.PEG, -1, end, Feature.CIRCLE, new Vec2(10, 0), new Vec2(0.6, 0.8), 5));
+  }
+
+  /** The gap of 10 closes at 2 + 3 a frame; they touch at x = 4 + 1. */
+  @Test
+  void aPairHeadOn() {
+    Circle first = new Circle(0, 0, 1);
+    Circle second = new Circle(13, 0, 2);
+    Impact impact =
+        SweptCircle.cast(first, new Vec2(2, 0), second, new Vec2(-3, 0), 2).orElseThrow();
+    assertImpact(
+        impact,
+        new Impact(
+            2,
+            ObstacleKind.CIRCLE,
+            -1,
+            second,
+            Feature.CIRCLE,
+            new Vec2(5, 0),
+            new Vec2(-1, 0),
+            5));
+    assertThat(SweptCircle.pair(0, 0, 1, 2, 0, 13, 0, 2, -3, 0, 2)).isEqualTo(2);
+    assertThat(SweptCircle.pair(0, 0, 1, 2, 0, 13, 0, 2, -3, 0, Math.nextDown(2.0)))
+        .isEqualTo(NEVER);
+  }
+
+  /** 20 apart along (0.6, 0.8), and closing at 5; both move across besides. */
+  @Test
+  void aPairMetAtAnAngle() {
+    Circle first = new Circle(18, 24, 5);
+    Circle second = new Circle(0, 0, 5);
+    Impact impact =
+        SweptCircle.cast(first, new Vec2(-4, 3), second, new Vec2(3 - 4, 4 + 3), 9).orElseThrow();
+    assertThat(impact.time()).isEqualTo(4);
+    assertVector(impact.normal(), new Vec2(0.6, 0.8), 1e-15);
+    assertThat(impact.approachSpeed()).isCloseTo(5, within(1e-15));
+    assertVector(impact.point(), new Vec2(-1, 32), 1e-14);
+  }
+
+  @Test
+  void aPairThatMovesTogetherNeverMeets() {
+    assertThat(SweptCircle.pair(0, 0, 1, 7, 5, 13, 0, 2, 7, 5, NEVER)).isEqualTo(NEVER);
+    assertThat(SweptCircle.pair(0, 0, 8, 7, 5, 13, 0, 8, 7, 5, NEVER))
+        .as("overlapping")
+        .isEqualTo(NEVER);
+    assertThat(SweptCircle.pair(0, 0, 1, 7, 5, 0, 0, 2, -1, 0, NEVER))
+        .as("concentric")
+        .isEqualTo(NEVER);
+  }
+
+  /** A faster circle catches up from behind: 10 at 5 - 3 a frame. */
+  @Test
+  void aPairFromBehind() {
+    assertThat(SweptCircle.pair(0, 0, 1, 5, 0, 13, 0, 2, 3, 0, NEVER)).isEqualTo(5);
+    assertThat(SweptCircle.pair(0, 0, 1, 3, 0, 13, 0, 2, 5, 0, NEVER)).isEqualTo(NEVER);
+  }
+
+  @Test
+  void aPairThatGrazesIsNone() {
+    assertThat(SweptCircle.pair(0, 0, 1, 1, 0, 20, 3, 2, -1, 0, NEVER)).isEqualTo(NEVER);
+    assertThat(SweptCircle.pair(0, 0, 1, 1, 0, 20, Math.nextDown(3.0), 2, -1, 0, NEVER))
+        .isCloseTo(10, within(1e-6));
+  }
+}
