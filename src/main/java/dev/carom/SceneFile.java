@@ -6,6 +6,7 @@ import java.io.InputStreamReader;
 import java.io.Reader;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -18,6 +19,9 @@ final class SceneFile {
   private SceneFile() {}
 
   static Scene read(Path path) throws IOException {
+    if (Files.isDirectory(path)) {
+      throw new FileSystemException(path.toString(), null, "is a folder: expected a file");
+    }
     // A reader of its own, since those of Files stop at a comment that is not UTF-8.
     try (Reader in = new InputStreamReader(Files.newInputStream(path), StandardCharsets.UTF_8)) {
       return read(in, path.toString());
@@ -40,9 +44,17 @@ final class SceneFile {
       writeDirectly(scene, draft, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
       Files.move(
           draft, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    } catch (FileSystemException e) {
+      throw cannotBeWritten(path, e); // which names the draft
     } finally {
       Files.deleteIfExists(draft);
     }
+  }
+
+  private static IOException cannotBeWritten(Path path, IOException cause) {
+    IOException e = new FileSystemException(path.toString(), null, "cannot be written");
+    e.initCause(cause);
+    return e;
   }
 
   private static void writeDirectly(Scene scene, Path path, StandardOpenOption... options)

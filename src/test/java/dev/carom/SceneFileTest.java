@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.io.StringReader;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -260,6 +261,13 @@ class SceneFileTest {
   }
 
   @Test
+  void aFolderIsNoSceneFile(@TempDir Path folder) {
+    assertThatExceptionOfType(FileSystemException.class)
+        .isThrownBy(() -> Scene.read(folder))
+        .withMessage(folder + ": is a folder: expected a file");
+  }
+
+  @Test
   void writesAFileAndReplacesIt(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("scene.csv");
     TestScenes.read("base-1.csv").write(file);
@@ -299,7 +307,9 @@ class SceneFileTest {
     assertThatThrownBy(() -> full().write(folder)).isInstanceOf(IOException.class);
     assertThat(folder).isEmptyDirectory();
     Path nowhere = folder.resolve("none").resolve("scene.csv");
-    assertThatExceptionOfType(NoSuchFileException.class).isThrownBy(() -> full().write(nowhere));
+    assertThatExceptionOfType(FileSystemException.class)
+        .isThrownBy(() -> full().write(nowhere))
+        .withMessage(nowhere + ": cannot be written");
     assertThat(folder).isEmptyDirectory();
   }
 }
