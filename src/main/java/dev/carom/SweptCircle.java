@@ -246,7 +246,8 @@ public final class SweptCircle {
    * @param circle the circle to be moved
    * @param other the one that stays
    * @return the translation, {@link Vec2#ZERO} if they do not overlap
-   * @throws IllegalArgumentException if the largest coordinate and the radii together exceed 2^1023
+   * @throws IllegalArgumentException if they overlap, and the largest coordinate and the radii
+   *     together exceed 2^1023
    */
   public static Vec2 separation(Circle circle, Circle other) {
     return Separation.of(circle, other);
@@ -262,8 +263,8 @@ public final class SweptCircle {
    * @param circle the circle to be moved
    * @param line the line
    * @return the translation, {@link Vec2#ZERO} if they do not overlap
-   * @throws IllegalArgumentException if the largest coordinate and the radius together exceed
-   *     2^1023
+   * @throws IllegalArgumentException if they overlap, and the largest coordinate and the radius
+   *     together exceed 2^1023
    */
   public static Vec2 separation(Circle circle, Line line) {
     return Separation.of(circle, line);
