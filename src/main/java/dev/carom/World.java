@@ -163,7 +163,7 @@ public final class World {
     if (!(t >= now && t <= Double.MAX_VALUE)) {
       throw Check.refused("t", t, "a finite time, at least now, " + now);
     }
-    return advance(t);
+    return advance(t + 0.0); // 0 for -0
   }
 
   private boolean advance(double end) {

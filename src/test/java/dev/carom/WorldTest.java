@@ -66,6 +66,16 @@ class WorldTest {
   }
 
   @Test
+  void minusZeroIsTheTimeZero() {
+    World world = world(floor());
+    Snapshot start = world.snapshot();
+    assertThat(world.advanceTo(-0.0)).isTrue();
+    assertThat(world.now()).isEqualTo(0.0);
+    assertThat(world.step(-0.0)).isTrue();
+    assertThat(world.snapshot()).isEqualTo(start);
+  }
+
+  @Test
   void bouncesInsideAStepAndUsesTheRestOfIt() {
     World world = world(floor());
     assertThat(world.step(3)).isTrue();
