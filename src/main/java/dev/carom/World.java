@@ -689,8 +689,9 @@ public final class World {
    * Records the flights of all circles from now on; without it, none are. A recording that was
    * going on stops, and its timeline stays as it is.
    *
-   * @param most how many flights to keep of each circle, at least 1; beyond that the oldest ones
-   *     are dropped
+   * @param most how many flights to keep of each circle, at least 1, and how many changes of each
+   *     line and peg; beyond that the oldest ones are dropped. An edit begins a flight: where each
+   *     frame edits something, this is a number of frames
    * @return the timeline, which goes on as the world does
    * @throws IllegalArgumentException if most is below 1
    */
