@@ -21,6 +21,12 @@ final class Check {
     }
   }
 
+  static void notNegative(String name, int value) {
+    if (value < 0) {
+      throw refused(name, value, "at least 0");
+    }
+  }
+
   static void positive(String name, double value) {
     if (!(value > 0 && value <= Double.MAX_VALUE)) {
       throw refused(name, value, "a finite number, more than 0");

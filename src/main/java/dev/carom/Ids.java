@@ -63,7 +63,8 @@ final class Ids {
   private IndexOutOfBoundsException missing(ObstacleKind kind, int id) {
     int end = end(kind);
     boolean removed = id >= 0 && id < end;
-    String reason = removed ? "it was removed" : "expected an id from 0 on, below " + end;
+    String others = end == 0 ? "there is none" : "expected an id from 0 on, below " + end;
+    String reason = removed ? "it was removed" : others;
     return new IndexOutOfBoundsException(
         "%s does not exist: %s".formatted(kind.nameOf(id), reason));
   }

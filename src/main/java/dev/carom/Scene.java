@@ -367,8 +367,9 @@ public final class Scene {
   private int at(ObstacleKind kind, int i) {
     int count = count(kind);
     if (i < 0 || i >= count) {
+      String others = count == 0 ? "none of them" : count + " of them, from 0";
       throw new IndexOutOfBoundsException(
-          kind.nameOf(i) + " does not exist: the scene has " + count + " of them, from 0");
+          kind.nameOf(i) + " does not exist: the scene has " + others);
     }
     return i;
   }

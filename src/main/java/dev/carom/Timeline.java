@@ -154,9 +154,10 @@ public final class Timeline {
    * @throws IllegalArgumentException if the time is not within the recording
    */
   public Optional<Line> line(int id, double t) {
+    double time = checked(t);
     return !isId(id)
         ? Optional.empty()
-        : Optional.ofNullable((Line) obstacles.at(Obstacles.WALLS + id, checked(t)));
+        : Optional.ofNullable((Line) obstacles.at(Obstacles.WALLS + id, time));
   }
 
   /**
@@ -168,9 +169,10 @@ public final class Timeline {
    * @throws IllegalArgumentException if the time is not within the recording
    */
   public Optional<Circle> peg(int id, double t) {
+    double time = checked(t);
     return !isId(id)
         ? Optional.empty()
-        : Optional.ofNullable((Circle) obstacles.at(Obstacles.PEGS + id, checked(t)));
+        : Optional.ofNullable((Circle) obstacles.at(Obstacles.PEGS + id, time));
   }
 
   private static boolean isId(int id) {
@@ -186,10 +188,8 @@ public final class Timeline {
 
   private Track track(int id, double t) {
     if (!contains(id, t)) {
-      throw Check.refused(
-          "circle " + id + " at",
-          t,
-          "a circle that was there, at a time from " + start() + " to " + end);
+      checked(t);
+      throw Check.refused("circle " + id, "unknown at " + t, "one that was there then");
     }
     return tracks[id];
   }

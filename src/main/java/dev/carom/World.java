@@ -668,10 +668,13 @@ public final class World {
   public void restore(Snapshot snapshot) {
     if (!Objects.equals(snapshot.obstacles.bounds, scene.bounds)) {
       throw Check.refused(
-          "bounds of the snapshot", snapshot.obstacles.bounds, "this world's, " + scene.bounds);
+          "bounds of the snapshot",
+          told(snapshot.obstacles.bounds),
+          "this world's, " + told(scene.bounds));
     }
     if (snapshot.collide != scene.collide) {
-      throw Check.refused("collide of the snapshot", snapshot.collide, "this world's");
+      throw Check.refused(
+          "collide of the snapshot", snapshot.collide, "this world's, " + scene.collide);
     }
     log.clear();
     now = snapshot.now;
@@ -683,6 +686,10 @@ public final class World {
       timeline.begin(now, obstacles);
       engine.record(timeline);
     }
+  }
+
+  private static Object told(Bounds bounds) {
+    return bounds == null ? "none" : bounds;
   }
 
   /**

@@ -326,7 +326,7 @@ class QuestionsTest {
         .hasMessageContaining("restitution is -1.0");
     assertThatThrownBy(() -> world.trace(circle, Vec2.ZERO, 1, 1, -1))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("bounces is -1");
+        .hasMessageContaining("bounces is -1: expected at least 0");
     assertThatThrownBy(() -> world.nearest(ObstacleKind.LINE, Double.NaN, 0))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("x is NaN");

@@ -225,6 +225,15 @@ class RefusedEditTest {
     assertThatThrownBy(() -> world.x(0)).hasMessage("circle 0 does not exist: it was removed");
   }
 
+  @Test
+  void idsOfAnEmptyWorld() {
+    World world = new World(Scene.builder().build());
+    assertThatThrownBy(() -> world.x(0)).hasMessage("circle 0 does not exist: there is none");
+    assertThatThrownBy(() -> world.restitution(WALL, 0))
+        .isInstanceOf(IndexOutOfBoundsException.class)
+        .hasMessage("wall 0 does not exist: there is none");
+  }
+
   private static void assertUntouched(World world, Snapshot before) {
     assertThat(world.snapshot()).isEqualTo(before);
     World other = new World(world.scene());

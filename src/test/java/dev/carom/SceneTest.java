@@ -67,7 +67,7 @@ class SceneTest {
     assertThat(scene.bounds()).isEmpty();
     assertThatExceptionOfType(IndexOutOfBoundsException.class)
         .isThrownBy(() -> scene.restitution(ObstacleKind.WALL, 0))
-        .withMessage("wall 0 does not exist: the scene has 0 of them, from 0");
+        .withMessage("wall 0 does not exist: the scene has none of them");
     assertThat(scene.circleCount() + scene.lineCount() + scene.pegCount()).isZero();
     assertThat(scene).hasToString("Scene[circles=0, lines=0, pegs=0, bounds=none]");
   }

@@ -143,7 +143,7 @@ class SnapshotTest {
                 .formatted(new Bounds(0, 0, 100, 100), new Bounds(0, 0, 50, 50)));
     assertThat(other.snapshot()).isEqualTo(before);
     World open = new World(Scene.builder().circle(9, 9, 1, 1, 1).build());
-    assertThatThrownBy(() -> open.restore(snapshot)).hasMessageEndingWith("this world's, null");
+    assertThatThrownBy(() -> open.restore(snapshot)).hasMessageEndingWith("this world's, none");
   }
 
   @Test
@@ -151,7 +151,7 @@ class SnapshotTest {
     Snapshot snapshot = world(false).snapshot();
     assertThatThrownBy(() -> world(true).restore(snapshot))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageStartingWith("collide of the snapshot is false");
+        .hasMessage("collide of the snapshot is false: expected this world's, true");
   }
 
   // Sensors: each entry is reported once, whenever it was saved.

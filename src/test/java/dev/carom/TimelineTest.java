@@ -187,13 +187,20 @@ class TimelineTest {
       assertThat(timeline.contains(0, t)).isFalse();
       assertThatThrownBy(() -> timeline.x(0, t))
           .isInstanceOf(IllegalArgumentException.class)
-          .hasMessage(
-              "circle 0 at is %s: expected a circle that was there, at a time from 1.0 to 2.0"
-                  .formatted(t));
+          .hasMessage("t is %s: expected a time of the recording, from 1.0 to 2.0".formatted(t));
     }
     for (int id : new int[] {-1, 1, Integer.MAX_VALUE}) {
       assertThat(timeline.contains(id, 1.5)).isFalse();
-      assertThatThrownBy(() -> timeline.vy(id, 1.5)).hasMessageStartingWith("circle " + id);
+      assertThatThrownBy(() -> timeline.vy(id, 1.5))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessage("circle " + id + " is unknown at 1.5: expected one that was there then");
+    }
+    for (int id : new int[] {-1, 0}) {
+      for (double t : new double[] {0.5, 2.5, Double.NaN}) {
+        String message = "t is %s: expected a time of the recording, from 1.0 to 2.0".formatted(t);
+        assertThatThrownBy(() -> timeline.line(id, t)).hasMessage(message);
+        assertThatThrownBy(() -> timeline.peg(id, t)).hasMessage(message);
+      }
     }
     assertThatThrownBy(() -> world.record(0))
         .isInstanceOf(IllegalArgumentException.class)
