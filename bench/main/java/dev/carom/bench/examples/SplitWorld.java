@@ -34,10 +34,12 @@ public final class SplitWorld implements AutoCloseable {
    * @throws IllegalArgumentException if circles collide, or there is no thread
    */
   public SplitWorld(Scene scene, int threads) {
-    if (scene.collide() || threads < 1) {
+    if (scene.collide()) {
       throw new IllegalArgumentException(
-          "collide is %s, threads is %d: expected false, and at least 1"
-              .formatted(scene.collide(), threads));
+          "the circles of the scene collide: expected circles that ignore each other");
+    }
+    if (threads < 1) {
+      throw new IllegalArgumentException("threads is " + threads + ": expected at least 1");
     }
     int circles = scene.circleCount();
     for (int k = 0; k < threads; k++) {

@@ -79,9 +79,9 @@ class SplitWorldTest {
     Scene colliding = Scene.builder().circle(0, 0, 1, 0, 0).collide(true).build();
     assertThatThrownBy(() -> new SplitWorld(colliding, 2))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("collide is true");
+        .hasMessageContaining("the circles of the scene collide");
     assertThatThrownBy(() -> new SplitWorld(Scene.builder().build(), 0))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("threads is 0");
+        .hasMessage("threads is 0: expected at least 1");
   }
 }
