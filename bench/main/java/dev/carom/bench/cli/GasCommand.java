@@ -76,10 +76,9 @@ final class GasCommand implements Callable<Integer> {
       names = "--frame-time",
       paramLabel = "T",
       defaultValue = "1",
-      description = {
-        "How long a frame of a replay lasts (default: ${DEFAULT-VALUE}); in a unit of time a",
-        "circle of mass 1 moves by 1.25 on average."
-      })
+      description =
+          "How long a frame of a replay lasts (default: ${DEFAULT-VALUE}); in a unit of time a"
+              + " circle of mass 1 moves by 1.25 on average.")
   private double frameTime;
 
   @Option(
@@ -95,11 +94,10 @@ final class GasCommand implements Callable<Integer> {
       paramLabel = "COLLISIONS",
       arity = "0..1",
       fallbackValue = "1000000",
-      description = {
-        "Time the steady state instead: one world, as many rounds as --replays, each of at least",
-        "so many collisions (default: ${FALLBACK-VALUE}), after a warm-up of 5 for each circle and",
-        "at least 3,000,000; tells the median, least and most of the rounds."
-      })
+      description =
+          "Time the steady state instead: one world, as many rounds as --replays, each of at least"
+              + " so many collisions (default: ${FALLBACK-VALUE}), after a warm-up of 5 for each"
+              + " circle and at least 3,000,000; tells the median, least and most of the rounds.")
   private Integer steady;
 
   @Option(

@@ -19,8 +19,8 @@ import picocli.CommandLine.Spec;
     name = "view",
     description = {
       "Opens a window on the experiment, or on a scene file.",
-      "Run, pause, one frame, one impact; scrub through the past; trails, normals, coordinates;",
-      "drag circles, lines and their ends; load and save.",
+      "Run, pause, one frame, one impact; scrub through the past; trails, normals, coordinates;"
+          + " drag circles, lines and their ends; load and save.",
       "Space runs and pauses, the right arrow goes on by one frame, I by one impact."
     },
     mixinStandardHelpOptions = true,
