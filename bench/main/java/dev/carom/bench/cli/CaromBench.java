@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
+import java.io.PrintStream;
 import java.util.Set;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -51,7 +52,16 @@ public final class CaromBench {
    * @return the exit code: 0 done, 1 failed, 2 a wrong command line
    */
   public static int execute(String... args) {
-    return execute(commandLine(), args);
+    return told(execute(commandLine(), args), System.out, System.err);
+  }
+
+  /** The exit code of a run; 1 if the standard output, which throws nothing, lost some of it. */
+  static int told(int exitCode, PrintStream out, PrintStream err) {
+    if (!out.checkError() || exitCode != CommandLine.ExitCode.OK) {
+      return exitCode;
+    }
+    err.println("carom-bench: standard output: cannot be written");
+    return CommandLine.ExitCode.SOFTWARE;
   }
 
   static int execute(CommandLine commandLine, String... args) {

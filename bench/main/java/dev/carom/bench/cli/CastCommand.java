@@ -3,6 +3,7 @@ package dev.carom.bench.cli;
 
 import dev.carom.Impact;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.PrintWriter;
 import java.io.Reader;
@@ -24,7 +25,7 @@ import picocli.CommandLine.Spec;
       "The file is CSV with one of these headers; further columns are ignored:",
       "  ax,ay,bx,by,px,py,r,vx,vy,T             a circle and a line",
       "  x1,y1,r1,vx1,vy1,x2,y2,r2,vx2,vy2,T     two circles",
-      "Answers go to the standard output: hit,feature,t,nx,ny."
+      "Answers go to the standard output: hit,feature,t,nx,ny; of a miss 0,NONE,NaN,NaN,NaN."
     },
     mixinStandardHelpOptions = true)
 final class CastCommand implements Callable<Integer> {
@@ -53,8 +54,14 @@ final class CastCommand implements Callable<Integer> {
 
   private Reader open() throws IOException {
     return new InputStreamReader(
-        file.equals(STANDARD_INPUT) ? System.in : Files.newInputStream(Path.of(file)),
-        StandardCharsets.UTF_8);
+        file.equals(STANDARD_INPUT) ? System.in : stream(Path.of(file)), StandardCharsets.UTF_8);
+  }
+
+  private static InputStream stream(Path path) throws IOException {
+    if (Files.isDirectory(path)) {
+      throw new IOException(path + ": is a folder: expected a file");
+    }
+    return Files.newInputStream(path);
   }
 
   private static String answer(Optional<Impact> found) {

@@ -14,6 +14,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
@@ -52,7 +53,11 @@ final class ExampleCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    if (name == null) {
+    if (name == null && (png != null || frames != null)) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "NAME is missing: expected one of " + Arrays.toString(Examples.values()));
+    } else if (name == null) {
       list();
     } else if (png != null) {
       Bounded.atLeast(0, "--frames", frames == null ? 0 : frames, spec);

@@ -5,6 +5,7 @@ import dev.carom.bench.experiment.CannotPlaceException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.NoSuchFileException;
 import org.openjdk.jmh.runner.RunnerException;
 import picocli.CommandLine;
@@ -37,6 +38,9 @@ final class Failure {
   private static String reason(Exception e) {
     if (e instanceof NoSuchFileException) {
       return e.getMessage() + ": no such file";
+    }
+    if (e instanceof FileAlreadyExistsException) {
+      return e.getMessage() + ": is a file: expected a folder";
     }
     if (e instanceof AccessDeniedException) {
       return e.getMessage() + ": access denied";

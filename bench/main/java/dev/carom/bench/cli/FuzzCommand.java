@@ -5,12 +5,14 @@ import dev.carom.bench.fuzz.FindingException;
 import dev.carom.bench.fuzz.QueryFuzz;
 import dev.carom.bench.fuzz.WorldFuzz;
 import java.io.PrintWriter;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** Looks for what must not be, in random worlds and queries. */
@@ -27,6 +29,8 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class FuzzCommand implements Callable<Integer> {
+
+  private static final List<String> LENGTHS = List.of("--seconds", "--sessions", "--queries");
 
   /** Queries between two looks at the progress. */
   private static final int PARTS = 20;
@@ -58,6 +62,11 @@ final class FuzzCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
+    List<String> lengths = LENGTHS.stream().filter(this::isGiven).toList();
+    if (lengths.size() > 1) {
+      String both = String.join(" and ", lengths.subList(0, 2));
+      throw new ParameterException(spec.commandLine(), both + " exclude each other");
+    }
     Bounded.atLeast(1, "--seconds", seconds, spec);
     if (sessions != null) {
       Bounded.atLeast(1, "--sessions", sessions, spec);
@@ -71,6 +80,10 @@ final class FuzzCommand implements Callable<Integer> {
       throw new IllegalStateException(e.getMessage(), e);
     }
     return 0;
+  }
+
+  private boolean isGiven(String option) {
+    return spec.commandLine().getParseResult().hasMatchedOption(option);
   }
 
   private void print(String line) {

@@ -27,6 +27,18 @@ final class OutputFile implements AutoCloseable {
     return target == null ? null : new OutputFile(target, header);
   }
 
+  /** Makes the folder of a file, and refuses what cannot be one: before long work, not after it. */
+  static void prepare(Path target) throws IOException {
+    if (Files.isDirectory(target)) {
+      throw new IOException(target + ": is a folder: expected a file");
+    }
+    Path folder = target.toAbsolutePath().getParent();
+    Files.createDirectories(folder);
+    if (!Files.isWritable(folder)) {
+      throw new IOException(target + ": cannot be written");
+    }
+  }
+
   /** A file that is no regular one (a pipe, a device) has no draft. */
   private OutputFile(Path target, String... header) throws IOException {
     this.target = target;

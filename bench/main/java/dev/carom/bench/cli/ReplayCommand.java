@@ -119,7 +119,7 @@ final class ReplayCommand implements Callable<Integer> {
   /** Before the long work, not after it: a folder that cannot be made. */
   private void prepareFolders() throws IOException {
     if (json != null) {
-      Files.createDirectories(json.toAbsolutePath().getParent());
+      OutputFile.prepare(json);
     }
     if (pictures != null) {
       Files.createDirectories(pictures);

@@ -44,8 +44,11 @@ final class SeriesOptions {
     return turns == null ? seed : turns;
   }
 
-  /** Makes the folder of pictures, before anything long begins. */
+  /** Makes the folders of what is to be written, before anything long begins. */
   void prepare() throws IOException {
+    if (csv != null) {
+      OutputFile.prepare(csv);
+    }
     if (pictures != null) {
       Files.createDirectories(pictures);
     }

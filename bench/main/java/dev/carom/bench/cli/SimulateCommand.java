@@ -8,6 +8,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** Plays a scene from a file and writes what happens. */
@@ -58,6 +59,11 @@ final class SimulateCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     Bounded.atLeast(0, "--frames", frames, spec);
     Bounded.positive("--dt", dt, spec);
+    if (positions != null && impacts != null && isOne(positions, impacts)) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "--impacts is " + impacts + ": expected another file than --positions");
+    }
     Scene scene = Scene.read(file);
     try (OutputFile positionsFile = OutputFile.open(positions, Recorder.POSITIONS);
         OutputFile impactsFile = OutputFile.open(impacts, Recorder.IMPACTS)) {
@@ -68,5 +74,9 @@ final class SimulateCommand implements Callable<Integer> {
       spec.commandLine().getOut().println(simulation.summary());
     }
     return 0;
+  }
+
+  private static boolean isOne(Path file, Path other) {
+    return file.toAbsolutePath().normalize().equals(other.toAbsolutePath().normalize());
   }
 }

@@ -3,35 +3,31 @@ package dev.carom.bench.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 class CaromBenchTest {
 
+  static Stream<String> commands() {
+    Stream<String> named = CaromBench.commandLine().getSubcommands().keySet().stream();
+    return Stream.concat(Stream.of(""), named.map(name -> name + " "));
+  }
+
   @ParameterizedTest
-  @ValueSource(
-      strings = {
-        "",
-        "replay ",
-        "report ",
-        "sweep ",
-        "stability ",
-        "simulate ",
-        "cast ",
-        "rungs ",
-        "jmh ",
-        "view ",
-        "example ",
-        "threads ",
-        "hash "
-      })
+  @MethodSource("commands")
   void everyCommandExplainsItself(String command) {
     Cli help = Cli.run((Object[]) (command + "--help").split(" "));
 
@@ -71,6 +67,9 @@ class CaromBenchTest {
         "view --dt 0                    | --dt is 0.0: expected a finite number",
         "threads --threads 0            | --threads is 0: expected at least 1",
         "example nosuch                 | 'nosuch' is none of [breakout, billiards, gas, aim, loop",
+        "example --png a.png            | NAME is missing: expected one of [breakout, billiards,",
+        "simulate --scene a --frames 1 --positions b.csv --impacts ./b.csv | --impacts is ./b.csv: exp",
+        "fuzz --seconds 3 --queries 9   | --seconds and --queries exclude each other",
         "cast                           | Missing required parameter: 'FILE|-'"
       })
   void wrongCommandLinesAreOneLineAndExitCodeTwo(String words, String message) {
@@ -88,6 +87,10 @@ class CaromBenchTest {
         "simulate --frames 1 --scene %; line 2 is bad;2:12: radius is \"x\"",
         "replay --scene %; line 2 is bad;2:12: radius is \"x\"",
         "cast nosuch.csv; ;nosuch.csv: no such file",
+        "cast .; ;.: is a folder: expected a file",
+        "sweep --csv .; before anything long;.: is a folder: expected a file",
+        "scale --csv %/a.csv; before anything long;scene.csv: is a file: expected a folder",
+        "replay --json .; before anything long;.: is a folder: expected a file",
         "simulate --frames 1 --scene nosuch.csv; ;nosuch.csv: no such file",
         "replay --crosses 1000; ;of 1000: none of 100,000 places fits"
       })
@@ -101,5 +104,25 @@ class CaromBenchTest {
     assertThat(run.exitCode()).as(why).isEqualTo(1);
     assertThat(run.out()).isEmpty();
     assertThat(run.err()).contains(message).hasLineCount(1);
+  }
+
+  @Test
+  void lostOutputIsAFailure() {
+    PrintStream full =
+        new PrintStream(
+            new OutputStream() {
+              @Override
+              public void write(int b) throws IOException {
+                throw new IOException("full");
+              }
+            });
+    full.println("answer");
+    ByteArrayOutputStream err = new ByteArrayOutputStream();
+
+    assertThat(CaromBench.told(0, full, new PrintStream(err))).isEqualTo(1);
+    assertThat(err.toString(StandardCharsets.UTF_8))
+        .isEqualTo("carom-bench: standard output: cannot be written" + System.lineSeparator());
+    assertThat(CaromBench.told(2, full, System.err)).isEqualTo(2);
+    assertThat(CaromBench.told(0, new PrintStream(err), System.err)).isZero();
   }
 }
