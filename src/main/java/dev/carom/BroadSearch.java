@@ -167,15 +167,22 @@ final class BroadSearch {
       mover.reach = Math.min(2 * reach, 1 << 28);
       return walk(grid, from, needed, ahead, reach, speed);
     }
-    for (int code = Obstacles.WALLS; code < obstacles.endOfLines; code++) {
+    considerEach();
+    return best;
+  }
+
+  private void considerEach() {
+    PresentCodes presentLines = obstacles.presentLines();
+    for (int i = 0; i < presentLines.size(); i++) {
+      int code = presentLines.get(i);
       if (!passed(code, px, py, vx, vy, clear)) {
         consider(code);
       }
     }
-    for (int code = Obstacles.PEGS; code < obstacles.endOfPegs; code++) {
-      consider(code);
+    PresentCodes presentPegs = obstacles.presentPegs();
+    for (int i = 0; i < presentPegs.size(); i++) {
+      consider(presentPegs.get(i));
     }
-    return best;
   }
 
   private void start(Mover mover) {

@@ -69,7 +69,9 @@ abstract class Engine {
   /** Forgets a line or a peg that is to be elsewhere, otherwise there, or gone. */
   final void forget(int code) {
     int sensed = surroundings.sensedBefore(code);
-    for (int i = 0; i < circles.count; i++) {
+    PresentCodes present = roster.present();
+    for (int k = 0; k < present.size(); k++) {
+      int i = present.get(k);
       circles.load(i);
       if (roster.contains(i) && circles.mover.forget(code, sensed)) {
         keep(i, circles.mover);
@@ -84,7 +86,9 @@ abstract class Engine {
   final void appeared(int code, double now) {
     changed(code, now);
     Mover m = circles.mover;
-    for (int i = 0; i < circles.count; i++) {
+    PresentCodes present = roster.present();
+    for (int k = 0; k < present.size(); k++) {
+      int i = present.get(k);
       if (roster.contains(i)) {
         circles.load(i);
         if (surroundings.meets(m, code)) {

@@ -136,16 +136,18 @@ final class Grid {
       Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
       Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
     };
-    for (int code = Obstacles.WALLS; code < obstacles.endOfLines; code++) {
-      if (!obstacles.isGone(code)) {
-        int k = obstacles.offset(code);
+    PresentCodes lines = obstacles.presentLines();
+    for (int i = 0; i < lines.size(); i++) {
+      if (!obstacles.isGone(lines.get(i))) {
+        int k = obstacles.offset(lines.get(i));
         include(box, obstacles.lines[k], obstacles.lines[k + 1], radius);
         include(box, obstacles.lines[k + 2], obstacles.lines[k + 3], radius);
       }
     }
-    for (int code = Obstacles.PEGS; code < obstacles.endOfPegs; code++) {
-      if (!obstacles.isGone(code)) {
-        int k = obstacles.offset(code);
+    PresentCodes pegs = obstacles.presentPegs();
+    for (int i = 0; i < pegs.size(); i++) {
+      if (!obstacles.isGone(pegs.get(i))) {
+        int k = obstacles.offset(pegs.get(i));
         include(box, obstacles.pegs[k], obstacles.pegs[k + 1], radius + obstacles.pegs[k + 2]);
       }
     }
@@ -243,11 +245,13 @@ final class Grid {
   }
 
   private void visitAll(int[] counts, int[] listed) {
-    for (int code = Obstacles.WALLS; code < obstacles.endOfLines; code++) {
-      visit(code, counts, listed);
+    PresentCodes lines = obstacles.presentLines();
+    for (int i = 0; i < lines.size(); i++) {
+      visit(lines.get(i), counts, listed);
     }
-    for (int code = Obstacles.PEGS; code < obstacles.endOfPegs; code++) {
-      visit(code, counts, listed);
+    PresentCodes pegs = obstacles.presentPegs();
+    for (int i = 0; i < pegs.size(); i++) {
+      visit(pegs.get(i), counts, listed);
     }
   }
 

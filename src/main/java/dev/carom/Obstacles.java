@@ -60,8 +60,10 @@ final class Obstacles {
   /** Whether anything is not as in the scene. */
   private boolean edited;
 
-  /** The number of lines and pegs that were removed. */
-  private int gone;
+  /** The codes of the lines and of the pegs. */
+  private PresentCodes presentLines;
+
+  private PresentCodes presentPegs;
 
   /** The number of lines and pegs that have traits, and of those that are sensors. */
   private int specials;
@@ -78,6 +80,8 @@ final class Obstacles {
     pegTraits = scene.pegTraits;
     endOfLines = WALLS + lines.length / Scene.LINE;
     endOfPegs = PEGS + pegs.length / Scene.PEG;
+    presentLines = new PresentCodes(WALLS, endOfLines - WALLS);
+    presentPegs = new PresentCodes(PEGS, endOfPegs - PEGS);
     countSpecials();
   }
 
@@ -110,8 +114,19 @@ final class Obstacles {
     read.endOfPegs = PEGS + pegTraits.length;
     read.edited = true;
     read.countSpecials();
-    read.countGone();
+    read.presentLines = new PresentCodes(WALLS, lineTraits.length);
+    read.presentLines.removed(gone(lines, Scene.LINE), read::isGone);
+    read.presentPegs = new PresentCodes(PEGS, pegTraits.length);
+    read.presentPegs.removed(gone(pegs, Scene.PEG), read::isGone);
     return read;
+  }
+
+  private static int gone(double[] numbers, int row) {
+    int gone = 0;
+    for (int k = 0; k < numbers.length; k += row) {
+      gone += Double.isNaN(numbers[k]) ? 1 : 0;
+    }
+    return gone;
   }
 
   private void countSpecials() {
@@ -126,15 +141,6 @@ final class Obstacles {
   private void countSpecial(int traits, int one) {
     specials += traits != 0 ? one : 0;
     sensors += Traits.isSensor(traits) ? one : 0;
-  }
-
-  private void countGone() {
-    for (int code = WALLS; code < endOfLines; code++) {
-      gone += isGone(code) ? 1 : 0;
-    }
-    for (int code = PEGS; code < endOfPegs; code++) {
-      gone += isGone(code) ? 1 : 0;
-    }
   }
 
   /** Those of a scene. */
@@ -162,7 +168,8 @@ final class Obstacles {
     endOfPegs = other.endOfPegs;
     specials = other.specials;
     sensors = other.sensors;
-    gone = other.gone;
+    presentLines = other.presentLines;
+    presentPegs = other.presentPegs;
   }
 
   /** Before a change: makes the arrays this object's own. */
@@ -174,6 +181,8 @@ final class Obstacles {
       pegs = pegs.clone();
       lineTraits = lineTraits == null ? new byte[lines.length / Scene.LINE] : lineTraits.clone();
       pegTraits = pegTraits == null ? new byte[pegs.length / Scene.PEG] : pegTraits.clone();
+      presentLines = presentLines.copy();
+      presentPegs = presentPegs.copy();
     }
   }
 
@@ -186,6 +195,7 @@ final class Obstacles {
       lines = Arrays.copyOf(lines, lineTraits.length * Scene.LINE);
     }
     int code = endOfLines++;
+    presentLines.add(code);
     moveLine(code, ax, ay, bx, by);
     lines[offset(code) + 4] = 1;
     lineTraits[i] = 0;
@@ -210,6 +220,7 @@ final class Obstacles {
       pegs = Arrays.copyOf(pegs, pegTraits.length * Scene.PEG);
     }
     int code = endOfPegs++;
+    presentPegs.add(code);
     movePeg(code, x, y, radius);
     pegs[offset(code) + 3] = 1;
     pegTraits[i] = 0;
@@ -227,13 +238,14 @@ final class Obstacles {
   /** Removes a line or a peg: no sweep finds it any more. */
   void remove(int code) {
     own();
-    gone++;
     int k = offset(code);
     setTraits(code, 0);
     if (code < PEGS) {
       Arrays.fill(lines, k, k + Scene.LINE, Double.NaN);
+      presentLines.removed(1, this::isGone);
     } else {
       Arrays.fill(pegs, k, k + Scene.PEG, Double.NaN);
+      presentPegs.removed(1, this::isGone);
     }
   }
 
@@ -248,7 +260,17 @@ final class Obstacles {
 
   /** The number of lines and pegs. */
   int size() {
-    return (endOfLines - WALLS) + (endOfPegs - PEGS) - gone;
+    return presentLines.count() + presentPegs.count();
+  }
+
+  /** The codes of the lines, of some that are gone too, until the next change. */
+  PresentCodes presentLines() {
+    return presentLines;
+  }
+
+  /** The codes of the pegs, of some that are gone too, until the next change. */
+  PresentCodes presentPegs() {
+    return presentPegs;
   }
 
   ObstacleKind kind(int code) {
@@ -356,11 +378,11 @@ final class Obstacles {
   /** The largest absolute coordinate of all lines and pegs; 0 without any. */
   double extent() {
     double extent = 0;
-    for (int code = WALLS; code < endOfLines; code++) {
-      extent = Math.max(extent, extent(code));
+    for (int i = 0; i < presentLines.size(); i++) {
+      extent = Math.max(extent, extent(presentLines.get(i)));
     }
-    for (int code = PEGS; code < endOfPegs; code++) {
-      extent = Math.max(extent, extent(code));
+    for (int i = 0; i < presentPegs.size(); i++) {
+      extent = Math.max(extent, extent(presentPegs.get(i)));
     }
     return extent;
   }

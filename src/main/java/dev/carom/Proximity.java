@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
 /**
@@ -29,15 +28,10 @@ final class Proximity {
   IntStream codes(ObstacleKind kind) {
     return switch (kind) {
       case WALL -> IntStream.range(0, obstacles.bounds == null ? 0 : Obstacles.WALLS);
-      case LINE -> there(IntStream.range(Obstacles.WALLS, obstacles.endOfLines));
-      case PEG -> there(IntStream.range(Obstacles.PEGS, obstacles.endOfPegs));
+      case LINE -> obstacles.presentLines().stream(obstacles::isGone);
+      case PEG -> obstacles.presentPegs().stream(obstacles::isGone);
       case CIRCLE -> IntStream.empty();
     };
-  }
-
-  private IntStream there(IntStream codes) {
-    IntPredicate gone = obstacles::isGone;
-    return codes.filter(gone.negate());
   }
 
   /** The nearest obstacle; of equally near ones that of the smallest code. */

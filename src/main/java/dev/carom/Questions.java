@@ -24,7 +24,9 @@ final class Questions {
   Optional<Impact> cast(Circle circle, Vec2 velocity, double T, double now) {
     Tracer tracer = surroundings.tracer(circle.radius(), roster.patience());
     Optional<Impact> first = tracer.first(circle, velocity, T);
-    for (int id = 0; collide && id < roster.end(); id++) {
+    PresentCodes present = roster.present();
+    for (int i = 0; collide && i < present.size(); i++) {
+      int id = present.get(i);
       if (isThere(id, now) && !roster.isSensor(id)) {
         Circle other = circle(id, now);
         Vec2 v = new Vec2(circles.vx(id), circles.vy(id));
@@ -102,7 +104,8 @@ final class Questions {
   }
 
   private IntStream ids(double now) {
-    return IntStream.range(0, roster.end()).filter(id -> isThere(id, now));
+    PresentCodes present = roster.present();
+    return IntStream.range(0, present.size()).map(present::get).filter(id -> isThere(id, now));
   }
 
   /** Whether a circle is there, and not beyond the range of doubles. */

@@ -22,11 +22,11 @@ final class Roster {
   private boolean[] gone;
 
   private int end;
-  private int count;
+  private PresentCodes present;
 
   Roster(Scene scene) {
     end = scene.circleCount();
-    count = end;
+    present = new PresentCodes(0, end);
     masses = scene.masses;
     shared = true;
     traits = scene.circleTraits == null ? null : scene.circleTraits.clone();
@@ -41,7 +41,7 @@ final class Roster {
     this.masses = masses;
     this.traits = traits;
     end = masses.length;
-    count = end;
+    present = new PresentCodes(0, end);
     gone.stream().forEach(this::remove);
   }
 
@@ -56,17 +56,22 @@ final class Roster {
     traits = other.traits == null ? null : Arrays.copyOf(other.traits, other.end);
     gone = other.gone == null ? null : Arrays.copyOf(other.gone, other.end);
     end = other.end;
-    count = other.count;
+    present = other.present.copy();
   }
 
   /** The number of circles. */
   int count() {
-    return count;
+    return present.count();
+  }
+
+  /** Their ids, those of some that are gone too, until the next change. */
+  PresentCodes present() {
+    return present;
   }
 
   /** How many impacts a circle may make in one place before it is stuck; see {@link World}. */
   int patience() {
-    return 1_000 + 10 * count;
+    return 1_000 + 10 * count();
   }
 
   /** One more than the largest id. */
@@ -88,7 +93,7 @@ final class Roster {
       gone = gone == null ? null : Arrays.copyOf(gone, capacity);
     }
     masses[end] = 1;
-    count++;
+    present.add(end);
     return end++;
   }
 
@@ -97,7 +102,7 @@ final class Roster {
       gone = new boolean[masses.length];
     }
     gone[id] = true;
-    count--;
+    present.removed(1, i -> gone[i]);
   }
 
   double mass(int id) {
@@ -138,7 +143,7 @@ final class Roster {
 
   @Override
   public boolean equals(Object other) {
-    if (!(other instanceof Roster that) || end != that.end || count != that.count) {
+    if (!(other instanceof Roster that) || end != that.end || count() != that.count()) {
       return false;
     }
     for (int id = 0; id < end; id++) {
@@ -155,6 +160,6 @@ final class Roster {
 
   @Override
   public int hashCode() {
-    return count;
+    return count();
   }
 }

@@ -4,7 +4,9 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Random;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 class ObstaclesTest {
@@ -46,6 +48,55 @@ class ObstaclesTest {
       assertThat(changed).isNotEqualTo(obstacles());
     }
     assertThat(obstacles()).isNotEqualTo("obstacles");
+  }
+
+  private static int[] there(Obstacles obstacles, int from, int end) {
+    return IntStream.range(from, end).filter(code -> !obstacles.isGone(code)).toArray();
+  }
+
+  private static void assertPresent(Obstacles o) {
+    assertPresent(o, o.presentLines(), there(o, Obstacles.WALLS, o.endOfLines));
+    assertPresent(o, o.presentPegs(), there(o, Obstacles.PEGS, o.endOfPegs));
+    assertThat(o.size()).isEqualTo(o.presentLines().count() + o.presentPegs().count());
+  }
+
+  private static void assertPresent(Obstacles o, PresentCodes present, int... there) {
+    assertThat(present.stream(o::isGone).toArray()).isEqualTo(there);
+    assertThat(present.count()).isEqualTo(there.length);
+    assertThat(present.size()).isLessThanOrEqualTo(2 * there.length);
+  }
+
+  private static void edit(Obstacles o, Random random) {
+    boolean line = random.nextBoolean();
+    PresentCodes present = line ? o.presentLines() : o.presentPegs();
+    if (present.count() > 0 && random.nextInt(9) < 5) {
+      int[] there = present.stream(o::isGone).toArray();
+      o.remove(there[random.nextInt(there.length)]);
+    } else if (line) {
+      o.addLine(1, 2, 3, 4);
+    } else {
+      o.addPeg(1, 2, 3);
+    }
+  }
+
+  /** What looks at each would else take longer with all that ever was there. */
+  @Test
+  void whatIsGoneIsNotAmongWhatIsThere() {
+    Obstacles obstacles = obstacles();
+    Obstacles saved = obstacles.copy();
+    Random random = new Random(1);
+    for (int i = 0; i < 2000; i++) {
+      edit(obstacles, random);
+      assertPresent(obstacles);
+      assertPresent(saved);
+      if (random.nextInt(40) == 0) {
+        Obstacles other = saved;
+        saved = obstacles.copy();
+        obstacles.set(other);
+      }
+    }
+    assertThat(obstacles.endOfLines).isGreaterThan(200);
+    assertThat(obstacles.size()).isLessThan(100);
   }
 
   @Test

@@ -20,4 +20,19 @@ class RosterTest {
     assertThat(scene.mass(0)).isOne();
     assertThat(scene.mass(1)).isOne();
   }
+
+  /** What asks each circle would else take longer with all that ever were there. */
+  @Test
+  void whoIsGoneIsNotAmongWhomToAsk() {
+    Roster roster = new Roster(Scene.builder().circle(0, 0, 1, 0, 0).build());
+    for (int i = 0; i < 1000; i++) {
+      roster.remove(roster.add());
+      assertThat(roster.count()).isEqualTo(1);
+      assertThat(roster.present().size()).isLessThanOrEqualTo(2);
+    }
+    Roster copy = roster.copy();
+    int added = copy.add();
+    assertThat(copy.present().stream(id -> !copy.contains(id))).containsExactly(0, added);
+    assertThat(roster.present().stream(id -> !roster.contains(id))).containsExactly(0);
+  }
 }
