@@ -30,10 +30,6 @@ final class SessionScene {
     masses = random.nextBoolean();
   }
 
-  boolean isElastic() {
-    return elastic;
-  }
-
   boolean hasTraits() {
     return traits;
   }
