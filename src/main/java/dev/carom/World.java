@@ -625,7 +625,8 @@ public final class World {
   }
 
   /**
-   * Removes a circle, a line or a peg.
+   * Removes a circle, a line or a peg. No search looks at it any more; but as its id is not used
+   * again, its row stays in memory, and in snapshots.
    *
    * @param kind its kind
    * @param id its id, which is not used again
