@@ -256,7 +256,8 @@ final class EventQueue {
     while (k != NONE) {
       int i = fine.ids[k];
       double time = fine.times[k];
-      if (isMeant(i, time)) {
+      // A second entry for the same time finds the first one in the heap.
+      if (isMeant(i, time) && (heap.isEmpty() || !heap.contains(i))) {
         heap.add(i, time);
       }
       k = fine.release(k);
@@ -287,9 +288,9 @@ final class EventQueue {
     }
   }
 
-  /** Whether an entry is still that of its circle, and not in the heap already. */
+  /** Whether an entry is still that of its circle. */
   private boolean isMeant(int i, double time) {
-    return times[i] == time && !heap.contains(i);
+    return times[i] == time;
   }
 
   /** Begins a new round with what waits beyond the last bucket. */
