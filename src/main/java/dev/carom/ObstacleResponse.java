@@ -334,11 +334,11 @@ final class ObstacleResponse {
   boolean countStuck(Mover m, double way, double speed, double approach) {
     double size = place(m);
     int exponent = exponent(speed);
-    int pace = Math.max(m.pace, exponent);
-    boolean faint = isFaint(approach, pace);
     boolean slides =
         isFaint(approach, exponent) && (isJammed(m) || m.flown * Math.abs(approach) <= size);
     if (m.standsStill || (isInPlace(m) && way <= size) || slides) {
+      int pace = Math.max(m.pace, exponent);
+      boolean faint = isFaint(approach, pace);
       m.stuck = Math.min(m.stuck + (faint ? 1 + patience / FAINT : 1), 2 * patience + 1);
       m.pace = pace;
     } else {

@@ -22,7 +22,8 @@ final class Schedule {
   /** The circles by the times of their events. */
   final EventQueue queue;
 
-  private final Circles circles;
+  private final double[] state;
+  private final int[] codes;
   private final Neighbors neighbors;
   private final Meetings meetings;
   private final PairResponse pairs;
@@ -34,7 +35,8 @@ final class Schedule {
       Meetings meetings,
       PairResponse pairs,
       int room) {
-    this.circles = circles;
+    state = circles.state;
+    codes = circles.codes;
     this.neighbors = neighbors;
     this.meetings = meetings;
     this.pairs = pairs;
@@ -45,7 +47,7 @@ final class Schedule {
 
   /** The kind of a circle's event. */
   int kind(int i) {
-    return circles.codes[Circles.collidingCodesAt(i) + Circles.KIND];
+    return codes[Circles.collidingCodesAt(i) + Circles.KIND];
   }
 
   /** Lets a circle be looked at anew at the given time. */
@@ -54,7 +56,7 @@ final class Schedule {
   }
 
   private void put(int i, double time, int kind) {
-    circles.codes[Circles.collidingCodesAt(i) + Circles.KIND] = kind;
+    codes[Circles.collidingCodesAt(i) + Circles.KIND] = kind;
     queue.set(i, time);
   }
 
@@ -64,29 +66,29 @@ final class Schedule {
   }
 
   private double cleared(int i) {
-    return circles.state[Circles.collidingAt(i) + Circles.CLEARED];
+    return state[Circles.collidingAt(i) + Circles.CLEARED];
   }
 
   /** What is ahead of a circle; negative for nothing. */
   private int next(int i) {
-    return circles.codes[Circles.collidingCodesAt(i) + Circles.NEXT];
+    return codes[Circles.collidingCodesAt(i) + Circles.NEXT];
   }
 
   /** When the obstacle ahead is met, or what is known of obstacles ends. */
   double due(int i) {
     int a = Circles.collidingAt(i);
-    double cleared = circles.state[a + Circles.CLEARED];
+    double cleared = state[a + Circles.CLEARED];
     return isLookedAhead(i) && cleared < NEVER
-        ? Mover.sum(circles.state[a + Circles.T], circles.state[a + Circles.TL], cleared)
+        ? Mover.sum(state[a + Circles.T], state[a + Circles.TL], cleared)
         : NEVER;
   }
 
   /** The tail of the time of the obstacle ahead. */
   private double dueTail(int i) {
     int a = Circles.collidingAt(i);
-    double t = circles.state[a + Circles.T];
-    double tl = circles.state[a + Circles.TL];
-    double cleared = circles.state[a + Circles.CLEARED];
+    double t = state[a + Circles.T];
+    double tl = state[a + Circles.TL];
+    double cleared = state[a + Circles.CLEARED];
     return next(i) < 0
         ? Double.NEGATIVE_INFINITY
         : Mover.sumTail(t, tl, cleared, Mover.sum(t, tl, cleared));
@@ -156,8 +158,8 @@ final class Schedule {
   private double crossingTail(int i) {
     double crossing = neighbors.crossing(i);
     int a = Circles.collidingAt(i);
-    double t = circles.state[a + Circles.T];
-    return Mover.sumTail(t, circles.state[a + Circles.TL], neighbors.until(), crossing);
+    double t = state[a + Circles.T];
+    return Mover.sumTail(t, state[a + Circles.TL], neighbors.until(), crossing);
   }
 
   private long rank(int i) {
