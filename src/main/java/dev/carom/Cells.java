@@ -107,6 +107,19 @@ final class Cells {
     return row(column, row + 1, found, end);
   }
 
+  /** The same around circle i; where that is the first of its list, its follower stands for it. */
+  int others(int i, int column, int row, int[] found, int size) {
+    int end = row(column, row - 1, found, size);
+    int a = heads[index(column - 1, row)];
+    int b = heads[index(column, row)];
+    int c = heads[index(column + 1, row)];
+    int difference = b ^ i;
+    int follower = next[at(i)];
+    int same = ~((difference | -difference) >> 31);
+    end = three(a, b ^ ((b ^ follower) & same), c, found, end);
+    return row(column, row + 1, found, end);
+  }
+
   /** The same for a cell and those a step before and after it. */
   int beside(int column, int row, int dx, int dy, int[] found, int size) {
     int a = heads[index(column - dx, row - dy)];

@@ -316,9 +316,9 @@ final class Neighbors {
   }
 
   /**
-   * Finds all circles that circle i could touch before one of them leaves its cell, and itself; of
-   * each list the first one, whose followers are to be added, as {@link Circles#FOLLOWER} tells.
-   * Where there are several levels it finds all, and none follows.
+   * Finds all circles that circle i could touch before one of them leaves its cell, and maybe
+   * itself; of each list the first one, whose followers are to be added, as {@link
+   * Circles#FOLLOWER} tells. Where there are several levels it finds all, and none follows.
    *
    * @param found room for all circles and 9 more
    * @return how many were found
@@ -328,7 +328,7 @@ final class Neighbors {
       int a = Circles.collidingAt(i);
       double column = state[a + Circles.COLUMN];
       return isListed(column)
-          ? own[0].around(wrapped(column), wrapped(state[a + Circles.ROW]), found, 0)
+          ? own[0].others(i, wrapped(column), wrapped(state[a + Circles.ROW]), found, 0)
           : 0;
     }
     int end = 0;

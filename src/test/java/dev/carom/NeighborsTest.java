@@ -3,6 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
@@ -178,6 +179,28 @@ class NeighborsTest {
       assertThat(heads(lists, 11, 12)).isEqualTo(heads(found, 0, size));
       size = cells.beside(column + dx, row + dy, 0, 0, found, 0);
       assertThat(heads(lists, 12, 13)).isEqualTo(heads(found, 0, size));
+    }
+  }
+
+  /** A circle that looks around itself finds all others; itself only where it is not the first. */
+  @Test
+  void theFirstOfAListDoesNotFindItself() {
+    Random random = new Random(6);
+    Cells cells = new Cells(8, 8, new int[90], null);
+    int[] columns = random.ints(90, -20, 20).toArray();
+    int[] rows = random.ints(90, -20, 20).toArray();
+    for (int i = 0; i < 90; i++) {
+      cells.add(i, columns[i], rows[i]);
+    }
+    int[] found = new int[100];
+    for (int i = 0; i < 90; i++) {
+      int self = i;
+      List<Integer> others = new ArrayList<>(around(cells, columns[i], rows[i]));
+      cells.beside(columns[i], rows[i], 0, 0, found, 0);
+      int first = found[0];
+      others.removeIf(j -> j == self && j == first);
+      int size = cells.follow(found, 0, cells.others(i, columns[i], rows[i], found, 0));
+      assertThat(Arrays.stream(found, 0, size).boxed()).containsExactlyInAnyOrderElementsOf(others);
     }
   }
 
