@@ -27,6 +27,16 @@ final class Meetings {
   private static final double REACH_BOUND = 16 * 0x1p-53;
 
   /**
+   * The bound of b where it is computed by an fma: then it errs by 3 u of itself and 5 u of {@code
+   * uy dy}, since {@code |ux dx|} is no more than the sum of both. It is above 0 if it exceeds so
+   * much of {@code |uy dy|}.
+   */
+  private static final double APART_BOUND = 16 * 0x1p-53;
+
+  /** Added to u.u and r^2, it outweighs what underflow takes from one and the other multiplies. */
+  private static final double SMALL = 0x1p-990;
+
+  /**
    * The least part of its terms that g or reach must be for {@link #TIME_BOUND}. b^2 = reach + a g
    * is then as large a part of a d.d, so b, which errs by 5 u of at most sqrt(a d.d), errs by 5 u
    * 2^10 of itself; g by 6 u 2^20, reach by 12 u 2^20, its root by half of that.
@@ -175,25 +185,22 @@ final class Meetings {
       // By how much j starts later than i, and i later than j; 0 for the one that does not.
       double later = (s[c + Circles.T] - ti) + (s[c + Circles.TL] - tli);
       double ofI = positive(later);
-      double ofJ = positive(-later);
+      double ofJ = ofI - later;
       double dx = Math.fma(vxi, ofI, xi) - Math.fma(vxj, ofJ, s[c + Circles.X]);
       double dy = Math.fma(vyi, ofI, yi) - Math.fma(vyj, ofJ, s[c + Circles.Y]);
       double ux = vxi - vxj;
       double uy = vyi - vyj;
-      double bx = ux * dx;
       double by = uy * dy;
-      double apart = (bx + by) - Math.fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), FirstRoot.TINY);
+      double b = Math.fma(ux, dx, by);
+      double apart = b - Math.fma(APART_BOUND, Math.abs(by), FirstRoot.TINY);
       double r = ri + s[c + Circles.RADIUS];
-      double rr = r * r;
-      double u2 = ux * ux + uy * uy;
-      double kx = ux * dy;
+      double arr = Math.fma(ux, ux, Math.fma(uy, uy, SMALL)) * Math.fma(r, r, SMALL);
       double ky = uy * dx;
-      double cross = kx - ky;
-      double m = Math.abs(kx) + Math.abs(ky);
-      double arr = u2 * rr;
-      double terms = arr + m * m;
+      double cross = Math.fma(ux, dy, -ky);
+      // No less than |ux dy| + |uy dx|. What underflow takes times m is below TINY + its bound.
+      double m = Math.fma(2, Math.abs(ky), Math.abs(cross));
       double near =
-          (arr - cross * cross) + Math.fma(REACH_BOUND, terms, FirstRoot.TINY * (u2 + rr + m + 1));
+          Math.fma(-cross, cross, arr) + Math.fma(REACH_BOUND, Math.fma(m, m, arr), FirstRoot.TINY);
       found[left] = j;
       int other = j ^ i;
       left += mayMeet(apart, near) & ((other | -other) >>> 31);
@@ -201,7 +208,8 @@ final class Meetings {
     return left;
   }
 
-  private static double positive(double x) {
+  /** x, or 0 if it is negative, without a branch. */
+  static double positive(double x) {
     long bits = Double.doubleToRawLongBits(x);
     return Double.longBitsToDouble(bits & ~(bits >> 63));
   }
