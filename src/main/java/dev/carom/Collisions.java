@@ -192,13 +192,9 @@ final class Collisions extends Engine {
     queue.clear(j);
     int low = Math.min(i, j);
     int high = Math.max(i, j);
-    double tau = meetings.tau(i);
     circles.load(low, circles.mover);
     circles.load(high, other);
-    Mover early = together(circles.mover, other);
-    circles.mover.fly(tau);
-    other.fly(tau);
-    early.standsStill &= early.flown == tau;
+    fly(circles.mover, other, i);
     if (pairs.resolve(circles.mover, other, log)) {
       if (response.seizes()) {
         circles.keep(low, circles.mover);
@@ -234,17 +230,17 @@ final class Collisions extends Engine {
     sensed.report(high, head, tail, low);
   }
 
-  /** Brings the one whose flight started earlier to the start of the other's, and returns it. */
-  private static Mover together(Mover a, Mover b) {
+  /** Flies two circles to the meeting foreseen of circle i, the earlier one first to the other. */
+  private void fly(Mover a, Mover b, int i) {
+    double tau = meetings.tau(i);
+    double head = meetings.time(i);
+    double tail = meetings.tail(i);
     double later = (b.t - a.t) + (b.tl - a.tl);
-    Mover early = later > 0 ? a : b;
-    Mover late = later > 0 ? b : a;
-    early.x = Math.fma(early.vx, Math.abs(later), early.x);
-    early.y = Math.fma(early.vy, Math.abs(later), early.y);
-    early.flown = Math.abs(later);
-    early.t = late.t;
-    early.tl = late.tl;
-    return early;
+    double ofA = Meetings.positive(later);
+    double ofB = ofA - later;
+    boolean standsStill = later > 0 ? b.isAt(head, tail) : a.isAt(head, tail);
+    a.fly(ofA, tau, head, tail, standsStill);
+    b.fly(ofB, tau, head, tail, standsStill);
   }
 
   /** Puts a circle on its new flight. */

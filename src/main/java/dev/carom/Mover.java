@@ -182,13 +182,33 @@ final class Mover {
     return Math.fma(v, dt, d) + DoubleDouble.differenceTail(from, to, d);
   }
 
+  /** Whether the flight started at that time, by its clock. */
+  boolean isAt(double head, double tail) {
+    return head == t && tail == tl;
+  }
+
+  /**
+   * Flies on for one length of time and then another, to a new start of a flight whose time is
+   * known.
+   *
+   * @param standsStill whether the second is too short for the clock
+   */
+  void fly(double first, double second, double head, double tail, boolean standsStill) {
+    x = Math.fma(vx, second, Math.fma(vx, first, x));
+    y = Math.fma(vy, second, Math.fma(vy, first, y));
+    t = head;
+    tl = tail;
+    flown = first + second;
+    this.standsStill = standsStill && flown == second;
+  }
+
   /** Flies on for dt, to a new start of a flight. */
   void fly(double dt) {
     x = Math.fma(vx, dt, x);
     y = Math.fma(vy, dt, y);
     double head = after(dt);
     double tail = afterTail(dt, head);
-    standsStill = head == t && tail == tl;
+    standsStill = isAt(head, tail);
     t = head;
     tl = tail;
     flown += dt;
