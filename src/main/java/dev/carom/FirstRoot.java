@@ -152,6 +152,7 @@ final class FirstRoot {
   /** t + c to the nearest double, NaN if the error of c leaves that open. */
   static double rounded(double t, double c, double error) {
     double low = t + (c - error);
-    return low == t + (c + error) ? low : Double.NaN;
+    // What lies between rounds alike, and is known sooner.
+    return low == t + (c + error) ? t + c : Double.NaN;
   }
 }

@@ -15,6 +15,9 @@ final class PairResponse {
   /** Of speeds below this, the sum of two of each component is a double. */
   private static final double FAST = 0x1p1020;
 
+  /** The sum of two masses up to this is a double. */
+  private static final double LARGE = 0x1p1000;
+
   private final Roster roster;
   private final ObstacleResponse response;
   private final Impulse impulse = new Impulse();
@@ -96,7 +99,7 @@ final class PairResponse {
     if (isSensor(a.id, b.id)) {
       return false;
     }
-    double speed = Math.scalb(Math.abs(ux) + Math.abs(uy), fast);
+    double speed = scaled(Math.abs(ux) + Math.abs(uy), fast);
     double speeds = speeds(a, b);
     double approach = un / (Math.abs(nx) + Math.abs(ny));
     boolean stuckA = response.countStuck(a, a.flown * speed, speeds, approach);
@@ -138,7 +141,7 @@ final class PairResponse {
     int large = ObstacleResponse.exponent(a.x, a.y, b.x, b.y, Math.max(Math.abs(ux), Math.abs(uy)));
     nx = ObstacleResponse.difference(a.x, b.x, large);
     ny = ObstacleResponse.difference(a.y, b.y, large);
-    un = Math.scalb(ObstacleResponse.dot(ux, uy, nx, ny), fast);
+    un = scaled(ObstacleResponse.dot(ux, uy, nx, ny), fast);
     double share = ObstacleResponse.share(b.radius, a.radius);
     log.add(a.t, a.id, ObstacleKind.CIRCLE, b.id, Feature.CIRCLE);
     log.set(Line.between(share, b.x, a.x), Line.between(share, b.y, a.y), nx, ny, un);
@@ -155,6 +158,11 @@ final class PairResponse {
             && Math.abs(b.vx) < FAST
             && Math.abs(b.vy) < FAST;
     return ordinary ? 0 : 2;
+  }
+
+  /** x 2^exponent. */
+  private static double scaled(double x, int exponent) {
+    return exponent == 0 ? x : Math.scalb(x, exponent);
   }
 
   /** Takes away a circle's motion along the normal. */
@@ -175,11 +183,15 @@ final class PairResponse {
     if (own == Double.POSITIVE_INFINITY) {
       return;
     }
-    boolean all = other == Double.POSITIVE_INFINITY;
-    double sum = other + own;
-    double share = all ? 1 : other / sum;
-    double rest = Math.fma(-share, sum, other) - share * sumTail(other, own, sum);
-    double tail = all ? 0 : rest / sum;
+    double share = 0.5;
+    double tail = 0;
+    if (own != other || own > LARGE) {
+      boolean all = other == Double.POSITIVE_INFINITY;
+      double sum = other + own;
+      share = all ? 1 : other / sum;
+      double rest = Math.fma(-share, sum, other) - share * sumTail(other, own, sum);
+      tail = all ? 0 : rest / sum;
+    }
     m.vx = impulse.change(m.vx, sign * share, sign * tail, nx);
     m.vy = impulse.change(m.vy, sign * share, sign * tail, ny);
     ObstacleResponse.stopBeyondRange(m);

@@ -30,7 +30,9 @@ public record Vec2(double x, double y) {
 
   /** A coordinate; of one beyond the range of doubles, the largest one. */
   static double within(double x) {
-    return Math.max(-Double.MAX_VALUE, Math.min(x, Double.MAX_VALUE));
+    return Math.abs(x) <= Double.MAX_VALUE
+        ? x
+        : Math.max(-Double.MAX_VALUE, Math.min(x, Double.MAX_VALUE));
   }
 
   /** The point (x, y), with coordinates {@link #within(double)} the range of doubles. */
