@@ -78,7 +78,7 @@ public final class SweptCircle {
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
       double by, double T) {
     if (!(0 * (px + py + r + vx + vy + ax + ay + bx + by) == 0 && r >= 0 && T >= 0)) {
-      checkCircle(px, py, r, vx, vy, T);
+      check(px, py, r, vx, vy, T);
       new Line(ax, ay, bx, by);
     }
     int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
@@ -103,7 +103,14 @@ public final class SweptCircle {
   public static double peg(
       double px, double py, double r, double vx, double vy, double cx, double cy, double R,
       double T) {
-    return pair(px, py, r, vx, vy, cx, cy, R, 0, 0, T);
+    if (!(0 * (px + py + r + vx + vy + cx + cy + R) == 0 && r >= 0 && R >= 0 && T >= 0)) {
+      check(px, py, r, vx, vy, T);
+      Check.finite("cx", cx);
+      Check.finite("cy", cy);
+      Check.notNegative("R", R);
+    }
+    int contact = DiskSweep.contact(px, py, r, vx, vy, cx, cy, R, 0, 0);
+    return DiskSweep.time(contact, px, py, r, vx, vy, cx, cy, R, 0, 0, T);
   }
 
   /**
@@ -130,7 +137,7 @@ public final class SweptCircle {
         && T >= 0
         && xmax > xmin
         && ymax > ymin)) {
-      checkCircle(px, py, r, vx, vy, T);
+      check(px, py, r, vx, vy, T);
       new Bounds(xmin, ymin, xmax, ymax);
     }
     double tx = wall(px, r, vx, vx < 0 ? xmin : xmax, T);
@@ -164,8 +171,9 @@ public final class SweptCircle {
         && r1 >= 0
         && r2 >= 0
         && T >= 0)) {
-      checkCircle(x1, y1, r1, vx1, vy1, T);
-      checkCircle(x2, y2, r2, vx2, vy2, T);
+      checkOfTwo("1", x1, y1, r1, vx1, vy1);
+      checkOfTwo("2", x2, y2, r2, vx2, vy2);
+      Check.duration("T", T);
     }
     int contact = DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
     return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T);
@@ -276,10 +284,22 @@ public final class SweptCircle {
     return t > T || (t == T && WallSweep.roundedDown(p, r, v, wall, t)) ? NEVER : t;
   }
 
-  private static void checkCircle(double px, double py, double r, double vx, double vy, double T) {
-    new Circle(px, py, r);
+  private static void check(double px, double py, double r, double vx, double vy, double T) {
+    Check.finite("px", px);
+    Check.finite("py", py);
+    Check.notNegative("r", r);
     Check.finite("vx", vx);
     Check.finite("vy", vy);
     Check.duration("T", T);
+  }
+
+  /** Checks the numbers of a pair's first or second circle. */
+  private static void checkOfTwo(
+      String which, double x, double y, double r, double vx, double vy) {
+    Check.finite("x" + which, x);
+    Check.finite("y" + which, y);
+    Check.notNegative("r" + which, r);
+    Check.finite("vx" + which, vx);
+    Check.finite("vy" + which, vy);
   }
 }
