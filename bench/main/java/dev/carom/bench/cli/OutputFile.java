@@ -34,18 +34,21 @@ final class OutputFile implements AutoCloseable {
     }
     Path folder = target.toAbsolutePath().getParent();
     Files.createDirectories(folder);
-    if (!Files.isWritable(folder)) {
+    if (!Files.isWritable(isSpecial(target) ? target : folder)) {
       throw new IOException(target + ": cannot be written");
     }
   }
 
-  /** A file that is no regular one (a pipe, a device) has no draft. */
   private OutputFile(Path target, String... header) throws IOException {
     this.target = target;
-    boolean special = Files.exists(target) && !Files.isRegularFile(target);
-    draft = special ? target : target.resolveSibling(target.getFileName() + ".draft");
+    draft = isSpecial(target) ? target : target.resolveSibling(target.getFileName() + ".draft");
     printer = new CSVPrinter(openDraft(), FORMAT);
     printer.printRecord((Object[]) header);
+  }
+
+  /** Whether it is a pipe or a device: written to as it is, where other files have a draft. */
+  private static boolean isSpecial(Path target) {
+    return Files.exists(target) && !Files.isRegularFile(target);
   }
 
   private Writer openDraft() throws IOException {
