@@ -60,6 +60,27 @@ class CollisionsTest {
   /** A third of a time after 1: such a time has a tail. */
   private static final double THIRD = 0x1.5555555555555p-2;
 
+  /** It stays in its place, but what hits it again and again comes from far away. */
+  @Test
+  void whoRestsIsNotStuckHoweverOftenItIsHit() {
+    World world =
+        new World(
+            Scene.builder()
+                .bounds(0, 0, 100, 20)
+                .collide(true)
+                .circle(50, 10, 5, 0, 0)
+                .mass(Double.POSITIVE_INFINITY)
+                .circle(20, 10, 1, -43, 0)
+                .build());
+    int impacts = 0;
+    for (int i = 1; i <= 100; i++) {
+      assertThat(world.advanceTo(100 * i)).isTrue();
+      impacts += world.impacts().size();
+    }
+    assertThat(impacts).isEqualTo(10_000);
+    assertThat(Math.abs(world.vx(1))).isEqualTo(43);
+  }
+
   /**
    * The step ends at the double nearest to the moment of contact, a little before it: the flight
    * that an edit begins there begins at that moment. Put back a little, and so fast that a time
