@@ -83,13 +83,17 @@ final class Grids {
             && Math.getExponent(radius) == Math.getExponent(grid.radius);
   }
 
-  /** The grid for circles of a radius that may be new; one is made if need be. */
+  /** The grid for circles of a radius that may be new; one is made if need be, null for none. */
   Grid ofNew(double radius) {
     Grid grid = of(radius);
-    if ((grid == null || grid.radius < radius) && wanted()) {
-      // For all of the class: the next one will find it made.
-      make(Math.getExponent(radius), Math.scalb(1.0, Math.getExponent(radius) + 1));
+    if (grid != null && radius <= grid.radius) {
+      return grid;
     }
+    if (!wanted()) {
+      return null; // even if there is one for smaller circles
+    }
+    // For all of the class: the next one will find it made.
+    make(Math.getExponent(radius), Math.scalb(1.0, Math.getExponent(radius) + 1));
     return of(radius);
   }
 
