@@ -3,9 +3,20 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.RepeatedTest;
+import org.junit.jupiter.api.RepetitionInfo;
 import org.junit.jupiter.api.Test;
 
+/** A circle whose radius changes is never looked up in a grid for smaller ones. */
 class GrownCircleTest {
+
+  private static final int CIRCLES = 5;
+
+  /** About the number of lines from which on there are grids. */
+  private static final int LINES = 9;
 
   /** Where lines were removed, a grid may be left that is not worth another one, for a larger r. */
   @Test
@@ -21,5 +32,80 @@ class GrownCircleTest {
     world.step(100);
     assertThat(world.impacts().size()).isEqualTo(1);
     assertThat(world.impacts().id(0)).isZero();
+  }
+
+  @RepeatedTest(200)
+  void whateverIsEditedEachGridServesTheRadiusOfItsCircle(RepetitionInfo info) {
+    Random random = new Random(info.getCurrentRepetition());
+    Scene scene = scene(random);
+    Circles circles = circles(scene);
+    Surroundings surroundings = new Surroundings(scene, Machinery.CHOSEN);
+    List<Integer> lines = new ArrayList<>();
+    for (int i = 0; i < LINES; i++) {
+      lines.add(Obstacles.WALLS + i);
+    }
+    for (int edit = 0; edit < 40; edit++) {
+      int i = random.nextInt(CIRCLES);
+      switch (random.nextInt(4)) {
+        case 0 -> resize(circles, surroundings, i, radius(random));
+        case 1 -> addLine(surroundings, lines, edit);
+        case 2 -> removeLine(surroundings, lines, random);
+        default -> surroundings.prepare(circles);
+      }
+      for (int k = 0; k < CIRCLES; k++) {
+        Grid grid = surroundings.grid(k);
+        if (grid != null) {
+          assertThat(grid.radius)
+              .as("after edit %s", edit)
+              .isGreaterThanOrEqualTo(circles.radius(k));
+        }
+      }
+    }
+  }
+
+  /** Of one octave or of its neighbours. */
+  private static double radius(Random random) {
+    return Math.scalb(1 + random.nextDouble(), random.nextInt(3));
+  }
+
+  private static Scene scene(Random random) {
+    SceneBuilder scene = Scene.builder();
+    for (int i = 0; i < LINES; i++) {
+      scene.line(6 * i, 0, 6 * i, 1);
+    }
+    for (int i = 0; i < CIRCLES; i++) {
+      scene.circle(20 * i, 50, radius(random), 1, 0);
+    }
+    return scene.build();
+  }
+
+  private static Circles circles(Scene scene) {
+    Circles circles = new Circles(CIRCLES);
+    for (int i = 0; i < CIRCLES; i++) {
+      circles.start(scene, i);
+      circles.store(i);
+    }
+    return circles;
+  }
+
+  private static void resize(Circles circles, Surroundings surroundings, int i, double radius) {
+    circles.load(i);
+    circles.mover.radius = radius;
+    circles.store(i);
+    surroundings.setRadius(i, radius);
+  }
+
+  private static void addLine(Surroundings surroundings, List<Integer> lines, int x) {
+    int line = surroundings.obstacles.addLine(x, 10, x, 11);
+    lines.add(line);
+    surroundings.changed(line);
+  }
+
+  private static void removeLine(Surroundings surroundings, List<Integer> lines, Random random) {
+    if (!lines.isEmpty()) {
+      int line = lines.remove(random.nextInt(lines.size()));
+      surroundings.obstacles.remove(line);
+      surroundings.changed(line);
+    }
   }
 }
