@@ -194,7 +194,7 @@ final class Collisions extends Engine {
     int high = Math.max(i, j);
     circles.load(low, circles.mover);
     circles.load(high, other);
-    fly(circles.mover, other, i);
+    flyToMeeting(circles.mover, other, i);
     if (pairs.resolve(circles.mover, other, log)) {
       if (response.seizes()) {
         circles.keep(low, circles.mover);
@@ -231,7 +231,7 @@ final class Collisions extends Engine {
   }
 
   /** Flies two circles to the meeting foreseen of circle i, the earlier one first to the other. */
-  private void fly(Mover a, Mover b, int i) {
+  private void flyToMeeting(Mover a, Mover b, int i) {
     double tau = meetings.tau(i);
     double head = meetings.time(i);
     double tail = meetings.tail(i);

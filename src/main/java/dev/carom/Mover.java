@@ -211,6 +211,6 @@ final class Mover {
     standsStill = isAt(head, tail);
     t = head;
     tl = tail;
-    flown += dt;
+    flown = dt;
   }
 }

@@ -104,8 +104,7 @@ final class Questions {
   }
 
   private IntStream ids(double now) {
-    PresentCodes present = roster.present();
-    return IntStream.range(0, present.size()).map(present::get).filter(id -> isThere(id, now));
+    return roster.present().stream(id -> !isThere(id, now));
   }
 
   /** Whether a circle is there, and not beyond the range of doubles. */

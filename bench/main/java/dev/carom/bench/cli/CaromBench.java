@@ -52,11 +52,11 @@ public final class CaromBench {
    * @return the exit code: 0 done, 1 failed, 2 a wrong command line
    */
   public static int execute(String... args) {
-    return told(execute(commandLine(), args), System.out, System.err);
+    return exitCode(execute(commandLine(), args), System.out, System.err);
   }
 
   /** The exit code of a run; 1 if the standard output, which throws nothing, lost some of it. */
-  static int told(int exitCode, PrintStream out, PrintStream err) {
+  static int exitCode(int exitCode, PrintStream out, PrintStream err) {
     if (!out.checkError() || exitCode != CommandLine.ExitCode.OK) {
       return exitCode;
     }

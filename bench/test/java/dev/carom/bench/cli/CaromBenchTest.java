@@ -119,10 +119,10 @@ class CaromBenchTest {
     full.println("answer");
     ByteArrayOutputStream err = new ByteArrayOutputStream();
 
-    assertThat(CaromBench.told(0, full, new PrintStream(err))).isEqualTo(1);
+    assertThat(CaromBench.exitCode(0, full, new PrintStream(err))).isEqualTo(1);
     assertThat(err.toString(StandardCharsets.UTF_8))
         .isEqualTo("carom-bench: standard output: cannot be written" + System.lineSeparator());
-    assertThat(CaromBench.told(2, full, System.err)).isEqualTo(2);
-    assertThat(CaromBench.told(0, new PrintStream(err), System.err)).isZero();
+    assertThat(CaromBench.exitCode(2, full, System.err)).isEqualTo(2);
+    assertThat(CaromBench.exitCode(0, new PrintStream(err), System.err)).isZero();
   }
 }
