@@ -19,8 +19,8 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "fuzz",
     description = {
-      "Plays random worlds (neighbours by ulps, ties, lattices, extremes) with random edits, and"
-          + " checks after every step: flights continuous, through no line, no peg, no wall and no"
+      "Plays random worlds (neighbours by ulps, ties, lattices, crowds, extremes) with random edits,"
+          + " and checks after every step: flights continuous, through no line, no peg, no wall and no"
           + " circle, by exact arithmetic of its own; energy as the responses allow; the log in the"
           + " order of time. With --queries it asks the detector with numbers of all patterns"
           + " instead.",

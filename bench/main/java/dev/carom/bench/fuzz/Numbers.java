@@ -57,6 +57,11 @@ final class Numbers {
     return length * (isWhole() ? near(PITCH * random.nextInt(most / PITCH + 1)) : most * part());
   }
 
+  /** One step along an axis, of about the lattice's pitch, or none. */
+  double step() {
+    return length * PITCH * (isWhole() ? near(random.nextInt(3) - 1.0) : random.nextGaussian());
+  }
+
   /** Often a half or a whole of the lattice's pitch. */
   double radius() {
     return length * (isWhole() ? near((1 + random.nextInt(4)) * PITCH / 2.0) : 0.1 + 8 * part());

@@ -10,6 +10,11 @@ import java.util.Random;
 /** The scene from which a session starts, and the rules that go with it. */
 final class SessionScene {
 
+  /** Lines, at most: about as many as make a grid pay, and many more. */
+  private static final int FEW = 12;
+
+  private static final int CROWD = 100;
+
   private final Random random;
   private final Numbers numbers;
   private final Rules rules;
@@ -20,14 +25,16 @@ final class SessionScene {
 
   private final boolean traits;
   private final boolean masses;
+  private final boolean crowded;
 
-  SessionScene(Random random, Numbers numbers, Rules rules) {
+  SessionScene(Random random, Numbers numbers, Rules rules, boolean crowded) {
     this.random = random;
     this.numbers = numbers;
     this.rules = rules;
     elastic = random.nextBoolean();
     traits = random.nextBoolean();
     masses = random.nextBoolean();
+    this.crowded = crowded;
   }
 
   boolean hasTraits() {
@@ -41,9 +48,10 @@ final class SessionScene {
       builder.bounds(0, 0, Numbers.WIDTH * unit, Numbers.HEIGHT * unit);
       builder.restitution(restitution());
     }
-    int lines = random.nextInt(12);
+    int lines = random.nextInt(crowded ? CROWD : FEW);
     for (int i = 0; i < lines; i++) {
-      builder.line(numbers.x(), numbers.y(), numbers.x(), numbers.y()).restitution(restitution());
+      addLine();
+      builder.restitution(restitution());
       respond(ObstacleKind.LINE, i);
       if (traits && random.nextInt(4) == 0) {
         builder.oneWay();
@@ -57,6 +65,17 @@ final class SessionScene {
     }
     addCircles();
     return builder.build();
+  }
+
+  /** In a crowd a short one: long ones would leave no room. */
+  private void addLine() {
+    double x = numbers.x();
+    double y = numbers.y();
+    if (crowded) {
+      builder.line(x, y, x + numbers.step(), y + numbers.step());
+    } else {
+      builder.line(x, y, numbers.x(), numbers.y());
+    }
   }
 
   private void addCircles() {
