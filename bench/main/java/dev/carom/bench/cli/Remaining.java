@@ -49,7 +49,8 @@ final class Remaining {
     return about(estimated == 0 ? left : left * measured / estimated);
   }
 
-  private static String about(double seconds) {
+  /** In whole minutes, of which one has begun. */
+  static String about(double seconds) {
     return "about " + (int) Math.ceil(seconds / 60) + " min";
   }
 }

@@ -2,7 +2,6 @@
 package dev.carom.bench.cli;
 
 import java.io.PrintWriter;
-import java.time.Duration;
 
 /** Tells of each of a run's equal rounds, and how long the rest take if they take as long. */
 final class RoundsLeft {
@@ -18,9 +17,8 @@ final class RoundsLeft {
   }
 
   void tell(int done, int of) {
-    long each = (System.nanoTime() - start) / done;
-    long minutes = Duration.ofNanos(each * (of - done)).plusSeconds(59).toMinutes();
-    String rest = done == of ? "" : ", about " + minutes + " min left";
+    double each = (System.nanoTime() - start) / 1e9 / done;
+    String rest = done == of ? "" : ", " + Remaining.about(each * (of - done)) + " left";
     progress.step("round " + done + rest);
     if (!progress.isShown()) {
       out.printf("round %d of %d%s%n", done, of, rest);
