@@ -79,15 +79,14 @@ final class Collisions extends Engine {
     int room = circles.capacity();
     found = new int[room + 9];
     foundOfOther = new int[room + 9];
-    neighbors = new Neighbors(circles, roster, bounds, machinery.pairCells(), reached);
+    int[] ids = roster.ids();
+    neighbors = new Neighbors(circles, ids, bounds, machinery.pairCells(), reached);
     meetings = new Meetings(circles, pairs, sensed);
     schedule = new Schedule(circles, roster, neighbors, meetings, pairs, room);
     queue = schedule.queue;
-    for (int i = 0; i < circles.count; i++) {
-      if (roster.contains(i)) {
-        lookAround(i);
-        foresee(i);
-      }
+    for (int i : ids) {
+      lookAround(i);
+      foresee(i);
     }
   }
 
@@ -402,8 +401,8 @@ final class Collisions extends Engine {
   @Override
   FlightStates save() {
     FlightStates states = super.save();
-    for (int i = 0; i < circles.count; i++) {
-      sensed.save(i, states);
+    for (int k = 0; k < states.count(); k++) {
+      sensed.save(k, states);
     }
     return states;
   }
@@ -415,11 +414,11 @@ final class Collisions extends Engine {
     sensed.clear();
     super.restore(flights, now);
     happened = Double.NaN;
-    for (int i = 0; i < flights.count(); i++) {
-      sensed.restore(i, flights);
-      int a = Circles.collidingAt(i);
+    for (int k = 0; k < flights.count(); k++) {
+      sensed.restore(k, flights);
+      int a = Circles.collidingAt(flights.id(k));
       happenedBy(now, circles.state[a + Circles.T], circles.state[a + Circles.TL]);
-      happenedBy(now, flights.sensedHead(i), flights.sensedTail(i));
+      happenedBy(now, flights.sensedHead(k), flights.sensedTail(k));
     }
   }
 

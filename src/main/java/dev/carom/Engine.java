@@ -60,7 +60,7 @@ abstract class Engine {
 
   /** Makes grids anew where edits made them poor, and knows how many circles there are. */
   final void prepare() {
-    surroundings.prepare(circles);
+    surroundings.prepare(circles, roster);
     response.setPatience(roster.patience());
   }
 
@@ -116,20 +116,20 @@ abstract class Engine {
   /** Records new flights, or none for null; those of now first. */
   final void record(Timeline timeline) {
     this.timeline = timeline;
-    for (int i = 0; i < circles.count && timeline != null; i++) {
-      if (roster.contains(i)) {
+    if (timeline != null) {
+      for (int i : roster.ids()) {
         circles.load(i);
         timeline.add(circles.mover);
       }
     }
   }
 
-  /** The flights of all circles, those of removed ones included. */
+  /** The flights of all circles. */
   FlightStates save() {
-    FlightStates states = new FlightStates(circles.count);
-    for (int i = 0; i < circles.count; i++) {
-      circles.load(i);
-      surroundings.save(circles.mover, states);
+    FlightStates states = new FlightStates(roster.ids());
+    for (int k = 0; k < states.count(); k++) {
+      circles.load(states.id(k));
+      surroundings.save(k, circles.mover, states);
     }
     return states;
   }
@@ -137,14 +137,22 @@ abstract class Engine {
   /** Takes over other flights, of the circles that are in the roster by now. */
   void restore(FlightStates flights, double now) {
     circles.clear();
-    for (int i = 0; i < flights.count(); i++) {
-      flights.get(i, circles.mover);
+    for (int k = 0; k < flights.count(); k++) {
+      int i = flights.id(k);
+      skip(i);
       circles.add();
+      flights.get(k, circles.mover);
       surroundings.setRadius(i, circles.mover.radius);
       keep(i, circles.mover);
-      if (!roster.contains(i)) {
-        remove(i);
-      }
+    }
+    skip(roster.end());
+  }
+
+  /** Up to this id, whoever had one was removed. */
+  private void skip(int end) {
+    while (circles.count < end) {
+      circles.add();
+      remove(circles.count - 1);
     }
   }
 }

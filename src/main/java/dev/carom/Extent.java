@@ -7,7 +7,7 @@ package dev.carom;
  */
 record Extent(double left, double bottom, double right, double top) {
 
-  static Extent of(Circles circles, Roster roster, Bounds bounds, double now) {
+  static Extent of(Circles circles, int[] ids, Bounds bounds, double now) {
     if (bounds != null) {
       return new Extent(bounds.xmin(), bounds.ymin(), bounds.xmax(), bounds.ymax());
     }
@@ -15,10 +15,10 @@ record Extent(double left, double bottom, double right, double top) {
     double bottom = Double.POSITIVE_INFINITY;
     double right = Double.NEGATIVE_INFINITY;
     double top = Double.NEGATIVE_INFINITY;
-    for (int i = 0; i < circles.count; i++) {
+    for (int i : ids) {
       double x = circles.x(i, now);
       double y = circles.y(i, now);
-      if (roster.contains(i) && Math.abs(x) + Math.abs(y) < Double.POSITIVE_INFINITY) {
+      if (Math.abs(x) + Math.abs(y) < Double.POSITIVE_INFINITY) {
         left = Math.min(left, x);
         bottom = Math.min(bottom, y);
         right = Math.max(right, x);

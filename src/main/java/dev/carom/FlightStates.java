@@ -3,7 +3,10 @@ package dev.carom;
 
 import java.util.Arrays;
 
-/** What determines the flights of all circles, in flat arrays, for a {@link Snapshot}. */
+/**
+ * What determines the flights of all circles that are there, in flat arrays, for a {@link
+ * Snapshot}.
+ */
 final class FlightStates {
 
   /**
@@ -15,35 +18,43 @@ final class FlightStates {
   /** Ints of one circle: the code last hit, impacts in one place, codes sensed, their pace. */
   static final int CODES = 5;
 
+  /** Of each circle, ascending. */
+  private final int[] ids;
+
   final double[] numbers;
   final int[] codes;
 
   /** Null where no circle is jammed. */
   Jam[] jams;
 
-  FlightStates(double[] numbers, int[] codes, Jam[] jams) {
+  FlightStates(int[] ids, double[] numbers, int[] codes, Jam[] jams) {
+    this.ids = ids;
     this.numbers = numbers;
     this.codes = codes;
     this.jams = jams;
   }
 
-  /** Those of a number of circles, to be {@link #put}. */
-  FlightStates(int count) {
-    this(new double[count * NUMBERS], new int[count * CODES], null);
+  /** Those of circles with these ids, to be {@link #put}. */
+  FlightStates(int[] ids) {
+    this(ids, new double[ids.length * NUMBERS], new int[ids.length * CODES], null);
   }
 
   int count() {
-    return codes.length / CODES;
+    return ids.length;
+  }
+
+  int id(int i) {
+    return ids[i];
   }
 
   /**
-   * Puts a circle in.
+   * Puts in the circle that is number i of those that are there.
    *
    * @param sensed up to when, from the start of the flight, sensors were reported
    * @param sensedCode of those met just then, up to which one
    */
-  void put(Mover m, double sensed, int sensedCode) {
-    int k = m.id * NUMBERS;
+  void put(int i, Mover m, double sensed, int sensedCode) {
+    int k = i * NUMBERS;
     numbers[k] = m.x;
     numbers[k + 1] = m.y;
     numbers[k + 2] = m.vx;
@@ -55,18 +66,18 @@ final class FlightStates {
     numbers[k + 8] = m.anchorX;
     numbers[k + 9] = m.anchorY;
     numbers[k + 10] = sensed;
-    int c = m.id * CODES;
+    int c = i * CODES;
     codes[c] = m.last;
     codes[c + 1] = m.stuck;
     codes[c + 2] = sensedCode;
     codes[c + 4] = m.pace;
     if (m.jam != null) {
       jams = jams == null ? new Jam[count()] : jams;
-      jams[m.id] = m.jam;
+      jams[i] = m.jam;
     }
   }
 
-  /** Puts in the last meeting that circle i sensed; a head of -1 for none. */
+  /** Puts in the last meeting that this circle sensed; a head of -1 for none. */
   void putSensed(int i, double head, double tail, int partner) {
     numbers[i * NUMBERS + 11] = head;
     numbers[i * NUMBERS + 12] = head < 0 ? 0 : tail;
@@ -85,11 +96,11 @@ final class FlightStates {
     return codes[i * CODES + 3];
   }
 
-  /** Takes circle i out into a mover, with nothing known ahead of it. */
+  /** Takes that circle out into a mover, with nothing known ahead of it. */
   void get(int i, Mover m) {
     int k = i * NUMBERS;
     int c = i * CODES;
-    m.id = i;
+    m.id = ids[i];
     m.x = numbers[k];
     m.y = numbers[k + 1];
     m.vx = numbers[k + 2];
@@ -112,6 +123,7 @@ final class FlightStates {
   @Override
   public boolean equals(Object other) {
     return other instanceof FlightStates that
+        && Arrays.equals(ids, that.ids)
         && Arrays.equals(numbers, that.numbers)
         && Arrays.equals(codes, that.codes)
         && Arrays.equals(jams, that.jams);

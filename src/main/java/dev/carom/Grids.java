@@ -134,12 +134,12 @@ final class Grids {
     return stale;
   }
 
-  /** Makes the grids anew, for the radii of the given circles. */
-  void remake(Circles circles) {
+  /** Makes the grids anew, for the radii of these circles. */
+  void remake(Circles circles, int[] ids) {
     loose.clear();
     isIncomplete = false;
     byExponent.clear();
-    for (int i = 0; i < circles.count; i++) {
+    for (int i : ids) {
       ofNew(circles.radius(i));
     }
   }

@@ -54,14 +54,14 @@ final class Neighbors {
 
   private double until;
 
-  Neighbors(Circles circles, Roster roster, Bounds bounds, double diameters, double now) {
+  Neighbors(Circles circles, int[] ids, Bounds bounds, double diameters, double now) {
     this.circles = circles;
     state = circles.state;
     count = circles.capacity();
-    Extent extent = Extent.of(circles, roster, bounds, now);
+    Extent extent = Extent.of(circles, ids, bounds, now);
     originX = extent.left();
     originY = extent.bottom();
-    sizes = new SizeClasses(circles, roster, extent, diameters);
+    sizes = new SizeClasses(circles, ids, extent, diameters);
     size = sizes.widths;
     levels = size.length;
     own = new Cells[levels];
@@ -80,10 +80,8 @@ final class Neighbors {
     for (int k = 0; k < levels; k++) {
       limit(k, sizes.radii[k] * (1 + 0x1p-10) + sizes.slack(), bounds);
     }
-    for (int i = 0; i < circles.count; i++) {
-      if (roster.contains(i)) {
-        enter(i, now);
-      }
+    for (int i : ids) {
+      enter(i, now);
     }
   }
 

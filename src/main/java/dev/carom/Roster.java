@@ -69,6 +69,18 @@ final class Roster {
     return present;
   }
 
+  /** The ids of the circles that are there by now, ascending. */
+  int[] ids() {
+    int[] ids = new int[count()];
+    int k = 0;
+    for (int i = 0; i < present.size(); i++) {
+      if (contains(present.get(i))) {
+        ids[k++] = present.get(i);
+      }
+    }
+    return ids;
+  }
+
   /** How many impacts a circle may make in one place before it is stuck; see {@link World}. */
   int patience() {
     return 1_000 + 10 * count();
@@ -143,19 +155,14 @@ final class Roster {
 
   @Override
   public boolean equals(Object other) {
-    if (!(other instanceof Roster that) || end != that.end || count() != that.count()) {
-      return false;
-    }
-    for (int id = 0; id < end; id++) {
-      boolean same =
-          contains(id) == that.contains(id)
-              && masses[id] == that.masses[id]
-              && traits(id) == that.traits(id);
-      if (!same) {
-        return false;
-      }
-    }
-    return true;
+    return other instanceof Roster that
+        && end == that.end
+        && Arrays.equals(ids(), that.ids())
+        && Arrays.stream(ids()).allMatch(id -> isAlike(that, id));
+  }
+
+  private boolean isAlike(Roster that, int id) {
+    return masses[id] == that.masses[id] && traits(id) == that.traits(id);
   }
 
   @Override

@@ -52,17 +52,19 @@ final class SensedPairs {
     return tail != tails[i] ? tail > tails[i] : partner > partners[i];
   }
 
-  void save(int i, FlightStates states) {
+  void save(int k, FlightStates states) {
+    int i = states.id(k);
     if (heads != null && i < heads.length) {
-      states.putSensed(i, heads[i], tails[i], partners[i]);
+      states.putSensed(k, heads[i], tails[i], partners[i]);
     } else {
-      states.putSensed(i, -1, 0, 0);
+      states.putSensed(k, -1, 0, 0);
     }
   }
 
-  void restore(int i, FlightStates states) {
-    if (states.sensedHead(i) >= 0) {
-      report(i, states.sensedHead(i), states.sensedTail(i), states.sensedPartner(i));
+  void restore(int k, FlightStates states) {
+    double head = states.sensedHead(k);
+    if (head >= 0) {
+      report(states.id(k), head, states.sensedTail(k), states.sensedPartner(k));
     }
   }
 }

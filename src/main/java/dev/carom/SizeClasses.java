@@ -58,17 +58,16 @@ final class SizeClasses {
   private final int[] classes;
 
   /**
+   * @param ids of the circles
    * @param diameters how many of the largest diameters a cell is wide, at least 1
    */
-  SizeClasses(Circles circles, Roster roster, Extent extent, double diameters) {
+  SizeClasses(Circles circles, int[] ids, Extent extent, double diameters) {
     area = extent.area();
     slack = ROUNDING * extent.farthest();
     this.diameters = diameters;
-    for (int i = 0; i < circles.count; i++) {
-      if (roster.contains(i)) {
-        double radius = circles.radius(i);
-        octaves.computeIfAbsent(Math.getExponent(radius), e -> new Octave()).add(radius);
-      }
+    for (int i : ids) {
+      double radius = circles.radius(i);
+      octaves.computeIfAbsent(Math.getExponent(radius), e -> new Octave()).add(radius);
     }
     exponents = octaves.keySet().stream().mapToInt(Integer::intValue).toArray();
     classes = new int[exponents.length];

@@ -7,8 +7,10 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.IntStream;
 import java.util.zip.CRC32;
 import java.util.zip.CheckedInputStream;
@@ -94,28 +96,32 @@ final class SnapshotReader {
         pegTraits.toByteArray());
   }
 
-  /** Rows of numbers, finite or all NaN, that end in a restitution; and traits. */
+  /** Rows of finite numbers that end in a restitution, all NaN for what was removed; and traits. */
   private DoubleList numbers(int count, int width, ByteArrayOutputStream traits)
       throws IOException {
     DoubleList numbers = new DoubleList();
     double[] row = new double[width];
     for (int i = 0; i < count; i++) {
-      int missing = 0;
-      for (int k = 0; k < width; k++) {
-        row[k] = in.readDouble();
-        missing += Double.isNaN(row[k]) ? 1 : 0;
-      }
-      if (missing != width) {
-        for (double number : row) {
-          Check.finite("a number of line or peg " + i, number);
-        }
-        Check.notNegative("restitution", row[width - 1]);
-        Check.notNegative("radius", width == Scene.PEG ? row[2] : 0);
+      int its = traitsOrGone(width == Scene.LINE ? 7 : 3);
+      if (its == SnapshotWriter.GONE) {
+        Arrays.fill(row, Double.NaN);
+        its = 0;
+      } else {
+        obstacle(i, row);
       }
       numbers.add(row);
-      traits.write(traits(width == Scene.LINE ? 7 : 3));
+      traits.write(its);
     }
     return numbers;
+  }
+
+  private void obstacle(int i, double[] row) throws IOException {
+    for (int k = 0; k < row.length; k++) {
+      row[k] = in.readDouble();
+      Check.finite("a number of line or peg " + i, row[k]);
+    }
+    Check.notNegative("restitution", row[row.length - 1]);
+    Check.notNegative("radius", row.length == Scene.PEG ? row[2] : 0);
   }
 
   private Snapshot circles(double now, boolean collide, Obstacles obstacles, Limits limits)
@@ -127,22 +133,31 @@ final class SnapshotReader {
     DoubleList numbers = new DoubleList();
     IntStream.Builder codes = IntStream.builder();
     List<Jam> jams = new ArrayList<>();
-    boolean jammed = false;
     for (int i = 0; i < circles; i++) {
-      gone.set(i, !in.readBoolean());
-      double mass = in.readDouble();
-      Check.mass("mass", mass);
-      masses.add(mass);
-      traits.write(traits(3));
-      flight(now, limits, numbers, codes);
-      jams.add(jam());
-      jammed |= jams.get(i) != null;
+      int its = traitsOrGone(3);
+      boolean isGone = its == SnapshotWriter.GONE;
+      gone.set(i, isGone);
+      traits.write(isGone ? 0 : its);
+      masses.add(isGone ? 1 : mass());
+      if (!isGone) {
+        flight(now, limits, numbers, codes);
+        jams.add(jam());
+      }
     }
     Roster roster = new Roster(masses.toArray(), traits.toByteArray(), gone);
     FlightStates flights =
         new FlightStates(
-            numbers.toArray(), codes.build().toArray(), jammed ? jams.toArray(Jam[]::new) : null);
+            roster.ids(),
+            numbers.toArray(),
+            codes.build().toArray(),
+            jams.stream().anyMatch(Objects::nonNull) ? jams.toArray(Jam[]::new) : null);
     return new Snapshot(now, collide, obstacles, roster, limits, flights);
+  }
+
+  private double mass() throws IOException {
+    double mass = in.readDouble();
+    Check.mass("mass", mass);
+    return mass;
   }
 
   private void flight(double now, Limits limits, DoubleList numbers, IntStream.Builder codes)
@@ -198,8 +213,15 @@ final class SnapshotReader {
   }
 
   private int traits(int most) throws IOException {
+    int traits = traitsOrGone(most);
+    expect(traits != SnapshotWriter.GONE, "traits are " + traits);
+    return traits;
+  }
+
+  private int traitsOrGone(int most) throws IOException {
     int traits = in.readByte();
-    expect(traits >= 0 && traits <= most && (traits & 3) != 3, "traits are " + traits);
+    boolean known = traits >= 0 && traits <= most && (traits & 3) != 3;
+    expect(known || traits == SnapshotWriter.GONE, "traits are " + traits);
     return traits;
   }
 

@@ -13,7 +13,10 @@ final class SnapshotWriter {
   /** "CAROM" and a byte that text does not hold. */
   static final long MARK = 0x4341524F4D00L;
 
-  static final int VERSION = 1;
+  static final int VERSION = 2;
+
+  /** Instead of the traits of what was removed, of which nothing else is written. */
+  static final int GONE = -1;
 
   private final CRC32 sum = new CRC32();
   private final DataOutputStream out;
@@ -47,35 +50,47 @@ final class SnapshotWriter {
   private void obstacles(Obstacles o) throws IOException {
     out.writeInt(o.endOfLines - Obstacles.WALLS);
     for (int code = Obstacles.WALLS; code < o.endOfLines; code++) {
-      for (int i = 0; i < Scene.LINE; i++) {
-        out.writeDouble(o.lines[o.offset(code) + i]);
-      }
-      out.writeByte(o.traits(code));
+      obstacle(o, code, o.lines, Scene.LINE);
     }
     out.writeInt(o.endOfPegs - Obstacles.PEGS);
     for (int code = Obstacles.PEGS; code < o.endOfPegs; code++) {
-      for (int i = 0; i < Scene.PEG; i++) {
-        out.writeDouble(o.pegs[o.offset(code) + i]);
-      }
-      out.writeByte(o.traits(code));
+      obstacle(o, code, o.pegs, Scene.PEG);
+    }
+  }
+
+  private void obstacle(Obstacles o, int code, double[] numbers, int each) throws IOException {
+    if (o.isGone(code)) {
+      out.writeByte(GONE);
+      return;
+    }
+    out.writeByte(o.traits(code));
+    for (int i = 0; i < each; i++) {
+      out.writeDouble(numbers[o.offset(code) + i]);
     }
   }
 
   private void circles(Snapshot s) throws IOException {
-    int count = s.flights.count();
-    out.writeInt(count);
-    for (int i = 0; i < count; i++) {
-      out.writeBoolean(s.roster.contains(i));
-      out.writeDouble(s.roster.mass(i));
-      out.writeByte(s.roster.traits(i));
-      for (int k = 0; k < FlightStates.NUMBERS; k++) {
-        out.writeDouble(s.flights.numbers[i * FlightStates.NUMBERS + k]);
+    out.writeInt(s.roster.end());
+    int k = 0;
+    for (int id = 0; id < s.roster.end(); id++) {
+      if (s.roster.contains(id)) {
+        out.writeByte(s.roster.traits(id));
+        out.writeDouble(s.roster.mass(id));
+        flight(s.flights, k++);
+      } else {
+        out.writeByte(GONE);
       }
-      for (int k = 0; k < FlightStates.CODES; k++) {
-        out.writeInt(s.flights.codes[i * FlightStates.CODES + k]);
-      }
-      jam(s.flights.jams == null ? null : s.flights.jams[i]);
     }
+  }
+
+  private void flight(FlightStates flights, int k) throws IOException {
+    for (int i = 0; i < FlightStates.NUMBERS; i++) {
+      out.writeDouble(flights.numbers[k * FlightStates.NUMBERS + i]);
+    }
+    for (int i = 0; i < FlightStates.CODES; i++) {
+      out.writeInt(flights.codes[k * FlightStates.CODES + i]);
+    }
+    jam(flights.jams == null ? null : flights.jams[k]);
   }
 
   private void jam(Jam jam) throws IOException {

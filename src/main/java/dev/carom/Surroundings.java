@@ -3,6 +3,7 @@ package dev.carom;
 
 import java.util.Arrays;
 import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
 
 /**
  * What stands still around the circles of a world: the obstacles, the grids over them, and the
@@ -27,14 +28,19 @@ final class Surroundings {
     obstacles = Obstacles.of(scene);
     grids = new Grids(scene, obstacles, machinery);
     search = new BroadSearch(obstacles, grids.loose());
-    assign(scene.circleCount(), i -> scene.circles[i * Scene.CIRCLE + 2]);
+    assign(
+        IntStream.range(0, scene.circleCount()).toArray(),
+        i -> scene.circles[i * Scene.CIRCLE + 2]);
   }
 
-  private void assign(int count, IntToDoubleFunction radius) {
-    room = Math.max(room, count);
+  private void assign(int[] ids, IntToDoubleFunction radius) {
     own = null;
-    shared = count == 0 ? null : grids.of(radius.applyAsDouble(0));
-    for (int i = 1; i < count; i++) {
+    shared = null;
+    if (ids.length > 0) {
+      room = Math.max(room, ids[ids.length - 1] + 1);
+      shared = grids.of(radius.applyAsDouble(ids[0]));
+    }
+    for (int i : ids) {
       set(i, grids.of(radius.applyAsDouble(i)));
     }
   }
@@ -91,10 +97,11 @@ final class Surroundings {
   }
 
   /** Makes grids anew where edits made them poor. */
-  void prepare(Circles circles) {
+  void prepare(Circles circles, Roster roster) {
     if (grids.areStale()) {
-      grids.remake(circles);
-      assign(circles.count, circles::radius);
+      int[] ids = roster.ids();
+      grids.remake(circles, ids);
+      assign(ids, circles::radius);
     }
   }
 
@@ -110,16 +117,17 @@ final class Surroundings {
   }
 
   /**
-   * Takes down what determines a circle's flight. Nothing is ahead of what a search cleared; where
-   * it found something, sensors at the same time as that are reported first, in their order.
+   * Takes down, as number k, what determines a circle's flight. Nothing is ahead of what a search
+   * cleared; where it found something, sensors at the same time as that are reported first, in
+   * their order.
    */
-  void save(Mover m, FlightStates states) {
+  void save(int k, Mover m, FlightStates states) {
     if (!obstacles.haveSensors()) {
-      states.put(m, 0, 0);
+      states.put(k, m, 0, 0);
     } else if (m.next == Mover.NOTHING) {
-      states.put(m, m.cleared, m.contact);
+      states.put(k, m, m.cleared, m.contact);
     } else {
-      states.put(m, m.cleared, sensedBefore(m.next));
+      states.put(k, m, m.cleared, sensedBefore(m.next));
     }
   }
 

@@ -184,7 +184,7 @@ class CollisionsTest {
       jammed.flights.get(i, m);
       m.stuck = 5_000;
       m.jam = Jam.with(null, Obstacles.CIRCLES + 1 - i);
-      jammed.flights.put(m, 0, 0);
+      jammed.flights.put(i, m, 0, 0);
     }
     world.restore(jammed);
     assertThat(world.step(1)).isTrue();

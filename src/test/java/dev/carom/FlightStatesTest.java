@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 class FlightStatesTest {
 
-  private final FlightStates states = new FlightStates(3);
+  private final FlightStates states = new FlightStates(new int[] {0, 4, 7});
 
   @Test
   void theLastMeetingThatACircleSensedIsKept() {

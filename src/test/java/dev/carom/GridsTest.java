@@ -128,7 +128,7 @@ class GridsTest {
     Circles circles = new Circles(1);
     circles.start(scene, 0);
     circles.store(0);
-    grids.remake(circles);
+    grids.remake(circles, new int[] {0});
     assertThat(grids.of(3)).isNotNull().isNotSameAs(old);
     assertThat(grids.of(8)).isNull();
     assertThat(grids.loose().size).isZero();

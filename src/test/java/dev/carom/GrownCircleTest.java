@@ -39,6 +39,7 @@ class GrownCircleTest {
     Random random = new Random(info.getCurrentRepetition());
     Scene scene = scene(random);
     Circles circles = circles(scene);
+    Roster roster = new Roster(scene);
     Surroundings surroundings = new Surroundings(scene, Machinery.CHOSEN);
     List<Integer> lines = new ArrayList<>();
     for (int i = 0; i < LINES; i++) {
@@ -50,7 +51,7 @@ class GrownCircleTest {
         case 0 -> resize(circles, surroundings, i, radius(random));
         case 1 -> addLine(surroundings, lines, edit);
         case 2 -> removeLine(surroundings, lines, random);
-        default -> surroundings.prepare(circles);
+        default -> surroundings.prepare(circles, roster);
       }
       for (int k = 0; k < CIRCLES; k++) {
         Grid grid = surroundings.grid(k);

@@ -46,7 +46,7 @@ class NeighborsTest {
   private static void allThatTouchAreVisited(Scene scene, double diameters) {
     Circles circles = circles(scene);
     for (Bounds bounds : new Bounds[] {null, scene.bounds}) {
-      Neighbors neighbors = new Neighbors(circles, new Roster(scene), bounds, diameters, 0);
+      Neighbors neighbors = new Neighbors(circles, new Roster(scene).ids(), bounds, diameters, 0);
       for (int i = 0; i < circles.count; i += 3) {
         neighbors.leave(i);
         assertThat(neighbors.enter(i, 0)).isTrue();
@@ -84,7 +84,7 @@ class NeighborsTest {
   @Test
   void whatStandsStillLeavesNoCell() {
     Scene scene = Scene.builder().circle(3, 4, 1, 0, 0).collide(true).build();
-    Neighbors neighbors = new Neighbors(circles(scene), new Roster(scene), null, 1, 0);
+    Neighbors neighbors = new Neighbors(circles(scene), new Roster(scene).ids(), null, 1, 0);
     assertThat(neighbors.crossing(0)).isEqualTo(Double.POSITIVE_INFINITY);
   }
 
@@ -97,7 +97,8 @@ class NeighborsTest {
       builder.circle(100 * random.nextDouble() - 3, 50 * random.nextDouble() + 2, 1, 0, 0);
     }
     Scene scene = builder.circle(1e3, 20, 1, 0, 0).circle(20, -1e3, 1, 0, 0).build();
-    Neighbors neighbors = new Neighbors(circles(scene), new Roster(scene), scene.bounds, 1, 0);
+    Neighbors neighbors =
+        new Neighbors(circles(scene), new Roster(scene).ids(), scene.bounds, 1, 0);
     int inside = 0;
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
@@ -126,7 +127,8 @@ class NeighborsTest {
         scene.circle(right - radius, 8 * radius, radius, 1, 0);
       }
       Scene built = scene.build();
-      Neighbors neighbors = new Neighbors(circles(built), new Roster(built), built.bounds, 1, 0);
+      Neighbors neighbors =
+          new Neighbors(circles(built), new Roster(built).ids(), built.bounds, 1, 0);
       assertThat(neighbors.isInside(0)).as("wall at %s", right).isFalse();
     }
   }
@@ -217,7 +219,7 @@ class NeighborsTest {
   void aWayLeadsIntoTheCellThatIsEnteredNext(double vx, double vy) {
     Scene scene = Scene.builder().circle(3, 4, 1, vx, vy).circle(-30, -40, 1, 0, 0).build();
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene), null, 1, 0);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene).ids(), null, 1, 0);
     int column = neighbors.column(0);
     int row = neighbors.row(0);
     double crossing = neighbors.crossing(0);
@@ -236,7 +238,7 @@ class NeighborsTest {
   void whoBeginsANewFlightIsListedWhereThatStarts() {
     Scene scene = alike(new Random(6), 40);
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene), scene.bounds, 1, 0);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene).ids(), scene.bounds, 1, 0);
     Random random = new Random(7);
     int stayed = 0;
     for (int k = 0; k < 400; k++) {
@@ -263,7 +265,7 @@ class NeighborsTest {
   void readingAheadChangesNothing() {
     Scene scene = alike(new Random(5), 40);
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene), scene.bounds, 1, 0);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene).ids(), scene.bounds, 1, 0);
     int[] ids = new int[EventQueue.MOST_OUTLOOK];
     for (int k = 0; k < ids.length; k++) {
       ids[k] = k * 7 % 40;

@@ -94,10 +94,10 @@ final class PlainWorld {
   }
 
   private static Mover copy(Mover m) {
-    FlightStates one = new FlightStates(m.id + 1);
-    one.put(m, 0, 0);
+    FlightStates one = new FlightStates(new int[] {m.id});
+    one.put(0, m, 0, 0);
     Mover copy = new Mover();
-    one.get(m.id, copy);
+    one.get(0, copy);
     copy.flown = m.flown;
     copy.standsStill = m.standsStill;
     return copy;

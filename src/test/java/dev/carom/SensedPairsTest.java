@@ -3,6 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -46,7 +47,7 @@ class SensedPairsTest {
 
   @Test
   void whatIsSavedIsRestored() {
-    FlightStates states = new FlightStates(40);
+    FlightStates states = new FlightStates(IntStream.range(0, 40).toArray());
     pairs.report(1, 5, 1e-20, 3);
     SensedPairs others = new SensedPairs();
     for (int i = 0; i < 40; i++) {
@@ -59,7 +60,7 @@ class SensedPairsTest {
 
   @Test
   void soIsAMeetingAtTimeZero() {
-    FlightStates states = new FlightStates(2);
+    FlightStates states = new FlightStates(new int[] {0, 1});
     pairs.report(1, 0, 0, 3);
     pairs.save(1, states);
     SensedPairs others = new SensedPairs();

@@ -22,7 +22,7 @@ class SizeClassesTest {
       circles.start(scene, i);
       circles.store(i);
     }
-    return new SizeClasses(circles, new Roster(scene), extent, 1);
+    return new SizeClasses(circles, new Roster(scene).ids(), extent, 1);
   }
 
   private static Extent square(double side) {

@@ -32,13 +32,13 @@ class SnapshotStreamTest {
   private static final int BOUNDS_E = 70;
   private static final int BOUNDS_TRAITS = 78;
   private static final int LINES = 79;
-  private static final int LINE_AX = 83;
+  private static final int LINE_AX = 84;
   private static final int LINE_E = LINE_AX + 32;
-  private static final int PEGS = LINE_AX + 41;
-  private static final int PEG_RADIUS = PEGS + 20;
+  private static final int PEGS = LINE_AX + 40;
+  private static final int PEG_RADIUS = PEGS + 21;
   private static final int CIRCLES = PEGS + 37;
   private static final int MASS = CIRCLES + 5;
-  private static final int FLIGHT = MASS + 9;
+  private static final int FLIGHT = MASS + 8;
   private static final int LAST = FLIGHT + 13 * 8;
   private static final int STUCK = LAST + 4;
   private static final int PACE = LAST + 16;
@@ -76,6 +76,42 @@ class SnapshotStreamTest {
     assertThat(Files.readString(Path.of("main/java/dev/carom/Snapshot.java")))
         .contains(circle + " bytes a circle", line + " a line, " + peg + " a peg");
     assertThat(rest).as("about 100").isBetween(90, 110);
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void whatWasRemovedTakesAByte(boolean collide) throws IOException {
+    World world = new World(room().collide(collide).circle(50, 50, 5, 1, 2).build());
+    int before = bytes(world.snapshot()).length;
+    for (int i = 0; i < 100; i++) {
+      world.remove(ObstacleKind.CIRCLE, world.addCircle(20, 20, 1, i, 3));
+      world.remove(ObstacleKind.LINE, world.addLine(0, i, 5, i));
+      world.remove(ObstacleKind.PEG, world.addPeg(i, 0, 1));
+    }
+    world.addCircle(20, 20, 1, 1, 3);
+    byte[] after = bytes(world.snapshot());
+    assertThat(after).hasSize(before + 300 + 137);
+    assertThat(read(after)).isEqualTo(world.snapshot());
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aWorldGoesOnWithoutThoseThatWereRemoved(boolean collide) throws IOException {
+    World world = new World(RandomScenes.responses(new Random(5)).collide(collide).build());
+    for (int i = 0; i < 20; i++) {
+      int id = world.addCircle(30 + i, 40, 3, 1, i);
+      world.step(0.5);
+      world.remove(ObstacleKind.CIRCLE, i % 3 == 0 ? i / 3 : id);
+    }
+    World other = new World(world.scene());
+    other.restore(read(bytes(world.snapshot())));
+    assertThat(other.addCircle(0, 0, 3, 2, 1)).isEqualTo(world.addCircle(0, 0, 3, 2, 1));
+    for (int i = 0; i < 5; i++) {
+      world.step(3);
+      other.step(3);
+      assertThat(Run.rows(other.impacts())).isEqualTo(Run.rows(world.impacts()));
+    }
+    assertThat(other.snapshot()).isEqualTo(world.snapshot());
   }
 
   private static SceneBuilder room() {
@@ -193,8 +229,8 @@ class SnapshotStreamTest {
   @Test
   void anotherVersionIsRefused() throws IOException {
     byte[] bytes = small();
-    ByteBuffer.wrap(bytes).putInt(VERSION, 2);
-    assertRefused(bytes, "its version is 2: expected 1");
+    ByteBuffer.wrap(bytes).putInt(VERSION, 1);
+    assertRefused(bytes, "its version is 1: expected 2");
   }
 
   @ParameterizedTest
@@ -287,5 +323,14 @@ class SnapshotStreamTest {
       bytes[BOUNDS_TRAITS] = traits;
       assertRefused(bytes, "traits are " + traits);
     }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"LINES, 8", "LINES, 3", "LINES, -2", "PEGS, 4", "CIRCLES, 3"})
+  void soAreThoseOfThings(String kind, byte traits) throws IOException {
+    byte[] bytes = small();
+    int count = "LINES".equals(kind) ? LINES : "PEGS".equals(kind) ? PEGS : CIRCLES;
+    bytes[count + 4] = traits;
+    assertRefused(bytes, "traits are " + traits);
   }
 }

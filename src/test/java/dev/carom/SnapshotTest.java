@@ -90,6 +90,18 @@ class SnapshotTest {
     }
   }
 
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void whoWasRemovedDetermineNothing(boolean collide) {
+    World one = world(collide);
+    World two = world(collide);
+    one.remove(CIRCLE, one.addCircle(80, 15, 2, 3, 4));
+    int id = two.addCircle(80, 15, 2, -5, 1);
+    two.setMass(id, 7);
+    two.remove(CIRCLE, id);
+    assertThat(one.snapshot()).isEqualTo(two.snapshot()).hasSameHashCodeAs(two.snapshot());
+  }
+
   /** Halting and one-way lines there may be; sensors there may not. */
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
