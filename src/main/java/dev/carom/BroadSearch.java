@@ -12,9 +12,10 @@ package dev.carom;
 final class BroadSearch {
 
   /**
-   * Cells that a first search may look ahead of what is asked for; each further one, twice that.
+   * How far a first search may look ahead, in halves of a cell along the faster axis, where less is
+   * asked for; each further one, twice that.
    */
-  static final int FIRST_REACH = 16;
+  static final int FIRST_REACH = 24;
 
   /** The same for a flight that an edit began: another edit may cut it short. */
   static final int EDITED_REACH = 1;
@@ -29,9 +30,6 @@ final class BroadSearch {
    * while the other passes 2^14.
    */
   private static final double SLOWEST = 0x1p26;
-
-  /** More ticks than any path through a grid takes. */
-  private static final double MOST_TICKS = 0x1p60;
 
   /** So much of a cell beyond those visited is covered by the margin of their lists. */
   private static final double NEAR = 0x1p-10;
@@ -55,6 +53,11 @@ final class BroadSearch {
   private double vx;
   private double vy;
   private double r;
+
+  /** 1 / |vx| and 1 / |vy|, at most the largest double. */
+  private double perVx;
+
+  private double perVy;
 
   /** A line is certainly passed if both its ends lie further than this on one side, times |v|. */
   private double clear;
@@ -191,6 +194,8 @@ final class BroadSearch {
     vx = mover.vx;
     vy = mover.vy;
     r = mover.radius;
+    perVx = Math.min(1 / Math.abs(vx), Double.MAX_VALUE);
+    perVy = Math.min(1 / Math.abs(vy), Double.MAX_VALUE);
     last = mover.last;
     jam = mover.jam;
     sensed = mover.cleared;
@@ -218,19 +223,20 @@ final class BroadSearch {
       return NEVER;
     }
     return Math.min(
-        wallAhead(px, vx, b.xmin(), b.xmax(), Obstacles.LEFT),
-        wallAhead(py, vy, b.ymin(), b.ymax(), Obstacles.BOTTOM));
+        wallAhead(px, vx, perVx, b.xmin(), b.xmax(), Obstacles.LEFT),
+        wallAhead(py, vy, perVy, b.ymin(), b.ymax(), Obstacles.BOTTOM));
   }
 
-  private double wallAhead(double p, double v, double low, double high, int lowCode) {
+  private double wallAhead(double p, double v, double perV, double low, double high, int lowCode) {
     if (v == 0 || skipped(wallCode(lowCode, v))) {
       return NEVER;
     }
     // v < 0 ? p - low : high - p, without a branch that half of all flights take
     double sign = Math.copySign(1, v);
     double h = Math.max(sign * (low - p), sign * (high - p));
-    // The differences err by u |h| and u |h - r|, u = 2^-53, the quotient by u of itself.
-    double t = (h - r - 0x1p-50 * (Math.abs(h) + r)) / Math.abs(v);
+    // The differences err by u |h| and u |h - r|, u = 2^-53, their difference from the bound by u
+    // of itself, and 1 / |v| and the product, too: 5 u (|h| + r) in all, of which 8 are taken off.
+    double t = (h - r - 0x1p-50 * (Math.abs(h) + r)) * perV;
     return t > 0 ? t : 0; // NaN if h is beyond the doubles
   }
 
@@ -340,8 +346,8 @@ final class BroadSearch {
 
   /**
    * Visits the cells along the path, from the time {@code from} on, until the best impact or the
-   * wall ahead lies in what was visited, or what is needed is known and {@code reach} cells were
-   * visited, or the grid ends.
+   * wall ahead lies in what was visited, or what is needed is known and {@code reach} columns or
+   * rows of the faster axis were visited, or the grid ends.
    *
    * <p>Times are counted in whole ticks, so that whether a column or a row comes next is a mask and
    * not a branch, which could not be foretold. A path of 2^14 cells is cut to ticks as often: by
@@ -363,44 +369,48 @@ final class BroadSearch {
     int row = grid.row(y);
     int stepX = Directions.sign(vx);
     int stepY = Directions.sign(vy);
-    double rate = speed / grid.cell * TICKS;
+    double rate = speed * grid.perCell * TICKS;
+    double tick = Math.min(perVx, perVy) * grid.cell / TICKS;
     // When the next column and the next row are entered, and what one more takes.
-    double columnTicks = TICKS * Math.min(speed / Math.abs(vx), SLOWEST);
-    double rowTicks = TICKS * Math.min(speed / Math.abs(vy), SLOWEST);
+    double columnTicks = TICKS * Math.min(speed * perVx, SLOWEST);
+    double rowTicks = TICKS * Math.min(speed * perVy, SLOWEST);
     long perX = (long) columnTicks;
     long perY = (long) rowTicks;
-    long nextX = (long) (grid.toColumnEdge(column, stepX, x) / grid.cell * columnTicks);
-    long nextY = (long) (grid.toRowEdge(row, stepY, y) / grid.cell * rowTicks);
+    long nextX = (long) (grid.toColumnEdge(column, stepX, x) * grid.perCell * columnTicks);
+    long nextY = (long) (grid.toRowEdge(row, stepY, y) * grid.perCell * rowTicks);
     int nextRow = stepY * grid.stride;
+    int nextColumn = stepX - nextRow;
     int cell = grid.number(column, row);
     long[] lists = grid.lists;
-    long asked = ticks(needed - start, rate);
-    long limit = ticks(Math.min(best, ahead) - start, rate);
-    for (int visited = 0; ; visited++) {
-      long list = lists[cell];
+    // Two ticks beyond: one may be lost where times are cut to ticks.
+    double enough = Math.max(needed - start, reach * (TICKS / 2) * tick) + 2 * tick;
+    long end = ticks(Math.min(Math.min(best, ahead) - start, enough), rate);
+    long list = lists[cell];
+    while (list != Grid.OUTSIDE) {
       if (list != 0) {
-        if (list == Grid.OUTSIDE) {
-          return Math.min(best, ahead);
-        }
         visit(grid, list);
-        limit = ticks(Math.min(best, ahead) - start, rate);
+        end = ticks(Math.min(Math.min(best, ahead) - start, enough), rate);
       }
-      long left = Math.min(nextX, nextY);
-      if (limit <= left) {
-        return Math.min(best, ahead);
-      }
-      if (visited >= reach && left > asked) {
-        return start + left / rate;
-      }
-      long isColumn = (nextX - nextY) >> 63;
-      nextX += perX & isColumn;
-      nextY += perY & ~isColumn;
-      cell += (stepX & (int) isColumn) | (nextRow & ~(int) isColumn);
+      do {
+        // The lesser of the two: Math.min is a branch, of which half are foretold wrongly.
+        long lead = nextX - nextY;
+        long isColumn = lead >> 63;
+        long left = nextY + (lead & isColumn);
+        if (end <= left) {
+          double first = Math.min(best, ahead);
+          return ticks(first - start, rate) <= left ? first : start + left * tick;
+        }
+        nextX += perX & isColumn;
+        nextY += perY & ~isColumn;
+        cell += nextRow + (nextColumn & (int) isColumn);
+        list = lists[cell];
+      } while (list == 0);
     }
+    return Math.min(best, ahead);
   }
 
   private static long ticks(double time, double rate) {
-    return (long) Math.min(time * rate, MOST_TICKS);
+    return (long) (time * rate);
   }
 
   /** Considers what a cell lists, but lines that are certainly passed. */

@@ -24,6 +24,8 @@ final class Grid {
   /** Cells a unit of time, and its inverse, within which times and cells convert. */
   private static final double MOST_PACE = 0x1p500;
 
+  private static final double LEAST_SPEED = 0x1p-900;
+
   private static final int CODES_INLINE = 2;
 
   private static final int CODE_BITS = 32;
@@ -49,8 +51,8 @@ final class Grid {
   private final double xmax;
   private final double ymax;
 
-  /** Multiplies, where the walk cannot afford a division. */
-  private final double perCell;
+  /** 1 / {@link #cell}, which multiplies where the walk cannot afford a division. */
+  final double perCell;
 
   private final Obstacles obstacles;
   /** The largest radius of a circle that it serves. */
@@ -175,11 +177,13 @@ final class Grid {
 
   /**
    * Whether a path from this place can be followed to within the margin: 2^-40 of its size is; and
-   * whether cells that are passed at this speed can be counted by time.
+   * whether cells that are passed at this speed can be counted by time, on both axes: 1 / |v| is
+   * beyond the doubles only where an axis is slower than that by far.
    */
   boolean resolves(double x, double y, double speed) {
     double pace = speed * perCell;
     return (Math.abs(x) + Math.abs(y) + Math.abs(xmin) + Math.abs(ymin)) * 0x1p-40 < cell
+        && speed > LEAST_SPEED
         && pace < MOST_PACE
         && pace > 1 / MOST_PACE;
   }

@@ -230,4 +230,25 @@ class BroadSearchTest {
     assertThat(log.kind(0)).isEqualTo(ObstacleKind.LINE);
     assertThat(log.id(0)).isOne();
   }
+
+  // Where a search ends, for it looks no further than it may.
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.125, 0.5})
+  void whatStandsWhereASearchEndsIsHit(double from) {
+    double r = 0x1p-6;
+    for (double t = 0.25; t < 100; t += 0.25) {
+      double x = from + r + t;
+      Scene scene =
+          Scene.builder().line(-1, -9, 150, -9).line(x, -1, x, 1).circle(from, 0, r, 1, 0).build();
+      World first = new World(scene, Machinery.cells(1));
+      World edited = new World(scene, Machinery.cells(1));
+      edited.setVelocity(0, 1, 0);
+      for (World world : List.of(first, edited)) {
+        ImpactLog log = step(world, 200);
+        assertThat(log.size()).as("at %s", t).isOne();
+        assertThat(log.time(0)).isEqualTo(t);
+      }
+    }
+  }
 }
