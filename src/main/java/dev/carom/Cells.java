@@ -4,17 +4,15 @@ package dev.carom;
 import java.util.Arrays;
 
 /**
- * Which circles have their centre in which square cell: a list for each cell. The plane is wrapped
- * around a torus of cells, so it needs no edge; far cells that share a list only make a search look
- * at a circle in vain.
+ * Which circles have their centre in which square cell: a list for each cell. Rows follow each
+ * other on a ring of cells, so the plane needs no edge; far cells that share a list only make a
+ * search look at a circle in vain.
  */
 final class Cells {
 
   static final int NONE = -1;
 
-  private final int maskX;
-  private final int maskY;
-  private final int shift;
+  private final int columns;
   private final int[] heads;
 
   /** The follower of circle i is at first + (i << spread). */
@@ -48,9 +46,7 @@ final class Cells {
   }
 
   private Cells(int columns, int rows, int[] next, int first, int spread, int[] previous) {
-    maskX = columns - 1;
-    maskY = rows - 1;
-    shift = Integer.numberOfTrailingZeros(columns);
+    this.columns = columns;
     heads = new int[columns * rows];
     Arrays.fill(heads, NONE);
     this.next = next;
@@ -102,37 +98,40 @@ final class Cells {
    * @return the place after the last one found
    */
   int around(int column, int row, int[] found, int size) {
-    int end = row(column, row - 1, found, size);
-    end = row(column, row, found, end);
-    return row(column, row + 1, found, end);
+    int place = place(column, row);
+    int end = row(place - columns, found, size);
+    end = row(place, found, end);
+    return row(place + columns, found, end);
   }
 
   /** The same around circle i; where that is the first of its list, its follower stands for it. */
   int others(int i, int column, int row, int[] found, int size) {
-    int end = row(column, row - 1, found, size);
-    int a = heads[index(column - 1, row)];
-    int b = heads[index(column, row)];
-    int c = heads[index(column + 1, row)];
+    int place = place(column, row);
+    int end = row(place - columns, found, size);
+    int a = heads[index(place - 1)];
+    int b = heads[index(place)];
+    int c = heads[index(place + 1)];
     int difference = b ^ i;
     int follower = next[at(i)];
     int same = ~((difference | -difference) >> 31);
     end = three(a, b ^ ((b ^ follower) & same), c, found, end);
-    return row(column, row + 1, found, end);
+    return row(place + columns, found, end);
   }
 
   /** The same for a cell and those a step before and after it. */
   int beside(int column, int row, int dx, int dy, int[] found, int size) {
-    int a = heads[index(column - dx, row - dy)];
-    int b = heads[index(column, row)];
-    int c = heads[index(column + dx, row + dy)];
+    int place = place(column, row);
+    int step = place(dx, dy);
+    int a = heads[index(place - step)];
+    int b = heads[index(place)];
+    int c = heads[index(place + step)];
     return three(a, b, c, found, size);
   }
 
-  private int row(int column, int row, int[] found, int size) {
-    int line = (row & maskY) << shift;
-    int a = heads[line | ((column - 1) & maskX)];
-    int b = heads[line | (column & maskX)];
-    int c = heads[line | ((column + 1) & maskX)];
+  private int row(int place, int[] found, int size) {
+    int a = heads[index(place - 1)];
+    int b = heads[index(place)];
+    int c = heads[index(place + 1)];
     return three(a, b, c, found, size);
   }
 
@@ -189,6 +188,16 @@ final class Cells {
   }
 
   private int index(int column, int row) {
-    return (column & maskX) | (row & maskY) << shift;
+    return index(place(column, row));
+  }
+
+  /** By the length, so that compilers know that it is in range. */
+  private int index(int place) {
+    return place & (heads.length - 1);
+  }
+
+  /** A cell's place if the ring had no end; of a step, how far it leads. */
+  private int place(int column, int row) {
+    return row * columns + column;
   }
 }
