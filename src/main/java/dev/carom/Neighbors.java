@@ -23,7 +23,8 @@ final class Neighbors {
 
   // Directions in which a circle leaves a cell: right, left, up, down.
   private static final int VERTICAL = 2;
-  private static final int DIRECTIONS = 4;
+  private static final int DIRECTION_BITS = 2;
+  private static final int DIRECTIONS = 1 << DIRECTION_BITS;
 
   private final int levels;
 
@@ -262,13 +263,8 @@ final class Neighbors {
 
   private static double untilEdge(double p, double v, double cell, double size) {
     // The cell's upper edge is one further.
-    double edge = (cell + 0.5 + withSign(0.5, v)) * size;
+    double edge = (cell + 0.5 + Math.copySign(0.5, v)) * size;
     return Math.abs(cell) < FARTHEST && v != 0 ? (edge - p) / v : NEVER;
-  }
-
-  private static double withSign(double value, double v) {
-    long sign = Double.doubleToRawLongBits(v) & Long.MIN_VALUE;
-    return Double.longBitsToDouble(Double.doubleToRawLongBits(value) | sign);
   }
 
   /**
@@ -279,8 +275,8 @@ final class Neighbors {
    * @return how many were found
    */
   int cross(int i, int way, int[] found) {
-    int level = way / DIRECTIONS;
-    int direction = way % DIRECTIONS;
+    int level = way >> DIRECTION_BITS;
+    int direction = way & (DIRECTIONS - 1);
     double[] cells = cellsOf(i, level);
     int k = cellAt(i, level);
     Cells list = list(i, level);
