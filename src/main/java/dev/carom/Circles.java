@@ -221,13 +221,13 @@ final class Circles {
     m.anchorY = state[k + ANCHOR_Y];
     int c = codesAt(i);
     m.last = codes[c + LAST];
-    m.next = Math.max(codes[c + NEXT], Mover.NOTHING);
-    // Where nothing is ahead, the sensor met last stands in its place.
-    m.contact =
-        codes[c + NEXT] < 0 ? Mover.NOTHING - codes[c + NEXT] : codes[c + CONTACT] & CONTACT_BITS;
-    m.pace = codes[c + CONTACT] >> PACE_SHIFT;
-    m.reach = codes[c + REACH];
     m.stuck = codes[c + STUCK];
+    m.reach = codes[c + REACH];
+    m.pace = codes[c + CONTACT] >> PACE_SHIFT;
+    // Where nothing is ahead, the sensor met last stands in its place.
+    int next = codes[c + NEXT];
+    m.next = Math.max(next, Mover.NOTHING);
+    m.contact = next < 0 ? Mover.NOTHING - next : codes[c + CONTACT] & CONTACT_BITS;
     m.jam = jams == null ? null : jams[i];
   }
 
@@ -243,6 +243,12 @@ final class Circles {
 
   /** Stores a circle, and leaves its {@link #due} to the caller. */
   void keep(int i, Mover m) {
+    int next = m.next;
+    int contact = m.contact;
+    if (next == Mover.NOTHING) {
+      next -= contact;
+      contact = 0;
+    }
     int k = at(i);
     state[k + X] = m.x;
     state[k + Y] = m.y;
@@ -255,13 +261,13 @@ final class Circles {
     state[k + RESTITUTION] = m.restitution;
     state[k + ANCHOR_X] = m.anchorX;
     state[k + ANCHOR_Y] = m.anchorY;
+    // The first and the last one first: then compilers need not ask whether the rest is in range.
     int c = codesAt(i);
     codes[c + LAST] = m.last;
-    boolean ahead = m.next != Mover.NOTHING;
-    codes[c + NEXT] = ahead ? m.next : Mover.NOTHING - m.contact;
-    codes[c + CONTACT] = (ahead ? m.contact : 0) | m.pace << PACE_SHIFT;
-    codes[c + REACH] = m.reach;
     codes[c + STUCK] = m.stuck;
+    codes[c + NEXT] = next;
+    codes[c + CONTACT] = contact | m.pace << PACE_SHIFT;
+    codes[c + REACH] = m.reach;
     if (m.jam != null && jams == null) {
       jams = new Jam[capacity()];
     }
