@@ -13,17 +13,20 @@ final class EventHeap {
 
   private final EventQueue.Order order;
 
+  /** When the event of each circle is due. */
+  private final double[] times;
+
   /** The ints of circles; of each the place of its event here, or NONE. */
   private final int[] codes;
 
   private int[] heap = new int[16];
-  private double[] times = new double[16];
   private int size;
 
-  EventHeap(int count, EventQueue.Order order, int[] codes) {
+  EventHeap(double[] times, EventQueue.Order order, int[] codes) {
+    this.times = times;
     this.order = order;
     this.codes = codes;
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < times.length; i++) {
       setPlace(i, NONE);
     }
   }
@@ -49,16 +52,12 @@ final class EventHeap {
     return heap[0];
   }
 
-  double firstTime() {
-    return times[0];
-  }
-
-  void add(int i, double time) {
+  /** Adds the event of circle i, whose time does not change while it is here. */
+  void add(int i) {
     if (size == heap.length) {
       heap = Arrays.copyOf(heap, 2 * size);
-      times = Arrays.copyOf(times, 2 * size);
     }
-    up(size++, i, time);
+    up(size++, i);
   }
 
   /** Takes out the event of circle i, if it is here. */
@@ -74,7 +73,7 @@ final class EventHeap {
     setPlace(heap[0], NONE);
     size--;
     if (size > 0) {
-      down(0, heap[size], times[size]);
+      down(0, heap[size]);
     }
   }
 
@@ -83,54 +82,51 @@ final class EventHeap {
     size--;
     if (k < size) {
       int i = heap[size];
-      double time = times[size];
-      if (k > 0 && before(i, time, (k - 1) / 2)) {
-        up(k, i, time);
+      if (k > 0 && before(i, heap[(k - 1) / 2])) {
+        up(k, i);
       } else {
-        down(k, i, time);
+        down(k, i);
       }
     }
   }
 
-  private void put(int k, int i, double time) {
+  private void put(int k, int i) {
     heap[k] = i;
-    times[k] = time;
     setPlace(i, k);
   }
 
   /** Puts an event at place k of the heap or above. */
-  private void up(int k, int i, double time) {
+  private void up(int k, int i) {
     int at = k;
     while (at > 0) {
       int parent = (at - 1) / 2;
-      if (!before(i, time, parent)) {
+      if (!before(i, heap[parent])) {
         break;
       }
-      put(at, heap[parent], times[parent]);
+      put(at, heap[parent]);
       at = parent;
     }
-    put(at, i, time);
+    put(at, i);
   }
 
   /** Puts an event at place k of the heap or below. */
-  private void down(int k, int i, double time) {
+  private void down(int k, int i) {
     int at = k;
     while (2 * at + 1 < size) {
       int child = 2 * at + 1;
-      if (child + 1 < size && before(heap[child + 1], times[child + 1], child)) {
+      if (child + 1 < size && before(heap[child + 1], heap[child])) {
         child++;
       }
-      if (before(i, time, child)) {
+      if (before(i, heap[child])) {
         break;
       }
-      put(at, heap[child], times[child]);
+      put(at, heap[child]);
       at = child;
     }
-    put(at, i, time);
+    put(at, i);
   }
 
-  private boolean before(int i, double time, int k) {
-    double other = times[k];
-    return time != other ? time < other : order.before(i, heap[k]);
+  private boolean before(int i, int j) {
+    return times[i] != times[j] ? times[i] < times[j] : order.before(i, j);
   }
 }

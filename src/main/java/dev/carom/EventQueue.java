@@ -120,7 +120,7 @@ final class EventQueue {
     coarse = new EntryLists(buckets + 1, buckets + 2 + count / 8);
     times = new double[count];
     Arrays.fill(times, NEVER);
-    heap = new EventHeap(count, order, codes);
+    heap = new EventHeap(times, order, codes);
     current = buckets;
   }
 
@@ -169,22 +169,22 @@ final class EventQueue {
    * at the current bucket.
    */
   boolean isBeforeAll(double time) {
-    return isCurrent(time) && (heap.isEmpty() || time < heap.firstTime());
+    return isCurrent(time) && (heap.isEmpty() || time < times[heap.first()]);
   }
 
   private boolean isCurrent(double time) {
-    return (time - base) * perBucket < current + 1 && fineBucket(time) <= currentFine;
+    return (int) ((time - base) * perBucket) <= current && fineBucket(time) <= currentFine;
   }
 
   private void insert(int i, double time) {
-    double bucket = (time - base) * perBucket;
-    if (!(bucket < current + 1)) {
-      coarse.add(bucket < buckets ? (int) bucket : buckets, i, time);
+    int bucket = (int) ((time - base) * perBucket);
+    if (bucket > current) {
+      coarse.add(Math.min(bucket, buckets), i, time);
       return;
     }
     int f = fineBucket(time);
     if (f <= currentFine) {
-      heap.add(i, time);
+      heap.add(i);
     } else {
       addFine(f, i, time);
     }
@@ -258,7 +258,7 @@ final class EventQueue {
       double time = fine.times[k];
       // A second entry for the same time finds the first one in the heap.
       if (isMeant(i, time) && (heap.isEmpty() || !heap.contains(i))) {
-        heap.add(i, time);
+        heap.add(i);
       }
       k = fine.release(k);
     }
