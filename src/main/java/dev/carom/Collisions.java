@@ -48,6 +48,9 @@ final class Collisions extends Engine {
   /** The end of the step in hand. */
   private double end;
 
+  /** Whether there are no lines and no pegs, in this step. */
+  private boolean nothingInside;
+
   /** What searches among neighbours found: for one circle, and for another. */
   private int[] found;
 
@@ -76,6 +79,7 @@ final class Collisions extends Engine {
   /** Foresees everything anew, from the flights. */
   private void begin() {
     crossed = Double.NaN;
+    nothingInside = surroundings.obstacles.size() == 0;
     int room = circles.capacity();
     found = new int[room + 9];
     foundOfOther = new int[room + 9];
@@ -100,6 +104,7 @@ final class Collisions extends Engine {
     unfinished = false;
     this.end = end;
     prepare();
+    nothingInside = surroundings.obstacles.size() == 0;
     if (outgrown) {
       outgrown = false;
       begin();
@@ -117,10 +122,16 @@ final class Collisions extends Engine {
         unfinished = true;
         return reached;
       }
-      // A crossing may be noticed late by rounding: time does not go back for it.
-      reached = Math.max(reached, queue.time(i));
+      reach(queue.time(i));
       queue.take(i);
       happen(i);
+    }
+  }
+
+  /** Goes on to a time. A crossing may be noticed late by rounding: time does not go back for it. */
+  private void reach(double time) {
+    if (time > reached) {
+      reached = time;
     }
   }
 
@@ -185,7 +196,7 @@ final class Collisions extends Engine {
         schedule.set(i);
         return;
       }
-      reached = Math.max(reached, meetings.time(i));
+      reach(meetings.time(i));
     }
     int j = meetings.partner(i);
     queue.clear(j);
@@ -214,10 +225,7 @@ final class Collisions extends Engine {
   /** Whether the meeting of circle i, now that its time is known, comes before all other events. */
   private boolean isStillFirst(int i) {
     double time = meetings.time(i);
-    return time <= end
-        && queue.isBeforeAll(time)
-        && time < neighbors.crossing(i)
-        && time < schedule.due(i);
+    return time <= end && queue.isBeforeAll(time);
   }
 
   /** Notes that a sensor reported what circle i met: one of two. */
@@ -305,7 +313,7 @@ final class Collisions extends Engine {
    * Looks for the next obstacle ahead of a circle, unless that is done or none can be in its cell.
    */
   private void lookAround(int i) {
-    boolean nothingNear = surroundings.obstacles.size() == 0 && neighbors.isInside(i);
+    boolean nothingNear = nothingInside && neighbors.isInside(i);
     if (!nothingNear && !schedule.isLookedAhead(i)) {
       circles.load(i);
       surroundings.extend(circles.mover, 0);
@@ -315,11 +323,10 @@ final class Collisions extends Engine {
 
   /** Looks anew for the first circle that circle i meets. */
   private void foresee(int i) {
-    meetings.clear(i);
     int size = neighbors.find(i, found);
     double crossing = neighbors.crossing(i);
     int way = neighbors.way();
-    meetings.look(i, found, size);
+    meetings.decide(i, found, meetings.sift(i, found, size));
     schedule.set(i, crossing, way);
   }
 
@@ -328,8 +335,6 @@ final class Collisions extends Engine {
    * branches on it, which cannot be foretold. So the waits of one overlap with those of the other.
    */
   private void foresee(int i, int j) {
-    meetings.clear(i);
-    meetings.clear(j);
     int size = neighbors.find(i, found);
     int sizeOfJ = neighbors.find(j, foundOfOther);
     double crossingOfI = neighbors.crossing(i);

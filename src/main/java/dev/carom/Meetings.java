@@ -49,8 +49,8 @@ final class Meetings {
   /** What a sum of a time and t errs by, far more than its rounding and its tail. */
   private static final double SUM_BOUND = 0x1p-50;
 
-  private static final long EXPONENT = 0x7ff0000000000000L;
-  private static final long LEAST_EXPONENT = 0x0010000000000000L;
+  /** Half of what takes the bits of -infinity, as a whole number, to 0. */
+  private static final long HALF_OF_REST = 1L << 51;
 
   private final Circles circles;
   private final double[] state;
@@ -77,15 +77,6 @@ final class Meetings {
     state = circles.state;
     codes = circles.codes;
     this.pairs = pairs;
-  }
-
-  /** Forgets what was foreseen of circle i. */
-  void clear(int i) {
-    int a = Circles.collidingAt(i);
-    state[a + Circles.MEETING] = NEVER;
-    state[a + Circles.MEETING_TAIL] = 0;
-    state[a + Circles.TAU] = 0;
-    codes[Circles.collidingCodesAt(i) + Circles.PARTNER] = EventQueue.NONE;
   }
 
   /** When circle i meets another one, at the earliest; it is the time itself once refined. */
@@ -118,6 +109,19 @@ final class Meetings {
     return codes[c + Circles.PARTNER_COUNT] == codes[Circles.collidingCodesAt(j) + Circles.COUNT];
   }
 
+  /** Whether that has to be refined, since its bounds do not tell if it comes before a time. */
+  boolean isInDoubt(int i, double time) {
+    int a = Circles.collidingAt(i);
+    double low = state[a + Circles.MEETING];
+    return Math.abs(time - low) < 2 * doubt(low, state[a + Circles.T]) && isOpen(i) && holds(i);
+  }
+
+  /** How much later a meeting may be that is open, if at the earliest and the flight's start. */
+  private static double doubt(double low, double start) {
+    // low was the time less its error, and t at most the time from the flight's start.
+    return (low - start) * (4 * TIME_BOUND) + low * (4 * SUM_BOUND);
+  }
+
   /** Finds the time of what was foreseen of circle i, which is open and holds. */
   void refine(int i) {
     int a = Circles.collidingAt(i);
@@ -132,15 +136,11 @@ final class Meetings {
    *
    * @param found the others, as {@link Neighbors} finds them; those that it cannot meet are taken
    *     out
-   * @return false if what was foreseen does not hold and stands in the way of telling: then it is
-   *     to be cleared, and all are to be looked at
+   * @return false if what was foreseen does not hold and stands in the way of telling: then all are
+   *     to be looked at {@linkplain #decide anew}
    */
   boolean look(int i, int[] found, int size) {
-    return decide(i, found, sift(i, found, size));
-  }
-
-  /** The same of those that {@link #sift} left. */
-  boolean decide(int i, int[] found, int left) {
+    int left = sift(i, found, size);
     if (left == 0) {
       return true;
     }
@@ -151,8 +151,25 @@ final class Meetings {
         return false;
       }
     }
+    if (partner != before) {
+      storePartner(i);
+    }
     store(i);
     return true;
+  }
+
+  /** Forgets what was foreseen of circle i, and foresees it among those that {@link #sift} left. */
+  void decide(int i, int[] found, int left) {
+    partner = EventQueue.NONE;
+    low = NEVER;
+    high = NEVER;
+    tau = 0;
+    tail = 0;
+    for (int k = 0; k < left; k++) {
+      consider(i, found[k], EventQueue.NONE);
+    }
+    storePartner(i);
+    store(i);
   }
 
   /**
@@ -180,20 +197,21 @@ final class Meetings {
       found[end] = follower;
       end += 1 + (follower >> 31);
       int c = Circles.collidingAt(j);
+      double xj = s[c + Circles.X];
+      double r = ri + s[c + Circles.RADIUS];
       double vxj = s[c + Circles.VX];
       double vyj = s[c + Circles.VY];
       // By how much j starts later than i, and i later than j; 0 for the one that does not.
       double later = (s[c + Circles.T] - ti) + (s[c + Circles.TL] - tli);
       double ofI = positive(later);
       double ofJ = ofI - later;
-      double dx = Math.fma(vxi, ofI, xi) - Math.fma(vxj, ofJ, s[c + Circles.X]);
+      double dx = Math.fma(vxi, ofI, xi) - Math.fma(vxj, ofJ, xj);
       double dy = Math.fma(vyi, ofI, yi) - Math.fma(vyj, ofJ, s[c + Circles.Y]);
       double ux = vxi - vxj;
       double uy = vyi - vyj;
       double by = uy * dy;
       double b = Math.fma(ux, dx, by);
-      double apart = b - Math.fma(APART_BOUND, Math.abs(by), FirstRoot.TINY);
-      double r = ri + s[c + Circles.RADIUS];
+      double toward = Math.fma(APART_BOUND, Math.abs(by), FirstRoot.TINY) - b;
       double arr = Math.fma(ux, ux, Math.fma(uy, uy, SMALL)) * Math.fma(r, r, SMALL);
       double ky = uy * dx;
       double cross = Math.fma(ux, dy, -ky);
@@ -203,7 +221,8 @@ final class Meetings {
           Math.fma(-cross, cross, arr) + Math.fma(REACH_BOUND, Math.fma(m, m, arr), FirstRoot.TINY);
       found[left] = j;
       int other = j ^ i;
-      left += mayMeet(apart, near) & ((other | -other) >>> 31);
+      int passes = (int) ((below(toward) | below(near)) >> 32);
+      left += (~passes & (other | -other)) >>> 31;
     }
     return left;
   }
@@ -214,12 +233,10 @@ final class Meetings {
     return Double.longBitsToDouble(bits & ~(bits >> 63));
   }
 
-  /** 0 if apart > 0 or near < 0, else 1; 1 too if near is no finite number, for then any is not. */
-  private static int mayMeet(double apart, double near) {
-    long bits = Double.doubleToRawLongBits(near);
-    long not = (~Double.doubleToRawLongBits(apart) | bits) >>> 63;
-    long beyondRange = ((bits & EXPONENT) + LEAST_EXPONENT) >>> 63;
-    return (int) ((~not & 1) | beyondRange);
+  /** Below 0 if x is, and a finite number; else at least 0. */
+  private static long below(double x) {
+    // As whole numbers, -infinity and what is no number are from -2^52 on.
+    return (Double.doubleToRawLongBits(x) >> 1) + HALF_OF_REST;
   }
 
   /** Keeps j as what circle i meets first, if that is so; false as in look. */
@@ -280,13 +297,11 @@ final class Meetings {
 
   private void start(int i) {
     int a = Circles.collidingAt(i);
-    double ti = state[a + Circles.T];
     partner = codes[Circles.collidingCodesAt(i) + Circles.PARTNER];
     low = state[a + Circles.MEETING];
     tau = state[a + Circles.TAU];
     tail = state[a + Circles.MEETING_TAIL];
-    // low was the time less its error, and t at most the time from the flight's start.
-    high = Double.isNaN(tau) ? low + ((low - ti) * (4 * TIME_BOUND) + low * (4 * SUM_BOUND)) : low;
+    high = Double.isNaN(tau) ? low + doubt(low, state[a + Circles.T]) : low;
   }
 
   private void store(int i) {
@@ -294,9 +309,12 @@ final class Meetings {
     state[a + Circles.MEETING] = low;
     state[a + Circles.TAU] = tau;
     state[a + Circles.MEETING_TAIL] = tail;
+  }
+
+  private void storePartner(int i) {
     int c = Circles.collidingCodesAt(i);
-    if (partner != codes[c + Circles.PARTNER]) {
-      codes[c + Circles.PARTNER] = partner;
+    codes[c + Circles.PARTNER] = partner;
+    if (partner != EventQueue.NONE) {
       codes[c + Circles.PARTNER_COUNT] = codes[Circles.collidingCodesAt(partner) + Circles.COUNT];
     }
   }

@@ -103,6 +103,10 @@ final class Schedule {
   /** The same with the crossing that is next, {@code way} over which edge. */
   void set(int i, double crossing, int way) {
     double due = due(i);
+    // What is refined only when its turn comes is then still before the crossing and the obstacle.
+    if (meetings.isInDoubt(i, due < crossing ? due : crossing)) {
+      meetings.refine(i);
+    }
     double meeting = meetings.time(i);
     double time = Math.min(crossing, meeting);
     // Without a branch, as it cannot be foretold: if none ever is, there is no event of any kind.
@@ -113,8 +117,9 @@ final class Schedule {
     if (meeting == crossing && meeting < NEVER && isBeforeCrossing(i)) {
       kind = PAIR;
     }
-    boolean first = due < crossing || (due == crossing && cleared(i) < untilCrossing(i));
-    if (due <= time && first && !(meeting <= due && isBeforeObstacle(i))) {
+    if (due <= time
+        && (due < crossing || cleared(i) < untilCrossing(i))
+        && !(meeting <= due && isBeforeObstacle(i))) {
       kind = STATIC;
       time = due;
     }
