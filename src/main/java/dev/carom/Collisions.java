@@ -136,25 +136,26 @@ final class Collisions extends Engine {
   }
 
   private void happen(int i) {
-    switch (schedule.kind(i)) {
+    int kind = schedule.kind(i);
+    switch (kind) {
       case Schedule.STATIC -> meetObstacle(i);
       case Schedule.PAIR -> meet(i);
       case Schedule.EDIT -> {
         lookAround(i);
         foresee(i);
       }
-      default -> cross(i);
+      default -> cross(i, kind - Schedule.CROSSING);
     }
   }
 
-  private void cross(int i) {
+  private void cross(int i, int way) {
     crossed = reached;
-    int size = neighbors.cross(i, schedule.kind(i) - Schedule.CROSSING, found);
+    int size = neighbors.cross(i, way, found);
     double crossing = neighbors.crossing(i);
-    int way = neighbors.way();
+    int nextWay = neighbors.way();
     lookAround(i);
     if (meetings.look(i, found, size)) {
-      schedule.set(i, crossing, way);
+      schedule.set(i, crossing, nextWay);
     } else {
       foresee(i);
     }

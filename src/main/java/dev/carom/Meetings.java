@@ -248,7 +248,7 @@ final class Meetings {
     double tj = s[c + Circles.T];
     double later = (tj - ti) + (s[c + Circles.TL] - s[a + Circles.TL]);
     double ofI = positive(later);
-    double ofJ = positive(-later);
+    double ofJ = ofI - later;
     double from = Math.max(ti, tj);
     double vxi = s[a + Circles.VX];
     double vyi = s[a + Circles.VY];
