@@ -223,7 +223,10 @@ final class Collisions extends Engine {
     foresee(low, high);
   }
 
-  /** Whether the meeting of circle i, now that its time is known, comes before all other events. */
+  /**
+   * Whether the meeting of circle i, now that its time is known, comes before all other events:
+   * those of others, for its own were compared by {@link Schedule#set}.
+   */
   private boolean isStillFirst(int i) {
     double time = meetings.time(i);
     return time <= end && queue.isBeforeAll(time);

@@ -75,7 +75,7 @@ final class Schedule {
   }
 
   /** When the obstacle ahead is met, or what is known of obstacles ends. */
-  double due(int i) {
+  private double due(int i) {
     int a = Circles.collidingAt(i);
     double cleared = state[a + Circles.CLEARED];
     return isLookedAhead(i) && cleared < NEVER
