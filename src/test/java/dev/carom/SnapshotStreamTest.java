@@ -166,6 +166,30 @@ class SnapshotStreamTest {
   }
 
   @Test
+  void whatThingsDoIsKept() throws IOException {
+    World world =
+        new World(
+            room()
+                .response(Response.HALT)
+                .line(10, 20, 30, 40)
+                .oneWay()
+                .peg(50, 50, 5)
+                .response(Response.SENSOR)
+                .circle(70, 70, 3, 1, -2)
+                .circle(20, 80, 3, 1, -2)
+                .response(Response.SENSOR)
+                .build());
+    world.remove(ObstacleKind.CIRCLE, 0);
+    World other = new World(world.scene());
+    other.restore(read(bytes(world.snapshot())));
+    assertThat(other.snapshot()).isEqualTo(world.snapshot());
+    assertThat(other.response(ObstacleKind.WALL, 0)).isEqualTo(Response.HALT);
+    assertThat(other.oneWay(0)).isTrue();
+    assertThat(other.response(ObstacleKind.PEG, 0)).isEqualTo(Response.SENSOR);
+    assertThat(other.response(ObstacleKind.CIRCLE, 1)).isEqualTo(Response.SENSOR);
+  }
+
+  @Test
   void aJamIsKept() throws IOException {
     Snapshot snapshot = read(small());
     snapshot.flights.jams = new Jam[] {null, Jam.with(Jam.with(null, 3), Obstacles.PEGS)};
