@@ -8,8 +8,7 @@ import java.util.Arrays;
  * for each {@value #BLOCK} in a row that were quiet: where nothing happens to them, one comparison
  * tells.
  *
- * <p>Times are kept as their bits: those of numbers that are not negative stand in the same order,
- * and the lesser of two whole numbers takes no branch.
+ * <p>Times are kept as their bits: those of numbers that are not negative stand in the same order.
  */
 final class Agenda {
 
