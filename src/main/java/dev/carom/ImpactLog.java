@@ -19,17 +19,26 @@ public final class ImpactLog {
    */
   private static final int ROW = 6;
 
-  // Ordinals are kept as bytes: storing a reference costs what a garbage collector must know of it.
+  /** Ints of one row: circle, obstacle, and what is packed, see {@link #WHAT}. */
+  private static final int INTS = 3;
+
+  private static final int OBSTACLE = 1;
+
+  /** The ordinal of the kind, from FEATURE on that of the feature, and whether it jammed. */
+  private static final int WHAT = 2;
+
+  private static final int FEATURE = 8;
+  private static final int ORDINAL = (1 << FEATURE) - 1;
+  private static final int JAMMED = 1 << 16;
+
+  // Ordinals are kept as numbers: storing a reference costs what a garbage collector must know of
+  // it.
   private static final ObstacleKind[] KINDS = ObstacleKind.values();
   private static final Feature[] FEATURES = Feature.values();
 
   private int size;
   private double[] numbers;
-  private int[] circles;
-  private int[] obstacles;
-  private byte[] kinds;
-  private byte[] features;
-  private boolean[] jammed;
+  private int[] ints;
 
   private final TimeOrder order;
 
@@ -42,11 +51,7 @@ public final class ImpactLog {
   /** With room for some rows; it grows as needed. */
   ImpactLog(int rows) {
     numbers = new double[rows * ROW];
-    circles = new int[rows];
-    obstacles = new int[rows];
-    kinds = new byte[rows];
-    features = new byte[rows];
-    jammed = new boolean[rows];
+    ints = new int[rows * INTS];
     order = new TimeOrder(numbers, ROW);
   }
 
@@ -78,7 +83,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public int circle(int row) {
-    return circles[at(row)];
+    return ints[at(row) * INTS];
   }
 
   /**
@@ -89,7 +94,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public ObstacleKind kind(int row) {
-    return KINDS[kinds[at(row)]];
+    return KINDS[what(row) & ORDINAL];
   }
 
   /**
@@ -100,7 +105,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public int id(int row) {
-    return obstacles[at(row)];
+    return ints[at(row) * INTS + OBSTACLE];
   }
 
   /**
@@ -111,7 +116,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public Feature feature(int row) {
-    return FEATURES[features[at(row)]];
+    return FEATURES[what(row) >> FEATURE & ORDINAL];
   }
 
   /**
@@ -180,7 +185,11 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public boolean jammed(int row) {
-    return jammed[at(row)];
+    return what(row) >= JAMMED;
+  }
+
+  private int what(int row) {
+    return ints[at(row) * INTS + WHAT];
   }
 
   private double length(int k) {
@@ -197,35 +206,36 @@ public final class ImpactLog {
 
   /** Adds a row, to be completed by {@link #set}. */
   void add(double time, int circle, ObstacleKind kind, int obstacle, Feature feature) {
-    if (size == circles.length) {
+    int row = size;
+    int k = row * ROW;
+    if (k == numbers.length) {
       grow();
     }
-    int k = size * ROW;
     disorder |= Double.doubleToRawLongBits(time - latest);
     latest = time;
     numbers[k] = time;
-    circles[size] = circle;
-    obstacles[size] = obstacle;
-    kinds[size] = (byte) kind.ordinal();
-    features[size] = (byte) feature.ordinal();
-    jammed[size] = false;
-    order.rows[size] = size;
-    size++;
+    int c = row * INTS;
+    ints[c] = circle;
+    ints[c + WHAT] = kind.ordinal() | feature.ordinal() << FEATURE;
+    ints[c + OBSTACLE] = obstacle;
+    order.rows[row] = row;
+    size = row + 1;
   }
 
   /** Completes the row added last, with a normal of any length and v.n. */
   void set(double x, double y, double nx, double ny, double vn) {
     int k = (size - 1) * ROW;
+    // The first and the last one first: then compilers need not ask whether the rest is in range.
     numbers[k + 1] = Vec2.within(x);
+    numbers[k + 5] = vn;
     numbers[k + 2] = Vec2.within(y);
     numbers[k + 3] = nx;
     numbers[k + 4] = ny;
-    numbers[k + 5] = vn;
   }
 
   /** Marks the row added last as the one at which its circle jams. */
   void setJammed() {
-    jammed[size - 1] = true;
+    ints[(size - 1) * INTS + WHAT] |= JAMMED;
   }
 
   /**
@@ -241,11 +251,7 @@ public final class ImpactLog {
   private void grow() {
     int capacity = 2 * size;
     numbers = Arrays.copyOf(numbers, capacity * ROW);
-    circles = Arrays.copyOf(circles, capacity);
-    obstacles = Arrays.copyOf(obstacles, capacity);
-    kinds = Arrays.copyOf(kinds, capacity);
-    features = Arrays.copyOf(features, capacity);
-    jammed = Arrays.copyOf(jammed, capacity);
+    ints = Arrays.copyOf(ints, capacity * INTS);
     order.extend(numbers);
   }
 
