@@ -6,7 +6,10 @@ import java.util.Arrays;
 /**
  * Which circles have their centre in which square cell: a list for each cell. Rows follow each
  * other on a ring of cells, so the plane needs no edge; far cells that share a list only make a
- * search look at a circle in vain.
+ * search look at a circle in vain. A cell is named by its {@link #place}.
+ *
+ * <p>Here stand the first circles of the lists. Who follows stands among the ints of circles that
+ * collide, and is found by going through the list; or, where lists may be long, in {@link Lists}.
  */
 final class Cells {
 
@@ -15,78 +18,55 @@ final class Cells {
   private final int columns;
   private final int[] heads;
 
-  /** The follower of circle i is at first + (i << spread). */
-  private final int[] next;
-
-  private final int first;
-  private final int spread;
-
-  /** Null where lists are short: there a circle is found in its list by going through it. */
-  private final int[] previous;
-
-  /**
-   * The numbers of columns and rows are powers of two, at least 4.
-   *
-   * @param next room for the followers of all circles
-   * @param previous room for those before them, or null for short lists
-   */
-  Cells(int columns, int rows, int[] next, int[] previous) {
-    this(columns, rows, next, 0, 0, previous);
-  }
-
-  /** Short lists; followers stand among the ints of circles that collide. */
-  Cells(int columns, int rows, Circles circles) {
-    this(
-        columns,
-        rows,
-        circles.codes,
-        Circles.collidingCodesAt(0) + Circles.FOLLOWER,
-        Circles.COLLIDING_CODES_SHIFT,
-        null);
-  }
-
-  private Cells(int columns, int rows, int[] next, int first, int spread, int[] previous) {
+  /** The numbers of columns and rows are powers of two, at least 4. */
+  Cells(int columns, int rows) {
     this.columns = columns;
     heads = new int[columns * rows];
     Arrays.fill(heads, NONE);
-    this.next = next;
-    this.first = first;
-    this.spread = spread;
-    this.previous = previous;
   }
 
-  void add(int i, int column, int row) {
-    int cell = index(column, row);
-    int head = heads[cell];
-    next[at(i)] = head;
-    if (previous != null) {
-      previous[i] = NONE;
-      if (head != NONE) {
-        previous[head] = i;
-      }
-    }
+  /** A cell's place if the ring had no end. */
+  int place(int column, int row) {
+    return row * columns + column;
+  }
+
+  /** How far a step leads to the right, or, where vertical is -1 instead of 0, up. */
+  int step(int vertical) {
+    return 1 ^ ((1 ^ columns) & vertical);
+  }
+
+  int first(int place) {
+    return heads[index(place)];
+  }
+
+  void setFirst(int place, int i) {
+    heads[index(place)] = i;
+  }
+
+  /** Lists circle i, with the ints of all circles in hand. */
+  void add(int[] codes, int i, int place) {
+    int cell = index(place);
+    codes[follower(i)] = heads[cell];
     heads[cell] = i;
   }
 
-  void remove(int i, int column, int row) {
-    int before = previous == null ? before(i, column, row) : previous[i];
-    int after = next[at(i)];
-    if (before == NONE) {
-      heads[index(column, row)] = after;
-    } else {
-      next[at(before)] = after;
+  /** Takes circle i off its list. */
+  void remove(int[] codes, int i, int place) {
+    int cell = index(place);
+    int after = codes[follower(i)];
+    int j = heads[cell];
+    if (j == i) {
+      heads[cell] = after;
+      return;
     }
-    if (previous != null && after != NONE) {
-      previous[after] = before;
+    while (codes[follower(j)] != i) {
+      j = codes[follower(j)];
     }
+    codes[follower(j)] = after;
   }
 
-  private int before(int i, int column, int row) {
-    int before = NONE;
-    for (int j = heads[index(column, row)]; j != i; j = next[at(j)]) {
-      before = j;
-    }
-    return before;
+  private static int follower(int i) {
+    return Circles.collidingCodesAt(i) + Circles.FOLLOWER;
   }
 
   /**
@@ -97,31 +77,27 @@ final class Cells {
    * @param found room for all circles and 9 more, from the place {@code size} on
    * @return the place after the last one found
    */
-  int around(int column, int row, int[] found, int size) {
-    int place = place(column, row);
+  int around(int place, int[] found, int size) {
     int end = row(place - columns, found, size);
     end = row(place, found, end);
     return row(place + columns, found, end);
   }
 
   /** The same around circle i; where that is the first of its list, its follower stands for it. */
-  int others(int i, int column, int row, int[] found, int size) {
-    int place = place(column, row);
-    int end = row(place - columns, found, size);
+  int others(int[] codes, int i, int place, int[] found) {
+    int end = row(place - columns, found, 0);
     int a = heads[index(place - 1)];
     int b = heads[index(place)];
     int c = heads[index(place + 1)];
     int difference = b ^ i;
-    int follower = next[at(i)];
+    int follower = codes[follower(i)];
     int same = ~((difference | -difference) >> 31);
     end = three(a, b ^ ((b ^ follower) & same), c, found, end);
     return row(place + columns, found, end);
   }
 
   /** The same for a cell and those a step before and after it. */
-  int beside(int column, int row, int dx, int dy, int[] found, int size) {
-    int place = place(column, row);
-    int step = place(dx, dy);
+  int beside(int place, int step, int[] found, int size) {
     int a = heads[index(place - step)];
     int b = heads[index(place)];
     int c = heads[index(place + step)];
@@ -129,10 +105,7 @@ final class Cells {
   }
 
   private int row(int place, int[] found, int size) {
-    int a = heads[index(place - 1)];
-    int b = heads[index(place)];
-    int c = heads[index(place + 1)];
-    return three(a, b, c, found, size);
+    return beside(place, 1, found, size);
   }
 
   private static int three(int a, int b, int c, int[] found, int size) {
@@ -142,17 +115,6 @@ final class Cells {
     end += 1 + (b >> 31);
     found[end] = c;
     return end + 1 + (c >> 31);
-  }
-
-  /** Adds those that follow in the lists, and returns the place after the last. */
-  int follow(int[] found, int from, int to) {
-    int end = to;
-    for (int k = from; k < end; k++) {
-      int follower = next[at(found[k])];
-      found[end] = follower;
-      end += 1 + (follower >> 31);
-    }
-    return end;
   }
 
   /** Writes down where the lists of a cell and of the eight around it stand. */
@@ -183,10 +145,6 @@ final class Cells {
     }
   }
 
-  private int at(int i) {
-    return first + (i << spread);
-  }
-
   private int index(int column, int row) {
     return index(place(column, row));
   }
@@ -194,10 +152,5 @@ final class Cells {
   /** By the length, so that compilers know that it is in range. */
   private int index(int place) {
     return place & (heads.length - 1);
-  }
-
-  /** A cell's place if the ring had no end; of a step, how far it leads. */
-  private int place(int column, int row) {
-    return row * columns + column;
   }
 }

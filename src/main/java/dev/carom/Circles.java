@@ -51,22 +51,26 @@ final class Circles {
   private static final int CONTACT_BITS = (1 << PACE_SHIFT) - 1;
 
   // And of one that collides: whom it meets, that one's count then, and its own count of changes;
-  // who follows it in its cell's list, and its event's place in the heap, and kind.
+  // who follows it in its cell's list; its event's place in the heap, and kind; its cell's place.
   static final int PARTNER = 5;
   static final int PARTNER_COUNT = 6;
   static final int COUNT = 7;
   static final int FOLLOWER = 8;
   static final int PLACE = 9;
   static final int KIND = 10;
+  static final int CELL = 11;
 
-  /** A cache line of ints for each circle that collides: 2^4, of which 11 are used. */
-  static final int COLLIDING_CODES_SHIFT = 4;
-
-  private static final int COLLIDING_CODES = 1 << COLLIDING_CODES_SHIFT;
+  /** A cache line of ints for each circle that collides, of which 12 are used. */
+  private static final int COLLIDING_CODES = 16;
 
   int count;
+
+  // Who plays the events of circles that collide takes these two in hand and passes them on: a
+  // compiler would else load them anew, with their lengths, wherever it has lost sight of them, and
+  // ask again whether a circle is in their range. They stay the same until one is added.
   double[] state;
   int[] codes;
+
   private final int first;
   private final int stride;
   private final int firstCode;
@@ -149,7 +153,7 @@ final class Circles {
 
   /** Where its ints begin. */
   static int collidingCodesAt(int i) {
-    return CODES_ALIGNMENT + (i << COLLIDING_CODES_SHIFT);
+    return CODES_ALIGNMENT + i * COLLIDING_CODES;
   }
 
   /** Puts circle i of a scene at the start of its first flight, into the mover only. */

@@ -89,7 +89,7 @@ final class Collisions extends Engine {
     schedule = new Schedule(circles, roster, neighbors, meetings, pairs, room);
     queue = schedule.queue;
     for (int i : ids) {
-      lookAround(i);
+      lookAround(circles.state, circles.codes, i);
       foresee(i);
     }
   }
@@ -109,6 +109,8 @@ final class Collisions extends Engine {
       outgrown = false;
       begin();
     }
+    double[] s = circles.state;
+    int[] c = circles.codes;
     long budget = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * roster.count();
     ExactWork work = ExactWork.ofThread();
     long before = work.bits();
@@ -124,7 +126,12 @@ final class Collisions extends Engine {
       }
       reach(queue.time(i));
       queue.take(i);
-      happen(i);
+      int kind = Schedule.kind(c, i);
+      if (kind >= Schedule.CROSSING) { // most are
+        cross(s, c, i, kind - Schedule.CROSSING);
+      } else {
+        happen(s, c, i, kind);
+      }
     }
   }
 
@@ -135,27 +142,26 @@ final class Collisions extends Engine {
     }
   }
 
-  private void happen(int i) {
-    int kind = schedule.kind(i);
+  /** What is no crossing. */
+  private void happen(double[] s, int[] c, int i, int kind) {
     switch (kind) {
       case Schedule.STATIC -> meetObstacle(i);
-      case Schedule.PAIR -> meet(i);
-      case Schedule.EDIT -> {
-        lookAround(i);
+      case Schedule.PAIR -> meet(s, c, i);
+      default -> { // an edit
+        lookAround(s, c, i);
         foresee(i);
       }
-      default -> cross(i, kind - Schedule.CROSSING);
     }
   }
 
-  private void cross(int i, int way) {
+  private void cross(double[] s, int[] c, int i, int way) {
     crossed = reached;
-    int size = neighbors.cross(i, way, found);
-    double crossing = neighbors.crossing(i);
+    int size = neighbors.cross(s, c, i, way, found);
+    double crossing = neighbors.crossing(s, i);
     int nextWay = neighbors.way();
-    lookAround(i);
-    if (meetings.look(i, found, size)) {
-      schedule.set(i, crossing, nextWay);
+    lookAround(s, c, i);
+    if (meetings.look(s, c, i, found, size)) {
+      schedule.set(s, c, i, crossing, nextWay);
     } else {
       foresee(i);
     }
@@ -176,7 +182,7 @@ final class Collisions extends Engine {
         seize(i);
         return;
       }
-      changed(i, m);
+      changed(circles.state, circles.codes, i, m);
       revive(i);
       foresee(i);
     } else {
@@ -186,26 +192,26 @@ final class Collisions extends Engine {
     }
   }
 
-  private void meet(int i) {
-    if (!meetings.holds(i)) {
+  private void meet(double[] s, int[] c, int i) {
+    if (!Meetings.holds(c, i)) {
       foresee(i);
       return;
     }
-    if (meetings.isOpen(i)) {
-      meetings.refine(i);
-      if (!isStillFirst(i)) {
+    if (Meetings.isOpen(s, i)) {
+      meetings.refine(s, c, i);
+      if (!isStillFirst(s, i)) {
         schedule.set(i);
         return;
       }
-      reach(meetings.time(i));
+      reach(Meetings.time(s, i));
     }
-    int j = meetings.partner(i);
+    int j = Meetings.partner(c, i);
     queue.clear(j);
     int low = Math.min(i, j);
     int high = Math.max(i, j);
     circles.load(low, circles.mover);
     circles.load(high, other);
-    flyToMeeting(circles.mover, other, i);
+    flyToMeeting(s, circles.mover, other, i);
     if (pairs.resolve(circles.mover, other, log)) {
       if (response.seizes()) {
         circles.keep(low, circles.mover);
@@ -213,39 +219,39 @@ final class Collisions extends Engine {
         seize(low, high);
         return;
       }
-      changed(low, circles.mover);
-      changed(high, other);
+      changed(s, c, low, circles.mover);
+      changed(s, c, high, other);
       revive(low);
       revive(high);
     } else {
       report(low, high, i);
     }
-    foresee(low, high);
+    foresee(s, c, low, high);
   }
 
   /**
    * Whether the meeting of circle i, now that its time is known, comes before all other events:
    * those of others, for its own were compared by {@link Schedule#set}.
    */
-  private boolean isStillFirst(int i) {
-    double time = meetings.time(i);
+  private boolean isStillFirst(double[] s, int i) {
+    double time = Meetings.time(s, i);
     return time <= end && queue.isBeforeAll(time);
   }
 
   /** Notes that a sensor reported what circle i met: one of two. */
   private void report(int low, int high, int i) {
-    double head = meetings.time(i);
-    double tail = meetings.tail(i);
+    double head = Meetings.time(circles.state, i);
+    double tail = Meetings.tail(circles.state, i);
     happened(head, tail);
     sensed.report(low, head, tail, high);
     sensed.report(high, head, tail, low);
   }
 
   /** Flies two circles to the meeting foreseen of circle i, the earlier one first to the other. */
-  private void flyToMeeting(Mover a, Mover b, int i) {
-    double tau = meetings.tau(i);
-    double head = meetings.time(i);
-    double tail = meetings.tail(i);
+  private static void flyToMeeting(double[] s, Mover a, Mover b, int i) {
+    double tau = Meetings.tau(s, i);
+    double head = Meetings.time(s, i);
+    double tail = Meetings.tail(s, i);
     double later = (b.t - a.t) + (b.tl - a.tl);
     double ofA = Meetings.positive(later);
     double ofB = ofA - later;
@@ -255,15 +261,15 @@ final class Collisions extends Engine {
   }
 
   /** Puts a circle on its new flight. */
-  private void changed(int i, Mover m) {
+  private void changed(double[] s, int[] c, int i, Mover m) {
     happened(m.t, m.tl);
     circles.keep(i, m);
-    neighbors.comeBack(i);
-    count(i);
+    neighbors.comeBack(s, i);
+    count(c, i);
     if (timeline != null) {
       timeline.add(m);
     }
-    lookAround(i);
+    lookAround(s, c, i);
   }
 
   private void happened(double head, double tail) {
@@ -277,7 +283,7 @@ final class Collisions extends Engine {
     List<Mover> members = piece.seize(this::copy, log, first);
     for (Mover m : members) {
       queue.clear(m.id);
-      changed(m.id, m);
+      changed(circles.state, circles.codes, m.id, m);
     }
     members.forEach(m -> revive(m.id));
     members.forEach(m -> foresee(m.id));
@@ -308,17 +314,17 @@ final class Collisions extends Engine {
   }
 
   /** Notes that a circle changed: what others foresaw with it does not hold, nor what it met. */
-  private void count(int i) {
-    circles.codes[Circles.collidingCodesAt(i) + Circles.COUNT]++;
+  private void count(int[] c, int i) {
+    c[Circles.collidingCodesAt(i) + Circles.COUNT]++;
     sensed.forget(i);
   }
 
   /**
    * Looks for the next obstacle ahead of a circle, unless that is done or none can be in its cell.
    */
-  private void lookAround(int i) {
-    boolean nothingNear = nothingInside && neighbors.isInside(i);
-    if (!nothingNear && !schedule.isLookedAhead(i)) {
+  private void lookAround(double[] s, int[] c, int i) {
+    boolean nothingNear = nothingInside && neighbors.isInside(s, i);
+    if (!nothingNear && !Schedule.isLookedAhead(s, c, i)) {
       circles.load(i);
       surroundings.extend(circles.mover, 0);
       circles.keep(i, circles.mover);
@@ -327,30 +333,32 @@ final class Collisions extends Engine {
 
   /** Looks anew for the first circle that circle i meets. */
   private void foresee(int i) {
-    int size = neighbors.find(i, found);
-    double crossing = neighbors.crossing(i);
+    double[] s = circles.state;
+    int[] c = circles.codes;
+    int size = neighbors.find(c, i, found);
+    double crossing = neighbors.crossing(s, i);
     int way = neighbors.way();
-    meetings.decide(i, found, meetings.sift(i, found, size));
-    schedule.set(i, crossing, way);
+    meetings.decide(s, c, i, found, Meetings.sift(s, c, i, found, size));
+    schedule.set(s, c, i, crossing, way);
   }
 
   /**
    * The same for two circles: first what can be computed without a branch, for both, then what
    * branches on it, which cannot be foretold. So the waits of one overlap with those of the other.
    */
-  private void foresee(int i, int j) {
-    int size = neighbors.find(i, found);
-    int sizeOfJ = neighbors.find(j, foundOfOther);
-    double crossingOfI = neighbors.crossing(i);
+  private void foresee(double[] s, int[] c, int i, int j) {
+    int size = neighbors.find(c, i, found);
+    int sizeOfJ = neighbors.find(c, j, foundOfOther);
+    double crossingOfI = neighbors.crossing(s, i);
     int wayOfI = neighbors.way();
-    double crossingOfJ = neighbors.crossing(j);
+    double crossingOfJ = neighbors.crossing(s, j);
     int wayOfJ = neighbors.way();
-    int leftOfI = meetings.sift(i, found, size);
-    int leftOfJ = meetings.sift(j, foundOfOther, sizeOfJ);
-    meetings.decide(i, found, leftOfI);
-    schedule.set(i, crossingOfI, wayOfI);
-    meetings.decide(j, foundOfOther, leftOfJ);
-    schedule.set(j, crossingOfJ, wayOfJ);
+    int leftOfI = Meetings.sift(s, c, i, found, size);
+    int leftOfJ = Meetings.sift(s, c, j, foundOfOther, sizeOfJ);
+    meetings.decide(s, c, i, found, leftOfI);
+    schedule.set(s, c, i, crossingOfI, wayOfI);
+    meetings.decide(s, c, j, foundOfOther, leftOfJ);
+    schedule.set(s, c, j, crossingOfJ, wayOfJ);
   }
 
   // Edits.
@@ -369,7 +377,7 @@ final class Collisions extends Engine {
     }
     surroundings.setRadius(i, m.radius);
     circles.keep(i, m);
-    count(i);
+    count(circles.codes, i);
     if (timeline != null) {
       timeline.add(m);
     }
@@ -396,7 +404,7 @@ final class Collisions extends Engine {
       queue.clear(i);
       neighbors.leave(i);
     }
-    count(i);
+    count(circles.codes, i);
   }
 
   @Override

@@ -53,18 +53,13 @@ final class Meetings {
   private static final long HALF_OF_REST = 1L << 51;
 
   private final Circles circles;
-  private final double[] state;
-  private final int[] codes;
   private final PairResponse pairs;
   private final SensedPairs sensed;
 
-  // The first meeting found so far: from when to when it may be; with whom; if its time is not
-  // OPEN, how long after the later start it is, and the tail of the time, whose head is low then.
+  // The first meeting found so far, of which the rest stands where it is kept: with whom, and when
+  // it is at the latest.
   private int partner;
-  private double low;
   private double high;
-  private double tau;
-  private double tail;
 
   // The meeting that exact() looked at last: after the later start, as head and tail.
   private double exactTau;
@@ -74,46 +69,46 @@ final class Meetings {
   Meetings(Circles circles, PairResponse pairs, SensedPairs sensed) {
     this.sensed = sensed;
     this.circles = circles;
-    state = circles.state;
-    codes = circles.codes;
     this.pairs = pairs;
   }
 
   /** When circle i meets another one, at the earliest; it is the time itself once refined. */
-  double time(int i) {
-    return state[Circles.collidingAt(i) + Circles.MEETING];
+  static double time(double[] s, int i) {
+    return s[Circles.collidingAt(i) + Circles.MEETING];
   }
 
-  double tail(int i) {
-    return state[Circles.collidingAt(i) + Circles.MEETING_TAIL];
+  static double tail(double[] s, int i) {
+    return s[Circles.collidingAt(i) + Circles.MEETING_TAIL];
   }
 
   /** Whether the time of what was foreseen of circle i is known by bounds only. */
-  boolean isOpen(int i) {
-    return Double.isNaN(tau(i));
+  static boolean isOpen(double[] s, int i) {
+    return Double.isNaN(tau(s, i));
   }
 
   /** How long after the later one of the two flights' starts. */
-  double tau(int i) {
-    return state[Circles.collidingAt(i) + Circles.TAU];
+  static double tau(double[] s, int i) {
+    return s[Circles.collidingAt(i) + Circles.TAU];
   }
 
-  int partner(int i) {
+  static int partner(int[] codes, int i) {
     return codes[Circles.collidingCodesAt(i) + Circles.PARTNER];
   }
 
   /** Whether the partner is still on the flight with which it was foreseen. */
-  boolean holds(int i) {
+  static boolean holds(int[] codes, int i) {
     int c = Circles.collidingCodesAt(i);
     int j = codes[c + Circles.PARTNER];
     return codes[c + Circles.PARTNER_COUNT] == codes[Circles.collidingCodesAt(j) + Circles.COUNT];
   }
 
   /** Whether that has to be refined, since its bounds do not tell if it comes before a time. */
-  boolean isInDoubt(int i, double time) {
+  static boolean isInDoubt(double[] s, int[] codes, int i, double time) {
     int a = Circles.collidingAt(i);
-    double low = state[a + Circles.MEETING];
-    return Math.abs(time - low) < 2 * doubt(low, state[a + Circles.T]) && isOpen(i) && holds(i);
+    double low = s[a + Circles.MEETING];
+    return Math.abs(time - low) < 2 * doubt(low, s[a + Circles.T])
+        && isOpen(s, i)
+        && holds(codes, i);
   }
 
   /** How much later a meeting may be that is open, if at the earliest and the flight's start. */
@@ -123,12 +118,12 @@ final class Meetings {
   }
 
   /** Finds the time of what was foreseen of circle i, which is open and holds. */
-  void refine(int i) {
+  void refine(double[] s, int[] codes, int i) {
     int a = Circles.collidingAt(i);
-    exactLater(i, partner(i));
-    state[a + Circles.MEETING] = exactHead;
-    state[a + Circles.MEETING_TAIL] = exactTail;
-    state[a + Circles.TAU] = exactTau;
+    exactLater(s, i, partner(codes, i));
+    s[a + Circles.MEETING] = exactHead;
+    s[a + Circles.MEETING_TAIL] = exactTail;
+    s[a + Circles.TAU] = exactTau;
   }
 
   /**
@@ -139,37 +134,31 @@ final class Meetings {
    * @return false if what was foreseen does not hold and stands in the way of telling: then all are
    *     to be looked at {@linkplain #decide anew}
    */
-  boolean look(int i, int[] found, int size) {
-    int left = sift(i, found, size);
+  boolean look(double[] s, int[] codes, int i, int[] found, int size) {
+    int left = size == 0 ? 0 : sift(s, codes, i, found, size);
     if (left == 0) {
       return true;
     }
-    start(i);
+    start(s, codes, i);
     int before = partner;
     for (int k = 0; k < left; k++) {
-      if (!consider(i, found[k], before)) {
+      if (!consider(s, codes, i, found[k], before)) {
         return false;
       }
     }
     if (partner != before) {
-      storePartner(i);
+      storePartner(codes, i);
     }
-    store(i);
     return true;
   }
 
   /** Forgets what was foreseen of circle i, and foresees it among those that {@link #sift} left. */
-  void decide(int i, int[] found, int left) {
-    partner = EventQueue.NONE;
-    low = NEVER;
-    high = NEVER;
-    tau = 0;
-    tail = 0;
+  void decide(double[] s, int[] codes, int i, int[] found, int left) {
+    keep(s, i, EventQueue.NONE, NEVER, NEVER, 0, 0);
     for (int k = 0; k < left; k++) {
-      consider(i, found[k], EventQueue.NONE);
+      consider(s, codes, i, found[k], EventQueue.NONE);
     }
-    storePartner(i);
-    store(i);
+    storePartner(codes, i);
   }
 
   /**
@@ -179,8 +168,7 @@ final class Meetings {
    *
    * @return how many are left
    */
-  int sift(int i, int[] found, int size) {
-    double[] s = state;
+  static int sift(double[] s, int[] codes, int i, int[] found, int size) {
     int a = Circles.collidingAt(i);
     double xi = s[a + Circles.X];
     double yi = s[a + Circles.Y];
@@ -240,10 +228,14 @@ final class Meetings {
   }
 
   /** Keeps j as what circle i meets first, if that is so; false as in look. */
-  private boolean consider(int i, int j, int before) {
-    double[] s = state;
+  private boolean consider(double[] s, int[] codes, int i, int j, int before) {
     int a = Circles.collidingAt(i);
     int c = Circles.collidingAt(j);
+    // The first and the last one first: then compilers need not ask whether the rest is in range.
+    double xi = s[a + Circles.X];
+    double low = s[a + Circles.MEETING];
+    double xj = s[c + Circles.X];
+    double r = s[a + Circles.RADIUS] + s[c + Circles.RADIUS];
     double ti = s[a + Circles.T];
     double tj = s[c + Circles.T];
     double later = (tj - ti) + (s[c + Circles.TL] - s[a + Circles.TL]);
@@ -254,14 +246,13 @@ final class Meetings {
     double vyi = s[a + Circles.VY];
     double vxj = s[c + Circles.VX];
     double vyj = s[c + Circles.VY];
-    double dx = Math.fma(vxi, ofI, s[a + Circles.X]) - Math.fma(vxj, ofJ, s[c + Circles.X]);
+    double dx = Math.fma(vxi, ofI, xi) - Math.fma(vxj, ofJ, xj);
     double dy = Math.fma(vyi, ofI, s[a + Circles.Y]) - Math.fma(vyj, ofJ, s[c + Circles.Y]);
     double ux = vxi - vxj;
     double uy = vyi - vyj;
     double bx = ux * dx;
     double by = uy * dy;
     double b = bx + by;
-    double r = s[a + Circles.RADIUS] + s[c + Circles.RADIUS];
     double rr = r * r;
     double u2 = ux * ux + uy * uy;
     double kx = ux * dy;
@@ -284,34 +275,34 @@ final class Meetings {
         return true;
       }
       if (time + error < low && !pairs.skips(circles, i, j)) {
-        partner = j;
-        low = time - error;
-        high = time + error;
-        tau = OPEN;
-        tail = Double.NEGATIVE_INFINITY;
+        keep(s, i, j, time - error, time + error, OPEN, Double.NEGATIVE_INFINITY);
         return true;
       }
     }
-    return pairs.skips(circles, i, j) || weigh(i, j, before, sensor);
+    return pairs.skips(circles, i, j) || weigh(s, codes, i, j, before, sensor);
   }
 
-  private void start(int i) {
+  private void start(double[] s, int[] codes, int i) {
     int a = Circles.collidingAt(i);
-    partner = codes[Circles.collidingCodesAt(i) + Circles.PARTNER];
-    low = state[a + Circles.MEETING];
-    tau = state[a + Circles.TAU];
-    tail = state[a + Circles.MEETING_TAIL];
-    high = Double.isNaN(tau) ? low + doubt(low, state[a + Circles.T]) : low;
+    double low = s[a + Circles.MEETING];
+    partner = partner(codes, i);
+    high = isOpen(s, i) ? low + doubt(low, s[a + Circles.T]) : low;
   }
 
-  private void store(int i) {
+  /**
+   * Keeps what circle i meets first so far: with whom, from when to when it may be, and, if that is
+   * not OPEN, how long after the later start it is, and the tail of the time.
+   */
+  private void keep(double[] s, int i, int j, double low, double high, double tau, double tail) {
     int a = Circles.collidingAt(i);
-    state[a + Circles.MEETING] = low;
-    state[a + Circles.TAU] = tau;
-    state[a + Circles.MEETING_TAIL] = tail;
+    partner = j;
+    this.high = high;
+    s[a + Circles.MEETING] = low;
+    s[a + Circles.TAU] = tau;
+    s[a + Circles.MEETING_TAIL] = tail;
   }
 
-  private void storePartner(int i) {
+  private void storePartner(int[] codes, int i) {
     int c = Circles.collidingCodesAt(i);
     codes[c + Circles.PARTNER] = partner;
     if (partner != EventQueue.NONE) {
@@ -320,31 +311,26 @@ final class Meetings {
   }
 
   /** Compares the meeting of i and j with the first one so far by their times; false as in look. */
-  private boolean weigh(int i, int j, int before, boolean sensor) {
-    exact(i, j);
+  private boolean weigh(double[] s, int[] codes, int i, int j, int before, boolean sensor) {
+    exact(s, i, j, false);
     if (exactTau == NEVER || exactHead > high || (sensor && !isEntered(i, j))) {
       return true;
     }
     double t = exactTau;
     double head = exactHead;
     double l = exactTail;
-    if (head >= low && Double.isNaN(tau)) {
-      if (partner == before && !holds(i)) {
+    if (head >= time(s, i) && isOpen(s, i)) {
+      if (partner == before && !holds(codes, i)) {
         return false;
       }
-      exactLater(i, partner);
-      low = exactHead;
-      high = exactHead;
-      tau = exactTau;
-      tail = exactTail;
+      exactLater(s, i, partner);
+      keep(s, i, partner, exactHead, exactHead, exactTau, exactTail);
     }
+    double low = time(s, i);
+    double tail = tail(s, i);
     boolean first = head != low ? head < low : l != tail ? l < tail : comesFirst(i, j, partner);
     if (first) {
-      partner = j;
-      low = head;
-      high = head;
-      tau = t;
-      tail = l;
+      keep(s, i, j, head, head, t, l);
     }
     return true;
   }
@@ -364,19 +350,19 @@ final class Meetings {
         && (sensed.isNew(i, exactHead, exactTail, j) || sensed.isNew(j, exactHead, exactTail, i));
   }
 
-  private void exact(int i, int j) {
-    exact(i, j, false);
+  /** Finds when two meet that are known to meet, but not at once. */
+  private void exactLater(double[] s, int i, int j) {
+    exact(s, i, j, true);
   }
 
-  /** The same for two that are known to meet, but not at once. */
-  private void exactLater(int i, int j) {
-    exact(i, j, true);
-  }
-
-  private void exact(int i, int j, boolean known) {
-    double[] s = state;
+  private void exact(double[] s, int i, int j, boolean known) {
     int a = Circles.collidingAt(Math.min(i, j));
     int b = Circles.collidingAt(Math.max(i, j));
+    // The first and the last one first, as in consider.
+    double x1 = s[a + Circles.X];
+    double r1 = s[a + Circles.RADIUS];
+    double x2 = s[b + Circles.X];
+    double r2 = s[b + Circles.RADIUS];
     double vx1 = s[a + Circles.VX];
     double vy1 = s[a + Circles.VY];
     double vx2 = s[b + Circles.VX];
@@ -387,16 +373,14 @@ final class Meetings {
     double of1 = positive(later);
     double of2 = positive(earlier);
     int late = a + ((b - a) & (int) (Double.doubleToRawLongBits(earlier) >> 63));
-    double x1 = Math.fma(vx1, of1, s[a + Circles.X]);
+    x1 = Math.fma(vx1, of1, x1);
     double y1 = Math.fma(vy1, of1, s[a + Circles.Y]);
-    double x2 = Math.fma(vx2, of2, s[b + Circles.X]);
+    x2 = Math.fma(vx2, of2, x2);
     double y2 = Math.fma(vy2, of2, s[b + Circles.Y]);
     if (!(Math.abs(x1 - x2) + Math.abs(y1 - y2) < NEVER)) {
       exactTau = NEVER; // one of them is beyond the range of doubles
       return;
     }
-    double r1 = s[a + Circles.RADIUS];
-    double r2 = s[b + Circles.RADIUS];
     int contact =
         known ? DiskSweep.LATER : DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
     exactTau = DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);

@@ -15,6 +15,8 @@ final class Neighbors {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
+  private static final long ONE = Double.doubleToRawLongBits(1);
+
   /** The cell of a circle that is not listed. */
   private static final double NOWHERE = Double.NaN;
 
@@ -35,10 +37,21 @@ final class Neighbors {
   private final double originX;
   private final double originY;
 
-  /** Circles of each level, and smaller ones listed on it too; null where there are none. */
-  private final Cells[] own;
+  /**
+   * The cells of the first level, and their width; where that is the only one, circles are listed
+   * in them.
+   */
+  private final Cells cells;
 
-  private final Cells[] smaller;
+  private final double width;
+
+  /**
+   * Where there are several levels: circles of each, and smaller ones listed on it too; null where
+   * there are none.
+   */
+  private final Lists[] own;
+
+  private final Lists[] smaller;
   private final short[] levelOf;
 
   /** The cell of circle i on a coarser level k, as whole numbers, at [(k * count + i) * 2]. */
@@ -47,17 +60,17 @@ final class Neighbors {
   private final int count;
   private final Circles circles;
   private final double[] state;
+  private final int[] codes;
 
   /** Of each level: columns and rows within which no wall is near; first, after last, for both. */
   private final double[] inside;
 
   private int way;
 
-  private double until;
-
   Neighbors(Circles circles, int[] ids, Bounds bounds, double diameters, double now) {
     this.circles = circles;
     state = circles.state;
+    codes = circles.codes;
     count = circles.capacity();
     Extent extent = Extent.of(circles, ids, bounds, now);
     originX = extent.left();
@@ -65,16 +78,19 @@ final class Neighbors {
     sizes = new SizeClasses(circles, ids, extent, diameters);
     size = sizes.widths;
     levels = size.length;
-    own = new Cells[levels];
-    smaller = new Cells[levels];
+    width = levels == 0 ? 0 : size[0];
+    cells = levels == 0 ? null : cells(extent, width);
+    own = new Lists[levels];
+    smaller = new Lists[levels];
     levelOf = new short[count];
     int[] next = new int[levels == 1 ? 0 : count];
     for (int k = 0; k < levels; k++) {
-      own[k] = cells(extent, size[k], next, null);
-      smaller[k] = k == 0 ? null : cells(extent, size[k], new int[count], new int[count]);
+      own[k] = new Lists(k == 0 ? cells : cells(extent, size[k]), next, null);
+      smaller[k] =
+          k == 0 ? null : new Lists(cells(extent, size[k]), new int[count], new int[count]);
     }
     for (int i = 0; i < count; i++) {
-      circles.codes[Circles.collidingCodesAt(i) + Circles.FOLLOWER] = Cells.NONE;
+      codes[Circles.collidingCodesAt(i) + Circles.FOLLOWER] = Cells.NONE;
     }
     coarse = new double[levels == 1 ? 0 : 2 * levels * count];
     inside = new double[4 * levels];
@@ -86,11 +102,8 @@ final class Neighbors {
     }
   }
 
-  /**
-   * About as many cells as the extent takes, but no more than sixteen a circle; if there is but one
-   * level, with followers among the ints of the circles.
-   */
-  private Cells cells(Extent extent, double cell, int[] next, int[] previous) {
+  /** About as many cells as the extent takes, but no more than sixteen a circle. */
+  private Cells cells(Extent extent, double cell) {
     int nx = powerOfTwo((extent.right() - extent.left()) / cell + 2);
     int ny = powerOfTwo((extent.top() - extent.bottom()) / cell + 2);
     while ((long) nx * ny > 16L * count + 64) {
@@ -102,7 +115,7 @@ final class Neighbors {
     }
     nx = Math.max(4, nx);
     ny = Math.max(4, ny);
-    return levels == 1 ? new Cells(nx, ny, circles) : new Cells(nx, ny, next, previous);
+    return new Cells(nx, ny);
   }
 
   private static int powerOfTwo(double atLeast) {
@@ -144,12 +157,23 @@ final class Neighbors {
       double column = there ? Math.floor(x / size[level]) : NOWHERE;
       double row = there ? Math.floor(y / size[level]) : NOWHERE;
       int k = cellAt(i, level);
-      double[] cells = cellsOf(i, level);
-      cells[k] = column;
-      cells[k + 1] = row;
+      double[] cellsOf = cellsOf(i, level);
+      cellsOf[k] = column;
+      cellsOf[k + 1] = row;
       if (there) {
-        list(i, level).add(i, wrapped(column), wrapped(row));
+        add(i, level, own[level].cells.place(wrapped(column), wrapped(row)));
       }
+    }
+  }
+
+  private void add(int i, int level, int place) {
+    if (level == levelOf(i)) {
+      codes[Circles.collidingCodesAt(i) + Circles.CELL] = place;
+    }
+    if (levels == 1) {
+      cells.add(codes, i, place);
+    } else {
+      list(i, level).add(i, place);
     }
   }
 
@@ -157,13 +181,13 @@ final class Neighbors {
    * Lists a circle anew where its new flight starts, if it is not listed there: it went on into
    * cells that a fast one enters at the same stored time.
    */
-  void comeBack(int i) {
+  void comeBack(double[] s, int i) {
     int a = Circles.collidingAt(i);
-    double cell = size[levelOf(i)];
-    double x = state[a + Circles.X] - originX;
-    double y = state[a + Circles.Y] - originY;
-    double column = x - state[a + Circles.COLUMN] * cell;
-    double row = y - state[a + Circles.ROW] * cell;
+    double cell = width(i);
+    double x = s[a + Circles.X] - originX;
+    double y = s[a + Circles.Y] - originY;
+    double column = x - s[a + Circles.COLUMN] * cell;
+    double row = y - s[a + Circles.ROW] * cell;
     if (column < 0 || column > cell || row < 0 || row > cell) {
       leave(i);
       enter(i, x, y);
@@ -174,12 +198,20 @@ final class Neighbors {
   void leave(int i) {
     for (int level = levelOf(i); level < levels; level++) {
       int k = cellAt(i, level);
-      double[] cells = cellsOf(i, level);
-      if (isListed(cells[k])) {
-        list(i, level).remove(i, wrapped(cells[k]), wrapped(cells[k + 1]));
+      double[] cellsOf = cellsOf(i, level);
+      if (isListed(cellsOf[k])) {
+        remove(i, level, place(i, level));
       }
-      cells[k] = NOWHERE;
-      cells[k + 1] = NOWHERE;
+      cellsOf[k] = NOWHERE;
+      cellsOf[k + 1] = NOWHERE;
+    }
+  }
+
+  private void remove(int i, int level, int place) {
+    if (levels == 1) {
+      cells.remove(codes, i, place);
+    } else {
+      list(i, level).remove(i, place);
     }
   }
 
@@ -201,7 +233,21 @@ final class Neighbors {
     return level == levelOf(i) ? Circles.collidingAt(i) + Circles.COLUMN : 2 * (level * count + i);
   }
 
-  private Cells list(int i, int level) {
+  /** The place of a circle's cell on a level. */
+  private int place(int i, int level) {
+    if (level == levelOf(i)) {
+      return codes[Circles.collidingCodesAt(i) + Circles.CELL];
+    }
+    int k = cellAt(i, level);
+    return own[level].cells.place(wrapped(coarse[k]), wrapped(coarse[k + 1]));
+  }
+
+  /** The width of a cell of a circle's own level. */
+  private double width(int i) {
+    return levels == 1 ? width : size[levelOf[i]];
+  }
+
+  private Lists list(int i, int level) {
     return level == levelOf(i) ? own[level] : smaller[level];
   }
 
@@ -210,11 +256,11 @@ final class Neighbors {
   }
 
   /** Whether a circle meets no wall before it next leaves its cell. */
-  boolean isInside(int i) {
+  boolean isInside(double[] s, int i) {
     int a = Circles.collidingAt(i);
     int k = 4 * levelOf(i);
-    double column = state[a + Circles.COLUMN];
-    double row = state[a + Circles.ROW];
+    double column = s[a + Circles.COLUMN];
+    double row = s[a + Circles.ROW];
     return column >= inside[k]
         && column < inside[k + 1]
         && row >= inside[k + 2]
@@ -222,38 +268,44 @@ final class Neighbors {
   }
 
   /** When circle i next leaves a cell. */
-  double crossing(int i) {
+  double crossing(double[] s, int i) {
+    double until = until(s, i);
     int a = Circles.collidingAt(i);
-    double x = state[a + Circles.X] - originX;
-    double y = state[a + Circles.Y] - originY;
-    double vx = state[a + Circles.VX];
-    double vy = state[a + Circles.VY];
-    double first = NEVER;
-    for (int level = levelOf(i); level < levels; level++) {
-      double[] cells = cellsOf(i, level);
-      int k = cellAt(i, level);
-      double cell = size[level];
-      double dx = untilEdge(x, vx, cells[k], cell);
-      double dy = untilEdge(y, vy, cells[k + 1], cell);
-      double least = Math.min(dx, dy);
-      if (least < first) {
-        first = least;
-        // Which is first, and its sign, without a branch, as they cannot be foretold.
-        long vertical = Double.doubleToRawLongBits(dy - dx) >> 63;
-        long right = Double.doubleToRawLongBits(vx);
-        long v = right ^ ((right ^ Double.doubleToRawLongBits(vy)) & vertical);
-        way = level * DIRECTIONS + (int) ((vertical & VERTICAL) | (v >>> 63));
-      }
-    }
-    until = first;
-    return first < NEVER
-        ? Mover.sum(state[a + Circles.T], state[a + Circles.TL], first)
-        : NEVER;
+    return until < NEVER ? Mover.sum(s[a + Circles.T], s[a + Circles.TL], until) : NEVER;
   }
 
-  /** How long after the start of its flight the crossing is that was asked for last. */
-  double until() {
-    return until;
+  /** How long after the start of its flight that is. */
+  double until(double[] s, int i) {
+    int a = Circles.collidingAt(i);
+    double x = s[a + Circles.X] - originX;
+    double y = s[a + Circles.Y] - originY;
+    double vx = s[a + Circles.VX];
+    double vy = s[a + Circles.VY];
+    double first = until(x, y, vx, vy, s[a + Circles.COLUMN], s[a + Circles.ROW], width(i));
+    int firstWay = levelOf(i) * DIRECTIONS + way;
+    for (int level = levelOf(i) + 1; level < levels; level++) {
+      int k = cellAt(i, level);
+      double least = until(x, y, vx, vy, coarse[k], coarse[k + 1], size[level]);
+      if (least < first) {
+        first = least;
+        firstWay = level * DIRECTIONS + way;
+      }
+    }
+    way = firstWay;
+    return first;
+  }
+
+  /** How long a circle takes to leave a cell; keeps which way. */
+  private double until(
+      double x, double y, double vx, double vy, double column, double row, double cell) {
+    double dx = untilEdge(x, vx, column, cell);
+    double dy = untilEdge(y, vy, row, cell);
+    // Which is first, and its sign, without a branch, as they cannot be foretold.
+    long vertical = Double.doubleToRawLongBits(dy - dx) >> 63;
+    long right = Double.doubleToRawLongBits(vx);
+    long v = right ^ ((right ^ Double.doubleToRawLongBits(vy)) & vertical);
+    way = (int) ((vertical & VERTICAL) | (v >>> 63));
+    return Math.min(dx, dy);
   }
 
   /** Over which edge, and of which level, the crossing that was asked for last goes. */
@@ -263,8 +315,13 @@ final class Neighbors {
 
   private static double untilEdge(double p, double v, double cell, double size) {
     // The cell's upper edge is one further.
-    double edge = (cell + 0.5 + Math.copySign(0.5, v)) * size;
+    double edge = (cell + oneIfUp(v)) * size;
     return Math.abs(cell) < FARTHEST && v != 0 ? (edge - p) / v : NEVER;
+  }
+
+  /** 1, or 0 if v has a minus sign. */
+  private static double oneIfUp(double v) {
+    return Double.longBitsToDouble(ONE & ~(Double.doubleToRawLongBits(v) >> 63));
   }
 
   /**
@@ -274,34 +331,39 @@ final class Neighbors {
    * @param found room for all circles and 9 more
    * @return how many were found
    */
-  int cross(int i, int way, int[] found) {
-    int level = way >> DIRECTION_BITS;
-    int direction = way & (DIRECTIONS - 1);
-    double[] cells = cellsOf(i, level);
-    int k = cellAt(i, level);
-    Cells list = list(i, level);
-    int column = wrapped(cells[k]);
-    int row = wrapped(cells[k + 1]);
-    list.remove(i, column, row);
+  int cross(double[] s, int[] c, int i, int way, int[] found) {
     // One step to the side, by arithmetic: the way cannot be foretold.
-    int dy = direction >> 1;
-    int dx = 1 - dy;
-    int sign = sign(direction);
-    cells[k] += sign * dx;
-    cells[k + 1] += sign * dy;
-    column += sign * dx;
-    row += sign * dy;
-    list.add(i, column, row);
-    int c = column + sign * dx;
-    int r = row + sign * dy;
-    int end = own[level].beside(c, r, dy, dx, found, 0);
-    if (levels == 1) {
-      return end;
+    int vertical = -((way & VERTICAL) >> 1);
+    int sign = sign(way);
+    if (levels > 1) {
+      return cross(i, way >> DIRECTION_BITS, vertical, sign, found);
     }
-    end = own[level].follow(found, 0, end);
-    return hasSmaller(i, level)
-        ? smaller[level].follow(found, end, smaller[level].beside(c, r, dy, dx, found, end))
-        : end;
+    int a = Circles.collidingAt(i);
+    int cell = Circles.collidingCodesAt(i) + Circles.CELL;
+    int place = c[cell];
+    cells.remove(c, i, place);
+    int step = sign * cells.step(vertical);
+    int entered = place + step;
+    cells.add(c, i, entered);
+    c[cell] = entered;
+    s[a + Circles.COLUMN] += sign & ~vertical;
+    s[a + Circles.ROW] += sign & vertical;
+    return cells.beside(entered + step, cells.step(~vertical), found, 0);
+  }
+
+  private int cross(int i, int level, int vertical, int sign, int[] found) {
+    int place = place(i, level);
+    remove(i, level, place);
+    int k = cellAt(i, level);
+    double[] cellsOf = cellsOf(i, level);
+    cellsOf[k] += sign & ~vertical;
+    cellsOf[k + 1] += sign & vertical;
+    int step = sign * own[level].cells.step(vertical);
+    add(i, level, place + step);
+    int ahead = place + 2 * step;
+    int aside = own[level].cells.step(~vertical);
+    int end = own[level].beside(ahead, aside, found, 0);
+    return hasSmaller(i, level) ? smaller[level].beside(ahead, aside, found, end) : end;
   }
 
   /** Whether a way goes up its axis or down: 1 or -1. */
@@ -312,41 +374,36 @@ final class Neighbors {
   /**
    * Finds all circles that circle i could touch before one of them leaves its cell, and maybe
    * itself; of each list the first one, whose followers are to be added, as {@link
-   * Circles#FOLLOWER} tells. Where there are several levels it finds all, and none follows.
+   * Circles#FOLLOWER} tells. Where there are several levels it finds all, and none follows. Of a
+   * circle that is not listed it finds some, which that does not meet.
    *
    * @param found room for all circles and 9 more
    * @return how many were found
    */
-  int find(int i, int[] found) {
-    if (levels == 1) {
-      int a = Circles.collidingAt(i);
-      double column = state[a + Circles.COLUMN];
-      return isListed(column)
-          ? own[0].others(i, wrapped(column), wrapped(state[a + Circles.ROW]), found, 0)
-          : 0;
-    }
+  int find(int[] c, int i, int[] found) {
+    return levels > 1
+        ? findOnLevels(i, found)
+        : cells.others(c, i, c[Circles.collidingCodesAt(i) + Circles.CELL], found);
+  }
+
+  private int findOnLevels(int i, int[] found) {
     int end = 0;
-    for (int level = levelOf(i); level < levels; level++) {
-      double[] cells = cellsOf(i, level);
-      int k = cellAt(i, level);
-      if (!isListed(cells[k])) {
+    for (int level = levelOf[i]; level < levels; level++) {
+      if (!isListed(cellsOf(i, level)[cellAt(i, level)])) {
         return 0;
       }
-      int column = wrapped(cells[k]);
-      int row = wrapped(cells[k + 1]);
-      int from = end;
-      end = own[level].follow(found, from, own[level].around(column, row, found, from));
+      int place = place(i, level);
+      end = own[level].around(place, found, end);
       if (hasSmaller(i, level)) {
-        from = end;
-        end = smaller[level].follow(found, from, smaller[level].around(column, row, found, from));
+        end = smaller[level].around(place, found, end);
       }
     }
     return end;
   }
 
-  /** The lists of a circle's own level. */
+  /** The cells of a circle's own level. */
   Cells cells(int i) {
-    return own[levelOf(i)];
+    return own[levelOf(i)].cells;
   }
 
   /** In which column of its own level circle i is. */

@@ -46,8 +46,8 @@ final class Schedule {
   }
 
   /** The kind of a circle's event. */
-  int kind(int i) {
-    return codes[Circles.collidingCodesAt(i) + Circles.KIND];
+  static int kind(int[] c, int i) {
+    return c[Circles.collidingCodesAt(i) + Circles.KIND];
   }
 
   /** Lets a circle be looked at anew at the given time. */
@@ -61,25 +61,25 @@ final class Schedule {
   }
 
   /** Whether it is known what a circle meets that stands still, or that there is nothing near. */
-  boolean isLookedAhead(int i) {
-    return cleared(i) > 0 || next(i) >= 0;
+  static boolean isLookedAhead(double[] s, int[] c, int i) {
+    return cleared(s, i) > 0 || next(c, i) >= 0;
   }
 
-  private double cleared(int i) {
-    return state[Circles.collidingAt(i) + Circles.CLEARED];
+  private static double cleared(double[] s, int i) {
+    return s[Circles.collidingAt(i) + Circles.CLEARED];
   }
 
   /** What is ahead of a circle; negative for nothing. */
-  private int next(int i) {
-    return codes[Circles.collidingCodesAt(i) + Circles.NEXT];
+  private static int next(int[] c, int i) {
+    return c[Circles.collidingCodesAt(i) + Circles.NEXT];
   }
 
   /** When the obstacle ahead is met, or what is known of obstacles ends. */
-  private double due(int i) {
+  private static double due(double[] s, int[] c, int i) {
     int a = Circles.collidingAt(i);
-    double cleared = state[a + Circles.CLEARED];
-    return isLookedAhead(i) && cleared < NEVER
-        ? Mover.sum(state[a + Circles.T], state[a + Circles.TL], cleared)
+    double cleared = s[a + Circles.CLEARED];
+    return isLookedAhead(s, c, i) && cleared < NEVER
+        ? Mover.sum(s[a + Circles.T], s[a + Circles.TL], cleared)
         : NEVER;
   }
 
@@ -89,25 +89,25 @@ final class Schedule {
     double t = state[a + Circles.T];
     double tl = state[a + Circles.TL];
     double cleared = state[a + Circles.CLEARED];
-    return next(i) < 0
+    return next(codes, i) < 0
         ? Double.NEGATIVE_INFINITY
         : Mover.sumTail(t, tl, cleared, Mover.sum(t, tl, cleared));
   }
 
   /** Puts the first of a circle's events into the queue. */
   void set(int i) {
-    double crossing = neighbors.crossing(i);
-    set(i, crossing, neighbors.way());
+    double crossing = neighbors.crossing(state, i);
+    set(state, codes, i, crossing, neighbors.way());
   }
 
   /** The same with the crossing that is next, {@code way} over which edge. */
-  void set(int i, double crossing, int way) {
-    double due = due(i);
+  void set(double[] s, int[] c, int i, double crossing, int way) {
+    double due = due(s, c, i);
     // What is refined only when its turn comes is then still before the crossing and the obstacle.
-    if (meetings.isInDoubt(i, due < crossing ? due : crossing)) {
-      meetings.refine(i);
+    if (Meetings.isInDoubt(s, c, i, due < crossing ? due : crossing)) {
+      meetings.refine(s, c, i);
     }
-    double meeting = meetings.time(i);
+    double meeting = Meetings.time(s, i);
     double time = Math.min(crossing, meeting);
     // Without a branch, as it cannot be foretold: if none ever is, there is no event of any kind.
     int pair = (int) (Double.doubleToRawLongBits(meeting - crossing) >> 63);
@@ -118,30 +118,25 @@ final class Schedule {
       kind = PAIR;
     }
     if (due <= time
-        && (due < crossing || cleared(i) < untilCrossing(i))
+        && (due < crossing || cleared(s, i) < neighbors.until(s, i))
         && !(meeting <= due && isBeforeObstacle(i))) {
       kind = STATIC;
       time = due;
     }
-    put(i, time, kind);
-  }
-
-  /** How long after the start of its flight a circle's crossing is. */
-  private double untilCrossing(int i) {
-    neighbors.crossing(i);
-    return neighbors.until();
+    c[Circles.collidingCodesAt(i) + Circles.KIND] = kind;
+    queue.set(i, time);
   }
 
   /** Of a meeting and a crossing at one time: if the meeting is first, or is to be refined. */
   private boolean isBeforeCrossing(int i) {
-    return meetings.tail(i) < crossingTail(i);
+    return Meetings.tail(state, i) < crossingTail(i);
   }
 
   /** Of a meeting and an obstacle at one time: if the meeting is first, or is to be refined. */
   private boolean isBeforeObstacle(int i) {
-    double tail = meetings.tail(i);
+    double tail = Meetings.tail(state, i);
     double other = dueTail(i);
-    return tail < other || (tail == other && pairs.isSensor(i, meetings.partner(i)));
+    return tail < other || (tail == other && pairs.isSensor(i, Meetings.partner(codes, i)));
   }
 
   /** The order of two events of the same time. */
@@ -152,26 +147,27 @@ final class Schedule {
   }
 
   private double tail(int i) {
-    return switch (kind(i)) {
+    return switch (kind(codes, i)) {
       case STATIC -> dueTail(i);
-      case PAIR -> meetings.tail(i);
+      case PAIR -> Meetings.tail(state, i);
       case EDIT -> Double.NEGATIVE_INFINITY;
       default -> crossingTail(i);
     };
   }
 
   private double crossingTail(int i) {
-    double crossing = neighbors.crossing(i);
+    double until = neighbors.until(state, i);
     int a = Circles.collidingAt(i);
     double t = state[a + Circles.T];
-    return Mover.sumTail(t, state[a + Circles.TL], neighbors.until(), crossing);
+    double tl = state[a + Circles.TL];
+    return Mover.sumTail(t, tl, until, Mover.sum(t, tl, until));
   }
 
   private long rank(int i) {
-    return switch (kind(i)) {
-      case STATIC -> next(i) < 0 ? i : (long) next(i) << 31 | i;
+    return switch (kind(codes, i)) {
+      case STATIC -> next(codes, i) < 0 ? i : (long) next(codes, i) << 31 | i;
       case PAIR -> {
-        int j = meetings.partner(i);
+        int j = Meetings.partner(codes, i);
         yield pairs.rank(Math.min(i, j), Math.max(i, j));
       }
       default -> i;

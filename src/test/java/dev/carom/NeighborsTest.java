@@ -9,6 +9,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
+import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -53,7 +54,7 @@ class NeighborsTest {
       }
       for (int i = 0; i < circles.count; i++) {
         int[] found = new int[circles.count + 9];
-        int size = follow(circles, found, neighbors.find(i, found));
+        int size = follow(circles, found, neighbors.find(circles.codes, i, found));
         Set<Integer> visited = new HashSet<>(Arrays.stream(found, 0, size).boxed().toList());
         assertThat(visited).as("each once").hasSize(size);
         for (int j = 0; j < circles.count; j++) {
@@ -84,8 +85,9 @@ class NeighborsTest {
   @Test
   void whatStandsStillLeavesNoCell() {
     Scene scene = Scene.builder().circle(3, 4, 1, 0, 0).collide(true).build();
-    Neighbors neighbors = new Neighbors(circles(scene), new Roster(scene).ids(), null, 1, 0);
-    assertThat(neighbors.crossing(0)).isEqualTo(Double.POSITIVE_INFINITY);
+    Circles circles = circles(scene);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene).ids(), null, 1, 0);
+    assertThat(neighbors.crossing(circles.state, 0)).isEqualTo(Double.POSITIVE_INFINITY);
   }
 
   /** Where none is near, a circle anywhere in its cell is further than its radius from any wall. */
@@ -97,13 +99,13 @@ class NeighborsTest {
       builder.circle(100 * random.nextDouble() - 3, 50 * random.nextDouble() + 2, 1, 0, 0);
     }
     Scene scene = builder.circle(1e3, 20, 1, 0, 0).circle(20, -1e3, 1, 0, 0).build();
-    Neighbors neighbors =
-        new Neighbors(circles(scene), new Roster(scene).ids(), scene.bounds, 1, 0);
+    Circles circles = circles(scene);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene).ids(), scene.bounds, 1, 0);
     int inside = 0;
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
       double wall = Math.min(Math.min(c.x() + 3, 97 - c.x()), Math.min(c.y() - 2, 52 - c.y()));
-      if (neighbors.isInside(i)) {
+      if (neighbors.isInside(circles.state, i)) {
         assertThat(wall).isGreaterThan(1);
         inside++;
       } else {
@@ -127,30 +129,68 @@ class NeighborsTest {
         scene.circle(right - radius, 8 * radius, radius, 1, 0);
       }
       Scene built = scene.build();
-      Neighbors neighbors =
-          new Neighbors(circles(built), new Roster(built).ids(), built.bounds, 1, 0);
-      assertThat(neighbors.isInside(0)).as("wall at %s", right).isFalse();
+      Circles circles = circles(built);
+      Neighbors neighbors = new Neighbors(circles, new Roster(built).ids(), built.bounds, 1, 0);
+      assertThat(neighbors.isInside(circles.state, 0)).as("wall at %s", right).isFalse();
     }
   }
 
   @Test
   void cellsHoldWhatWasAddedAndNotRemovedSince() {
+    Cells cells = new Cells(4, 8);
+    int[] codes = Circles.colliding(3).codes;
+    cellsHoldWhatWasAddedAndNotRemovedSince(
+        cells,
+        (i, place) -> cells.add(codes, i, place),
+        (i, place) -> cells.remove(codes, i, place),
+        place -> around(cells, codes, place));
     for (int[] previous : new int[][] {null, new int[3]}) {
-      Cells cells = new Cells(4, 8, new int[3], previous);
-      // Columns that are beyond the last one go on in the next row, and rows in the first one.
-      cells.add(0, -1, -1);
-      cells.add(1, 3, 6);
-      cells.add(2, 3, -1);
-      assertThat(around(cells, 2, 6)).as("around the ring").containsExactlyInAnyOrder(0, 1, 2);
-      assertThat(around(cells, 1, 7)).isEmpty();
-      cells.remove(1, 3, 6);
-      assertThat(around(cells, 4, 7)).containsExactlyInAnyOrder(0, 2);
-      cells.remove(2, 3, -1);
-      cells.add(2, 4, 8);
-      assertThat(around(cells, 0, 9)).containsExactly(2);
-      assertThat(around(cells, 2, 6)).containsExactly(0);
-      cells.remove(0, -1, -1);
-      assertThat(around(cells, 2, 6)).isEmpty();
+      Lists lists = new Lists(new Cells(4, 8), new int[3], previous);
+      cellsHoldWhatWasAddedAndNotRemovedSince(
+          lists.cells, lists::add, lists::remove, place -> around(lists, place));
+    }
+  }
+
+  private interface Change {
+    void of(int i, int place);
+  }
+
+  private static void cellsHoldWhatWasAddedAndNotRemovedSince(
+      Cells cells, Change add, Change remove, IntFunction<List<Integer>> around) {
+    // Columns that are beyond the last one go on in the next row, and rows in the first one.
+    add.of(0, cells.place(-1, -1));
+    add.of(1, cells.place(3, 6));
+    add.of(2, cells.place(3, -1));
+    assertThat(around.apply(cells.place(2, 6)))
+        .as("around the ring")
+        .containsExactlyInAnyOrder(0, 1, 2);
+    assertThat(around.apply(cells.place(1, 7))).isEmpty();
+    remove.of(1, cells.place(3, 6));
+    assertThat(around.apply(cells.place(4, 7))).containsExactlyInAnyOrder(0, 2);
+    remove.of(2, cells.place(3, -1));
+    add.of(2, cells.place(4, 8));
+    assertThat(around.apply(cells.place(0, 9))).containsExactly(2);
+    assertThat(around.apply(cells.place(2, 6))).containsExactly(0);
+    remove.of(0, cells.place(-1, -1));
+    assertThat(around.apply(cells.place(2, 6))).isEmpty();
+  }
+
+  /** Whatever the order in which circles come to a cell and go. */
+  @Test
+  void aListLosesWhoGoes() {
+    Random random = new Random(8);
+    Cells cells = new Cells(4, 4);
+    int[] codes = Circles.colliding(20).codes;
+    Set<Integer> listed = new HashSet<>();
+    for (int k = 0; k < 500; k++) {
+      int i = random.nextInt(20);
+      if (listed.remove(i)) {
+        cells.remove(codes, i, 5);
+      } else {
+        cells.add(codes, i, 5);
+        listed.add(i);
+      }
+      assertThat(around(cells, codes, 5)).containsExactlyInAnyOrderElementsOf(listed);
     }
   }
 
@@ -158,9 +198,10 @@ class NeighborsTest {
   @Test
   void whatIsReadAheadIsWhatIsLookedAt() {
     Random random = new Random(4);
-    Cells cells = new Cells(16, 8, new int[90], null);
+    Cells cells = new Cells(16, 8);
+    int[] codes = Circles.colliding(90).codes;
     for (int i = 0; i < 90; i++) {
-      cells.add(i, random.nextInt(16), random.nextInt(8));
+      cells.add(codes, i, cells.place(random.nextInt(16), random.nextInt(8)));
     }
     int[] lists = new int[20];
     int[] found = new int[100];
@@ -170,18 +211,17 @@ class NeighborsTest {
       int row = random.nextInt(30) - 10;
       cells.placesAround(column, row, lists, 2);
       cells.firsts(lists, 2, 11);
-      int size = cells.around(column, row, found, 0);
+      int size = cells.around(cells.place(column, row), found, 0);
       assertThat(heads(lists, 2, 11)).isEqualTo(heads(found, 0, size));
       int dx = steps[k % 4][0];
       int dy = steps[k % 4][1];
       cells.placesAhead(column, row, dx, dy, lists, 11);
       cells.firsts(lists, 11, 16);
-      size = cells.beside(column + 2 * dx, row + 2 * dy, Math.abs(dy), Math.abs(dx), found, 0);
+      int ahead = cells.place(column + 2 * dx, row + 2 * dy);
+      size = cells.beside(ahead, cells.step(-Math.abs(dx)), found, 0);
       assertThat(heads(lists, 13, 16)).isEqualTo(heads(found, 0, size));
-      size = cells.beside(column, row, 0, 0, found, 0);
-      assertThat(heads(lists, 11, 12)).isEqualTo(heads(found, 0, size));
-      size = cells.beside(column + dx, row + dy, 0, 0, found, 0);
-      assertThat(heads(lists, 12, 13)).isEqualTo(heads(found, 0, size));
+      assertThat(lists[11]).isEqualTo(cells.first(cells.place(column, row)));
+      assertThat(lists[12]).isEqualTo(cells.first(cells.place(column + dx, row + dy)));
     }
   }
 
@@ -189,20 +229,20 @@ class NeighborsTest {
   @Test
   void theFirstOfAListDoesNotFindItself() {
     Random random = new Random(6);
-    Cells cells = new Cells(8, 8, new int[90], null);
-    int[] columns = random.ints(90, -20, 20).toArray();
-    int[] rows = random.ints(90, -20, 20).toArray();
+    Cells cells = new Cells(8, 8);
+    Circles circles = Circles.colliding(90);
+    int[] codes = circles.codes;
+    int[] places = random.ints(90).toArray();
     for (int i = 0; i < 90; i++) {
-      cells.add(i, columns[i], rows[i]);
+      cells.add(codes, i, places[i]);
     }
     int[] found = new int[100];
     for (int i = 0; i < 90; i++) {
       int self = i;
-      List<Integer> others = new ArrayList<>(around(cells, columns[i], rows[i]));
-      cells.beside(columns[i], rows[i], 0, 0, found, 0);
-      int first = found[0];
+      List<Integer> others = new ArrayList<>(around(cells, codes, places[i]));
+      int first = cells.first(places[i]);
       others.removeIf(j -> j == self && j == first);
-      int size = cells.follow(found, 0, cells.others(i, columns[i], rows[i], found, 0));
+      int size = follow(circles, found, cells.others(codes, i, places[i], found));
       assertThat(Arrays.stream(found, 0, size).boxed()).containsExactlyInAnyOrderElementsOf(others);
     }
   }
@@ -223,15 +263,15 @@ class NeighborsTest {
     Neighbors neighbors = new Neighbors(circles, new Roster(scene).ids(), null, 1, 0);
     int column = neighbors.column(0);
     int row = neighbors.row(0);
-    double crossing = neighbors.crossing(0);
+    double crossing = neighbors.crossing(circles.state, 0);
     int way = neighbors.way();
     assertThat(Neighbors.columnsOn(way)).isEqualTo((int) Math.signum((int) vx));
     assertThat(Neighbors.rowsOn(way)).isEqualTo((int) Math.signum((int) vy));
-    neighbors.cross(0, way, new int[11]);
+    neighbors.cross(circles.state, circles.codes, 0, way, new int[11]);
     assertThat(neighbors.column(0)).isEqualTo(column + Neighbors.columnsOn(way));
     assertThat(neighbors.row(0)).isEqualTo(row + Neighbors.rowsOn(way));
-    assertThat(around(neighbors.cells(0), neighbors.column(0), neighbors.row(0))).contains(0);
-    assertThat(neighbors.crossing(0)).isGreaterThan(crossing);
+    assertThat(around(neighbors, circles, neighbors.column(0), neighbors.row(0))).contains(0);
+    assertThat(neighbors.crossing(circles.state, 0)).isGreaterThan(crossing);
   }
 
   /** Where a new flight starts, in any direction and far, or in the same cell still. */
@@ -248,12 +288,12 @@ class NeighborsTest {
       int coordinate = random.nextBoolean() ? Circles.X : Circles.Y;
       circles.state[a + coordinate] += random.nextGaussian() * (random.nextInt(4) + 0.1);
       int before = neighbors.column(i) * 1000 + neighbors.row(i);
-      neighbors.comeBack(i);
+      neighbors.comeBack(circles.state, i);
       int column = neighbors.column(i);
       int row = neighbors.row(i);
       stayed += before == column * 1000 + row ? 1 : 0;
       neighbors.leave(i);
-      assertThat(around(neighbors.cells(i), column, row)).as("once").doesNotContain(i);
+      assertThat(around(neighbors, circles, column, row)).as("once").doesNotContain(i);
       assertThat(neighbors.enter(i, 0)).isTrue();
       assertThat(neighbors.column(i)).isEqualTo(column);
       assertThat(neighbors.row(i)).isEqualTo(row);
@@ -285,9 +325,26 @@ class NeighborsTest {
     assertThat(circles.codes).isEqualTo(codes);
   }
 
-  private static List<Integer> around(Cells cells, int column, int row) {
+  private static List<Integer> around(Neighbors neighbors, Circles circles, int column, int row) {
+    Cells cells = neighbors.cells(0);
+    return around(cells, circles.codes, cells.place(column, row));
+  }
+
+  private static List<Integer> around(Cells cells, int[] codes, int place) {
     int[] found = new int[60];
-    int size = cells.follow(found, 0, cells.around(column, row, found, 0));
+    int size = cells.around(place, found, 0);
+    for (int k = 0; k < size; k++) {
+      int follower = codes[Circles.collidingCodesAt(found[k]) + Circles.FOLLOWER];
+      if (follower != Cells.NONE) {
+        found[size++] = follower;
+      }
+    }
+    return Arrays.stream(found, 0, size).boxed().toList();
+  }
+
+  private static List<Integer> around(Lists lists, int place) {
+    int[] found = new int[60];
+    int size = lists.around(place, found, 0);
     return Arrays.stream(found, 0, size).boxed().toList();
   }
 }
