@@ -235,6 +235,29 @@ final class Circles {
     m.jam = jams == null ? null : jams[i];
   }
 
+  /**
+   * Loads a circle that collides for a meeting, without what was found ahead of it: where it begins
+   * a new flight, that is forgotten.
+   */
+  void loadForMeeting(double[] s, int[] c, int i, Mover m) {
+    int k = collidingAt(i);
+    m.id = i;
+    m.x = s[k + X];
+    m.y = s[k + Y];
+    m.vx = s[k + VX];
+    m.vy = s[k + VY];
+    m.t = s[k + T];
+    m.tl = s[k + TL];
+    m.radius = s[k + RADIUS];
+    m.restitution = s[k + RESTITUTION];
+    m.anchorX = s[k + ANCHOR_X];
+    m.anchorY = s[k + ANCHOR_Y];
+    int code = collidingCodesAt(i);
+    m.stuck = c[code + STUCK];
+    m.pace = c[code + CONTACT] >> PACE_SHIFT;
+    m.jam = jams == null ? null : jams[i];
+  }
+
   void store(int i) {
     store(i, mover);
   }
@@ -272,6 +295,31 @@ final class Circles {
     codes[c + NEXT] = next;
     codes[c + CONTACT] = contact | m.pace << PACE_SHIFT;
     codes[c + REACH] = m.reach;
+    keepJam(i, m);
+  }
+
+  /** Stores a circle that collides where a new flight begins, and nothing is known ahead yet. */
+  void keepNewFlight(double[] s, int[] c, int i, Mover m) {
+    int k = collidingAt(i);
+    s[k + X] = m.x;
+    s[k + ANCHOR_Y] = m.anchorY;
+    s[k + ANCHOR_X] = m.anchorX;
+    s[k + Y] = m.y;
+    s[k + VX] = m.vx;
+    s[k + VY] = m.vy;
+    s[k + T] = m.t;
+    s[k + TL] = m.tl;
+    s[k + CLEARED] = 0;
+    int code = collidingCodesAt(i);
+    c[code + LAST] = m.last;
+    c[code + STUCK] = m.stuck;
+    c[code + NEXT] = Mover.NOTHING;
+    c[code + CONTACT] = m.pace << PACE_SHIFT;
+    c[code + REACH] = m.reach;
+    keepJam(i, m);
+  }
+
+  private void keepJam(int i, Mover m) {
     if (m.jam != null && jams == null) {
       jams = new Jam[capacity()];
     }

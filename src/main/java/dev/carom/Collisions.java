@@ -182,6 +182,7 @@ final class Collisions extends Engine {
         seize(i);
         return;
       }
+      happened(m.t, m.tl);
       changed(circles.state, circles.codes, i, m);
       revive(i);
       foresee(i);
@@ -209,8 +210,8 @@ final class Collisions extends Engine {
     queue.clear(j);
     int low = Math.min(i, j);
     int high = Math.max(i, j);
-    circles.load(low, circles.mover);
-    circles.load(high, other);
+    circles.loadForMeeting(s, c, low, circles.mover);
+    circles.loadForMeeting(s, c, high, other);
     flyToMeeting(s, circles.mover, other, i);
     if (pairs.resolve(circles.mover, other, log)) {
       if (response.seizes()) {
@@ -219,6 +220,7 @@ final class Collisions extends Engine {
         seize(low, high);
         return;
       }
+      happened(other.t, other.tl); // for both
       changed(s, c, low, circles.mover);
       changed(s, c, high, other);
       revive(low);
@@ -262,8 +264,7 @@ final class Collisions extends Engine {
 
   /** Puts a circle on its new flight. */
   private void changed(double[] s, int[] c, int i, Mover m) {
-    happened(m.t, m.tl);
-    circles.keep(i, m);
+    circles.keepNewFlight(s, c, i, m);
     neighbors.comeBack(s, i);
     count(c, i);
     if (timeline != null) {
@@ -283,6 +284,7 @@ final class Collisions extends Engine {
     List<Mover> members = piece.seize(this::copy, log, first);
     for (Mover m : members) {
       queue.clear(m.id);
+      happened(m.t, m.tl);
       changed(circles.state, circles.codes, m.id, m);
     }
     members.forEach(m -> revive(m.id));
