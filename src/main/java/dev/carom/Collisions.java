@@ -115,17 +115,16 @@ final class Collisions extends Engine {
     ExactWork work = ExactWork.ofThread();
     long before = work.bits();
     for (long events = 0; ; events++) {
-      int i = queue.first();
-      if (i == EventQueue.NONE || queue.time(i) > end) {
-        reached = end;
-        return end;
-      }
-      if (events + work.impactsSince(before) >= budget) {
+      if (events + work.impactsSince(before) >= budget && isSomethingDue()) {
         unfinished = true;
         return reached;
       }
-      reach(queue.time(i));
-      queue.take(i);
+      int i = queue.take(end);
+      if (i == EventQueue.NONE) {
+        reached = end;
+        return end;
+      }
+      reach(queue.takenAt());
       int kind = Schedule.kind(c, i);
       if (kind >= Schedule.CROSSING) { // most are
         cross(s, c, i, kind - Schedule.CROSSING);
@@ -133,6 +132,12 @@ final class Collisions extends Engine {
         happen(s, c, i, kind);
       }
     }
+  }
+
+  /** Whether there is an event until the end of the step. */
+  private boolean isSomethingDue() {
+    int i = queue.first();
+    return i != EventQueue.NONE && queue.time(i) <= end;
   }
 
   /** Goes on to a time. A crossing may be noticed late by rounding: time does not go back for it. */

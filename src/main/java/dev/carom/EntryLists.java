@@ -83,15 +83,6 @@ final class EntryLists {
     return ends[list] == NONE;
   }
 
-  /** The number of entries of a list. */
-  int size(int list) {
-    int size = 0;
-    for (int end = ends[list]; end != NONE; end = next(end)) {
-      size += end - start(end);
-    }
-    return size;
-  }
-
   /** Takes a list's chunks: the end of the first one, or NONE. */
   int take(int list) {
     int end = ends[list];

@@ -43,6 +43,10 @@ final class EventHeap {
     return size == 0;
   }
 
+  int size() {
+    return size;
+  }
+
   boolean contains(int i) {
     return place(i) != NONE;
   }
@@ -60,12 +64,9 @@ final class EventHeap {
     up(size++, i);
   }
 
-  /** Takes out the event of circle i, if it is here. */
+  /** Takes out the event of circle i, which is here. */
   void remove(int i) {
-    int k = place(i);
-    if (k != NONE) {
-      removeAt(k);
-    }
+    removeAt(place(i));
   }
 
   /** Takes out the first event. */

@@ -54,8 +54,10 @@ class EventQueueTest {
     /** Takes the first event, as a world does before it sets another one. */
     void take(int first) {
       sorted.remove(events[first]);
+      assertThat(queue.take(Math.nextDown(events[first].time()))).isEqualTo(EventQueue.NONE);
+      assertThat(queue.take(events[first].time())).isEqualTo(first);
+      assertThat(queue.takenAt()).isEqualTo(events[first].time());
       events[first] = null;
-      queue.take(first);
       assertThat(queue.time(first)).isEqualTo(NEVER);
     }
 
@@ -128,6 +130,21 @@ class EventQueueTest {
             });
   }
 
+  /** What suited the calendar when a round began is soon far too long, and then far too short. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 40, 300, 3000})
+  void timesThatGrowShortAndLongAgain(int count) {
+    Random random = new Random(count);
+    int[] set = new int[1];
+    play(
+        count,
+        8,
+        now -> {
+          double unit = Math.scalb(1.0, 20 * ((set[0]++ >> 13) % 3));
+          return now - Math.log(1 - random.nextDouble()) / unit;
+        });
+  }
+
   @ParameterizedTest
   @ValueSource(doubles = {0x1p-1074, 1e-300, 1e300, Double.MAX_VALUE / 4})
   void timesOfAnySize(double unit) {
@@ -167,7 +184,7 @@ class EventQueueTest {
     EventQueue queue = telling(told, count);
     Random random = new Random(count);
     for (int i = 0; i < count; i++) {
-      queue.set(i, random.nextInt(count / 4 + 1));
+      queue.set(i, random.nextInt(count / 2 + 1));
     }
     for (int taken = 0; taken < count; taken++) {
       int first = queue.first();
@@ -204,7 +221,7 @@ class EventQueueTest {
     queue.set(2, 1.75);
     for (int i : new int[] {1, 2, 0}) {
       assertThat(queue.first()).isEqualTo(i);
-      queue.take(i);
+      assertThat(queue.take(9)).isEqualTo(i);
     }
     assertThat(queue.first()).isEqualTo(EventQueue.NONE);
   }
