@@ -26,15 +26,15 @@ final class BroadSearch {
   private static final double TICKS = 0x1p30;
 
   /**
-   * An axis slower than the other one by more than that counts as so slow: it moves by 2^-12 cells
-   * while the other passes 2^14.
+   * Each axis is taken to be faster by that part of the faster one's speed, so that none rests: by
+   * 2^-16 cells while 2^14 are passed.
    */
-  private static final double SLOWEST = 0x1p26;
+  private static final double DRIFT = 0x1p-30;
 
   /** So much of a cell beyond those visited is covered by the margin of their lists. */
   private static final double NEAR = 0x1p-10;
 
-  /** Least speed times size for which underflow stays beneath the bound of {@link #clear}. */
+  /** Least speed, and least speed times size, for which underflow stays beneath the bounds. */
   private static final double LEAST = 0x1p-900;
 
   /** The most for which nothing overflows: no sum of two cross products is above 3 times that. */
@@ -42,7 +42,17 @@ final class BroadSearch {
 
   private final Obstacles obstacles;
   private final CodeList loose;
+
+  /** The middle of the bounds, and how far it is from there to the walls. */
+  private final double middleX;
+
+  private final double middleY;
+  private final double halfWidth;
+  private final double halfHeight;
+
+  /** No coordinate of a line, a peg or the bounds is larger. */
   private double extent;
+
   private double[] lines;
   private double[] pegs;
   private boolean special;
@@ -54,13 +64,19 @@ final class BroadSearch {
   private double vy;
   private double r;
 
-  /** 1 / |vx| and 1 / |vy|, at most the largest double. */
+  /** The faster of |vx| and |vy|. */
+  private double speed;
+
+  /** A little less than 1 / |vx| and 1 / |vy|, see {@link #DRIFT}. */
   private double perVx;
 
   private double perVy;
 
   /** A line is certainly passed if both its ends lie further than this on one side, times |v|. */
   private double clear;
+
+  /** A centre further than this from a wall certainly does not touch it. */
+  private double inset;
 
   private int last;
   private Jam jam;
@@ -77,6 +93,11 @@ final class BroadSearch {
   BroadSearch(Obstacles obstacles, CodeList loose) {
     this.obstacles = obstacles;
     this.loose = loose;
+    Bounds b = obstacles.bounds;
+    middleX = b == null ? 0 : b.xmin() / 2 + b.xmax() / 2;
+    middleY = b == null ? 0 : b.ymin() / 2 + b.ymax() / 2;
+    halfWidth = b == null ? NEVER : b.xmax() / 2 - b.xmin() / 2;
+    halfHeight = b == null ? NEVER : b.ymax() / 2 - b.ymin() / 2;
     lookAgainAtAll();
   }
 
@@ -88,7 +109,11 @@ final class BroadSearch {
 
   /** Takes notice that all may be others. */
   void lookAgainAtAll() {
-    extent = obstacles.extent();
+    double ofBounds =
+        obstacles.bounds == null
+            ? 0
+            : Math.max(Math.abs(middleX) + halfWidth, Math.abs(middleY) + halfHeight);
+    extent = Math.max(obstacles.extent(), ofBounds);
     lookAgain();
   }
 
@@ -153,22 +178,21 @@ final class BroadSearch {
    * were not visited: a slow drift to a wall that is as good as touched takes long.
    */
   private boolean isFar(double ahead, Grid grid) {
-    return (best - ahead) * Math.max(Math.abs(vx), Math.abs(vy)) > NEAR * grid.cell;
+    return (best - ahead) * speed > NEAR * grid.cell;
   }
 
   /** Looks at lines and pegs, and tells up to where, or up to the wall ahead, the path is known. */
   private double explore(Mover mover, Grid grid, double from, double needed, double ahead) {
-    if (obstacles.size() == 0) {
-      return ahead;
-    }
-    double speed = Math.max(Math.abs(vx), Math.abs(vy));
     if (grid != null && grid.resolves(px, py, speed)) {
       for (int i = 0; i < loose.size; i++) {
         consider(loose.codes[i]);
       }
       int reach = mover.reach;
       mover.reach = Math.min(2 * reach, 1 << 28);
-      return walk(grid, from, needed, ahead, reach, speed);
+      return walk(grid, from, needed, ahead, reach);
+    }
+    if (obstacles.size() == 0) {
+      return ahead;
     }
     considerEach();
     return best;
@@ -194,8 +218,11 @@ final class BroadSearch {
     vx = mover.vx;
     vy = mover.vy;
     r = mover.radius;
-    perVx = Math.min(1 / Math.abs(vx), Double.MAX_VALUE);
-    perVy = Math.min(1 / Math.abs(vy), Double.MAX_VALUE);
+    double absVx = Math.abs(vx);
+    double absVy = Math.abs(vy);
+    speed = Math.max(absVx, absVy);
+    perVx = 1 / Math.fma(speed, DRIFT, absVx);
+    perVy = 1 / Math.fma(speed, DRIFT, absVy);
     last = mover.last;
     jam = mover.jam;
     sensed = mover.cleared;
@@ -204,40 +231,29 @@ final class BroadSearch {
     bestCode = Mover.NOTHING;
     bestContact = 0;
     // |v| <= large + (sqrt(2) - 1) small: a chord above a convex curve, at most 9 % too much.
-    double large = Math.max(Math.abs(vx), Math.abs(vy));
-    double small = Math.min(Math.abs(vx), Math.abs(vy));
-    double speed = large + 0.4143 * small;
+    double length = 0.5857 * speed + 0.4143 * (absVx + absVy);
     // cross(p - a, v) errs by at most 4 u (|dx vy| + |dy vx|) <= 6 u |d|max |v|, u = 2^-53, a sum
     // of two by twice that and its rounding; r |v| by 4 u of itself. |d|max is below the sum here.
     double size = Math.abs(px) + Math.abs(py) + extent + r;
-    double scale = speed * size;
-    clear = scale > LEAST && scale < MOST ? 2 * speed * (r + 0x1p-48 * size) : NEVER;
+    double scale = length * size;
+    boolean ordinary = speed > LEAST && scale > LEAST && scale < MOST;
+    inset = ordinary ? r + Math.fma(0x1p-48, size, Double.MIN_NORMAL) : NEVER;
+    clear = 2 * length * inset;
   }
 
   /**
    * A time at or shortly before that of the next wall: it is found only if nothing comes before.
    */
   private double wallAhead() {
-    Bounds b = obstacles.bounds;
-    if (b == null) {
+    if (obstacles.bounds == null) {
       return NEVER;
     }
-    return Math.min(
-        wallAhead(px, vx, perVx, b.xmin(), b.xmax(), Obstacles.LEFT),
-        wallAhead(py, vy, perVy, b.ymin(), b.ymax(), Obstacles.BOTTOM));
-  }
-
-  private double wallAhead(double p, double v, double perV, double low, double high, int lowCode) {
-    if (v == 0 || skipped(wallCode(lowCode, v))) {
-      return NEVER;
-    }
-    // v < 0 ? p - low : high - p, without a branch that half of all flights take
-    double sign = Math.copySign(1, v);
-    double h = Math.max(sign * (low - p), sign * (high - p));
-    // The differences err by u |h| and u |h - r|, u = 2^-53, their difference from the bound by u
-    // of itself, and 1 / |v| and the product, too: 5 u (|h| + r) in all, of which 8 are taken off.
-    double t = (h - r - 0x1p-50 * (Math.abs(h) + r)) * perV;
-    return t > 0 ? t : 0; // NaN if h is beyond the doubles
+    // Distances from the walls ahead, without a branch that half of all flights take. They err by
+    // less than 16 u of the size, reciprocals and products included.
+    double x = halfWidth - Math.copySign(1, vx) * (px - middleX);
+    double y = halfHeight - Math.copySign(1, vy) * (py - middleY);
+    double t = Math.min((x - inset) * perVx, (y - inset) * perVy);
+    return t > 0 ? t : 0; // NaN if a distance is beyond the doubles
   }
 
   /** The two walls that the flight moves towards. */
@@ -353,43 +369,40 @@ final class BroadSearch {
    * not a branch, which could not be foretold. A path of 2^14 cells is cut to ticks as often: by
    * less than 2^-15 cells in all.
    *
-   * @param speed that of the faster axis
    * @return up to where the path is known
    */
   private double walk(
-      Grid grid, double from, double needed, double ahead, int reach, double speed) {
+      Grid grid, double from, double needed, double ahead, int reach) {
     double start = grid.contains(px, py) ? from : grid.entry(px, py, vx, vy, from);
     // A wall that is as good as touched is ahead by 0: what else is touched may come before it.
     if (!(start <= ahead) || start == NEVER) {
       return Math.min(best, ahead);
     }
-    double x = Math.fma(vx, start, px);
-    double y = Math.fma(vy, start, py);
+    double x = grid.columns(Math.fma(vx, start, px));
+    double y = grid.rows(Math.fma(vy, start, py));
     int column = grid.column(x);
     int row = grid.row(y);
-    int stepX = Directions.sign(vx);
-    int stepY = Directions.sign(vy);
     double rate = speed * grid.perCell * TICKS;
-    double tick = Math.min(perVx, perVy) * grid.cell / TICKS;
     // When the next column and the next row are entered, and what one more takes.
-    double columnTicks = TICKS * Math.min(speed * perVx, SLOWEST);
-    double rowTicks = TICKS * Math.min(speed * perVy, SLOWEST);
+    double columnTicks = speed * perVx * TICKS;
+    double rowTicks = speed * perVy * TICKS;
     long perX = (long) columnTicks;
     long perY = (long) rowTicks;
-    long nextX = (long) (grid.toColumnEdge(column, stepX, x) * grid.perCell * columnTicks);
-    long nextY = (long) (grid.toRowEdge(row, stepY, y) * grid.perCell * rowTicks);
-    int nextRow = stepY * grid.stride;
-    int nextColumn = stepX - nextRow;
+    long nextX = (long) (toEdge(x - column, vx) * columnTicks);
+    long nextY = (long) (toEdge(y - row, vy) * rowTicks);
+    int nextRow = Directions.sign(vy) * grid.stride;
+    int nextColumn = Directions.sign(vx) - nextRow;
     int cell = grid.number(column, row);
     long[] lists = grid.lists;
     // Two ticks beyond: one may be lost where times are cut to ticks.
-    double enough = Math.max(needed - start, reach * (TICKS / 2) * tick) + 2 * tick;
-    long end = ticks(Math.min(Math.min(best, ahead) - start, enough), rate);
+    double enough = Math.max((needed - start) * rate, reach * (TICKS / 2)) + 2;
+    double most = Math.min((ahead - start) * rate, enough);
+    long end = (long) Math.min((best - start) * rate, most);
     long list = lists[cell];
     while (list != Grid.OUTSIDE) {
       if (list != 0) {
         visit(grid, list);
-        end = ticks(Math.min(Math.min(best, ahead) - start, enough), rate);
+        end = (long) Math.min((best - start) * rate, most);
       }
       do {
         // The lesser of the two: Math.min is a branch, of which half are foretold wrongly.
@@ -398,7 +411,7 @@ final class BroadSearch {
         long left = nextY + (lead & isColumn);
         if (end <= left) {
           double first = Math.min(best, ahead);
-          return ticks(first - start, rate) <= left ? first : start + left * tick;
+          return (long) ((first - start) * rate) <= left ? first : start + left / rate;
         }
         nextX += perX & isColumn;
         nextY += perY & ~isColumn;
@@ -409,8 +422,9 @@ final class BroadSearch {
     return Math.min(best, ahead);
   }
 
-  private static long ticks(double time, double rate) {
-    return (long) (time * rate);
+  /** How far a place in a cell, of size 1, is from the edge through which v leaves it. */
+  private static double toEdge(double place, double v) {
+    return Math.abs(place - 0.5 - Math.copySign(0.5, v));
   }
 
   /** Considers what a cell lists, but lines that are certainly passed. */

@@ -46,6 +46,12 @@ final class Grid {
 
   final int[] codes;
 
+  /** Places so far from the origin are not resolved, nor speeds outside of this range. */
+  private final double farthest;
+
+  private final double slowest;
+  private final double fastest;
+
   private final double xmin;
   private final double ymin;
   private final double xmax;
@@ -78,6 +84,9 @@ final class Grid {
     ymax = ymin + rows * this.cell;
     perCell = 1 / this.cell;
     stride = columns + 2;
+    farthest = this.cell * 0x1p40 - (Math.abs(xmin) + Math.abs(ymin));
+    slowest = Math.max(LEAST_SPEED, this.cell / MOST_PACE);
+    fastest = this.cell * MOST_PACE;
     int[] starts = new int[columns * rows + 1];
     int[] listed = list(starts);
     lists = new long[stride * (rows + 2)];
@@ -165,7 +174,7 @@ final class Grid {
 
   /** Reads what the cells around a place list, to have it in the cache. */
   long around(double x, double y) {
-    int cell = number(column(x), row(y));
+    int cell = number(column(columns(x)), row(rows(y)));
     return (lists[cell - stride - 1] + lists[cell - stride + 1])
         + (lists[cell - 1] + lists[cell + 1])
         + (lists[cell + stride - 1] + lists[cell + stride + 1]);
@@ -181,11 +190,7 @@ final class Grid {
    * beyond the doubles only where an axis is slower than that by far.
    */
   boolean resolves(double x, double y, double speed) {
-    double pace = speed * perCell;
-    return (Math.abs(x) + Math.abs(y) + Math.abs(xmin) + Math.abs(ymin)) * 0x1p-40 < cell
-        && speed > LEAST_SPEED
-        && pace < MOST_PACE
-        && pace > 1 / MOST_PACE;
+    return Math.abs(x) + Math.abs(y) < farthest && speed > slowest && speed < fastest;
   }
 
   boolean contains(double x, double y) {
@@ -213,25 +218,22 @@ final class Grid {
     return v == 0 ? Double.POSITIVE_INFINITY : ((v < 0 ? low : high) - p) / v;
   }
 
-  int column(double x) {
-    return Math.max(0, Math.min(columns - 1, (int) ((x - xmin) * perCell)));
+  /** How many columns lie between the edge of the grid and x. */
+  double columns(double x) {
+    return (x - xmin) * perCell;
   }
 
-  int row(double y) {
-    return Math.max(0, Math.min(rows - 1, (int) ((y - ymin) * perCell)));
+  double rows(double y) {
+    return (y - ymin) * perCell;
   }
 
-  /** How far x is from the edge through which a column is left, towards smaller x for step -1. */
-  double toColumnEdge(int column, int step, double x) {
-    return toEdge(xmin + (column + (step + 1) / 2) * cell, step, x);
+  /** The column where so many lie before, the nearest one outside of the grid. */
+  int column(double columnsBefore) {
+    return Math.max(0, Math.min(columns - 1, (int) columnsBefore));
   }
 
-  double toRowEdge(int row, int step, double y) {
-    return toEdge(ymin + (row + (step + 1) / 2) * cell, step, y);
-  }
-
-  private static double toEdge(double edge, int step, double p) {
-    return Math.max(0, step * (edge - p));
+  int row(double rowsBefore) {
+    return Math.max(0, Math.min(rows - 1, (int) rowsBefore));
   }
 
   /** Counts, then fills: two passes over the obstacles. */
@@ -278,10 +280,10 @@ final class Grid {
       int code, double ax, double ay, double bx, double by, double reach, int[] counts,
       int[] listed) {
     double grown = reach + MARGIN * cell;
-    int left = column(Math.min(ax, bx) - grown);
-    int right = column(Math.max(ax, bx) + grown);
-    int bottom = row(Math.min(ay, by) - grown);
-    int top = row(Math.max(ay, by) + grown);
+    int left = column(columns(Math.min(ax, bx) - grown));
+    int right = column(columns(Math.max(ax, bx) + grown));
+    int bottom = row(rows(Math.min(ay, by) - grown));
+    int top = row(rows(Math.max(ay, by) + grown));
     double wx = bx - ax;
     double wy = by - ay;
     // A cell's centre c is out of reach if |cross(w, c - a)| > grown |w| + (|wx| + |wy|) cell / 2.
