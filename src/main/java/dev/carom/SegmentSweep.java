@@ -109,12 +109,19 @@ final class SegmentSweep {
       return 0;
     }
     if (contact == START) {
-      return DiskSweep.time(DiskSweep.LATER, px, py, r, vx, vy, ax, ay, 0, 0, 0, T);
+      return timeOfEnd(px, py, r, vx, vy, ax, ay, T);
     }
     if (contact == END) {
-      return DiskSweep.time(DiskSweep.LATER, px, py, r, vx, vy, bx, by, 0, 0, 0, T);
+      return timeOfEnd(px, py, r, vx, vy, bx, by, T);
     }
     return SideSweep.time(contact == LEFT ? 1 : -1, px, py, r, vx, vy, ax, ay, bx, by, T);
+  }
+
+  private static double timeOfEnd(
+      double px, double py, double r, double vx, double vy, double x, double y, double T) {
+    return T == Double.POSITIVE_INFINITY
+        ? EndSweep.time(px, py, r, vx, vy, x, y)
+        : DiskSweep.time(DiskSweep.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, T);
   }
 
   /** The centre starts inside the strip. */

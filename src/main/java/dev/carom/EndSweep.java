@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.DoubleDouble.differenceTail;
+import static dev.carom.DoubleDouble.productTail;
+import static dev.carom.DoubleDouble.sumTail;
+
+/**
+ * When a moving disk meets a point at rest, an end of a line: {@link DiskSweep#time} of a second
+ * disk that has neither radius nor velocity, whose terms are left out here as they are 0.
+ */
+final class EndSweep {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private EndSweep() {}
+
+  /** The correctly rounded time of an impact that comes later. */
+  static double time(double px, double py, double r, double vx, double vy, double x, double y) {
+    double dx = px - x;
+    double dy = py - y;
+    double rr = r * r;
+    double dd = dx * dx + dy * dy;
+    double w = dd + rr;
+    double a = vx * vx + vy * vy;
+    double k = vx * dy - vy * dx;
+    double s = Math.sqrt(a * rr - k * k);
+    double t = (dd - rr) / (s - (vx * dx + vy * dy));
+    double half = 0.5 / s;
+    double c = residue(px, py, r, vx, vy, x, y, t) * half;
+    double error = FirstRoot.stepError(w, a, half, FirstRoot.firstLean(a, w, half), c);
+    double time = FirstRoot.rounded(t, c, error);
+    if (time < NEVER) {
+      Rungs.root();
+      return time;
+    }
+    return DiskSweep.time(DiskSweep.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, NEVER);
+  }
+
+  /** {@code e.e - r^2} at {@code e = d + v t}. What cancels is kept as head and tail. */
+  private static double residue(
+      double px, double py, double r, double vx, double vy, double qx, double qy, double t) {
+    double dx = px - qx;
+    double dy = py - qy;
+    double mx = vx * t;
+    double my = vy * t;
+    double x = dx + mx;
+    double y = dy + my;
+    double xl = sumTail(dx, mx, x) + (differenceTail(px, qx, dx) + productTail(vx, t, mx));
+    double yl = sumTail(dy, my, y) + (differenceTail(py, qy, dy) + productTail(vy, t, my));
+    double xx = x * x;
+    double yy = y * y;
+    double rr = r * r;
+    double ee = xx + yy;
+    double f = ee - rr;
+    return f
+        + ((sumTail(xx, yy, ee) + differenceTail(ee, rr, f))
+            + ((productTail(x, x, xx) + productTail(y, y, yy)) - productTail(r, r, rr))
+            + 2 * (x * xl + y * yl));
+  }
+}
