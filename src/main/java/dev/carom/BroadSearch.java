@@ -78,6 +78,9 @@ final class BroadSearch {
   /** A centre further than this from a wall certainly does not touch it. */
   private double inset;
 
+  /** See {@link RoughSweep#margin}. */
+  private double margin;
+
   private int last;
   private Jam jam;
 
@@ -85,7 +88,15 @@ final class BroadSearch {
   private double sensed;
 
   private int sensedCode;
+
+  /** When the best impact is, as {@link RoughSweep} tells while it is rough. */
   private double best;
+
+  private boolean isRough;
+
+  /** A time at or after that. */
+  private double latest;
+
   private int bestCode;
   private int bestContact;
 
@@ -195,16 +206,14 @@ final class BroadSearch {
       return ahead;
     }
     considerEach();
+    settle();
     return best;
   }
 
   private void considerEach() {
     PresentCodes presentLines = obstacles.presentLines();
     for (int i = 0; i < presentLines.size(); i++) {
-      int code = presentLines.get(i);
-      if (!passed(code, px, py, vx, vy, clear)) {
-        consider(code);
-      }
+      visit(presentLines.get(i));
     }
     PresentCodes presentPegs = obstacles.presentPegs();
     for (int i = 0; i < presentPegs.size(); i++) {
@@ -218,18 +227,25 @@ final class BroadSearch {
     vx = mover.vx;
     vy = mover.vy;
     r = mover.radius;
-    double absVx = Math.abs(vx);
-    double absVy = Math.abs(vy);
-    speed = Math.max(absVx, absVy);
-    perVx = 1 / Math.fma(speed, DRIFT, absVx);
-    perVy = 1 / Math.fma(speed, DRIFT, absVy);
     last = mover.last;
     jam = mover.jam;
     sensed = mover.cleared;
     sensedCode = mover.contact;
     best = NEVER;
+    latest = NEVER;
+    isRough = false;
     bestCode = Mover.NOTHING;
     bestContact = 0;
+    measure();
+  }
+
+  /** What the speed and the size of the flight mean for errors. */
+  private void measure() {
+    double absVx = Math.abs(vx);
+    double absVy = Math.abs(vy);
+    speed = Math.max(absVx, absVy);
+    perVx = 1 / Math.fma(speed, DRIFT, absVx);
+    perVy = 1 / Math.fma(speed, DRIFT, absVy);
     // |v| <= large + (sqrt(2) - 1) small: a chord above a convex curve, at most 9 % too much.
     double length = 0.5857 * speed + 0.4143 * (absVx + absVy);
     // cross(p - a, v) errs by at most 4 u (|dx vy| + |dy vx|) <= 6 u |d|max |v|, u = 2^-53, a sum
@@ -239,6 +255,7 @@ final class BroadSearch {
     boolean ordinary = speed > LEAST && scale > LEAST && scale < MOST;
     inset = ordinary ? r + Math.fma(0x1p-48, size, Double.MIN_NORMAL) : NEVER;
     clear = 2 * length * inset;
+    margin = special || jam != null ? Double.NaN : RoughSweep.margin(length, size);
   }
 
   /**
@@ -332,12 +349,45 @@ final class BroadSearch {
         && Predicates.cross(bx, by, ax, ay, vx, vy, 0, 0) < 0;
   }
 
+  /** Keeps a contact with a line whose time is told roughly, unless it is certainly not first. */
+  private void keepRough(double t, int code, int contact) {
+    double after = t * (1 + RoughSweep.TIME_ERROR);
+    if (after < best) {
+      best = t;
+      latest = after;
+      isRough = true;
+      bestCode = code;
+      bestContact = contact;
+    } else if (t <= latest) {
+      keep(timeOf(code, contact), code, contact);
+    }
+  }
+
+  /** Finds the exact time of the best impact. */
+  private void settle() {
+    if (isRough) {
+      isRough = false;
+      best = timeOf(bestCode, bestContact);
+      latest = best;
+    }
+  }
+
+  private double timeOf(int line, int contact) {
+    int k = (line - Obstacles.WALLS) * Scene.LINE;
+    return SegmentSweep.time(
+        contact, px, py, r, vx, vy, lines[k], lines[k + 1], lines[k + 2], lines[k + 3], NEVER);
+  }
+
   private void keep(double t, int code, int contact) {
+    if (t <= latest) {
+      settle();
+    }
     if (special && !comesFirst(t, code)) {
       return;
     }
     if (t < best || (t == best && (special || code < bestCode))) {
       best = t;
+      latest = t;
       bestCode = code;
       bestContact = contact;
     }
@@ -376,6 +426,7 @@ final class BroadSearch {
     double start = grid.contains(px, py) ? from : grid.entry(px, py, vx, vy, from);
     // A wall that is as good as touched is ahead by 0: what else is touched may come before it.
     if (!(start <= ahead) || start == NEVER) {
+      settle();
       return Math.min(best, ahead);
     }
     double x = grid.columns(Math.fma(vx, start, px));
@@ -397,12 +448,12 @@ final class BroadSearch {
     // Two ticks beyond: one may be lost where times are cut to ticks.
     double enough = Math.max((needed - start) * rate, reach * (TICKS / 2)) + 2;
     double most = Math.min((ahead - start) * rate, enough);
-    long end = (long) Math.min((best - start) * rate, most);
+    long end = (long) Math.min((latest - start) * rate, most);
     long list = lists[cell];
     while (list != Grid.OUTSIDE) {
       if (list != 0) {
         visit(grid, list);
-        end = (long) Math.min((best - start) * rate, most);
+        end = (long) Math.min((latest - start) * rate, most);
       }
       do {
         // The lesser of the two: Math.min is a branch, of which half are foretold wrongly.
@@ -410,6 +461,7 @@ final class BroadSearch {
         long isColumn = lead >> 63;
         long left = nextY + (lead & isColumn);
         if (end <= left) {
+          settle();
           double first = Math.min(best, ahead);
           return (long) ((first - start) * rate) <= left ? first : start + left / rate;
         }
@@ -419,6 +471,7 @@ final class BroadSearch {
         list = lists[cell];
       } while (list == 0);
     }
+    settle();
     return Math.min(best, ahead);
   }
 
@@ -445,7 +498,25 @@ final class BroadSearch {
   }
 
   private void visit(int code) {
-    if (!passed(code, px, py, vx, vy, clear)) {
+    if (Rungs.COUNT != null) {
+      Rungs.COUNT.pairTests++;
+    }
+    if (code >= Obstacles.PEGS) {
+      consider(code);
+      return;
+    }
+    int k = (code - Obstacles.WALLS) * Scene.LINE;
+    double ax = lines[k];
+    double ay = lines[k + 1];
+    double bx = lines[k + 2];
+    double by = lines[k + 3];
+    if (passed(ax, ay, bx, by) || code == bestCode || code == last) {
+      return;
+    }
+    int contact = RoughSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, margin);
+    if (contact > SegmentSweep.MISS) {
+      keepRough(RoughSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by), code, contact);
+    } else if (contact == RoughSweep.DOUBT) {
       consider(code);
     }
   }
@@ -453,16 +524,9 @@ final class BroadSearch {
   /**
    * Whether both ends of a line lie on one side of the path and further from it than the radius.
    */
-  private boolean passed(int code, double x, double y, double ux, double uy, double clear) {
-    if (Rungs.COUNT != null) {
-      Rungs.COUNT.pairTests++;
-    }
-    if (code >= Obstacles.PEGS) {
-      return false;
-    }
-    int k = (code - Obstacles.WALLS) * Scene.LINE;
-    double a = (x - lines[k]) * uy - (y - lines[k + 1]) * ux;
-    double b = (x - lines[k + 2]) * uy - (y - lines[k + 3]) * ux;
+  private boolean passed(double ax, double ay, double bx, double by) {
+    double a = (px - ax) * vy - (py - ay) * vx;
+    double b = (px - bx) * vy - (py - by) * vx;
     // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
     return Math.abs(a + b) - Math.abs(a - b) > clear;
   }

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What a look tells is what the detector tells, or nothing. */
+class RoughSweepTest {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private int told;
+
+  /** Whole numbers, or nearly, so that paths often lead just to a limit. */
+  private static double[] query(SplittableRandom random, double blur) {
+    double[] q = new double[9];
+    for (int i = 0; i < q.length; i++) {
+      q[i] = random.nextInt(-12, 13) + blur * random.nextInt(-1, 2);
+    }
+    q[2] = Math.abs(q[2]);
+    return q;
+  }
+
+  private void look(double[] q, double scale) {
+    double px = scale * q[0];
+    double py = scale * q[1];
+    double r = scale * q[2];
+    double vx = q[3];
+    double vy = q[4];
+    double ax = scale * q[5];
+    double ay = scale * q[6];
+    double bx = scale * q[7];
+    double by = scale * q[8];
+    double margin = RoughSweep.margin(Math.abs(vx) + Math.abs(vy), 64 * scale);
+    int contact = RoughSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, margin);
+    if (contact != RoughSweep.DOUBT) {
+      told++;
+      assertThat(contact).isEqualTo(SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by));
+    }
+    if (contact > SegmentSweep.MISS) {
+      double time = SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, NEVER);
+      assertThat(RoughSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by))
+          .isCloseTo(time, within(time * RoughSweep.TIME_ERROR / 4));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0x1p-45, 0x1p-30, 0x1p-24, 0x1p-20, 0.3})
+  void whatIsToldIsCertain(double blur) {
+    SplittableRandom random = new SplittableRandom(7);
+    for (int i = 0; i < 20_000; i++) {
+      look(query(random, blur), 1);
+    }
+    assertThat(told).isGreaterThan(10_000);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0x1p-1000, 0x1p-160, 0x1p-140, 0x1p140, 0x1p160, 0x1p900})
+  void soItIsOfAnySize(double scale) {
+    SplittableRandom random = new SplittableRandom(8);
+    for (int i = 0; i < 1000; i++) {
+      look(query(random, 0x1p-30), scale);
+    }
+    assertThat(told > 500).isEqualTo(scale > 0x1p-99 && scale < 0x1p150);
+  }
+
+  @Test
+  void whatIsHitIsLeftInDoubtWithoutAMargin() {
+    assertThat(RoughSweep.contact(0, 0, 1, 2, 0, 4, -3, 4, 3, Double.NaN))
+        .isEqualTo(RoughSweep.DOUBT);
+    assertThat(RoughSweep.contact(0, 0, 1, -2, 0, 4, -3, 4, 3, Double.NaN))
+        .isEqualTo(SegmentSweep.MISS);
+  }
+}
