@@ -203,15 +203,22 @@ final class Collisions extends Engine {
       foresee(i);
       return;
     }
+    int j = Meetings.partner(c, i);
     if (Meetings.isOpen(s, i)) {
       meetings.refine(s, c, i);
+      boolean isOfBoth = Schedule.isSame(c, i, j);
+      if (isOfBoth) {
+        queue.clear(j); // else that event would seem to come first
+      }
       if (!isStillFirst(s, i)) {
         schedule.set(i);
+        if (isOfBoth) {
+          schedule.set(j);
+        }
         return;
       }
       reach(Meetings.time(s, i));
     }
-    int j = Meetings.partner(c, i);
     queue.clear(j);
     int low = Math.min(i, j);
     int high = Math.max(i, j);

@@ -50,6 +50,11 @@ final class Schedule {
     return c[Circles.collidingCodesAt(i) + Circles.KIND];
   }
 
+  /** Whether the event of circle j is its meeting with circle i, as both are now. */
+  static boolean isSame(int[] c, int i, int j) {
+    return kind(c, j) == PAIR && Meetings.partner(c, j) == i && Meetings.holds(c, j);
+  }
+
   /** Lets a circle be looked at anew at the given time. */
   void edit(int i, double time) {
     put(i, time, EDIT);
