@@ -96,7 +96,7 @@ final class Session {
     steps++;
     impacts += log.size();
     LogCheck.check(world, start);
-    countJams(log);
+    readImpacts(log);
     stuck = !complete || log.size() >= MOST_IMPACTS;
     if (!stuck) {
       keepLimits();
@@ -105,9 +105,11 @@ final class Session {
     }
   }
 
-  private void countJams(ImpactLog log) {
+  private void readImpacts(ImpactLog log) {
     for (int row = 0; row < log.size(); row++) {
       jams += log.jammed(row) ? 1 : 0;
+      // Of what bounces to and fro at one time there are no flights.
+      rounding.keepSpeed(log.approachSpeed(row), 0);
     }
   }
 

@@ -37,6 +37,19 @@ class WorldFuzzTest {
     assertThat(fuzz.jams()).isPositive();
   }
 
+  /**
+   * Between a wall and a heavy circle a light one with a restitution above 1 bounces to and fro
+   * until it is 10^46 times as fast: what rounding then leaves of its speed is more than that of
+   * all others.
+   */
+  @Test
+  void speedsThatLastForNoTimeCountForTheBoundOfRounding() throws FindingException {
+    WorldFuzz fuzz = new WorldFuzz();
+    fuzz.play(8802942);
+
+    assertThat(fuzz.impacts()).isGreaterThan(1_000);
+  }
+
   @Test
   void someQueriesAreAnswered() throws FindingException {
     QueryFuzz fuzz = new QueryFuzz(1);
