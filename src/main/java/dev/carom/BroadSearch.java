@@ -358,7 +358,7 @@ final class BroadSearch {
       isRough = true;
       bestCode = code;
       bestContact = contact;
-    } else if (t <= latest) {
+    } else if (t * (1 - RoughSweep.TIME_ERROR) <= latest) { // latest may be exact
       keep(timeOf(code, contact), code, contact);
     }
   }

@@ -3,6 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -229,6 +230,43 @@ class BroadSearchTest {
     ImpactLog log = step(world, 50);
     assertThat(log.kind(0)).isEqualTo(ObstacleKind.LINE);
     assertThat(log.id(0)).isOne();
+  }
+
+  /**
+   * Lines that are met within some ulps of time, of which the first two are met with an end at the
+   * edge of the way: those are told exactly, the others first by a look.
+   */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 5})
+  void theFirstOfLinesThatAreMetAtNearlyOneTimeIsFound(int tilted) {
+    Random random = new Random(tilted);
+    for (int i = 0; i < 2_000; i++) {
+      double x = 2 + 10 * random.nextDouble();
+      List<Line> lines = new ArrayList<>();
+      lines.add(new Line(x, 0, x, 3));
+      for (int k = 0; k < tilted; k++) {
+        double angle = 1.2 * (random.nextDouble() - 0.5);
+        double c = Math.cos(angle);
+        double s = Math.sin(angle);
+        double qx = x - 1 + c + (random.nextInt(9) - 4) * Math.ulp(x);
+        double length = 1 + random.nextDouble();
+        lines.add(new Line(qx - length * s, s + length * c, qx + length * s, s - length * c));
+      }
+      double first = Double.POSITIVE_INFINITY;
+      int id = -1;
+      SceneBuilder scene = Scene.builder().circle(0, 0, 1, 1, 0);
+      for (Line l : lines) {
+        scene.line(l.ax(), l.ay(), l.bx(), l.by());
+        double t = SweptCircle.line(0, 0, 1, 1, 0, l.ax(), l.ay(), l.bx(), l.by(), 99);
+        if (t < first) {
+          first = t;
+          id = lines.indexOf(l);
+        }
+      }
+      ImpactLog log = step(new World(scene.build()), x);
+      assertThat(log.id(0)).as("%s", lines).isEqualTo(id);
+      assertThat(log.time(0)).isEqualTo(first);
+    }
   }
 
   // Where a search ends, for it looks no further than it may.
