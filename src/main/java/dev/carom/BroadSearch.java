@@ -255,7 +255,8 @@ final class BroadSearch {
     boolean ordinary = speed > LEAST && scale > LEAST && scale < MOST;
     inset = ordinary ? r + Math.fma(0x1p-48, size, Double.MIN_NORMAL) : NEVER;
     clear = 2 * length * inset;
-    margin = special || jam != null ? Double.NaN : RoughSweep.margin(length, size);
+    double ofAll = RoughSweep.margin(length, size);
+    margin = special || jam != null ? ofAll + NEVER : ofAll;
   }
 
   /**

@@ -42,7 +42,11 @@ final class RoughSweep {
     return speed > LEAST && speed < MOST && size < MOST ? 0x1p-47 * (scale * scale) : Double.NaN;
   }
 
-  /** What is hit first, as {@link SegmentSweep#contact} tells, but nothing NOW; or DOUBT. */
+  /**
+   * What is hit first, as {@link SegmentSweep#contact} tells, but nothing NOW; or DOUBT.
+   *
+   * @param margin of all lines; infinite to tell of none that it is hit
+   */
   static int contact(
       double px,
       double py,
@@ -69,7 +73,8 @@ final class RoughSweep {
     double side = Math.copySign(1, c);
     double drift = side * (s0 - s1);
     boolean outside = c * c - reach > CLEAR * (m * m + reach) + TINY;
-    if (!(outside && Math.abs(drift) > CLEAR * (Math.abs(s0) + Math.abs(s1)) + TINY)) {
+    boolean inRange = margin >= 0;
+    if (!(inRange && outside && Math.abs(drift) > CLEAR * (Math.abs(s0) + Math.abs(s1)) + TINY)) {
       return DOUBT;
     }
     if (drift > 0) {

@@ -149,6 +149,20 @@ class BroadSearchTest {
         x * unit, y * unit, (x + random.nextDouble()) * unit, (y + random.nextDouble()) * unit);
   }
 
+  /** The square of the radius underflows beside that of the length, or the other way round. */
+  @Test
+  void tinyAndHugeThingsMeetAtAnEnd() {
+    Resolver huge = Resolver.of(List.of(new Line(0, 0, 0x1p500, 0)));
+    Circle tiny = new Circle(-0x1p-539, 0x1p-690, 0x1p-540);
+    assertThat(huge.trace(tiny, new Vec2(1, 0x1p-10), 1).impacts()).hasSize(1);
+    Scene scene =
+        Scene.builder()
+            .line(0, 0, 0x1p-540, 0)
+            .circle(-0x1p501, 0x1p400, 0x1p500, 0x1p152, 0x1p142)
+            .build();
+    assertThat(step(new World(scene), 0x1p400).size()).isOne();
+  }
+
   // Order.
 
   /** Along a line that lies in the wall the two are hit at one time: the wall comes first. */

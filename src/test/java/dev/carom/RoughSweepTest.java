@@ -70,10 +70,25 @@ class RoughSweepTest {
   }
 
   @Test
-  void whatIsHitIsLeftInDoubtWithoutAMargin() {
-    assertThat(RoughSweep.contact(0, 0, 1, 2, 0, 4, -3, 4, 3, Double.NaN))
-        .isEqualTo(RoughSweep.DOUBT);
-    assertThat(RoughSweep.contact(0, 0, 1, -2, 0, 4, -3, 4, 3, Double.NaN))
-        .isEqualTo(SegmentSweep.MISS);
+  void whatIsHitIsLeftInDoubtByAnInfiniteMargin() {
+    assertThat(RoughSweep.contact(0, 0, 1, 2, 0, 4, -3, 4, 3, NEVER)).isEqualTo(RoughSweep.DOUBT);
+    assertThat(RoughSweep.contact(0, 0, 1, -2, 0, 4, -3, 4, 3, NEVER)).isEqualTo(SegmentSweep.MISS);
+  }
+
+  /** What r^2 or w.w lose by underflow is large beside the square of a small distance. */
+  @Test
+  void whatUnderflowsBesideLargeNumbersIsLeftInDoubt() {
+    assertThat(hit(-0x1p-539, 0x1p-690, 0x1p-540, 1, 0x1p-10, 0x1p500)).isPositive();
+    assertThat(hit(-0x1p501, 0x1p400, 0x1p500, 0x1p152, 0x1p142, 0x1p-540)).isPositive();
+  }
+
+  /** What is first hit of a level line from the origin; a look may leave it open. */
+  private static int hit(double px, double py, double r, double vx, double vy, double bx) {
+    double size = Math.abs(px) + Math.abs(py) + r + bx;
+    double margin = RoughSweep.margin(vx + vy, size);
+    int told = RoughSweep.contact(px, py, r, vx, vy, 0, 0, bx, 0, margin);
+    int contact = SegmentSweep.contact(px, py, r, vx, vy, 0, 0, bx, 0);
+    assertThat(told).isIn(contact, RoughSweep.DOUBT);
+    return contact;
   }
 }
