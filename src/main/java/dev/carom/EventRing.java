@@ -29,6 +29,11 @@ final class EventRing {
   private final int[] after;
 
   /**
+   * Of each circle, by its number and one, the one before it in its list, if it is not the first.
+   */
+  private final int[] before;
+
+  /**
    * An empty ring.
    *
    * @param buckets how many, a power of two and at least 64
@@ -40,6 +45,7 @@ final class EventRing {
     filled = new long[buckets >> WORD];
     after = new int[circles];
     Arrays.fill(after, NONE);
+    before = new int[circles + 1];
   }
 
   /** The number of buckets of one turn. */
@@ -49,7 +55,9 @@ final class EventRing {
 
   void add(int bucket, int i) {
     int at = place(bucket);
-    after[i] = heads[at];
+    int next = heads[at];
+    after[i] = next;
+    before[next + 1] = i; // of NONE too, which nobody asks
     heads[at] = i;
     filled[word(bucket >> WORD)] |= 1L << bucket;
   }
@@ -62,11 +70,9 @@ final class EventRing {
       heads[at] = next;
       return;
     }
-    int before = heads[at];
-    while (after[before] != i) {
-      before = after[before];
-    }
-    after[before] = next;
+    int previous = before[i + 1];
+    after[previous] = next;
+    before[next + 1] = previous;
   }
 
   /** The first circle of a bucket, or NONE. */
