@@ -26,7 +26,7 @@ class RoughSweepTest {
     return q;
   }
 
-  private void look(double[] q, double scale) {
+  private void look(double[] q, double scale, double size) {
     double px = scale * q[0];
     double py = scale * q[1];
     double r = scale * q[2];
@@ -36,7 +36,7 @@ class RoughSweepTest {
     double ay = scale * q[6];
     double bx = scale * q[7];
     double by = scale * q[8];
-    double margin = RoughSweep.margin(Math.abs(vx) + Math.abs(vy), 64 * scale);
+    double margin = RoughSweep.margin(Math.abs(vx) + Math.abs(vy), size);
     int contact = RoughSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, margin);
     if (contact != RoughSweep.DOUBT) {
       told++;
@@ -54,7 +54,7 @@ class RoughSweepTest {
   void whatIsToldIsCertain(double blur) {
     SplittableRandom random = new SplittableRandom(7);
     for (int i = 0; i < 20_000; i++) {
-      look(query(random, blur), 1);
+      look(query(random, blur), 1, 64);
     }
     assertThat(told).isGreaterThan(10_000);
   }
@@ -64,9 +64,32 @@ class RoughSweepTest {
   void soItIsOfAnySize(double scale) {
     SplittableRandom random = new SplittableRandom(8);
     for (int i = 0; i < 1000; i++) {
-      look(query(random, 0x1p-30), scale);
+      look(query(random, 0x1p-30), scale, 64 * scale);
     }
     assertThat(told > 500).isEqualTo(scale > 0x1p-99 && scale < 0x1p150);
+  }
+
+  /** As far away as the bounds of errors allow for, by all that is listed for a flight. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1, 1e3, 1e5, 1e6})
+  void whatIsToldFarFromTheOriginIsCertain(double far) {
+    SplittableRandom random = new SplittableRandom(9);
+    for (int i = 0; i < 20_000; i++) {
+      double[] q = query(random, 0.3);
+      double angle = 7 * random.nextDouble();
+      double along = q[2] * (1 + (random.nextInt(9) - 4) * 0x1p-40 * far);
+      // The path leads by a corner of the line, or by its end, or nearly so.
+      q[5] = q[0] + 9 * q[3] - along * Math.sin(angle);
+      q[6] = q[1] + 9 * q[4] + along * Math.cos(angle);
+      q[7] = q[5] + 5 * Math.cos(angle);
+      q[8] = q[6] + 5 * Math.sin(angle);
+      for (int k : new int[] {0, 5, 7}) {
+        q[k] += far;
+        q[k + 1] -= far;
+      }
+      look(q, 1, 4 * far + 256);
+    }
+    assertThat(told).isGreaterThan(1_000);
   }
 
   @Test
