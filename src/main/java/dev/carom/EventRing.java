@@ -48,11 +48,6 @@ final class EventRing {
     before = new int[circles + 1];
   }
 
-  /** The number of buckets of one turn. */
-  int size() {
-    return heads.length;
-  }
-
   void add(int bucket, int i) {
     int at = place(bucket);
     int next = heads[at];
