@@ -57,14 +57,17 @@ final class EventQueue {
   /** Spans of a round, as many as there are if not those of the next bounds are too long. */
   private static final int SPANS = 8;
 
-  private static final int MOST_SPANS = 4096;
+  private static final int MOST_SPANS = 1 << 15;
 
   /** Buckets of a round at most, lest their numbers be more than an int holds. */
   private static final int MOST_BUCKETS = 1 << 30;
 
-  // Buckets of a span: few enough to stay in the cache, unless there were too many spans.
+  // Buckets of a span, unless there were too many spans: few enough to stay in the cache; and where
+  // the circles do not, so few that what is read of them to deal out a list still is when its turn
+  // comes.
   private static final int LEAST_IN_SPAN = 32;
-  private static final int MANY_IN_SPAN = 8192;
+  private static final int MANY_IN_SPAN = 1 << 13;
+  private static final int MANY_WITH_OUTLOOK = 1 << 11;
 
   /** More events than that in the heap are too many, unless they are at one time. */
   private static final int CROWD = 32;
@@ -121,6 +124,10 @@ final class EventQueue {
 
   private double takenAt;
 
+  /** What was read comes together here, for else it need not be read. */
+  @SuppressWarnings("UnusedVariable")
+  private double read;
+
   EventQueue(int count, Order order) {
     this(count, order, null, new int[Circles.collidingCodesAt(count)]);
   }
@@ -134,7 +141,8 @@ final class EventQueue {
   EventQueue(int count, Order order, Outlook outlook, int[] codes) {
     this.outlook = outlook;
     long round = Math.min((long) ROUND * PER_EVENT * count, MOST_BUCKETS);
-    long fair = Math.max(Math.min(round / SPANS, MANY_IN_SPAN), round / MOST_SPANS);
+    int many = outlook == null ? MANY_IN_SPAN : MANY_WITH_OUTLOOK;
+    long fair = Math.max(Math.min(round / SPANS, many), round / MOST_SPANS);
     inSpan = logarithm(Math.max(LEAST_IN_SPAN, fair));
     span = 1 << inSpan;
     spans = Math.max(SPANS, (int) (round >> inSpan));
@@ -322,7 +330,7 @@ final class EventQueue {
         size = tell(ring.next(told[k]), size);
       }
     }
-    lookedAt = bucket;
+    lookedAt = Math.min(bucket, end);
     outlook.next(this, told, size);
   }
 
@@ -356,11 +364,24 @@ final class EventQueue {
     end += span;
     int chunk = lists.take(following);
     while (chunk != EntryLists.NONE) {
+      if (outlook != null) {
+        read(chunk);
+      }
       for (int k = lists.start(chunk); k < chunk; k++) {
         enter(lists.id(k), lists.time(k));
       }
       chunk = lists.release(chunk);
     }
+  }
+
+  /** Reads what is asked of the entries of a chunk, none of which waits for another one. */
+  private void read(int chunk) {
+    double sum = 0;
+    for (int k = lists.start(chunk); k < chunk; k++) {
+      int i = lists.id(k);
+      sum += times[i] + ring.next(i);
+    }
+    read += sum;
   }
 
   /** Puts the event of an entry, if it is still meant, where it belongs by now. */
