@@ -39,6 +39,6 @@ final class ExactWork {
 
   /** The work since there were so many bits, in ordinary impacts. */
   long impactsSince(long before) {
-    return (bits - before) / BITS_PER_IMPACT;
+    return bits == before ? 0 : (bits - before) / BITS_PER_IMPACT; // as a rule there is none
   }
 }
