@@ -9,6 +9,18 @@ final class Check {
 
   private Check() {}
 
+  /** Refuses null by a {@link NullPointerException} that names the argument; returns the others. */
+  static <T> T notNull(String name, T value) {
+    if (value == null) {
+      throw isNull(name);
+    }
+    return value;
+  }
+
+  static NullPointerException isNull(String name) {
+    return new NullPointerException(name + " is null");
+  }
+
   static void finite(String name, double value) {
     if (!(Math.abs(value) <= Double.MAX_VALUE)) {
       throw refused(name, value, "a finite number");

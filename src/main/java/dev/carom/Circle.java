@@ -33,7 +33,7 @@ public record Circle(double x, double y, double radius) implements Obstacle {
    * @throws IllegalArgumentException if the radius is NaN, infinite or negative
    */
   public Circle(Vec2 center, double radius) {
-    this(center.x(), center.y(), radius);
+    this(Check.notNull("center", center).x(), center.y(), radius);
   }
 
   /**

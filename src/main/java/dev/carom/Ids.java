@@ -18,7 +18,7 @@ final class Ids {
 
   /** Whether something is there, for any number. */
   boolean contains(ObstacleKind kind, int id) {
-    return switch (kind) {
+    return switch (Check.notNull("kind", kind)) {
       case CIRCLE -> roster.contains(id);
       case WALL -> obstacles.bounds != null && id >= 0 && id < Obstacles.WALLS;
       case LINE, PEG -> id >= 0 && id < end(kind) && !obstacles.isGone(code(kind, id));
@@ -27,7 +27,7 @@ final class Ids {
 
   /** One more than the largest id ever given. */
   int end(ObstacleKind kind) {
-    return switch (kind) {
+    return switch (Check.notNull("kind", kind)) {
       case WALL -> obstacles.bounds == null ? 0 : Obstacles.WALLS;
       case LINE -> obstacles.endOfLines - Obstacles.WALLS;
       case PEG -> obstacles.endOfPegs - Obstacles.PEGS;

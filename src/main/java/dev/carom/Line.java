@@ -35,7 +35,7 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
    * @param end the end
    */
   public Line(Vec2 start, Vec2 end) {
-    this(start.x(), start.y(), end.x(), end.y());
+    this(Check.notNull("start", start).x(), start.y(), Check.notNull("end", end).x(), end.y());
   }
 
   /**
@@ -75,7 +75,7 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
    *     zero
    */
   public Vec2 closestPoint(Vec2 p) {
-    double s = fraction(ax, ay, bx, by, p.x(), p.y());
+    double s = fraction(ax, ay, bx, by, Check.notNull("p", p).x(), p.y());
     if (!(s > 0)) {
       return new Vec2(ax, ay);
     }

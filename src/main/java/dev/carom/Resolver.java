@@ -3,7 +3,6 @@ package dev.carom;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
@@ -58,8 +57,10 @@ public final class Resolver {
     SceneBuilder builder = Scene.builder();
     List<Line> lines = new ArrayList<>();
     List<Obstacle> pegs = new ArrayList<>();
-    for (Obstacle obstacle : obstacles) {
-      if (obstacle instanceof Line line) {
+    for (Obstacle obstacle : Check.notNull("obstacles", obstacles)) {
+      if (obstacle == null) {
+        throw Check.isNull("obstacles[" + obstacles.indexOf(null) + "]");
+      } else if (obstacle instanceof Line line) {
         builder.line(line.ax(), line.ay(), line.bx(), line.by());
         lines.add(line);
       } else if (obstacle instanceof Bounds bounds) {
@@ -92,6 +93,7 @@ public final class Resolver {
    * @return the resolver
    */
   public static Resolver of(Scene scene) {
+    Check.notNull("scene", scene);
     List<Line> lines = new ArrayList<>();
     for (int i = 0; i < scene.lineCount(); i++) {
       lines.add(scene.line(i));
@@ -133,6 +135,8 @@ public final class Resolver {
    */
   public Trajectory trace(
       Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
+    Check.notNull("circle", circle);
+    Check.notNull("velocity", velocity);
     Check.notNegative("restitution", restitution);
     Check.notNegative("duration", duration);
     Check.notNegative("bounces", bounces);
@@ -151,6 +155,8 @@ public final class Resolver {
    * @throws IllegalArgumentException if T is NaN or negative
    */
   public Optional<Impact> cast(Circle circle, Vec2 velocity, double T) {
+    Check.notNull("circle", circle);
+    Check.notNull("velocity", velocity);
     Check.duration("T", T);
     return tracer().first(circle, velocity, T);
   }
@@ -164,6 +170,7 @@ public final class Resolver {
    * @return the obstacle, empty if there is none
    */
   public Optional<Obstacle> nearest(Vec2 point) {
+    Check.notNull("point", point);
     int nearest = new Proximity(obstacles).nearest(point.x(), point.y());
     return nearest == Proximity.NONE ? Optional.empty() : Optional.of(thing(nearest));
   }
@@ -176,7 +183,7 @@ public final class Resolver {
    *     endpoints, each in their order, equal ones too
    */
   public List<Obstacle> overlapping(Circle disk) {
-    Objects.requireNonNull(disk, "disk");
+    Check.notNull("disk", disk);
     return things(new Proximity(obstacles).overlapping(disk));
   }
 
@@ -187,7 +194,7 @@ public final class Resolver {
    * @return the obstacles, as for a disk
    */
   public List<Obstacle> overlapping(Bounds box) {
-    Objects.requireNonNull(box, "box");
+    Check.notNull("box", box);
     return things(new Proximity(obstacles).overlapping(box));
   }
 
@@ -228,6 +235,8 @@ public final class Resolver {
    *     negative, or the velocity after beyond the range of doubles
    */
   public static Vec2 reflect(Vec2 velocity, Vec2 normal, double restitution) {
+    Check.notNull("velocity", velocity);
+    Check.notNull("normal", normal);
     Check.notNegative("restitution", restitution);
     if (normal.x() == 0 && normal.y() == 0) {
       throw Check.refused("normal", normal, "a vector other than zero");
@@ -301,7 +310,7 @@ public final class Resolver {
     Check.finite("y2", y2);
     Check.mass("m2", m2);
     Check.notNegative("e", e);
-    double[] v = velocities;
+    double[] v = Check.notNull("velocities", velocities);
     if (v.length != 4) {
       throw Check.refused("velocities.length", v.length, "4");
     }

@@ -67,6 +67,9 @@ public final class Scene {
   /** Doubles of one line in {@link #lines}: ax, ay, bx, by, restitution. */
   static final int LINE = 5;
 
+  /** Numbers of one end of a line, the first in its row. */
+  static final int END = 2;
+
   /** Doubles of one peg in {@link #pegs}: x, y, radius, restitution. */
   static final int PEG = 4;
 
@@ -123,7 +126,7 @@ public final class Scene {
    *     {@link SceneBuilder} refuses
    */
   public static Scene read(Path path) throws IOException {
-    return SceneFile.read(path);
+    return SceneFile.read(Check.notNull("path", path));
   }
 
   /**
@@ -136,7 +139,8 @@ public final class Scene {
    *     {@link SceneBuilder} refuses
    */
   public static Scene read(Reader in, String name) throws IOException {
-    Objects.requireNonNull(name, "name");
+    Check.notNull("in", in);
+    Check.notNull("name", name);
     return SceneFile.read(in, name);
   }
 
@@ -148,7 +152,7 @@ public final class Scene {
    * @throws IOException if the file cannot be written
    */
   public void write(Path path) throws IOException {
-    SceneFile.write(this, path);
+    SceneFile.write(this, Check.notNull("path", path));
   }
 
   /**
@@ -158,8 +162,7 @@ public final class Scene {
    * @throws IOException if writing fails
    */
   public void write(Appendable out) throws IOException {
-    Objects.requireNonNull(out, "out");
-    SceneFile.write(this, out);
+    SceneFile.write(this, Check.notNull("out", out));
   }
 
   /**
@@ -365,7 +368,7 @@ public final class Scene {
 
   /** A number of a thing that is there. */
   private int at(ObstacleKind kind, int i) {
-    int count = count(kind);
+    int count = count(Check.notNull("kind", kind));
     if (i < 0 || i >= count) {
       String others = count == 0 ? "none of them" : count + " of them, from 0";
       throw new IndexOutOfBoundsException(

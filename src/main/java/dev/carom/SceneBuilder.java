@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import java.util.Objects;
-
 /**
  * Collects the things of a {@link Scene}. Each call adds one thing, or gives the thing added last a
  * property. What is refused is refused at once, with a message that names the thing, its number,
@@ -134,7 +132,7 @@ public final class SceneBuilder {
    * @throws IllegalStateException if nothing was added yet
    */
   public SceneBuilder response(Response response) {
-    Objects.requireNonNull(response, "response");
+    Check.notNull("response", response);
     if (last == null) {
       throw new IllegalStateException("response belongs to the thing added last: add one first");
     }

@@ -69,7 +69,7 @@ public final class Snapshot {
    *     wrote it, of a version that this library knows; the message tells what is wrong
    */
   public static Snapshot read(InputStream in) throws IOException {
-    return new SnapshotReader(in).read();
+    return new SnapshotReader(Check.notNull("in", in)).read();
   }
 
   /**
@@ -81,7 +81,7 @@ public final class Snapshot {
    * @throws IOException if writing fails
    */
   public void write(OutputStream out) throws IOException {
-    new SnapshotWriter(out).write(this);
+    new SnapshotWriter(Check.notNull("out", out)).write(this);
   }
 
   /**

@@ -191,6 +191,9 @@ public final class SweptCircle {
    * @throws IllegalArgumentException if T is NaN or negative
    */
   public static Optional<Impact> cast(Circle circle, Vec2 velocity, Obstacle obstacle, double T) {
+    Check.notNull("circle", circle);
+    Check.notNull("velocity", velocity);
+    Check.notNull("obstacle", obstacle);
     Check.duration("T", T);
     if (obstacle instanceof Line line) {
       return Casts.line(circle, velocity, line, T);
@@ -218,6 +221,10 @@ public final class SweptCircle {
    * @throws IllegalArgumentException if T is NaN or negative
    */
   public static Optional<Impact> cast(Circle first, Vec2 v1, Circle second, Vec2 v2, double T) {
+    Check.notNull("first", first);
+    Check.notNull("v1", v1);
+    Check.notNull("second", second);
+    Check.notNull("v2", v2);
     Check.duration("T", T);
     return Casts.disk(first, v1, second, v2, ObstacleKind.CIRCLE, second, T);
   }
@@ -258,7 +265,7 @@ public final class SweptCircle {
    *     together exceed 2^1023
    */
   public static Vec2 separation(Circle circle, Circle other) {
-    return Separation.of(circle, other);
+    return Separation.of(Check.notNull("circle", circle), Check.notNull("other", other));
   }
 
   /**
@@ -275,7 +282,7 @@ public final class SweptCircle {
    *     together exceed 2^1023
    */
   public static Vec2 separation(Circle circle, Line line) {
-    return Separation.of(circle, line);
+    return Separation.of(Check.notNull("circle", circle), Check.notNull("line", line));
   }
 
   /** The time of impact with the wall ahead, within the window. */

@@ -111,7 +111,7 @@ public final class SweptSphere {
     Check.mass("m1", m1);
     Check.mass("m2", m2);
     Check.notNegative("e", e);
-    if (velocities.length != 6) {
+    if (Check.notNull("velocities", velocities).length != 6) {
       throw Check.refused("velocities.length", velocities.length, "6");
     }
     double[] v = velocities;

@@ -106,7 +106,7 @@ public final class World {
   }
 
   World(Scene scene, Machinery machinery) {
-    this.scene = scene;
+    this.scene = Check.notNull("scene", scene);
     log = new ImpactLog(Math.max(LOG_LEAST, Math.min(LOG_MOST, scene.circleCount())));
     roster = new Roster(scene);
     engine =
@@ -374,6 +374,8 @@ public final class World {
    * @throws IllegalArgumentException if T is NaN or negative
    */
   public Optional<Impact> cast(Circle circle, Vec2 velocity, double T) {
+    Check.notNull("circle", circle);
+    Check.notNull("velocity", velocity);
     Check.duration("T", T);
     return questions.cast(circle, velocity, T, now);
   }
@@ -395,6 +397,8 @@ public final class World {
    */
   public Trajectory trace(
       Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
+    Check.notNull("circle", circle);
+    Check.notNull("velocity", velocity);
     Check.notNegative("restitution", restitution);
     Check.notNegative("duration", duration);
     Check.notNegative("bounces", bounces);
@@ -413,6 +417,7 @@ public final class World {
    * @throws IllegalArgumentException if a coordinate is NaN or infinite
    */
   public int nearest(ObstacleKind kind, double x, double y) {
+    Check.notNull("kind", kind);
     Check.finite("x", x);
     Check.finite("y", y);
     return questions.nearest(kind, x, y, now);
@@ -428,7 +433,8 @@ public final class World {
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Circle disk) {
-    Objects.requireNonNull(disk, "disk");
+    Check.notNull("kind", kind);
+    Check.notNull("disk", disk);
     return questions.overlapping(kind, disk, now);
   }
 
@@ -441,7 +447,8 @@ public final class World {
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Bounds box) {
-    Objects.requireNonNull(box, "box");
+    Check.notNull("kind", kind);
+    Check.notNull("box", box);
     return questions.overlapping(kind, box, now);
   }
 
@@ -532,7 +539,7 @@ public final class World {
    */
   public void setResponse(ObstacleKind kind, int id, Response response) {
     int code = ids.checked(kind, id);
-    Objects.requireNonNull(response, "response");
+    Check.notNull("response", response);
     editor.setResponse(code, response, now);
   }
 
@@ -667,6 +674,7 @@ public final class World {
    *     collide and here they do not, or the other way round
    */
   public void restore(Snapshot snapshot) {
+    Check.notNull("snapshot", snapshot);
     if (!Objects.equals(snapshot.obstacles.bounds, scene.bounds)) {
       throw Check.refused(
           "bounds of the snapshot",

@@ -13,9 +13,13 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** A null is refused by each call, whatever is there, by a NullPointerException. */
+/**
+ * A null is refused by each call, whatever is there, by a NullPointerException that names the
+ * argument.
+ */
 class NullTest {
 
   private static final Circle CIRCLE = new Circle(1, 2, 3);
@@ -24,78 +28,89 @@ class NullTest {
   private static final Scene EMPTY = Scene.builder().build();
   private static final Resolver RESOLVER = Resolver.of(EMPTY);
   private static final World WORLD = new World(EMPTY);
+  private static final World BOX = new World(Scene.builder().bounds(0, 0, 1, 1).build());
 
-  static Stream<ThrowingCallable> calls() {
+  static Stream<Arguments> calls() {
     return Stream.of(questions(), worlds(), things()).flatMap(List::stream);
   }
 
-  private static List<ThrowingCallable> questions() {
+  private static List<Arguments> questions() {
     return List.of(
-        () -> SweptCircle.cast(null, V, LINE, 1),
-        () -> SweptCircle.cast(CIRCLE, null, LINE, 1),
-        () -> SweptCircle.cast(CIRCLE, V, null, 1),
-        () -> SweptCircle.cast(CIRCLE, V, CIRCLE, null, 1),
-        () -> SweptCircle.separation(null, CIRCLE),
-        () -> SweptCircle.separation(CIRCLE, (Line) null),
-        () -> SweptSphere.respond(0, 0, 0, 1, 1, 1, 1, 1, 1, null),
-        () -> Resolver.of((Scene) null),
-        () -> Resolver.of((List<Obstacle>) null),
-        () -> Resolver.of(Collections.<Obstacle>singletonList(null)),
-        () -> Resolver.respond(0, 0, 1, 1, 1, 1, 1, null),
-        () -> Resolver.reflect(null, V, 1),
-        () -> Resolver.reflect(V, null, 1),
-        () -> RESOLVER.cast(null, V, 1),
-        () -> RESOLVER.cast(CIRCLE, null, 1),
-        () -> RESOLVER.trace(null, V, 1),
-        () -> RESOLVER.trace(CIRCLE, null, 1),
-        () -> RESOLVER.nearest(null),
-        () -> RESOLVER.overlapping((Circle) null),
-        () -> RESOLVER.overlapping((Bounds) null));
+        call("circle", () -> SweptCircle.cast(null, V, LINE, 1)),
+        call("velocity", () -> SweptCircle.cast(CIRCLE, null, LINE, 1)),
+        call("obstacle", () -> SweptCircle.cast(CIRCLE, V, null, 1)),
+        call("v2", () -> SweptCircle.cast(CIRCLE, V, CIRCLE, null, 1)),
+        call("first", () -> SweptCircle.cast(null, V, CIRCLE, V, 1)),
+        call("v1", () -> SweptCircle.cast(CIRCLE, null, CIRCLE, V, 1)),
+        call("second", () -> SweptCircle.cast(CIRCLE, V, null, V, 1)),
+        call("circle", () -> SweptCircle.separation(null, CIRCLE)),
+        call("other", () -> SweptCircle.separation(CIRCLE, (Circle) null)),
+        call("circle", () -> SweptCircle.separation(null, LINE)),
+        call("line", () -> SweptCircle.separation(CIRCLE, (Line) null)),
+        call("velocities", () -> SweptSphere.respond(0, 0, 0, 1, 1, 1, 1, 1, 1, null)),
+        call("scene", () -> Resolver.of((Scene) null)),
+        call("obstacles", () -> Resolver.of((List<Obstacle>) null)),
+        call("obstacles[0]", () -> Resolver.of(Collections.<Obstacle>singletonList(null))),
+        call("velocities", () -> Resolver.respond(0, 0, 1, 1, 1, 1, 1, null)),
+        call("velocity", () -> Resolver.reflect(null, V, 1)),
+        call("normal", () -> Resolver.reflect(V, null, 1)),
+        call("circle", () -> RESOLVER.cast(null, V, 1)),
+        call("velocity", () -> RESOLVER.cast(CIRCLE, null, 1)),
+        call("circle", () -> RESOLVER.trace(null, V, 1)),
+        call("velocity", () -> RESOLVER.trace(CIRCLE, null, 1)),
+        call("point", () -> RESOLVER.nearest(null)),
+        call("disk", () -> RESOLVER.overlapping((Circle) null)),
+        call("box", () -> RESOLVER.overlapping((Bounds) null)));
   }
 
-  private static List<ThrowingCallable> worlds() {
+  private static List<Arguments> worlds() {
     return List.of(
-        () -> new World(null),
-        () -> WORLD.contains(null, 0),
-        () -> WORLD.idEnd(null),
-        () -> WORLD.cast(null, V, 1),
-        () -> WORLD.cast(CIRCLE, null, 1),
-        () -> WORLD.trace(null, V, 1, 1, 1),
-        () -> WORLD.trace(CIRCLE, null, 1, 1, 1),
-        () -> WORLD.nearest(null, 1, 2),
-        () -> WORLD.overlapping(null, CIRCLE),
-        () -> WORLD.overlapping(null, new Bounds(0, 0, 1, 1)),
-        () -> WORLD.overlapping(ObstacleKind.LINE, (Circle) null),
-        () -> WORLD.overlapping(ObstacleKind.CIRCLE, (Bounds) null),
-        () -> EMPTY.restitution(null, 0),
-        () -> EMPTY.response(null, 0),
-        () -> WORLD.restitution(null, 0),
-        () -> WORLD.response(null, 0),
-        () -> WORLD.setRestitution(null, 0, 1),
-        () -> WORLD.setResponse(null, 0, Response.HALT),
-        () -> WORLD.remove(null, 0),
-        () -> WORLD.restore(null));
+        call("scene", () -> new World(null)),
+        call("kind", () -> WORLD.contains(null, 0)),
+        call("kind", () -> WORLD.idEnd(null)),
+        call("circle", () -> WORLD.cast(null, V, 1)),
+        call("velocity", () -> WORLD.cast(CIRCLE, null, 1)),
+        call("circle", () -> WORLD.trace(null, V, 1, 1, 1)),
+        call("velocity", () -> WORLD.trace(CIRCLE, null, 1, 1, 1)),
+        call("kind", () -> WORLD.nearest(null, 1, 2)),
+        call("kind", () -> WORLD.overlapping(null, CIRCLE)),
+        call("kind", () -> WORLD.overlapping(null, new Bounds(0, 0, 1, 1))),
+        call("disk", () -> WORLD.overlapping(ObstacleKind.LINE, (Circle) null)),
+        call("box", () -> WORLD.overlapping(ObstacleKind.CIRCLE, (Bounds) null)),
+        call("kind", () -> EMPTY.restitution(null, 0)),
+        call("kind", () -> EMPTY.response(null, 0)),
+        call("kind", () -> WORLD.restitution(null, 0)),
+        call("kind", () -> WORLD.response(null, 0)),
+        call("kind", () -> WORLD.setRestitution(null, 0, 1)),
+        call("kind", () -> WORLD.setResponse(null, 0, Response.HALT)),
+        call("response", () -> BOX.setResponse(ObstacleKind.WALL, 0, null)),
+        call("kind", () -> WORLD.remove(null, 0)),
+        call("snapshot", () -> WORLD.restore(null)));
   }
 
-  private static List<ThrowingCallable> things() {
+  private static List<Arguments> things() {
     return List.of(
-        () -> new Circle(null, 1),
-        () -> new Line(null, V),
-        () -> new Line(V, null),
-        () -> LINE.closestPoint(null),
-        () -> Scene.builder().response(null),
-        () -> Scene.read((Path) null),
-        () -> Scene.read((Reader) null, "name"),
-        () -> Scene.read(new StringReader(""), null),
-        () -> EMPTY.write((Path) null),
-        () -> EMPTY.write((Appendable) null),
-        () -> Snapshot.read((InputStream) null),
-        () -> WORLD.snapshot().write((OutputStream) null));
+        call("center", () -> new Circle(null, 1)),
+        call("start", () -> new Line(null, V)),
+        call("end", () -> new Line(V, null)),
+        call("p", () -> LINE.closestPoint(null)),
+        call("response", () -> Scene.builder().response(null)),
+        call("path", () -> Scene.read((Path) null)),
+        call("in", () -> Scene.read((Reader) null, "name")),
+        call("name", () -> Scene.read(new StringReader(""), null)),
+        call("path", () -> EMPTY.write((Path) null)),
+        call("out", () -> EMPTY.write((Appendable) null)),
+        call("in", () -> Snapshot.read((InputStream) null)),
+        call("out", () -> WORLD.snapshot().write((OutputStream) null)));
+  }
+
+  private static Arguments call(String argument, ThrowingCallable call) {
+    return Arguments.of(argument, call);
   }
 
   @ParameterizedTest
   @MethodSource("calls")
-  void isRefused(ThrowingCallable call) {
-    assertThatNullPointerException().isThrownBy(call);
+  void isRefusedByName(String argument, ThrowingCallable call) {
+    assertThatNullPointerException().isThrownBy(call).withMessage(argument + " is null");
   }
 }
