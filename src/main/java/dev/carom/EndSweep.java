@@ -17,6 +17,17 @@ final class EndSweep {
 
   /** The correctly rounded time of an impact that comes later. */
   static double time(double px, double py, double r, double vx, double vy, double x, double y) {
+    double time = firstStep(px, py, r, vx, vy, x, y);
+    if (time < NEVER) {
+      Rungs.root();
+      return time;
+    }
+    return DiskSweep.time(DiskSweep.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, NEVER);
+  }
+
+  /** The same as far as the plain root and one step from it tell, else NaN or infinity. */
+  static double firstStep(
+      double px, double py, double r, double vx, double vy, double x, double y) {
     double dx = px - x;
     double dy = py - y;
     double rr = r * r;
@@ -29,12 +40,7 @@ final class EndSweep {
     double half = 0.5 / s;
     double c = residue(px, py, r, vx, vy, x, y, t) * half;
     double error = FirstRoot.stepError(w, a, half, FirstRoot.firstLean(a, w, half), c);
-    double time = FirstRoot.rounded(t, c, error);
-    if (time < NEVER) {
-      Rungs.root();
-      return time;
-    }
-    return DiskSweep.time(DiskSweep.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, NEVER);
+    return FirstRoot.rounded(t, c, error);
   }
 
   /** {@code e.e - r^2} at {@code e = d + v t}. What cancels is kept as head and tail. */

@@ -134,7 +134,7 @@ final class Grid {
     return (int) (list >>> CODE_BITS);
   }
 
-  /** About two cells an obstacle, none smaller than the radius: measured, the optimum is flat. */
+  /** About four cells an obstacle, none smaller than the radius: measured, the optimum is flat. */
   private double chosen(double width, double height) {
     double fair = Math.sqrt(width * height / obstacles.size()) / 2;
     double least = Math.max(width, height) / MOST;

@@ -16,19 +16,21 @@ class EndSweepTest {
    * @param far how far from the origin: what the difference of two places loses counts
    * @param graze how near to a graze, of 1
    * @param radius of the way to the end
+   * @param told of how many in a hundred one step tells at least
    */
   @ParameterizedTest
   @CsvSource({
-    "0, 0.9, 0.2",
-    "1, 0.9, 0.9",
-    "1e3, 0.9, 1e-3",
-    "1e6, 1, 0.1",
-    "1, 0.99999, 0.5",
-    "3, 0, 1e-9"
+    "0, 0.9, 0.2, 99",
+    "1, 0.9, 0.9, 99",
+    "1e3, 0.9, 1e-3, 99",
+    "1e6, 1, 0.1, 1",
+    "1, 0.99999, 0.5, 99",
+    "3, 0, 1e-9, 0"
   })
-  void isThatOfADiskOfNoSize(double far, double graze, double radius) {
+  void isThatOfADiskOfNoSize(double far, double graze, double radius, int told) {
     SplittableRandom random = new SplittableRandom(7);
     int met = 0;
+    int byOneStep = 0;
     for (int i = 0; i < 3_000; i++) {
       double way = 1 + random.nextDouble();
       double angle = 7 * random.nextDouble();
@@ -44,10 +46,12 @@ class EndSweepTest {
       int contact = DiskSweep.contact(px, py, r, vx, vy, x, y, 0, 0, 0);
       if (contact == DiskSweep.LATER) {
         met++;
-        assertThat(EndSweep.time(px, py, r, vx, vy, x, y))
-            .isEqualTo(DiskSweep.time(contact, px, py, r, vx, vy, x, y, 0, 0, 0, NEVER));
+        double time = DiskSweep.time(contact, px, py, r, vx, vy, x, y, 0, 0, 0, NEVER);
+        assertThat(EndSweep.time(px, py, r, vx, vy, x, y)).isEqualTo(time);
+        byOneStep += EndSweep.firstStep(px, py, r, vx, vy, x, y) == time ? 1 : 0;
       }
     }
     assertThat(met).isGreaterThan(1_000);
+    assertThat(100.0 * byOneStep / met).isGreaterThanOrEqualTo(told);
   }
 }
