@@ -78,6 +78,11 @@ final class BroadSearch {
   /** A centre further than this from a wall certainly does not touch it. */
   private double inset;
 
+  /** A time at or shortly before that of the next wall on each axis; NaN if none is known. */
+  private double aheadX;
+
+  private double aheadY;
+
   /** See {@link RoughSweep#margin}. */
   private double margin;
 
@@ -270,28 +275,39 @@ final class BroadSearch {
     // less than 16 u of the size, reciprocals and products included.
     double x = halfWidth - Math.copySign(1, vx) * (px - middleX);
     double y = halfHeight - Math.copySign(1, vy) * (py - middleY);
-    double t = Math.min((x - inset) * perVx, (y - inset) * perVy);
+    aheadX = (x - inset) * perVx;
+    aheadY = (y - inset) * perVy;
+    double t = Math.min(aheadX, aheadY);
     return t > 0 ? t : 0; // NaN if a distance is beyond the doubles
   }
 
-  /** The two walls that the flight moves towards. */
+  /** The two walls that the flight moves towards; the later one only if it may come first. */
   private void walls() {
-    Bounds b = obstacles.bounds;
-    if (b != null) {
-      wall(px, vx, b.xmin(), b.xmax(), Obstacles.LEFT);
-      wall(py, vy, b.ymin(), b.ymax(), Obstacles.BOTTOM);
+    if (obstacles.walls == null) {
+      return;
+    }
+    if (aheadX < aheadY) {
+      wall(px, vx, Obstacles.LEFT);
+      if (!(aheadY > best)) {
+        wall(py, vy, Obstacles.BOTTOM);
+      }
+    } else {
+      wall(py, vy, Obstacles.BOTTOM);
+      if (!(aheadX > best)) {
+        wall(px, vx, Obstacles.LEFT);
+      }
     }
   }
 
-  private void wall(double p, double v, double low, double high, int lowCode) {
+  private void wall(double p, double v, int lowCode) {
     int code = wallCode(lowCode, v);
-    double t = WallSweep.time(p, r, v, v < 0 ? low : high);
+    double t = WallSweep.time(p, r, v, obstacles.walls[code]);
     if (!skipped(code)) {
       keep(t, code, 0);
     }
   }
 
-  /** The lower or the upper one of two walls, for which v is not 0. */
+  /** The lower or the upper one of two walls; where v is 0, either. */
   private static int wallCode(int lowCode, double v) {
     return lowCode + (Directions.sign(v) + 1) / 2;
   }
@@ -375,6 +391,11 @@ final class BroadSearch {
 
   private double timeOf(int line, int contact) {
     int k = (line - Obstacles.WALLS) * Scene.LINE;
+    if (contact >= SegmentSweep.START) {
+      // Which end it is was a branch before; here it would be foretold wrongly again.
+      int end = k + (contact - SegmentSweep.START) * Scene.END;
+      return EndSweep.time(px, py, r, vx, vy, lines[end], lines[end + 1]);
+    }
     return SegmentSweep.time(
         contact, px, py, r, vx, vy, lines[k], lines[k + 1], lines[k + 2], lines[k + 3], NEVER);
   }

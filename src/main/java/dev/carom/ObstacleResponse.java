@@ -168,26 +168,39 @@ final class ObstacleResponse {
   }
 
   private void locateOnWall(Mover m, int code) {
-    boolean low = code == Obstacles.LEFT || code == Obstacles.BOTTOM;
-    boolean vertical = code <= Obstacles.RIGHT;
-    nx = vertical ? (low ? 1 : -1) : 0;
-    ny = vertical ? 0 : (low ? 1 : -1);
-    Bounds b = obstacles.bounds;
-    contactX = vertical ? (low ? b.xmin() : b.xmax()) : m.x;
-    contactY = vertical ? m.y : (low ? b.ymin() : b.ymax());
+    double wall = obstacles.walls[code];
+    int inwards = 1 - 2 * (code & 1); // the lower wall of an axis has the even code
+    if (code <= Obstacles.RIGHT) {
+      nx = inwards;
+      ny = 0;
+      contactX = wall;
+      contactY = m.y;
+    } else {
+      nx = 0;
+      ny = inwards;
+      contactX = m.x;
+      contactY = wall;
+    }
   }
 
   private void locateOnLine(Mover m, int k) {
     double[] lines = obstacles.lines;
+    int contact = m.contact & ~SegmentSweep.NOW;
+    if (contact >= SegmentSweep.START) {
+      // Which end it is, no processor can foretell: its place is computed.
+      int end = (contact - SegmentSweep.START) * Scene.END;
+      int other = Scene.END - end;
+      locateOnEnd(m, lines[k + end], lines[k + end + 1], lines[k + other], lines[k + other + 1]);
+      return;
+    }
     double ax = lines[k];
     double ay = lines[k + 1];
     double bx = lines[k + 2];
     double by = lines[k + 3];
-    switch (m.contact & ~SegmentSweep.NOW) {
-      case SegmentSweep.LEFT -> locateOnSide(m, ax, ay, bx, by, ay, bx, by, ax);
-      case SegmentSweep.RIGHT -> locateOnSide(m, ax, ay, bx, by, by, ax, ay, bx);
-      case SegmentSweep.START -> locateOnEnd(m, ax, ay, bx, by);
-      default -> locateOnEnd(m, bx, by, ax, ay);
+    if (contact == SegmentSweep.LEFT) {
+      locateOnSide(m, ax, ay, bx, by, ay, bx, by, ax);
+    } else {
+      locateOnSide(m, ax, ay, bx, by, by, ax, ay, bx);
     }
   }
 

@@ -41,6 +41,9 @@ final class Obstacles {
   /** Null in an open scene. */
   final Bounds bounds;
 
+  /** Where the walls stand, by their codes; null without bounds. */
+  final double[] walls;
+
   double boundsRestitution;
   int boundsTraits;
 
@@ -74,6 +77,7 @@ final class Obstacles {
     lines = scene.lines;
     pegs = scene.pegs;
     bounds = scene.bounds;
+    walls = walls(bounds);
     boundsRestitution = scene.boundsRestitution;
     boundsTraits = scene.boundsTraits;
     lineTraits = scene.lineTraits;
@@ -87,11 +91,13 @@ final class Obstacles {
 
   private Obstacles(Obstacles other) {
     bounds = other.bounds;
+    walls = other.walls;
     set(other);
   }
 
   private Obstacles(Bounds bounds) {
     this.bounds = bounds;
+    walls = walls(bounds);
   }
 
   /** Those of a snapshot; the traits are one for each line and each peg. */
@@ -151,6 +157,10 @@ final class Obstacles {
   /** A copy; arrays are shared until one of the two is changed. */
   Obstacles copy() {
     return new Obstacles(this);
+  }
+
+  private static double[] walls(Bounds b) {
+    return b == null ? null : new double[] {b.xmin(), b.xmax(), b.ymin(), b.ymax()};
   }
 
   /** Takes over what another one holds, with the same bounds. */

@@ -35,11 +35,11 @@ final class WallSweep {
     if (v == 0) {
       return Double.POSITIVE_INFINITY;
     }
-    double front = v < 0 ? p : wall;
-    double back = v < 0 ? wall : p;
-    // s = front - back = h + l, exactly; h is the nearest double, so h > r or h < r tells of s too.
-    double h = front - back;
-    double l = differenceTail(front, back, h);
+    // s = h + l, exactly; h is the nearest double, so h > r or h < r tells of s too. Signs by
+    // multiplication: which of two walls is ahead, no processor can foretell.
+    double sign = Math.copySign(1, v);
+    double h = sign * (wall - p);
+    double l = sign * differenceTail(wall, p, wall - p);
     if (h < r || (h == r && l <= 0)) {
       return 0;
     }

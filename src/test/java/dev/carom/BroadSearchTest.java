@@ -187,6 +187,40 @@ class BroadSearchTest {
     }
   }
 
+  /** Into corners, or within some ulps of them: of equal times the vertical wall comes first. */
+  @ParameterizedTest
+  @CsvSource({
+    "1, 1, 100",
+    "0x1p500, 0x1p490, 1",
+    "1, 0x1p-30, 0",
+    "0x1p-20, 1, 0",
+    "0x1p-60, 1, 0"
+  })
+  void theFirstOfTwoWallsIsFound(double vx, double vy, int leastTies) {
+    Random random = new Random(9);
+    int ties = 0;
+    for (int i = 0; i < 2_000; i++) {
+      double x = Math.scalb(1 + random.nextDouble(), -random.nextInt(30)) * vx;
+      double y = (x / vx) * vy * (1 + (random.nextInt(5) - 2) * 0x1p-52);
+      double sx = random.nextBoolean() ? 1 : -1;
+      double sy = random.nextBoolean() ? 1 : -1;
+      double r = Math.max(vx, vy) * (0.5 + random.nextDouble());
+      double high = 8 * Math.max(vx, vy);
+      double px = sx < 0 ? r + x : high - r - x;
+      double py = sy < 0 ? r + y : high - r - y;
+      Scene scene =
+          Scene.builder().bounds(0, 0, high, high).circle(px, py, r, sx * vx, sy * vy).build();
+      double tx = WallSweep.time(px, r, sx * vx, sx < 0 ? 0 : high);
+      double ty = WallSweep.time(py, r, sy * vy, sy < 0 ? 0 : high);
+      ImpactLog log = step(new World(scene), 3);
+      ties += tx == ty ? 1 : 0;
+      assertThat(log.time(0)).isEqualTo(Math.min(tx, ty));
+      int wall = tx <= ty ? (sx < 0 ? 0 : 1) : (sy < 0 ? 2 : 3);
+      assertThat(log.id(0)).isEqualTo(wall);
+    }
+    assertThat(ties).isGreaterThanOrEqualTo(leastTies);
+  }
+
   /** The wall is an ulp away, and the floor of many lines is touched. */
   @Test
   void whatIsTouchedComesBeforeAWallThatIsNearlySo() {
