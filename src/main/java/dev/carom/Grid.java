@@ -26,6 +26,8 @@ final class Grid {
 
   private static final double LEAST_SPEED = 0x1p-900;
 
+  private static final double CELLS_EACH = 3;
+
   private static final int CODES_INLINE = 2;
 
   private static final int CODE_BITS = 32;
@@ -134,9 +136,9 @@ final class Grid {
     return (int) (list >>> CODE_BITS);
   }
 
-  /** About four cells an obstacle, none smaller than the radius: measured, the optimum is flat. */
+  /** {@link #CELLS_EACH} an obstacle, none smaller than the radius: measured, it is flat there. */
   private double chosen(double width, double height) {
-    double fair = Math.sqrt(width * height / obstacles.size()) / 2;
+    double fair = Math.sqrt(width * height / (CELLS_EACH * obstacles.size()));
     double least = Math.max(width, height) / MOST;
     return Math.max(Math.max(fair, radius), least);
   }
