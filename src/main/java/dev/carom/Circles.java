@@ -22,7 +22,7 @@ final class Circles {
   static final int RESTITUTION = 8;
   static final int ANCHOR_X = 9;
   static final int ANCHOR_Y = 10;
-  static final int STATE = 11;
+  private static final int STATE = 11;
 
   // And of one that collides: its first meeting foreseen, as Meetings says, and its cell.
   static final int MEETING = 11;
@@ -44,7 +44,7 @@ final class Circles {
   static final int CONTACT = 2;
   static final int REACH = 3;
   static final int STUCK = 4;
-  static final int CODES = 5;
+  private static final int CODES = 5;
 
   // The detector's name of a contact, and above it the pace of a stuck circle.
   private static final int PACE_SHIFT = 8;

@@ -23,7 +23,7 @@ final class Flights extends Engine {
     super(scene, roster, new Circles(scene.circleCount()), machinery, log);
     int count = circles.count;
     ahead = new DueCircles(circles, surroundings);
-    journal = new Journal(Math.min(count, JOURNAL), Circles.STATE, Circles.CODES);
+    journal = new Journal(Math.min(count, JOURNAL));
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
       surroundings.extend(circles.mover, 0);
@@ -53,7 +53,7 @@ final class Flights extends Engine {
       goal = reached;
       reached = pass(goal);
       if (reached < goal) {
-        journal.restore(circles.due, circles.jams, circles.state, circles.codes);
+        journal.restore(circles);
         log.clear();
         if (timeline != null) {
           timeline.undo();
@@ -73,8 +73,8 @@ final class Flights extends Engine {
     boolean many = circles.count >= DueCircles.LEAST_CIRCLES;
     int i = many ? ahead.first(end) : due.next(0, end);
     while (i < due.size()) {
-      journal.save(i, due.get(i), circles.jam(i), circles.state, circles.codes);
       circles.load(i);
+      journal.save(circles.mover);
       boolean spent = fly(circles.mover, work, allowance, end);
       circles.store(i);
       if (spent) {

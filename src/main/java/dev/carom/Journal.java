@@ -5,68 +5,105 @@ import java.util.Arrays;
 
 /**
  * The circles that a step has advanced, as they were at its start: what it takes to go back where a
- * step runs out of its budget and has to end earlier.
+ * step runs out of its budget and has to end earlier. Noted is what a step can change.
  */
 final class Journal {
 
-  private final int doublesEach;
-  private final int intsEach;
+  private static final int DOUBLES = 9;
+  private static final int INTS = 7;
+
   private int size;
-  private int[] ids;
-  private double[] dues;
+  private int capacity;
   private double[] state;
   private int[] codes;
+
+  /** Of jammed circles; null as long as there was none. */
   private Jam[] jams;
 
-  /** With room for some circles, of so many doubles and ints each; it grows as needed. */
-  Journal(int circles, int doublesEach, int intsEach) {
-    this.doublesEach = doublesEach;
-    this.intsEach = intsEach;
-    int capacity = Math.max(1, circles);
-    ids = new int[capacity];
-    dues = new double[capacity];
-    jams = new Jam[capacity];
-    state = new double[capacity * doublesEach];
-    codes = new int[capacity * intsEach];
+  /** With room for some circles; it grows as needed. */
+  Journal(int circles) {
+    capacity = Math.max(1, circles);
+    state = new double[capacity * DOUBLES];
+    codes = new int[capacity * INTS];
   }
 
   void clear() {
     size = 0;
   }
 
-  /** Notes circle i, before it is advanced for the first time. */
-  void save(int i, double due, Jam jam, double[] allState, int[] allCodes) {
-    if (size == ids.length) {
+  /** Notes a circle, before it is advanced for the first time. */
+  void save(Mover m) {
+    if (size == capacity) {
       grow();
     }
-    ids[size] = i;
-    dues[size] = due;
-    jams[size] = jam;
-    System.arraycopy(allState, i * doublesEach, state, size * doublesEach, doublesEach);
-    System.arraycopy(allCodes, i * intsEach, codes, size * intsEach, intsEach);
+    // The first and the last one first: then compilers need not ask whether the rest is in range.
+    int k = size * DOUBLES;
+    state[k] = m.x;
+    state[k + 8] = m.anchorY;
+    state[k + 1] = m.y;
+    state[k + 2] = m.vx;
+    state[k + 3] = m.vy;
+    state[k + 4] = m.t;
+    state[k + 5] = m.tl;
+    state[k + 6] = m.cleared;
+    state[k + 7] = m.anchorX;
+    int c = size * INTS;
+    codes[c] = m.id;
+    codes[c + 6] = m.pace;
+    codes[c + 1] = m.last;
+    codes[c + 2] = m.next;
+    codes[c + 3] = m.contact;
+    codes[c + 4] = m.reach;
+    codes[c + 5] = m.stuck;
+    if (jams != null || m.jam != null) {
+      keepJam(m.jam);
+    }
     size++;
   }
 
+  private void keepJam(Jam jam) {
+    if (jams == null) {
+      jams = new Jam[capacity];
+    }
+    jams[size] = jam;
+  }
+
   /** Puts all noted circles back, and forgets them. */
-  void restore(Agenda allDues, Jam[] allJams, double[] allState, int[] allCodes) {
-    for (int k = 0; k < size; k++) {
-      int i = ids[k];
-      allDues.set(i, dues[k]);
-      if (allJams != null) {
-        allJams[i] = jams[k];
-      }
-      System.arraycopy(state, k * doublesEach, allState, i * doublesEach, doublesEach);
-      System.arraycopy(codes, k * intsEach, allCodes, i * intsEach, intsEach);
+  void restore(Circles circles) {
+    Mover m = circles.mover;
+    for (int i = 0; i < size; i++) {
+      circles.load(codes[i * INTS], m);
+      load(i, m);
+      circles.store(m.id, m);
     }
     size = 0;
   }
 
+  private void load(int i, Mover m) {
+    int k = i * DOUBLES;
+    m.x = state[k];
+    m.y = state[k + 1];
+    m.vx = state[k + 2];
+    m.vy = state[k + 3];
+    m.t = state[k + 4];
+    m.tl = state[k + 5];
+    m.cleared = state[k + 6];
+    m.anchorX = state[k + 7];
+    m.anchorY = state[k + 8];
+    int c = i * INTS;
+    m.last = codes[c + 1];
+    m.next = codes[c + 2];
+    m.contact = codes[c + 3];
+    m.reach = codes[c + 4];
+    m.stuck = codes[c + 5];
+    m.pace = codes[c + 6];
+    m.jam = jams == null ? null : jams[i];
+  }
+
   private void grow() {
-    int capacity = 2 * size;
-    ids = Arrays.copyOf(ids, capacity);
-    dues = Arrays.copyOf(dues, capacity);
-    jams = Arrays.copyOf(jams, capacity);
-    state = Arrays.copyOf(state, capacity * doublesEach);
-    codes = Arrays.copyOf(codes, capacity * intsEach);
+    capacity *= 2;
+    state = Arrays.copyOf(state, capacity * DOUBLES);
+    codes = Arrays.copyOf(codes, capacity * INTS);
+    jams = jams == null ? null : Arrays.copyOf(jams, capacity);
   }
 }

@@ -3,46 +3,114 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 class JournalTest {
 
-  private final double[] state = {0, 1, 10, 11, 20, 21};
-  private final int[] codes = {0, 1, 2, 10, 11, 12, 20, 21, 22};
-  private final Agenda due = new Agenda(3);
+  private final Circles circles = new Circles(4);
+  private final Journal journal = new Journal(1);
+
+  @BeforeEach
+  void fill() {
+    for (int i = 0; i < circles.count; i++) {
+      store(i, 100 * i, i == 1 ? Jam.with(null, 7) : null);
+    }
+  }
+
+  /** A circle of which each number is another one. */
+  private void store(int i, int base, Jam jam) {
+    Mover m = circles.mover;
+    m.start(i, base + 1, base + 2, base + 3, base + 4, base + 5, 0.5);
+    m.t = base + 6;
+    m.tl = 0x1p-60;
+    m.cleared = base + 7;
+    m.anchorX = base + 8;
+    m.anchorY = base + 9;
+    m.last = base + 10;
+    m.next = base + 11;
+    m.contact = SegmentSweep.END;
+    m.reach = base + 12;
+    m.stuck = base + 13;
+    m.pace = base + 14;
+    m.jam = jam;
+    circles.store(i);
+  }
+
+  private void save(int i) {
+    circles.load(i);
+    journal.save(circles.mover);
+  }
+
+  private record Stored(double[] state, int[] codes, double[] due, Jam[] jams) {
+
+    static Stored of(Circles c) {
+      double[] due = new double[c.count];
+      Jam[] jams = new Jam[c.count];
+      for (int i = 0; i < c.count; i++) {
+        due[i] = c.due.get(i);
+        jams[i] = c.jam(i);
+      }
+      return new Stored(c.state.clone(), c.codes.clone(), due, jams);
+    }
+  }
+
+  private void changeAll() {
+    for (int i = 0; i < circles.count; i++) {
+      double radius = circles.radius(i);
+      store(i, 5000 + 100 * i, i == 0 ? Jam.with(null, 8) : null);
+      circles.state[circles.at(i) + Circles.RADIUS] = radius;
+    }
+  }
 
   @Test
   void whatWasNotedIsPutBack() {
-    Journal journal = new Journal(1, 2, 3);
-    for (int i : new int[] {2, 0}) {
-      due.set(i, i);
-      journal.save(i, i, null, state, codes);
+    Stored before = Stored.of(circles);
+    for (int i = 0; i < circles.count; i++) {
+      save(i);
     }
-    for (int i = 0; i < 3; i++) {
-      due.set(i, 7);
+    changeAll();
+    assertThat(Stored.of(circles)).usingRecursiveComparison().isNotEqualTo(before);
+    journal.restore(circles);
+    assertThat(Stored.of(circles)).usingRecursiveComparison().isEqualTo(before);
+  }
+
+  @Test
+  void othersStayAsTheyAre() {
+    save(2);
+    changeAll();
+    Stored changed = Stored.of(circles);
+    journal.restore(circles);
+    for (int i : new int[] {0, 1, 3}) {
+      assertThat(circles.x(i, 0)).isEqualTo(changed.state[circles.at(i)]);
+      assertThat(circles.due.get(i)).isEqualTo(changed.due[i]);
     }
-    double[] laterState = {7, 7, 7, 7, 7, 7};
-    int[] laterCodes = {7, 7, 7, 7, 7, 7, 7, 7, 7};
-    journal.restore(due, null, laterState, laterCodes);
-    assertThat(laterState).containsExactly(0, 1, 7, 7, 20, 21);
-    assertThat(laterCodes).containsExactly(0, 1, 2, 7, 7, 7, 20, 21, 22);
-    assertThat(due.get(0)).isZero();
-    assertThat(due.get(1)).isEqualTo(7);
-    assertThat(due.get(2)).isEqualTo(2);
+    assertThat(circles.vx(2)).isEqualTo(204);
+  }
+
+  /** One that was noted before there was any jam, after one that was jammed in an earlier step. */
+  @Test
+  void aJamIsPutBackOrTakenAway() {
+    save(1);
+    journal.clear();
+    save(3);
+    save(1);
+    store(3, 300, Jam.with(null, 9));
+    store(1, 100, null);
+    journal.restore(circles);
+    assertThat(circles.jam(3)).isNull();
+    assertThat(circles.jam(1)).isEqualTo(Jam.with(null, 7));
   }
 
   @Test
   void whatWasClearedOrPutBackIsForgotten() {
-    Journal journal = new Journal(2, 2, 3);
-    double[] laterState = {7, 7, 7, 7, 7, 7};
-    int[] laterCodes = {7, 7, 7, 7, 7, 7, 7, 7, 7};
-    journal.save(0, 0, null, state, codes);
+    save(0);
     journal.clear();
-    journal.restore(due, null, laterState, laterCodes);
-    journal.save(1, 0, null, state, codes);
-    journal.restore(due, null, state.clone(), codes.clone());
-    journal.restore(due, null, laterState, laterCodes);
-    assertThat(laterState).containsOnly(7);
-    assertThat(laterCodes).containsOnly(7);
+    save(1);
+    journal.restore(circles);
+    changeAll();
+    Stored changed = Stored.of(circles);
+    journal.restore(circles);
+    assertThat(Stored.of(circles)).usingRecursiveComparison().isEqualTo(changed);
   }
 }
