@@ -392,7 +392,7 @@ final class BroadSearch {
   private double timeOf(int line, int contact) {
     int k = (line - Obstacles.WALLS) * Scene.LINE;
     if (contact >= SegmentSweep.START) {
-      // Which end it is was a branch before; here it would be foretold wrongly again.
+      // Which end it is, no processor can foretell: its place is computed.
       int end = k + (contact - SegmentSweep.START) * Scene.END;
       return EndSweep.time(px, py, r, vx, vy, lines[end], lines[end + 1]);
     }

@@ -38,8 +38,9 @@ final class WallSweep {
     // s = h + l, exactly; h is the nearest double, so h > r or h < r tells of s too. Signs by
     // multiplication: which of two walls is ahead, no processor can foretell.
     double sign = Math.copySign(1, v);
-    double h = sign * (wall - p);
-    double l = sign * differenceTail(wall, p, wall - p);
+    double ahead = wall - p;
+    double h = sign * ahead;
+    double l = sign * differenceTail(wall, p, ahead);
     if (h < r || (h == r && l <= 0)) {
       return 0;
     }
