@@ -91,9 +91,7 @@ final class Flights extends Engine {
     long before = work.bits();
     int impacts = 0;
     do {
-      if (m.next == Mover.NOTHING) {
-        surroundings.extend(m, end - m.t);
-      } else {
+      if (m.next != Mover.NOTHING) {
         if (impacts > 0 && impacts + work.impactsSince(before) >= allowance) {
           return true;
         }
@@ -102,6 +100,7 @@ final class Flights extends Engine {
         }
         impacts++;
       }
+      surroundings.extend(m, end - m.t);
     } while (m.due() <= end);
     return false;
   }
