@@ -58,7 +58,18 @@ final class Impulse {
     j = fvn / nn;
     // What is left of f v.n - j n.n
     double rest = Math.fma(-j, nn, fvn) + productTail(f, vn, fvn);
+    // A product by 1 / n.n would be known sooner, but leave 2^-107 of a velocity that is to halt.
     tail = (rest + (f * vnl - j * nnl)) / nn;
+  }
+
+  /** v - j n on one axis: the whole impulse given by something that stays at rest. */
+  double less(double v, double n) {
+    if (exponent != 0) {
+      return change(v, -1, 0, n);
+    }
+    double p = -j * n;
+    double w = v + p;
+    return w + (sumTail(v, p, w) + (productTail(-j, n, p) - tail * n));
   }
 
   /** v + share j n on one axis, with the share as head and tail. */

@@ -138,8 +138,8 @@ final class ObstacleResponse {
   private void reflect(Mover m, int code, double e) {
     if (code >= Obstacles.WALLS) {
       impulse.of(1 + e, m.vx, m.vy, nx, ny);
-      m.vx = impulse.change(m.vx, -1, 0, nx);
-      m.vy = impulse.change(m.vy, -1, 0, ny);
+      m.vx = impulse.less(m.vx, nx);
+      m.vy = impulse.less(m.vy, ny);
     } else if (code <= Obstacles.RIGHT) {
       m.vx = -e * m.vx + 0.0; // + 0 turns -0 into 0
     } else {

@@ -169,8 +169,8 @@ final class PairResponse {
   private void stop(Mover m, double nx, double ny) {
     m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
     impulse.of(1, m.vx, m.vy, nx, ny);
-    m.vx = impulse.change(m.vx, -1, 0, nx);
-    m.vy = impulse.change(m.vy, -1, 0, ny);
+    m.vx = impulse.less(m.vx, nx);
+    m.vy = impulse.less(m.vy, ny);
   }
 
   /**

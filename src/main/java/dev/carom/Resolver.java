@@ -249,8 +249,8 @@ public final class Resolver {
     double ny = Math.scalb(normal.y(), -size);
     Impulse impulse = new Impulse();
     impulse.of(1 + restitution, velocity.x(), velocity.y(), nx, ny);
-    double vx = impulse.change(velocity.x(), -1, 0, nx);
-    double vy = impulse.change(velocity.y(), -1, 0, ny);
+    double vx = impulse.less(velocity.x(), nx);
+    double vy = impulse.less(velocity.y(), ny);
     if (!(Math.abs(vx) <= Double.MAX_VALUE && Math.abs(vy) <= Double.MAX_VALUE)) {
       throw Check.refused(
           "restitution", restitution, "one with which " + velocity + " stays finite");

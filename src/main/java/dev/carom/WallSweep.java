@@ -49,8 +49,9 @@ final class WallSweep {
     double gl = differenceTail(h, r, g) + l;
     double gap = g + gl;
     double t = gap / speed;
-    // The quotient's remainder is exact; gl is rounded, by u^2 of h at most.
-    double rest = (Math.fma(-t, speed, g) + gl) / speed;
+    // The quotient's remainder is exact; gl is rounded, by u^2 of h at most. The reciprocal does
+    // not wait for it, as a division would.
+    double rest = (Math.fma(-t, speed, g) + gl) * (1 / speed);
     double error = 0x1p-50 * Math.abs(rest) + 0x1p-104 * (h / speed);
     double low = t + (rest - error);
     if (low == t + (rest + error) && low > LEAST && low < MOST && g > LEAST && h < MOST) {
