@@ -376,7 +376,7 @@ final class BroadSearch {
       bestCode = code;
       bestContact = contact;
     } else if (t * (1 - RoughSweep.TIME_ERROR) <= latest) { // latest may be exact
-      keep(timeOf(code, contact), code, contact);
+      keep(timeOf(code, contact, t), code, contact);
     }
   }
 
@@ -384,20 +384,22 @@ final class BroadSearch {
   private void settle() {
     if (isRough) {
       isRough = false;
-      best = timeOf(bestCode, bestContact);
+      best = timeOf(bestCode, bestContact, best);
       latest = best;
     }
   }
 
-  private double timeOf(int line, int contact) {
+  /** The exact time of a contact with a line, from the rough one. */
+  private double timeOf(int line, int contact, double rough) {
     int k = (line - Obstacles.WALLS) * Scene.LINE;
     if (contact >= SegmentSweep.START) {
       // Which end it is, no processor can foretell: its place is computed.
       int end = k + (contact - SegmentSweep.START) * Scene.END;
-      return EndSweep.time(px, py, r, vx, vy, lines[end], lines[end + 1]);
+      return EndSweep.time(px, py, r, vx, vy, lines[end], lines[end + 1], rough);
     }
-    return SegmentSweep.time(
-        contact, px, py, r, vx, vy, lines[k], lines[k + 1], lines[k + 2], lines[k + 3], NEVER);
+    int side = contact == SegmentSweep.LEFT ? 1 : -1;
+    return SideSweep.refined(
+        side, px, py, r, vx, vy, lines[k], lines[k + 1], lines[k + 2], lines[k + 3], rough);
   }
 
   private void keep(double t, int code, int contact) {

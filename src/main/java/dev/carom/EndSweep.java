@@ -17,7 +17,17 @@ final class EndSweep {
 
   /** The correctly rounded time of an impact that comes later. */
   static double time(double px, double py, double r, double vx, double vy, double x, double y) {
-    double time = firstStep(px, py, r, vx, vy, x, y);
+    return time(px, py, r, vx, vy, x, y, RoughSweep.timeOfEnd(px, py, r, vx, vy, x, y));
+  }
+
+  /**
+   * The same, from the plain root on.
+   *
+   * @param root what {@link RoughSweep#timeOfEnd} tells
+   */
+  static double time(
+      double px, double py, double r, double vx, double vy, double x, double y, double root) {
+    double time = firstStep(px, py, r, vx, vy, x, y, root);
     if (time < NEVER) {
       Rungs.root();
       return time;
@@ -25,9 +35,9 @@ final class EndSweep {
     return DiskSweep.time(DiskSweep.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, NEVER);
   }
 
-  /** The same as far as the plain root and one step from it tell, else NaN or infinity. */
+  /** The same as far as one step from the plain root tells, else NaN or infinity. */
   static double firstStep(
-      double px, double py, double r, double vx, double vy, double x, double y) {
+      double px, double py, double r, double vx, double vy, double x, double y, double t) {
     double dx = px - x;
     double dy = py - y;
     double rr = r * r;
@@ -35,9 +45,8 @@ final class EndSweep {
     double w = dd + rr;
     double a = vx * vx + vy * vy;
     double k = vx * dy - vy * dx;
-    double s = Math.sqrt(a * rr - k * k);
-    double t = (dd - rr) / (s - (vx * dx + vy * dy));
-    double half = 0.5 / s;
+    // Nothing here waits for t but the residue.
+    double half = 0.5 / Math.sqrt(a * rr - k * k);
     double c = residue(px, py, r, vx, vy, x, y, t) * half;
     double error = FirstRoot.stepError(w, a, half, FirstRoot.firstLean(a, w, half), c);
     return FirstRoot.rounded(t, c, error);

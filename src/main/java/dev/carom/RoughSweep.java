@@ -150,10 +150,10 @@ final class RoughSweep {
       double bx,
       double by) {
     if (contact == SegmentSweep.START) {
-      return time(px, py, r, vx, vy, ax, ay);
+      return timeOfEnd(px, py, r, vx, vy, ax, ay);
     }
     if (contact == SegmentSweep.END) {
-      return time(px, py, r, vx, vy, bx, by);
+      return timeOfEnd(px, py, r, vx, vy, bx, by);
     }
     double wx = bx - ax;
     double wy = by - ay;
@@ -163,7 +163,10 @@ final class RoughSweep {
     return gap / ((Math.abs(c) + r * Math.sqrt(ww)) * Math.abs(wx * vy - wy * vx));
   }
 
-  private static double time(
+  /**
+   * The plain root of {@link FirstRoot}, of a disk that enters the one of radius r around (x, y).
+   */
+  static double timeOfEnd(
       double px, double py, double r, double vx, double vy, double x, double y) {
     double dx = px - x;
     double dy = py - y;

@@ -47,10 +47,7 @@ final class SideSweep {
   }
 
   /**
-   * The correctly rounded time of impact.
-   *
-   * <p>The plain quotient is corrected by {@link #step} until the correction is known well enough
-   * to round; if it never is (a gap lost to cancellation), exact numbers decide.
+   * The correctly rounded time of impact: the plain quotient, refined.
    *
    * @param side +1 if the disk is left of the line, -1 if right
    */
@@ -63,11 +60,29 @@ final class SideSweep {
     double c = side * (wx * (py - ay) - wy * (px - ax));
     double speed = -side * (wx * vy - wy * vx);
     double t = Math.max(0, (c - reach) / speed);
+    return refined(side, px, py, r, vx, vy, ax, ay, bx, by, t);
+  }
+
+  /**
+   * The correctly rounded time of impact: a rough one, corrected by {@link #step} until the
+   * correction is known well enough to round; if it never is (a gap lost to cancellation), exact
+   * numbers decide.
+   *
+   * @param rough any time from 0 on; the nearer to the impact, the sooner it is known
+   */
+  static double refined(
+      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by, double rough) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double reach = r * Math.sqrt(wx * wx + wy * wy);
+    double speed = -side * (wx * vy - wy * vx);
+    double t = rough;
     if (Rungs.COUNT != null) {
       Rungs.COUNT.roots++;
     }
     for (int i = 0; i < STEPS; i++) {
-      double step = step(side, px, py, r, vx, vy, ax, ay, bx, by, t, reach) / speed;
+      double step = step(side, px, py, r, vx, vy, ax, ay, bx, by, t, reach, speed);
       double error = stepError(px - ax, py - ay, vx, vy, wx, wy, reach, speed, t, step);
       double low = t + (step - error);
       if (low == t + (step + error) && low > LEAST) {
@@ -83,15 +98,17 @@ final class SideSweep {
   }
 
   /**
-   * What is left of the gap at time t, times |w|: {@code h - r |w| = (h^2 - r^2 w.w) / (h + r
-   * |w|)}, {@code h = side cross(w, e)}, {@code e = d + v t}. All that cancels is kept as head and
-   * tail.
+   * What is left of the gap at time t, over the speed, both times |w|: {@code h - r |w| = (h^2 -
+   * r^2 w.w) / (h + r |w|)}, {@code h = side cross(w, e)}, {@code e = d + v t}. All that cancels is
+   * kept as head and tail; one division does for two. Its divisor stays within the doubles: h and r
+   * |w| are below {@link #MOST}, the speed below MOST over a time from {@link #LEAST} on, and where
+   * it underflows, the squares have done so before, to nothing left.
    *
    * @param reach fl(r |w|)
    */
   private static double step(
       int side, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by, double t, double reach) {
+      double bx, double by, double t, double reach, double speed) {
     // e = d + v t
     double dx = px - ax;
     double dy = py - ay;
@@ -110,10 +127,10 @@ final class SideSweep {
     double h1 = crossTail(wx, wxl, wy, wyl, ex, exl, ey, eyl, h0);
     double h = side * (h0 + h1);
     if (r == 0) {
-      return h;
+      return h / speed;
     }
     double hl = sumTail(side * h0, side * h1, h);
-    return gap(h, hl, wx, wxl, wy, wyl, r) / (h + reach);
+    return gap(h, hl, wx, wxl, wy, wyl, r) / ((h + reach) * speed);
   }
 
   /** h^2 - r^2 w.w. */

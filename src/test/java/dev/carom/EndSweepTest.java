@@ -48,7 +48,8 @@ class EndSweepTest {
         met++;
         double time = DiskSweep.time(contact, px, py, r, vx, vy, x, y, 0, 0, 0, NEVER);
         assertThat(EndSweep.time(px, py, r, vx, vy, x, y)).isEqualTo(time);
-        byOneStep += EndSweep.firstStep(px, py, r, vx, vy, x, y) == time ? 1 : 0;
+        double root = RoughSweep.timeOfEnd(px, py, r, vx, vy, x, y);
+        byOneStep += EndSweep.firstStep(px, py, r, vx, vy, x, y, root) == time ? 1 : 0;
       }
     }
     assertThat(met).isGreaterThan(1_000);
