@@ -329,7 +329,7 @@ final class BroadSearch {
   }
 
   private void considerLine(int code) {
-    int k = (code - Obstacles.WALLS) * Scene.LINE;
+    int k = code * Scene.LINE;
     double ax = lines[k];
     double ay = lines[k + 1];
     double bx = lines[k + 2];
@@ -391,7 +391,7 @@ final class BroadSearch {
 
   /** The exact time of a contact with a line, from the rough one. */
   private double timeOf(int line, int contact, double rough) {
-    int k = (line - Obstacles.WALLS) * Scene.LINE;
+    int k = line * Scene.LINE;
     if (contact >= SegmentSweep.START) {
       // Which end it is, no processor can foretell: its place is computed.
       int end = k + (contact - SegmentSweep.START) * Scene.END;
@@ -529,7 +529,7 @@ final class BroadSearch {
       consider(code);
       return;
     }
-    int k = (code - Obstacles.WALLS) * Scene.LINE;
+    int k = code * Scene.LINE;
     double ax = lines[k];
     double ay = lines[k + 1];
     double bx = lines[k + 2];

@@ -32,7 +32,10 @@ final class Obstacles {
     null, Feature.SIDE, Feature.SIDE, Feature.START, Feature.END
   };
 
-  /** {@link Scene#LINE} doubles a line; NaN for one that was removed. */
+  /**
+   * {@link Scene#LINE} doubles for each code from 0 on: those of a line; NaN for one that was
+   * removed, and for the walls, which are no lines.
+   */
   double[] lines;
 
   /** {@link Scene#PEG} doubles a peg; NaN for one that was removed. */
@@ -82,7 +85,7 @@ final class Obstacles {
     boundsTraits = scene.boundsTraits;
     lineTraits = scene.lineTraits;
     pegTraits = scene.pegTraits;
-    endOfLines = WALLS + lines.length / Scene.LINE;
+    endOfLines = lines.length / Scene.LINE;
     endOfPegs = PEGS + pegs.length / Scene.PEG;
     presentLines = new PresentCodes(WALLS, endOfLines - WALLS);
     presentPegs = new PresentCodes(PEGS, endOfPegs - PEGS);
@@ -112,7 +115,7 @@ final class Obstacles {
     Obstacles read = new Obstacles(bounds);
     read.boundsRestitution = boundsRestitution;
     read.boundsTraits = boundsTraits;
-    read.lines = lines;
+    read.lines = byCode(lines);
     read.pegs = pegs;
     read.lineTraits = lineTraits;
     read.pegTraits = pegTraits;
@@ -125,6 +128,14 @@ final class Obstacles {
     read.presentPegs = new PresentCodes(PEGS, pegTraits.length);
     read.presentPegs.removed(gone(pegs, Scene.PEG), read::isGone);
     return read;
+  }
+
+  /** Rows of lines, with those of the walls before them. */
+  static double[] byCode(double[] lines) {
+    double[] rows = new double[WALLS * Scene.LINE + lines.length];
+    Arrays.fill(rows, 0, WALLS * Scene.LINE, Double.NaN);
+    System.arraycopy(lines, 0, rows, WALLS * Scene.LINE, lines.length);
+    return rows;
   }
 
   private static int gone(double[] numbers, int row) {
@@ -189,7 +200,7 @@ final class Obstacles {
       shared = false;
       lines = lines.clone();
       pegs = pegs.clone();
-      lineTraits = lineTraits == null ? new byte[lines.length / Scene.LINE] : lineTraits.clone();
+      lineTraits = lineTraits == null ? new byte[endOfLines - WALLS] : lineTraits.clone();
       pegTraits = pegTraits == null ? new byte[pegs.length / Scene.PEG] : pegTraits.clone();
       presentLines = presentLines.copy();
       presentPegs = presentPegs.copy();
@@ -202,7 +213,7 @@ final class Obstacles {
     int i = endOfLines - WALLS;
     if (i == lineTraits.length) {
       lineTraits = Arrays.copyOf(lineTraits, 2 * i + 4);
-      lines = Arrays.copyOf(lines, lineTraits.length * Scene.LINE);
+      lines = Arrays.copyOf(lines, (WALLS + lineTraits.length) * Scene.LINE);
     }
     int code = endOfLines++;
     presentLines.add(code);
@@ -305,7 +316,7 @@ final class Obstacles {
 
   /** The place of a line's or a peg's numbers in its array. */
   int offset(int code) {
-    return code < PEGS ? (code - WALLS) * Scene.LINE : (code - PEGS) * Scene.PEG;
+    return code < PEGS ? code * Scene.LINE : (code - PEGS) * Scene.PEG;
   }
 
   /** The feature that a contact of the detector's code means. */
@@ -423,7 +434,7 @@ final class Obstacles {
   }
 
   private boolean haveSameNumbers(Obstacles that) {
-    int l = (endOfLines - WALLS) * Scene.LINE;
+    int l = endOfLines * Scene.LINE;
     int p = (endOfPegs - PEGS) * Scene.PEG;
     return Arrays.equals(lines, 0, l, that.lines, 0, l)
         && Arrays.equals(pegs, 0, p, that.pegs, 0, p);

@@ -77,7 +77,10 @@ public final class Scene {
   static final int BOUNDS = 5;
 
   final double[] circles;
+
+  /** Rows of the lines, by their codes: see {@link Obstacles#lines}. */
   final double[] lines;
+
   final double[] pegs;
   final double[] masses;
 
@@ -94,7 +97,7 @@ public final class Scene {
 
   Scene(SceneBuilder from) {
     circles = from.circles.toArray();
-    lines = from.lines.toArray();
+    lines = Obstacles.byCode(from.lines.toArray());
     pegs = from.pegs.toArray();
     masses = from.masses.toArray();
     circleTraits = from.circles.traits();
@@ -180,7 +183,7 @@ public final class Scene {
    * @return at least 0
    */
   public int lineCount() {
-    return lines.length / LINE;
+    return lines.length / LINE - Obstacles.WALLS;
   }
 
   /**
@@ -235,7 +238,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int i) {
-    int k = at(ObstacleKind.LINE, i) * LINE;
+    int k = (Obstacles.WALLS + at(ObstacleKind.LINE, i)) * LINE;
     return new Line(lines[k], lines[k + 1], lines[k + 2], lines[k + 3]);
   }
 
@@ -264,7 +267,7 @@ public final class Scene {
     int k = at(kind, i);
     return switch (kind) {
       case WALL -> boundsRestitution;
-      case LINE -> lines[k * LINE + 4];
+      case LINE -> lines[(Obstacles.WALLS + k) * LINE + 4];
       case PEG -> pegs[k * PEG + 3];
       case CIRCLE -> circles[k * CIRCLE + 5];
     };
