@@ -12,22 +12,22 @@ package dev.carom;
 final class BroadSearch {
 
   /**
-   * How far a first search may look ahead, in halves of a cell along the faster axis, where less is
-   * asked for; each further one, twice that.
+   * How far a first search may look ahead, in halves of a cell at the pace, where less is asked
+   * for; each further one, twice that.
    */
-  static final int FIRST_REACH = 24;
+  static final int FIRST_REACH = 64;
 
   /** The same for a flight that an edit began: another edit may cut it short. */
   static final int EDITED_REACH = 1;
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /** Ticks of time in which the faster axis passes a cell. */
+  /** Ticks of time in which a cell is passed at the pace. */
   private static final double TICKS = 0x1p30;
 
   /**
-   * Each axis is taken to be faster by that part of the faster one's speed, so that none rests: by
-   * 2^-16 cells while 2^14 are passed.
+   * Each axis is taken to be faster by that part of the pace, so that none rests: by 2^-16 cells
+   * while 2^14 are passed.
    */
   private static final double DRIFT = 0x1p-30;
 
@@ -37,8 +37,8 @@ final class BroadSearch {
   /** Least speed, and least speed times size, for which underflow stays beneath the bounds. */
   private static final double LEAST = 0x1p-900;
 
-  /** The most for which nothing overflows: no sum of two cross products is above 3 times that. */
-  private static final double MOST = 0x1p1022;
+  /** The most for which nothing overflows: no sum of two cross products is above 8 times that. */
+  private static final double MOST = 0x1p1020;
 
   private final Obstacles obstacles;
   private final CodeList loose;
@@ -64,15 +64,24 @@ final class BroadSearch {
   private double vy;
   private double r;
 
-  /** The faster of |vx| and |vy|. */
-  private double speed;
+  /** |vx| + |vy|: known sooner than |v|, and than the larger of the two. */
+  private double pace;
 
   /** A little less than 1 / |vx| and 1 / |vy|, see {@link #DRIFT}. */
   private double perVx;
 
   private double perVy;
 
-  /** A line is certainly passed if both its ends lie further than this on one side, times |v|. */
+  /**
+   * The cross product of (x, y) less the start and v is {@code x crossX + y crossY + crossOfOrigin};
+   * all three are 0 where errors are not bounded: no line is passed then.
+   */
+  private double crossX;
+
+  private double crossY;
+  private double crossOfOrigin;
+
+  /** A line is certainly passed if both its ends lie further than this on one side, times 2 |v|. */
   private double clear;
 
   /** A centre further than this from a wall certainly does not touch it. */
@@ -194,12 +203,12 @@ final class BroadSearch {
    * were not visited: a slow drift to a wall that is as good as touched takes long.
    */
   private boolean isFar(double ahead, Grid grid) {
-    return (best - ahead) * speed > NEAR * grid.cell;
+    return (best - ahead) * pace > NEAR * grid.cell;
   }
 
   /** Looks at lines and pegs, and tells up to where, or up to the wall ahead, the path is known. */
   private double explore(Mover mover, Grid grid, double from, double needed, double ahead) {
-    if (grid != null && grid.resolves(px, py, speed)) {
+    if (grid != null && grid.resolves(px, py, pace)) {
       for (int i = 0; i < loose.size; i++) {
         consider(loose.codes[i]);
       }
@@ -218,7 +227,10 @@ final class BroadSearch {
   private void considerEach() {
     PresentCodes presentLines = obstacles.presentLines();
     for (int i = 0; i < presentLines.size(); i++) {
-      visit(presentLines.get(i));
+      int code = presentLines.get(i);
+      if (near(Grid.pair(code, code)) != 0) {
+        look(code);
+      }
     }
     PresentCodes presentPegs = obstacles.presentPegs();
     for (int i = 0; i < presentPegs.size(); i++) {
@@ -248,18 +260,22 @@ final class BroadSearch {
   private void measure() {
     double absVx = Math.abs(vx);
     double absVy = Math.abs(vy);
-    speed = Math.max(absVx, absVy);
-    perVx = 1 / Math.fma(speed, DRIFT, absVx);
-    perVy = 1 / Math.fma(speed, DRIFT, absVy);
+    pace = absVx + absVy;
+    perVx = 1 / Math.fma(pace, DRIFT, absVx);
+    perVy = 1 / Math.fma(pace, DRIFT, absVy);
     // |v| <= large + (sqrt(2) - 1) small: a chord above a convex curve, at most 9 % too much.
-    double length = 0.5857 * speed + 0.4143 * (absVx + absVy);
-    // cross(p - a, v) errs by at most 4 u (|dx vy| + |dy vx|) <= 6 u |d|max |v|, u = 2^-53, a sum
-    // of two by twice that and its rounding; r |v| by 4 u of itself. |d|max is below the sum here.
+    double length = 0.5857 * Math.max(absVx, absVy) + 0.4143 * pace;
+    // cross(a - p, v) errs by at most 4 u of the terms of cross(p, v), 2 u of those of cross(a, v),
+    // u = 2^-53: by 4 u |v| times the size below. Sum and difference of two, by twice that and their
+    // rounding, 11 u; with 2 r |v| and its sum, 14 u more: 36 u in all, and 64 are left for them.
     double size = Math.abs(px) + Math.abs(py) + extent + r;
     double scale = length * size;
-    boolean ordinary = speed > LEAST && scale > LEAST && scale < MOST;
+    boolean ordinary = pace > LEAST && scale > LEAST && scale < MOST;
     inset = ordinary ? r + Math.fma(0x1p-48, size, Double.MIN_NORMAL) : NEVER;
-    clear = 2 * length * inset;
+    clear = ordinary ? 2 * length * inset : NEVER;
+    crossX = ordinary ? vy : 0;
+    crossY = ordinary ? 0 - vx : 0;
+    crossOfOrigin = ordinary ? py * vx - px * vy : 0;
     double ofAll = RoughSweep.margin(length, size);
     margin = special || jam != null ? ofAll + NEVER : ofAll;
   }
@@ -453,18 +469,23 @@ final class BroadSearch {
       settle();
       return Math.min(best, ahead);
     }
-    double x = grid.columns(Math.fma(vx, start, px));
-    double y = grid.rows(Math.fma(vy, start, py));
+    double x = grid.columns(px);
+    double y = grid.rows(py);
+    if (start != 0) { // else the first cell is known before v is
+      x = grid.columns(Math.fma(vx, start, px));
+      y = grid.rows(Math.fma(vy, start, py));
+    }
     int column = grid.column(x);
     int row = grid.row(y);
-    double rate = speed * grid.perCell * TICKS;
+    double ticks = pace * TICKS;
+    double rate = ticks * grid.perCell;
     // When the next column and the next row are entered, and what one more takes.
-    double columnTicks = speed * perVx * TICKS;
-    double rowTicks = speed * perVy * TICKS;
-    long perX = (long) columnTicks;
-    long perY = (long) rowTicks;
+    double columnTicks = ticks * perVx;
+    double rowTicks = ticks * perVy;
     long nextX = (long) (toEdge(x - column, vx) * columnTicks);
     long nextY = (long) (toEdge(y - row, vy) * rowTicks);
+    long perX = (long) columnTicks;
+    long perY = (long) rowTicks;
     int nextRow = Directions.sign(vy) * grid.stride;
     int nextColumn = Directions.sign(vx) - nextRow;
     int cell = grid.number(column, row);
@@ -473,15 +494,22 @@ final class BroadSearch {
     double enough = Math.max((needed - start) * rate, reach * (TICKS / 2)) + 2;
     double most = Math.min((ahead - start) * rate, enough);
     long end = (long) Math.min((latest - start) * rate, most);
+    // How much later a column comes than a row, and what changes it.
+    long lead = nextX - nextY;
+    long perBoth = perX + perY;
     long list = lists[cell];
-    while (list != Grid.OUTSIDE) {
-      if (list != 0) {
-        visit(grid, list);
+    int near = near(list);
+    while (true) {
+      if (near != 0) {
+        if (list == Grid.OUTSIDE) {
+          settle();
+          return Math.min(best, ahead);
+        }
+        visit(grid, list, near);
         end = (long) Math.min((latest - start) * rate, most);
       }
       do {
         // The lesser of the two: Math.min is a branch, of which half are foretold wrongly.
-        long lead = nextX - nextY;
         long isColumn = lead >> 63;
         long left = nextY + (lead & isColumn);
         if (end <= left) {
@@ -489,14 +517,13 @@ final class BroadSearch {
           double first = Math.min(best, ahead);
           return (long) ((first - start) * rate) <= left ? first : start + left / rate;
         }
-        nextX += perX & isColumn;
         nextY += perY & ~isColumn;
+        lead += (perBoth & isColumn) - perY;
         cell += nextRow + (nextColumn & (int) isColumn);
         list = lists[cell];
-      } while (list == 0);
+        near = near(list);
+      } while (near == 0);
     }
-    settle();
-    return Math.min(best, ahead);
   }
 
   /** How far a place in a cell, of size 1, is from the edge through which v leaves it. */
@@ -504,29 +531,94 @@ final class BroadSearch {
     return Math.abs(place - 0.5 - Math.copySign(0.5, v));
   }
 
-  /** Considers what a cell lists, but lines that are certainly passed. */
-  private void visit(Grid grid, long list) {
-    if (list > 0) {
-      visit((int) list);
-      int second = Grid.second(list);
-      if (second != 0) {
-        visit(second);
-      }
-      return;
+  /**
+   * Which lines of a cell's pair may be hit: bit 0 for the first one, bit 1 for the second; -1 for
+   * other lists. It has no branch but that: whether a cell is empty, or a line passed, no processor
+   * can foretell.
+   */
+  private int near(long list) {
+    if (list < 0) {
+      return -1;
     }
-    int k = (int) (-1 - list);
-    int end = k + grid.codes[k];
-    for (int i = k + 1; i <= end; i++) {
-      visit(grid.codes[i]);
+    count(list);
+    return isNear(Grid.first(list)) | isNear(Grid.second(list)) << 1;
+  }
+
+  /**
+   * 0 if both ends of a line lie on one side of the path and further from it than the radius, or if
+   * it was hit last; else 1. Of a line that is none, either.
+   */
+  private int isNear(int code) {
+    double[] lines = this.lines;
+    // The first and the last one first: then compilers need not ask whether the rest is in range.
+    int k = code * Scene.LINE;
+    double ax = lines[k];
+    double by = lines[k + 3];
+    double ay = lines[k + 1];
+    double bx = lines[k + 2];
+    double a = Math.fma(ay, crossY, Math.fma(ax, crossX, crossOfOrigin));
+    double b = Math.fma(by, crossY, Math.fma(bx, crossX, crossOfOrigin));
+    // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
+    double beyond = Math.abs(a + b) - (Math.abs(a - b) + clear);
+    int other = code ^ last; // 0 if it is the last one
+    int isLast = (other - 1 & ~other) >>> 31;
+    return (int) (Double.doubleToRawLongBits(beyond) >>> 63) & ~isLast;
+  }
+
+  /** Looks at what a cell lists, of a pair of lines at those that are near. */
+  private void visit(Grid grid, long list, int near) {
+    if (near > 0) {
+      look(list, near);
+    } else if (Grid.arePegs(list)) {
+      considerPegs(list);
+    } else {
+      visitAll(grid.pairs, (int) list);
     }
   }
 
-  private void visit(int code) {
-    if (Rungs.COUNT != null) {
-      Rungs.COUNT.pairTests++;
+  private void visitAll(long[] pairs, int from) {
+    int k = from;
+    long pair;
+    do {
+      pair = pairs[k++];
+      if (Grid.arePegs(pair)) {
+        considerPegs(pair);
+      } else {
+        long lines = pair & Long.MAX_VALUE;
+        int near = near(lines);
+        if (near != 0) {
+          look(lines, near);
+        }
+      }
+    } while (pair < 0);
+  }
+
+  private void considerPegs(long pair) {
+    count(pair);
+    int first = Grid.first(pair);
+    int second = Grid.second(pair);
+    consider(first);
+    if (second != first) {
+      consider(second);
     }
-    if (code >= Obstacles.PEGS) {
-      consider(code);
+  }
+
+  private static void count(long pair) {
+    if (Rungs.COUNT != null && pair != 0) {
+      Rungs.COUNT.pairTests += Grid.first(pair) == Grid.second(pair) ? 1 : 2;
+    }
+  }
+
+  private void look(long pair, int near) {
+    look(near == 2 ? Grid.second(pair) : Grid.first(pair));
+    if (near == 3) {
+      look(Grid.second(pair));
+    }
+  }
+
+  /** Considers a line, as a rule at one look. */
+  private void look(int code) {
+    if (code == bestCode) {
       return;
     }
     int k = code * Scene.LINE;
@@ -534,24 +626,11 @@ final class BroadSearch {
     double ay = lines[k + 1];
     double bx = lines[k + 2];
     double by = lines[k + 3];
-    if (passed(ax, ay, bx, by) || code == bestCode || code == last) {
-      return;
-    }
     int contact = RoughSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, margin);
     if (contact > SegmentSweep.MISS) {
       keepRough(RoughSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by), code, contact);
     } else if (contact == RoughSweep.DOUBT) {
       consider(code);
     }
-  }
-
-  /**
-   * Whether both ends of a line lie on one side of the path and further from it than the radius.
-   */
-  private boolean passed(double ax, double ay, double bx, double by) {
-    double a = (px - ax) * vy - (py - ay) * vx;
-    double b = (px - bx) * vy - (py - by) * vx;
-    // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
-    return Math.abs(a + b) - Math.abs(a - b) > clear;
   }
 }

@@ -21,16 +21,14 @@ final class Grid {
   /** In place of a list: outside of the grid, which one ring of such cells surrounds. */
   static final long OUTSIDE = Long.MIN_VALUE;
 
+  private static final long MORE = Long.MIN_VALUE;
+
   /** Cells a unit of time, and its inverse, within which times and cells convert. */
   private static final double MOST_PACE = 0x1p500;
 
   private static final double LEAST_SPEED = 0x1p-900;
 
   private static final double CELLS_EACH = 3;
-
-  private static final int CODES_INLINE = 2;
-
-  private static final int CODE_BITS = 32;
 
   final double cell;
   final int columns;
@@ -40,13 +38,14 @@ final class Grid {
   final int stride;
 
   /**
-   * What each cell lists, by its number: 0 nothing; above 0, one code or two, of 32 bits each, the
-   * first one lowest; below 0, {@code -1 - k} for more, at {@code codes[k + 1]} and on, codes[k] of
-   * them.
+   * What each cell lists, by its number: a pair of lines, as {@link #first} and {@link #second}
+   * tell; one alone stands twice, and none is 0, twice the code of a wall. Below 0, of pegs the
+   * same, {@link #arePegs}; or the place of more in {@link #pairs}, as an int.
    */
   final long[] lists;
 
-  final int[] codes;
+  /** Pairs of lines, or of pegs, each with the bit of the sign if another one follows. */
+  final long[] pairs;
 
   /** Places so far from the origin are not resolved, nor speeds outside of this range. */
   private final double farthest;
@@ -63,6 +62,7 @@ final class Grid {
   final double perCell;
 
   private final Obstacles obstacles;
+
   /** The largest radius of a circle that it serves. */
   final double radius;
 
@@ -92,48 +92,83 @@ final class Grid {
     int[] starts = new int[columns * rows + 1];
     int[] listed = list(starts);
     lists = new long[stride * (rows + 2)];
-    codes = new int[room(starts)];
+    pairs = new long[1 + room(starts, listed)]; // a list at 0 would be OUTSIDE
     pack(starts, listed);
   }
 
-  /** The room that longer lists take. */
-  private static int room(int[] starts) {
+  /** The pairs that longer lists take. */
+  private static int room(int[] starts, int[] listed) {
     int room = 0;
     for (int i = 1; i < starts.length; i++) {
-      int size = starts[i] - starts[i - 1];
-      room += size > CODES_INLINE ? 1 + size : 0;
+      int lines = firstPeg(listed, starts[i - 1], starts[i]) - starts[i - 1];
+      int pegs = starts[i] - starts[i - 1] - lines;
+      room += isLong(lines, pegs) ? (lines + 1) / 2 + (pegs + 1) / 2 : 0;
     }
     return room;
   }
 
+  private static boolean isLong(int lines, int pegs) {
+    return lines + pegs > 2 || (lines > 0 && pegs > 0);
+  }
+
   private void pack(int[] starts, int[] listed) {
     Arrays.fill(lists, OUTSIDE);
-    int end = 0;
+    int end = 1;
     for (int i = 0; i < columns * rows; i++) {
-      int size = starts[i + 1] - starts[i];
+      int from = starts[i];
+      int to = starts[i + 1];
+      int pegs = firstPeg(listed, from, to);
       long list = 0;
-      if (size > CODES_INLINE) {
-        list = -1L - end;
-        codes[end++] = size;
-        System.arraycopy(listed, starts[i], codes, end, size);
-        end += size;
-      } else {
-        for (int k = size - 1; k >= 0; k--) {
-          list = (list << CODE_BITS) | listed[starts[i] + k];
-        }
+      if (isLong(pegs - from, to - pegs)) {
+        list = MORE | end;
+        end = packPairs(listed, from, pegs, end);
+        end = packPairs(listed, pegs, to, end);
+        pairs[end - 1] &= ~MORE;
+      } else if (from < to) {
+        list = (pegs < to ? MORE : 0) | pair(listed[from], listed[to - 1]);
       }
       lists[number(i % columns, i / columns)] = list;
     }
   }
 
+  private static int firstPeg(int[] listed, int from, int to) {
+    int k = from;
+    while (k < to && listed[k] < Obstacles.PEGS) {
+      k++;
+    }
+    return k;
+  }
+
+  /** Appends codes in pairs, and returns the end. */
+  private int packPairs(int[] listed, int from, int to, int end) {
+    int k = end;
+    for (int i = from; i < to; i += 2) {
+      pairs[k++] = MORE | pair(listed[i], listed[Math.min(i + 1, to - 1)]);
+    }
+    return k;
+  }
+
+  /** Two codes, the first one lowest. */
+  static long pair(int first, int second) {
+    return (long) second << Integer.SIZE | first;
+  }
+
+  static int first(long pair) {
+    return (int) pair;
+  }
+
+  static int second(long pair) {
+    return (int) (pair >>> Integer.SIZE) & Integer.MAX_VALUE;
+  }
+
+  /** Whether a pair, or a list below 0, is of pegs. */
+  static boolean arePegs(long pair) {
+    return first(pair) >= Obstacles.PEGS;
+  }
+
   /** The number of a cell. */
   int number(int column, int row) {
     return (row + 1) * stride + column + 1;
-  }
-
-  /** The code after the first one of those that a list holds itself, 0 for none. */
-  static int second(long list) {
-    return (int) (list >>> CODE_BITS);
   }
 
   /** {@link #CELLS_EACH} an obstacle, none smaller than the radius: measured, it is flat there. */

@@ -456,6 +456,6 @@ final class Obstacles {
 
   @Override
   public int hashCode() {
-    return Arrays.hashCode(lines);
+    return Arrays.hashCode(Arrays.copyOfRange(lines, offset(WALLS), offset(endOfLines)));
   }
 }

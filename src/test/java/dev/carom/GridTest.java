@@ -3,6 +3,8 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -121,11 +123,58 @@ class GridTest {
     }
   }
 
+  /** The place of a long list is never 0, so one pair is there in any case. */
   @Test
   void twoInACellNeedNoRoomOfTheirOwn() {
     SceneBuilder scene = Scene.builder().peg(0, 0, 1).peg(0, 0, 2);
-    assertThat(gridOf(scene).codes).isEmpty();
-    assertThat(gridOf(scene.peg(80, 0, 1)).codes).isEmpty();
-    assertThat(gridOf(scene.peg(0, 0, 1)).codes).isNotEmpty();
+    assertThat(gridOf(scene).pairs).hasSize(1);
+    assertThat(gridOf(scene.peg(80, 0, 1)).pairs).hasSize(1);
+    assertThat(gridOf(scene.peg(0, 0, 1)).pairs).hasSizeGreaterThan(1);
+  }
+
+  /** Whatever a cell lists is found again, once or twice, lines and pegs apart. */
+  @ParameterizedTest
+  @CsvSource({
+    "0, 0", "1, 0", "2, 0", "3, 0", "4, 0", "5, 0", "0, 1", "0, 2", "0, 3", "1, 1", "2, 1", "3, 2",
+    "4, 5"
+  })
+  void whatIsListedIsFoundAgain(int lines, int pegs) {
+    SceneBuilder scene = Scene.builder().peg(80, 40, 1).peg(-80, -40, 1);
+    List<Integer> there = new ArrayList<>();
+    for (int i = 0; i < lines; i++) {
+      scene.line(0, 0, 1, i + 1);
+      there.add(Obstacles.WALLS + i);
+    }
+    for (int i = 0; i < pegs; i++) {
+      scene.peg(1, i, 1);
+      there.add(Obstacles.PEGS + 2 + i);
+    }
+    Grid grid = gridOf(scene);
+    int cell = grid.number(grid.column(grid.columns(1)), grid.row(grid.rows(1)));
+    assertThat(listed(grid, grid.lists[cell])).containsExactlyElementsOf(there);
+  }
+
+  private static List<Integer> listed(Grid grid, long list) {
+    List<Integer> codes = new ArrayList<>();
+    if (list == 0) {
+      return codes;
+    }
+    if (list > 0 || Grid.arePegs(list)) {
+      addPair(list, codes);
+      return codes;
+    }
+    int k = (int) list;
+    do {
+      addPair(grid.pairs[k], codes);
+    } while (grid.pairs[k++] < 0);
+    return codes;
+  }
+
+  private static void addPair(long pair, List<Integer> codes) {
+    codes.add(Grid.first(pair));
+    if (Grid.second(pair) != Grid.first(pair)) {
+      codes.add(Grid.second(pair));
+    }
+    assertThat(Grid.arePegs(pair)).isEqualTo(Grid.second(pair) >= Obstacles.PEGS);
   }
 }

@@ -106,6 +106,15 @@ class ObstaclesTest {
     assertThat(moved).doesNotHaveSameHashCodeAs(obstacles());
   }
 
+  /** An added line leaves room for others behind it, a read one does not. */
+  @Test
+  void equalOnesHaveOneHashCodeWhateverTheirRoom() {
+    Obstacles grown = Obstacles.of(Scene.builder().line(1, 2, 3, 4).build());
+    grown.addLine(2, 3, 4, 5);
+    Obstacles read = Obstacles.of(Scene.builder().line(1, 2, 3, 4).line(2, 3, 4, 5).build());
+    assertThat(grown).isEqualTo(read).hasSameHashCodeAs(read);
+  }
+
   /** The second product is rounded by 2^-60, and the first takes away all but that. */
   @Test
   void sumsOfProductsKeepWhatRoundingLeaves() {
