@@ -610,7 +610,7 @@ final class BroadSearch {
   }
 
   private void look(long pair, int near) {
-    look(near == 2 ? Grid.second(pair) : Grid.first(pair));
+    look(Grid.code(pair, ~near & 1));
     if (near == 3) {
       look(Grid.second(pair));
     }

@@ -153,6 +153,11 @@ final class Grid {
     return (long) second << Integer.SIZE | first;
   }
 
+  /** The code that is number 0 or 1 of a pair of lines, without a branch. */
+  static int code(long pair, int number) {
+    return (int) (pair >>> number * Integer.SIZE);
+  }
+
   static int first(long pair) {
     return (int) pair;
   }

@@ -101,10 +101,12 @@ final class RoughSweep {
     double ww = wx * wx + wy * wy;
     double y = r * (vx * wx + vy * wy);
     double yy = y * Math.abs(y);
-    double a = side * ((px - ax) * vy - (py - ay) * vx);
-    double b = side * ((px - bx) * vy - (py - by) * vx);
-    double beyondStart = a * Math.abs(a) * ww + yy;
-    double beyondEnd = b * Math.abs(b) * ww + yy;
+    double a = (px - ax) * vy - (py - ay) * vx;
+    double b = (px - bx) * vy - (py - by) * vx;
+    // The side, which is known late, is not waited for by what comes before.
+    double scale = side * ww;
+    double beyondStart = Math.fma(a * Math.abs(a), scale, yy);
+    double beyondEnd = Math.fma(b * Math.abs(b), scale, yy);
     if (!(Math.abs(beyondStart) > doubt && Math.abs(beyondEnd) > doubt)) {
       return DOUBT;
     }
