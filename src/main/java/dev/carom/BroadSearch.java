@@ -541,7 +541,7 @@ final class BroadSearch {
       return -1;
     }
     count(list);
-    return isNear(Grid.first(list)) | isNear(Grid.second(list)) << 1;
+    return isNear(Grid.first(list)) | (isNear(Grid.second(list)) << 1);
   }
 
   /**
@@ -561,7 +561,7 @@ final class BroadSearch {
     // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
     double beyond = Math.abs(a + b) - (Math.abs(a - b) + clear);
     int other = code ^ last; // 0 if it is the last one
-    int isLast = (other - 1 & ~other) >>> 31;
+    int isLast = ((other - 1) & ~other) >>> 31;
     return (int) (Double.doubleToRawLongBits(beyond) >>> 63) & ~isLast;
   }
 

@@ -150,12 +150,12 @@ final class Grid {
 
   /** Two codes, the first one lowest. */
   static long pair(int first, int second) {
-    return (long) second << Integer.SIZE | first;
+    return ((long) second << Integer.SIZE) | first;
   }
 
   /** The code that is number 0 or 1 of a pair of lines, without a branch. */
   static int code(long pair, int number) {
-    return (int) (pair >>> number * Integer.SIZE);
+    return (int) (pair >>> (number * Integer.SIZE));
   }
 
   static int first(long pair) {

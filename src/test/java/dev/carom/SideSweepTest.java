@@ -14,7 +14,7 @@ class SideSweepTest {
     SplittableRandom random = new SplittableRandom(8);
     int met = 0;
     for (int i = 0; i < 5_000; i++) {
-      double scale = Math.scalb(1, random.nextInt(-20, 20));
+      double scale = Math.scalb(1.0, random.nextInt(-20, 20));
       double[] n = random.doubles(8, -scale, scale).toArray();
       double r = scale * random.nextDouble() / 10;
       int contact = SegmentSweep.contact(n[0], n[1], r, n[2], n[3], n[4], n[5], n[6], n[7]);
