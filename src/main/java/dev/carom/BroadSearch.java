@@ -453,7 +453,7 @@ final class BroadSearch {
   /**
    * Visits the cells along the path, from the time {@code from} on, until the best impact or the
    * wall ahead lies in what was visited, or what is needed is known and so are {@code reach} halves
-   * of a cell along the faster axis, or the grid ends.
+   * of a cell at the pace, or the grid ends.
    *
    * <p>Times are counted in whole ticks, so that whether a column or a row comes next is a mask and
    * not a branch, which could not be foretold. A path of 2^14 cells is cut to ticks as often: by

@@ -39,8 +39,8 @@ final class Grid {
 
   /**
    * What each cell lists, by its number: a pair of lines, as {@link #first} and {@link #second}
-   * tell; one alone stands twice, and none is 0, twice the code of a wall. Below 0, of pegs the
-   * same, {@link #arePegs}; or the place of more in {@link #pairs}, as an int.
+   * tell; one alone stands twice, and none is 0, twice the code of a wall. Below 0, a pair of
+   * pegs, as {@link #arePegs} tells; or the place of more in {@link #pairs}, as an int.
    */
   final long[] lists;
 
@@ -166,9 +166,9 @@ final class Grid {
     return (int) (pair >>> Integer.SIZE) & Integer.MAX_VALUE;
   }
 
-  /** Whether a pair, or a list below 0, is of pegs. */
+  /** Whether a pair, or a list below 0, is of pegs: beside a place in {@link #pairs} stands 0. */
   static boolean arePegs(long pair) {
-    return first(pair) >= Obstacles.PEGS;
+    return second(pair) >= Obstacles.PEGS;
   }
 
   /** The number of a cell. */
