@@ -337,4 +337,23 @@ class BroadSearchTest {
       }
     }
   }
+
+  /** The cross products are beyond the doubles, infinity less infinity: no line is passed then. */
+  @Test
+  void aLineIsMetWhereCrossProductsOverflow() {
+    double far = 1e200;
+    Scene scene =
+        Scene.builder()
+            .circle(-far, -far, far / 8, 1e150, 1e150)
+            .line(far / 4, -far / 4, -far / 4, far / 4)
+            .build();
+    World world = new World(scene);
+    world.advanceTo(1e50);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.impacts().kind(0)).isEqualTo(ObstacleKind.LINE);
+    assertThat(world.impacts().time(0))
+        .isEqualTo(
+            SweptCircle.line(
+                -far, -far, far / 8, 1e150, 1e150, far / 4, -far / 4, -far / 4, far / 4, 1e51));
+  }
 }
