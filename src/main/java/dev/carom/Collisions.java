@@ -430,8 +430,8 @@ final class Collisions extends Engine {
   // Time.
 
   @Override
-  FlightStates save() {
-    FlightStates states = super.save();
+  FlightStates save(double now) {
+    FlightStates states = super.save(now);
     for (int k = 0; k < states.count(); k++) {
       sensed.save(k, states);
     }

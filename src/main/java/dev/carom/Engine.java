@@ -125,11 +125,11 @@ abstract class Engine {
   }
 
   /** The flights of all circles. */
-  FlightStates save() {
+  FlightStates save(double now) {
     FlightStates states = new FlightStates(roster.ids());
     for (int k = 0; k < states.count(); k++) {
       circles.load(states.id(k));
-      surroundings.save(k, circles.mover, states);
+      surroundings.save(k, circles.mover, now, states);
     }
     return states;
   }

@@ -158,6 +158,24 @@ final class Mover {
     return sum(t, tl, dt);
   }
 
+  /** The latest time from the start of the flight, at least 0, of which the clock tells now. */
+  double latestBy(double now) {
+    double since = since(t, tl, now);
+    double error = 2 * Math.ulp(now);
+    // Of numbers at least 0 the bits are in the same order.
+    long by = Double.doubleToRawLongBits(Math.max(0, since - error));
+    long later = Double.doubleToRawLongBits(since + error);
+    while (later - by > 1) {
+      long middle = (by + later) >>> 1;
+      if (after(Double.longBitsToDouble(middle)) <= now) {
+        by = middle;
+      } else {
+        later = middle;
+      }
+    }
+    return Double.longBitsToDouble(by);
+  }
+
   /** The tail of {@link #after}. */
   double afterTail(double dt, double head) {
     return sumTail(t, tl, dt, head);

@@ -86,8 +86,7 @@ public final class Snapshot {
 
   /**
    * Two snapshots are equal if they hold the same, to the bit; then their futures are equal. Those
-   * of two worlds that went the same way in steps of different lengths are equal, too, if no line
-   * or peg is a sensor.
+   * of two worlds that went the same way in steps of different lengths are equal, too.
    *
    * @param other any object
    * @return whether it is an equal snapshot

@@ -117,13 +117,15 @@ final class Surroundings {
   }
 
   /**
-   * Takes down, as number k, what determines a circle's flight. Nothing is ahead of what a search
-   * cleared; where it found something, sensors at the same time as that are reported first, in
-   * their order.
+   * Takes down, as number k, what determines a circle's flight. Sensors that it met by now were
+   * reported; of those at a time at which it still has something to meet, the ones before that in
+   * order. How far ahead a search went, is not told.
    */
-  void save(int k, Mover m, FlightStates states) {
+  void save(int k, Mover m, double now, FlightStates states) {
     if (!obstacles.haveSensors()) {
       states.put(k, m, 0, 0);
+    } else if (m.due() > now) {
+      states.put(k, m, m.latestBy(now), Integer.MAX_VALUE);
     } else if (m.next == Mover.NOTHING) {
       states.put(k, m, m.cleared, m.contact);
     } else {

@@ -660,7 +660,7 @@ public final class World {
    */
   public Snapshot snapshot() {
     return new Snapshot(
-        now, scene.collide, obstacles.copy(), roster.copy(), editor.limits(), engine.save());
+        now, scene.collide, obstacles.copy(), roster.copy(), editor.limits(), engine.save(now));
   }
 
   /**

@@ -4,6 +4,7 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.math.BigDecimal;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 class MoverTest {
@@ -69,5 +70,21 @@ class MoverTest {
   void timesAreRoundedOnce() {
     assertThat(Mover.sum(1.25, 0x1p-58, 0x1.8000000000004p-3)).isEqualTo(0x1.7000000000001p0);
     assertThat(Mover.sum(1.25, -0x1p-58, 0x1.8000000000004p-3)).isEqualTo(0x1.7p0);
+  }
+
+  /** Late in a long flight, early in one, and where many lengths of time are told alike. */
+  @Test
+  void theLatestTimeByNowIsTheLastThatTheClockTellsSo() {
+    SplittableRandom random = new SplittableRandom(1);
+    for (int i = 0; i < 10_000; i++) {
+      double t = random.nextDouble() * Math.scalb(1.0, random.nextInt(-30, 30));
+      double tl = (random.nextDouble() - 0.5) * Math.ulp(t);
+      double now = t + random.nextDouble() * Math.scalb(1.0, random.nextInt(-80, 30));
+      Mover m = mover(t, tl);
+      double latest = m.latestBy(now);
+      assertThat(latest).isNotNegative();
+      assertThat(m.after(latest)).isLessThanOrEqualTo(now);
+      assertThat(m.after(Math.nextUp(latest))).isGreaterThan(now);
+    }
   }
 }

@@ -102,19 +102,31 @@ class SnapshotTest {
     assertThat(one.snapshot()).isEqualTo(two.snapshot()).hasSameHashCodeAs(two.snapshot());
   }
 
-  /** Halting and one-way lines there may be; sensors there may not. */
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void howARunWasCutIntoStepsDoesNotShow(boolean collide) {
-    Scene scene = box(collide).peg(80, 80, 3).response(Response.HALT).build();
+    Scene scene =
+        box(collide)
+            .peg(80, 80, 3)
+            .response(Response.HALT)
+            .line(10, 40, 90, 60)
+            .response(Response.SENSOR)
+            .peg(20, 80, 3)
+            .response(Response.SENSOR)
+            .build();
     // Cells so small that a search goes only as far as a step needs.
     World one = new World(scene, Machinery.cells(0.25));
     World two = new World(scene, Machinery.cells(0.25));
-    one.advanceTo(60);
-    for (int i = 1; i <= 600; i++) {
-      two.advanceTo(i / 10.0);
+    for (int i = 10; i <= 100; i += 10) {
+      one.advanceTo(i);
+      for (int k = 99; k >= 0; k--) {
+        two.advanceTo(i - k / 10.0);
+      }
+      assertThat(two.snapshot()).isEqualTo(one.snapshot());
+      World restored = new World(scene);
+      restored.restore(one.snapshot());
+      assertThat(restored.snapshot()).isEqualTo(one.snapshot());
     }
-    assertThat(two.snapshot()).isEqualTo(one.snapshot());
   }
 
   @ParameterizedTest
