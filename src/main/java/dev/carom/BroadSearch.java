@@ -2,14 +2,12 @@
 package dev.carom;
 
 /**
- * What does a flight hit first? The broad search: it passes over whatever certainly is not hit,
- * decides the rest by the detector, and keeps the earliest impact; of equal times the smallest
- * code.
+ * What does a flight hit first? The broad search: it goes along the path, passes over whatever
+ * certainly is not hit, and leaves the rest to the {@link NarrowSearch}.
  *
- * <p>Every question is put to the detector on the start of the flight, so that the answer does not
- * depend on the way in which the search comes to ask it.
+ * <p>Both are one object: what is known of a flight is then at hand for both.
  */
-final class BroadSearch {
+final class BroadSearch extends NarrowSearch {
 
   /**
    * How far a first search may look ahead, in halves of a cell at the pace, where less is asked
@@ -19,8 +17,6 @@ final class BroadSearch {
 
   /** The same for a flight that an edit began: another edit may cut it short. */
   static final int EDITED_REACH = 1;
-
-  private static final double NEVER = Double.POSITIVE_INFINITY;
 
   /** Ticks of time in which a cell is passed at the pace. */
   private static final double TICKS = 0x1p30;
@@ -40,7 +36,6 @@ final class BroadSearch {
   /** The most for which nothing overflows: no sum of two cross products is above 8 times that. */
   private static final double MOST = 0x1p1020;
 
-  private final Obstacles obstacles;
   private final CodeList loose;
 
   /** The middle of the bounds, and how far it is from there to the walls. */
@@ -53,17 +48,6 @@ final class BroadSearch {
   /** No coordinate of a line, a peg or the bounds is larger. */
   private double extent;
 
-  private double[] lines;
-  private double[] pegs;
-  private boolean special;
-
-  // The flight under search, and the best impact found so far.
-  private double px;
-  private double py;
-  private double vx;
-  private double vy;
-  private double r;
-
   /** |vx| + |vy|: known sooner than |v|, and than the larger of the two. */
   private double pace;
 
@@ -73,8 +57,8 @@ final class BroadSearch {
   private double perVy;
 
   /**
-   * The cross product of (x, y) less the start and v is {@code x crossX + y crossY + crossOfOrigin};
-   * all three are 0 where errors are not bounded: no line is passed then.
+   * The cross product of (x, y) less the start and v is {@code x crossX + y crossY +
+   * crossOfOrigin}; all three are 0 where errors are not bounded: no line is passed then.
    */
   private double crossX;
 
@@ -92,31 +76,9 @@ final class BroadSearch {
 
   private double aheadY;
 
-  /** See {@link RoughSweep#margin}. */
-  private double margin;
-
-  private int last;
-  private Jam jam;
-
-  /** Sensors up to here, and of those met just here up to this code, were reported before. */
-  private double sensed;
-
-  private int sensedCode;
-
-  /** When the best impact is, as {@link RoughSweep} tells while it is rough. */
-  private double best;
-
-  private boolean isRough;
-
-  /** A time at or after that. */
-  private double latest;
-
-  private int bestCode;
-  private int bestContact;
-
   /** Searches among obstacles; those in the given list are in no grid. */
   BroadSearch(Obstacles obstacles, CodeList loose) {
-    this.obstacles = obstacles;
+    super(obstacles);
     this.loose = loose;
     Bounds b = obstacles.bounds;
     middleX = b == null ? 0 : b.xmin() / 2 + b.xmax() / 2;
@@ -129,7 +91,7 @@ final class BroadSearch {
   /** Takes notice that a line or a peg is new, elsewhere, or gone. */
   void lookAgain(int code) {
     extent = Math.max(extent, obstacles.extent(code));
-    lookAgain();
+    readAgain();
   }
 
   /** Takes notice that all may be others. */
@@ -139,13 +101,7 @@ final class BroadSearch {
             ? 0
             : Math.max(Math.abs(middleX) + halfWidth, Math.abs(middleY) + halfHeight);
     extent = Math.max(obstacles.extent(), ofBounds);
-    lookAgain();
-  }
-
-  private void lookAgain() {
-    lines = obstacles.lines;
-    pegs = obstacles.pegs;
-    special = obstacles.areSpecial();
+    readAgain();
   }
 
   /**
@@ -156,6 +112,7 @@ final class BroadSearch {
    */
   void extend(Mover mover, Grid grid, double needed) {
     start(mover);
+    measure();
     if (!canHit()) {
       mover.cleared = NEVER;
       mover.next = Mover.NOTHING;
@@ -176,26 +133,6 @@ final class BroadSearch {
     boolean hits = known == best && known != NEVER;
     mover.next = hits ? bestCode : Mover.NOTHING;
     mover.contact = hits ? bestContact : 0;
-  }
-
-  /** Whether a flight, followed for ever from its start, meets a line or a peg. */
-  boolean meets(Mover mover, int code) {
-    start(mover);
-    last = Mover.NOTHING;
-    jam = null;
-    sensed = -1;
-    best = NEVER;
-    if (canHit()) {
-      consider(code);
-    }
-    return bestCode == code;
-  }
-
-  /** Whether the circle moves, where numbers can tell: one that flew beyond hits nothing. */
-  private boolean canHit() {
-    return Math.abs(px) <= Double.MAX_VALUE
-        && Math.abs(py) <= Double.MAX_VALUE
-        && (vx != 0 || vy != 0);
   }
 
   /**
@@ -238,24 +175,6 @@ final class BroadSearch {
     }
   }
 
-  private void start(Mover mover) {
-    px = mover.x;
-    py = mover.y;
-    vx = mover.vx;
-    vy = mover.vy;
-    r = mover.radius;
-    last = mover.last;
-    jam = mover.jam;
-    sensed = mover.cleared;
-    sensedCode = mover.contact;
-    best = NEVER;
-    latest = NEVER;
-    isRough = false;
-    bestCode = Mover.NOTHING;
-    bestContact = 0;
-    measure();
-  }
-
   /** What the speed and the size of the flight mean for errors. */
   private void measure() {
     double absVx = Math.abs(vx);
@@ -266,8 +185,8 @@ final class BroadSearch {
     // |v| <= large + (sqrt(2) - 1) small: a chord above a convex curve, at most 9 % too much.
     double length = 0.5857 * Math.max(absVx, absVy) + 0.4143 * pace;
     // cross(a - p, v) errs by at most 4 u of the terms of cross(p, v), 2 u of those of cross(a, v),
-    // u = 2^-53: by 4 u |v| times the size below. Sum and difference of two, by twice that and their
-    // rounding, 11 u; with 2 r |v| and its sum, 14 u more: 36 u in all, and 64 are left for them.
+    // u = 2^-53: by 4 u |v| times the size below. Sum and difference of two, by twice that and
+    // their rounding, 11 u; with 2 r |v| and its sum, 14 u more: 36 u in all, 64 are left for them.
     double size = Math.abs(px) + Math.abs(py) + extent + r;
     double scale = length * size;
     boolean ordinary = pace > LEAST && scale > LEAST && scale < MOST;
@@ -303,151 +222,16 @@ final class BroadSearch {
       return;
     }
     if (aheadX < aheadY) {
-      wall(px, vx, Obstacles.LEFT);
+      considerWall(px, vx, Obstacles.LEFT);
       if (!(aheadY > best)) {
-        wall(py, vy, Obstacles.BOTTOM);
+        considerWall(py, vy, Obstacles.BOTTOM);
       }
     } else {
-      wall(py, vy, Obstacles.BOTTOM);
+      considerWall(py, vy, Obstacles.BOTTOM);
       if (!(aheadX > best)) {
-        wall(px, vx, Obstacles.LEFT);
+        considerWall(px, vx, Obstacles.LEFT);
       }
     }
-  }
-
-  private void wall(double p, double v, int lowCode) {
-    int code = wallCode(lowCode, v);
-    double t = WallSweep.time(p, r, v, obstacles.walls[code]);
-    if (!skipped(code)) {
-      keep(t, code, 0);
-    }
-  }
-
-  /** The lower or the upper one of two walls; where v is 0, either. */
-  private static int wallCode(int lowCode, double v) {
-    return lowCode + (Directions.sign(v) + 1) / 2;
-  }
-
-  /** The thing just hit cannot be hit again in this flight: it is convex. */
-  private boolean skipped(int code) {
-    return code == last || (jam != null && jam.makesInert(code));
-  }
-
-  private void consider(int code) {
-    if (code == bestCode || skipped(code)) {
-      return;
-    }
-    if (code < Obstacles.PEGS) {
-      considerLine(code);
-    } else {
-      considerPeg(code);
-    }
-  }
-
-  private void considerLine(int code) {
-    int k = code * Scene.LINE;
-    double ax = lines[k];
-    double ay = lines[k + 1];
-    double bx = lines[k + 2];
-    double by = lines[k + 3];
-    if (Double.isNaN(ax)) {
-      return; // removed
-    }
-    if (special && obstacles.isOneWay(code) && !stops(ax, ay, bx, by)) {
-      return;
-    }
-    int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
-    if (contact != SegmentSweep.MISS) {
-      keep(SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, NEVER), code, contact);
-    }
-  }
-
-  private void considerPeg(int code) {
-    int k = (code - Obstacles.PEGS) * Scene.PEG;
-    double cx = pegs[k];
-    double cy = pegs[k + 1];
-    double radius = pegs[k + 2];
-    if (Double.isNaN(cx)) {
-      return; // removed
-    }
-    int contact = DiskSweep.contact(px, py, r, vx, vy, cx, cy, radius, 0, 0);
-    if (contact != DiskSweep.MISS) {
-      keep(DiskSweep.time(contact, px, py, r, vx, vy, cx, cy, radius, 0, 0, NEVER), code, contact);
-    }
-  }
-
-  /** Whether a one-way line is there: the centre is strictly left of it and moves to the right. */
-  private boolean stops(double ax, double ay, double bx, double by) {
-    return Predicates.cross(bx, by, ax, ay, px, py, ax, ay) > 0
-        && Predicates.cross(bx, by, ax, ay, vx, vy, 0, 0) < 0;
-  }
-
-  /** Keeps a contact with a line whose time is told roughly, unless it is certainly not first. */
-  private void keepRough(double t, int code, int contact) {
-    double after = t * (1 + RoughSweep.TIME_ERROR);
-    if (after < best) {
-      best = t;
-      latest = after;
-      isRough = true;
-      bestCode = code;
-      bestContact = contact;
-    } else if (t * (1 - RoughSweep.TIME_ERROR) <= latest) { // latest may be exact
-      keep(timeOf(code, contact, t), code, contact);
-    }
-  }
-
-  /** Finds the exact time of the best impact. */
-  private void settle() {
-    if (isRough) {
-      isRough = false;
-      best = timeOf(bestCode, bestContact, best);
-      latest = best;
-    }
-  }
-
-  /** The exact time of a contact with a line, from the rough one. */
-  private double timeOf(int line, int contact, double rough) {
-    int k = line * Scene.LINE;
-    if (contact >= SegmentSweep.START) {
-      // Which end it is, no processor can foretell: its place is computed.
-      int end = k + (contact - SegmentSweep.START) * Scene.END;
-      return EndSweep.time(px, py, r, vx, vy, lines[end], lines[end + 1], rough);
-    }
-    int side = contact == SegmentSweep.LEFT ? 1 : -1;
-    return SideSweep.refined(
-        side, px, py, r, vx, vy, lines[k], lines[k + 1], lines[k + 2], lines[k + 3], rough);
-  }
-
-  private void keep(double t, int code, int contact) {
-    if (t <= latest) {
-      settle();
-    }
-    if (special && !comesFirst(t, code)) {
-      return;
-    }
-    if (t < best || (t == best && (special || code < bestCode))) {
-      best = t;
-      latest = t;
-      bestCode = code;
-      bestContact = contact;
-    }
-  }
-
-  /**
-   * Among sensors and others: whether an impact comes before the best one. Of simultaneous ones
-   * those with sensors are first, which change nothing; a sensor met before, or touched at the
-   * start, is not met again.
-   */
-  private boolean comesFirst(double t, int code) {
-    boolean sensor = obstacles.isSensor(code);
-    if (sensor && !(t > sensed || (t == sensed && t > 0 && code > sensedCode))) {
-      return false;
-    }
-    if (t != best) {
-      return t < best;
-    }
-    boolean bestSensor = obstacles.isSensor(bestCode);
-    return sensor == bestSensor ? code < bestCode : sensor;
   }
 
   /**
@@ -461,8 +245,7 @@ final class BroadSearch {
    *
    * @return up to where the path is known
    */
-  private double walk(
-      Grid grid, double from, double needed, double ahead, int reach) {
+  private double walk(Grid grid, double from, double needed, double ahead, int reach) {
     double start = grid.contains(px, py) ? from : grid.entry(px, py, vx, vy, from);
     // A wall that is as good as touched is ahead by 0: what else is touched may come before it.
     if (!(start <= ahead) || start == NEVER) {
@@ -613,24 +396,6 @@ final class BroadSearch {
     look(Grid.code(pair, ~near & 1));
     if (near == 3) {
       look(Grid.second(pair));
-    }
-  }
-
-  /** Considers a line, as a rule at one look. */
-  private void look(int code) {
-    if (code == bestCode) {
-      return;
-    }
-    int k = code * Scene.LINE;
-    double ax = lines[k];
-    double ay = lines[k + 1];
-    double bx = lines[k + 2];
-    double by = lines[k + 3];
-    int contact = RoughSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, margin);
-    if (contact > SegmentSweep.MISS) {
-      keepRough(RoughSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by), code, contact);
-    } else if (contact == RoughSweep.DOUBT) {
-      consider(code);
     }
   }
 }

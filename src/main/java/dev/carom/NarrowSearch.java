@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+/**
+ * What does a flight hit first, of what it is asked about? The narrow search: the detector tells of
+ * each thing whether and when it is hit; the earliest impact is kept, of equal times the smallest
+ * code.
+ *
+ * <p>Every question is put to the detector on the start of the flight, so that the answer does not
+ * depend on the way in which the search comes to ask it.
+ */
+abstract class NarrowSearch {
+
+  static final double NEVER = Double.POSITIVE_INFINITY;
+
+  final Obstacles obstacles;
+
+  double[] lines;
+  private double[] pegs;
+  boolean special;
+
+  // The flight under search.
+  double px;
+  double py;
+  double vx;
+  double vy;
+  double r;
+  int last;
+  Jam jam;
+
+  /** Of all lines, see {@link RoughSweep#margin}: who looks sets it before. */
+  double margin;
+
+  /** Sensors up to here, and of those met just here up to this code, were reported before. */
+  private double sensed;
+
+  private int sensedCode;
+
+  /** When the best impact found so far is, as {@link RoughSweep} tells while it is rough. */
+  double best;
+
+  private boolean isRough;
+
+  /** A time at or after that. */
+  double latest;
+
+  int bestCode;
+  int bestContact;
+
+  NarrowSearch(Obstacles obstacles) {
+    this.obstacles = obstacles;
+  }
+
+  /** Takes notice that the arrays of obstacles, or what they tell, may be others. */
+  final void readAgain() {
+    lines = obstacles.lines;
+    pegs = obstacles.pegs;
+    special = obstacles.areSpecial();
+  }
+
+  /** Whether a flight, followed for ever from its start, meets a line or a peg. */
+  final boolean meets(Mover mover, int code) {
+    start(mover);
+    last = Mover.NOTHING;
+    jam = null;
+    sensed = -1;
+    best = NEVER;
+    if (canHit()) {
+      consider(code);
+    }
+    return bestCode == code;
+  }
+
+  /** Begins a search: nothing is found yet. */
+  final void start(Mover mover) {
+    px = mover.x;
+    py = mover.y;
+    vx = mover.vx;
+    vy = mover.vy;
+    r = mover.radius;
+    last = mover.last;
+    jam = mover.jam;
+    sensed = mover.cleared;
+    sensedCode = mover.contact;
+    best = NEVER;
+    latest = NEVER;
+    isRough = false;
+    bestCode = Mover.NOTHING;
+    bestContact = 0;
+  }
+
+  /** Whether the circle moves, where numbers can tell: one that flew beyond hits nothing. */
+  final boolean canHit() {
+    return Math.abs(px) <= Double.MAX_VALUE
+        && Math.abs(py) <= Double.MAX_VALUE
+        && (vx != 0 || vy != 0);
+  }
+
+  /** Considers a line or a peg. */
+  final void consider(int code) {
+    if (code == bestCode || skipped(code)) {
+      return;
+    }
+    if (code < Obstacles.PEGS) {
+      considerLine(code);
+    } else {
+      considerPeg(code);
+    }
+  }
+
+  private void considerLine(int code) {
+    int k = code * Scene.LINE;
+    double ax = lines[k];
+    double ay = lines[k + 1];
+    double bx = lines[k + 2];
+    double by = lines[k + 3];
+    if (Double.isNaN(ax)) {
+      return; // removed
+    }
+    if (special && obstacles.isOneWay(code) && !stops(ax, ay, bx, by)) {
+      return;
+    }
+    int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
+    if (contact != SegmentSweep.MISS) {
+      keep(SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, NEVER), code, contact);
+    }
+  }
+
+  private void considerPeg(int code) {
+    int k = (code - Obstacles.PEGS) * Scene.PEG;
+    double cx = pegs[k];
+    double cy = pegs[k + 1];
+    double radius = pegs[k + 2];
+    if (Double.isNaN(cx)) {
+      return; // removed
+    }
+    int contact = DiskSweep.contact(px, py, r, vx, vy, cx, cy, radius, 0, 0);
+    if (contact != DiskSweep.MISS) {
+      keep(DiskSweep.time(contact, px, py, r, vx, vy, cx, cy, radius, 0, 0, NEVER), code, contact);
+    }
+  }
+
+  /** Whether a one-way line is there: the centre is strictly left of it and moves to the right. */
+  private boolean stops(double ax, double ay, double bx, double by) {
+    return Predicates.cross(bx, by, ax, ay, px, py, ax, ay) > 0
+        && Predicates.cross(bx, by, ax, ay, vx, vy, 0, 0) < 0;
+  }
+
+  /** Considers the wall that is ahead on one axis. */
+  final void considerWall(double p, double v, int lowCode) {
+    int code = wallCode(lowCode, v);
+    double t = WallSweep.time(p, r, v, obstacles.walls[code]);
+    if (!skipped(code)) {
+      keep(t, code, 0);
+    }
+  }
+
+  /** The lower or the upper one of two walls; where v is 0, either. */
+  private static int wallCode(int lowCode, double v) {
+    return lowCode + (Directions.sign(v) + 1) / 2;
+  }
+
+  /** The thing just hit cannot be hit again in this flight: it is convex. */
+  private boolean skipped(int code) {
+    return code == last || (jam != null && jam.makesInert(code));
+  }
+
+  /** Considers a line, as a rule at one look. */
+  final void look(int code) {
+    if (code == bestCode) {
+      return;
+    }
+    int k = code * Scene.LINE;
+    double ax = lines[k];
+    double ay = lines[k + 1];
+    double bx = lines[k + 2];
+    double by = lines[k + 3];
+    int contact = RoughSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, margin);
+    if (contact > SegmentSweep.MISS) {
+      keepRough(RoughSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by), code, contact);
+    } else if (contact == RoughSweep.DOUBT) {
+      consider(code);
+    }
+  }
+
+  /** Keeps a contact with a line whose time is told roughly, unless it is certainly not first. */
+  private void keepRough(double t, int code, int contact) {
+    double after = t * (1 + RoughSweep.TIME_ERROR);
+    if (after < best) {
+      best = t;
+      latest = after;
+      isRough = true;
+      bestCode = code;
+      bestContact = contact;
+    } else if (t * (1 - RoughSweep.TIME_ERROR) <= latest) { // latest may be exact
+      keep(timeOf(code, contact, t), code, contact);
+    }
+  }
+
+  /** Finds the exact time of the best impact. */
+  final void settle() {
+    if (isRough) {
+      isRough = false;
+      best = timeOf(bestCode, bestContact, best);
+      latest = best;
+    }
+  }
+
+  /** The exact time of a contact with a line, from the rough one. */
+  private double timeOf(int line, int contact, double rough) {
+    int k = line * Scene.LINE;
+    if (contact >= SegmentSweep.START) {
+      // Which end it is, no processor can foretell: its place is computed.
+      int end = k + (contact - SegmentSweep.START) * Scene.END;
+      return EndSweep.time(px, py, r, vx, vy, lines[end], lines[end + 1], rough);
+    }
+    int side = contact == SegmentSweep.LEFT ? 1 : -1;
+    return SideSweep.refined(
+        side, px, py, r, vx, vy, lines[k], lines[k + 1], lines[k + 2], lines[k + 3], rough);
+  }
+
+  private void keep(double t, int code, int contact) {
+    if (t <= latest) {
+      settle();
+    }
+    if (special && !comesFirst(t, code)) {
+      return;
+    }
+    if (t < best || (t == best && (special || code < bestCode))) {
+      best = t;
+      latest = t;
+      bestCode = code;
+      bestContact = contact;
+    }
+  }
+
+  /**
+   * Among sensors and others: whether an impact comes before the best one. Of simultaneous ones
+   * those with sensors are first, which change nothing; a sensor met before, or touched at the
+   * start, is not met again.
+   */
+  private boolean comesFirst(double t, int code) {
+    boolean sensor = obstacles.isSensor(code);
+    if (sensor && !(t > sensed || (t == sensed && t > 0 && code > sensedCode))) {
+      return false;
+    }
+    if (t != best) {
+      return t < best;
+    }
+    boolean bestSensor = obstacles.isSensor(bestCode);
+    return sensor == bestSensor ? code < bestCode : sensor;
+  }
+}
