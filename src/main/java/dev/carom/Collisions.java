@@ -83,12 +83,12 @@ final class Collisions extends Engine {
     int room = circles.capacity();
     found = new int[room + 9];
     foundOfOther = new int[room + 9];
-    int[] ids = roster.ids();
-    neighbors = new Neighbors(circles, ids, bounds, machinery.pairCells(), reached);
+    int[] slots = roster.slots();
+    neighbors = new Neighbors(circles, slots, bounds, machinery.pairCells(), reached);
     meetings = new Meetings(circles, pairs, sensed);
     schedule = new Schedule(circles, roster, neighbors, meetings, pairs, room);
     queue = schedule.queue;
-    for (int i : ids) {
+    for (int i : slots) {
       lookAround(circles.state, circles.codes, i);
       foresee(i);
     }
@@ -419,6 +419,23 @@ final class Collisions extends Engine {
       neighbors.leave(i);
     }
     count(circles.codes, i);
+    if (circles.jams != null) {
+      leaveJams(Obstacles.CIRCLES + i);
+    }
+  }
+
+  /** Whom a circle was jammed with is not held by it when it is gone. */
+  private void leaveJams(int code) {
+    PresentCodes present = roster.present();
+    for (int k = 0; k < present.size(); k++) {
+      int i = present.get(k);
+      Jam jam = circles.jam(i);
+      if (roster.contains(i) && jam != null && jam.makesInert(code)) {
+        circles.load(i);
+        circles.mover.forget(code, 0);
+        keep(i, circles.mover);
+      }
+    }
   }
 
   @Override
@@ -432,8 +449,9 @@ final class Collisions extends Engine {
   @Override
   FlightStates save(double now) {
     FlightStates states = super.save(now);
-    for (int k = 0; k < states.count(); k++) {
-      sensed.save(k, states);
+    int[] slots = roster.slots();
+    for (int k = 0; k < slots.length; k++) {
+      sensed.save(slots[k], roster, k, states);
     }
     return states;
   }
@@ -446,11 +464,20 @@ final class Collisions extends Engine {
     super.restore(flights, now);
     happened = Double.NaN;
     for (int k = 0; k < flights.count(); k++) {
-      sensed.restore(k, flights);
-      int a = Circles.collidingAt(flights.id(k));
+      sensed.restore(k, roster, flights);
+      int a = Circles.collidingAt(k);
       happenedBy(now, circles.state[a + Circles.T], circles.state[a + Circles.TL]);
       happenedBy(now, flights.sensedHead(k), flights.sensedTail(k));
     }
+  }
+
+  @Override
+  void compact(double now) {
+    double head = happened;
+    double tail = happenedTail;
+    super.compact(now);
+    happened = head; // to whom it happened may be gone
+    happenedTail = tail;
   }
 
   private void happenedBy(double now, double head, double tail) {

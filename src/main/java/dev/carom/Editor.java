@@ -50,26 +50,26 @@ final class Editor {
 
   // Circles.
 
-  void setVelocity(int id, double vx, double vy, double now) {
+  void setVelocity(int slot, double vx, double vy, double now) {
     try {
       checkVelocity(vx, vy);
     } catch (RefusedException e) {
-      throw named(e, ObstacleKind.CIRCLE, id);
+      throw named(e, Obstacles.CIRCLES + slot);
     }
-    Mover m = restarted(id, now);
+    Mover m = restarted(slot, now);
     m.vx = vx;
     m.vy = vy;
     m.forget();
     engine.fly(m);
   }
 
-  void setPosition(int id, double x, double y, double now) {
+  void setPosition(int slot, double x, double y, double now) {
     try {
       checkPlace(x, y);
     } catch (RefusedException e) {
-      throw named(e, ObstacleKind.CIRCLE, id);
+      throw named(e, Obstacles.CIRCLES + slot);
     }
-    Mover m = restarted(id, now);
+    Mover m = restarted(slot, now);
     m.x = x;
     m.y = y;
     m.forget();
@@ -77,13 +77,13 @@ final class Editor {
     limits.keepPlace(x, y);
   }
 
-  void setRadius(int id, double radius, double now) {
+  void setRadius(int slot, double radius, double now) {
     try {
       limits.checkRadius(radius, 0, 0);
     } catch (RefusedException e) {
-      throw named(e, ObstacleKind.CIRCLE, id);
+      throw named(e, Obstacles.CIRCLES + slot);
     }
-    Mover m = restarted(id, now);
+    Mover m = restarted(slot, now);
     m.radius = radius;
     engine.fly(m);
     limits.keepRadius(radius);
@@ -95,28 +95,28 @@ final class Editor {
       limits.checkRadius(radius, x, y);
       checkVelocity(vx, vy);
     } catch (RefusedException e) {
-      throw named(e, ObstacleKind.CIRCLE, roster.end());
+      throw named(e, ObstacleKind.CIRCLE, roster.idEnd());
     }
-    int id = roster.add();
-    mover.start(id, x, y, radius, vx, vy, 1);
+    int slot = roster.add();
+    mover.start(slot, x, y, radius, vx, vy, 1);
     mover.t = now;
     mover.tl = engine.tailOfEdit(mover, now);
     engine.fly(mover);
     limits.keepPlace(x, y);
     limits.keepRadius(radius);
-    return id;
+    return roster.id(slot);
   }
 
-  void setMass(int id, double m, double now) {
+  void setMass(int slot, double m, double now) {
     try {
       Check.mass("mass", m);
     } catch (RefusedException e) {
-      throw named(e, ObstacleKind.CIRCLE, id);
+      throw named(e, Obstacles.CIRCLES + slot);
     }
-    boolean passes = (roster.mass(id) == INFINITE) != (m == INFINITE);
-    roster.setMass(id, m);
+    boolean passes = (roster.mass(slot) == INFINITE) != (m == INFINITE);
+    roster.setMass(slot, m);
     if (collide && passes) {
-      restarted(id, now).forget();
+      restarted(slot, now).forget();
       engine.fly(mover);
     }
   }
@@ -138,13 +138,13 @@ final class Editor {
 
   private RefusedException named(RefusedException e, int code) {
     return code >= Obstacles.CIRCLES
-        ? named(e, ObstacleKind.CIRCLE, code - Obstacles.CIRCLES)
+        ? named(e, ObstacleKind.CIRCLE, roster.id(code - Obstacles.CIRCLES))
         : named(e, obstacles.kind(code), obstacles.index(code));
   }
 
   /** A circle at the start of a new flight, now. */
-  private Mover restarted(int id, double now) {
-    circles.load(id, mover);
+  private Mover restarted(int slot, double now) {
+    circles.load(slot, mover);
     mover.restart(now, engine.tailOfEdit(mover, now));
     return mover;
   }
@@ -233,9 +233,9 @@ final class Editor {
 
   void setResponse(int code, Response response, double now) {
     if (code >= Obstacles.CIRCLES) {
-      int id = code - Obstacles.CIRCLES;
-      roster.setTraits(id, Traits.with(roster.traits(id), response));
-      engine.fly(restarted(id, now));
+      int slot = code - Obstacles.CIRCLES;
+      roster.setTraits(slot, Traits.with(roster.traits(slot), response));
+      engine.fly(restarted(slot, now));
     } else if (code < Obstacles.WALLS) {
       if (response == Response.SENSOR) {
         throw Check.refused("response", response, "BOUNCE or HALT: bounds keep circles inside")

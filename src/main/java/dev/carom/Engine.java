@@ -117,7 +117,7 @@ abstract class Engine {
   final void record(Timeline timeline) {
     this.timeline = timeline;
     if (timeline != null) {
-      for (int i : roster.ids()) {
+      for (int i : roster.slots()) {
         circles.load(i);
         timeline.add(circles.mover);
       }
@@ -127,32 +127,33 @@ abstract class Engine {
   /** The flights of all circles. */
   FlightStates save(double now) {
     FlightStates states = new FlightStates(roster.ids());
-    for (int k = 0; k < states.count(); k++) {
-      circles.load(states.id(k));
+    int[] slots = roster.slots();
+    for (int k = 0; k < slots.length; k++) {
+      circles.load(slots[k]);
+      roster.toIds(circles.mover);
       surroundings.save(k, circles.mover, now, states);
     }
     return states;
   }
 
-  /** Takes over other flights, of the circles that are in the roster by now. */
+  /** Takes over other flights: those of all circles that are in the roster by now. */
   void restore(FlightStates flights, double now) {
     circles.clear();
-    for (int k = 0; k < flights.count(); k++) {
-      int i = flights.id(k);
-      skip(i);
+    Mover m = circles.mover;
+    for (int i = 0; i < flights.count(); i++) {
       circles.add();
-      flights.get(k, circles.mover);
-      surroundings.setRadius(i, circles.mover.radius);
-      keep(i, circles.mover);
+      flights.get(i, m);
+      m.id = i;
+      roster.toSlots(m);
+      surroundings.setRadius(i, m.radius);
+      keep(i, m);
     }
-    skip(roster.end());
   }
 
-  /** Up to this id, whoever had one was removed. */
-  private void skip(int end) {
-    while (circles.count < end) {
-      circles.add();
-      remove(circles.count - 1);
-    }
+  /** Makes arrays dense anew in which most slots are of circles that were removed. */
+  void compact(double now) {
+    FlightStates flights = save(now);
+    roster.set(roster);
+    restore(flights, now);
   }
 }

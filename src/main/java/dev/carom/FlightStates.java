@@ -100,7 +100,6 @@ final class FlightStates {
   void get(int i, Mover m) {
     int k = i * NUMBERS;
     int c = i * CODES;
-    m.id = ids[i];
     m.x = numbers[k];
     m.y = numbers[k + 1];
     m.vx = numbers[k + 2];

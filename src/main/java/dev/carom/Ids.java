@@ -3,8 +3,8 @@ package dev.carom;
 
 /**
  * The ids by which callers name the things of a world. Those of a kind begin at 0, and one is not
- * used again when its thing is removed; within, a kind and an id are one code, see {@link
- * Obstacles}.
+ * used again when its thing is removed; within, a kind and an id, of a circle its slot, are one
+ * code, see {@link Obstacles} and {@link Roster}.
  */
 final class Ids {
 
@@ -19,7 +19,7 @@ final class Ids {
   /** Whether something is there, for any number. */
   boolean contains(ObstacleKind kind, int id) {
     return switch (Check.notNull("kind", kind)) {
-      case CIRCLE -> roster.contains(id);
+      case CIRCLE -> roster.slot(id) >= 0;
       case WALL -> obstacles.bounds != null && id >= 0 && id < Obstacles.WALLS;
       case LINE, PEG -> id >= 0 && id < end(kind) && !obstacles.isGone(code(kind, id));
     };
@@ -31,16 +31,17 @@ final class Ids {
       case WALL -> obstacles.bounds == null ? 0 : Obstacles.WALLS;
       case LINE -> obstacles.endOfLines - Obstacles.WALLS;
       case PEG -> obstacles.endOfPegs - Obstacles.PEGS;
-      case CIRCLE -> roster.end();
+      case CIRCLE -> roster.idEnd();
     };
   }
 
-  /** The id of a circle that is there; any other one is refused. */
+  /** The slot of a circle that is there; any other id is refused. */
   int circle(int id) {
-    if (!roster.contains(id)) {
+    int slot = roster.slot(id);
+    if (slot < 0) {
       throw missing(ObstacleKind.CIRCLE, id);
     }
-    return id;
+    return slot;
   }
 
   /** The code of a thing that is there; any other id is refused. */
@@ -51,12 +52,12 @@ final class Ids {
     return code(kind, id);
   }
 
-  private static int code(ObstacleKind kind, int id) {
+  private int code(ObstacleKind kind, int id) {
     return switch (kind) {
       case WALL -> id;
       case LINE -> Obstacles.WALLS + id;
       case PEG -> Obstacles.PEGS + id;
-      case CIRCLE -> Obstacles.CIRCLES + id;
+      case CIRCLE -> Obstacles.CIRCLES + roster.slot(id);
     };
   }
 

@@ -2,6 +2,7 @@
 package dev.carom;
 
 import java.util.Arrays;
+import java.util.function.IntUnaryOperator;
 
 /**
  * The impacts of a world's last step, one row each, read without allocation. Valid until the next
@@ -36,6 +37,8 @@ public final class ImpactLog {
   private static final ObstacleKind[] KINDS = ObstacleKind.values();
   private static final Feature[] FEATURES = Feature.values();
 
+  private static final int CIRCLE = ObstacleKind.CIRCLE.ordinal();
+
   private int size;
   private double[] numbers;
   private int[] ints;
@@ -48,8 +51,17 @@ public final class ImpactLog {
   /** The time of the row that arrived last. */
   private double latest;
 
-  /** With room for some rows; it grows as needed. */
+  /** What callers call a circle, which is written by its slot. */
+  private final IntUnaryOperator ids;
+
+  /** Of circles whose slots are their ids. */
   ImpactLog(int rows) {
+    this(rows, IntUnaryOperator.identity());
+  }
+
+  /** With room for some rows; it grows as needed. */
+  ImpactLog(int rows, IntUnaryOperator ids) {
+    this.ids = ids;
     numbers = new double[rows * ROW];
     ints = new int[rows * INTS];
     order = new TimeOrder(numbers, ROW);
@@ -83,7 +95,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public int circle(int row) {
-    return ints[at(row) * INTS];
+    return ids.applyAsInt(ints[at(row) * INTS]);
   }
 
   /**
@@ -105,7 +117,9 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public int id(int row) {
-    return ints[at(row) * INTS + OBSTACLE];
+    int k = at(row) * INTS;
+    int obstacle = ints[k + OBSTACLE];
+    return (ints[k + WHAT] & ORDINAL) == CIRCLE ? ids.applyAsInt(obstacle) : obstacle;
   }
 
   /**

@@ -2,6 +2,7 @@
 package dev.carom;
 
 import java.util.Arrays;
+import java.util.function.IntUnaryOperator;
 
 /**
  * The things that are inert for a jammed circle: not there, until it gets away or something comes
@@ -41,6 +42,14 @@ final class Jam {
   Jam without(int code) {
     int[] left = Arrays.stream(codes).filter(other -> other != code).toArray();
     return left.length == 0 ? null : new Jam(left);
+  }
+
+  /** The same with other numbers for circles, whose codes begin at the first one. */
+  Jam ofOtherCircles(int first, IntUnaryOperator number) {
+    return new Jam(
+        Arrays.stream(codes)
+            .map(code -> code < first ? code : first + number.applyAsInt(code - first))
+            .toArray());
   }
 
   int[] codes() {

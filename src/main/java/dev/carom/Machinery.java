@@ -8,16 +8,17 @@ package dev.carom;
  * @param grid whether grids may be used
  * @param cell the size of their cells, 0 to have it chosen
  * @param pairCells how many times the largest diameter the cells of circles that collide measure
+ * @param slack how many times the number of circles may be removed before arrays are made dense
  */
-record Machinery(boolean grid, double cell, double pairCells) {
+record Machinery(boolean grid, double cell, double pairCells, double slack) {
 
   /** Chosen by the scene. */
-  static final Machinery CHOSEN = new Machinery(true, 0, 1);
+  static final Machinery CHOSEN = new Machinery(true, 0, 1, 1);
 
   /** Every obstacle is looked at. */
-  static final Machinery EACH = new Machinery(false, 0, 1);
+  static final Machinery EACH = new Machinery(false, 0, 1, 1);
 
   static Machinery cells(double cell) {
-    return new Machinery(true, cell, 1);
+    return new Machinery(true, cell, 1, 1);
   }
 }

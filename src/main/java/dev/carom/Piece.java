@@ -68,7 +68,7 @@ final class Piece {
       int[] codes = m.jam == null ? new int[0] : m.jam.codes();
       for (int code : codes) {
         int id = code - Obstacles.CIRCLES;
-        if (id >= 0 && !seen.get(id) && roster.contains(id)) {
+        if (id >= 0 && !seen.get(id)) {
           Mover other = load.apply(id);
           if (holds(m, other)) {
             seen.set(id);

@@ -2,6 +2,7 @@
 package dev.carom;
 
 import java.util.Optional;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
 /** What can be asked of a world without moving anything. */
@@ -26,15 +27,15 @@ final class Questions {
     Optional<Impact> first = tracer.first(circle, velocity, T);
     PresentCodes present = roster.present();
     for (int i = 0; collide && i < present.size(); i++) {
-      int id = present.get(i);
-      if (isThere(id, now) && !roster.isSensor(id)) {
-        Circle other = circle(id, now);
-        Vec2 v = new Vec2(circles.vx(id), circles.vy(id));
+      int slot = present.get(i);
+      if (isThere(slot, now) && !roster.isSensor(slot)) {
+        Circle other = circle(slot, now);
+        Vec2 v = new Vec2(circles.vx(slot), circles.vy(slot));
         // Of simultaneous impacts the one found before is first: circles come last.
         double before = first.isPresent() ? first.get().time() : T;
         Optional<Impact> impact = SweptCircle.cast(circle, velocity, other, v, before);
         if (impact.isPresent() && (first.isEmpty() || impact.get().time() < before)) {
-          first = Optional.of(impact.get().of(ObstacleKind.CIRCLE, id));
+          first = Optional.of(impact.get().of(ObstacleKind.CIRCLE, roster.id(slot)));
         }
       }
     }
@@ -70,6 +71,10 @@ final class Questions {
     return code < Obstacles.WALLS ? obstacles.boundsTraits : obstacles.traits(code);
   }
 
+  int[] ids(ObstacleKind kind) {
+    return kind == ObstacleKind.CIRCLE ? roster.ids() : ids(proximity.codes(kind));
+  }
+
   int nearest(ObstacleKind kind, double x, double y, double now) {
     if (kind != ObstacleKind.CIRCLE) {
       int code = proximity.nearest(proximity.codes(kind), x, y);
@@ -77,11 +82,11 @@ final class Questions {
     }
     double least = Double.POSITIVE_INFINITY;
     int nearest = -1;
-    for (int id : ids(now).toArray()) {
-      double distance = Proximity.distance(circle(id, now), x, y);
+    for (int slot : slots(now).toArray()) {
+      double distance = Proximity.distance(circle(slot, now), x, y);
       if (nearest < 0 || distance < least) {
         least = distance;
-        nearest = id;
+        nearest = roster.id(slot);
       }
     }
     return nearest;
@@ -89,13 +94,13 @@ final class Questions {
 
   int[] overlapping(ObstacleKind kind, Circle disk, double now) {
     return kind == ObstacleKind.CIRCLE
-        ? ids(now).filter(id -> Proximity.overlap(circle(id, now), disk)).toArray()
+        ? ids(now, slot -> Proximity.overlap(circle(slot, now), disk))
         : ids(proximity.codes(kind).filter(code -> proximity.overlaps(code, disk)));
   }
 
   int[] overlapping(ObstacleKind kind, Bounds box, double now) {
     return kind == ObstacleKind.CIRCLE
-        ? ids(now).filter(id -> Proximity.overlap(circle(id, now), box)).toArray()
+        ? ids(now, slot -> Proximity.overlap(circle(slot, now), box))
         : ids(proximity.codes(kind).filter(code -> proximity.overlaps(code, box)));
   }
 
@@ -103,18 +108,22 @@ final class Questions {
     return codes.map(surroundings.obstacles::index).toArray();
   }
 
-  private IntStream ids(double now) {
-    return roster.present().stream(id -> !isThere(id, now));
+  private int[] ids(double now, IntPredicate isMeant) {
+    return slots(now).filter(isMeant).map(roster::id).toArray();
+  }
+
+  private IntStream slots(double now) {
+    return roster.present().stream(slot -> !isThere(slot, now));
   }
 
   /** Whether a circle is there, and not beyond the range of doubles. */
-  private boolean isThere(int id, double now) {
-    return roster.contains(id)
-        && Math.abs(circles.x(id, now)) <= Double.MAX_VALUE
-        && Math.abs(circles.y(id, now)) <= Double.MAX_VALUE;
+  private boolean isThere(int slot, double now) {
+    return roster.contains(slot)
+        && Math.abs(circles.x(slot, now)) <= Double.MAX_VALUE
+        && Math.abs(circles.y(slot, now)) <= Double.MAX_VALUE;
   }
 
-  private Circle circle(int id, double now) {
-    return new Circle(circles.x(id, now), circles.y(id, now), circles.radius(id));
+  private Circle circle(int slot, double now) {
+    return new Circle(circles.x(slot, now), circles.y(slot, now), circles.radius(slot));
   }
 }

@@ -2,13 +2,22 @@
 package dev.carom;
 
 import java.util.Arrays;
-import java.util.BitSet;
 
 /**
- * The circles of a world by their ids, and what does not move of them: mass and {@link Traits}. An
- * id is not used again when its circle is removed.
+ * The circles of a world, and what does not move of them: mass and {@link Traits}. Callers name a
+ * circle by its id, which is not used again; the engine, by its slot in arrays, which are made
+ * dense anew when most slots are of circles that were removed. Who has the larger id has the larger
+ * slot, so that what the order of slots decides does not depend on that.
  */
 final class Roster {
+
+  private static final int NONE = -1;
+
+  /** So many more circles are counted where slots of removed ones are: a few are no burden. */
+  private static final int FEW = 1024;
+
+  /** See {@link Machinery}. */
+  private final double slack;
 
   private double[] masses;
 
@@ -21,11 +30,23 @@ final class Roster {
   /** Which were removed; null as long as none was. */
   private boolean[] gone;
 
+  /** One more than the last slot. */
   private int end;
+
   private PresentCodes present;
 
-  Roster(Scene scene) {
+  /** The id of each slot, ascending; null while it is its number. */
+  private int[] ids;
+
+  private int idEnd;
+
+  /** Where an id was found last: the next one asked for is often the next one. */
+  private int found;
+
+  Roster(Scene scene, double slack) {
+    this.slack = slack;
     end = scene.circleCount();
+    idEnd = end;
     present = new PresentCodes(0, end);
     masses = scene.masses;
     shared = true;
@@ -33,30 +54,52 @@ final class Roster {
   }
 
   private Roster(Roster other) {
+    slack = other.slack;
     set(other);
   }
 
-  /** Circles 0 .. masses.length - 1, some of which are gone. */
-  Roster(double[] masses, byte[] traits, BitSet gone) {
+  /** Circles with the given ids, ascending and below their end. */
+  Roster(double[] masses, byte[] traits, int[] ids, int idEnd) {
+    slack = Machinery.CHOSEN.slack();
     this.masses = masses;
     this.traits = traits;
-    end = masses.length;
-    present = new PresentCodes(0, end);
-    gone.stream().forEach(this::remove);
+    take(ids, idEnd);
   }
 
   Roster copy() {
     return new Roster(this);
   }
 
-  /** Takes over what another one holds. */
+  /** Takes over the circles that another one, or this one, holds, without room between them. */
   void set(Roster other) {
-    masses = Arrays.copyOf(other.masses, other.end);
+    int[] slots = other.slots();
+    int[] theirIds = other.ids();
+    double[] theirMasses = other.masses;
+    byte[] theirTraits = other.traits;
+    masses = new double[slots.length];
+    traits = theirTraits == null ? null : new byte[slots.length];
+    for (int k = 0; k < slots.length; k++) {
+      masses[k] = theirMasses[slots[k]];
+      if (traits != null) {
+        traits[k] = theirTraits[slots[k]];
+      }
+    }
     shared = false;
-    traits = other.traits == null ? null : Arrays.copyOf(other.traits, other.end);
-    gone = other.gone == null ? null : Arrays.copyOf(other.gone, other.end);
-    end = other.end;
-    present = other.present.copy();
+    take(theirIds, other.idEnd);
+  }
+
+  private void take(int[] theirIds, int theirEnd) {
+    end = theirIds.length;
+    idEnd = theirEnd;
+    ids = end == idEnd ? null : theirIds; // else they are all there
+    gone = null;
+    present = new PresentCodes(0, end);
+    found = 0;
+  }
+
+  /** Whether so many slots are of circles that were removed that arrays are to be made dense. */
+  boolean isSparse() {
+    return end - count() > slack * (count() + FEW);
   }
 
   /** The number of circles. */
@@ -64,21 +107,14 @@ final class Roster {
     return present.count();
   }
 
-  /** Their ids, those of some that are gone too, until the next change. */
+  /** Their slots, those of some that are gone too, until the next change. */
   PresentCodes present() {
     return present;
   }
 
-  /** The ids of the circles that are there by now, ascending. */
-  int[] ids() {
-    int[] ids = new int[count()];
-    int k = 0;
-    for (int i = 0; i < present.size(); i++) {
-      if (contains(present.get(i))) {
-        ids[k++] = present.get(i);
-      }
-    }
-    return ids;
+  /** The slots of the circles that are there by now, ascending. */
+  int[] slots() {
+    return present.stream(slot -> !contains(slot)).toArray();
   }
 
   /** How many impacts a circle may make in one place before it is stuck; see {@link World}. */
@@ -86,16 +122,82 @@ final class Roster {
     return 1_000 + 10 * count();
   }
 
-  /** One more than the largest id. */
-  int end() {
-    return end;
+  boolean contains(int slot) {
+    return gone == null || !gone[slot];
   }
 
-  boolean contains(int id) {
-    return id >= 0 && id < end && (gone == null || !gone[id]);
+  // Ids.
+
+  /** The ids of the circles that are there by now, ascending. */
+  int[] ids() {
+    int[] slots = slots();
+    Arrays.setAll(slots, k -> id(slots[k]));
+    return slots;
   }
 
-  /** Adds a circle of mass 1 and no special trait, and returns its id. */
+  /** One more than the largest id ever given. */
+  int idEnd() {
+    return idEnd;
+  }
+
+  /** The id of the circle that is, or was, at a slot. */
+  int id(int slot) {
+    return ids == null ? slot : ids[slot];
+  }
+
+  /** The slot of the circle with an id, for any number; below 0 if there is none. */
+  int slot(int id) {
+    if (id < 0 || id >= idEnd) {
+      return NONE;
+    }
+    int slot = ids == null ? id : find(id);
+    return slot >= 0 && contains(slot) ? slot : NONE;
+  }
+
+  private int find(int id) {
+    int slot = found; // once: snapshots are asked by several threads
+    if (slot + 1 < end && ids[slot + 1] == id) {
+      slot++;
+    } else if (slot >= end || ids[slot] != id) {
+      slot = Arrays.binarySearch(ids, 0, end, id);
+    }
+    found = Math.max(slot, 0);
+    return slot;
+  }
+
+  /** The id of the last circle that is there up to a slot, below 0 if there is none. */
+  int lastId(int slot) {
+    int last = slot;
+    while (last >= 0 && !contains(last)) {
+      last--;
+    }
+    return last < 0 ? NONE : id(last);
+  }
+
+  /** What a mover knows of other circles, by their ids; nothing of one that was removed. */
+  void toIds(Mover m) {
+    if (m.last >= Obstacles.CIRCLES) {
+      int slot = m.last - Obstacles.CIRCLES;
+      m.last = contains(slot) ? Obstacles.CIRCLES + id(slot) : Mover.NOTHING;
+    }
+    if (m.jam != null && ids != null) {
+      m.jam = m.jam.ofOtherCircles(Obstacles.CIRCLES, this::id);
+    }
+  }
+
+  /** The opposite of {@link #toIds}. */
+  void toSlots(Mover m) {
+    if (m.last >= Obstacles.CIRCLES) {
+      m.last = Obstacles.CIRCLES + slot(m.last - Obstacles.CIRCLES);
+    }
+    if (m.jam != null && ids != null) {
+      m.jam = m.jam.ofOtherCircles(Obstacles.CIRCLES, this::slot);
+    }
+  }
+
+  // Changes.
+
+  /** Adds a circle of mass 1 and no special trait, with the next id, and returns its slot. */
   int add() {
     if (end == masses.length) {
       int capacity = 2 * end + 4;
@@ -103,41 +205,46 @@ final class Roster {
       shared = false;
       traits = traits == null ? null : Arrays.copyOf(traits, capacity);
       gone = gone == null ? null : Arrays.copyOf(gone, capacity);
+      ids = ids == null ? null : Arrays.copyOf(ids, capacity);
     }
     masses[end] = 1;
     present.add(end);
+    if (ids != null) {
+      ids[end] = idEnd;
+    }
+    idEnd++;
     return end++;
   }
 
-  void remove(int id) {
+  void remove(int slot) {
     if (gone == null) {
       gone = new boolean[masses.length];
     }
-    gone[id] = true;
+    gone[slot] = true;
     present.removed(1, i -> gone[i]);
   }
 
-  double mass(int id) {
-    return masses[id];
+  double mass(int slot) {
+    return masses[slot];
   }
 
-  void setMass(int id, double m) {
+  void setMass(int slot, double m) {
     if (shared) {
       masses = masses.clone();
       shared = false;
     }
-    masses[id] = m;
+    masses[slot] = m;
   }
 
-  int traits(int id) {
-    return traits == null ? 0 : traits[id];
+  int traits(int slot) {
+    return traits == null ? 0 : traits[slot];
   }
 
-  void setTraits(int id, int t) {
+  void setTraits(int slot, int t) {
     if (traits == null) {
       traits = new byte[masses.length];
     }
-    traits[id] = (byte) t;
+    traits[slot] = (byte) t;
   }
 
   /** Whether any circle may have a trait. */
@@ -145,24 +252,24 @@ final class Roster {
     return traits != null;
   }
 
-  boolean isSensor(int id) {
-    return traits != null && Traits.isSensor(traits[id]);
+  boolean isSensor(int slot) {
+    return traits != null && Traits.isSensor(traits[slot]);
   }
 
-  boolean halts(int id) {
-    return traits != null && Traits.halts(traits[id]);
+  boolean halts(int slot) {
+    return traits != null && Traits.halts(traits[slot]);
   }
 
   @Override
   public boolean equals(Object other) {
     return other instanceof Roster that
-        && end == that.end
+        && idEnd == that.idEnd
         && Arrays.equals(ids(), that.ids())
-        && Arrays.stream(ids()).allMatch(id -> isAlike(that, id));
+        && Arrays.stream(ids()).allMatch(id -> isAlike(slot(id), that, that.slot(id)));
   }
 
-  private boolean isAlike(Roster that, int id) {
-    return masses[id] == that.masses[id] && traits(id) == that.traits(id);
+  private boolean isAlike(int slot, Roster that, int its) {
+    return masses[slot] == that.masses[its] && traits(slot) == that.traits(its);
   }
 
   @Override

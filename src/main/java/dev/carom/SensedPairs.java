@@ -52,19 +52,20 @@ final class SensedPairs {
     return tail != tails[i] ? tail > tails[i] : partner > partners[i];
   }
 
-  void save(int k, FlightStates states) {
-    int i = states.id(k);
+  /** Takes down, as number k, what circle i sensed; a partner that is gone, as who is before it. */
+  void save(int i, Roster roster, int k, FlightStates states) {
     if (heads != null && i < heads.length) {
-      states.putSensed(k, heads[i], tails[i], partners[i]);
+      states.putSensed(k, heads[i], tails[i], roster.lastId(partners[i]));
     } else {
       states.putSensed(k, -1, 0, 0);
     }
   }
 
-  void restore(int k, FlightStates states) {
-    double head = states.sensedHead(k);
+  /** Takes over what circle i, number i of those that are there, sensed. */
+  void restore(int i, Roster roster, FlightStates states) {
+    double head = states.sensedHead(i);
     if (head >= 0) {
-      report(states.id(k), head, states.sensedTail(k), states.sensedPartner(k));
+      report(i, head, states.sensedTail(i), roster.slot(states.sensedPartner(i)));
     }
   }
 }

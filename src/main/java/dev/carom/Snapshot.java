@@ -73,9 +73,9 @@ public final class Snapshot {
   }
 
   /**
-   * Writes this snapshot in a format of its own, with a version and a check sum: 137 bytes a circle
-   * (4 more for each thing that it is jammed by), 41 a line, 33 a peg, 1 for each of these that was
-   * removed, and about 100 for the rest.
+   * Writes this snapshot in a format of its own, with a version and a check sum: 141 bytes a circle
+   * (4 more for each thing that it is jammed by), 41 a line, 33 a peg, 1 for each line or peg that
+   * was removed, and about 110 for the rest.
    *
    * @param out where to write, buffered for speed; it is neither flushed nor closed
    * @throws IOException if writing fails

@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.BitSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.IntStream;
@@ -26,7 +25,9 @@ final class SnapshotReader {
   private Bounds bounds;
   private int lines;
   private int pegs;
-  private int circles;
+
+  /** What was said of circles, before all of them were read. */
+  private final IntStream.Builder codesOfCircles = IntStream.builder();
 
   SnapshotReader(InputStream in) {
     this.in = new DataInputStream(new CheckedInputStream(in, sum));
@@ -126,31 +127,38 @@ final class SnapshotReader {
 
   private Snapshot circles(double now, boolean collide, Obstacles obstacles, Limits limits)
       throws IOException {
-    circles = count();
+    int idEnd = count();
+    int count = count();
+    IntStream.Builder ids = IntStream.builder();
     DoubleList masses = new DoubleList();
     ByteArrayOutputStream traits = new ByteArrayOutputStream();
-    BitSet gone = new BitSet();
     DoubleList numbers = new DoubleList();
     IntStream.Builder codes = IntStream.builder();
     List<Jam> jams = new ArrayList<>();
-    for (int i = 0; i < circles; i++) {
-      int its = traitsOrGone(3);
-      boolean isGone = its == SnapshotWriter.GONE;
-      gone.set(i, isGone);
-      traits.write(isGone ? 0 : its);
-      masses.add(isGone ? 1 : mass());
-      if (!isGone) {
-        flight(now, limits, numbers, codes);
-        jams.add(jam());
-      }
+    int least = 0;
+    for (int i = 0; i < count; i++) {
+      int id = in.readInt();
+      expect(
+          id >= least && id < idEnd,
+          "circle " + id + " is none of " + least + " to " + (idEnd - 1));
+      least = id + 1;
+      ids.add(id);
+      traits.write(traits(3));
+      masses.add(mass());
+      flight(now, limits, numbers, codes);
+      jams.add(jam());
     }
-    Roster roster = new Roster(masses.toArray(), traits.toByteArray(), gone);
+    int[] present = ids.build().toArray();
+    for (int code : codesOfCircles.build().toArray()) {
+      expectCode(Arrays.binarySearch(present, code - Obstacles.CIRCLES) >= 0, code);
+    }
     FlightStates flights =
         new FlightStates(
-            roster.ids(),
+            present,
             numbers.toArray(),
             codes.build().toArray(),
             jams.stream().anyMatch(Objects::nonNull) ? jams.toArray(Jam[]::new) : null);
+    Roster roster = new Roster(masses.toArray(), traits.toByteArray(), present, idEnd);
     return new Snapshot(now, collide, obstacles, roster, limits, flights);
   }
 
@@ -177,7 +185,9 @@ final class SnapshotReader {
     expect(n[10] >= 0, "a flight is known for " + n[10]);
     numbers.add(n);
     int last = in.readInt();
-    expect(last == Mover.NOTHING || isCode(last), "code " + last + " does not exist");
+    if (last != Mover.NOTHING) {
+      checkCode(last);
+    }
     int stuck = in.readInt();
     expect(stuck >= 0, "a circle made " + stuck + " impacts");
     codes.add(last).add(stuck).add(in.readInt()).add(in.readInt());
@@ -191,19 +201,25 @@ final class SnapshotReader {
     Jam jam = null;
     for (int k = 0; k < count; k++) {
       int code = in.readInt();
-      expect(isCode(code), "code " + code + " does not exist");
+      checkCode(code);
       jam = Jam.with(jam, code);
     }
     return jam;
   }
 
-  private boolean isCode(int code) {
-    if (code < Obstacles.PEGS) {
-      return code >= 0 && code < Obstacles.WALLS + lines;
+  /** A code of a circle is checked when all circles are read. */
+  private void checkCode(int code) throws IOException {
+    if (code >= Obstacles.CIRCLES) {
+      codesOfCircles.add(code);
+    } else if (code >= Obstacles.PEGS) {
+      expectCode(code < Obstacles.PEGS + pegs, code);
+    } else {
+      expectCode(code >= 0 && code < Obstacles.WALLS + lines, code);
     }
-    return code < Obstacles.CIRCLES
-        ? code < Obstacles.PEGS + pegs
-        : code < Obstacles.CIRCLES + circles;
+  }
+
+  private static void expectCode(boolean exists, int code) throws IOException {
+    expect(exists, "code " + code + " does not exist");
   }
 
   private int count() throws IOException {

@@ -13,7 +13,7 @@ final class SnapshotWriter {
   /** "CAROM" and a byte that text does not hold. */
   static final long MARK = 0x4341524F4D00L;
 
-  static final int VERSION = 2;
+  static final int VERSION = 3;
 
   /** Instead of the traits of what was removed, of which nothing else is written. */
   static final int GONE = -1;
@@ -70,16 +70,13 @@ final class SnapshotWriter {
   }
 
   private void circles(Snapshot s) throws IOException {
-    out.writeInt(s.roster.end());
-    int k = 0;
-    for (int id = 0; id < s.roster.end(); id++) {
-      if (s.roster.contains(id)) {
-        out.writeByte(s.roster.traits(id));
-        out.writeDouble(s.roster.mass(id));
-        flight(s.flights, k++);
-      } else {
-        out.writeByte(GONE);
-      }
+    out.writeInt(s.roster.idEnd());
+    out.writeInt(s.roster.count());
+    for (int i = 0; i < s.roster.count(); i++) { // a snapshot's roster is dense
+      out.writeInt(s.roster.id(i));
+      out.writeByte(s.roster.traits(i));
+      out.writeDouble(s.roster.mass(i));
+      flight(s.flights, i);
     }
   }
 

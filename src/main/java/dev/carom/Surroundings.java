@@ -99,9 +99,9 @@ final class Surroundings {
   /** Makes grids anew where edits made them poor. */
   void prepare(Circles circles, Roster roster) {
     if (grids.areStale()) {
-      int[] ids = roster.ids();
-      grids.remake(circles, ids);
-      assign(ids, circles::radius);
+      int[] slots = roster.slots();
+      grids.remake(circles, slots);
+      assign(slots, circles::radius);
     }
   }
 

@@ -3,6 +3,7 @@ package dev.carom;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.function.IntUnaryOperator;
 
 /**
  * The recorded flights of a world's circles: where each was, and how it moved, at any moment from
@@ -25,6 +26,7 @@ import java.util.Optional;
 public final class Timeline {
 
   private final int most;
+  private final IntUnaryOperator ids;
   private Track[] tracks;
   private PastObstacles obstacles;
   private double begin;
@@ -35,8 +37,12 @@ public final class Timeline {
   private double[] pending = new double[16 * Track.FLIGHT];
   private int pendings;
 
-  Timeline(int most) {
+  /**
+   * Keeps so many flights of each circle, which the world knows by its slot, and callers by its id.
+   */
+  Timeline(int most, IntUnaryOperator ids) {
     this.most = most;
+    this.ids = ids;
     tracks = new Track[0];
   }
 
@@ -211,7 +217,7 @@ public final class Timeline {
       pendingIds = Arrays.copyOf(pendingIds, 2 * pendings);
       pending = Arrays.copyOf(pending, 2 * pendings * Track.FLIGHT);
     }
-    pendingIds[pendings] = m.id;
+    pendingIds[pendings] = ids.applyAsInt(m.id);
     Track.put(m, pending, pendings * Track.FLIGHT);
     pendings++;
   }

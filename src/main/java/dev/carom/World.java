@@ -87,7 +87,7 @@ public final class World {
   private final Roster roster;
   private final Ids ids;
   private final Engine engine;
-  private final Circles circles;
+  final Circles circles;
   private final Obstacles obstacles;
   private final Editor editor;
   private final Questions questions;
@@ -107,8 +107,8 @@ public final class World {
 
   World(Scene scene, Machinery machinery) {
     this.scene = Check.notNull("scene", scene);
-    log = new ImpactLog(Math.max(LOG_LEAST, Math.min(LOG_MOST, scene.circleCount())));
-    roster = new Roster(scene);
+    roster = new Roster(scene, machinery.slack());
+    log = new ImpactLog(Math.max(LOG_LEAST, Math.min(LOG_MOST, scene.circleCount())), roster::id);
     engine =
         scene.collide
             ? new Collisions(scene, roster, machinery, log)
@@ -168,6 +168,9 @@ public final class World {
 
   private boolean advance(double end) {
     log.clear();
+    if (roster.isSparse()) {
+      engine.compact(now);
+    }
     double reached = engine.advance(end);
     log.sort();
     now = reached;
@@ -189,7 +192,7 @@ public final class World {
 
   /**
    * The number of circles. Once one was removed, their ids are no longer 0 to this number less 1:
-   * go up to {@link #idEnd idEnd}, and ask {@link #contains contains} for each.
+   * ask {@link #ids ids} for them.
    *
    * @return at least 0
    */
@@ -336,6 +339,17 @@ public final class World {
    */
   public boolean contains(ObstacleKind kind, int id) {
     return ids.contains(kind, id);
+  }
+
+  /**
+   * The ids of all things of a kind.
+   *
+   * @param kind a kind
+   * @return those of what is there now, ascending; a new array
+   */
+  public int[] ids(ObstacleKind kind) {
+    Check.notNull("kind", kind);
+    return questions.ids(kind);
   }
 
   /**
@@ -632,8 +646,9 @@ public final class World {
   }
 
   /**
-   * Removes a circle, a line or a peg. No search looks at it any more; but as its id is not used
-   * again, its row stays in memory, and in snapshots.
+   * Removes a circle, a line or a peg. No search looks at it any more, and of a circle nothing is
+   * left but that its id is not used again; the row of a line or a peg stays in memory, some 50
+   * bytes, and in snapshots, a byte.
    *
    * @param kind its kind
    * @param id its id, which is not used again
@@ -715,7 +730,7 @@ public final class World {
     if (most < 1) {
       throw Check.refused("most", most, "at least 1");
     }
-    timeline = new Timeline(most);
+    timeline = new Timeline(most, roster::id);
     timeline.begin(now, obstacles);
     engine.record(timeline);
     return timeline;

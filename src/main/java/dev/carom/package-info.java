@@ -58,8 +58,8 @@
  *   <li>There is no threshold below which a bounce is dropped, no cap on speed, no slop; positions
  *       are never nudged, and what touches does not jitter.
  *   <li>A step costs what happens in it. It allocates nothing, unless it records, its log or
- *       another list grows, exact arithmetic has to decide, a circle jams, or edits made grids
- *       stale.
+ *       another list grows, exact arithmetic has to decide, a circle jams, or edits made grids or
+ *       arrays stale.
  *   <li>It always ends: a scene that would make infinitely many impacts in finite time jams the
  *       circle and says so, a step that runs out of its budget says that it is unfinished.
  * </ul>

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class BudgetTest {
 
   /** A cell holds the whole room: then every event is an impact. */
-  private static final Machinery ONE_CELL = new Machinery(true, 0, 1000);
+  private static final Machinery ONE_CELL = new Machinery(true, 0, 1000, 1);
 
   /**
    * They turn each other round at a half, 2.5 and so on, and a unit of time later each is turned

@@ -17,7 +17,7 @@ class ExtentTest {
   }
 
   private static Extent of(Scene scene, double now) {
-    return of(scene, new Roster(scene), now);
+    return of(scene, new Roster(scene, 1), now);
   }
 
   @Test
@@ -49,7 +49,7 @@ class ExtentTest {
             .circle(9, 9, 1, 0, 1e308)
             .circle(9, 9, 1, 1e308, 0)
             .build();
-    Roster roster = new Roster(scene);
+    Roster roster = new Roster(scene, 1);
     roster.remove(1);
     assertThat(of(scene, roster, 10)).isEqualTo(new Extent(3, 4, 3, 4));
   }

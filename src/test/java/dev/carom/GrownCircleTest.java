@@ -39,7 +39,7 @@ class GrownCircleTest {
     Random random = new Random(info.getCurrentRepetition());
     Scene scene = scene(random);
     Circles circles = circles(scene);
-    Roster roster = new Roster(scene);
+    Roster roster = new Roster(scene, 1);
     Surroundings surroundings = new Surroundings(scene, Machinery.CHOSEN);
     List<Integer> lines = new ArrayList<>();
     for (int i = 0; i < LINES; i++) {

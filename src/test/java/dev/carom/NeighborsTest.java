@@ -47,7 +47,8 @@ class NeighborsTest {
   private static void allThatTouchAreVisited(Scene scene, double diameters) {
     Circles circles = circles(scene);
     for (Bounds bounds : new Bounds[] {null, scene.bounds}) {
-      Neighbors neighbors = new Neighbors(circles, new Roster(scene).ids(), bounds, diameters, 0);
+      Neighbors neighbors =
+          new Neighbors(circles, new Roster(scene, 1).slots(), bounds, diameters, 0);
       for (int i = 0; i < circles.count; i += 3) {
         neighbors.leave(i);
         assertThat(neighbors.enter(i, 0)).isTrue();
@@ -86,7 +87,7 @@ class NeighborsTest {
   void whatStandsStillLeavesNoCell() {
     Scene scene = Scene.builder().circle(3, 4, 1, 0, 0).collide(true).build();
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene).ids(), null, 1, 0);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), null, 1, 0);
     assertThat(neighbors.crossing(circles.state, 0)).isEqualTo(Double.POSITIVE_INFINITY);
   }
 
@@ -100,7 +101,7 @@ class NeighborsTest {
     }
     Scene scene = builder.circle(1e3, 20, 1, 0, 0).circle(20, -1e3, 1, 0, 0).build();
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene).ids(), scene.bounds, 1, 0);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), scene.bounds, 1, 0);
     int inside = 0;
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
@@ -130,7 +131,8 @@ class NeighborsTest {
       }
       Scene built = scene.build();
       Circles circles = circles(built);
-      Neighbors neighbors = new Neighbors(circles, new Roster(built).ids(), built.bounds, 1, 0);
+      Neighbors neighbors =
+          new Neighbors(circles, new Roster(built, 1).slots(), built.bounds, 1, 0);
       assertThat(neighbors.isInside(circles.state, 0)).as("wall at %s", right).isFalse();
     }
   }
@@ -260,7 +262,7 @@ class NeighborsTest {
   void aWayLeadsIntoTheCellThatIsEnteredNext(double vx, double vy) {
     Scene scene = Scene.builder().circle(3, 4, 1, vx, vy).circle(-30, -40, 1, 0, 0).build();
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene).ids(), null, 1, 0);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), null, 1, 0);
     int column = neighbors.column(0);
     int row = neighbors.row(0);
     double crossing = neighbors.crossing(circles.state, 0);
@@ -279,7 +281,7 @@ class NeighborsTest {
   void whoBeginsANewFlightIsListedWhereThatStarts() {
     Scene scene = alike(new Random(6), 40);
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene).ids(), scene.bounds, 1, 0);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), scene.bounds, 1, 0);
     Random random = new Random(7);
     int stayed = 0;
     for (int k = 0; k < 400; k++) {
@@ -306,7 +308,7 @@ class NeighborsTest {
   void readingAheadChangesNothing() {
     Scene scene = alike(new Random(5), 40);
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene).ids(), scene.bounds, 1, 0);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), scene.bounds, 1, 0);
     int[] ids = new int[EventQueue.MOST_OUTLOOK];
     for (int k = 0; k < ids.length; k++) {
       ids[k] = k * 7 % 40;
@@ -317,7 +319,7 @@ class NeighborsTest {
     double[] state = circles.state.clone();
     int[] codes = circles.codes.clone();
     EventQueue queue = new EventQueue(40, (i, j) -> i < j);
-    Ahead ahead = new Ahead(circles, new Roster(scene), neighbors);
+    Ahead ahead = new Ahead(circles, new Roster(scene, 1), neighbors);
     for (int size = 0; size <= ids.length; size++) {
       ahead.next(queue, ids, size);
     }

@@ -68,6 +68,7 @@ class NullTest {
         call("scene", () -> new World(null)),
         call("kind", () -> WORLD.contains(null, 0)),
         call("kind", () -> WORLD.idEnd(null)),
+        call("kind", () -> WORLD.ids(null)),
         call("circle", () -> WORLD.cast(null, V, 1)),
         call("velocity", () -> WORLD.cast(CIRCLE, null, 1)),
         call("circle", () -> WORLD.trace(null, V, 1, 1, 1)),

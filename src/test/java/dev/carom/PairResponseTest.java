@@ -26,7 +26,7 @@ class PairResponseTest {
       scene.circle(0, 0, 1, 0, 0).mass(mass);
     }
     Obstacles none = Obstacles.of(scene.build());
-    return new PairResponse(new Roster(scene.build()), new ObstacleResponse(none, 1_000));
+    return new PairResponse(new Roster(scene.build(), 1), new ObstacleResponse(none, 1_000));
   }
 
   /** The first circle at the origin, the second where the angle says, both of radius 1. */
@@ -49,7 +49,7 @@ class PairResponseTest {
       m.standsStill = true;
     }
     log.clear();
-    new PairResponse(new Roster(scene.build()), response).resolve(a, b, log);
+    new PairResponse(new Roster(scene.build(), 1), response).resolve(a, b, log);
     return response;
   }
 
@@ -265,7 +265,7 @@ class PairResponseTest {
     Scene scene =
         Scene.builder().circle(0, 0, 1, 0, 0).response(Response.HALT).circle(2, 0, 1, 0, 0).build();
     collide(
-        new PairResponse(new Roster(scene), new ObstacleResponse(Obstacles.of(scene), 1_000)),
+        new PairResponse(new Roster(scene, 1), new ObstacleResponse(Obstacles.of(scene), 1_000)),
         0,
         3,
         1,

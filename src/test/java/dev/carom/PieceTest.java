@@ -26,7 +26,7 @@ class PieceTest {
       circles[i] = new Mover();
       circles[i].start(i, 2 * i, 0, 1, 0, 0, 0);
     }
-    Roster roster = new Roster(scene.build());
+    Roster roster = new Roster(scene.build(), 1);
     return new Piece(
         roster, new PairResponse(roster, new ObstacleResponse(Obstacles.of(scene.build()), 1_000)));
   }

@@ -52,7 +52,7 @@ final class PlainWorld {
   PlainWorld(Scene scene) {
     collide = scene.collide;
     obstacles = Obstacles.of(scene);
-    roster = new Roster(scene);
+    roster = new Roster(scene, 1);
     respond();
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
@@ -82,7 +82,7 @@ final class PlainWorld {
   /** Goes to where another one is. */
   void restore(PlainWorld other) {
     obstacles = other.obstacles.copy();
-    roster = other.roster.copy();
+    roster = copy(other.roster, other.movers.size());
     respond();
     now = other.now;
     last = other.last;
@@ -93,11 +93,24 @@ final class PlainWorld {
     metPairs = new HashSet<>(other.metPairs);
   }
 
+  /** Here each circle has its id for a slot, whatever was removed. */
+  private static Roster copy(Roster roster, int end) {
+    double[] masses = IntStream.range(0, end).mapToDouble(roster::mass).toArray();
+    byte[] traits = new byte[end];
+    for (int i = 0; i < end; i++) {
+      traits[i] = (byte) roster.traits(i);
+    }
+    Roster copy = new Roster(masses, traits, IntStream.range(0, end).toArray(), end);
+    IntStream.range(0, end).filter(i -> !roster.contains(i)).forEach(copy::remove);
+    return copy;
+  }
+
   private static Mover copy(Mover m) {
     FlightStates one = new FlightStates(new int[] {m.id});
     one.put(0, m, 0, 0);
     Mover copy = new Mover();
     one.get(0, copy);
+    copy.id = m.id;
     copy.flown = m.flown;
     copy.standsStill = m.standsStill;
     return copy;
@@ -461,8 +474,16 @@ final class PlainWorld {
     switch (kind) {
       case LINE -> removeObstacle(Obstacles.WALLS + id);
       case PEG -> removeObstacle(Obstacles.PEGS + id);
-      default -> roster.remove(id);
+      default -> removeCircle(id);
     }
+  }
+
+  private void removeCircle(int id) {
+    int code = Obstacles.CIRCLES + id;
+    roster.remove(id);
+    movers.stream()
+        .filter(m -> m.jam != null && m.jam.makesInert(code))
+        .forEach(m -> m.forget(code, 0));
   }
 
   private void removeObstacle(int code) {

@@ -10,8 +10,8 @@ class RosterTest {
   @Test
   void aMassIsThatOfOneWorldOnly() {
     Scene scene = Scene.builder().circle(0, 0, 1, 0, 0).circle(9, 0, 1, 0, 0).build();
-    Roster roster = new Roster(scene);
-    Roster other = new Roster(scene);
+    Roster roster = new Roster(scene, 1);
+    Roster other = new Roster(scene, 1);
     roster.setMass(1, 5);
     roster.setMass(0, 3);
     assertThat(roster.mass(0)).isEqualTo(3);
@@ -24,7 +24,7 @@ class RosterTest {
   /** What asks each circle would else take longer with all that ever were there. */
   @Test
   void whoIsGoneIsNotAmongWhomToAsk() {
-    Roster roster = new Roster(Scene.builder().circle(0, 0, 1, 0, 0).build());
+    Roster roster = new Roster(Scene.builder().circle(0, 0, 1, 0, 0).build(), 1);
     for (int i = 0; i < 1000; i++) {
       roster.remove(roster.add());
       assertThat(roster.count()).isEqualTo(1);
@@ -34,5 +34,91 @@ class RosterTest {
     int added = copy.add();
     assertThat(copy.present().stream(id -> !copy.contains(id))).containsExactly(0, added);
     assertThat(roster.present().stream(id -> !roster.contains(id))).containsExactly(0);
+  }
+
+  /** Circles 0 to 9, of masses 1 to 10, of which those are gone whose ids are given. */
+  private static Roster without(int... gone) {
+    SceneBuilder scene = Scene.builder();
+    for (int i = 0; i < 10; i++) {
+      scene.circle(9 * i, 0, 1, 0, 0).mass(i + 1);
+    }
+    Roster roster = new Roster(scene.build(), 1);
+    for (int id : gone) {
+      roster.remove(roster.slot(id));
+    }
+    return roster;
+  }
+
+  @Test
+  void whatIsDenseNamesItsCirclesAsBefore() {
+    Roster roster = without(0, 3, 4, 9);
+    roster.setTraits(7, Traits.with(0, Response.SENSOR));
+    Roster sparse = without(0, 3, 4, 9);
+    sparse.setTraits(7, Traits.with(0, Response.SENSOR));
+    roster.set(roster);
+    assertThat(roster.slots()).containsExactly(0, 1, 2, 3, 4, 5);
+    assertThat(roster.ids()).containsExactly(1, 2, 5, 6, 7, 8).isEqualTo(sparse.ids());
+    for (int id : new int[] {8, 1, 2, 7, 5, 6, 6, 8}) {
+      int slot = roster.slot(id);
+      assertThat(roster.id(slot)).isEqualTo(id);
+      assertThat(roster.mass(slot)).isEqualTo(id + 1);
+      assertThat(roster.isSensor(slot)).isEqualTo(id == 7);
+    }
+    for (int id : new int[] {-1, 0, 3, 4, 9, 10, Integer.MAX_VALUE, Integer.MIN_VALUE}) {
+      assertThat(roster.slot(id)).isNegative();
+      assertThat(sparse.slot(id)).isNegative();
+    }
+    assertThat(roster).isEqualTo(sparse).hasSameHashCodeAs(sparse);
+    assertThat(sparse).isEqualTo(roster);
+    roster.setMass(roster.slot(8), 3);
+    assertThat(roster).isNotEqualTo(sparse);
+  }
+
+  @Test
+  void theNextOneGetsTheNextId() {
+    Roster roster = without(2, 9);
+    roster.set(roster);
+    for (int id = 10; id < 40; id++) {
+      int slot = roster.add();
+      assertThat(slot).isEqualTo(id - 2);
+      assertThat(roster.id(slot)).isEqualTo(id);
+      assertThat(roster.slot(id)).isEqualTo(slot);
+      assertThat(roster.idEnd()).isEqualTo(id + 1);
+    }
+    roster.remove(roster.slot(12));
+    assertThat(roster.slot(12)).isNegative();
+    assertThat(roster.slot(13)).isEqualTo(11);
+  }
+
+  @Test
+  void oneThatHasLostItsLastOneKnowsWhichIdIsNext() {
+    Roster roster = without(9);
+    roster.set(roster);
+    assertThat(roster.slot(9)).isNegative();
+    assertThat(roster.id(roster.add())).isEqualTo(10);
+  }
+
+  @Test
+  void aFewThatAreGoneAreNoBurden() {
+    Roster roster = without();
+    int gone = 0;
+    while (!roster.isSparse()) {
+      roster.remove(roster.add());
+      gone++;
+    }
+    assertThat(gone).isEqualTo(10 + 1024 + 1);
+    roster.set(roster);
+    assertThat(roster.isSparse()).isFalse();
+  }
+
+  @Test
+  void theLastOneThatIsThereUpToASlot() {
+    Roster roster = without(0, 1, 4);
+    assertThat(roster.lastId(-1)).isNegative();
+    assertThat(roster.lastId(1)).isNegative();
+    assertThat(roster.lastId(2)).isEqualTo(2);
+    assertThat(roster.lastId(4)).isEqualTo(3);
+    roster.set(roster);
+    assertThat(roster.lastId(2)).isEqualTo(5);
   }
 }

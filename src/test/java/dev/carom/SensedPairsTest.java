@@ -50,9 +50,10 @@ class SensedPairsTest {
     FlightStates states = new FlightStates(IntStream.range(0, 40).toArray());
     pairs.report(1, 5, 1e-20, 3);
     SensedPairs others = new SensedPairs();
+    Roster roster = roster(40);
     for (int i = 0; i < 40; i++) {
-      pairs.save(i, states);
-      others.restore(i, states);
+      pairs.save(i, roster, i, states);
+      others.restore(i, roster, states);
       assertThat(others.isNew(i, 5, 1e-20, 3)).isEqualTo(i != 1);
       assertThat(others.isNew(i, 5, 1e-20, 4)).isTrue();
     }
@@ -62,10 +63,48 @@ class SensedPairsTest {
   void soIsAMeetingAtTimeZero() {
     FlightStates states = new FlightStates(new int[] {0, 1});
     pairs.report(1, 0, 0, 3);
-    pairs.save(1, states);
+    Roster roster = roster(4);
+    pairs.save(1, roster, 1, states);
     SensedPairs others = new SensedPairs();
-    others.restore(1, states);
+    others.restore(1, roster, states);
     assertThat(others.isNew(1, 0, 0, 3)).isFalse();
     assertThat(others.isNew(1, 0, 0, 4)).isTrue();
+  }
+
+  /** Those of larger ids at the same time are still to be reported, also when it is gone. */
+  @Test
+  void aPartnerThatIsGoneKeepsItsPlaceInTheOrder() {
+    Roster roster = roster(6);
+    pairs.report(5, 2, 0, 3);
+    roster.remove(2);
+    roster.remove(3);
+    FlightStates states = new FlightStates(roster.ids());
+    pairs.save(5, roster, 3, states);
+    assertThat(states.sensedPartner(3)).isEqualTo(1);
+    roster.set(roster); // circles 0, 1, 4 and 5
+    SensedPairs others = new SensedPairs();
+    others.restore(3, roster, states);
+    assertThat(others.isNew(3, 2, 0, 1)).isFalse();
+    assertThat(others.isNew(3, 2, 0, 2)).isTrue();
+  }
+
+  @Test
+  void aPartnerBeforeWhomNobodyIsLeftIsBeforeAll() {
+    Roster roster = roster(3);
+    pairs.report(2, 2, 0, 0);
+    roster.remove(0);
+    FlightStates states = new FlightStates(roster.ids());
+    pairs.save(2, roster, 1, states);
+    roster.set(roster);
+    SensedPairs others = new SensedPairs();
+    others.restore(1, roster, states);
+    assertThat(others.isNew(1, 2, 0, 0)).isTrue();
+    assertThat(others.isNew(1, 1, 0, 0)).isFalse();
+  }
+
+  private static Roster roster(int count) {
+    SceneBuilder scene = Scene.builder();
+    IntStream.range(0, count).forEach(i -> scene.circle(9 * i, 0, 1, 0, 0));
+    return new Roster(scene.build(), 1);
   }
 }

@@ -22,7 +22,7 @@ class SizeClassesTest {
       circles.start(scene, i);
       circles.store(i);
     }
-    return new SizeClasses(circles, new Roster(scene).ids(), extent, 1);
+    return new SizeClasses(circles, new Roster(scene, 1).slots(), extent, 1);
   }
 
   private static Extent square(double side) {

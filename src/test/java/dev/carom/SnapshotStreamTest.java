@@ -37,7 +37,8 @@ class SnapshotStreamTest {
   private static final int PEGS = LINE_AX + 40;
   private static final int PEG_RADIUS = PEGS + 21;
   private static final int CIRCLES = PEGS + 37;
-  private static final int MASS = CIRCLES + 5;
+  private static final int ID = CIRCLES + 8;
+  private static final int MASS = ID + 5;
   private static final int FLIGHT = MASS + 8;
   private static final int LAST = FLIGHT + 13 * 8;
   private static final int STUCK = LAST + 4;
@@ -80,7 +81,7 @@ class SnapshotStreamTest {
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void whatWasRemovedTakesAByte(boolean collide) throws IOException {
+  void aLineOrPegThatWasRemovedTakesAByteAndACircleNone(boolean collide) throws IOException {
     World world = new World(room().collide(collide).circle(50, 50, 5, 1, 2).build());
     int before = bytes(world.snapshot()).length;
     for (int i = 0; i < 100; i++) {
@@ -90,7 +91,7 @@ class SnapshotStreamTest {
     }
     world.addCircle(20, 20, 1, 1, 3);
     byte[] after = bytes(world.snapshot());
-    assertThat(after).hasSize(before + 300 + 137);
+    assertThat(after).hasSize(before + 200 + 141);
     assertThat(read(after)).isEqualTo(world.snapshot());
   }
 
@@ -254,7 +255,7 @@ class SnapshotStreamTest {
   void anotherVersionIsRefused() throws IOException {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putInt(VERSION, 1);
-    assertRefused(bytes, "its version is 1: expected 2");
+    assertRefused(bytes, "its version is 1: expected 3");
   }
 
   @ParameterizedTest
@@ -303,6 +304,10 @@ class SnapshotStreamTest {
         STUCK + " | -1 | a circle made -1 impacts",
         PACE + " | -1024 | a pace is -1024",
         PACE + " | 1025 | a pace is 1025",
+        ID + " | -1 | circle -1 is none of 0 to 1",
+        ID + " | 2 | circle 2 is none of 0 to 1",
+        (ID + 141) + " | 0 | circle 0 is none of 1 to 1",
+        (CIRCLES + 4) + " | 3 | circle ",
         LINES + " | -1 | it holds -1 of a kind",
         LINES + " | 268435456 | it holds 268435456 of a kind",
       })
@@ -350,10 +355,10 @@ class SnapshotStreamTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"LINES, 8", "LINES, 3", "LINES, -2", "PEGS, 4", "CIRCLES, 3"})
+  @CsvSource({"LINES, 8", "LINES, 3", "LINES, -2", "PEGS, 4", "ID, 3"})
   void soAreThoseOfThings(String kind, byte traits) throws IOException {
     byte[] bytes = small();
-    int count = "LINES".equals(kind) ? LINES : "PEGS".equals(kind) ? PEGS : CIRCLES;
+    int count = "LINES".equals(kind) ? LINES : "PEGS".equals(kind) ? PEGS : ID;
     bytes[count + 4] = traits;
     assertRefused(bytes, "traits are " + traits);
   }

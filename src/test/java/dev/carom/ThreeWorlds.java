@@ -20,9 +20,9 @@ final class ThreeWorlds {
   private static final Machinery[] OTHERS = {
     Machinery.EACH,
     Machinery.CHOSEN,
-    new Machinery(true, 0, 4),
-    new Machinery(true, 3, 1.7),
-    new Machinery(true, 23, 2)
+    new Machinery(true, 0, 4, 1),
+    new Machinery(true, 3, 1.7, 1),
+    new Machinery(true, 23, 2, 1)
   };
 
   private static final int BOUNCES = 5;
@@ -47,7 +47,8 @@ final class ThreeWorlds {
     this.scene = scene;
     this.random = random;
     Machinery other = OTHERS[random.nextInt(OTHERS.length)];
-    machinery = new Machinery(other.grid(), other.cell() * unit, other.pairCells());
+    int slack = random.nextInt(2); // 0: its arrays are dense after each removal
+    machinery = new Machinery(other.grid(), other.cell() * unit, other.pairCells(), slack);
     plain = new PlainWorld(scene);
     begin();
   }

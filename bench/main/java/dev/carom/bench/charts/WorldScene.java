@@ -33,17 +33,15 @@ public final class WorldScene {
   public static Scene of(World world) {
     WorldScene now = new WorldScene(world);
     now.bounds();
-    for (int id = 0; id < world.idEnd(ObstacleKind.LINE); id++) {
-      now.line(id, world.contains(ObstacleKind.LINE, id) ? world.line(id) : null);
+    for (int id : world.ids(ObstacleKind.LINE)) {
+      now.line(id, world.line(id));
     }
-    for (int id = 0; id < world.idEnd(ObstacleKind.PEG); id++) {
-      now.peg(id, world.contains(ObstacleKind.PEG, id) ? world.peg(id) : null);
+    for (int id : world.ids(ObstacleKind.PEG)) {
+      now.peg(id, world.peg(id));
     }
-    for (int id = 0; id < world.idEnd(ObstacleKind.CIRCLE); id++) {
-      if (world.contains(ObstacleKind.CIRCLE, id)) {
-        double radius = world.radius(id);
-        now.circle(id, world.x(id), world.y(id), radius, world.vx(id), world.vy(id));
-      }
+    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+      double radius = world.radius(id);
+      now.circle(id, world.x(id), world.y(id), radius, world.vx(id), world.vy(id));
     }
     return now.builder.build();
   }
@@ -62,10 +60,16 @@ public final class WorldScene {
     WorldScene then = new WorldScene(world);
     then.bounds();
     for (int id = 0; id < world.idEnd(ObstacleKind.LINE); id++) {
-      then.line(id, past.line(id, t).orElse(null));
+      Optional<Line> line = past.line(id, t);
+      if (line.isPresent()) {
+        then.line(id, line.get());
+      }
     }
     for (int id = 0; id < world.idEnd(ObstacleKind.PEG); id++) {
-      then.peg(id, past.peg(id, t).orElse(null));
+      Optional<Circle> peg = past.peg(id, t);
+      if (peg.isPresent()) {
+        then.peg(id, peg.get());
+      }
     }
     for (int id = 0; id < world.idEnd(ObstacleKind.CIRCLE); id++) {
       if (past.contains(id, t)) {
@@ -87,9 +91,6 @@ public final class WorldScene {
   }
 
   private void line(int id, Line line) {
-    if (line == null) {
-      return;
-    }
     builder.line(line.ax(), line.ay(), line.bx(), line.by());
     keep(ObstacleKind.LINE, id);
     if (world.contains(ObstacleKind.LINE, id) && world.oneWay(id)) {
@@ -98,9 +99,6 @@ public final class WorldScene {
   }
 
   private void peg(int id, Circle peg) {
-    if (peg == null) {
-      return;
-    }
     builder.peg(peg.x(), peg.y(), peg.radius());
     keep(ObstacleKind.PEG, id);
   }

@@ -87,8 +87,8 @@ public final class Billiards implements Example {
 
   /** Takes as much off each speed as friction does in a frame; what is slower stops. */
   private void slow() {
-    for (int id = 0; id < world.idEnd(ObstacleKind.CIRCLE); id++) {
-      if (world.contains(ObstacleKind.CIRCLE, id) && speed(id) > 0) {
+    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+      if (speed(id) > 0) {
         double left = Math.max(0, 1 - SLOWING * DT / speed(id));
         world.setVelocity(id, left * world.vx(id), left * world.vy(id));
       }

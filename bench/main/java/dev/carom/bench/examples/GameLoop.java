@@ -77,7 +77,7 @@ public final class GameLoop implements Example {
   }
 
   private void step() {
-    for (int id = 0; id < world.idEnd(ObstacleKind.CIRCLE); id++) {
+    for (int id : world.ids(ObstacleKind.CIRCLE)) {
       world.setVelocity(id, world.vx(id), world.vy(id) + GRAVITY * DT);
     }
     world.step(DT);

@@ -57,13 +57,11 @@ public final class Threads implements Example {
     for (int k = 0; k < COLORS.size(); k++) {
       g.setColor(Style.veil(COLORS.get(k), 0.6));
       World part = split.parts().get(k);
-      for (int id = 0; id < part.idEnd(ObstacleKind.CIRCLE); id++) {
-        if (part.contains(ObstacleKind.CIRCLE, id)) {
-          double r = part.radius(id);
-          g.fill(
-              map.createTransformedShape(
-                  new Ellipse2D.Double(part.x(id) - r, part.y(id) - r, 2 * r, 2 * r)));
-        }
+      for (int id : part.ids(ObstacleKind.CIRCLE)) {
+        double r = part.radius(id);
+        g.fill(
+            map.createTransformedShape(
+                new Ellipse2D.Double(part.x(id) - r, part.y(id) - r, 2 * r, 2 * r)));
       }
     }
   }

@@ -49,8 +49,8 @@ final class Crossings {
   }
 
   private void checkLines(Flight f) throws FindingException {
-    for (int id = 0; id < world.idEnd(ObstacleKind.LINE); id++) {
-      if (world.contains(ObstacleKind.LINE, id) && !rules.isSensor(ObstacleKind.LINE, id)) {
+    for (int id : world.ids(ObstacleKind.LINE)) {
+      if (!rules.isSensor(ObstacleKind.LINE, id)) {
         Line line = world.line(id);
         if (!rules.isOneWay(id) || isFromTheLeft(f, line)) {
           check(f, line, f.radius(), "line " + id);
@@ -60,8 +60,8 @@ final class Crossings {
   }
 
   private void checkPegs(Flight f) throws FindingException {
-    for (int id = 0; id < world.idEnd(ObstacleKind.PEG); id++) {
-      if (world.contains(ObstacleKind.PEG, id) && !rules.isSensor(ObstacleKind.PEG, id)) {
+    for (int id : world.ids(ObstacleKind.PEG)) {
+      if (!rules.isSensor(ObstacleKind.PEG, id)) {
         Circle peg = world.peg(id);
         Line centre = new Line(peg.x(), peg.y(), peg.x(), peg.y());
         check(f, centre, f.radius() + peg.radius(), "peg " + id);

@@ -66,15 +66,13 @@ final class EnergyCheck {
 
   /** In the session's own unit of speed, so that squares stay in range. */
   private double[] energies() {
-    int end = world.idEnd(ObstacleKind.CIRCLE);
-    double[] each = new double[world.scene().collide() ? 1 : end];
-    for (int i = 0; i < end; i++) {
-      if (world.contains(ObstacleKind.CIRCLE, i)) {
-        double vx = world.vx(i) / unit;
-        double vy = world.vy(i) / unit;
-        double mass = world.scene().collide() ? world.mass(i) : 1;
-        each[world.scene().collide() ? 0 : i] += mass * (vx * vx + vy * vy);
-      }
+    boolean collide = world.scene().collide();
+    double[] each = new double[collide ? 1 : world.idEnd(ObstacleKind.CIRCLE)];
+    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+      double vx = world.vx(id) / unit;
+      double vy = world.vy(id) / unit;
+      double mass = collide ? world.mass(id) : 1;
+      each[collide ? 0 : id] += mass * (vx * vx + vy * vy);
     }
     return each;
   }

@@ -125,23 +125,17 @@ final class Session {
   /** What there is now counts for the bound of rounding. */
   private void keepLimits() {
     scene.bounds().ifPresent(b -> rounding.keepPlace(b.xmin(), b.ymin(), b.xmax(), b.ymax()));
-    for (int i = 0; i < world.idEnd(ObstacleKind.CIRCLE); i++) {
-      if (world.contains(ObstacleKind.CIRCLE, i)) {
-        rounding.keepPlace(world.x(i), world.y(i), world.radius(i));
-        rounding.keepSpeed(world.vx(i), world.vy(i));
-      }
+    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+      rounding.keepPlace(world.x(id), world.y(id), world.radius(id));
+      rounding.keepSpeed(world.vx(id), world.vy(id));
     }
-    for (int i = 0; i < world.idEnd(ObstacleKind.LINE); i++) {
-      if (world.contains(ObstacleKind.LINE, i)) {
-        var line = world.line(i);
-        rounding.keepPlace(line.ax(), line.ay(), line.bx(), line.by());
-      }
+    for (int id : world.ids(ObstacleKind.LINE)) {
+      var line = world.line(id);
+      rounding.keepPlace(line.ax(), line.ay(), line.bx(), line.by());
     }
-    for (int i = 0; i < world.idEnd(ObstacleKind.PEG); i++) {
-      if (world.contains(ObstacleKind.PEG, i)) {
-        var peg = world.peg(i);
-        rounding.keepPlace(peg.x(), peg.y(), peg.radius());
-      }
+    for (int id : world.ids(ObstacleKind.PEG)) {
+      var peg = world.peg(id);
+      rounding.keepPlace(peg.x(), peg.y(), peg.radius());
     }
   }
 

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.ObstacleKind.CIRCLE;
+import static dev.carom.ObstacleKind.LINE;
+import static dev.carom.ObstacleKind.PEG;
+import static dev.carom.ObstacleKind.WALL;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Circles that come and go: those that went cost nothing any more, and nothing else tells of it. A
+ * world beside keeps the room of all that ever were there.
+ */
+class TurnoverTest {
+
+  private static final int LIVE = 30;
+  private static final int STEPS = 1000;
+
+  private final Random random = new Random(1);
+  private final Deque<Integer> live = new ArrayDeque<>();
+  private World world;
+  private World beside;
+
+  private void begin(boolean collide, double slack) {
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 200, 200).collide(collide);
+    for (int i = 0; i < 20; i++) {
+      scene.line(10 * i, 90 + i, 10 * i + 5, 100).peg(10 * i, 40, 1);
+      if (i % 5 == 0) {
+        scene.response(Response.SENSOR);
+      }
+    }
+    world = new World(scene.build(), new Machinery(true, 0, 1, slack));
+    beside = new World(scene.build(), new Machinery(true, 0, 1, Double.MAX_VALUE));
+    for (int i = 0; i < LIVE; i++) {
+      come();
+    }
+  }
+
+  private void come() {
+    double x = 10 + 180 * random.nextDouble();
+    double y = 10 + 180 * random.nextDouble();
+    double r = 1 + 4 * random.nextDouble();
+    double vx = 20 * random.nextDouble() - 10;
+    double vy = 20 * random.nextDouble() - 10;
+    double mass = 1 + random.nextInt(3);
+    Response response = random.nextInt(4) == 0 ? Response.SENSOR : Response.BOUNCE;
+    int id = world.addCircle(x, y, r, vx, vy);
+    assertThat(beside.addCircle(x, y, r, vx, vy)).isEqualTo(id);
+    for (World each : new World[] {world, beside}) {
+      each.setMass(id, mass);
+      each.setResponse(CIRCLE, id, response);
+    }
+    live.add(id);
+  }
+
+  private void go() {
+    while (random.nextInt(10) == 0) {
+      live.add(live.remove()); // some stay for long
+    }
+    int id = live.remove();
+    world.remove(CIRCLE, id);
+    beside.remove(CIRCLE, id);
+    assertThat(world.contains(CIRCLE, id)).isFalse();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"false, 0", "false, 1", "true, 0", "true, 1"})
+  void whoWentIsForgottenAndNothingElse(boolean collide, double slack) {
+    begin(collide, slack);
+    Timeline past = world.record(1000);
+    Timeline pastBeside = beside.record(1000);
+    int impacts = 0;
+    for (int i = 0; i < STEPS; i++) {
+      for (int k = random.nextInt(6); k > 0; k--) {
+        go();
+        come();
+      }
+      double dt = 0.3 * random.nextDouble();
+      world.step(dt);
+      beside.step(dt);
+      assertThat(Run.rows(world.impacts())).isEqualTo(Run.rows(beside.impacts()));
+      assertThat(world.ids(CIRCLE)).isEqualTo(beside.ids(CIRCLE)).hasSize(world.circleCount());
+      compareQuestions();
+      if (i % 20 == 0) {
+        assertThat(world.snapshot()).isEqualTo(beside.snapshot());
+      }
+      impacts += world.impacts().size();
+    }
+    assertThat(impacts).isGreaterThan(STEPS / 2);
+    assertThat(world.idEnd(CIRCLE)).isEqualTo(beside.idEnd(CIRCLE)).isGreaterThan(2200);
+    int slots = (int) (slack * (LIVE + 1024)) + LIVE + 6; // 6: those of a step
+    assertThat(world.circles.capacity()).isLessThanOrEqualTo(2 * slots + 4);
+    assertThat(beside.circles.capacity()).isGreaterThan(2 * slots + 4);
+    for (int id = 0; id < world.idEnd(CIRCLE); id++) {
+      double t = world.now() * random.nextDouble();
+      assertThat(past.contains(id, t)).isEqualTo(pastBeside.contains(id, t));
+      if (past.contains(id, t)) {
+        assertThat(past.x(id, t)).isEqualTo(pastBeside.x(id, t));
+      }
+    }
+  }
+
+  private void compareQuestions() {
+    double x = 200 * random.nextDouble();
+    double y = 200 * random.nextDouble();
+    Circle disk = new Circle(x, y, 30);
+    Bounds box = new Bounds(x, y, x + 50, y + 50);
+    assertThat(world.nearest(CIRCLE, x, y)).isEqualTo(beside.nearest(CIRCLE, x, y));
+    assertThat(world.overlapping(CIRCLE, disk)).isEqualTo(beside.overlapping(CIRCLE, disk));
+    assertThat(world.overlapping(CIRCLE, box)).isEqualTo(beside.overlapping(CIRCLE, box));
+    Optional<Impact> hit = world.cast(new Circle(x, y, 0), new Vec2(1, 2), 1e9);
+    assertThat(hit).isEqualTo(beside.cast(new Circle(x, y, 0), new Vec2(1, 2), 1e9));
+    int id = live.peek();
+    assertThat(world.x(id)).isEqualTo(beside.x(id));
+    assertThat(world.vy(id)).isEqualTo(beside.vy(id));
+    assertThat(world.mass(id)).isEqualTo(beside.mass(id));
+    assertThat(world.response(CIRCLE, id)).isEqualTo(beside.response(CIRCLE, id));
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aRefusalNamesTheCircleAsTheCallerDoes(boolean collide) {
+    begin(collide, 0);
+    go();
+    go();
+    world.step(1);
+    int id = live.peekLast();
+    for (Runnable edit :
+        new Runnable[] {
+          () -> world.setMass(id, -1),
+          () -> world.setRadius(id, 0),
+          () -> world.setVelocity(id, Double.NaN, 0),
+          () -> world.setPosition(id, Double.NaN, 0),
+          () -> world.setRestitution(CIRCLE, id, -1)
+        }) {
+      assertThatThrownBy(edit::run).hasMessageStartingWith("circle " + id + ": ");
+    }
+    assertThatThrownBy(() -> world.addCircle(0, 0, -1, 0, 0))
+        .hasMessageStartingWith("circle " + world.idEnd(CIRCLE) + ": ");
+    assertThatThrownBy(() -> world.x(0)).hasMessage("circle 0 does not exist: it was removed");
+  }
+
+  @Test
+  void theIdsOfEachKind() {
+    World here =
+        new World(
+            Scene.builder()
+                .bounds(0, 0, 9, 9)
+                .line(1, 1, 2, 2)
+                .line(3, 3, 4, 4)
+                .peg(5, 5, 1)
+                .circle(7, 7, 1, 0, 0)
+                .circle(2, 7, 1, 0, 0)
+                .build());
+    here.remove(CIRCLE, 0);
+    here.remove(LINE, 0);
+    here.remove(PEG, 0);
+    assertThat(here.ids(CIRCLE)).containsExactly(1);
+    assertThat(here.ids(LINE)).containsExactly(1);
+    assertThat(here.ids(PEG)).isEmpty();
+    assertThat(here.ids(WALL)).containsExactly(0, 1, 2, 3);
+    assertThat(new World(Scene.builder().build()).ids(WALL)).isEmpty();
+  }
+}
