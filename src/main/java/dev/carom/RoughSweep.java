@@ -119,6 +119,9 @@ final class RoughSweep {
     return side > 0 ? SegmentSweep.LEFT : SegmentSweep.RIGHT;
   }
 
+  /**
+   * Of a centre outside of the strip: it is further from an end than r by 2^-21 of the distance.
+   */
   private static int endpoint(
       int end, double px, double py, double r, double vx, double vy, double x, double y) {
     double dx = px - x;
@@ -132,7 +135,7 @@ final class RoughSweep {
     if (reach < -doubt) {
       return SegmentSweep.MISS;
     }
-    if (!(reach > doubt && dd - rr > CLEAR * (dd + rr) + TINY)) {
+    if (!(reach > doubt)) {
       return DOUBT;
     }
     // (v.d)^2 = reach + v.v (d.d - r^2), so its sign is certain.

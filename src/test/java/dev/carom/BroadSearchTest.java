@@ -187,6 +187,29 @@ class BroadSearchTest {
     }
   }
 
+  /**
+   * In a corner, where all numbers but the bounds are small: how far the walls are is computed from
+   * the middle, with errors above the distance from the wall to the line behind it.
+   */
+  @Test
+  void aWallComesBeforeALineBehindItByLessThanRounding() {
+    Random random = new Random(11);
+    for (int i = 0; i < 2_000; i++) {
+      double x = 1e-3 * (1 + random.nextDouble());
+      double y = 1e-3 * random.nextDouble();
+      double behind = -Math.scalb(1 + random.nextDouble(), -52 + random.nextInt(4));
+      World world =
+          new World(
+              Scene.builder()
+                  .bounds(0, -1, 100, 100)
+                  .line(behind, -1, behind, 1)
+                  .circle(x, y, 1e-3 * random.nextDouble(), -0.5 - random.nextDouble(), 0)
+                  .build());
+      ImpactLog log = step(world, 1);
+      assertThat(log.kind(0)).isEqualTo(ObstacleKind.WALL);
+    }
+  }
+
   /** Into corners, or within some ulps of them: of equal times the vertical wall comes first. */
   @ParameterizedTest
   @CsvSource({

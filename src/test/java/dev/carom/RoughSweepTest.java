@@ -81,15 +81,60 @@ class RoughSweepTest {
       // The path leads by a corner of the line, or by its end, or nearly so.
       q[5] = q[0] + 9 * q[3] - along * Math.sin(angle);
       q[6] = q[1] + 9 * q[4] + along * Math.cos(angle);
-      q[7] = q[5] + 5 * Math.cos(angle);
-      q[8] = q[6] + 5 * Math.sin(angle);
+      double length = 5 << random.nextInt(10);
+      q[7] = q[5] + length * Math.cos(angle);
+      q[8] = q[6] + length * Math.sin(angle);
       for (int k : new int[] {0, 5, 7}) {
         q[k] += far;
         q[k + 1] -= far;
       }
-      look(q, 1, 4 * far + 256);
+      look(q, 1, 4 * far + 256 + 2 * length);
     }
     assertThat(told).isGreaterThan(1_000);
+  }
+
+  /** Nearly touched at the start, nearly passed along, or nearly grazed at an end. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0x1p-20, 1, 0x1p10, 0x1p20})
+  void whatIsNearALimitIsNotToldWrongly(double unit) {
+    SplittableRandom random = new SplittableRandom(10);
+    for (int i = 0; i < 40_000; i++) {
+      double angle = 7 * random.nextDouble();
+      double ux = Math.cos(angle);
+      double uy = Math.sin(angle);
+      double length = Math.scalb(1 + random.nextDouble(), random.nextInt(20));
+      double r = random.nextDouble();
+      double ax = random.nextDouble();
+      double ay = random.nextDouble();
+      double along = (random.nextInt(3) - 0.5) * length;
+      double away = r * nearly(random, 1);
+      double px = ax + along * ux - away * uy;
+      double py = ay + along * uy + away * ux;
+      double speed = random.nextDouble() - 0.5;
+      double aside = random.nextInt(3) * 0.1 * nearly(random, 1) - 0.1;
+      double vx = speed * ux - aside * uy;
+      double vy = speed * uy + aside * ux;
+      if (random.nextBoolean()) { // past the start, at a distance that is nearly r
+        double way = Math.scalb(1.0, random.nextInt(20));
+        px = ax + way * ux - away * uy;
+        py = ay + way * uy + away * ux;
+        vx = -ux;
+        vy = -uy;
+        double turn = 6 * random.nextDouble() - 3;
+        ux = Math.cos(angle + turn);
+        uy = Math.sin(angle + turn);
+      }
+      double fast = Math.scalb(1.0, random.nextInt(-20, 20));
+      double[] q = {px, py, r, fast * vx, fast * vy, ax, ay, ax + length * ux, ay + length * uy};
+      double farthest = Math.abs(ax) + Math.abs(ay) + length;
+      look(q, unit, unit * (Math.abs(px) + Math.abs(py) + r + farthest));
+    }
+    assertThat(told).isGreaterThan(1_000);
+  }
+
+  /** A number that differs by some or by many of its last places, or by more. */
+  private static double nearly(SplittableRandom random, double x) {
+    return x + (random.nextInt(9) - 4) * Math.scalb(x, -4 - random.nextInt(50));
   }
 
   @Test

@@ -142,4 +142,42 @@ class SurroundingsTest {
     assertThat(surroundings.sensedBefore(Obstacles.WALLS)).isEqualTo(Obstacles.WALLS - 1);
     assertThat(surroundings.sensedBefore(Obstacles.PEGS)).isEqualTo(Integer.MAX_VALUE);
   }
+
+  /** What is told of a circle in (0, 0) whose way along x leads to a sensor, line 1, at time 4. */
+  private static FlightStates saved(Mover m, double now) {
+    Scene scene =
+        Scene.builder().line(50, 0, 60, 0).line(5, -9, 5, 9).response(Response.SENSOR).build();
+    FlightStates states = new FlightStates(new int[] {0});
+    new Surroundings(scene, Machinery.CHOSEN).save(0, m, now, states);
+    return states;
+  }
+
+  private static Mover sensing(int next, int contact) {
+    Mover m = new Mover();
+    m.start(0, 0, 0, 1, 1, 0, 1);
+    m.cleared = 4;
+    m.next = next;
+    m.contact = contact;
+    return m;
+  }
+
+  private static FlightStates reported(double sensed, int code) {
+    FlightStates states = new FlightStates(new int[] {0});
+    Mover m = new Mover();
+    m.start(0, 0, 0, 1, 1, 0, 1);
+    states.put(0, m, sensed, code);
+    return states;
+  }
+
+  /** Before the time at which it still has something to meet all is told by the time alone. */
+  @Test
+  void whatWasSensedByNowIsToldWhateverASearchFoundAhead() {
+    int sensor = Obstacles.WALLS + 1;
+    FlightStates expected = reported(3.5, Integer.MAX_VALUE);
+    assertThat(saved(sensing(sensor, 0), 3.5)).isEqualTo(expected);
+    assertThat(saved(sensing(Mover.NOTHING, 7), 3.5)).isEqualTo(expected);
+    assertThat(saved(sensing(sensor, 0), 4)).isEqualTo(reported(4, sensor - 1));
+    assertThat(saved(sensing(Obstacles.WALLS, 0), 4)).isEqualTo(reported(4, Integer.MAX_VALUE));
+    assertThat(saved(sensing(Mover.NOTHING, 7), 4)).isEqualTo(reported(4, 7));
+  }
 }
