@@ -20,6 +20,9 @@ final class SideSweep {
 
   private static final double MOST = 0x1p250;
 
+  /** Above this the square of a radius or of a length, and its tail, do not underflow. */
+  private static final double LEAST_LENGTH = 0x1p-450;
+
   /**
    * Of the window's polynomial: cross(w, d) has 4, cross(w, v) T has 3 + 1, their difference 1; the
    * square 2 x 5 + 1; r^2 w.w has 6; the difference 1: 12 u, and two more.
@@ -83,7 +86,7 @@ final class SideSweep {
     }
     for (int i = 0; i < STEPS; i++) {
       double step = step(side, px, py, r, vx, vy, ax, ay, bx, by, t, reach, speed);
-      double error = stepError(px - ax, py - ay, vx, vy, wx, wy, reach, speed, t, step);
+      double error = stepError(px - ax, py - ay, r, vx, vy, wx, wy, reach, speed, t, step);
       double low = t + (step - error);
       if (low == t + (step + error) && low > LEAST) {
         return low;
@@ -161,14 +164,17 @@ final class SideSweep {
    * the least that the speed can be divides.
    */
   private static double stepError(
-      double dx, double dy, double vx, double vy, double wx, double wy, double reach, double speed,
-      double t, double step) {
+      double dx, double dy, double r, double vx, double vy, double wx, double wy, double reach,
+      double speed, double t, double step) {
     double x = Math.abs(dx) + Math.abs(vx * t);
     double y = Math.abs(dy) + Math.abs(vy * t);
     double m = Math.abs(wx) * y + Math.abs(wy) * x;
     double lean = 16 * 0x1p-53 * (Math.abs(wx * vy) + Math.abs(wy * vx));
     double least = speed - lean;
     if (!(m > LEAST && m < MOST && least > LEAST && t < MOST && reach < MOST)) {
+      return Double.NaN;
+    }
+    if (r != 0 && !(r > LEAST_LENGTH && Math.max(Math.abs(wx), Math.abs(wy)) > LEAST_LENGTH)) {
       return Double.NaN;
     }
     return (256 * 0x1p-106 * m + Math.abs(step) * lean) / least;

@@ -37,6 +37,7 @@ enum RoundingBound {
   SIDE_LEAN(SideSweep.class, Kind.BOUND, 16 * 0x1p-53),
   SIDE_TINY(SideSweep.class, Kind.LEAST, 0x1p-1000),
   SIDE_LEAST(SideSweep.class, "LEAST"),
+  SIDE_LEAST_LENGTH(SideSweep.class, "LEAST_LENGTH"),
   /** Of the gap's tail and of the remainder: each is so generous that it covers the other. */
   WALL_REST(WallSweep.class, Kind.BOUND, 0x1p-104, 0x1p-50),
   WALL_LEAST(WallSweep.class, "LEAST"),

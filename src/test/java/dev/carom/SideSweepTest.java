@@ -2,9 +2,12 @@
 package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The time of a side does not depend on where its refinement begins. */
 class SideSweepTest {
@@ -32,5 +35,22 @@ class SideSweepTest {
       }
     }
     assertThat(met).isGreaterThan(200);
+  }
+
+  /** The square of a radius, or of a length, underflows, and what it is to take away does not. */
+  @ParameterizedTest
+  @CsvSource({
+    "3e-160, 1.3e-160, -1e-160, -1e90, 0, 1e90, 0",
+    "3e90, 1.3e90, -1e90, -1.3e-160, 0, 1.7e-160, 0",
+    "3e90, 1.3e90, -1e90, -1.3e-163, 0, 1.7e-163, 0",
+    "3, 1.3, -1, -1e-200, 0, 1e-200, 0",
+    "3, 1.3, -1, -1e-320, 0, 1e-320, 0"
+  })
+  void squaresThatUnderflowAreNotTrusted(
+      double py, double r, double vy, double ax, double ay, double bx, double by) {
+    double time = Exact.Side.of(0, py, r, 0, vy, ax, ay, bx, by).time();
+    assertThat(time).isCloseTo(1.7, within(1e-15));
+    assertThat(SweptCircle.line(0, py, r, 0, vy, ax, ay, bx, by, 9)).isEqualTo(time);
+    assertThat(SweptCircle.line(0, py, r, 0, vy, ax, ay, bx, by, 1.71)).isEqualTo(time);
   }
 }

@@ -20,6 +20,7 @@ public final class Brinks {
         new Family("brink_short_graze", Brinks::shortGraze),
         new Family("brink_seg_units", Brinks::segmentUnits),
         new Family("brink_seg_units_window_end", Brinks::segmentWindow),
+        new Family("brink_seg_squares", Brinks::squares),
         new Family("brink_circ_units", Brinks::pairUnits),
         new Family("brink_circ_window_end", Brinks::pairWindow));
   }
@@ -54,6 +55,17 @@ public final class Brinks {
 
   private static double size(Point v) {
     return Math.abs(v.x()) + Math.abs(v.y());
+  }
+
+  /** The side, by a radius or to a line whose square underflows, and the other is as large. */
+  private static SegmentQuery squares(Draw d) {
+    double small = d.log(1e-163, 1e-155);
+    double large = d.log(1e86, 1e95);
+    boolean line = d.sign() > 0;
+    double half = line ? large : small;
+    double r = line ? small : large;
+    Point p = new Point(half * d.in(-0.5, 0.5), r * d.in(1.5, 4));
+    return segment(new Point(-half, 0), new Point(half, 0), p, new Point(0, -r), r);
   }
 
   /** Two overlapping circles that move across the line between them as far as doubles can. */
