@@ -326,8 +326,10 @@ final class Grid {
     int right = column(columns(Math.max(ax, bx) + grown));
     int bottom = row(rows(Math.min(ay, by) - grown));
     int top = row(rows(Math.max(ay, by) + grown));
-    double wx = bx - ax;
-    double wy = by - ay;
+    // Only the direction counts: in units of its size squares do not underflow.
+    int size = Math.getExponent(Math.max(Math.abs(bx - ax), Math.abs(by - ay)));
+    double wx = Math.scalb(bx - ax, -size);
+    double wy = Math.scalb(by - ay, -size);
     // A cell's centre c is out of reach if |cross(w, c - a)| > grown |w| + (|wx| + |wy|) cell / 2.
     double strip =
         (grown * Math.sqrt(wx * wx + wy * wy) + (Math.abs(wx) + Math.abs(wy)) * cell / 2)

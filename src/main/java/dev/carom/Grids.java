@@ -16,8 +16,10 @@ final class Grids {
   /** Up to this many lines and pegs are looked at one by one: measured, a grid gains nothing. */
   private static final int FEW = 8;
 
-  /** Beyond this size of coordinates, products of them with a grid's cells could overflow. */
+  /** Beyond these sizes of coordinates, what is computed of cells could overflow or underflow. */
   private static final double LARGEST = 0x1p400;
+
+  private static final double SMALLEST = 0x1p-400;
 
   private final Obstacles obstacles;
   private final Machinery machinery;
@@ -39,11 +41,12 @@ final class Grids {
   private boolean wanted() {
     int size = obstacles.size();
     boolean chosen = machinery.cell() == 0;
-    return machinery.grid() && size > 0 && !(chosen && (size <= FEW || !isOrdinary()));
+    return machinery.grid() && size > 0 && isOrdinary() && !(chosen && size <= FEW);
   }
 
   private boolean isOrdinary() {
-    return obstacles.extent() < LARGEST;
+    double extent = obstacles.extent();
+    return extent > SMALLEST && extent < LARGEST;
   }
 
   private void make(int exponent, double radius) {

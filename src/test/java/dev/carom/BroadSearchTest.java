@@ -379,4 +379,60 @@ class BroadSearchTest {
             SweptCircle.line(
                 -far, -far, far / 8, 1e150, 1e150, far / 4, -far / 4, -far / 4, far / 4, 1e51));
   }
+
+  /** Among others, so that a grid lists them; the square of their length underflows. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-161, 1e-163, 1e-200, 0x1p-1074, 0})
+  void aLineOfNextToNoLengthIsMet(double length) {
+    Random random = new Random(12);
+    for (int i = 0; i < 500; i++) {
+      double angle = 7 * random.nextDouble();
+      SceneBuilder scene =
+          Scene.builder().line(0, 0, length * Math.cos(angle), length * Math.sin(angle));
+      for (int k = 0; k < 8; k++) {
+        double x = random.nextInt(100) - 50;
+        scene.line(x, -60, x + 1, -60);
+      }
+      double y = 9 * random.nextDouble();
+      World world = new World(scene.circle(-30, y, 10, 1, 0).build());
+      ImpactLog log = step(world, 100);
+      assertThat(log.size()).isPositive();
+      assertThat(log.time(0))
+          .isEqualTo(
+              SweptCircle.line(
+                  -30, y, 10, 1, 0, 0, 0, world.line(0).bx(), world.line(0).by(), 100));
+    }
+  }
+
+  /** In units in which areas, or the inverse of a length, are no numbers any more. */
+  @ParameterizedTest
+  @ValueSource(ints = {0, -390, -540, -550, -1000, -1030})
+  void aSceneIsTheSameInAnyUnit(int exponent) {
+    double unit = Math.scalb(1.0, exponent);
+    double speed = Math.scalb(1.0, exponent / 2);
+    Random random = new Random(13);
+    for (int i = 0; i < 300; i++) {
+      SceneBuilder scene = Scene.builder();
+      double first = Double.POSITIVE_INFINITY;
+      double x = random.nextInt(101) * unit;
+      double y = -Math.scalb(unit, 5 + random.nextInt(34));
+      double v = speed * (1 + random.nextDouble());
+      for (int k = 0; k < 12; k++) {
+        int ax = random.nextInt(101);
+        int ay = random.nextInt(101);
+        int bx = ax + random.nextInt(7) - 3;
+        int by = ay + random.nextInt(7) - 3;
+        scene.line(ax * unit, ay * unit, bx * unit, by * unit);
+        double time =
+            SweptCircle.line(x, y, unit, 0, v, ax * unit, ay * unit, bx * unit, by * unit, 1e300);
+        first = Math.min(first, time);
+      }
+      World world = new World(scene.circle(x, y, unit, 0, v).build());
+      assertThat(world.model()).contains(Math.abs(exponent) < 400 ? "1 grid" : "each of 12");
+      world.advanceTo((200 * unit - y) / v);
+      double told =
+          world.impacts().size() == 0 ? Double.POSITIVE_INFINITY : world.impacts().time(0);
+      assertThat(told).isEqualTo(first);
+    }
+  }
 }
