@@ -75,34 +75,42 @@ final class Flights extends Engine {
     while (i < due.size()) {
       circles.load(i);
       journal.save(circles.mover);
-      boolean spent = fly(circles.mover, work, allowance, end);
+      double spent = fly(circles.mover, work, allowance, end);
       circles.store(i);
-      if (spent) {
+      if (spent <= end) {
         unfinished = true;
-        end = Math.min(end, circles.mover.t);
+        end = spent;
       }
       i = many ? ahead.next(end) : due.next(i + 1, end);
     }
     return end;
   }
 
-  /** Resolves the mover's impacts until the given time; tells whether the allowance was spent. */
-  private boolean fly(Mover m, ExactWork work, int allowance, double end) {
+  /**
+   * Resolves the mover's impacts until the given time.
+   *
+   * @return the time of the last one if the allowance was spent, else {@code +infinity}
+   */
+  private double fly(Mover m, ExactWork work, int allowance, double end) {
     long before = work.bits();
     int impacts = 0;
+    double reached = 0;
+    double due = m.due();
     do {
       if (m.next != Mover.NOTHING) {
         if (impacts > 0 && impacts + work.impactsSince(before) >= allowance) {
-          return true;
+          return reached;
         }
+        reached = due; // with a sensor no new flight begins
         if (response.resolve(m, log) && timeline != null) {
           timeline.note(m);
         }
         impacts++;
       }
       surroundings.extend(m, end - m.t);
-    } while (m.due() <= end);
-    return false;
+      due = m.due();
+    } while (due <= end);
+    return Double.POSITIVE_INFINITY;
   }
 
   @Override

@@ -155,4 +155,24 @@ class BudgetTest {
     assertThat(workSince(before)).isGreaterThan(10_000);
     assertThat(world.impacts().size()).isOne();
   }
+
+  /** A flight that meets more sensors than a call may report: it goes on, and time with it. */
+  @Test
+  void aFlightAmongVeryManySensorsGoesOnFromCallToCall() {
+    SceneBuilder scene = Scene.builder();
+    for (int i = 0; i < 400; i++) {
+      scene.circle(0, i == 0 ? 0 : 100 + 10 * i, 1, i == 0 ? 1 : 0, 0);
+    }
+    for (int i = 0; i < 11_000; i++) {
+      scene.peg(10 + i * 0.5, 0, 0.1).response(Response.SENSOR);
+    }
+    World world = new World(scene.build());
+    assertThat(world.advanceTo(5)).isTrue();
+    assertThat(world.advanceTo(8000)).isFalse();
+    assertThat(world.impacts().size()).isEqualTo(10_000);
+    assertThat(world.now()).isEqualTo(world.impacts().time(9_999)).isBetween(5_000.0, 5_010.0);
+    assertThat(world.advanceTo(8000)).isTrue();
+    assertThat(world.impacts().size()).isEqualTo(1_000);
+    assertThat(world.now()).isEqualTo(8000);
+  }
 }
