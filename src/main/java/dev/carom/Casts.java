@@ -103,22 +103,41 @@ final class Casts {
       return Optional.empty();
     }
     boolean vertical = tx <= ty;
-    Vec2 normal = vertical ? new Vec2(v.x() < 0 ? 1 : -1, 0) : new Vec2(0, v.y() < 0 ? 1 : -1);
-    double t = Math.min(tx, ty);
+    int id =
+        vertical
+            ? (v.x() < 0 ? WallSweep.LEFT : WallSweep.RIGHT)
+            : (v.y() < 0 ? WallSweep.BOTTOM : WallSweep.TOP);
+    return wall(circle, v, bounds, id, T);
+  }
+
+  /** The one wall that has the given id, towards which the circle moves. */
+  static Optional<Impact> wall(Circle circle, Vec2 v, Bounds bounds, int id, double T) {
+    boolean vertical = id == WallSweep.LEFT || id == WallSweep.RIGHT;
+    double wall =
+        switch (id) {
+          case WallSweep.LEFT -> bounds.xmin();
+          case WallSweep.RIGHT -> bounds.xmax();
+          case WallSweep.BOTTOM -> bounds.ymin();
+          default -> bounds.ymax();
+        };
+    double p = vertical ? circle.x() : circle.y();
+    double speed = vertical ? v.x() : v.y();
+    double t = SweptCircle.wall(p, circle.radius(), speed, wall, T);
+    if (t == NEVER) {
+      return Optional.empty();
+    }
     Vec2 centre = place(circle, v, t);
-    Vec2 point = vertical ? new Vec2(wallX, centre.y()) : new Vec2(centre.x(), wallY);
+    int away = speed < 0 ? 1 : -1;
     return Optional.of(
         new Impact(
             t,
             ObstacleKind.WALL,
-            vertical
-                ? (v.x() < 0 ? WallSweep.LEFT : WallSweep.RIGHT)
-                : (v.y() < 0 ? WallSweep.BOTTOM : WallSweep.TOP),
+            id,
             bounds,
             Feature.SIDE,
-            point,
-            normal,
-            Math.abs(vertical ? v.x() : v.y())));
+            vertical ? new Vec2(wall, centre.y()) : new Vec2(centre.x(), wall),
+            vertical ? new Vec2(away, 0) : new Vec2(0, away),
+            Math.abs(speed)));
   }
 
   /** Disk 1 against disk 2, which is reported as the given obstacle. */

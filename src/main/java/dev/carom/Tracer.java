@@ -37,12 +37,23 @@ final class Tracer {
   /** The first impact until the given time, as the detector tells it. */
   Optional<Impact> first(Circle circle, Vec2 velocity, double T) {
     Mover mover = Mover.of(circle, velocity, 1);
-    if (!next(mover, T)) {
-      return Optional.empty();
+    while (next(mover, T)) {
+      int code = mover.next;
+      Optional<Impact> hit = cast(circle, velocity, code, T);
+      if (hit.isPresent()) {
+        return hit.map(impact -> impact.of(obstacles.kind(code), obstacles.index(code)));
+      }
+      // Later than T by less than rounding: something else, as near to T, may not be.
+      mover.jam = Jam.with(mover.jam, code);
+      mover.newFlight();
     }
-    int code = mover.next;
-    return SweptCircle.cast(circle, velocity, things.apply(code), T)
-        .map(hit -> hit.of(obstacles.kind(code), obstacles.index(code)));
+    return Optional.empty();
+  }
+
+  private Optional<Impact> cast(Circle circle, Vec2 velocity, int code, double T) {
+    return code < Obstacles.WALLS
+        ? Casts.wall(circle, velocity, obstacles.bounds, code, T)
+        : SweptCircle.cast(circle, velocity, things.apply(code), T);
   }
 
   /**

@@ -24,6 +24,56 @@ class QuestionsTest {
 
   // First impacts.
 
+  /** One of two lines is later than the end of the window, by less than rounding shows. */
+  @Test
+  void ofTwoAtTheEndOfTheWindowTheOneWithinIsFound() {
+    Circle circle = new Circle(0, 0, 1);
+    Vec2 v = new Vec2(24, 0);
+    Line later = new Line(29.8, -5, 29.8, 5);
+    Line within = new Line(Math.nextDown(29.8), -5, Math.nextDown(29.8), 5);
+    assertThat(SweptCircle.cast(circle, v, later, 1.2)).isEmpty();
+    Impact impact = SweptCircle.cast(circle, v, within, 1.2).orElseThrow();
+    assertThat(impact.time()).isEqualTo(1.2);
+    for (List<Obstacle> both :
+        List.of(List.<Obstacle>of(later, within), List.<Obstacle>of(within, later))) {
+      assertThat(Resolver.of(both).cast(circle, v, 1.2)).map(Impact::obstacle).contains(within);
+    }
+    World world =
+        new World(
+            Scene.builder().line(29.8, -5, 29.8, 5).line(within.ax(), -5, within.bx(), 5).build());
+    assertThat(world.cast(circle, v, 1.2).orElseThrow().id()).isEqualTo(1);
+    assertThat(world.cast(circle, v, Math.nextUp(1.2)).orElseThrow().id()).isZero();
+    assertThat(world.cast(circle, v, Math.nextDown(1.2))).isEmpty();
+  }
+
+  /** Into a corner: the wall that is named is the one whose point and normal are told. */
+  @Test
+  void theWallThatIsNamedIsTheOneThatIsHit() {
+    World world = new World(room().build());
+    Random random = new Random(1);
+    int others = 0;
+    for (int i = 0; i < 20_000; i++) {
+      double vx = 1 + random.nextDouble();
+      double vy = vx * (0.5 + random.nextDouble());
+      double t = 1 + random.nextDouble();
+      Circle circle = new Circle(99 - vx * t, 99 - vy * t, 1);
+      double tx = SweptCircle.wall(circle.x(), 1, vx, 100, NEVER);
+      double ty = SweptCircle.wall(circle.y(), 1, vy, 100, NEVER);
+      double end = Math.min(tx, ty);
+      boolean right = SweptCircle.wall(circle.x(), 1, vx, 100, end) <= end;
+      boolean top = SweptCircle.wall(circle.y(), 1, vy, 100, end) <= end;
+      Optional<Impact> impact = world.cast(circle, new Vec2(vx, vy), end);
+      assertThat(impact.isPresent()).isEqualTo(right || top);
+      if (right || top) {
+        Vec2 normal = right && (tx <= ty || !top) ? new Vec2(-1, 0) : new Vec2(0, -1);
+        assertThat(impact.get().normal()).isEqualTo(normal);
+        assertThat(impact.get().id()).isEqualTo(normal.x() != 0 ? 1 : 3);
+      }
+      others += tx == ty && right != top ? 1 : 0;
+    }
+    assertThat(others).isPositive();
+  }
+
   @Test
   void theFirstImpactIsTheEarliestOfTheDetectorsAnswers() {
     Random random = new Random(1);
