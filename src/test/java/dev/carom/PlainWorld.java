@@ -172,8 +172,10 @@ final class PlainWorld {
     one.flown = a.flown;
     two.flown = b.flown;
     Mover early = bringTogether(one, two);
+    double before = early.flown;
     one.fly(wait);
     two.fly(wait);
+    early.flown += before;
     early.standsStill &= early.flown == wait;
     if (pairs.resolve(one, two, log)) {
       movers.set(a.id, one);
