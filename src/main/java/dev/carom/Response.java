@@ -27,8 +27,10 @@ public enum Response {
   /**
    * The meeting is reported in the log, and nothing else happens: the circle flies on. It is
    * reported when the distance falls to the radius, and again only after it exceeded the radius; a
-   * flight that starts in touch with a sensor, or inside, has met it before. The bounds cannot have
-   * it: they keep circles inside.
+   * flight that starts in touch with a sensor, or inside, has met it before. (A circle that an edit
+   * sets on a new flight at the very time of the report starts where rounding puts it: if that is
+   * outside by an ulp, it meets the sensor again.) The bounds cannot have it: they keep circles
+   * inside.
    */
   SENSOR;
 
