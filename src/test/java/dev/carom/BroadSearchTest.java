@@ -198,13 +198,15 @@ class BroadSearchTest {
       double x = 1e-3 * (1 + random.nextDouble());
       double y = 1e-3 * random.nextDouble();
       double behind = -Math.scalb(1 + random.nextDouble(), -52 + random.nextInt(4));
-      World world =
-          new World(
-              Scene.builder()
-                  .bounds(0, -1, 100, 100)
-                  .line(behind, -1, behind, 1)
-                  .circle(x, y, 1e-3 * random.nextDouble(), -0.5 - random.nextDouble(), 0)
-                  .build());
+      double r = 1e-3 * random.nextDouble();
+      double v = -0.5 - random.nextDouble();
+      SceneBuilder scene = Scene.builder();
+      if (i % 2 == 0) {
+        scene.bounds(0, -1, 100, 0.5).line(behind, -1, behind, 1).circle(x, y, r, v, 0);
+      } else {
+        scene.bounds(-1, 0, 0.5, 100).line(-1, behind, 1, behind).circle(y, x, r, 0, v);
+      }
+      World world = new World(scene.build());
       ImpactLog log = step(world, 1);
       assertThat(log.kind(0)).isEqualTo(ObstacleKind.WALL);
     }

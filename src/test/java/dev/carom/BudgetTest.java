@@ -175,4 +175,24 @@ class BudgetTest {
     assertThat(world.impacts().size()).isEqualTo(1_000);
     assertThat(world.now()).isEqualTo(8000);
   }
+
+  /**
+   * All at the time that is asked for: what is left is told by the next call, which goes nowhere.
+   */
+  @Test
+  void moreSensorsAtOneTimeThanACallMayReportLeaveItUnfinished() {
+    SceneBuilder scene = Scene.builder();
+    for (int i = 0; i < 400; i++) {
+      scene.circle(0, 100 * i, 1, i == 0 ? 1 : 0, 0);
+    }
+    for (int i = 0; i < 11_000; i++) {
+      scene.line(10, -5, 10, 5).response(Response.SENSOR);
+    }
+    World world = new World(scene.build());
+    assertThat(world.advanceTo(9)).isFalse();
+    assertThat(world.impacts().size()).isEqualTo(10_000);
+    assertThat(world.now()).isEqualTo(9);
+    assertThat(world.advanceTo(9)).isTrue();
+    assertThat(world.impacts().size()).isEqualTo(1_000);
+  }
 }

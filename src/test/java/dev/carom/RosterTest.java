@@ -121,4 +121,36 @@ class RosterTest {
     roster.set(roster);
     assertThat(roster.lastId(2)).isEqualTo(5);
   }
+
+  private static Mover knowing(int last, Jam jam) {
+    Mover m = new Mover();
+    m.start(0, 0, 0, 1, 0, 0, 1);
+    m.last = last;
+    m.jam = jam;
+    return m;
+  }
+
+  /** By their slots within, by their ids in a snapshot; lines and pegs are what they are. */
+  @Test
+  void whatACircleKnowsOfOthersIsTranslated() {
+    Roster roster = without(0, 3, 4);
+    roster.set(roster); // 1, 2, 5, 6, ...
+    int circles = Obstacles.CIRCLES;
+    Jam jam = Jam.with(Jam.with(Jam.with(null, circles + 2), Obstacles.WALLS), circles);
+    Mover m = knowing(circles + 3, jam);
+    roster.toIds(m);
+    assertThat(m.last).isEqualTo(circles + 6);
+    assertThat(m.jam.codes()).containsExactly(circles + 5, Obstacles.WALLS, circles + 1);
+    roster.toSlots(m);
+    assertThat(m.last).isEqualTo(circles + 3);
+    assertThat(m.jam).isEqualTo(jam);
+    roster.remove(3);
+    roster.toIds(m);
+    assertThat(m.last).isEqualTo(Mover.NOTHING);
+    Mover other = knowing(Obstacles.PEGS + 7, null);
+    roster.toIds(other);
+    roster.toSlots(other);
+    assertThat(other.last).isEqualTo(Obstacles.PEGS + 7);
+    assertThat(other.jam).isNull();
+  }
 }
