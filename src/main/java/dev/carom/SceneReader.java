@@ -65,13 +65,22 @@ final class SceneReader {
   private void circle(SceneRow row) throws SceneFormatException {
     builder.circle(row.number(1), row.number(2), row.number(3), row.number(4), row.number(5));
     if (row.plain() > MASS) {
-      builder.mass(isInfinite(row.field(MASS)) ? Double.POSITIVE_INFINITY : row.number(MASS));
+      builder.mass(mass(row));
     }
     keepPlace(row);
   }
 
-  private static boolean isInfinite(String mass) {
-    return mass.equals("inf") || mass.equals("Infinity");
+  private static double mass(SceneRow row) throws SceneFormatException {
+    String mass = row.field(MASS);
+    if (mass.equals("inf") || mass.equals("Infinity")) {
+      return Double.POSITIVE_INFINITY;
+    }
+    double number = SceneText.finite(mass);
+    if (Double.isNaN(number)) {
+      String reason = "mass is " + SceneText.quoted(mass) + ": expected ";
+      throw row.error(MASS, reason + "a number from 2^-500 to 2^500, or inf");
+    }
+    return number;
   }
 
   private void keepPlace(SceneRow row) {

@@ -190,7 +190,11 @@ final class SnapshotReader {
     }
     int stuck = in.readInt();
     expect(stuck >= 0, "a circle made " + stuck + " impacts");
-    codes.add(last).add(stuck).add(in.readInt()).add(in.readInt());
+    int sensed = in.readInt();
+    expect(sensed >= 0, "codes sensed end with " + sensed);
+    int partner = in.readInt();
+    expect(partner >= Mover.NOTHING, "a partner is circle " + partner);
+    codes.add(last).add(stuck).add(sensed).add(partner);
     int pace = in.readInt();
     expect(pace >= Double.MIN_EXPONENT - 1 && pace <= Double.MAX_EXPONENT + 1, "a pace is " + pace);
     codes.add(pace);

@@ -245,8 +245,12 @@ public final class SweptCircle {
   public static boolean overlap(
       double x1, double y1, double r1, double x2, double y2, double r2) {
     if (!(0 * (x1 + y1 + r1 + x2 + y2 + r2) == 0 && r1 >= 0 && r2 >= 0)) {
-      new Circle(x1, y1, r1);
-      new Circle(x2, y2, r2);
+      Check.finite("x1", x1);
+      Check.finite("y1", y1);
+      Check.notNegative("r1", r1);
+      Check.finite("x2", x2);
+      Check.finite("y2", y2);
+      Check.notNegative("r2", r2);
     }
     return DiskSweep.overlap(x1, y1, r1, x2, y2, r2);
   }

@@ -306,6 +306,8 @@ class SnapshotStreamTest {
         LAST + " | 268435457 | code 268435457 does not exist",
         LAST + " | 536870914 | code 536870914 does not exist",
         STUCK + " | -1 | a circle made -1 impacts",
+        (LAST + 8) + " | -1 | codes sensed end with -1",
+        (LAST + 12) + " | -2 | a partner is circle -2",
         PACE + " | -1024 | a pace is -1024",
         PACE + " | 1025 | a pace is 1025",
         ID + " | -1 | circle -1 is none of 0 to 1",
