@@ -65,13 +65,23 @@ public final class CaromBench {
   }
 
   static int execute(CommandLine commandLine, String... args) {
-    return commandLine.execute(withCommand(args));
+    try {
+      return commandLine.execute(withCommand(args));
+    } catch (OutOfMemoryError e) {
+      commandLine
+          .getErr()
+          .println("carom-bench: not enough memory: give the virtual machine more by -Xmx");
+      return CommandLine.ExitCode.SOFTWARE;
+    }
   }
 
   static CommandLine commandLine() {
-    return new CommandLine(new CaromBench())
-        .setParameterExceptionHandler((e, args) -> explainUsage(e))
-        .setExecutionExceptionHandler((e, commandLine, parsed) -> Failure.explain(e, commandLine));
+    CommandLine all =
+        new CommandLine(new CaromBench())
+            .setParameterExceptionHandler((e, args) -> explainUsage(e))
+            .setExecutionExceptionHandler((e, line, parsed) -> Failure.explain(e, line));
+    all.getSubcommands().values().forEach(c -> c.getCommandSpec().versionProvider(new Version()));
+    return all;
   }
 
   private static String[] withCommand(String... args) {

@@ -65,7 +65,8 @@ final class CastReader {
   }
 
   private void readHeader() throws IOException {
-    List<String> found = row.stream().map(String::strip).toList();
+    List<String> found =
+        row.stream().map(name -> name.replace("\uFEFF", "").strip()).toList(); // of spreadsheets
     for (CastQuery candidate : CastQuery.values()) {
       columns = List.of(candidate.header().split(","));
       if (found.size() >= columns.size() && found.subList(0, columns.size()).equals(columns)) {
@@ -94,7 +95,8 @@ final class CastReader {
   private double number(String column, String text, int i) throws IOException {
     double value;
     try {
-      value = Double.parseDouble(text);
+      boolean suffix = text.matches(".*[dDfF]\\s*"); // which Java would take
+      value = suffix ? Double.NaN : Double.parseDouble(text);
     } catch (NumberFormatException e) {
       value = Double.NaN;
     }

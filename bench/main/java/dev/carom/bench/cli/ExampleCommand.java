@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
+import dev.carom.bench.charts.Picture;
 import dev.carom.bench.charts.Style;
 import dev.carom.bench.examples.Example;
 import dev.carom.bench.examples.ExampleWindow;
 import dev.carom.bench.examples.Examples;
+import java.awt.Dimension;
+import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -77,12 +80,16 @@ final class ExampleCommand implements Callable<Integer> {
 
   private void draw() throws IOException {
     Style.requireFonts();
+    OutputFile.prepare(png);
     Example example = name.start();
     int count = frames == null ? name.frames() : frames;
     for (int i = 0; i < count; i++) {
       example.frame();
     }
-    Files.write(png, example.picture(name.about()).png());
+    Dimension size = example.size();
+    Rectangle2D area = new Rectangle2D.Double(0, 0, size.width, size.height);
+    Picture still = new Picture(size.width, size.height, name.about(), g -> example.draw(g, area));
+    Files.write(png, still.png());
   }
 
   /** Finds an example by its name. */

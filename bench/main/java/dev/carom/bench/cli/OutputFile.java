@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVPrinter;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
 
 /**
  * A CSV file that appears as a whole or not at all: rows go to a draft beside it, which {@link
@@ -25,6 +27,24 @@ final class OutputFile implements AutoCloseable {
   /** Opens a file that is to have this header, or nothing if there is no path. */
   static OutputFile open(Path target, String... header) throws IOException {
     return target == null ? null : new OutputFile(target, header);
+  }
+
+  /**
+   * Refuses a file to be written that is another one of the command line, too; either may be null.
+   */
+  static void expectOther(
+      String option, Path file, String otherOption, Path other, CommandSpec spec)
+      throws IOException {
+    if (file != null && other != null && isOne(file, other)) {
+      throw new ParameterException(
+          spec.commandLine(),
+          option + " is " + file + ": expected another file than " + otherOption);
+    }
+  }
+
+  private static boolean isOne(Path file, Path other) throws IOException {
+    return file.toAbsolutePath().normalize().equals(other.toAbsolutePath().normalize())
+        || (Files.exists(file) && Files.exists(other) && Files.isSameFile(file, other));
   }
 
   /** Makes the folder of a file, and refuses what cannot be one: before long work, not after it. */

@@ -130,6 +130,7 @@ final class ReplayCommand implements Callable<Integer> {
     Bounded.atLeast(1, "--frames", frames, spec);
     Bounded.atLeast(1, "--forks", forks, spec);
     Bounded.atLeast(0, "--warm-up", warmUpMillis, spec);
+    OutputFile.expectOther("--json", json, "--scene", scene.file(), spec);
     Scene measured = scene.scene();
     return new ReplayPlan(scene.name(), measured, scene.others(), frames, forks, warmUpMillis);
   }

@@ -67,6 +67,11 @@ final class SceneOptions {
       description = "Which of the random scenes (default: ${DEFAULT-VALUE}).")
   private long seed;
 
+  /** The scene's file, null for one that is generated. */
+  Path file() {
+    return file;
+  }
+
   /** What to call the scene: its file, or all that it takes to generate it again. */
   String name() {
     if (file != null) {

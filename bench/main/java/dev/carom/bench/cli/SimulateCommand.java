@@ -59,11 +59,14 @@ final class SimulateCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     Bounded.atLeast(0, "--frames", frames, spec);
     Bounded.positive("--dt", dt, spec);
-    if (positions != null && impacts != null && isOne(positions, impacts)) {
+    if (!(frames * dt <= Double.MAX_VALUE)) {
       throw new ParameterException(
           spec.commandLine(),
-          "--impacts is " + impacts + ": expected another file than --positions");
+          "--dt is " + dt + ": expected a finite time after " + frames + " frames");
     }
+    OutputFile.expectOther("--impacts", impacts, "--positions", positions, spec);
+    OutputFile.expectOther("--positions", positions, "--scene", file, spec);
+    OutputFile.expectOther("--impacts", impacts, "--scene", file, spec);
     Scene scene = Scene.read(file);
     try (OutputFile positionsFile = OutputFile.open(positions, Recorder.POSITIONS);
         OutputFile impactsFile = OutputFile.open(impacts, Recorder.IMPACTS)) {
@@ -74,9 +77,5 @@ final class SimulateCommand implements Callable<Integer> {
       spec.commandLine().getOut().println(simulation.summary());
     }
     return 0;
-  }
-
-  private static boolean isOne(Path file, Path other) {
-    return file.toAbsolutePath().normalize().equals(other.toAbsolutePath().normalize());
   }
 }

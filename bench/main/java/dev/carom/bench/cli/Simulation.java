@@ -24,7 +24,8 @@ final class Simulation {
 
   /** Frame k ends at k dt, rounded once: time does not gather the rounding of frames. */
   void play(int frames, double dt) throws IOException {
-    for (int frame = 1; frame <= frames; frame++) {
+    for (int k = 0; k < frames; k++) {
+      int frame = k + 1;
       boolean complete;
       do {
         complete = world.advanceTo(frame * dt);

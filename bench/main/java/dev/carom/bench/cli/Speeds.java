@@ -26,11 +26,17 @@ record Speeds(double least, double most) {
       try {
         double least = Double.parseDouble(dots < 0 ? text : text.substring(0, dots));
         double most = dots < 0 ? least : Double.parseDouble(text.substring(dots + 2));
-        return new Speeds(least, most);
+        if (Double.isFinite(least) && Double.isFinite(most)) {
+          return new Speeds(least, most);
+        }
       } catch (NumberFormatException e) {
-        throw new TypeConversionException(
-            "'" + text + "' is not a speed, or a range such as 1..10");
+        throw refused(text);
       }
+      throw refused(text);
+    }
+
+    private static TypeConversionException refused(String text) {
+      return new TypeConversionException("'" + text + "' is not a speed, or a range such as 1..10");
     }
   }
 }

@@ -2,7 +2,6 @@
 package dev.carom.bench.examples;
 
 import dev.carom.Vec2;
-import dev.carom.bench.charts.Picture;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
@@ -42,16 +41,4 @@ public interface Example {
 
   /** The mouse was pressed. */
   default void press() {}
-
-  /**
-   * It as it stands.
-   *
-   * @param title what is to be seen
-   * @return a picture of its size; to be drawn before it goes on
-   */
-  default Picture picture(String title) {
-    Dimension size = size();
-    Rectangle2D area = new Rectangle2D.Double(0, 0, size.width, size.height);
-    return new Picture(size.width, size.height, title, g -> draw(g, area));
-  }
 }

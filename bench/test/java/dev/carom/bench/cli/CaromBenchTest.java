@@ -11,6 +11,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -69,6 +71,12 @@ class CaromBenchTest {
         "example nosuch                 | 'nosuch' is none of [breakout, billiards, gas, aim, loop",
         "example --png a.png            | NAME is missing: expected one of [breakout, billiards,",
         "simulate --scene a --frames 1 --positions b.csv --impacts ./b.csv | --impacts is ./b.csv: exp",
+        "simulate --scene a --frames 1 --positions ./a | --positions is ./a: expected another file",
+        "simulate --scene a --frames 1 --impacts ./a   | --impacts is ./a: expected another file",
+        "simulate --scene a --frames 9 --dt 1e308      | --dt is 1.0E308: expected a finite time",
+        "replay --scene a --json ./a    | --json is ./a: expected another file than --scene",
+        "replay --speed NaN             | 'NaN' is not a speed, or a range such as 1..10",
+        "replay --speed 1..Infinity     | '1..Infinity' is not a speed, or a range such as",
         "fuzz --seconds 3 --queries 9   | --seconds and --queries exclude each other",
         "cast                           | Missing required parameter: 'FILE|-'"
       })
@@ -104,6 +112,15 @@ class CaromBenchTest {
     assertThat(run.exitCode()).as(why).isEqualTo(1);
     assertThat(run.out()).isEmpty();
     assertThat(run.err()).contains(message).hasLineCount(1);
+  }
+
+  @Test
+  void everyCommandTellsTheVersion() {
+    Set<String> commands = new TreeSet<>(CaromBench.commandLine().getSubcommands().keySet());
+    commands.remove("jmh"); // its options are JMH's own
+    for (String command : commands) {
+      assertThat(Cli.run(command, "--version").out()).startsWith("carom-bench ");
+    }
   }
 
   @Test

@@ -97,6 +97,7 @@ class CastCommandTest {
         "0,0,10,0,4,15,-1,0,1,1  | 3:15: r is \"-1\": expected a finite number, at least 0",
         "0,0,10,0,4,15,5,0,1,NaN | 3:21: T is \"NaN\": expected a number, at least 0",
         "0,0,10,0,4,15,5,0       | 3:18: vy is missing: expected a finite number",
+        "0,0,10,0,4,15,5,4d,1,1  | 3:17: vx is \"4d\": expected a finite number",
         "0,zero,10,0,4,15,5,0,1,1| 3:3: ay is \"zero\": expected a finite number",
         "0,0,1e999,0,4,15,5,0,1,1| 3:5: bx is \"1e999\": expected a finite number"
       })
@@ -106,6 +107,12 @@ class CastCommandTest {
     assertThat(run.exitCode()).isEqualTo(1);
     assertThat(run.out()).isEmpty();
     assertThat(run.err()).isEqualTo("carom-bench cast: " + file + ":" + message + "\n");
+  }
+
+  /** As spreadsheets write them. */
+  @Test
+  void aByteOrderMarkIsPassedOver() throws IOException {
+    assertThat(cast("\uFEFF" + LINE, "0,0,0,10,-15,4,5,20,0,1").exitCode()).isZero();
   }
 
   @Test

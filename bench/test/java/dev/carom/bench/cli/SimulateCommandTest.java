@@ -38,6 +38,17 @@ class SimulateCommandTest {
     Files.writeString(scene, SCENE);
   }
 
+  /** By another name: a link. */
+  @Test
+  void theSceneIsNotOverwritten() throws IOException {
+    Path link = Files.createSymbolicLink(folder.resolve("link.csv"), scene);
+
+    Cli run = Cli.run("simulate", "--scene", scene, "--frames", 2, "--impacts", link);
+
+    assertThat(run.exitCode()).isEqualTo(2);
+    assertThat(scene).hasContent(SCENE);
+  }
+
   @Test
   void writesPositionsAfterEveryFrame() throws IOException {
     Cli run = Cli.run("simulate", "--scene", scene, "--frames", 2, "--positions", positions);
