@@ -11,6 +11,10 @@ import java.util.function.IntUnaryOperator;
  * <p>Rows stand in the order of time, and are numbered from 0. At equal times, where circles ignore
  * each other: by the id of the circle, and those of one circle as they happened; where they
  * collide: in the order in which they were resolved, see {@link ObstacleKind}.
+ *
+ * <p>A row takes some 70 bytes. A log has room for the longest step that there was, or up to twice
+ * that, and keeps it; how many rows a step can have is bounded by its budget of work, see {@link
+ * World}.
  */
 public final class ImpactLog {
 

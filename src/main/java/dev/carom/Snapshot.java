@@ -85,8 +85,9 @@ public final class Snapshot {
   }
 
   /**
-   * Two snapshots are equal if they hold the same, to the bit; then their futures are equal. Those
-   * of two worlds that went the same way in steps of different lengths are equal, too.
+   * Two snapshots are equal if they hold the same, to the bit; then their futures are equal (but
+   * where circles that collide outrun the clock, see {@link World} on accuracy). Those of two
+   * worlds that went the same way in steps of different lengths are equal, too.
    *
    * @param other any object
    * @return whether it is an equal snapshot

@@ -57,7 +57,10 @@ import java.util.Optional;
  * earlier time, nothing dropped; the next call goes on.
  *
  * <p><b>Accuracy.</b> Each question is answered exactly on the doubles with which it is asked, and
- * each impact's state is rounded once; a scene multiplies such roundings from impact to impact. A
+ * each impact's state is rounded once; a scene multiplies such roundings from impact to impact. The
+ * clock has 106 bits: where circles collide so fast that one crosses its own size in less than the
+ * last of them, at some 1e31 sizes a unit of time, many meetings come at one time of the clock, and
+ * which of them is resolved first may depend on the machinery and on a {@link #restore restore}. A
  * circle that flies out of the range of doubles has infinite coordinates from then on, and hits
  * nothing; one that an impact would make faster than doubles can tell stops. In the log a
  * coordinate beyond that range is the largest one.
