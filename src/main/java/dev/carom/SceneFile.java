@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.PosixFileAttributeView;
 import java.util.concurrent.ThreadLocalRandom;
 
 /** Scenes in files: see {@link Scene} for the format. */
@@ -41,13 +42,23 @@ final class SceneFile {
     String random = Long.toHexString(ThreadLocalRandom.current().nextLong());
     Path draft = target.resolveSibling(target.getFileName() + "." + random + ".tmp");
     try {
-      writeDirectly(scene, draft, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+      Files.createFile(draft);
+      keepAccess(target, draft);
+      writeDirectly(scene, draft, StandardOpenOption.WRITE);
       Files.move(
           draft, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
     } catch (FileSystemException e) {
       throw cannotBeWritten(path, e); // which names the draft
     } finally {
       Files.deleteIfExists(draft);
+    }
+  }
+
+  /** Who may read a file that is there may read what replaces it, and no one else. */
+  private static void keepAccess(Path target, Path draft) throws IOException {
+    PosixFileAttributeView view = Files.getFileAttributeView(target, PosixFileAttributeView.class);
+    if (Files.exists(target) && view != null) {
+      Files.setPosixFilePermissions(draft, view.readAttributes().permissions());
     }
   }
 

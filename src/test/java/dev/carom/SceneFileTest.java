@@ -13,6 +13,10 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFileAttributeView;
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
@@ -311,5 +315,15 @@ class SceneFileTest {
         .isThrownBy(() -> full().write(nowhere))
         .withMessage(nowhere + ": cannot be written");
     assertThat(folder).isEmptyDirectory();
+  }
+
+  @Test
+  void whoMayReadAFileStaysTheSame(@TempDir Path folder) throws IOException {
+    Path file = Files.writeString(folder.resolve("scene.csv"), "circle,0,0,1,1,0\n");
+    assumeTrue(Files.getFileAttributeView(file, PosixFileAttributeView.class) != null);
+    Set<PosixFilePermission> own = PosixFilePermissions.fromString("rw-------");
+    Files.setPosixFilePermissions(file, own);
+    Scene.read(file).write(file);
+    assertThat(Files.getPosixFilePermissions(file)).isEqualTo(own);
   }
 }
