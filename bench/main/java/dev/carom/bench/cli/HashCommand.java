@@ -47,6 +47,9 @@ final class HashCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException, CannotPlaceException {
     PrintWriter out = spec.commandLine().getOut();
+    if (frames != null && longToo) {
+      throw new ParameterException(spec.commandLine(), "--frames and --long exclude each other");
+    }
     if (frames != null) {
       Bounded.atLeast(0, "--frames", frames, spec);
       out.println(RunHash.of(scene.scene(), frames).hex());

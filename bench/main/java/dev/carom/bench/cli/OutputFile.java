@@ -4,6 +4,7 @@ package dev.carom.bench.cli;
 import java.io.IOException;
 import java.io.Writer;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import org.apache.commons.csv.CSVFormat;
@@ -26,7 +27,11 @@ final class OutputFile implements AutoCloseable {
 
   /** Opens a file that is to have this header, or nothing if there is no path. */
   static OutputFile open(Path target, String... header) throws IOException {
-    return target == null ? null : new OutputFile(target, header);
+    if (target == null) {
+      return null;
+    }
+    expectFile(target);
+    return new OutputFile(target, header);
   }
 
   /**
@@ -47,15 +52,28 @@ final class OutputFile implements AutoCloseable {
         || (Files.exists(file) && Files.exists(other) && Files.isSameFile(file, other));
   }
 
+  /** Makes a folder if need be. */
+  static void prepareFolder(Path folder) throws IOException {
+    try {
+      Files.createDirectories(folder);
+    } catch (NoSuchFileException e) {
+      throw new IOException(folder + ": cannot be made", e);
+    }
+  }
+
   /** Makes the folder of a file, and refuses what cannot be one: before long work, not after it. */
   static void prepare(Path target) throws IOException {
-    if (Files.isDirectory(target)) {
-      throw new IOException(target + ": is a folder: expected a file");
-    }
+    expectFile(target);
     Path folder = target.toAbsolutePath().getParent();
-    Files.createDirectories(folder);
+    prepareFolder(folder);
     if (!Files.isWritable(isSpecial(target) ? target : folder)) {
       throw new IOException(target + ": cannot be written");
+    }
+  }
+
+  private static void expectFile(Path target) throws IOException {
+    if (Files.isDirectory(target)) {
+      throw new IOException(target + ": is a folder: expected a file");
     }
   }
 

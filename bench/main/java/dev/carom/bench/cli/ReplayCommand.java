@@ -13,7 +13,6 @@ import dev.carom.bench.replay.ReplayResult;
 import dev.carom.bench.replay.ReplayRun;
 import dev.carom.bench.replay.ReplayTable;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.openjdk.jmh.runner.RunnerException;
@@ -122,7 +121,7 @@ final class ReplayCommand implements Callable<Integer> {
       OutputFile.prepare(json);
     }
     if (pictures != null) {
-      Files.createDirectories(pictures);
+      OutputFile.prepareFolder(pictures);
     }
   }
 

@@ -57,7 +57,7 @@ final class ReportCommand implements Callable<Integer> {
 
   @Option(
       names = "--quick",
-      description = "One scene, fewer settings and queries, shorter replays: under 3 minutes.")
+      description = "One scene, fewer settings and queries, shorter replays: 3 to 4 minutes.")
   private boolean quick;
 
   @Option(

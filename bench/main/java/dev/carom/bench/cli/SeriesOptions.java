@@ -6,7 +6,6 @@ import dev.carom.bench.report.Report;
 import dev.carom.bench.results.ResultsCsv;
 import dev.carom.bench.results.Row;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Option;
@@ -50,7 +49,7 @@ final class SeriesOptions {
       OutputFile.prepare(csv);
     }
     if (pictures != null) {
-      Files.createDirectories(pictures);
+      OutputFile.prepareFolder(pictures);
     }
   }
 

@@ -13,7 +13,6 @@ import dev.carom.bench.stability.FailureMap;
 import dev.carom.bench.stability.Survey;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -59,7 +58,7 @@ final class StabilityCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     List<FailureMap> maps = chosen();
     if (out != null) {
-      Files.createDirectories(out);
+      OutputFile.prepareFolder(out);
     }
     List<Row> rows = new ArrayList<>();
     try (Progress progress = Progress.start("stability", maps.size())) {

@@ -53,7 +53,7 @@ public final class WholeFile {
       Files.write(draft, bytes);
       Files.move(draft, file, StandardCopyOption.REPLACE_EXISTING);
     } catch (IOException e) {
-      throw new IOException(file + ": cannot be written: " + e, e);
+      throw new IOException(file + ": cannot be written", e);
     }
   }
 }

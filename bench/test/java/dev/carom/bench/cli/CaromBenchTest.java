@@ -77,6 +77,7 @@ class CaromBenchTest {
         "replay --scene a --json ./a    | --json is ./a: expected another file than --scene",
         "replay --speed NaN             | 'NaN' is not a speed, or a range such as 1..10",
         "replay --speed 1..Infinity     | '1..Infinity' is not a speed, or a range such as",
+        "hash --frames 2 --long         | --frames and --long exclude each other",
         "fuzz --seconds 3 --queries 9   | --seconds and --queries exclude each other",
         "cast                           | Missing required parameter: 'FILE|-'"
       })
@@ -96,6 +97,7 @@ class CaromBenchTest {
         "replay --scene %; line 2 is bad;2:12: radius is \"x\"",
         "cast nosuch.csv; ;nosuch.csv: no such file",
         "cast .; ;.: is a folder: expected a file",
+        "rungs --csv .; before anything long;.: is a folder: expected a file",
         "sweep --csv .; before anything long;.: is a folder: expected a file",
         "scale --csv %/a.csv; before anything long;scene.csv: is a file: expected a folder",
         "replay --json .; before anything long;.: is a folder: expected a file",
