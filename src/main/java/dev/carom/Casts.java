@@ -107,37 +107,46 @@ final class Casts {
         vertical
             ? (v.x() < 0 ? WallSweep.LEFT : WallSweep.RIGHT)
             : (v.y() < 0 ? WallSweep.BOTTOM : WallSweep.TOP);
-    return wall(circle, v, bounds, id, T);
+    return Optional.of(wall(circle, v, bounds, id, Math.min(tx, ty)));
   }
 
   /** The one wall that has the given id, towards which the circle moves. */
-  static Optional<Impact> wall(Circle circle, Vec2 v, Bounds bounds, int id, double T) {
-    boolean vertical = id == WallSweep.LEFT || id == WallSweep.RIGHT;
-    double wall =
-        switch (id) {
-          case WallSweep.LEFT -> bounds.xmin();
-          case WallSweep.RIGHT -> bounds.xmax();
-          case WallSweep.BOTTOM -> bounds.ymin();
-          default -> bounds.ymax();
-        };
+  static Optional<Impact> firstAtWall(Circle circle, Vec2 v, Bounds bounds, int id, double T) {
+    boolean vertical = isVertical(id);
     double p = vertical ? circle.x() : circle.y();
     double speed = vertical ? v.x() : v.y();
-    double t = SweptCircle.wall(p, circle.radius(), speed, wall, T);
-    if (t == NEVER) {
-      return Optional.empty();
-    }
+    double t = SweptCircle.wall(p, circle.radius(), speed, coordinate(bounds, id), T);
+    return t == NEVER ? Optional.empty() : Optional.of(wall(circle, v, bounds, id, t));
+  }
+
+  private static boolean isVertical(int wall) {
+    return wall == WallSweep.LEFT || wall == WallSweep.RIGHT;
+  }
+
+  private static double coordinate(Bounds bounds, int wall) {
+    return switch (wall) {
+      case WallSweep.LEFT -> bounds.xmin();
+      case WallSweep.RIGHT -> bounds.xmax();
+      case WallSweep.BOTTOM -> bounds.ymin();
+      default -> bounds.ymax();
+    };
+  }
+
+  private static Impact wall(Circle circle, Vec2 v, Bounds bounds, int id, double t) {
+    double wall = coordinate(bounds, id);
     Vec2 centre = place(circle, v, t);
+    boolean vertical = isVertical(id);
+    double speed = vertical ? v.x() : v.y();
     int away = speed < 0 ? 1 : -1;
-    return Optional.of(
-        new Impact(
-            t,
-            ObstacleKind.WALL,
-            id,
-            bounds,
-            Feature.SIDE,
-            vertical ? new Vec2(wall, centre.y()) : new Vec2(centre.x(), wall),
-            vertical ? new Vec2(away, 0) : new Vec2(0, away),
-            Math.abs(speed)));
+    return new Impact(
+        t,
+        ObstacleKind.WALL,
+        id,
+        bounds,
+        Feature.SIDE,
+        vertical ? new Vec2(wall, centre.y()) : new Vec2(centre.x(), wall),
+        vertical ? new Vec2(away, 0) : new Vec2(0, away),
+        Math.abs(speed));
   }
 
   /** Disk 1 against disk 2, which is reported as the given obstacle. */

@@ -52,7 +52,7 @@ final class Tracer {
 
   private Optional<Impact> cast(Circle circle, Vec2 velocity, int code, double T) {
     return code < Obstacles.WALLS
-        ? Casts.wall(circle, velocity, obstacles.bounds, code, T)
+        ? Casts.firstAtWall(circle, velocity, obstacles.bounds, code, T)
         : SweptCircle.cast(circle, velocity, things.apply(code), T);
   }
 
