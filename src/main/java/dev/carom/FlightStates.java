@@ -43,10 +43,6 @@ final class FlightStates {
     return ids.length;
   }
 
-  int id(int i) {
-    return ids[i];
-  }
-
   /**
    * Puts in the circle that is number i of those that are there.
    *
@@ -96,7 +92,7 @@ final class FlightStates {
     return codes[i * CODES + 3];
   }
 
-  /** Takes that circle out into a mover, with nothing known ahead of it. */
+  /** Takes that circle out into a mover, whose id stays, with nothing known ahead of it. */
   void get(int i, Mover m) {
     int k = i * NUMBERS;
     int c = i * CODES;

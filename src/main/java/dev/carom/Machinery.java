@@ -8,7 +8,8 @@ package dev.carom;
  * @param grid whether grids may be used
  * @param cell the size of their cells, 0 to have it chosen
  * @param pairCells how many times the largest diameter the cells of circles that collide measure
- * @param slack how many times the number of circles may be removed before arrays are made dense
+ * @param slack how many times as many circles as there are, and some more, may be removed before
+ *     arrays are made dense
  */
 record Machinery(boolean grid, double cell, double pairCells, double slack) {
 

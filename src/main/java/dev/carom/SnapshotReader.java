@@ -127,7 +127,8 @@ final class SnapshotReader {
 
   private Snapshot circles(double now, boolean collide, Obstacles obstacles, Limits limits)
       throws IOException {
-    int idEnd = count();
+    int idEnd = in.readInt();
+    expect(idEnd >= 0, "ids of circles end at " + idEnd);
     int count = count();
     IntStream.Builder ids = IntStream.builder();
     DoubleList masses = new DoubleList();

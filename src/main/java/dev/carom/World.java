@@ -720,8 +720,8 @@ public final class World {
   }
 
   /**
-   * Records the flights of all circles from now on; without it, none are. A recording that was
-   * going on stops, and its timeline stays as it is.
+   * Records the flights of all circles from now on; without it, none are. What is kept of a circle
+   * stays when it is removed. A recording that was going on stops, and its timeline stays as it is.
    *
    * @param most how many flights to keep of each circle, at least 1, and how many changes of each
    *     line and peg; beyond that the oldest ones are dropped. An edit begins a flight: where each

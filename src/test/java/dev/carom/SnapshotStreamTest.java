@@ -232,7 +232,7 @@ class SnapshotStreamTest {
 
   /** As many as can be told, of which none follows: neither memory nor time is spent on them. */
   @ParameterizedTest
-  @ValueSource(ints = {LINES, PEGS, CIRCLES})
+  @ValueSource(ints = {LINES, PEGS, CIRCLES + 4})
   void aLargeNumberOfThingsAloneTakesNothing(int at) throws IOException {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putInt(at, Obstacles.PEGS - 1);
@@ -314,6 +314,7 @@ class SnapshotStreamTest {
         ID + " | 2 | circle 2 is none of 0 to 1",
         (ID + 141) + " | 0 | circle 0 is none of 1 to 1",
         (CIRCLES + 4) + " | 3 | circle ",
+        CIRCLES + " | -1 | ids of circles end at -1",
         LINES + " | -1 | it holds -1 of a kind",
         LINES + " | 268435456 | it holds 268435456 of a kind",
       })
@@ -322,6 +323,21 @@ class SnapshotStreamTest {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putInt(at, number);
     assertRefused(bytes, message);
+  }
+
+  /** After years of coming and going. */
+  @Test
+  void manyMoreIdsThanCirclesAreTaken() throws IOException {
+    byte[] bytes = small();
+    ByteBuffer.wrap(bytes).putInt(CIRCLES, 1_000_000_000);
+    seal(bytes);
+    Snapshot read = read(bytes);
+    assertThat(bytes(read)).isEqualTo(bytes);
+    World world = new World(Scene.builder().bounds(0, 0, 100, 100).build());
+    world.restore(read);
+    assertThat(world.addCircle(50, 20, 4, 1, 1)).isEqualTo(1_000_000_000);
+    world.step(1);
+    assertThat(world.x(1_000_000_000)).isEqualTo(51);
   }
 
   @Test
