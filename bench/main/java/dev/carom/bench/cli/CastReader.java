@@ -95,8 +95,7 @@ final class CastReader {
   private double number(String column, String text, int i) throws IOException {
     double value;
     try {
-      boolean suffix = text.matches(".*[dDfF]\\s*"); // which Java would take
-      value = suffix ? Double.NaN : Double.parseDouble(text);
+      value = hasSuffix(text.strip()) ? Double.NaN : Double.parseDouble(text);
     } catch (NumberFormatException e) {
       value = Double.NaN;
     }
@@ -104,6 +103,11 @@ final class CastReader {
       throw malformed(i, column + " is \"" + text + "\"", CastQuery.expectation(column));
     }
     return value;
+  }
+
+  /** That of a type, which Java would take. */
+  private static boolean hasSuffix(String number) {
+    return !number.isEmpty() && "dDfF".indexOf(number.charAt(number.length() - 1)) >= 0;
   }
 
   private IOException malformed(int field, String found, String expected) {

@@ -13,15 +13,24 @@ import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import javax.tools.ToolProvider;
 import org.apache.commons.math3.stat.inference.ChiSquareTest;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ExamplesTest {
 
@@ -47,6 +56,35 @@ class ExamplesTest {
     example.draw(g, new Rectangle(size));
     g.dispose();
     return image.getRGB(0, 0, size.width, size.height, null, 0, size.width);
+  }
+
+  /** With the files that the README names, this library and Swing, and nothing else. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"Breakout", "Billiards", "Relaxation", "AimingLine", "GameLoop", "SplitWorld"})
+  void eachCanBeCopied(String name, @TempDir Path out) throws IOException {
+    List<String> args = new ArrayList<>(List.of("-proc:none", "-d", out.toString()));
+    args.addAll(List.of("-cp", library()));
+    args.add("main/java/dev/carom/bench/examples/" + name + ".java");
+    args.add("main/java/dev/carom/bench/examples/Example.java");
+    Path charts = Path.of("main/java/dev/carom/bench/charts");
+    String readme = Files.readString(Path.of("../README.md"));
+    String named = readme.substring(readme.indexOf("what draws them ("));
+    Matcher file = Pattern.compile("`(\\w+)`").matcher(named);
+    file.region(0, named.indexOf(" in [charts]"));
+    while (file.find()) {
+      args.add(charts.resolve(file.group(1) + ".java").toString());
+    }
+    assertThat(args).hasSize(5 + 2 + 6);
+    ByteArrayOutputStream errors = new ByteArrayOutputStream();
+    int exit =
+        ToolProvider.getSystemJavaCompiler().run(null, null, errors, args.toArray(String[]::new));
+    assertThat(exit).as(errors.toString(StandardCharsets.UTF_8)).isZero();
+  }
+
+  private static String library() {
+    return Path.of(World.class.getProtectionDomain().getCodeSource().getLocation().getPath())
+        .toString();
   }
 
   @Test
