@@ -6,8 +6,11 @@ import java.io.InputStreamReader;
 import java.io.Reader;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
+import java.nio.file.FileSystemLoopException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
@@ -17,12 +20,13 @@ import java.util.concurrent.ThreadLocalRandom;
 /** Scenes in files: see {@link Scene} for the format. */
 final class SceneFile {
 
+  /** As many as Linux follows. */
+  private static final int MOST_LINKS = 40;
+
   private SceneFile() {}
 
   static Scene read(Path path) throws IOException {
-    if (Files.isDirectory(path)) {
-      throw new FileSystemException(path.toString(), null, "is a folder: expected a file");
-    }
+    expectFile(path);
     // A reader of its own, since those of Files stop at a comment that is not UTF-8.
     try (Reader in = new InputStreamReader(Files.newInputStream(path), StandardCharsets.UTF_8)) {
       return read(in, path.toString());
@@ -34,21 +38,45 @@ final class SceneFile {
   }
 
   static void write(Scene scene, Path path) throws IOException {
-    if (Files.exists(path) && !Files.isRegularFile(path)) {
-      writeDirectly(scene, path, StandardOpenOption.WRITE); // a pipe or a device: no file to spare
-      return;
-    }
-    Path target = Files.exists(path) ? path.toRealPath() : path;
-    String random = Long.toHexString(ThreadLocalRandom.current().nextLong());
-    Path draft = target.resolveSibling(target.getFileName() + "." + random + ".tmp");
+    expectFile(path);
     try {
-      Files.createFile(draft);
+      if (Files.exists(path) && !Files.isRegularFile(path)) {
+        writeDirectly(scene, path); // a pipe or a device: no file to spare
+      } else {
+        replace(scene, target(path));
+      }
+    } catch (IOException e) { // which names a draft, or nothing
+      throw cannotBeWritten(path, e);
+    }
+  }
+
+  private static void expectFile(Path path) throws IOException {
+    if (Files.isDirectory(path)) {
+      throw new FileSystemException(path.toString(), null, "is a folder: expected a file");
+    }
+  }
+
+  /** The file that symbolic links lead to, also where it is not there yet. */
+  private static Path target(Path path) throws IOException {
+    Path target = path;
+    for (int links = 0; Files.isSymbolicLink(target); links++) {
+      if (links == MOST_LINKS) {
+        throw new FileSystemLoopException(path.toString());
+      }
+      target = target.resolveSibling(Files.readSymbolicLink(target));
+    }
+    return target;
+  }
+
+  /** Its name is short, so that it fits wherever that of the target does. */
+  private static void replace(Scene scene, Path target) throws IOException {
+    String random = Long.toHexString(ThreadLocalRandom.current().nextLong());
+    Path draft = Files.createFile(target.resolveSibling("carom-" + random + ".tmp"));
+    try {
       keepAccess(target, draft);
-      writeDirectly(scene, draft, StandardOpenOption.WRITE);
+      writeDirectly(scene, draft);
       Files.move(
           draft, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-    } catch (FileSystemException e) {
-      throw cannotBeWritten(path, e); // which names the draft
     } finally {
       Files.deleteIfExists(draft);
     }
@@ -63,14 +91,28 @@ final class SceneFile {
   }
 
   private static IOException cannotBeWritten(Path path, IOException cause) {
-    IOException e = new FileSystemException(path.toString(), null, "cannot be written");
+    String reason = "cannot be written: " + reason(cause);
+    IOException e = new FileSystemException(path.toString(), null, reason);
     e.initCause(cause);
     return e;
   }
 
-  private static void writeDirectly(Scene scene, Path path, StandardOpenOption... options)
-      throws IOException {
-    try (Writer out = Files.newBufferedWriter(path, options)) {
+  /** What happened, without the name of a file. */
+  private static String reason(IOException e) {
+    if (e instanceof NoSuchFileException) {
+      return "no such folder";
+    }
+    if (e instanceof AccessDeniedException) {
+      return "access denied";
+    }
+    if (e instanceof FileSystemLoopException) {
+      return "its symbolic links lead to no file";
+    }
+    return e instanceof FileSystemException known ? known.getReason() : e.getMessage();
+  }
+
+  private static void writeDirectly(Scene scene, Path path) throws IOException {
+    try (Writer out = Files.newBufferedWriter(path, StandardOpenOption.WRITE)) {
       write(scene, out);
     }
   }

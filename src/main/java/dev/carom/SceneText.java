@@ -71,12 +71,17 @@ final class SceneText {
     return response.name().toLowerCase(Locale.ROOT);
   }
 
-  /** A text between quotation marks, cut short, with escapes for what a terminal may not show. */
+  /**
+   * A text between quotation marks, cut short, with escapes for quotation marks, for backslashes,
+   * and for what a terminal may not show.
+   */
   static String quoted(String text) {
     StringBuilder quoted = new StringBuilder("\"");
     for (int i = 0; i < Math.min(text.length(), QUOTED_CHARS); i++) {
       char c = text.charAt(i);
-      if (c >= ' ' && c <= '~') {
+      if (c == '"' || c == '\\') {
+        quoted.append('\\').append(c);
+      } else if (c >= ' ' && c <= '~') {
         quoted.append(c);
       } else {
         quoted.append(String.format("\\u%04x", (int) c));

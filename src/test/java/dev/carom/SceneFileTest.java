@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.regex.Pattern;
@@ -306,6 +307,33 @@ class SceneFileTest {
     assertThat(Scene.read(file)).isEqualTo(full());
   }
 
+  /** To a file that is not there yet, by another link, and to nowhere. */
+  @Test
+  void aLinkThatLeadsToNoFileMakesIt(@TempDir Path folder) throws IOException {
+    assumeTrue(isPosix(folder), "links need no privilege");
+    Path inner = Files.createDirectory(folder.resolve("inner"));
+    Path link = Files.createSymbolicLink(inner.resolve("link.csv"), Path.of("..", "other.csv"));
+    Path other = Files.createSymbolicLink(folder.resolve("other.csv"), Path.of("scene.csv"));
+    full().write(link);
+    assertThat(link).isSymbolicLink();
+    assertThat(other).isSymbolicLink();
+    assertThat(Scene.read(folder.resolve("scene.csv"))).isEqualTo(full());
+    Path loop = folder.resolve("loop.csv");
+    Files.createSymbolicLink(loop, loop);
+    assertThatExceptionOfType(FileSystemException.class)
+        .isThrownBy(() -> full().write(loop))
+        .withMessage(loop + ": cannot be written: its symbolic links lead to no file");
+    assertThat(folder.toFile().list()).hasSize(4);
+  }
+
+  /** As long as file systems allow: a draft has no room for more. */
+  @Test
+  void aLongNameIsWritten(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("s".repeat(251) + ".csv");
+    full().write(file);
+    assertThat(Scene.read(file)).isEqualTo(full());
+  }
+
   @Test
   void aFailureLeavesNothingBehind(@TempDir Path folder) throws IOException {
     assertThatThrownBy(() -> full().write(folder)).isInstanceOf(IOException.class);
@@ -313,8 +341,64 @@ class SceneFileTest {
     Path nowhere = folder.resolve("none").resolve("scene.csv");
     assertThatExceptionOfType(FileSystemException.class)
         .isThrownBy(() -> full().write(nowhere))
-        .withMessage(nowhere + ": cannot be written");
+        .withMessage(nowhere + ": cannot be written: no such folder");
     assertThat(folder).isEmptyDirectory();
+  }
+
+  /** A limit on the size of files stands for a disk that is full. */
+  @Test
+  void whereTheDiskIsFullTheMessageNamesTheFileAndTheOldOneStays(@TempDir Path folder)
+      throws Exception {
+    assumeTrue(isPosix(folder), "limits of a shell");
+    Path file = Files.writeString(folder.resolve("scene.csv"), "circle,0,0,1,1,0\n");
+    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+    String classes = Path.of("target", "classes") + ":" + Path.of("target", "test-classes");
+    Process process =
+        new ProcessBuilder(
+                List.of(
+                    "sh",
+                    "-c",
+                    "ulimit -f 8; exec \"$@\"",
+                    "sh",
+                    java,
+                    "-XX:-UsePerfData",
+                    "-cp",
+                    classes,
+                    LargeScene.class.getName(),
+                    file.toString()))
+            .redirectErrorStream(true)
+            .start();
+    String told = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(told).isEqualTo(file + ": cannot be written: File too large");
+    assertThat(file).hasContent("circle,0,0,1,1,0\n");
+    assertThat(folder.toFile().list()).containsExactly("scene.csv");
+  }
+
+  /** Writes a scene of more than 4 kB. */
+  static final class LargeScene {
+
+    private LargeScene() {}
+
+    public static void main(String[] files) {
+      SceneBuilder scene = Scene.builder();
+      for (int i = 0; i < 1000; i++) {
+        scene.peg(i, i, 1);
+      }
+      try {
+        scene.build().write(Path.of(files[0]));
+      } catch (IOException e) {
+        System.out.print(e.getMessage());
+      }
+    }
+  }
+
+  @Test
+  void aDeviceThatIsFullIsNamed() {
+    Path full = Path.of("/dev/full");
+    assumeTrue(Files.exists(full));
+    assertThatExceptionOfType(FileSystemException.class)
+        .isThrownBy(() -> full().write(full))
+        .withMessage("/dev/full: cannot be written: No space left on device");
   }
 
   @Test

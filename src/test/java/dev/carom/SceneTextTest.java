@@ -89,6 +89,7 @@ class SceneTextTest {
     assertThat(SceneText.quoted("abc")).isEqualTo("\"abc\"");
     assertThat(SceneText.quoted("a ~\u007f")).isEqualTo("\"a ~\\u007f\"");
     assertThat(SceneText.quoted("")).isEqualTo("\"\"");
+    assertThat(SceneText.quoted("a\"b\\c")).isEqualTo("\"a\\\"b\\\\c\"");
     assertThat(SceneText.quoted("a\u001b\u00e9")).isEqualTo("\"a\\u001b\\u00e9\"");
     assertThat(SceneText.quoted("x".repeat(40))).isEqualTo("\"" + "x".repeat(40) + "\"");
     assertThat(SceneText.quoted("x".repeat(41))).isEqualTo("\"" + "x".repeat(40) + "...\"");

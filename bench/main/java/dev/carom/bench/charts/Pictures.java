@@ -2,6 +2,7 @@
 package dev.carom.bench.charts;
 
 import dev.carom.Scene;
+import dev.carom.bench.results.WholeFile;
 import java.awt.Dimension;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
@@ -110,11 +111,6 @@ public final class Pictures {
   }
 
   private void put(String name, byte[] bytes) throws IOException {
-    Path file = dir.resolve(name);
-    try {
-      Files.write(file, bytes);
-    } catch (IOException e) {
-      throw new IOException("cannot write " + file + ": " + e, e);
-    }
+    WholeFile.write(dir.resolve(name), bytes);
   }
 }

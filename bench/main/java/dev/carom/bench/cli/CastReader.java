@@ -20,6 +20,8 @@ final class CastReader {
   /** Numbers are never quoted; taken as they stand, columns can be counted. */
   private static final CSVFormat FORMAT = CSVFormat.DEFAULT.builder().setQuote(null).get();
 
+  private static final int QUOTED_CHARS = 60;
+
   private final String file;
   private final List<double[]> queries = new ArrayList<>();
   private CastQuery kind;
@@ -74,7 +76,7 @@ final class CastReader {
         return;
       }
     }
-    throw malformed(0, "the header is \"" + String.join(",", row) + "\"", headers());
+    throw malformed(0, "the header is " + quoted(String.join(",", row)), headers());
   }
 
   private static String headers() {
@@ -100,9 +102,25 @@ final class CastReader {
       value = Double.NaN;
     }
     if (!CastQuery.accepts(column, value)) {
-      throw malformed(i, column + " is \"" + text + "\"", CastQuery.expectation(column));
+      throw malformed(i, column + " is " + quoted(text), CastQuery.expectation(column));
     }
     return value;
+  }
+
+  /** A text with escapes for quotation marks, and for what would break a line or a terminal. */
+  private static String quoted(String text) {
+    StringBuilder quoted = new StringBuilder("\"");
+    for (int i = 0; i < Math.min(text.length(), QUOTED_CHARS); i++) {
+      char c = text.charAt(i);
+      if (c == '"' || c == '\\') {
+        quoted.append('\\').append(c);
+      } else if (c >= ' ' && c <= '~') {
+        quoted.append(c);
+      } else {
+        quoted.append(String.format("\\u%04x", (int) c));
+      }
+    }
+    return quoted.append(text.length() > QUOTED_CHARS ? "...\"" : "\"").toString();
   }
 
   /** That of a type, which Java would take. */

@@ -6,10 +6,10 @@ import dev.carom.bench.charts.Style;
 import dev.carom.bench.examples.Example;
 import dev.carom.bench.examples.ExampleWindow;
 import dev.carom.bench.examples.Examples;
+import dev.carom.bench.results.WholeFile;
 import java.awt.Dimension;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.Callable;
@@ -89,7 +89,7 @@ final class ExampleCommand implements Callable<Integer> {
     Dimension size = example.size();
     Rectangle2D area = new Rectangle2D.Double(0, 0, size.width, size.height);
     Picture still = new Picture(size.width, size.height, name.about(), g -> example.draw(g, area));
-    Files.write(png, still.png());
+    WholeFile.write(png, still.png());
   }
 
   /** Finds an example by its name. */

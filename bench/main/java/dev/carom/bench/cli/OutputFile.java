@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
+import dev.carom.bench.results.WholeFile;
+import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.OutputStreamWriter;
 import java.io.Writer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVPrinter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
 /**
- * A CSV file that appears as a whole or not at all: rows go to a draft beside it, which {@link
- * #commit} puts in its place and {@link #close} without it throws away.
+ * A CSV file that appears as a whole, with {@link #commit}, or not at all: see {@link WholeFile}.
  */
 final class OutputFile implements AutoCloseable {
 
   private static final CSVFormat FORMAT =
       CSVFormat.DEFAULT.builder().setRecordSeparator('\n').get();
 
-  private final Path target;
-  private final Path draft;
+  private final WholeFile file;
   private final CSVPrinter printer;
 
   /** Opens a file that is to have this header, or nothing if there is no path. */
@@ -48,8 +49,12 @@ final class OutputFile implements AutoCloseable {
   }
 
   private static boolean isOne(Path file, Path other) throws IOException {
-    return file.toAbsolutePath().normalize().equals(other.toAbsolutePath().normalize())
+    return absolute(file).equals(absolute(other))
         || (Files.exists(file) && Files.exists(other) && Files.isSameFile(file, other));
+  }
+
+  private static Path absolute(Path file) throws IOException {
+    return WholeFile.target(file).toAbsolutePath().normalize();
   }
 
   /** Makes a folder if need be. */
@@ -64,10 +69,10 @@ final class OutputFile implements AutoCloseable {
   /** Makes the folder of a file, and refuses what cannot be one: before long work, not after it. */
   static void prepare(Path target) throws IOException {
     expectFile(target);
-    Path folder = target.toAbsolutePath().getParent();
+    Path folder = WholeFile.target(target).toAbsolutePath().getParent();
     prepareFolder(folder);
-    if (!Files.isWritable(isSpecial(target) ? target : folder)) {
-      throw new IOException(target + ": cannot be written");
+    if (!Files.isWritable(WholeFile.isSpecial(target) ? target : folder)) {
+      throw new IOException(target + ": cannot be written: access denied");
     }
   }
 
@@ -78,23 +83,10 @@ final class OutputFile implements AutoCloseable {
   }
 
   private OutputFile(Path target, String... header) throws IOException {
-    this.target = target;
-    draft = isSpecial(target) ? target : target.resolveSibling(target.getFileName() + ".draft");
-    printer = new CSVPrinter(openDraft(), FORMAT);
+    file = WholeFile.create(target);
+    Writer out = new OutputStreamWriter(file.out(), StandardCharsets.UTF_8);
+    printer = new CSVPrinter(new BufferedWriter(out), FORMAT);
     printer.printRecord((Object[]) header);
-  }
-
-  /** Whether it is a pipe or a device: written to as it is, where other files have a draft. */
-  private static boolean isSpecial(Path target) {
-    return Files.exists(target) && !Files.isRegularFile(target);
-  }
-
-  private Writer openDraft() throws IOException {
-    try {
-      return Files.newBufferedWriter(draft);
-    } catch (IOException e) {
-      throw new IOException(target + ": cannot be written", e);
-    }
   }
 
   void row(Object... fields) throws IOException {
@@ -103,16 +95,12 @@ final class OutputFile implements AutoCloseable {
 
   void commit() throws IOException {
     printer.close();
-    if (!draft.equals(target)) {
-      Files.move(draft, target, StandardCopyOption.REPLACE_EXISTING);
-    }
+    file.commit();
   }
 
+  /** Without {@link #commit}, rows that are still to be written are not. */
   @Override
   public void close() throws IOException {
-    printer.close();
-    if (!draft.equals(target)) {
-      Files.deleteIfExists(draft);
-    }
+    file.close();
   }
 }

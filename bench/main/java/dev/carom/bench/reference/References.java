@@ -2,11 +2,11 @@
 package dev.carom.bench.reference;
 
 import dev.carom.Scene;
+import dev.carom.bench.results.WholeFile;
 import java.io.FileNotFoundException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
-import java.io.OutputStream;
 import java.io.Reader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -66,8 +66,9 @@ public final class References {
   public static long write(Truth truth, String scene, Path folder) throws IOException {
     Files.createDirectories(folder);
     Path file = folder.resolve(fileName(scene));
-    try (OutputStream out = Files.newOutputStream(file)) {
-      ReferenceWriter.write(truth, out);
+    try (WholeFile whole = WholeFile.create(file)) {
+      ReferenceWriter.write(truth, whole.out());
+      whole.commit();
     }
     return Files.size(file);
   }

@@ -122,4 +122,14 @@ class CastCommandTest {
     Files.writeString(file, "");
     assertThat(Cli.run("cast", file).err()).contains(":1:1: the file is empty: expected " + LINE);
   }
+
+  /** What a file holds neither breaks the line nor reaches the terminal as it is. */
+  @Test
+  void quotesWhatATerminalMayNotShowByEscapes() throws IOException {
+    Cli run = cast(LINE, "0,a\u001b[2J\"\\,10,0,4,15,-1,0,1,1");
+
+    assertThat(run.err())
+        .hasLineCount(1)
+        .contains(": ay is \"a\\u001b[2J\\\"\\\\\": expected a finite number");
+  }
 }
