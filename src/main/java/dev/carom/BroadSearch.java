@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import java.util.Arrays;
+import java.util.stream.IntStream;
+
 /**
  * What does a flight hit first? The broad search: it goes along the path, passes over whatever
  * certainly is not hit, and leaves the rest to the {@link NarrowSearch}.
@@ -133,6 +136,24 @@ final class BroadSearch extends NarrowSearch {
     boolean hits = known == best && known != NEVER;
     mover.next = hits ? bestCode : Mover.NOTHING;
     mover.contact = hits ? bestContact : 0;
+  }
+
+  /**
+   * Finds what a mover hits first until the end of a window: exactly the earliest, of exactly equal
+   * times the first in order. Sensors are passed over.
+   *
+   * @return whether something is hit by then, or later by less than rounding; the mover tells what
+   */
+  boolean cast(Mover mover, Grid grid, double end) {
+    setCasts(true);
+    try {
+      do {
+        extend(mover, grid, end);
+      } while (mover.next == Mover.NOTHING && mover.cleared <= end && mover.cleared < NEVER);
+    } finally {
+      setCasts(false);
+    }
+    return mover.next != Mover.NOTHING && mover.cleared <= end;
   }
 
   /**
@@ -384,6 +405,22 @@ final class BroadSearch extends NarrowSearch {
     if (second != first) {
       consider(second);
     }
+  }
+
+  /** The codes of all obstacles that may touch a circle where it is, and maybe of others. */
+  int[] near(Mover mover, Grid grid) {
+    IntStream walls = IntStream.range(0, obstacles.walls == null ? 0 : Obstacles.WALLS);
+    if (grid == null) {
+      IntStream lines = obstacles.presentLines().stream(obstacles::isGone);
+      IntStream pegs = obstacles.presentPegs().stream(obstacles::isGone);
+      return IntStream.concat(walls, IntStream.concat(lines, pegs)).toArray();
+    }
+    IntStream others = Arrays.stream(loose.codes, 0, loose.size);
+    return IntStream.concat(walls, IntStream.concat(others, grid.listedAt(mover.x, mover.y)))
+        .filter(code -> code < Obstacles.WALLS || !obstacles.isGone(code))
+        .sorted()
+        .distinct()
+        .toArray();
   }
 
   private static void count(long pair) {

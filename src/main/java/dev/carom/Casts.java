@@ -35,17 +35,17 @@ final class Casts {
             line.bx(),
             line.by(),
             T);
-    if (t == NEVER) {
-      return Optional.empty();
-    }
-    return Optional.of(
-        switch (contact & ~SegmentSweep.NOW) {
-          case SegmentSweep.START ->
-              end(circle, v, line.start(), line.end(), t, line, Feature.START);
-          case SegmentSweep.END -> end(circle, v, line.end(), line.start(), t, line, Feature.END);
-          case SegmentSweep.LEFT -> side(1, circle, v, line, t);
-          default -> side(-1, circle, v, line, t);
-        });
+    return t == NEVER ? Optional.empty() : Optional.of(line(circle, v, line, contact, t));
+  }
+
+  /** The impact with a line, of which the detector told the contact and the time. */
+  static Impact line(Circle circle, Vec2 v, Line line, int contact, double t) {
+    return switch (contact & ~SegmentSweep.NOW) {
+      case SegmentSweep.START -> end(circle, v, line.start(), line.end(), t, line, Feature.START);
+      case SegmentSweep.END -> end(circle, v, line.end(), line.start(), t, line, Feature.END);
+      case SegmentSweep.LEFT -> side(1, circle, v, line, t);
+      default -> side(-1, circle, v, line, t);
+    };
   }
 
   private static Impact end(
@@ -102,7 +102,7 @@ final class Casts {
     if (tx == NEVER && ty == NEVER) {
       return Optional.empty();
     }
-    boolean vertical = tx <= ty;
+    boolean vertical = tx < ty || (tx == ty && !isEarlierInY(circle, v, wallX, wallY));
     int id =
         vertical
             ? (v.x() < 0 ? WallSweep.LEFT : WallSweep.RIGHT)
@@ -110,13 +110,11 @@ final class Casts {
     return Optional.of(wall(circle, v, bounds, id, Math.min(tx, ty)));
   }
 
-  /** The one wall that has the given id, towards which the circle moves. */
-  static Optional<Impact> firstAtWall(Circle circle, Vec2 v, Bounds bounds, int id, double T) {
-    boolean vertical = isVertical(id);
-    double p = vertical ? circle.x() : circle.y();
-    double speed = vertical ? v.x() : v.y();
-    double t = SweptCircle.wall(p, circle.radius(), speed, coordinate(bounds, id), T);
-    return t == NEVER ? Optional.empty() : Optional.of(wall(circle, v, bounds, id, t));
+  /** Of two walls whose rounded times are equal: whether the horizontal one is exactly earlier. */
+  private static boolean isEarlierInY(Circle circle, Vec2 v, double wallX, double wallY) {
+    ExactTime tx = WallSweep.exactTime(circle.x(), circle.radius(), v.x(), wallX);
+    ExactTime ty = WallSweep.exactTime(circle.y(), circle.radius(), v.y(), wallY);
+    return ty.compare(tx) < 0;
   }
 
   private static boolean isVertical(int wall) {
@@ -132,7 +130,8 @@ final class Casts {
     };
   }
 
-  private static Impact wall(Circle circle, Vec2 v, Bounds bounds, int id, double t) {
+  /** The impact with the wall that has the given id, of which the detector told the time. */
+  static Impact wall(Circle circle, Vec2 v, Bounds bounds, int id, double t) {
     double wall = coordinate(bounds, id);
     Vec2 centre = place(circle, v, t);
     boolean vertical = isVertical(id);
@@ -178,9 +177,44 @@ final class Casts {
             v2.x(),
             v2.y(),
             T);
-    if (t == NEVER) {
-      return Optional.empty();
+    return t == NEVER
+        ? Optional.empty()
+        : Optional.of(disk(c1, v1, c2, v2, kind, obstacle, contact, t));
+  }
+
+  /** The contact of two moving circles, null for none whose rounded time is at most a limit. */
+  static Candidate candidate(Circle c1, Vec2 v1, Circle c2, Vec2 v2, double limit) {
+    int contact =
+        DiskSweep.contact(
+            c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), c2.x(), c2.y(), c2.radius(), v2.x(),
+            v2.y());
+    // What rounds to the limit is exactly before the next double.
+    double t =
+        DiskSweep.time(
+            contact, c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), c2.x(), c2.y(), c2.radius(),
+            v2.x(), v2.y(), Math.nextUp(limit));
+    if (t > limit || t == NEVER) {
+      return null;
     }
+    return new Candidate(
+        t,
+        () ->
+            DiskSweep.exactTime(
+                contact, c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), c2.x(), c2.y(),
+                c2.radius(), v2.x(), v2.y()),
+        () -> disk(c1, v1, c2, v2, ObstacleKind.CIRCLE, c2, contact, t));
+  }
+
+  /** The impact of two disks, of which the detector told the contact and the time. */
+  static Impact disk(
+      Circle c1,
+      Vec2 v1,
+      Circle c2,
+      Vec2 v2,
+      ObstacleKind kind,
+      Obstacle obstacle,
+      int contact,
+      double t) {
     Vec2 normal =
         DiskSweep.normal(
             c1.x(),
@@ -195,16 +229,13 @@ final class Casts {
             v2.y(),
             t);
     Vec2 point = contact == DiskSweep.NOW ? between(c1, c2) : rim(c2, v2, t, normal);
-    return Optional.of(
-        new Impact(
-            t,
-            kind,
-            Impact.NO_ID,
-            obstacle,
-            Feature.CIRCLE,
-            point,
-            normal,
-            approach(v1, v2, normal)));
+    double speed = approach(v1, v2, normal);
+    return new Impact(t, kind, Impact.NO_ID, obstacle, Feature.CIRCLE, point, normal, speed);
+  }
+
+  /** A peg; an endpoint is one of radius 0. */
+  static Circle peg(Obstacle obstacle) {
+    return obstacle instanceof Endpoint end ? new Circle(end.x(), end.y(), 0) : (Circle) obstacle;
   }
 
   /** Where two that overlap or touch meet: their distance is divided as their radii. */

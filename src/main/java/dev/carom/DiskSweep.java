@@ -122,6 +122,15 @@ final class DiskSweep {
         : refined(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T, t + c);
   }
 
+  /** The exact time of a contact that is no MISS. */
+  static ExactTime exactTime(
+      int contact, double x1, double y1, double r1, double vx1, double vy1, double x2, double y2,
+      double r2, double vx2, double vy2) {
+    return contact == NOW
+        ? ExactTime.NOW
+        : Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).exactTime();
+  }
+
   /** The time by more steps, from t on, and by exact numbers if none of them tells. */
   private static double refined(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,

@@ -77,6 +77,11 @@ final class Exact {
       return gap().over(below, bits);
     }
 
+    /** t = (-u.d - sqrt((u.u) r^2 - cross(u, d)^2)) / u.u, of disks that are apart. */
+    ExactTime exactTime() {
+      return new ExactTime(drift().negate(), reach(), u.square());
+    }
+
     /** u.d */
     Dyadic drift() {
       return dot(u, d);
@@ -138,6 +143,11 @@ final class Exact {
       return c.minus(cv.times(m)).signedSquare().minus(reach).sign();
     }
 
+    /** t = (c - r |w|) / cv. */
+    ExactTime exactTime() {
+      return new ExactTime(c, reach, cv);
+    }
+
     /** t = (c^2 - r^2 w.w) / ((c + r |w|) cv): all terms positive. */
     double time() {
       Dyadic below = c.plus(reach.sqrt(BITS)).times(cv);
@@ -162,7 +172,7 @@ final class Exact {
   }
 
   /** |p - wall| - r on the side from which a disk with velocity v comes. */
-  private static Dyadic wallGap(double p, double r, double v, double wall) {
+  static Dyadic wallGap(double p, double r, double v, double wall) {
     Dyadic s = v < 0 ? Dyadic.difference(p, wall) : Dyadic.difference(wall, p);
     return s.minus(Dyadic.of(r));
   }

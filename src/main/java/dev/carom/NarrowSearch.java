@@ -4,7 +4,8 @@ package dev.carom;
 /**
  * What does a flight hit first, of what it is asked about? The narrow search: the detector tells of
  * each thing whether and when it is hit; the earliest impact is kept, of equal times the smallest
- * code.
+ * code. A flight treats equal rounded times as simultaneous; a cast compares them exactly, and
+ * passes over sensors.
  *
  * <p>Every question is put to the detector on the start of the flight, so that the answer does not
  * depend on the way in which the search comes to ask it.
@@ -18,6 +19,12 @@ abstract class NarrowSearch {
   double[] lines;
   private double[] pegs;
   boolean special;
+
+  /** Whether the search is for a cast. */
+  private boolean casts;
+
+  /** Whether times and codes alone do not tell which impact is kept. */
+  private boolean careful;
 
   // The flight under search.
   double px;
@@ -56,6 +63,13 @@ abstract class NarrowSearch {
     lines = obstacles.lines;
     pegs = obstacles.pegs;
     special = obstacles.areSpecial();
+    careful = special || casts;
+  }
+
+  /** Begins or ends a cast. */
+  final void setCasts(boolean casts) {
+    this.casts = casts;
+    careful = special || casts;
   }
 
   /** Whether a flight, followed for ever from its start, meets a line or a peg. */
@@ -223,10 +237,10 @@ abstract class NarrowSearch {
     if (t <= latest) {
       settle();
     }
-    if (special && !comesFirst(t, code)) {
+    if (careful && !comesFirst(t, code, contact)) {
       return;
     }
-    if (t < best || (t == best && (special || code < bestCode))) {
+    if (t < best || (t == best && (careful || code < bestCode))) {
       best = t;
       latest = t;
       bestCode = code;
@@ -234,20 +248,50 @@ abstract class NarrowSearch {
     }
   }
 
-  /**
-   * Among sensors and others: whether an impact comes before the best one. Of simultaneous ones
-   * those with sensors are first, which change nothing; a sensor met before, or touched at the
-   * start, is not met again.
-   */
-  private boolean comesFirst(double t, int code) {
+  /** Whether an impact comes before the best one, in a cast or where some things are special. */
+  private boolean comesFirst(double t, int code, int contact) {
     boolean sensor = obstacles.isSensor(code);
-    if (sensor && !(t > sensed || (t == sensed && t > 0 && code > sensedCode))) {
+    if (sensor && (casts || wasSensed(t, code))) {
       return false;
     }
-    if (t != best) {
+    if (t != best || t == NEVER) {
       return t < best;
     }
+    return casts ? isEarlier(code, contact) : isBefore(sensor, code);
+  }
+
+  /** Whether a sensor was met before, or was touched at the start: it is not met again. */
+  private boolean wasSensed(double t, int code) {
+    return !(t > sensed || (t == sensed && t > 0 && code > sensedCode));
+  }
+
+  /** Of simultaneous impacts those with sensors are first, which change nothing. */
+  private boolean isBefore(boolean sensor, int code) {
     boolean bestSensor = obstacles.isSensor(bestCode);
     return sensor == bestSensor ? code < bestCode : sensor;
+  }
+
+  /** Of impacts whose rounded times are equal: whether one is exactly before the best one. */
+  private boolean isEarlier(int code, int contact) {
+    int order = exactTime(code, contact).compare(exactTime(bestCode, bestContact));
+    return order != 0 ? order < 0 : code < bestCode;
+  }
+
+  /** The exact time of a mover's next impact. */
+  final ExactTime exactTime(Mover mover) {
+    start(mover);
+    return exactTime(mover.next, mover.contact);
+  }
+
+  private ExactTime exactTime(int code, int contact) {
+    if (code < Obstacles.WALLS) {
+      boolean vertical = code <= Obstacles.RIGHT;
+      return WallSweep.exactTime(vertical ? px : py, r, vertical ? vx : vy, obstacles.walls[code]);
+    }
+    int k = obstacles.offset(code);
+    return code < Obstacles.PEGS
+        ? SegmentSweep.exactTime(
+            contact, px, py, r, vx, vy, lines[k], lines[k + 1], lines[k + 2], lines[k + 3])
+        : DiskSweep.exactTime(contact, px, py, r, vx, vy, pegs[k], pegs[k + 1], pegs[k + 2], 0, 0);
   }
 }

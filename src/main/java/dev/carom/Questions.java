@@ -23,28 +23,34 @@ final class Questions {
   }
 
   Optional<Impact> cast(Circle circle, Vec2 velocity, double T, double now) {
-    Tracer tracer = surroundings.tracer(circle.radius(), roster.patience());
-    Optional<Impact> first = tracer.first(circle, velocity, T);
+    Tracer tracer = surroundings.tracer(circle.radius());
+    Optional<Candidate> obstacle = tracer.first(circle, velocity, T);
+    Optional<Candidate> first = collide ? first(obstacle, circle, velocity, T, now) : obstacle;
+    return first.flatMap(candidate -> candidate.until(T));
+  }
+
+  /** The first contact of all, circles included: of exactly simultaneous ones they come last. */
+  private Optional<Candidate> first(
+      Optional<Candidate> obstacle, Circle circle, Vec2 velocity, double T, double now) {
+    Candidate first = obstacle.orElse(null);
     PresentCodes present = roster.present();
-    for (int i = 0; collide && i < present.size(); i++) {
+    for (int i = 0; i < present.size(); i++) {
       int slot = present.get(i);
       if (isThere(slot, now) && !roster.isSensor(slot)) {
-        Circle other = circle(slot, now);
         Vec2 v = new Vec2(circles.vx(slot), circles.vy(slot));
-        // Of simultaneous impacts the one found before is first: circles come last.
-        double before = first.isPresent() ? first.get().time() : T;
-        Optional<Impact> impact = SweptCircle.cast(circle, velocity, other, v, before);
-        if (impact.isPresent() && (first.isEmpty() || impact.get().time() < before)) {
-          first = Optional.of(impact.get().of(ObstacleKind.CIRCLE, roster.id(slot)));
+        double limit = first == null ? T : first.time();
+        Candidate other = Casts.candidate(circle, velocity, circle(slot, now), v, limit);
+        if (other != null && (first == null || other.isBefore(first))) {
+          first = other.of(ObstacleKind.CIRCLE, roster.id(slot));
         }
       }
     }
-    return first;
+    return Optional.ofNullable(first);
   }
 
   Trajectory trace(Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
     return surroundings
-        .tracer(circle.radius(), roster.patience())
+        .tracer(circle.radius())
         .trace(
             Mover.of(circle, velocity, restitution), duration, bounces, Resolver.IMPACTS_PER_TRACE);
   }

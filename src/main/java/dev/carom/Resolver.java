@@ -22,16 +22,15 @@ import java.util.stream.IntStream;
  * {@link #respond respond} what becomes of their velocities.
  *
  * <p>The first impacts are those of {@link SweptCircle}; of simultaneous ones walls come first,
- * then lines, then pegs and endpoints, each in their order. The thing just hit cannot be hit again
- * before another one is. A circle that gets stuck is treated as {@link World} describes.
+ * then lines, then pegs and endpoints, each in their order. {@link #cast cast} compares times
+ * exactly; {@link #trace trace}, as {@link World#step World.step}, treats impacts with equal
+ * rounded times as simultaneous. The thing just hit cannot be hit again before another one is. A
+ * circle that gets stuck is treated as {@link World} describes.
  */
 public final class Resolver {
 
   /** Impacts in one trace, exact arithmetic counted as {@link World} describes. */
   static final int IMPACTS_PER_TRACE = 100_000;
-
-  /** That of a world with one circle. */
-  private static final int PATIENCE = 1_010;
 
   private final Obstacles obstacles;
 
@@ -66,8 +65,7 @@ public final class Resolver {
       } else if (obstacle instanceof Bounds bounds) {
         add(builder, bounds);
       } else {
-        Circle peg =
-            obstacle instanceof Endpoint end ? new Circle(end.x(), end.y(), 0) : (Circle) obstacle;
+        Circle peg = Casts.peg(obstacle);
         builder.peg(peg.x(), peg.y(), peg.radius());
         pegs.add(obstacle);
       }
@@ -146,7 +144,8 @@ public final class Resolver {
 
   /**
    * The first impact of a circle: of {@link SweptCircle#cast SweptCircle.cast} with each obstacle,
-   * the earliest; of simultaneous ones the first in the order above. A circle of radius 0 is a ray.
+   * the earliest, as if in real arithmetic on the given doubles; of exactly simultaneous ones the
+   * first in the order above. A circle of radius 0 is a ray.
    *
    * @param circle the circle at the start
    * @param velocity its velocity
@@ -158,7 +157,7 @@ public final class Resolver {
     Check.notNull("circle", circle);
     Check.notNull("velocity", velocity);
     Check.duration("T", T);
-    return tracer().first(circle, velocity, T);
+    return tracer().first(circle, velocity, T).flatMap(first -> first.until(T));
   }
 
   /**
@@ -211,7 +210,7 @@ public final class Resolver {
 
   private Tracer tracer() {
     BroadSearch search = new BroadSearch(obstacles, new CodeList());
-    return new Tracer(obstacles, this::thing, search, null, PATIENCE);
+    return new Tracer(obstacles, this::thing, search, null);
   }
 
   /** What a code stands for: of a wall, the bounds. */

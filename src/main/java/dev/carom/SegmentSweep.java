@@ -117,6 +117,18 @@ final class SegmentSweep {
     return SideSweep.time(contact == LEFT ? 1 : -1, px, py, r, vx, vy, ax, ay, bx, by, T);
   }
 
+  /** The exact time of a contact that is no MISS. */
+  static ExactTime exactTime(
+      int contact, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by) {
+    return switch (contact) {
+      case START -> DiskSweep.exactTime(DiskSweep.LATER, px, py, r, vx, vy, ax, ay, 0, 0, 0);
+      case END -> DiskSweep.exactTime(DiskSweep.LATER, px, py, r, vx, vy, bx, by, 0, 0, 0);
+      case LEFT, RIGHT -> Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by).exactTime();
+      default -> ExactTime.NOW;
+    };
+  }
+
   private static double timeOfEnd(
       double px, double py, double r, double vx, double vy, double x, double y, double T) {
     return T == Double.POSITIVE_INFINITY

@@ -34,10 +34,11 @@ import java.util.Optional;
  *   <li>a point particle (radius 0) that reaches an obstacle later: an impact.
  * </ul>
  *
- * <p>Whether there is an impact, and which feature is hit, is decided as if in real arithmetic on
- * the given doubles; a projection exactly on an end of a line is that end, a line of zero length is
- * its start. The time is the correctly rounded one. A time beyond the range of doubles exceeds
- * every finite T; with {@code T = +infinity} it is {@code +infinity}, which is a miss too.
+ * <p>Whether there is an impact, and which feature or wall is hit, is decided as if in real
+ * arithmetic on the given doubles; a projection exactly on an end of a line is that end, a line of
+ * zero length is its start. The time is the correctly rounded one. A time beyond the range of
+ * doubles exceeds every finite T; with {@code T = +infinity} it is {@code +infinity}, which is a
+ * miss too.
  *
  * <p>The hot form takes and returns doubles, {@code +infinity} = never, and allocates nothing
  * unless a query is so close to a tie that only exact arithmetic decides it. The friendly form,
@@ -184,8 +185,9 @@ public final class SweptCircle {
    *
    * @param circle the circle at the start of its motion
    * @param velocity its velocity
-   * @param obstacle a line, an endpoint, a peg or bounds; a wall of bounds is reported as {@link
-   *     Feature#SIDE}, of two that are hit at once the vertical one
+   * @param obstacle a line, an endpoint, a peg or bounds; of bounds the wall that is hit first is
+   *     reported, as {@link Feature#SIDE}: exactly the earliest one, the vertical one of two that are
+   *     hit at exactly the same time
    * @param T the end of the window
    * @return the impact, empty for a miss
    * @throws IllegalArgumentException if T is NaN or negative
@@ -201,12 +203,8 @@ public final class SweptCircle {
     if (obstacle instanceof Bounds bounds) {
       return Casts.bounds(circle, velocity, bounds, T);
     }
-    if (obstacle instanceof Endpoint end) {
-      Circle point = new Circle(end.x(), end.y(), 0);
-      return Casts.disk(circle, velocity, point, Vec2.ZERO, ObstacleKind.PEG, end, T);
-    }
-    Circle peg = (Circle) obstacle;
-    return Casts.disk(circle, velocity, peg, Vec2.ZERO, ObstacleKind.PEG, peg, T);
+    Circle peg = Casts.peg(obstacle);
+    return Casts.disk(circle, velocity, peg, Vec2.ZERO, ObstacleKind.PEG, obstacle, T);
   }
 
   /**

@@ -21,39 +21,41 @@ final class Tracer {
   /** Where the circle's obstacles are listed, or null to ask them all. */
   private final Grid grid;
 
-  Tracer(
-      Obstacles obstacles,
-      IntFunction<Obstacle> things,
-      BroadSearch search,
-      Grid grid,
-      int patience) {
+  Tracer(Obstacles obstacles, IntFunction<Obstacle> things, BroadSearch search, Grid grid) {
     this.obstacles = obstacles;
     this.things = things;
     this.search = search;
     this.grid = grid;
-    response = new ObstacleResponse(obstacles, patience);
+    response = new ObstacleResponse(obstacles);
   }
 
-  /** The first impact until the given time, as the detector tells it. */
-  Optional<Impact> first(Circle circle, Vec2 velocity, double T) {
+  /**
+   * The first contact until a given time, or later by less than rounding: exactly the earliest one,
+   * sensors passed over.
+   */
+  Optional<Candidate> first(Circle circle, Vec2 velocity, double T) {
     Mover mover = Mover.of(circle, velocity, 1);
-    while (next(mover, T)) {
-      int code = mover.next;
-      Optional<Impact> hit = cast(circle, velocity, code, T);
-      if (hit.isPresent()) {
-        return hit.map(impact -> impact.of(obstacles.kind(code), obstacles.index(code)));
-      }
-      // Later than T by less than rounding: something else, as near to T, may not be.
-      mover.jam = Jam.with(mover.jam, code);
-      mover.newFlight();
+    if (!search.cast(mover, grid, T)) {
+      return Optional.empty();
     }
-    return Optional.empty();
+    return Optional.of(
+        new Candidate(
+                mover.cleared, () -> search.exactTime(mover), () -> impact(circle, velocity, mover))
+            .of(obstacles.kind(mover.next), obstacles.index(mover.next)));
   }
 
-  private Optional<Impact> cast(Circle circle, Vec2 velocity, int code, double T) {
-    return code < Obstacles.WALLS
-        ? Casts.firstAtWall(circle, velocity, obstacles.bounds, code, T)
-        : SweptCircle.cast(circle, velocity, things.apply(code), T);
+  /** The impact that a search found. */
+  private Impact impact(Circle circle, Vec2 v, Mover mover) {
+    int code = mover.next;
+    int contact = mover.contact;
+    double t = mover.cleared;
+    Obstacle thing = things.apply(code);
+    ObstacleKind kind = obstacles.kind(code);
+    return switch (kind) {
+      case WALL -> Casts.wall(circle, v, obstacles.bounds, code, t);
+      case LINE -> Casts.line(circle, v, (Line) thing, contact, t);
+      default -> Casts.disk(circle, v, Casts.peg(thing), Vec2.ZERO, kind, thing, contact, t);
+    };
   }
 
   /**

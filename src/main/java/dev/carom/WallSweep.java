@@ -63,6 +63,12 @@ final class WallSweep {
     return Exact.wallTime(p, r, v, wall);
   }
 
+  /** The exact time of impact of a disk that moves towards a wall. */
+  static ExactTime exactTime(double p, double r, double v, double wall) {
+    Dyadic gap = Exact.wallGap(p, r, v, wall);
+    return gap.sign() > 0 ? new ExactTime(gap, Dyadic.ZERO, Dyadic.of(v).abs()) : ExactTime.NOW;
+  }
+
   /** Whether the true time of impact is later than its rounding t. */
   static boolean roundedDown(double p, double r, double v, double wall, double t) {
     return t < Double.POSITIVE_INFINITY && Exact.compareWallTime(p, r, v, wall, t) > 0;

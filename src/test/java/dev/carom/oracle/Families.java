@@ -53,6 +53,7 @@ public final class Families {
         new Family("wall_far", WallFamilies::far),
         new Family("wall_window_end", WallFamilies::windowEnd),
         new Family("wall_extreme", WallFamilies::extreme),
-        new Family("wall_lattice", WallFamilies::lattice));
+        new Family("wall_lattice", WallFamilies::lattice),
+        new Family("wall_corner", WallFamilies::corner));
   }
 }

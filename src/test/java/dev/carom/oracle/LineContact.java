@@ -113,7 +113,7 @@ final class LineContact {
     }
     Vector left = w.turned();
     Vector normal = w.cross(e).signum() > 0 ? left : left.negate();
-    return Contact.of(part, t, Normal.along(normal));
+    return new Contact(part, t, Normal.along(normal));
   }
 
   /** From an end of the line to the centre, at time 0. */

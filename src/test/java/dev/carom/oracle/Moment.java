@@ -4,10 +4,10 @@ package dev.carom.oracle;
 /**
  * An exact time that is not negative: {@code (x + y sqrt(z)) / d} with {@code d > 0}. All moments
  * of contact have this form, because they solve linear or quadratic equations with exact
- * coefficients. Every comparison is the sign of a {@link Surd}; digits serve only to find the
- * double to compare with.
+ * coefficients. Every comparison with an exact number is the sign of a {@link Surd}; digits serve
+ * only to find the double to compare with, and to compare two moments.
  */
-public final class Moment {
+public final class Moment implements Comparable<Moment> {
   /** The time 0. */
   public static final Moment ZERO = new Moment(Surd.of(Dyadic.ZERO), Dyadic.ONE);
 
@@ -47,9 +47,45 @@ public final class Moment {
     return linear(other.negate(), Dyadic.ONE).sign();
   }
 
-  /** The sign of {@code t - other}, for another time without a root. */
-  int compareToRational(Moment other) {
-    return linear(other.numerator.x().negate(), other.denominator).sign();
+  /**
+   * The sign of {@code t - other}: of their digits, as many as it takes until these differ. Times
+   * that agree to 500 bits tie if {@link #norm} allows it.
+   */
+  @Override
+  public int compareTo(Moment other) {
+    int bits = BITS;
+    int sign = compareDigits(other, bits);
+    while (sign == 0) {
+      bits *= 4;
+      sign = compareDigits(other, bits);
+      if (sign == 0 && norm(other).signum() == 0) {
+        return 0;
+      }
+    }
+    return sign;
+  }
+
+  /** The sign of {@code t - other}, 0 if so many bits leave it open. */
+  private int compareDigits(Moment other, int bits) {
+    Dyadic mine = digits(bits);
+    Dyadic its = other.digits(bits);
+    // Each of the two errs by less than 2^(7-bits) of itself.
+    Dyadic difference = mine.minus(its);
+    int largest = Math.max(mine.magnitude(), its.magnitude());
+    return difference.magnitude() > largest + 9 - bits ? difference.signum() : 0;
+  }
+
+  /**
+   * The product of {@code x +- sqrt(a) +- sqrt(b)} with all four pairs of signs, one of which is
+   * {@code t - other} times both denominators: 0 if the two times tie.
+   */
+  private Dyadic norm(Moment other) {
+    Surd mine = numerator.linear(Dyadic.ZERO, other.denominator);
+    Surd its = other.numerator.linear(Dyadic.ZERO, denominator);
+    Dyadic x = mine.x().minus(its.x());
+    Dyadic a = mine.y().square().times(mine.z());
+    Dyadic b = its.y().square().times(its.z());
+    return x.square().minus(a).minus(b).square().minus(a.times(b).shift(2));
   }
 
   /** Whether this time is at most the given end of a window, which may be infinite. */
@@ -62,9 +98,13 @@ public final class Moment {
   /** This time to about 120 bits. */
   public Dyadic digits() {
     if (digits == null) {
-      digits = numerator.approximate(BITS).over(denominator, BITS);
+      digits = digits(BITS);
     }
     return digits;
+  }
+
+  private Dyadic digits(int bits) {
+    return numerator.approximate(bits).over(denominator, bits);
   }
 
   /** The correctly rounded time: the nearest double, of two the even one; infinite beyond range. */

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.oracle;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -48,18 +47,12 @@ public final class Oracle {
     return earliest(walls);
   }
 
-  /** The wall with the least rounded time, with the normals of all that share it. */
+  /** The wall that is hit first; of those that are hit at once, the first one of the list. */
   private static Contact earliest(List<Contact> walls) {
-    double least = walls.stream().mapToDouble(Contact::time).min().orElseThrow();
-    if (least == Double.POSITIVE_INFINITY) {
-      return Contact.MISS;
-    }
-    List<Contact> first = walls.stream().filter(wall -> wall.time() == least).toList();
-    List<Normal> normals = new ArrayList<>();
-    first.forEach(wall -> normals.addAll(wall.normals()));
-    Moment moment =
-        first.stream().map(Contact::moment).min(Moment::compareToRational).orElseThrow();
-    return new Contact(Part.SIDE, moment, normals);
+    return walls.stream()
+        .filter(Contact::hit)
+        .min((first, second) -> first.moment().compareTo(second.moment()))
+        .orElse(Contact.MISS);
   }
 
   /** A half-plane at signed distance s of the centre, which changes by u per unit of time. */
@@ -70,7 +63,7 @@ public final class Oracle {
     // s + u t = r
     Dyadic gap = s.minus(r);
     Moment t = gap.signum() <= 0 ? Moment.ZERO : new Moment(Surd.of(gap), u.negate());
-    return Contact.of(Part.SIDE, t, Normal.along(normal));
+    return new Contact(Part.SIDE, t, Normal.along(normal));
   }
 
   /** A point at offset e from a static circle of radius r around the origin, moving with v. */
@@ -78,7 +71,7 @@ public final class Oracle {
     if (e.squared().compareTo(r.square()) <= 0) {
       // d|e|/dt = e.v / |e|, and at the centre itself the distance cannot fall
       boolean falling = e.dot(v).signum() < 0;
-      return falling ? Contact.of(part, Moment.ZERO, Normal.along(e)) : Contact.MISS;
+      return falling ? new Contact(part, Moment.ZERO, Normal.along(e)) : Contact.MISS;
     }
     Moment t = firstRoot(e, v, r);
     return t == null ? Contact.MISS : circleAt(part, t, e, v, r);
@@ -88,7 +81,7 @@ public final class Oracle {
   static Contact circleAt(Part part, Moment t, Vector e, Vector v, Dyadic r) {
     // At the end of the path of a point into a point the offset is 0: its limit from before is -v.
     Normal normal = r.signum() == 0 ? Normal.along(v.negate()) : Normal.at(t, e, v, r);
-    return Contact.of(part, t, normal);
+    return new Contact(part, t, normal);
   }
 
   /**

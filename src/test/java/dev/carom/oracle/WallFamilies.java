@@ -67,6 +67,18 @@ final class WallFamilies {
     return ordered(n);
   }
 
+  /** Into a corner: both walls ahead are hit at the same time but for the rounding of places. */
+  static WallQuery corner(Draw d) {
+    double[] n = (d.chance(0.7) ? uniform(d) : lattice(d)).numbers();
+    double t = d.in(0.1, 2);
+    for (int i : new int[] {0, 1}) {
+      double v = n[i + 3];
+      n[i + (v < 0 ? 5 : 7)] = n[i] + v * t + Math.copySign(n[2], v);
+    }
+    n[9] = 100;
+    return ordered(n);
+  }
+
   static WallQuery extreme(Draw d) {
     double[] n = uniform(d).numbers();
     switch (d.whole(0, 4)) {

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.NearlyAtOnce.Truth;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * What a cast hits first, of several things whose times of impact round to the same double: the one
+ * that is earlier exactly, and only of exactly equal times the first in order.
+ */
+class FirstImpactTest {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+  private static final Circle POINT = new Circle(0, 0, 0);
+  private static final Vec2 V = new Vec2(3, 1);
+
+  /** The double nearest to 1/3 is less than that. */
+  private static final double THIRD = 1 / 3.0;
+
+  /** Hit by the point at 1/3, rounded to {@link #THIRD}. */
+  private static final Line LATER = new Line(1, -9, 1, 9);
+
+  /** Hit at {@link #THIRD} itself. */
+  private static final Line EARLIER = new Line(-9, THIRD, 9, THIRD);
+
+  private static final List<Machinery> MACHINERY =
+      List.of(
+          Machinery.CHOSEN,
+          Machinery.EACH,
+          Machinery.cells(0.5),
+          Machinery.cells(3),
+          Machinery.cells(40));
+
+  // Two of one rounded time.
+
+  @Test
+  void aResolverTellsTheEarlierLineInEitherOrder() {
+    for (List<Line> both : List.of(List.of(LATER, EARLIER), List.of(EARLIER, LATER))) {
+      Impact first = Resolver.of(both).cast(POINT, V, NEVER).orElseThrow();
+      assertThat(first.obstacle()).isEqualTo(EARLIER);
+      assertThat(first.id()).isEqualTo(both.indexOf(EARLIER));
+      assertThat(first).isEqualTo(alone(EARLIER, both.indexOf(EARLIER)));
+    }
+  }
+
+  private static Impact alone(Line line, int id) {
+    return SweptCircle.cast(POINT, V, line, NEVER).orElseThrow().of(ObstacleKind.LINE, id);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {0, 20})
+  void aWorldTellsTheEarlierLineInEitherOrder(int more) {
+    for (List<Line> both : List.of(List.of(LATER, EARLIER), List.of(EARLIER, LATER))) {
+      SceneBuilder scene = Scene.builder().circle(-50, -50, 1, 0, 0);
+      both.forEach(line -> scene.line(line.ax(), line.ay(), line.bx(), line.by()));
+      for (int i = 0; i < more; i++) {
+        scene.line(20 + i, 20, 20 + i, 30);
+      }
+      for (Machinery machinery : MACHINERY) {
+        World world = new World(scene.build(), machinery);
+        Impact first = world.cast(POINT, V, NEVER).orElseThrow();
+        assertThat(first).isEqualTo(alone(EARLIER, both.indexOf(EARLIER)));
+        assertThat(world.cast(POINT, V, THIRD)).contains(first);
+        assertThat(world.cast(POINT, V, Math.nextDown(THIRD))).isEmpty();
+      }
+    }
+  }
+
+  @Test
+  void boundsTellTheEarlierWall() {
+    Impact top = SweptCircle.cast(POINT, V, new Bounds(-9, -9, 1, THIRD), NEVER).orElseThrow();
+    assertThat(top.id()).isEqualTo(Obstacles.TOP);
+    assertThat(top.point().y()).isEqualTo(THIRD);
+    Vec2 exchanged = new Vec2(1, 3);
+    Bounds other = new Bounds(-9, -9, THIRD, 1);
+    assertThat(SweptCircle.cast(POINT, exchanged, other, NEVER).orElseThrow().id())
+        .isEqualTo(Obstacles.RIGHT);
+  }
+
+  @Test
+  void twoWallsThatAreHitAtOnceAreTheVerticalOne() {
+    Impact impact =
+        SweptCircle.cast(POINT, new Vec2(3, 3), new Bounds(-9, -9, 1, 1), NEVER).orElseThrow();
+    assertThat(impact.id()).isEqualTo(Obstacles.RIGHT);
+  }
+
+  /** Of a kind that comes later in order, but earlier in time. */
+  @Test
+  void anEarlierLineIsBeforeAWallAndAnEarlierPegBeforeALine() {
+    Bounds room = new Bounds(-9, -9, 1, 9);
+    assertThat(Resolver.of(List.of(room, EARLIER)).cast(POINT, V, NEVER).orElseThrow().kind())
+        .isEqualTo(ObstacleKind.LINE);
+    Circle peg = new Circle(Math.nextDown(1.0), 0, 0);
+    Vec2 v = new Vec2(3, 0);
+    assertThat(SweptCircle.cast(POINT, v, peg, NEVER).orElseThrow().time()).isEqualTo(THIRD);
+    assertThat(Resolver.of(List.of(LATER, peg)).cast(POINT, v, NEVER).orElseThrow().kind())
+        .isEqualTo(ObstacleKind.PEG);
+  }
+
+  /** Two circles: a gap of 1 at a speed of 3, and one of {@link #THIRD} at a speed of 1. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aWorldTellsTheEarlierOfTwoCircles(boolean laterFirst) {
+    Vec2 v = new Vec2(3, 0);
+    SceneBuilder scene = Scene.builder().collide(true);
+    for (boolean later : new boolean[] {laterFirst, !laterFirst}) {
+      if (later) {
+        scene.circle(2, 0, 1, 0, 0);
+      } else {
+        scene.circle(2 * THIRD, 0, THIRD, 2, 0);
+      }
+    }
+    Impact first = new World(scene.build()).cast(POINT, v, NEVER).orElseThrow();
+    assertThat(first.time()).isEqualTo(THIRD);
+    assertThat(first.id()).isEqualTo(laterFirst ? 1 : 0);
+    Impact withLine =
+        new World(scene.line(1, -1, 1, 1).build()).cast(POINT, v, NEVER).orElseThrow();
+    assertThat(withLine).isEqualTo(first);
+  }
+
+  @Test
+  void ofExactlyEqualTimesALineIsBeforeACircle() {
+    World world =
+        new World(Scene.builder().collide(true).circle(2, 0, 1, 0, 0).line(1, -1, 1, 1).build());
+    Impact first = world.cast(POINT, new Vec2(3, 0), NEVER).orElseThrow();
+    assertThat(first.kind()).isEqualTo(ObstacleKind.LINE);
+  }
+
+  /** Earlier than T by less than rounding, or later: both round to T. */
+  @Test
+  void theEndOfTheWindowIsExact() {
+    Resolver later = Resolver.of(List.of(LATER));
+    assertThat(later.cast(POINT, V, THIRD)).isEmpty();
+    assertThat(later.cast(POINT, V, Math.nextUp(THIRD)).orElseThrow().time()).isEqualTo(THIRD);
+    assertThat(Resolver.of(List.of(EARLIER)).cast(POINT, V, THIRD)).isPresent();
+    World world =
+        new World(Scene.builder().collide(true).line(1, -9, 1, 9).circle(2, 0, 1, 0, 0).build());
+    assertThat(world.cast(POINT, V, THIRD)).isEmpty();
+    assertThat(world.cast(POINT, V, Math.nextUp(THIRD)).orElseThrow().id()).isZero();
+  }
+
+  /** Touched at the start, and reached so soon after it that the time rounds to 0. */
+  @Test
+  void nowIsBeforeWhatRoundsToNow() {
+    Vec2 v = new Vec2(0x1p600, 0x1p600);
+    Line soon = new Line(0x1p-500, -1, 0x1p-500, 1);
+    Circle now = new Circle(0, 1, 1);
+    assertThat(SweptCircle.cast(POINT, v, soon, NEVER).orElseThrow().time()).isZero();
+    Resolver resolver = Resolver.of(List.of(soon, now));
+    assertThat(resolver.cast(POINT, v, NEVER).orElseThrow().obstacle()).isEqualTo(now);
+    assertThat(resolver.cast(POINT, v, 0).orElseThrow().obstacle()).isEqualTo(now);
+    assertThat(Resolver.of(List.of(soon)).cast(POINT, v, 0)).isEmpty();
+  }
+
+  @Test
+  void whatIsPassedOverIsNotFirst() {
+    World world =
+        new World(
+            Scene.builder()
+                .line(EARLIER.bx(), THIRD, EARLIER.ax(), THIRD)
+                .response(Response.SENSOR)
+                .line(EARLIER.bx(), THIRD, EARLIER.ax(), THIRD)
+                .line(EARLIER.ax(), THIRD, EARLIER.bx(), THIRD)
+                .oneWay()
+                .line(1, -9, 1, 9)
+                .line(1, -8, 1, 8)
+                .build());
+    world.remove(ObstacleKind.LINE, 1);
+    assertThat(world.cast(POINT, V, NEVER).orElseThrow().id()).isEqualTo(3);
+    world.setOneWay(2, false);
+    assertThat(world.cast(POINT, V, NEVER).orElseThrow().id()).isEqualTo(2);
+  }
+
+  // Random casts, of which most meet many things at one rounded time.
+
+  @Tag("long")
+  @Test
+  void theFirstImpactIsThatOfTheOracle() {
+    int rivals = 0;
+    for (int seed = 0; seed < 1_000; seed++) {
+      NearlyAtOnce scene = new NearlyAtOnce(new Random(seed));
+      Truth still = scene.first(false);
+      Truth moving = scene.first(true);
+      for (double T : windows(still)) {
+        Impact expected = impact(scene, still, T);
+        assertThat(Resolver.of(obstacles(scene)).cast(scene.circle, scene.v, T))
+            .as("seed %s", seed)
+            .isEqualTo(Optional.ofNullable(expected));
+        Machinery machinery = MACHINERY.get(seed % MACHINERY.size());
+        assertThat(world(scene, false, machinery).cast(scene.circle, scene.v, T))
+            .as("seed %s, %s", seed, machinery)
+            .isEqualTo(Optional.ofNullable(expected));
+      }
+      for (double T : windows(moving)) {
+        Machinery machinery = MACHINERY.get(seed / 2 % MACHINERY.size());
+        assertThat(world(scene, true, machinery).cast(scene.circle, scene.v, T))
+            .as("seed %s, %s, circles collide", seed, machinery)
+            .isEqualTo(Optional.ofNullable(impact(scene, moving, T)));
+      }
+      rivals += moving != null && scene.rivals(true) > 0 ? 1 : 0;
+    }
+    assertThat(rivals).isGreaterThan(300);
+  }
+
+  private static double[] windows(Truth first) {
+    if (first == null) {
+      return new double[] {NEVER};
+    }
+    double t = first.contact().time();
+    return new double[] {NEVER, t, Math.nextUp(t), Math.max(0, Math.nextDown(t))};
+  }
+
+  /** The impact that the detector tells of the thing that is first by the oracle. */
+  private static Impact impact(NearlyAtOnce scene, Truth first, double T) {
+    if (first == null || !first.contact().moment().within(T)) {
+      return null;
+    }
+    int id = first.id();
+    Optional<Impact> impact =
+        switch (first.kind()) {
+          case WALL -> SweptCircle.cast(scene.circle, scene.v, scene.bounds, NEVER);
+          case LINE -> SweptCircle.cast(scene.circle, scene.v, scene.lines.get(id), NEVER);
+          case PEG -> SweptCircle.cast(scene.circle, scene.v, scene.pegs.get(id), NEVER);
+          default ->
+              SweptCircle.cast(
+                  scene.circle, scene.v, scene.circles.get(id), scene.velocities.get(id), NEVER);
+        };
+    assertThat(impact.orElseThrow().time()).isEqualTo(first.contact().time());
+    return impact.get().of(first.kind(), id);
+  }
+
+  private static List<Obstacle> obstacles(NearlyAtOnce scene) {
+    List<Obstacle> all = new ArrayList<>(scene.lines);
+    all.addAll(scene.pegs);
+    if (scene.bounds != null) {
+      all.add(scene.bounds);
+    }
+    return all;
+  }
+
+  /** A circle of radius 5 stands aside where circles do not count: grids are made for it. */
+  private static World world(NearlyAtOnce scene, boolean collide, Machinery machinery) {
+    SceneBuilder builder = Scene.builder().collide(collide);
+    Bounds b = scene.bounds;
+    if (b != null) {
+      builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax());
+    }
+    scene.lines.forEach(line -> builder.line(line.ax(), line.ay(), line.bx(), line.by()));
+    scene.pegs.forEach(peg -> builder.peg(peg.x(), peg.y(), peg.radius()));
+    for (int i = 0; collide && i < scene.circles.size(); i++) {
+      Circle c = scene.circles.get(i);
+      builder.circle(
+          c.x(), c.y(), c.radius(), scene.velocities.get(i).x(), scene.velocities.get(i).y());
+    }
+    return new World((collide ? builder : builder.circle(0, 0, 5, 0, 0)).build(), machinery);
+  }
+
+  /** What was found is removed, or made a sensor, or one-way; what is first then, is next. */
+  @Tag("long")
+  @Test
+  void whatIsNotThereIsNotFirst() {
+    int next = 0;
+    for (int seed = 0; seed < 1_000; seed++) {
+      NearlyAtOnce scene = new NearlyAtOnce(new Random(seed));
+      Machinery machinery = MACHINERY.get(seed % MACHINERY.size());
+      World world = world(scene, seed % 2 == 0, machinery);
+      for (Truth first : scene.inOrder(seed % 2 == 0)) {
+        Impact impact = world.cast(scene.circle, scene.v, NEVER).orElseThrow();
+        assertThat(impact)
+            .as("seed %s, %s", seed, machinery)
+            .isEqualTo(impact(scene, first, NEVER));
+        if (first.kind() == ObstacleKind.WALL) {
+          break;
+        }
+        passOver(world, first, scene, seed % 3);
+        next++;
+      }
+    }
+    assertThat(next).isGreaterThan(1_500);
+  }
+
+  private static void passOver(World world, Truth first, NearlyAtOnce scene, int how) {
+    if (how == 0) {
+      world.remove(first.kind(), first.id());
+    } else if (how == 2
+        && first.kind() == ObstacleKind.LINE
+        && scene.comesFromTheRight(first.id())) {
+      world.setOneWay(first.id(), true);
+    } else {
+      world.setResponse(first.kind(), first.id(), Response.SENSOR);
+    }
+  }
+
+  /** Turned, and in another order: the same thing is first, unless several tie exactly. */
+  @Tag("long")
+  @Test
+  void neitherOrderNorTurnsChangeWhatIsFirst() {
+    int decided = 0;
+    for (int seed = 0; seed < 1_000; seed++) {
+      Random random = new Random(seed);
+      NearlyAtOnce scene = new NearlyAtOnce(random);
+      List<Obstacle> all = obstacles(scene);
+      List<Obstacle> found = new ArrayList<>();
+      for (int i = 0; i < 4; i++) {
+        Collections.shuffle(all, random);
+        Obstacle first = first(all, scene.circle, scene.v);
+        found.add(first);
+        Obstacle image =
+            first(
+                all.stream().map(FirstImpactTest::turned).toList(),
+                (Circle) turned(scene.circle),
+                new Vec2(scene.v.y(), -scene.v.x()));
+        assertThat(image).isEqualTo(first == null ? null : turned(first));
+      }
+      if (found.get(0) != null && scene.ties(false) == 1) {
+        assertThat(found).as("seed %s", seed).containsOnly(found.get(0));
+        decided++;
+      }
+    }
+    assertThat(decided).isGreaterThan(400);
+  }
+
+  private static Obstacle first(List<Obstacle> all, Circle circle, Vec2 v) {
+    return Resolver.of(all).cast(circle, v, NEVER).map(Impact::obstacle).orElse(null);
+  }
+
+  /** Turned right by a quarter. */
+  private static Obstacle turned(Obstacle o) {
+    if (o instanceof Line l) {
+      return new Line(l.ay(), -l.ax(), l.by(), -l.bx());
+    }
+    return o instanceof Bounds b
+        ? new Bounds(b.ymin(), -b.xmax(), b.ymax(), -b.xmin())
+        : new Circle(((Circle) o).y(), -((Circle) o).x(), ((Circle) o).radius());
+  }
+}
