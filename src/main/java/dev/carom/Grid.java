@@ -2,6 +2,7 @@
 package dev.carom;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * Square cells over the lines and pegs of a scene; each cell lists every one that a circle of at
@@ -212,6 +213,27 @@ final class Grid {
     box[1] = Math.min(box[1], y - radius);
     box[2] = Math.max(box[2], x + radius);
     box[3] = Math.max(box[3], y + radius);
+  }
+
+  /** The codes of what a circle could touch whose centre is at a place; none beyond the grid. */
+  IntStream listedAt(double x, double y) {
+    IntStream.Builder codes = IntStream.builder();
+    if (contains(x, y)) {
+      long list = lists[number(column(columns(x)), row(rows(y)))];
+      if (list >= 0 || arePegs(list)) {
+        addPair(list, codes);
+      } else {
+        int k = (int) list;
+        do {
+          addPair(pairs[k], codes);
+        } while (pairs[k++] < 0);
+      }
+    }
+    return codes.build().filter(code -> code >= Obstacles.WALLS);
+  }
+
+  private static void addPair(long pair, IntStream.Builder codes) {
+    codes.add(first(pair)).add(second(pair));
   }
 
   /** Reads what the cells around a place list, to have it in the cache. */

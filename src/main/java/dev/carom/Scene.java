@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.Reader;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 
@@ -149,10 +150,11 @@ public final class Scene {
 
   /**
    * Writes this scene to a file; one that stands there is replaced, at the end and as a whole, so
-   * that a failure leaves it as it was.
+   * that a failure leaves it as it was, and nothing beside it. Symbolic links stay, and who may
+   * read the file stays the same.
    *
    * @param path the file
-   * @throws IOException if the file cannot be written
+   * @throws IOException if the file cannot be written; the message names it, and why
    */
   public void write(Path path) throws IOException {
     SceneFile.write(this, Check.notNull("path", path));
@@ -314,6 +316,26 @@ public final class Scene {
    */
   public boolean collide() {
     return collide;
+  }
+
+  /**
+   * What is likely a mistake, though it is legal: circles that begin where things overlap them.
+   * These are a circle that is not wholly within the bounds; one that overlaps a line or a peg;
+   * and, where circles collide, two that overlap. Decided exactly; to touch is not to overlap.
+   *
+   * <p>What a circle passes through is left out: sensors; a one-way line, unless the centre is
+   * strictly left of it; and of two circles, both of infinite mass.
+   *
+   * <p>Each text names the circle, the other thing, the distance of the centre from it, rounded,
+   * and the least distance that was expected. They stand in the order of the circles; of one
+   * circle, first the walls (left, right, bottom, top), then lines, pegs, and circles with larger
+   * numbers. At most 10,000 are listed. They are computed with each call; 100,000 circles among
+   * 100,000 lines take some seconds.
+   *
+   * @return the warnings, to be read by people; unmodifiable, empty if there are none
+   */
+  public List<String> warnings() {
+    return Warnings.of(this);
   }
 
   /**

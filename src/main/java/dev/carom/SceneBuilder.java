@@ -194,7 +194,8 @@ public final class SceneBuilder {
   }
 
   /**
-   * Makes the scene of all that was added. The builder can be used further.
+   * Makes the scene of all that was added. The builder can be used further. Circles may overlap
+   * each other and what stands still: {@link Scene#warnings} lists those that do.
    *
    * @return the scene
    * @throws IllegalArgumentException if the radius of a circle is below 2^10 ulps of the largest

@@ -3,7 +3,9 @@ package dev.carom.bench.cli;
 
 import dev.carom.Scene;
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -21,6 +23,8 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class SimulateCommand implements Callable<Integer> {
+
+  private static final int MOST_WARNINGS = 10;
 
   @Spec private CommandSpec spec;
 
@@ -68,6 +72,7 @@ final class SimulateCommand implements Callable<Integer> {
     OutputFile.expectOther("--positions", positions, "--scene", file, spec);
     OutputFile.expectOther("--impacts", impacts, "--scene", file, spec);
     Scene scene = Scene.read(file);
+    warn(scene.warnings());
     try (OutputFile positionsFile = OutputFile.open(positions, Recorder.POSITIONS);
         OutputFile impactsFile = OutputFile.open(impacts, Recorder.IMPACTS)) {
       Recorder recorder = new Recorder(positionsFile, impactsFile);
@@ -77,5 +82,16 @@ final class SimulateCommand implements Callable<Integer> {
       spec.commandLine().getOut().println(simulation.summary());
     }
     return 0;
+  }
+
+  /** Tells of circles that begin where they overlap something, of so many and no more. */
+  private void warn(List<String> warnings) {
+    String prefix = spec.qualifiedName() + ": warning: ";
+    PrintWriter err = spec.commandLine().getErr();
+    warnings.stream().limit(MOST_WARNINGS).forEach(warning -> err.println(prefix + warning));
+    if (warnings.size() > MOST_WARNINGS) {
+      err.println(prefix + "and " + (warnings.size() - MOST_WARNINGS) + " more");
+    }
+    err.flush();
   }
 }

@@ -2,10 +2,14 @@
 package dev.carom.bench.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -132,7 +136,46 @@ class SimulateCommandTest {
             nowhere);
 
     assertThat(run.exitCode()).isEqualTo(1);
-    assertThat(run.err()).contains(nowhere + ": cannot be written").hasLineCount(1);
+    assertThat(run.err()).contains(nowhere + ": cannot be written: no such folder").hasLineCount(1);
+    assertThat(folder.toFile().list()).containsExactly("scene.csv");
+  }
+
+  @Test
+  void circlesThatBeginWhereTheyOverlapAreToldOfTen() throws IOException {
+    Files.writeString(scene, "wall,0,0,9,9\n" + "circle,1,5,2,0,0\n".repeat(10));
+    Cli ten = Cli.run("simulate", "--scene", scene, "--frames", 1);
+    Files.writeString(scene, "wall,0,0,9,9\n" + "circle,1,5,2,0,0\n".repeat(13));
+    Cli more = Cli.run("simulate", "--scene", scene, "--frames", 1);
+
+    assertThat(ten.exitCode()).isZero();
+    assertThat(ten.err()).hasLineCount(10);
+    assertThat(more.err().lines())
+        .hasSize(11)
+        .startsWith(
+            "carom-bench simulate: warning: circle 0: distance from the left wall is 1.0: expected"
+                + " at least 2.0, its radius")
+        .endsWith("carom-bench simulate: warning: and 3 more");
+    assertThat(more.out()).hasLineCount(1);
+  }
+
+  /** A limit on the size of files stands for a disk that is full. */
+  @Test
+  void whereTheDiskIsFullOneLineNamesTheFile() throws Exception {
+    assumeTrue(folder.getFileSystem().supportedFileAttributeViews().contains("posix"));
+    List<String> command = new ArrayList<>();
+    command.addAll(List.of("sh", "-c", "ulimit -f 8; exec \"$@\"", "sh"));
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of("-XX:-UsePerfData", "-cp", System.getProperty("java.class.path")));
+    command.addAll(List.of("dev.carom.bench.Main", "simulate", "--scene", scene.toString()));
+    command.addAll(List.of("--frames", "2000", "--positions", positions.toString()));
+    Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+
+    String told = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+
+    assertThat(told)
+        .isEqualToNormalizingNewlines(
+            "carom-bench simulate: " + positions + ": cannot be written: File too large\n");
+    assertThat(process.waitFor()).isEqualTo(1);
     assertThat(folder.toFile().list()).containsExactly("scene.csv");
   }
 }
