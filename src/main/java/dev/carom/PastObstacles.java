@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,6 +18,14 @@ final class PastObstacles {
   private final int most;
   private final Map<Integer, List<Change>> changes = new HashMap<>();
 
+  /** What was removed, in that order, and how many changes are kept of it. */
+  private final Deque<Integer> removed = new ArrayDeque<>();
+
+  private long changesOfRemoved;
+
+  private int present;
+  private int mostPresent;
+
   /** From when on everything is known: later than the start once changes were dropped. */
   private double start = Double.NEGATIVE_INFINITY;
 
@@ -27,6 +37,8 @@ final class PastObstacles {
   PastObstacles(Obstacles now, int most) {
     first = now.copy();
     this.most = most;
+    present = first.size();
+    mostPresent = present;
   }
 
   double start() {
@@ -35,11 +47,44 @@ final class PastObstacles {
 
   /** Notes that a line or a peg is new, elsewhere, or gone, from a given time on. */
   void note(int code, Obstacles now, double t) {
-    List<Change> ofThis = changes.computeIfAbsent(code, none -> new ArrayList<>());
-    ofThis.add(new Change(t, now.isGone(code) ? null : now.thing(code)));
+    List<Change> ofThis = changes.computeIfAbsent(code, this::newChanges);
+    boolean gone = now.isGone(code);
+    ofThis.add(new Change(t, gone ? null : now.thing(code)));
     if (ofThis.size() > most) {
       ofThis.remove(0);
       start = Math.max(start, ofThis.get(0).from());
+    }
+    if (gone) {
+      remove(code, ofThis.size());
+    }
+  }
+
+  private List<Change> newChanges(int code) {
+    if (!isFirst(code)) {
+      present++;
+      mostPresent = Math.max(mostPresent, present);
+    }
+    return new ArrayList<>();
+  }
+
+  /** Notes that a thing is gone; those that went first are dropped if there is no room. */
+  private void remove(int code, int itsChanges) {
+    present--;
+    removed.add(code);
+    changesOfRemoved += itsChanges;
+    while (changesOfRemoved > (long) most * mostPresent) {
+      dropFirst();
+    }
+  }
+
+  private void dropFirst() {
+    int code = removed.remove();
+    List<Change> dropped = changes.remove(code);
+    Change last = dropped.get(dropped.size() - 1);
+    changesOfRemoved -= dropped.size();
+    start = Math.max(start, last.from());
+    if (isFirst(code)) {
+      changes.put(code, List.of(last)); // else it would seem to be there still
     }
   }
 
@@ -51,7 +96,12 @@ final class PastObstacles {
         return ofThis.get(i).thing();
       }
     }
+    return isFirst(code) ? first.thing(code) : null;
+  }
+
+  /** Whether a thing was there when the recording began. */
+  private boolean isFirst(int code) {
     int end = code < Obstacles.PEGS ? first.endOfLines : first.endOfPegs;
-    return code < end && !first.isGone(code) ? first.thing(code) : null;
+    return code < end && !first.isGone(code);
   }
 }

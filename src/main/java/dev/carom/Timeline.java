@@ -9,8 +9,9 @@ import java.util.function.IntUnaryOperator;
  * The recorded flights of a world's circles: where each was, and how it moved, at any moment from
  * the start of the recording to now, forwards and backwards, to the bit as the world gave it when
  * it stood there: after the edits of that moment, and the impacts that they brought about at once.
- * It takes 56 bytes a flight, so its size follows the impacts, not the steps; it can be bounded.
- * Where lines and pegs were is recorded too, at their changes.
+ * It takes 56 bytes a flight, so its size follows the impacts, not the steps; it is bounded, and so
+ * is what is kept of circles that were removed: see {@link World#record World.record}. Where lines
+ * and pegs were is recorded too, at their changes.
  *
  * <pre>{@code
  * World world =
@@ -27,7 +28,7 @@ public final class Timeline {
 
   private final int most;
   private final IntUnaryOperator ids;
-  private Track[] tracks;
+  private Tracks tracks;
   private PastObstacles obstacles;
   private double begin;
   private double end;
@@ -43,22 +44,16 @@ public final class Timeline {
   Timeline(int most, IntUnaryOperator ids) {
     this.most = most;
     this.ids = ids;
-    tracks = new Track[0];
   }
 
   /**
    * From when on everything is known.
    *
-   * @return the time at which the recording began; later, if its bound made it drop flights
+   * @return the time at which the recording began; later, if its bound made it drop flights, or
+   *     circles that were removed
    */
   public double start() {
-    double start = Math.max(begin, obstacles.start());
-    for (Track track : tracks) {
-      if (track != null && track.hasDropped()) {
-        start = Math.max(start, track.start());
-      }
-    }
-    return start;
+    return Math.max(begin, Math.max(obstacles.start(), tracks.start()));
   }
 
   /**
@@ -78,12 +73,8 @@ public final class Timeline {
    * @return whether it can be asked for
    */
   public boolean contains(int id, double t) {
-    return id >= 0
-        && id < tracks.length
-        && tracks[id] != null
-        && t >= tracks[id].start()
-        && t < tracks[id].end
-        && t <= end;
+    Track track = tracks.get(id);
+    return track != null && t >= track.start() && t < track.end() && t <= end;
   }
 
   /**
@@ -197,14 +188,14 @@ public final class Timeline {
       checked(t);
       throw Check.refused("circle " + id, "unknown at " + t, "one that was there then");
     }
-    return tracks[id];
+    return tracks.get(id);
   }
 
   // What a world tells.
 
   /** Forgets all, and begins at a given time, with what stands still then. */
   void begin(double now, Obstacles here) {
-    tracks = new Track[0];
+    tracks = new Tracks(most);
     obstacles = new PastObstacles(here, most);
     begin = now;
     end = now;
@@ -241,19 +232,9 @@ public final class Timeline {
 
   private void keep() {
     for (int i = 0; i < pendings; i++) {
-      track(pendingIds[i]).add(pending, i * Track.FLIGHT);
+      tracks.add(pendingIds[i], pending, i * Track.FLIGHT);
     }
     pendings = 0;
-  }
-
-  private Track track(int id) {
-    if (id >= tracks.length) {
-      tracks = Arrays.copyOf(tracks, Math.max(id + 1, 2 * tracks.length));
-    }
-    if (tracks[id] == null) {
-      tracks[id] = new Track(most);
-    }
-    return tracks[id];
   }
 
   /** Notes that a line or a peg is new, elsewhere, or gone. */
@@ -262,6 +243,6 @@ public final class Timeline {
   }
 
   void remove(int id, double now) {
-    tracks[id].end = now;
+    tracks.remove(id, now);
   }
 }

@@ -21,7 +21,7 @@ final class Track {
   private int found;
 
   /** When the circle was removed. */
-  double end = Double.POSITIVE_INFINITY;
+  private double end = Double.POSITIVE_INFINITY;
 
   /** Of so many flights at most. */
   Track(int most) {
@@ -50,6 +50,24 @@ final class Track {
       flights = Arrays.copyOf(flights, (int) Math.min(2L * size, most) * FLIGHT);
     }
     System.arraycopy(numbers, k, flights, at(size++), FLIGHT);
+  }
+
+  /** Ends it: no flight is added any more. */
+  void end(double now) {
+    end = now;
+    if (!dropped) {
+      flights = Arrays.copyOf(flights, size * FLIGHT);
+    }
+  }
+
+  /** When the circle was removed; infinite while it is there. */
+  double end() {
+    return end;
+  }
+
+  /** The number of flights. */
+  int size() {
+    return size;
   }
 
   /** Whether flights were dropped for want of room. */

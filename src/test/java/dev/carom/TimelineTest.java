@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -334,5 +335,118 @@ class TimelineTest {
     assertThat(timeline.start()).isZero();
     assertThat(timeline.end()).isEqualTo(1.5);
     assertThat(timeline.x(0, 0.5)).isEqualTo(7);
+  }
+
+  // What was removed.
+
+  /** One comes and bounces once, another one goes, ten are there. */
+  private static World turnover(boolean collide, int rounds, Timeline[] past) {
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).collide(collide);
+    for (int i = 0; i < 10; i++) {
+      scene.circle(5 + 10 * i, 2, 1, 0, -1);
+    }
+    World world = new World(scene.build());
+    past[0] = world.record(4);
+    for (int i = 0; i < rounds; i++) {
+      world.step(1);
+      world.remove(CIRCLE, i);
+      world.addCircle(5 + 10 * (i % 10), 2, 1, 0, -1);
+    }
+    return world;
+  }
+
+  /** Each has two flights, or three: so forty flights are those of some fifteen circles. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void ofRemovedCirclesTheFirstAreDropped(boolean collide) {
+    Timeline[] past = new Timeline[1];
+    turnover(collide, 12, past);
+    assertThat(past[0].start()).as("none was dropped yet").isZero();
+    assertThat(past[0].y(0, 0.5)).isEqualTo(1.5);
+
+    World world = turnover(collide, 200, past);
+    assertThat(past[0].contains(160, 160.5)).isFalse();
+    int first = 160;
+    while (!past[0].contains(first, first + 0.5)) {
+      first++;
+    }
+    assertThat(first).isBetween(180, 188);
+    assertThat(past[0].start()).as("when the last of those dropped went").isEqualTo(first);
+    for (int id = first; id < 200; id++) {
+      assertThat(past[0].contains(id, id + 0.5)).isTrue();
+    }
+    assertThat(past[0].contains(first - 1, first - 0.5)).isFalse();
+    double t = first - 0.5;
+    assertThatThrownBy(() -> past[0].x(0, t)).hasMessageContaining("from " + past[0].start());
+    assertThat(world.circleCount()).isEqualTo(10);
+  }
+
+  /** All go at once: the largest number that was there counts. */
+  @Test
+  void thatNoneIsLeftDropsNothing() {
+    Timeline[] past = new Timeline[1];
+    World world = turnover(false, 0, past);
+    world.step(1);
+    for (int id = 0; id < 10; id++) {
+      world.remove(CIRCLE, id);
+    }
+    world.step(1);
+    assertThat(past[0].start()).isZero();
+    assertThat(past[0].y(3, 0.25)).isEqualTo(1.75);
+  }
+
+  private static long usedMemory() {
+    System.gc();
+    return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
+  }
+
+  /** Whoever came and went, 500 bytes each would be 500 MB. */
+  @Tag("long")
+  @Test
+  void whatCameAndWentTakesNoMemory() {
+    Timeline[] past = new Timeline[1];
+    World young = turnover(false, 1000, past);
+    long before = usedMemory();
+    World old = turnover(false, 1_000_000, past);
+    assertThat(usedMemory() - before).isLessThan(20_000_000);
+    assertThat(past[0].start()).isGreaterThan(999_000);
+    assertThat(old.circleCount()).isEqualTo(young.circleCount());
+  }
+
+  @Test
+  void ofRemovedLinesAndPegsTheFirstAreDropped() {
+    World world = new World(Scene.builder().line(0, 0, 1, 0).peg(5, 5, 1).build());
+    Timeline timeline = world.record(3);
+    world.step(1);
+    world.remove(ObstacleKind.LINE, 0);
+    for (int i = 1; i <= 10; i++) {
+      int line = world.addLine(0, i, 1, i);
+      world.step(1);
+      world.remove(ObstacleKind.LINE, line);
+    }
+    // Six changes are kept, two of each line: the seventh line was removed at time 8.
+    assertThat(timeline.start()).isEqualTo(8);
+    assertThat(timeline.line(0, 8)).isEmpty();
+    assertThat(timeline.line(7, 8)).isEmpty();
+    assertThat(timeline.line(8, 8)).contains(new Line(0, 8, 1, 8));
+    assertThat(timeline.line(9, 9.5)).contains(new Line(0, 9, 1, 9));
+    assertThat(timeline.peg(0, 11)).contains(new Circle(5, 5, 1));
+    assertThatThrownBy(() -> timeline.line(6, 7.5)).hasMessageContaining("from 8.0");
+  }
+
+  /** A line is some 50 bytes in the world, and was 200 more in its recording. */
+  @Tag("long")
+  @Test
+  void whatCameAndWentOfLinesTakesAFewBytes() {
+    World world = new World(Scene.builder().build());
+    Timeline timeline = world.record(100);
+    int rounds = 500_000;
+    long before = usedMemory();
+    for (int i = 0; i < rounds; i++) {
+      world.remove(ObstacleKind.LINE, world.addLine(0, 1, 2, 3));
+      world.step(1);
+    }
+    assertThat(usedMemory() - before).isLessThan(120L * rounds);
+    assertThat(timeline.start()).isGreaterThan(rounds - 100);
   }
 }

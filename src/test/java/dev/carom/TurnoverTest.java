@@ -39,8 +39,8 @@ class TurnoverTest {
         scene.response(Response.SENSOR);
       }
     }
-    world = new World(scene.build(), new Machinery(true, 0, 1, slack));
-    beside = new World(scene.build(), new Machinery(true, 0, 1, Double.MAX_VALUE));
+    world = new World(scene.build(), new Machinery(true, 0, 1, slack, 1));
+    beside = new World(scene.build(), new Machinery(true, 0, 1, Double.MAX_VALUE, 1));
     for (int i = 0; i < LIVE; i++) {
       come();
     }
