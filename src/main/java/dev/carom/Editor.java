@@ -90,6 +90,7 @@ final class Editor {
   }
 
   int addCircle(double x, double y, double radius, double vx, double vy, double now) {
+    checkId(ObstacleKind.CIRCLE, roster.idEnd(), Roster.ID_LIMIT);
     try {
       checkPlace(x, y);
       limits.checkRadius(radius, x, y);
@@ -118,6 +119,15 @@ final class Editor {
     if (collide && passes) {
       restarted(slot, now).forget();
       engine.fly(mover);
+    }
+  }
+
+  /** Refuses to add a thing when all ids of its kind were given. */
+  private static void checkId(ObstacleKind kind, int id, int limit) {
+    if (id >= limit) {
+      throw new IllegalStateException(
+          "%s cannot be added: expected an id below %d, and none is used twice"
+              .formatted(kind.nameOf(id), limit));
     }
   }
 
@@ -152,6 +162,7 @@ final class Editor {
   // Lines and pegs.
 
   int addLine(double ax, double ay, double bx, double by, double now) {
+    checkId(ObstacleKind.LINE, obstacles.endOfLines - Obstacles.WALLS, Obstacles.LINE_LIMIT);
     checkLine(obstacles.endOfLines, ax, ay, bx, by);
     int code = obstacles.addLine(ax, ay, bx, by);
     limits.keepPlace(ax, ay);
@@ -181,6 +192,7 @@ final class Editor {
   }
 
   int addPeg(double x, double y, double radius, double now) {
+    checkId(ObstacleKind.PEG, obstacles.endOfPegs - Obstacles.PEGS, Obstacles.PEG_LIMIT);
     checkPeg(obstacles.endOfPegs, x, y, radius);
     int code = obstacles.addPeg(x, y, radius);
     limits.keepPlace(x, y);

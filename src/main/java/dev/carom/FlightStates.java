@@ -10,12 +10,14 @@ import java.util.Arrays;
 final class FlightStates {
 
   /**
-   * Doubles of one circle: x, y, vx, vy, t, tl, radius, restitution, anchor, sensed among what
-   * stands still, and among circles (head and tail).
+   * Doubles of one circle: x, y, vx, vy, t, tl, radius, restitution, sensed among what stands
+   * still, and among circles (head and tail).
    */
-  static final int NUMBERS = 13;
+  static final int NUMBERS = 11;
 
-  /** Ints of one circle: the code last hit, impacts in one place, codes sensed, their pace. */
+  /**
+   * Ints of one circle: the code last hit, the weight of impacts at one place, codes sensed, marks.
+   */
   static final int CODES = 5;
 
   /** Of each circle, ascending. */
@@ -26,6 +28,9 @@ final class FlightStates {
 
   /** Null where no circle is jammed. */
   Jam[] jams;
+
+  /** The tail of the time of the next edit, where an edit comes after events of other circles. */
+  double tailOfEdit;
 
   FlightStates(int[] ids, double[] numbers, int[] codes, Jam[] jams) {
     this.ids = ids;
@@ -59,14 +64,12 @@ final class FlightStates {
     numbers[k + 5] = m.tl;
     numbers[k + 6] = m.radius;
     numbers[k + 7] = m.restitution;
-    numbers[k + 8] = m.anchorX;
-    numbers[k + 9] = m.anchorY;
-    numbers[k + 10] = sensed;
+    numbers[k + 8] = sensed;
     int c = i * CODES;
     codes[c] = m.last;
     codes[c + 1] = m.stuck;
     codes[c + 2] = sensedCode;
-    codes[c + 4] = m.pace;
+    codes[c + 4] = m.marks();
     if (m.jam != null) {
       jams = jams == null ? new Jam[count()] : jams;
       jams[i] = m.jam;
@@ -75,17 +78,17 @@ final class FlightStates {
 
   /** Puts in the last meeting that this circle sensed; a head of -1 for none. */
   void putSensed(int i, double head, double tail, int partner) {
-    numbers[i * NUMBERS + 11] = head;
-    numbers[i * NUMBERS + 12] = head < 0 ? 0 : tail;
+    numbers[i * NUMBERS + 9] = head;
+    numbers[i * NUMBERS + 10] = head < 0 ? 0 : tail;
     codes[i * CODES + 3] = head < 0 ? 0 : partner;
   }
 
   double sensedHead(int i) {
-    return numbers[i * NUMBERS + 11];
+    return numbers[i * NUMBERS + 9];
   }
 
   double sensedTail(int i) {
-    return numbers[i * NUMBERS + 12];
+    return numbers[i * NUMBERS + 10];
   }
 
   int sensedPartner(int i) {
@@ -105,19 +108,18 @@ final class FlightStates {
     m.radius = numbers[k + 6];
     m.restitution = numbers[k + 7];
     m.newFlight();
-    m.anchorX = numbers[k + 8];
-    m.anchorY = numbers[k + 9];
-    m.cleared = numbers[k + 10];
+    m.cleared = numbers[k + 8];
     m.last = codes[c];
     m.stuck = codes[c + 1];
     m.contact = codes[c + 2];
-    m.pace = codes[c + 4];
+    m.setMarks(codes[c + 4]);
     m.jam = jams == null ? null : jams[i];
   }
 
   @Override
   public boolean equals(Object other) {
     return other instanceof FlightStates that
+        && Double.compare(tailOfEdit, that.tailOfEdit) == 0
         && Arrays.equals(ids, that.ids)
         && Arrays.equals(numbers, that.numbers)
         && Arrays.equals(codes, that.codes)

@@ -28,6 +28,11 @@ final class Obstacles {
   /** The code of the first moving circle. */
   static final int CIRCLES = 1 << 29;
 
+  /** How many lines have codes, those that were removed included, and how many pegs. */
+  static final int LINE_LIMIT = PEGS - WALLS;
+
+  static final int PEG_LIMIT = CIRCLES - PEGS;
+
   private static final Feature[] LINE_FEATURES = {
     null, Feature.SIDE, Feature.SIDE, Feature.START, Feature.END
   };
@@ -212,7 +217,7 @@ final class Obstacles {
     own();
     int i = endOfLines - WALLS;
     if (i == lineTraits.length) {
-      lineTraits = Arrays.copyOf(lineTraits, 2 * i + 4);
+      lineTraits = Arrays.copyOf(lineTraits, Math.min(2 * i + 4, LINE_LIMIT));
       lines = Arrays.copyOf(lines, (WALLS + lineTraits.length) * Scene.LINE);
     }
     int code = endOfLines++;
@@ -237,7 +242,7 @@ final class Obstacles {
     own();
     int i = endOfPegs - PEGS;
     if (i == pegTraits.length) {
-      pegTraits = Arrays.copyOf(pegTraits, 2 * i + 4);
+      pegTraits = Arrays.copyOf(pegTraits, Math.min(2 * i + 4, PEG_LIMIT));
       pegs = Arrays.copyOf(pegs, pegTraits.length * Scene.PEG);
     }
     int code = endOfPegs++;
@@ -329,13 +334,12 @@ final class Obstacles {
 
   /** The restitution along the normal; where a circle halts, none. */
   double restitution(int code) {
-    if (code < WALLS) {
-      return Traits.halts(boundsTraits) ? 0 : boundsRestitution;
-    }
-    if (specials > 0 && Traits.halts(traits(code))) {
-      return 0;
-    }
-    return givenRestitution(code);
+    return halts(code) ? 0 : givenRestitution(code);
+  }
+
+  /** Whether a circle that hits this halts. */
+  boolean halts(int code) {
+    return code < WALLS ? Traits.halts(boundsTraits) : specials > 0 && Traits.halts(traits(code));
   }
 
   /** The restitution as it was given, whatever the response. */

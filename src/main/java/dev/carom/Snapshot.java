@@ -22,9 +22,10 @@ import java.util.Arrays;
  * }</pre>
  *
  * <p>A world into which a snapshot is restored goes on as the one it was taken from, bit for bit;
- * equal snapshots mean equal futures. What a world remembers only to be fast is not in it: after
- * {@link World#restore World.restore} the next step searches once for every circle. Nor is the log
- * of the last step.
+ * equal snapshots mean equal futures. Two worlds with equal snapshots that get the same edits and
+ * steps have equal snapshots at every moment, so a game can compare two machines. What a world
+ * remembers only to be fast is not in it: after {@link World#restore World.restore} the next step
+ * searches once for every circle. Nor is the log of the last step.
  */
 public final class Snapshot {
 
@@ -73,7 +74,7 @@ public final class Snapshot {
   }
 
   /**
-   * Writes this snapshot in a format of its own, with a version and a check sum: 141 bytes a circle
+   * Writes this snapshot in a format of its own, with a version and a check sum: 125 bytes a circle
    * (4 more for each thing that it is jammed by), 41 a line, 33 a peg, 1 for each line or peg that
    * was removed, and about 110 for the rest.
    *

@@ -59,6 +59,7 @@ final class SnapshotReader {
         obstacles.extent() <= limits.largest(),
         "a coordinate is " + obstacles.extent() + ", the largest one " + limits.largest());
     Snapshot snapshot = circles(now, collide, obstacles, limits);
+    snapshot.flights.tailOfEdit = tailOfEdit(now);
     long expected = sum.getValue();
     expect(in.readLong() == expected, "its check sum differs from what it holds");
     return snapshot;
@@ -81,10 +82,10 @@ final class SnapshotReader {
     double restitution = in.readDouble();
     Check.notNegative("restitution", restitution);
     int traits = traits(1);
-    lines = count();
+    lines = count(Obstacles.LINE_LIMIT);
     ByteArrayOutputStream lineTraits = new ByteArrayOutputStream();
     DoubleList lineNumbers = numbers(lines, Scene.LINE, lineTraits);
-    pegs = count();
+    pegs = count(Obstacles.PEG_LIMIT);
     ByteArrayOutputStream pegTraits = new ByteArrayOutputStream();
     DoubleList pegNumbers = numbers(pegs, Scene.PEG, pegTraits);
     return Obstacles.of(
@@ -128,8 +129,10 @@ final class SnapshotReader {
   private Snapshot circles(double now, boolean collide, Obstacles obstacles, Limits limits)
       throws IOException {
     int idEnd = in.readInt();
-    expect(idEnd >= 0, "ids of circles end at " + idEnd);
-    int count = count();
+    expect(
+        idEnd >= 0 && idEnd <= Roster.ID_LIMIT,
+        "ids of circles end at " + idEnd + ": expected 0 to " + Roster.ID_LIMIT);
+    int count = count(idEnd);
     IntStream.Builder ids = IntStream.builder();
     DoubleList masses = new DoubleList();
     ByteArrayOutputStream traits = new ByteArrayOutputStream();
@@ -163,6 +166,12 @@ final class SnapshotReader {
     return new Snapshot(now, collide, obstacles, roster, limits, flights);
   }
 
+  private double tailOfEdit(double now) throws IOException {
+    double tail = in.readDouble();
+    expect(tail >= 0 && tail <= Math.ulp(now), "the tail of the time of an edit is " + tail);
+    return tail;
+  }
+
   private double mass() throws IOException {
     double mass = in.readDouble();
     Check.mass("mass", mass);
@@ -183,26 +192,26 @@ final class SnapshotReader {
     Check.positive("radius", n[6]);
     expect(n[6] >= limits.least(), "a radius is " + n[6] + ", the least one " + limits.least());
     Check.notNegative("restitution", n[7]);
-    expect(n[10] >= 0, "a flight is known for " + n[10]);
+    expect(n[8] >= 0, "a flight is known for " + n[8]);
     numbers.add(n);
     int last = in.readInt();
     if (last != Mover.NOTHING) {
       checkCode(last);
     }
     int stuck = in.readInt();
-    expect(stuck >= 0, "a circle made " + stuck + " impacts");
+    expect(StuckRule.isWeight(stuck), "the weight of impacts at one place is " + stuck);
     int sensed = in.readInt();
     expect(sensed >= 0, "codes sensed end with " + sensed);
     int partner = in.readInt();
     expect(partner >= Mover.NOTHING, "a partner is circle " + partner);
     codes.add(last).add(stuck).add(sensed).add(partner);
-    int pace = in.readInt();
-    expect(pace >= Double.MIN_EXPONENT - 1 && pace <= Double.MAX_EXPONENT + 1, "a pace is " + pace);
-    codes.add(pace);
+    int marks = in.readInt();
+    expect(Mover.areMarks(marks), "the marks of a circle are " + marks);
+    codes.add(marks);
   }
 
   private Jam jam() throws IOException {
-    int count = count();
+    int count = count(Obstacles.PEGS);
     Jam jam = null;
     for (int k = 0; k < count; k++) {
       int code = in.readInt();
@@ -227,9 +236,9 @@ final class SnapshotReader {
     expect(exists, "code " + code + " does not exist");
   }
 
-  private int count() throws IOException {
+  private int count(int most) throws IOException {
     int count = in.readInt();
-    expect(count >= 0 && count < Obstacles.PEGS, "it holds " + count + " of a kind");
+    expect(count >= 0 && count <= most, "it holds " + count + " of a kind: expected 0 to " + most);
     return count;
   }
 

@@ -13,7 +13,7 @@ final class SnapshotWriter {
   /** "CAROM" and a byte that text does not hold. */
   static final long MARK = 0x4341524F4D00L;
 
-  static final int VERSION = 3;
+  static final int VERSION = 4;
 
   /** Instead of the traits of what was removed, of which nothing else is written. */
   static final int GONE = -1;
@@ -35,6 +35,7 @@ final class SnapshotWriter {
     bounds(s.obstacles);
     obstacles(s.obstacles);
     circles(s);
+    out.writeDouble(s.flights.tailOfEdit);
     out.writeLong(sum.getValue());
   }
 

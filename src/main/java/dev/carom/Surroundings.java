@@ -69,9 +69,14 @@ final class Surroundings {
     search.extend(m, grid(m.id), needed);
   }
 
+  /** The codes of the obstacles that may touch a circle where it is, and maybe of others. */
+  int[] near(Mover m) {
+    return search.near(m, grid(m.id));
+  }
+
   /** What follows a circle of any radius that is not of this world. */
-  Tracer tracer(double radius, int patience) {
-    return new Tracer(obstacles, obstacles::thing, search, grids.atLeast(radius), patience);
+  Tracer tracer(double radius) {
+    return new Tracer(obstacles, obstacles::thing, search, grids.atLeast(radius));
   }
 
   /** Whether a flight, followed for ever from its start, meets a line or a peg. */
@@ -117,17 +122,21 @@ final class Surroundings {
   }
 
   /**
-   * Takes down, as number k, what determines a circle's flight. Sensors that it met by now were
-   * reported; of those at a time at which it still has something to meet, the ones before that in
-   * order. How far ahead a search went, is not told.
+   * Saves, as number k, what determines a circle's flight. Sensors met by now were reported, up to
+   * the next impact if that is due now. How far ahead a search went must not show: two worlds that
+   * are alike have equal snapshots, whenever each of them searched last.
    */
   void save(int k, Mover m, double now, FlightStates states) {
     if (!obstacles.haveSensors()) {
       states.put(k, m, 0, 0);
-    } else if (m.due() > now) {
+      return;
+    }
+    m.reach = BroadSearch.EDITED_REACH;
+    while (m.next == Mover.NOTHING && m.due() <= now) {
+      extend(m, now - m.t);
+    }
+    if (m.due() > now) {
       states.put(k, m, m.latestBy(now), Integer.MAX_VALUE);
-    } else if (m.next == Mover.NOTHING) {
-      states.put(k, m, m.cleared, m.contact);
     } else {
       states.put(k, m, m.cleared, sensedBefore(m.next));
     }

@@ -178,6 +178,14 @@ class SurroundingsTest {
     assertThat(saved(sensing(Mover.NOTHING, 7), 3.5)).isEqualTo(expected);
     assertThat(saved(sensing(sensor, 0), 4)).isEqualTo(reported(4, sensor - 1));
     assertThat(saved(sensing(Obstacles.WALLS, 0), 4)).isEqualTo(reported(4, Integer.MAX_VALUE));
-    assertThat(saved(sensing(Mover.NOTHING, 7), 4)).isEqualTo(reported(4, 7));
+  }
+
+  /** Where a search ended at a time that is now, another one tells what is still to be met. */
+  @Test
+  void whatIsStillToBeSensedNowIsSearchedFor() {
+    int sensor = Obstacles.WALLS + 1;
+    Mover all = sensing(Mover.NOTHING, sensor);
+    assertThat(saved(all, 4)).isEqualTo(reported(all.latestBy(4), Integer.MAX_VALUE));
+    assertThat(saved(sensing(Mover.NOTHING, 0), 4)).isEqualTo(reported(4, sensor - 1));
   }
 }

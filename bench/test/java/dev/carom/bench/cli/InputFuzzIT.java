@@ -11,12 +11,14 @@ import dev.carom.World;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.StringReader;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.zip.CRC32;
+import org.junit.jupiter.api.Test;
 
 /**
  * What is read from outside: it is taken as a whole, or refused with a message; nothing else. In an
@@ -43,15 +45,27 @@ class InputFuzzIT {
   }
 
   /** The check sum is put right, so that what is behind it is reached. */
-  @FuzzTest(maxDuration = "10m")
-  void snapshot(byte[] data) throws IOException {
+  private static Snapshot read(byte[] data) throws IOException {
     byte[] whole = Arrays.copyOf(data, data.length + SUM);
     CRC32 sum = new CRC32();
     sum.update(data);
     ByteBuffer.wrap(whole, data.length, SUM).putLong(sum.getValue());
+    return Snapshot.read(new ByteArrayInputStream(whole));
+  }
+
+  /** Inputs of an older version would all be refused by its number. */
+  @Test
+  void theStoredSnapshotIsOfThisVersion() throws IOException {
+    try (InputStream in = getClass().getResourceAsStream("InputFuzzITInputs/snapshot/whole.bin")) {
+      assertThat(read(in.readAllBytes()).now()).isEqualTo(20);
+    }
+  }
+
+  @FuzzTest(maxDuration = "10m")
+  void snapshot(byte[] data) throws IOException {
     Snapshot snapshot;
     try {
-      snapshot = Snapshot.read(new ByteArrayInputStream(whole));
+      snapshot = read(data);
     } catch (IOException e) {
       assertThat(e.getMessage()).isNotBlank();
       return;

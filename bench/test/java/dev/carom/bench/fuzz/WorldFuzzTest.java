@@ -26,28 +26,16 @@ class WorldFuzzTest {
 
   /**
    * A light circle in a corner, jammed and passed through; a fast one that was listed in a cell it
-   * never came to; a wall that stayed inert after circles were added.
+   * never came to; a wall that stayed inert after circles were added; a light one between a wall
+   * and a heavy circle, which a restitution above 1 made ever faster.
    */
   @ParameterizedTest
-  @ValueSource(longs = {8646, 9377, 22180})
+  @ValueSource(longs = {8646, 9377, 22180, 8802942})
   void sessionsThatOnceFoundSomethingDoNotAnyMore(long seed) throws FindingException {
     WorldFuzz fuzz = new WorldFuzz();
     fuzz.play(seed);
 
     assertThat(fuzz.jams()).isPositive();
-  }
-
-  /**
-   * Between a wall and a heavy circle a light one with a restitution above 1 bounces to and fro
-   * until it is 10^46 times as fast: what rounding then leaves of its speed is more than that of
-   * all others.
-   */
-  @Test
-  void speedsThatLastForNoTimeCountForTheBoundOfRounding() throws FindingException {
-    WorldFuzz fuzz = new WorldFuzz();
-    fuzz.play(8802942);
-
-    assertThat(fuzz.impacts()).isGreaterThan(1_000);
   }
 
   @Test

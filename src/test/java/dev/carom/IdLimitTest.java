@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.ObstacleKind.CIRCLE;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Worlds that have lived so long that all ids of a kind were given. */
+class IdLimitTest {
+
+  private static final int CIRCLES = 1_610_612_736;
+  private static final int LINES = (1 << 28) - 4;
+  private static final int PEGS = 1 << 28;
+
+  /** Of three circles, the last with the id before a given end of ids. */
+  private static World old(boolean collide, int idEnd) {
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).collide(collide);
+    scene.circle(20, 50, 3, 4, 0).circle(50, 50, 3, 0, 0).circle(80, 50, 3, -4, 1);
+    World world = new World(scene.build());
+    Snapshot s = world.snapshot();
+    Roster roster =
+        new Roster(new double[] {1, 2, 3}, new byte[3], new int[] {0, 7, idEnd - 1}, idEnd);
+    FlightStates flights =
+        new FlightStates(
+            new int[] {0, 7, idEnd - 1}, s.flights.numbers, s.flights.codes, s.flights.jams);
+    world.restore(new Snapshot(s.now, collide, s.obstacles, roster, s.limits, flights));
+    return world;
+  }
+
+  private static Snapshot copy(Snapshot snapshot) throws IOException {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    snapshot.write(out);
+    return Snapshot.read(new ByteArrayInputStream(out.toByteArray()));
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void theLastIdOfACircleIsLikeOthers(boolean collide) throws IOException {
+    World world = old(collide, CIRCLES - 1);
+    int last = world.addCircle(50, 20, 3, 0, 9);
+    assertThat(last).isEqualTo(CIRCLES - 1);
+    world.step(10);
+    assertThat(world.impacts().size()).isPositive();
+    Snapshot snapshot = world.snapshot();
+    assertThat(copy(snapshot)).isEqualTo(snapshot);
+    World other = new World(world.scene());
+    other.restore(copy(snapshot));
+    assertThat(Run.rows(after(other))).isEqualTo(Run.rows(after(world)));
+    world.remove(CIRCLE, last);
+    assertThat(world.contains(CIRCLE, last)).isFalse();
+    assertThat(world.ids(CIRCLE)).containsExactly(0, 7, CIRCLES - 2);
+  }
+
+  private static ImpactLog after(World world) {
+    world.step(20);
+    return world.impacts();
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void noMoreCirclesThanIdsAreAdded(boolean collide) {
+    World world = old(collide, CIRCLES);
+    world.remove(CIRCLE, 7);
+    Snapshot before = world.snapshot();
+    assertThatThrownBy(() -> world.addCircle(50, 20, 3, 0, 9))
+        .isInstanceOf(IllegalStateException.class)
+        .hasMessage(
+            "circle 1610612736 cannot be added: expected an id below 1610612736, and none is used"
+                + " twice");
+    assertThat(world.snapshot()).isEqualTo(before);
+    assertThat(world.idEnd(CIRCLE)).isEqualTo(CIRCLES);
+    assertThat(world.step(5)).isTrue();
+  }
+
+  /** So many rows would take gigabytes: here they are only said to be there. */
+  @Test
+  void noMoreLinesAndPegsThanIdsAreAdded() {
+    Scene scene = Scene.builder().line(1, 2, 3, 4).peg(5, 6, 7).build();
+    Roster roster = new Roster(scene, 1);
+    Engine engine = new Flights(scene, roster, Machinery.CHOSEN, new ImpactLog(1, roster::id));
+    Editor editor = new Editor(scene, engine, roster);
+    Obstacles obstacles = engine.surroundings.obstacles;
+    obstacles.endOfLines = Obstacles.WALLS + LINES;
+    obstacles.endOfPegs = Obstacles.PEGS + PEGS;
+    assertThatThrownBy(() -> editor.addLine(1, 2, 3, 4, 0))
+        .isInstanceOf(IllegalStateException.class)
+        .hasMessage(
+            "line 268435452 cannot be added: expected an id below 268435452, and none is used"
+                + " twice");
+    assertThatThrownBy(() -> editor.addPeg(1, 2, 3, 0))
+        .isInstanceOf(IllegalStateException.class)
+        .hasMessage(
+            "peg 268435456 cannot be added: expected an id below 268435456, and none is used"
+                + " twice");
+  }
+
+  /** An id alone takes no memory. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aRecordingFollowsWhatIsThere(boolean collide) {
+    World world = old(collide, CIRCLES - 10);
+    Timeline past = world.record(100);
+    int id = world.addCircle(50, 20, 3, 0, 9);
+    world.step(4);
+    world.remove(CIRCLE, 0);
+    world.step(4);
+    assertThat(past.x(7, 0)).isEqualTo(50);
+    assertThat(past.y(id, 0.5)).isEqualTo(24.5);
+    assertThat(past.contains(0, 3.5)).isTrue();
+    assertThat(past.contains(0, 4)).isFalse();
+    assertThat(past.contains(3, 3)).isFalse();
+    assertThat(past.contains(CIRCLES - 20, 3)).isFalse();
+  }
+}

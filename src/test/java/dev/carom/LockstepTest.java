@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.ObstacleKind.CIRCLE;
+import static dev.carom.ObstacleKind.LINE;
+import static dev.carom.ObstacleKind.PEG;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Random;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * A world and one that was restored from its snapshot get the same edits and steps, as in a game
+ * that is played on two machines: their snapshots are equal at every moment.
+ */
+class LockstepTest {
+
+  private static void assertSame(World world, Consumer<World> edit) {
+    RestoredTwin twin = new RestoredTwin(world.scene(), Machinery.CHOSEN, new Random(1));
+    twin.follow(world);
+    edit.accept(world);
+    edit.accept(twin.world());
+    twin.compare(world);
+    double end = world.now() + 10;
+    assertThat(world.advanceTo(end)).isTrue();
+    twin.advance(world, end, Run.rows(world.impacts()));
+  }
+
+  /** A search had gone beyond now, in one world only, before there was a sensor. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void theFirstSensorFindsNoDifference(boolean collide) {
+    for (double vx : new double[] {0, 1}) {
+      Scene scene = Scene.builder().collide(collide).peg(6, 7, 0).circle(1, 11, 1, vx, 0).build();
+      World world = new World(scene);
+      world.step(0.1);
+      assertSame(world, w -> w.setResponse(PEG, 0, Response.SENSOR));
+    }
+  }
+
+  /** Where there are bounds only, one that collides is not searched for until a wall is near. */
+  @Test
+  void theFirstObstacleFindsNoDifference() {
+    for (double x : new double[] {2, 50}) {
+      SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).collide(true);
+      World world = new World(scene.circle(x, 50, 1, 0.25, 0).build());
+      world.step(0.1);
+      assertSame(world, w -> w.setResponse(PEG, w.addPeg(6, 7, 0), Response.SENSOR));
+    }
+  }
+
+  /**
+   * Within the last place of now an edited circle has a sensor ahead, or a line, or both: they are
+   * met with the next step.
+   */
+  @ParameterizedTest
+  @CsvSource({"false, true", "false, false", "true, true", "true, false"})
+  void whatAnEditedCircleMeetsAtOnceIsStillToBeMet(boolean collide, boolean sensorFirst) {
+    double late = 0x1p50;
+    double near = sensorFirst ? 1 : 2;
+    Scene scene =
+        Scene.builder()
+            .collide(collide)
+            .line(10 + near, -9, 10 + near, 9)
+            .response(Response.SENSOR)
+            .line(13 - near, -9, 13 - near, 9)
+            .circle(0, 0, 1, 0, 0)
+            .build();
+    World world = new World(scene);
+    world.advanceTo(late);
+    world.setVelocity(0, 0x1p7, 0);
+    assertSame(world, w -> w.setRestitution(CIRCLE, 0, 0.5));
+    world.setVelocity(0, 0x1p7, 0);
+    assertSame(world, w -> w.remove(LINE, 1));
+    world.setVelocity(0, 0x1p7, 0);
+    assertSame(world, w -> w.remove(LINE, 0));
+  }
+
+  /** An edit comes after the impacts of now, also of a circle that is gone. */
+  @Test
+  void theLastImpactOfACircleThatWasRemovedIsNotForgotten() {
+    Scene scene =
+        Scene.builder()
+            .bounds(0, 0, 10, 10)
+            .collide(true)
+            .circle(5, 2, 1, 0.7, 0)
+            .circle(5, 8, 1, 0, 0.3)
+            .build();
+    int rounded = 0;
+    for (Run.Row row : Run.advance(new World(scene), 200).impacts()) {
+      World world = new World(scene);
+      world.advanceTo(row.time());
+      rounded += tail(world, row.circle()) > 0 ? 1 : 0;
+      world.remove(CIRCLE, row.circle());
+      assertSame(world, w -> w.setVelocity(1 - row.circle(), 0.1, 0.2));
+    }
+    assertThat(rounded).isPositive();
+  }
+
+  private static double tail(World world, int id) {
+    world.circles.load(id);
+    return world.circles.mover.tl;
+  }
+
+  /** What is still to be met at the time at which a budget was spent. */
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 2, 3})
+  void anUnfinishedStepLeavesNoDifference(int sensors) {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 8, 0);
+    for (int i = 1; i < 400; i++) {
+      builder.circle(5, 5, 1, 0, 0); // the more there are, the less each one may do
+    }
+    for (int i = 0; i < sensors; i++) {
+      builder.line(8, 0, 8, 10).response(Response.SENSOR);
+    }
+    Scene scene = builder.peg(9, 9, 0).build();
+    List<Consumer<World>> edits =
+        List.of(
+            w -> w.setRestitution(CIRCLE, 0, 0.5),
+            w -> w.setResponse(PEG, 0, Response.SENSOR),
+            w -> w.setResponse(LINE, w.addLine(9, 0, 9, 10), Response.SENSOR),
+            w -> w.remove(PEG, 0),
+            w -> w.setVelocity(0, 7, 1));
+    for (Consumer<World> edit : edits) {
+      World world = new World(scene);
+      assertThat(world.advanceTo(1e9)).isFalse();
+      assertSame(world, edit);
+    }
+  }
+
+  /** Edits at the times of impacts, where most is due at once. */
+  @ParameterizedTest
+  @CsvSource({"1, false", "2, false", "3, true", "4, true"})
+  void editsAtImpactsFindNoDifference(long seed, boolean collide) {
+    Random random = new Random(seed);
+    for (int i = 0; i < 5; i++) {
+      Scene scene = RandomScenes.responses(random).collide(collide).build();
+      World world = new World(scene);
+      RestoredTwin twin = new RestoredTwin(scene, Machinery.cells(3), random);
+      for (int k = 0; k < 30; k++) {
+        twin.maybeFollow(world);
+        Consumer<World> edit = edit(world, random);
+        edit.accept(world);
+        edit.accept(twin.world());
+        twin.compare(world);
+        double end = nextImpact(world);
+        assertThat(world.advanceTo(end)).isTrue();
+        twin.advance(world, end, Run.rows(world.impacts()));
+      }
+    }
+  }
+
+  private static double nextImpact(World world) {
+    World probe = new World(world.scene());
+    probe.restore(world.snapshot());
+    for (double dt = 0.125; dt < 100; dt *= 2) {
+      probe.step(dt);
+      if (probe.impacts().size() > 0) {
+        return probe.impacts().time(0);
+      }
+    }
+    return probe.now();
+  }
+
+  private static Consumer<World> edit(World world, Random random) {
+    int[] circles = world.ids(CIRCLE);
+    int circle = circles[random.nextInt(circles.length)];
+    int line = random.nextInt(world.idEnd(LINE));
+    int peg = random.nextInt(world.idEnd(PEG));
+    double x = 100 * random.nextDouble();
+    double y = 100 * random.nextDouble();
+    Response response = Response.values()[random.nextInt(3)];
+    return switch (random.nextInt(9)) {
+      case 0 -> w -> w.setVelocity(circle, x / 10, y / 10);
+      case 1 -> w -> w.setPosition(circle, x, y);
+      case 2 -> w -> w.moveLine(line, x, y, y, x);
+      case 3 -> w -> w.movePeg(peg, x, y, 1);
+      case 4 -> w -> w.setResponse(LINE, line, response);
+      case 5 -> w -> w.setResponse(PEG, peg, response);
+      case 6 -> w -> w.setResponse(CIRCLE, circle, response);
+      case 7 -> w -> w.setOneWay(line, x > 50);
+      default ->
+          w -> {
+            w.remove(CIRCLE, circle);
+            w.addCircle(x, y, 1, y / 10, x / 10);
+          };
+    };
+  }
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.Random;
+
+/**
+ * A world that is restored from a snapshot of another one, again and again, and told the same as
+ * that one in between: the snapshots of the two are equal at every moment, to the byte.
+ */
+final class RestoredTwin {
+
+  private final Scene scene;
+  private final Machinery machinery;
+  private final Random random;
+  private World twin;
+
+  RestoredTwin(Scene scene, Machinery machinery, Random random) {
+    this.scene = scene;
+    this.machinery = machinery;
+    this.random = random;
+    twin = new World(scene, machinery);
+  }
+
+  /** The world itself. */
+  World world() {
+    return twin;
+  }
+
+  /** Goes, one time in three, to where the other one is: as it is in memory, or as bytes tell. */
+  void maybeFollow(World world) {
+    if (random.nextInt(3) == 0) {
+      follow(world);
+    }
+  }
+
+  /** Goes to where the other one is. */
+  void follow(World world) {
+    Snapshot snapshot = world.snapshot();
+    if (random.nextBoolean()) {
+      twin = new World(scene, machinery);
+    }
+    twin.restore(random.nextBoolean() ? snapshot : read(bytes(snapshot)));
+    compare(world);
+  }
+
+  /** Advances it in one step, in which the same impacts happen as in the other one. */
+  void advance(World world, double end, List<Run.Row> rows) {
+    assertThat(twin.advanceTo(end)).isTrue();
+    assertThat(Run.rows(twin.impacts())).as("restored").isEqualTo(rows);
+    compare(world);
+  }
+
+  void compare(World world) {
+    Snapshot snapshot = world.snapshot();
+    Snapshot ofTwin = twin.snapshot();
+    assertThat(ofTwin).as("snapshot of the restored one").isEqualTo(snapshot);
+    assertThat(ofTwin).hasSameHashCodeAs(snapshot);
+    assertThat(bytes(ofTwin)).isEqualTo(bytes(snapshot));
+  }
+
+  private static byte[] bytes(Snapshot snapshot) {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    try {
+      snapshot.write(out);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return out.toByteArray();
+  }
+
+  private static Snapshot read(byte[] bytes) {
+    try {
+      return Snapshot.read(new ByteArrayInputStream(bytes));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}
