@@ -20,16 +20,14 @@ final class Circles {
   static final int RADIUS = 6;
   static final int CLEARED = 7;
   static final int RESTITUTION = 8;
-  static final int ANCHOR_X = 9;
-  static final int ANCHOR_Y = 10;
-  private static final int STATE = 11;
+  private static final int STATE = 9;
 
   // And of one that collides: its first meeting foreseen, as Meetings says, and its cell.
-  static final int MEETING = 11;
-  static final int MEETING_TAIL = 12;
-  static final int TAU = 13;
-  static final int COLUMN = 14;
-  static final int ROW = 15;
+  static final int MEETING = 9;
+  static final int MEETING_TAIL = 10;
+  static final int TAU = 11;
+  static final int COLUMN = 12;
+  static final int ROW = 13;
   private static final int COLLIDING_STATE = 16;
 
   /** Doubles before the first circle: large arrays then have each 8 of them in one cache line. */
@@ -46,9 +44,8 @@ final class Circles {
   static final int STUCK = 4;
   private static final int CODES = 5;
 
-  // The detector's name of a contact, and above it the pace of a stuck circle.
-  private static final int PACE_SHIFT = 8;
-  private static final int CONTACT_BITS = (1 << PACE_SHIFT) - 1;
+  // One int holds the detector's name of a contact, and above it Mover.marks.
+  private static final int CONTACT_BITS = 15;
 
   // And of one that collides: whom it meets, that one's count then, and its own count of changes;
   // who follows it in its cell's list; its event's place in the heap, and kind; its cell's place.
@@ -221,13 +218,11 @@ final class Circles {
     m.radius = state[k + RADIUS];
     m.cleared = state[k + CLEARED];
     m.restitution = state[k + RESTITUTION];
-    m.anchorX = state[k + ANCHOR_X];
-    m.anchorY = state[k + ANCHOR_Y];
     int c = codesAt(i);
     m.last = codes[c + LAST];
     m.stuck = codes[c + STUCK];
     m.reach = codes[c + REACH];
-    m.pace = codes[c + CONTACT] >> PACE_SHIFT;
+    m.setMarks(codes[c + CONTACT]);
     // Where nothing is ahead, the sensor met last stands in its place.
     int next = codes[c + NEXT];
     m.next = Math.max(next, Mover.NOTHING);
@@ -250,11 +245,9 @@ final class Circles {
     m.tl = s[k + TL];
     m.radius = s[k + RADIUS];
     m.restitution = s[k + RESTITUTION];
-    m.anchorX = s[k + ANCHOR_X];
-    m.anchorY = s[k + ANCHOR_Y];
     int code = collidingCodesAt(i);
     m.stuck = c[code + STUCK];
-    m.pace = c[code + CONTACT] >> PACE_SHIFT;
+    m.setMarks(c[code + CONTACT]);
     m.jam = jams == null ? null : jams[i];
   }
 
@@ -286,14 +279,12 @@ final class Circles {
     state[k + RADIUS] = m.radius;
     state[k + CLEARED] = m.cleared;
     state[k + RESTITUTION] = m.restitution;
-    state[k + ANCHOR_X] = m.anchorX;
-    state[k + ANCHOR_Y] = m.anchorY;
     // The first and the last one first: then compilers need not ask whether the rest is in range.
     int c = codesAt(i);
     codes[c + LAST] = m.last;
     codes[c + STUCK] = m.stuck;
     codes[c + NEXT] = next;
-    codes[c + CONTACT] = contact | m.pace << PACE_SHIFT;
+    codes[c + CONTACT] = contact | m.marks();
     codes[c + REACH] = m.reach;
     keepJam(i, m);
   }
@@ -302,8 +293,6 @@ final class Circles {
   void keepNewFlight(double[] s, int[] c, int i, Mover m) {
     int k = collidingAt(i);
     s[k + X] = m.x;
-    s[k + ANCHOR_Y] = m.anchorY;
-    s[k + ANCHOR_X] = m.anchorX;
     s[k + Y] = m.y;
     s[k + VX] = m.vx;
     s[k + VY] = m.vy;
@@ -314,7 +303,7 @@ final class Circles {
     c[code + LAST] = m.last;
     c[code + STUCK] = m.stuck;
     c[code + NEXT] = Mover.NOTHING;
-    c[code + CONTACT] = m.pace << PACE_SHIFT;
+    c[code + CONTACT] = m.marks();
     c[code + REACH] = m.reach;
     keepJam(i, m);
   }

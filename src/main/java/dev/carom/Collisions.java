@@ -2,7 +2,7 @@
 package dev.carom;
 
 import java.util.Arrays;
-import java.util.List;
+import java.util.Collection;
 
 /**
  * Circles that collide: event after event, in the order of time.
@@ -18,14 +18,14 @@ import java.util.List;
 final class Collisions extends Engine {
 
   /** Events in one call, and so many more for each circle. */
-  static final int EVENTS_PER_CALL = 200_000;
+  private static final int EVENTS_PER_CALL = 2_000_000;
 
   private static final int EVENTS_PER_CIRCLE = 1_000;
 
   private final Machinery machinery;
   private final Bounds bounds;
   private final PairResponse pairs;
-  private final Piece piece;
+  private final ContactCluster cluster;
   private Neighbors neighbors;
   private Meetings meetings;
   private Schedule schedule;
@@ -66,8 +66,8 @@ final class Collisions extends Engine {
     super(scene, roster, Circles.colliding(scene.circleCount()), machinery, log);
     this.machinery = machinery;
     bounds = scene.bounds;
-    pairs = new PairResponse(roster, response);
-    piece = new Piece(roster, pairs);
+    pairs = new PairResponse(roster);
+    cluster = new ContactCluster(roster, pairs, response, surroundings.obstacles, new Vicinity());
     int count = circles.count;
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
@@ -111,7 +111,8 @@ final class Collisions extends Engine {
     }
     double[] s = circles.state;
     int[] c = circles.codes;
-    long budget = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * roster.count();
+    long usual = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * roster.count();
+    long budget = (long) (usual * machinery.budget());
     ExactWork work = ExactWork.ofThread();
     long before = work.bits();
     for (long events = 0; ; events++) {
@@ -181,20 +182,24 @@ final class Collisions extends Engine {
       schedule.set(i);
       return;
     }
-    if (response.resolve(m, log)) {
-      if (response.seizes()) {
+    switch (response.resolve(m, log)) {
+      case ObstacleResponse.SENSED -> {
+        surroundings.extend(m, m.cleared);
         circles.keep(i, m);
-        seize(i);
-        return;
+        schedule.set(i);
       }
-      happened(m.t, m.tl);
-      changed(circles.state, circles.codes, i, m);
-      revive(i);
-      foresee(i);
-    } else {
-      surroundings.extend(m, m.cleared);
-      circles.keep(i, m);
-      schedule.set(i);
+      case ObstacleResponse.STUCK -> {
+        circles.keep(i, m);
+        leaveJamsOfInfinite(i);
+        resolveContacts(i);
+      }
+      default -> {
+        happened(m.t, m.tl);
+        changed(circles.state, circles.codes, i, m);
+        leaveJamsOfInfinite(i);
+        revive(i);
+        foresee(i);
+      }
     }
   }
 
@@ -225,22 +230,27 @@ final class Collisions extends Engine {
     circles.loadForMeeting(s, c, low, circles.mover);
     circles.loadForMeeting(s, c, high, other);
     flyToMeeting(s, circles.mover, other, i);
-    if (pairs.resolve(circles.mover, other, log)) {
-      if (response.seizes()) {
+    circles.mover.crushed = cluster.isCrushed(circles.mover);
+    other.crushed = cluster.isCrushed(other);
+    switch (pairs.resolve(circles.mover, other, log)) {
+      case ObstacleResponse.SENSED -> {
+        report(low, high, i);
+        foresee(s, c, low, high);
+      }
+      case ObstacleResponse.STUCK -> {
         circles.keep(low, circles.mover);
         circles.keep(high, other);
-        seize(low, high);
-        return;
+        resolveContacts(low, high);
       }
-      happened(other.t, other.tl); // for both
-      changed(s, c, low, circles.mover);
-      changed(s, c, high, other);
-      revive(low);
-      revive(high);
-    } else {
-      report(low, high, i);
+      default -> {
+        happened(other.t, other.tl); // for both
+        changed(s, c, low, circles.mover);
+        changed(s, c, high, other);
+        revive(low);
+        revive(high);
+        foresee(s, c, low, high);
+      }
     }
-    foresee(s, c, low, high);
   }
 
   /**
@@ -290,10 +300,10 @@ final class Collisions extends Engine {
     happened = head;
   }
 
-  /** Lets the circles that are jammed to those that have just jammed go on with them as one. */
-  private void seize(int... hit) {
+  /** Resolves all contacts of stuck circles, and of those that touch them, at once. */
+  private void resolveContacts(int... hit) {
     Mover[] first = Arrays.stream(hit).mapToObj(this::copy).toArray(Mover[]::new);
-    List<Mover> members = piece.seize(this::copy, log, first);
+    Collection<Mover> members = cluster.resolve(log, first);
     for (Mover m : members) {
       queue.clear(m.id);
       happened(m.t, m.tl);
@@ -303,13 +313,42 @@ final class Collisions extends Engine {
     members.forEach(m -> foresee(m.id));
   }
 
+  /** What is near the circles, by their cells and the grid of the obstacles. */
+  private final class Vicinity implements ContactCluster.Vicinity {
+
+    @Override
+    public int[] circlesNear(int i) {
+      int end = neighbors.find(circles.codes, i, found);
+      for (int k = 0; k < end; k++) {
+        int follower = circles.codes[Circles.collidingCodesAt(found[k]) + Circles.FOLLOWER];
+        if (follower != Cells.NONE) {
+          found[end++] = follower;
+        }
+      }
+      return Arrays.copyOf(found, end);
+    }
+
+    @Override
+    public Mover copyOf(int i) {
+      return copy(i);
+    }
+
+    @Override
+    public int[] obstaclesNear(Mover m) {
+      return surroundings.near(m);
+    }
+  }
+
   private Mover copy(int i) {
     Mover m = new Mover();
     circles.load(i, m);
     return m;
   }
 
-  /** Circles that were inert for a jammed one are there again if it now runs into them. */
+  /**
+   * Circles that were inert for a jammed one are there again if it now runs into them; not infinite
+   * masses that crushed it, until they have left it.
+   */
   private void revive(int i) {
     Jam jam = circles.jam(i);
     if (jam == null) {
@@ -317,8 +356,9 @@ final class Collisions extends Engine {
     }
     circles.load(i);
     for (int code : jam.codes()) {
-      if (code >= Obstacles.CIRCLES) {
-        circles.load(code - Obstacles.CIRCLES, other);
+      int id = code - Obstacles.CIRCLES;
+      if (id >= 0 && roster.mass(id) < Double.POSITIVE_INFINITY) {
+        circles.load(id, other);
         if (pairs.part(circles.mover, other)) {
           jam = jam.without(code);
         }
@@ -397,6 +437,7 @@ final class Collisions extends Engine {
     }
     outgrown = outgrown || !neighbors.enter(i, reached);
     lookAnew(i);
+    leaveJamsOfInfinite(i);
   }
 
   /** Lets a circle look ahead and around anew with the next step, when all edits are done. */
@@ -409,6 +450,11 @@ final class Collisions extends Engine {
 
   @Override
   double tailOfEdit(Mover m, double now) {
+    return lastTail(now);
+  }
+
+  /** The tail of the last event, if that was now; to whom it happened may be gone. */
+  private double lastTail(double now) {
     return happened == now ? Math.max(0, happenedTail) : 0;
   }
 
@@ -420,6 +466,13 @@ final class Collisions extends Engine {
     }
     count(circles.codes, i);
     if (circles.jams != null) {
+      leaveJams(Obstacles.CIRCLES + i);
+    }
+  }
+
+  /** An infinite mass that changed its way is there again for circles that it crushed. */
+  private void leaveJamsOfInfinite(int i) {
+    if (circles.jams != null && roster.mass(i) == Double.POSITIVE_INFINITY) {
       leaveJams(Obstacles.CIRCLES + i);
     }
   }
@@ -453,6 +506,7 @@ final class Collisions extends Engine {
     for (int k = 0; k < slots.length; k++) {
       sensed.save(slots[k], roster, k, states);
     }
+    states.tailOfEdit = lastTail(now);
     return states;
   }
 
@@ -462,27 +516,10 @@ final class Collisions extends Engine {
     outgrown = true;
     sensed.clear();
     super.restore(flights, now);
-    happened = Double.NaN;
+    happened = now;
+    happenedTail = flights.tailOfEdit;
     for (int k = 0; k < flights.count(); k++) {
       sensed.restore(k, roster, flights);
-      int a = Circles.collidingAt(k);
-      happenedBy(now, circles.state[a + Circles.T], circles.state[a + Circles.TL]);
-      happenedBy(now, flights.sensedHead(k), flights.sensedTail(k));
-    }
-  }
-
-  @Override
-  void compact(double now) {
-    double head = happened;
-    double tail = happenedTail;
-    super.compact(now);
-    happened = head; // to whom it happened may be gone
-    happenedTail = tail;
-  }
-
-  private void happenedBy(double now, double head, double tail) {
-    if (head == now) {
-      happened(head, tail);
     }
   }
 }

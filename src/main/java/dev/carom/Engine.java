@@ -24,7 +24,7 @@ abstract class Engine {
     this.circles = circles;
     this.log = log;
     surroundings = new Surroundings(scene, machinery);
-    response = new ObstacleResponse(surroundings.obstacles, roster.patience());
+    response = new ObstacleResponse(surroundings.obstacles);
   }
 
   /**
@@ -58,10 +58,9 @@ abstract class Engine {
   /** Stores a circle of which less is known ahead than before. */
   abstract void keep(int i, Mover m);
 
-  /** Makes grids anew where edits made them poor, and knows how many circles there are. */
+  /** Makes grids anew where edits made them poor. */
   final void prepare() {
     surroundings.prepare(circles, roster);
-    response.setPatience(roster.patience());
   }
 
   // Lines and pegs.
@@ -126,6 +125,9 @@ abstract class Engine {
 
   /** The flights of all circles. */
   FlightStates save(double now) {
+    if (surroundings.obstacles.haveSensors()) {
+      surroundings.prepare(circles, roster); // to search for those that were met
+    }
     FlightStates states = new FlightStates(roster.ids());
     int[] slots = roster.slots();
     for (int k = 0; k < slots.length; k++) {

@@ -11,16 +11,25 @@ final class Flights extends Engine {
   /** Circles that a step may advance before the journal grows. */
   private static final int JOURNAL = 1024;
 
-  /** Impacts in one call, shared by all circles; see {@link World}. */
-  static final int IMPACTS_PER_CALL = 4_000_000;
+  /** Impacts that all circles may make together in one call; see {@link World}. */
+  private static final int IMPACTS_PER_CALL = 2_000_000;
 
-  private static final int LEAST_IMPACTS_PER_CALL = 10_000;
+  /** Impacts that each circle may make in a call, however many the others made. */
+  private static final int IMPACTS_PER_CIRCLE = 1_000;
+
+  private final long impactsPerCall;
+  private final long impactsPerCircle;
 
   private final Journal journal;
   private final DueCircles ahead;
 
+  /** Impacts made in this pass, and exact work that takes as long. */
+  private long spent;
+
   Flights(Scene scene, Roster roster, Machinery machinery, ImpactLog log) {
     super(scene, roster, new Circles(scene.circleCount()), machinery, log);
+    impactsPerCall = (long) (IMPACTS_PER_CALL * machinery.budget());
+    impactsPerCircle = (long) (IMPACTS_PER_CIRCLE * machinery.budget());
     int count = circles.count;
     ahead = new DueCircles(circles, surroundings);
     journal = new Journal(Math.min(count, JOURNAL));
@@ -65,8 +74,7 @@ final class Flights extends Engine {
 
   /** Advances all to the given time, or to where the first of those stands that spent theirs. */
   private double pass(double goal) {
-    int allowance =
-        Math.max(LEAST_IMPACTS_PER_CALL, IMPACTS_PER_CALL / Math.max(1, roster.count()));
+    spent = 0;
     ExactWork work = ExactWork.ofThread();
     Agenda due = circles.due;
     double end = goal;
@@ -75,11 +83,11 @@ final class Flights extends Engine {
     while (i < due.size()) {
       circles.load(i);
       journal.save(circles.mover);
-      double spent = fly(circles.mover, work, allowance, end);
+      double stopped = fly(circles.mover, work, end);
       circles.store(i);
-      if (spent <= end) {
+      if (stopped <= end) {
         unfinished = true;
-        end = spent;
+        end = stopped;
       }
       i = many ? ahead.next(end) : due.next(i + 1, end);
     }
@@ -91,7 +99,8 @@ final class Flights extends Engine {
    *
    * @return the time of the last one if the allowance was spent, else {@code +infinity}
    */
-  private double fly(Mover m, ExactWork work, int allowance, double end) {
+  private double fly(Mover m, ExactWork work, double end) {
+    long allowance = Math.max(impactsPerCircle, impactsPerCall - spent);
     long before = work.bits();
     int impacts = 0;
     double reached = 0;
@@ -99,10 +108,11 @@ final class Flights extends Engine {
     do {
       if (m.next != Mover.NOTHING) {
         if (impacts > 0 && impacts + work.impactsSince(before) >= allowance) {
+          spent += allowance;
           return reached;
         }
         reached = due; // with a sensor no new flight begins
-        if (response.resolve(m, log) && timeline != null) {
+        if (response.resolve(m, log) != ObstacleResponse.SENSED && timeline != null) {
           timeline.note(m);
         }
         impacts++;
@@ -110,6 +120,7 @@ final class Flights extends Engine {
       surroundings.extend(m, end - m.t);
       due = m.due();
     } while (due <= end);
+    spent += impacts + work.impactsSince(before);
     return Double.POSITIVE_INFINITY;
   }
 

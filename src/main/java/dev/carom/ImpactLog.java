@@ -29,17 +29,21 @@ public final class ImpactLog {
 
   private static final int OBSTACLE = 1;
 
-  /** The ordinal of the kind, from FEATURE on that of the feature, and whether it jammed. */
+  /** The ordinals of the kind, of the feature and of the outcome, a byte each. */
   private static final int WHAT = 2;
 
   private static final int FEATURE = 8;
+  private static final int OUTCOME = 16;
   private static final int ORDINAL = (1 << FEATURE) - 1;
-  private static final int JAMMED = 1 << 16;
 
   // Ordinals are kept as numbers: storing a reference costs what a garbage collector must know of
   // it.
   private static final ObstacleKind[] KINDS = ObstacleKind.values();
   private static final Feature[] FEATURES = Feature.values();
+  private static final Outcome[] OUTCOMES = Outcome.values();
+
+  /** Rows that {@link #toString} tells. */
+  private static final int TOLD = 10;
 
   private static final int CIRCLE = ObstacleKind.CIRCLE.ordinal();
 
@@ -196,14 +200,38 @@ public final class ImpactLog {
   }
 
   /**
-   * Whether this impact left its circle jammed: see {@link World} on scenes that would not end.
+   * What the impact did.
    *
    * @param row a row, 0..{@link #size()} - 1
-   * @return true in each row after which the circle counts as jammed; of two circles, if both do
+   * @return the outcome
    * @throws IndexOutOfBoundsException if there is no such row
    */
-  public boolean jammed(int row) {
-    return what(row) >= JAMMED;
+  public Outcome outcome(int row) {
+    return OUTCOMES[what(row) >> OUTCOME];
+  }
+
+  /**
+   * The first rows, for a debugger.
+   *
+   * @return the number of rows, then up to ten of them, one a line: time, circle, what it hit and
+   *     the feature of that, approach speed
+   */
+  @Override
+  public String toString() {
+    StringBuilder text = new StringBuilder("ImpactLog of " + size + " rows");
+    for (int row = 0; row < Math.min(size, TOLD); row++) {
+      text.append(
+          "\n%d: time %s, circle %d, %s %s, approach speed %s%s"
+              .formatted(
+                  row,
+                  time(row),
+                  circle(row),
+                  kind(row).nameOf(id(row)),
+                  feature(row),
+                  approachSpeed(row),
+                  outcome(row) == Outcome.BOUNCED ? "" : ", " + outcome(row)));
+    }
+    return text.append(size > TOLD ? "\nand " + (size - TOLD) + " more" : "").toString();
   }
 
   private int what(int row) {
@@ -251,9 +279,10 @@ public final class ImpactLog {
     numbers[k + 4] = ny;
   }
 
-  /** Marks the row added last as the one at which its circle jams. */
-  void setJammed() {
-    ints[(size - 1) * INTS + WHAT] |= JAMMED;
+  /** Sets the outcome of the row added last, which else is that the circle bounced. */
+  void setOutcome(Outcome outcome) {
+    int k = (size - 1) * INTS + WHAT;
+    ints[k] = (ints[k] & (1 << OUTCOME) - 1) | outcome.ordinal() << OUTCOME;
   }
 
   /**

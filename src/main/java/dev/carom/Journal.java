@@ -9,7 +9,7 @@ import java.util.Arrays;
  */
 final class Journal {
 
-  private static final int DOUBLES = 9;
+  private static final int DOUBLES = 7;
   private static final int INTS = 7;
 
   private int size;
@@ -39,17 +39,15 @@ final class Journal {
     // The first and the last one first: then compilers need not ask whether the rest is in range.
     int k = size * DOUBLES;
     state[k] = m.x;
-    state[k + 8] = m.anchorY;
+    state[k + 6] = m.cleared;
     state[k + 1] = m.y;
     state[k + 2] = m.vx;
     state[k + 3] = m.vy;
     state[k + 4] = m.t;
     state[k + 5] = m.tl;
-    state[k + 6] = m.cleared;
-    state[k + 7] = m.anchorX;
     int c = size * INTS;
     codes[c] = m.id;
-    codes[c + 6] = m.pace;
+    codes[c + 6] = m.marks();
     codes[c + 1] = m.last;
     codes[c + 2] = m.next;
     codes[c + 3] = m.contact;
@@ -88,15 +86,13 @@ final class Journal {
     m.t = state[k + 4];
     m.tl = state[k + 5];
     m.cleared = state[k + 6];
-    m.anchorX = state[k + 7];
-    m.anchorY = state[k + 8];
     int c = i * INTS;
     m.last = codes[c + 1];
     m.next = codes[c + 2];
     m.contact = codes[c + 3];
     m.reach = codes[c + 4];
     m.stuck = codes[c + 5];
-    m.pace = codes[c + 6];
+    m.setMarks(codes[c + 6]);
     m.jam = jams == null ? null : jams[i];
   }
 

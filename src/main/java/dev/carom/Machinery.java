@@ -10,16 +10,21 @@ package dev.carom;
  * @param pairCells how many times the largest diameter the cells of circles that collide measure
  * @param slack how many times as many circles as there are, and some more, may be removed before
  *     arrays are made dense
+ * @param budget how much of the usual work a call may do
  */
-record Machinery(boolean grid, double cell, double pairCells, double slack) {
+record Machinery(boolean grid, double cell, double pairCells, double slack, double budget) {
 
   /** Chosen by the scene. */
-  static final Machinery CHOSEN = new Machinery(true, 0, 1, 1);
+  static final Machinery CHOSEN = new Machinery(true, 0, 1, 1, 1);
 
   /** Every obstacle is looked at. */
-  static final Machinery EACH = new Machinery(false, 0, 1, 1);
+  static final Machinery EACH = new Machinery(false, 0, 1, 1, 1);
 
   static Machinery cells(double cell) {
-    return new Machinery(true, cell, 1, 1);
+    return new Machinery(true, cell, 1, 1, 1);
+  }
+
+  static Machinery budget(double budget) {
+    return new Machinery(true, 0, 1, 1, budget);
   }
 }

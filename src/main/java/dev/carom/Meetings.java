@@ -263,8 +263,8 @@ final class Meetings {
     double reach = arr - cross * cross;
     double dd = dx * dx + dy * dy;
     double g = dd - rr;
-    boolean sensor = pairs.hasSensors() && pairs.isSensor(i, j);
-    if (!sensor
+    boolean silent = pairs.haveSilent() && pairs.isSilent(i, j);
+    if (!silent
         && b < -Math.fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), FirstRoot.TINY)
         && reach > Math.fma(WELL_CONDITIONED, arr + m * m, FirstRoot.TINY * (u2 + rr + m + 1))
         && g > Math.fma(WELL_CONDITIONED, dd + rr, FirstRoot.TINY)) {
@@ -279,7 +279,7 @@ final class Meetings {
         return true;
       }
     }
-    return pairs.skips(circles, i, j) || weigh(s, codes, i, j, before, sensor);
+    return pairs.skips(circles, i, j) || weigh(s, codes, i, j, before, silent);
   }
 
   private void start(double[] s, int[] codes, int i) {
@@ -311,9 +311,9 @@ final class Meetings {
   }
 
   /** Compares the meeting of i and j with the first one so far by their times; false as in look. */
-  private boolean weigh(double[] s, int[] codes, int i, int j, int before, boolean sensor) {
+  private boolean weigh(double[] s, int[] codes, int i, int j, int before, boolean silent) {
     exact(s, i, j, false);
-    if (exactTau == NEVER || exactHead > high || (sensor && !isEntered(i, j))) {
+    if (exactTau == NEVER || exactHead > high || (silent && !isEntered(i, j))) {
       return true;
     }
     double t = exactTau;
@@ -342,11 +342,12 @@ final class Meetings {
   }
 
   /**
-   * Whether the meeting looked at last is one that a sensor is still to report: it did if both have
-   * been on their flights since.
+   * Whether the meeting looked at last, which is only reported, still has to be: it was if both
+   * have been on their flights since. A sensor does not report what touches it when a flight
+   * starts.
    */
   private boolean isEntered(int i, int j) {
-    return exactTau > 0
+    return (exactTau > 0 || !pairs.isSensor(i, j))
         && (sensed.isNew(i, exactHead, exactTail, j) || sensed.isNew(j, exactHead, exactTail, i));
   }
 

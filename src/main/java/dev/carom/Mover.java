@@ -15,6 +15,11 @@ final class Mover {
   /** Nothing hit yet, or since the last edit. */
   static final int NOTHING = -1;
 
+  private static final int TURN_SHIFT = 4;
+  private static final int TURN_BITS = 3;
+  private static final int DRIVEN = 1 << 6;
+  private static final int PACE_SHIFT = 8;
+
   /** The flight: where it started, how it moves, and when it started. */
   double x;
 
@@ -37,7 +42,7 @@ final class Mover {
   /** What was hit last: it is not there for this flight. */
   int last;
 
-  /** Where the circle is stuck between things; as a rule null. */
+  /** What is inert for the circle, which is stuck between things; as a rule null. */
   Jam jam;
 
   /** Up to where the flight is known to be free, counted from its start. */
@@ -55,14 +60,20 @@ final class Mover {
   /** Cells that the next search may go beyond what is asked for. */
   int reach;
 
-  /** Impacts since the centre was last elsewhere than at the anchor; see {@link Jam}. */
+  /** The weight of the successive impacts at one place, see {@link StuckRule}. */
   int stuck;
 
   /** The exponent of the largest speed in these impacts. */
   int pace;
 
-  double anchorX;
-  double anchorY;
+  /** Which way the last of them, of restitution 0, turned the velocity: 1 left, -1 right, or 0. */
+  int turn;
+
+  /** Whether one of them was with an infinite mass that moved towards the circle. */
+  boolean driven;
+
+  /** Whether infinite masses overlap a circle that they crushed; known while they meet. */
+  boolean crushed;
 
   /** Puts a circle at the start of its first flight, at time 0. */
   void start(int id, double x, double y, double radius, double vx, double vy, double restitution) {
@@ -105,11 +116,38 @@ final class Mover {
   /** Forgets what was hit: the next impact may be with anything. */
   void forget() {
     last = NOTHING;
+    leavePlace();
+    pace = Double.MIN_EXPONENT;
+  }
+
+  /** Begins to count impacts anew, at the place where the circle is. */
+  void leavePlace() {
     jam = null;
     stuck = 0;
-    pace = Double.MIN_EXPONENT;
-    anchorX = x;
-    anchorY = y;
+    turn = 0;
+    driven = false;
+  }
+
+  /** The pace, the turn, and whether the circle is driven, in one int whose last 4 bits are 0. */
+  int marks() {
+    return pace << PACE_SHIFT | (driven ? DRIVEN : 0) | (turn + 1) << TURN_SHIFT;
+  }
+
+  /** Whether that can be what {@link #marks} gives. */
+  static boolean areMarks(int marks) {
+    Mover m = new Mover();
+    m.setMarks(marks);
+    return m.marks() == marks
+        && Math.abs(m.turn) <= 1
+        && m.pace >= Double.MIN_EXPONENT - 1
+        && m.pace <= Double.MAX_EXPONENT + 1;
+  }
+
+  /** Takes over what {@link #marks} gave; the last 4 bits do not count. */
+  void setMarks(int marks) {
+    pace = marks >> PACE_SHIFT;
+    driven = (marks & DRIVEN) != 0;
+    turn = (marks >> TURN_SHIFT & TURN_BITS) - 1;
   }
 
   /**

@@ -8,30 +8,28 @@ package dev.carom;
  * <p>n is the perpendicular of a line for its side, and the offset from the contact point to the
  * centre for an endpoint or a peg; a wall turns one component.
  *
- * <p>Restitution below 1, or clearance below rounding, can make infinitely many impacts in finite
- * time. A circle that makes {@link #patience} impacts without its centre leaving a place of 4 ulps
- * loses its motion along each further normal (e = 0); after as many again it is jammed: what it
- * touches becomes inert if it approaches by no more than rounding, so that it can slide along; else
- * it stops, and the circles that are jammed to it with it. Two jammed circles that approach each
- * other by more than rounding go on as one {@link Piece}. An impact that approaches by no more than
- * the rounding of the speeds that the circle met at that place has nothing left to take away: it
- * counts as a 32nd of the patience, for a cluster with e = 0 makes thousands of them each time
- * something joins it. Motion is taken away, not given: the TC model of S. Luding and S. McNamara
- * (How to handle the inelastic collapse of a dissipative hard-sphere gas with the TC model,
- * Granular Matter 1, 1998) instead makes impacts elastic that follow each other too fast, which
- * feeds back energy that the scene had taken away, and needs a length of time that a scene does not
- * have.
+ * <p>An impact of restitution 0 that turns the velocity back, after another one at the same place
+ * turned it the other way, stops the circle: it would be turned to and fro for ever, by less each
+ * time. (v lies in the cone of directions that the two normals forbid; of all velocities that lead
+ * into neither thing, 0 is the nearest one.) A {@linkplain StuckRule stuck} circle has restitution
+ * 0 whatever it hits, and what it then approaches by no more than rounding is inert for it. Motion
+ * is taken away, not given: the TC model of S. Luding and S. McNamara (How to handle the inelastic
+ * collapse of a dissipative hard-sphere gas with the TC model, Granular Matter 1, 1998) instead
+ * makes impacts elastic that follow each other too fast. That feeds back energy that the scene had
+ * taken away, and needs a length of time that a scene does not have.
  */
 final class ObstacleResponse {
 
-  /** 4 ulps of a number of size 1..2 are 2^-50; of the size taken here, at most that. */
-  private static final double PLACE = 0x1p-51;
+  // What an impact leads to.
 
-  /** Approach, relative to the speed, that is no more than rounding: some ulps of the velocity. */
-  private static final double ROUNDING = 0x1p-48;
+  /** Nothing: a sensor reported it, and the flight goes on. */
+  static final int SENSED = 0;
 
-  /** So much sooner patience ends with impacts that have nothing but rounding to take away. */
-  private static final int FAINT = 32;
+  /** A new flight. */
+  static final int NEW_FLIGHT = 1;
+
+  /** A new flight of a stuck circle: all that it touches is to be resolved at once. */
+  static final int STUCK = 2;
 
   /** Range of a normal's size, and of a speed, within which their products are safe. */
   private static final double LEAST = 0x1p-300;
@@ -48,11 +46,7 @@ final class ObstacleResponse {
   private static final int SLOW = 60;
 
   private final Obstacles obstacles;
-  private int patience;
   private final Impulse impulse = new Impulse();
-
-  /** Whether the last impact jammed what then has to go on as one piece. */
-  private boolean seizes;
 
   /** Where the flight started that ends in the impact in hand. */
   private double startX;
@@ -65,47 +59,78 @@ final class ObstacleResponse {
   private double nx;
   private double ny;
 
-  ObstacleResponse(Obstacles obstacles, int patience) {
+  ObstacleResponse(Obstacles obstacles) {
     this.obstacles = obstacles;
-    this.patience = patience;
-  }
-
-  void setPatience(int impacts) {
-    patience = impacts;
   }
 
   /**
    * Flies a mover to the impact found ahead, changes its velocity, and writes it into the log. At a
    * sensor it only writes.
    *
-   * @return whether a new flight begins
+   * @return what it leads to: SENSED, NEW_FLIGHT or STUCK
    */
-  boolean resolve(Mover m, ImpactLog log) {
+  int resolve(Mover m, ImpactLog log) {
     int code = m.next;
     if (obstacles.isSensor(code)) {
       sense(m, code, log);
-      return false;
+      return SENSED;
     }
     startX = m.x;
     startY = m.y;
     m.fly(m.cleared);
     double vn = report(m, code, m.t, log);
+    double e = m.restitution * obstacles.restitution(code);
     double speed = Math.abs(m.vx) + Math.abs(m.vy);
-    seizes = false;
-    boolean stuck = countStuck(m, m.flown * speed, speed, vn / (Math.abs(nx) + Math.abs(ny)));
-    double e = stuck ? 0 : m.restitution * obstacles.restitution(code);
-    if (vn < 0) {
-      reflect(m, code, e);
-    }
-    if (isJammed(m)) {
-      jam(m, code, -vn / Math.sqrt(nx * nx + ny * ny));
-      log.setJammed();
+    double way = m.flown * speed;
+    double approach = vn / (Math.abs(nx) + Math.abs(ny));
+    StuckRule.count(m, way, speed, approach, e, StuckRule.ELASTIC);
+    boolean stuck = StuckRule.isStuck(m);
+    boolean faint = stuck && StuckRule.isFaint(m, approach);
+    m.jam = faint ? Jam.with(m.jam, code) : Jam.ofCircles(m.jam, Obstacles.CIRCLES);
+    if (stuck || e == 0) {
+      boolean back = turnsBack(m, way, approach);
+      change(m, code, vn, 0, log);
+      boolean stops = back || (stuck && StuckRule.isFaint(m, Math.abs(m.vx) + Math.abs(m.vy)));
+      if (stops) {
+        m.vx = 0;
+        m.vy = 0;
+      }
+      if (stuck || stops) {
+        log.setOutcome(Outcome.JAMMED);
+      }
     } else {
-      m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
+      m.turn = 0;
+      change(m, code, vn, e, log);
     }
     m.last = code;
     m.newFlight();
-    return true;
+    return stuck && !faint ? STUCK : NEW_FLIGHT;
+  }
+
+  /** Changes the velocity of a circle that approaches. */
+  private void change(Mover m, int code, double vn, double e, ImpactLog log) {
+    if (vn < 0) {
+      reflect(m, code, e);
+      if (stopsBeyondRange(m)) {
+        log.setOutcome(Outcome.STOPPED);
+      } else if (obstacles.halts(code)) {
+        log.setOutcome(Outcome.HALTED);
+      }
+    }
+  }
+
+  /**
+   * Whether an impact without bounce turns a velocity back, after another one at the same place
+   * turned it the other way; keeps which way.
+   */
+  private boolean turnsBack(Mover m, double way, double approach) {
+    if (StuckRule.isFaint(m, approach)) {
+      return false;
+    }
+    int turn = m.vx * ny > m.vy * nx ? 1 : -1;
+    boolean back = m.turn == -turn && way <= StuckRule.reach(m);
+    m.turn = turn;
+    return back;
   }
 
   /** Writes that a mover meets a sensor; the flight goes on, and is known up to there. */
@@ -115,10 +140,20 @@ final class ObstacleResponse {
     m.x = Math.fma(m.vx, m.cleared, m.x);
     m.y = Math.fma(m.vy, m.cleared, m.y);
     report(m, code, m.after(m.cleared), log);
+    log.setOutcome(Outcome.SENSED);
     m.x = startX;
     m.y = startY;
     m.next = Mover.NOTHING;
     m.contact = code;
+  }
+
+  /** Writes that a mover is in contact with an obstacle. */
+  void report(Mover m, Touch touch, ImpactLog log) {
+    startX = m.x;
+    startY = m.y;
+    m.contact = touch.contact();
+    report(m, touch.code(), m.t, log);
+    m.contact = 0;
   }
 
   /** Writes an impact of a mover that stands where it touches, and returns v.n. */
@@ -145,15 +180,16 @@ final class ObstacleResponse {
     } else {
       m.vy = -e * m.vy + 0.0;
     }
-    stopBeyondRange(m);
   }
 
-  /** A circle that an impact would make faster than doubles can tell stops. */
-  static void stopBeyondRange(Mover m) {
-    if (!(Math.abs(m.vx) <= Double.MAX_VALUE && Math.abs(m.vy) <= Double.MAX_VALUE)) {
-      m.vx = 0;
-      m.vy = 0;
+  /** Stops a circle that an impact would make faster than doubles can tell. */
+  static boolean stopsBeyondRange(Mover m) {
+    if (Math.abs(m.vx) <= Double.MAX_VALUE && Math.abs(m.vy) <= Double.MAX_VALUE) {
+      return false;
     }
+    m.vx = 0;
+    m.vy = 0;
+    return true;
   }
 
   /** Finds the contact point and the normal. */
@@ -332,95 +368,5 @@ final class ObstacleResponse {
   static double dot(double ax, double ay, double bx, double by) {
     double p = ay * by;
     return Math.fma(ax, bx, p) + Math.fma(ay, by, -p);
-  }
-
-  /**
-   * Counts an impact, and tells whether the circle is stuck: for more impacts than patience allows
-   * its clock has not moved; or it has not left its place and what it hit came from no further; or
-   * it slid along what it hit, and neither moved against the other by more than rounding. A jammed
-   * one that slides on stays so until something approaches it by more than rounding.
-   *
-   * @param way what the two moved against each other since the circle's last impact
-   * @param speed the sum of the components of what moves
-   * @param approach along the normal
-   */
-  boolean countStuck(Mover m, double way, double speed, double approach) {
-    double size = place(m);
-    int exponent = exponent(speed);
-    boolean slides =
-        isFaint(approach, exponent) && (isJammed(m) || m.flown * Math.abs(approach) <= size);
-    if (m.standsStill || (isInPlace(m) && way <= size) || slides) {
-      int pace = Math.max(m.pace, exponent);
-      boolean faint = isFaint(approach, pace);
-      m.stuck = Math.min(m.stuck + (faint ? 1 + patience / FAINT : 1), 2 * patience + 1);
-      m.pace = pace;
-    } else {
-      m.stuck = 0;
-      m.pace = exponent;
-      m.anchorX = m.x;
-      m.anchorY = m.y;
-      m.jam = null;
-    }
-    return m.stuck > patience;
-  }
-
-  /** Whether a circle's centre is within 4 ulps of where its impacts began to count. */
-  static boolean isInPlace(Mover m) {
-    double size = place(m);
-    return Math.abs(m.x - m.anchorX) <= size && Math.abs(m.y - m.anchorY) <= size;
-  }
-
-  private static double place(Mover m) {
-    return Math.max(Math.max(Math.abs(m.anchorX), Math.abs(m.anchorY)), m.radius) * PLACE;
-  }
-
-  /** The binary exponent of a speed. */
-  private static int exponent(double speed) {
-    return Math.min(Math.getExponent(speed), Double.MAX_EXPONENT);
-  }
-
-  /** 2^k, for the exponent of a double: 0 and subnormal ones have that of 2^-1023. */
-  private static double powerOfTwo(int k) {
-    return k < Double.MIN_EXPONENT
-        ? Double.MIN_NORMAL / 2
-        : Double.longBitsToDouble((long) (k + Double.MAX_EXPONENT) << 52);
-  }
-
-  /** Whether an approach is no more than rounding of speeds of the binary exponent given. */
-  private static boolean isFaint(double approach, int pace) {
-    return Math.abs(approach) <= ROUNDING * powerOfTwo(pace);
-  }
-
-  /** Whether an approach is no more than rounding of a speed. */
-  static boolean isRounding(double approach, double speed) {
-    return isFaint(approach, exponent(speed));
-  }
-
-  boolean isJammed(Mover m) {
-    return m.stuck > 2 * patience;
-  }
-
-  /**
-   * Lets the circle slide along what it hit if that is all it does; stops it otherwise, and what is
-   * jammed to it, and what it slid along is there for it again.
-   */
-  private void jam(Mover m, int code, double approach) {
-    if (approach <= ROUNDING * (Math.abs(m.vx) + Math.abs(m.vy))) {
-      m.jam = Jam.with(m.jam, code);
-    } else {
-      m.vx = 0;
-      m.vy = 0;
-      m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
-      seizes = true;
-    }
-  }
-
-  /** Whether the circles that jammed in the last impact have to go on as one {@link Piece}. */
-  boolean seizes() {
-    return seizes;
-  }
-
-  void setSeizes(boolean seizes) {
-    this.seizes = seizes;
   }
 }

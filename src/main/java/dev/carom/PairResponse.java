@@ -18,8 +18,9 @@ final class PairResponse {
   /** The sum of two masses up to this is a double. */
   private static final double LARGE = 0x1p1000;
 
+  private static final double INFINITE = Double.POSITIVE_INFINITY;
+
   private final Roster roster;
-  private final ObstacleResponse response;
   private final Impulse impulse = new Impulse();
 
   // The two in hand: 2^fast u, n, and u.n.
@@ -30,9 +31,8 @@ final class PairResponse {
   private double ny;
   private double un;
 
-  PairResponse(Roster roster, ObstacleResponse response) {
+  PairResponse(Roster roster) {
     this.roster = roster;
-    this.response = response;
   }
 
   /** Whether two circles just hit each other and neither changed since, or are jammed together. */
@@ -44,12 +44,18 @@ final class PairResponse {
     if (circles.jams == null) {
       return false;
     }
-    Jam a = circles.jam(i);
-    Jam b = circles.jam(j);
-    return a != null
-        && b != null
-        && a.makesInert(Obstacles.CIRCLES + j)
-        && b.makesInert(Obstacles.CIRCLES + i);
+    return isInert(i, circles.jam(i), j, circles.jam(j));
+  }
+
+  /**
+   * Whether two circles are not there for each other: both are jammed to the other, or one of them
+   * is, and the other one has infinite mass and passes over it.
+   */
+  boolean isInert(int i, Jam ofI, int j, Jam ofJ) {
+    boolean first = ofI != null && ofI.makesInert(Obstacles.CIRCLES + j);
+    boolean second = ofJ != null && ofJ.makesInert(Obstacles.CIRCLES + i);
+    return (first && (second || roster.mass(j) == INFINITE))
+        || (second && roster.mass(i) == INFINITE);
   }
 
   /**
@@ -62,7 +68,7 @@ final class PairResponse {
     double ny = m.y - Math.fma(other.vy, later, other.y);
     double un = (m.vx - other.vx) * nx + (m.vy - other.vy) * ny;
     double approach = un / (Math.abs(nx) + Math.abs(ny));
-    return !ObstacleResponse.isRounding(approach, speeds(m, other));
+    return !StuckRule.isFaint(m, approach) && !StuckRule.isFaint(other, approach);
   }
 
   private static double speeds(Mover a, Mover b) {
@@ -75,62 +81,112 @@ final class PairResponse {
    */
   long rank(int i, int j) {
     long rank = (long) (Obstacles.CIRCLES + i) << 31 | j;
-    return isSensor(i, j) ? rank - Long.MAX_VALUE : rank;
+    return isSilent(i, j) ? rank - Long.MAX_VALUE : rank;
   }
 
-  /** Whether some circle only reports whom it meets. */
-  boolean hasSensors() {
-    return roster.hasTraits();
+  /** Whether there may be circles that only report that they meet. */
+  boolean haveSilent() {
+    return roster.hasTraits() || roster.hasInfinite();
   }
 
-  /** Whether circles i and j only report that they meet. */
+  /** Whether the meeting of circles i and j is reported and changes nothing. */
+  boolean isSilent(int i, int j) {
+    return isSensor(i, j) || pass(i, j);
+  }
+
+  /** Whether one of circles i and j is a sensor. */
   boolean isSensor(int i, int j) {
     return roster.isSensor(i) || roster.isSensor(j);
   }
 
+  /** Whether circles i and j, of infinite mass, pass through each other. */
+  boolean pass(int i, int j) {
+    return roster.mass(i) == INFINITE && roster.mass(j) == INFINITE;
+  }
+
   /**
    * Changes the velocities of two circles in contact, the lower number first, and writes the log.
-   * Where one is a sensor it only writes.
+   * Where one is a sensor, or both have infinite mass, it only writes. A {@linkplain Mover#crushed
+   * crushed} circle stands like one of infinite mass.
    *
-   * @return whether new flights begin
+   * @return what it leads to, as {@link ObstacleResponse#resolve} tells
    */
-  boolean resolve(Mover a, Mover b, ImpactLog log) {
+  int resolve(Mover a, Mover b, ImpactLog log) {
     report(a, b, log);
-    if (isSensor(a.id, b.id)) {
-      return false;
+    if (isSilent(a.id, b.id)) {
+      log.setOutcome(isSensor(a.id, b.id) ? Outcome.SENSED : Outcome.PASSED);
+      return ObstacleResponse.SENSED;
     }
-    double speed = scaled(Math.abs(ux) + Math.abs(uy), fast);
-    double speeds = speeds(a, b);
-    double approach = un / (Math.abs(nx) + Math.abs(ny));
-    boolean stuckA = response.countStuck(a, a.flown * speed, speeds, approach);
-    boolean stuckB = response.countStuck(b, b.flown * speed, speeds, approach);
     boolean halt = roster.halts(a.id) || roster.halts(b.id);
-    double massA = roster.mass(a.id);
-    double massB = roster.mass(b.id);
+    double e = halt ? 0 : a.restitution * b.restitution;
+    double approach = un / (Math.abs(nx) + Math.abs(ny));
+    count(a, b, e, approach);
+    count(b, a, e, approach);
+    a.driven |= mass(b) == INFINITE && b.vx * nx + b.vy * ny > 0;
+    b.driven |= mass(a) == INFINITE && a.vx * nx + a.vy * ny < 0;
+    boolean stuck = isStuck(a) || isStuck(b);
+    boolean faint = stuck && (isFaint(a, approach) || isFaint(b, approach));
     if (un < 0) {
-      double e = stuckA || stuckB || halt ? 0 : a.restitution * b.restitution;
-      if (halt && massA + massB < Double.POSITIVE_INFINITY) {
-        stop(a, nx, ny);
-        stop(b, nx, ny);
-      } else {
-        impulse.of(1 + e, ux, uy, nx, ny);
-        impulse.scale(fast);
-        push(a, -1, massB, massA, nx, ny);
-        push(b, 1, massA, massB, nx, ny);
-      }
+      change(a, b, stuck ? 0 : e, halt, log);
     }
-    boolean jams = response.isJammed(a) && response.isJammed(b);
-    if (jams) {
+    if (stuck) {
+      log.setOutcome(Outcome.JAMMED);
+    }
+    if (faint) {
       a.jam = Jam.with(a.jam, Obstacles.CIRCLES + b.id);
       b.jam = Jam.with(b.jam, Obstacles.CIRCLES + a.id);
-      log.setJammed();
     }
-    response.setSeizes(jams && !ObstacleResponse.isRounding(approach, speeds));
-    a.last = Obstacles.CIRCLES + b.id;
-    b.last = Obstacles.CIRCLES + a.id;
-    a.newFlight();
-    b.newFlight();
-    return true;
+    beginFlight(a, b);
+    beginFlight(b, a);
+    return stuck && !faint ? ObstacleResponse.STUCK : ObstacleResponse.NEW_FLIGHT;
+  }
+
+  /** The mass with which a circle is hit. */
+  double mass(Mover m) {
+    return m.crushed ? INFINITE : roster.mass(m.id);
+  }
+
+  private static boolean isStuck(Mover m) {
+    return !m.crushed && StuckRule.isStuck(m);
+  }
+
+  private static boolean isFaint(Mover m, double approach) {
+    return !m.crushed && StuckRule.isFaint(m, approach);
+  }
+
+  private void count(Mover m, Mover other, double e, double approach) {
+    if (!m.crushed) {
+      double speed = scaled(Math.abs(ux) + Math.abs(uy), fast);
+      int elastic = mass(other) == INFINITE ? StuckRule.ELASTIC : StuckRule.ELASTIC_PAIR;
+      StuckRule.count(m, m.flown * speed, speeds(m, other), approach, e, elastic);
+    }
+  }
+
+  private void change(Mover a, Mover b, double e, boolean halt, ImpactLog log) {
+    double massA = mass(a);
+    double massB = mass(b);
+    if (halt && massA + massB < INFINITE) {
+      stop(a, nx, ny);
+      stop(b, nx, ny);
+    } else {
+      impulse.of(1 + e, ux, uy, nx, ny);
+      impulse.scale(fast);
+      push(a, -1, massB, massA, nx, ny);
+      push(b, 1, massA, massB, nx, ny);
+    }
+    boolean aStops = ObstacleResponse.stopsBeyondRange(a);
+    boolean bStops = ObstacleResponse.stopsBeyondRange(b);
+    if (aStops || bStops) {
+      log.setOutcome(Outcome.STOPPED);
+    } else if (halt) {
+      log.setOutcome(Outcome.HALTED);
+    }
+  }
+
+  private static void beginFlight(Mover m, Mover other) {
+    m.turn = 0;
+    m.last = Obstacles.CIRCLES + other.id;
+    m.newFlight();
   }
 
   /** Writes that two circles are in contact, the lower number first, and how they approach. */
@@ -179,14 +235,14 @@ final class PairResponse {
    * line along which a jammed circle slid is there for it again.
    */
   private void push(Mover m, int sign, double other, double own, double nx, double ny) {
-    m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
-    if (own == Double.POSITIVE_INFINITY) {
+    if (own == INFINITE) {
       return;
     }
+    m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
     double share = 0.5;
     double tail = 0;
     if (own != other || own > LARGE) {
-      boolean all = other == Double.POSITIVE_INFINITY;
+      boolean all = other == INFINITE;
       double sum = other + own;
       share = all ? 1 : other / sum;
       double rest = Math.fma(-share, sum, other) - share * sumTail(other, own, sum);
@@ -194,6 +250,5 @@ final class PairResponse {
     }
     m.vx = impulse.change(m.vx, sign * share, sign * tail, nx);
     m.vy = impulse.change(m.vy, sign * share, sign * tail, ny);
-    ObstacleResponse.stopBeyondRange(m);
   }
 }

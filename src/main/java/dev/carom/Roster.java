@@ -11,6 +11,9 @@ import java.util.Arrays;
  */
 final class Roster {
 
+  /** One more than the largest id: its code is the largest number. */
+  static final int ID_LIMIT = Integer.MAX_VALUE - Obstacles.CIRCLES + 1;
+
   private static final int NONE = -1;
 
   /** So many more circles are counted where slots of removed ones are: a few are no burden. */
@@ -20,6 +23,9 @@ final class Roster {
   private final double slack;
 
   private double[] masses;
+
+  /** How many circles have infinite mass. */
+  private int infinite;
 
   /** Whether the scene uses the same array of masses. */
   private boolean shared;
@@ -50,6 +56,7 @@ final class Roster {
     present = new PresentCodes(0, end);
     masses = scene.masses;
     shared = true;
+    countInfinite();
     traits = scene.circleTraits == null ? null : scene.circleTraits.clone();
   }
 
@@ -95,6 +102,19 @@ final class Roster {
     gone = null;
     present = new PresentCodes(0, end);
     found = 0;
+    countInfinite();
+  }
+
+  private void countInfinite() {
+    infinite = 0;
+    for (int slot = 0; slot < end; slot++) {
+      infinite += infinite(slot);
+    }
+  }
+
+  /** 1 for a circle of infinite mass, else 0. */
+  private int infinite(int slot) {
+    return masses[slot] == Double.POSITIVE_INFINITY ? 1 : 0;
   }
 
   /** Whether so many slots are of circles that were removed that arrays are to be made dense. */
@@ -115,11 +135,6 @@ final class Roster {
   /** The slots of the circles that are there by now, ascending. */
   int[] slots() {
     return present.stream(slot -> !contains(slot)).toArray();
-  }
-
-  /** How many impacts a circle may make in one place before it is stuck; see {@link World}. */
-  int patience() {
-    return 1_000 + 10 * count();
   }
 
   boolean contains(int slot) {
@@ -221,6 +236,7 @@ final class Roster {
       gone = new boolean[masses.length];
     }
     gone[slot] = true;
+    infinite -= infinite(slot);
     present.removed(1, i -> gone[i]);
   }
 
@@ -233,7 +249,14 @@ final class Roster {
       masses = masses.clone();
       shared = false;
     }
+    infinite -= infinite(slot);
     masses[slot] = m;
+    infinite += infinite(slot);
+  }
+
+  /** Whether two or more circles have infinite mass. */
+  boolean hasInfinite() {
+    return infinite > 1;
   }
 
   int traits(int slot) {

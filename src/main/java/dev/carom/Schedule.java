@@ -141,7 +141,7 @@ final class Schedule {
   private boolean isBeforeObstacle(int i) {
     double tail = Meetings.tail(state, i);
     double other = dueTail(i);
-    return tail < other || (tail == other && pairs.isSensor(i, Meetings.partner(codes, i)));
+    return tail < other || (tail == other && pairs.isSilent(i, Meetings.partner(codes, i)));
   }
 
   /** The order of two events of the same time. */

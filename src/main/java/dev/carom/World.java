@@ -144,13 +144,17 @@ public final class World {
   /**
    * Goes on for a given time, to the double nearest to {@code now() + dt}.
    *
-   * @param dt at least 0
+   * @param dt 0, or more than about 1e-16 of the time now
    * @return whether the world got there; false if its budget of work was spent before
-   * @throws IllegalArgumentException if dt is NaN or negative, or the time it leads to is infinite
+   * @throws IllegalArgumentException if dt is NaN or negative, or the time it leads to is infinite;
+   *     or if dt is more than 0 and that time is still now: a loop of such steps would never end
    */
   public boolean step(double dt) {
     if (!(dt >= 0 && now + dt <= Double.MAX_VALUE)) {
       throw Check.refused("dt", dt, "at least 0, and a finite time after " + now);
+    }
+    if (now + dt == now && dt > 0) {
+      throw Check.refused("dt", dt, "0, or enough to move the clock on from " + now);
     }
     return advance(now + dt);
   }
@@ -334,7 +338,8 @@ public final class World {
   /**
    * Whether something is there. The ids of a kind begin at 0, with the things of the scene in its
    * order; each thing that is added gets the next one, and the id of one that was removed is not
-   * used again.
+   * used again. Ids end at 268,435,452 for lines, 268,435,456 for pegs and 1,610,612,736 for
+   * circles: some 300 days of 60 new circles a second.
    *
    * @param kind its kind; walls have the ids 0..3
    * @param id its id, any number
@@ -383,6 +388,11 @@ public final class World {
    * A circle of radius 0 is a ray; the centre exactly on that of a circle does not meet it, so one
    * can ask for a circle of this world. Where circles collide it looks at every one of them; it
    * allocates.
+   *
+   * <p>The earliest impact is found as if in real arithmetic on the given doubles and on the places
+   * and velocities that this world tells of its circles. Of exactly simultaneous impacts walls come
+   * first, then lines, then pegs, then circles, each by id. A {@link #step step} instead treats
+   * impacts with equal rounded times as simultaneous.
    *
    * @param circle the circle now
    * @param velocity its velocity
@@ -583,6 +593,7 @@ public final class World {
    * @return its id
    * @throws IllegalArgumentException if a number is NaN or infinite, the radius too small, or a
    *     coordinate too large, as by {@link #setPosition setPosition}
+   * @throws IllegalStateException if this world gave all ids of circles: 1,610,612,736
    */
   public int addCircle(double x, double y, double radius, double vx, double vy) {
     return editor.addCircle(x, y, radius, vx, vy, now);
@@ -599,6 +610,7 @@ public final class World {
    * @return its id
    * @throws IllegalArgumentException if a coordinate is NaN or infinite, or so large that 2^10 ulps
    *     of it exceed the least radius that was ever in this world
+   * @throws IllegalStateException if this world gave all ids of lines: 268,435,452
    */
   public int addLine(double ax, double ay, double bx, double by) {
     return editor.addLine(ax, ay, bx, by, now);
@@ -629,6 +641,7 @@ public final class World {
    * @throws IllegalArgumentException if a coordinate or the radius is NaN or infinite, the radius
    *     negative, or a coordinate so large that 2^10 ulps of it exceed the least radius that was
    *     ever in this world
+   * @throws IllegalStateException if this world gave all ids of pegs: 268,435,456
    */
   public int addPeg(double x, double y, double radius) {
     return editor.addPeg(x, y, radius, now);
@@ -720,8 +733,14 @@ public final class World {
   }
 
   /**
-   * Records the flights of all circles from now on; without it, none are. What is kept of a circle
-   * stays when it is removed. A recording that was going on stops, and its timeline stays as it is.
+   * Records the flights of all circles from now on; without it, none are. A recording that was
+   * going on stops, and its timeline stays as it is.
+   *
+   * <p>What is kept of a circle stays when it is removed, within a budget: all removed circles
+   * together have {@code most} flights for each circle of the largest number that was there at one
+   * time. Beyond that the circles that were removed first are dropped, and {@link Timeline#start}
+   * is later. Changes of removed lines and pegs have a budget by the same rule. So a recording
+   * takes no more memory for all that came and went than for what was there.
    *
    * @param most how many flights to keep of each circle, at least 1, and how many changes of each
    *     line and peg; beyond that the oldest ones are dropped. An edit begins a flight: where each
@@ -743,5 +762,25 @@ public final class World {
   public void stopRecording() {
     timeline = null;
     engine.record(null);
+  }
+
+  /**
+   * What is there and when, for a debugger.
+   *
+   * @return a text to be read, not to be taken apart
+   */
+  @Override
+  public String toString() {
+    String form =
+        "World[now=%s, %d circles that %s, %d lines, %d pegs, bounds %s,"
+            + " %d impacts in the last step]";
+    return form.formatted(
+        now,
+        circleCount(),
+        scene.collide ? "collide" : "ignore each other",
+        obstacles.presentLines().count(),
+        obstacles.presentPegs().count(),
+        told(scene.bounds),
+        log.size());
   }
 }

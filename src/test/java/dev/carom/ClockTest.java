@@ -124,6 +124,6 @@ class ClockTest {
         row.nx(),
         row.ny(),
         row.speed(),
-        row.jammed());
+        row.outcome());
   }
 }

@@ -104,7 +104,7 @@ class CollisionsMachineryTest {
       Run chosen = Run.advance(new World(scene), 0.5, 10, 25);
       for (double diameters : PAIR_CELLS) {
         for (Machinery grid : List.of(Machinery.EACH, Machinery.cells(17), Machinery.cells(200))) {
-          World world = new World(scene, new Machinery(grid.grid(), grid.cell(), diameters, 1));
+          World world = new World(scene, new Machinery(grid.grid(), grid.cell(), diameters, 1, 1));
           assertThat(Run.advance(world, 0.5, 10, 25)).as("cells %s", diameters).isEqualTo(chosen);
         }
       }

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Who is stuck, what a jam ends with, and what an edit forgets. */
 class CollisionsTest {
 
-  /** More impacts than the patience with a few circles. */
+  /** More impacts than obstacles have to make a circle stuck. */
   private static final int MANY = 1_100;
 
   /**
@@ -182,7 +182,8 @@ class CollisionsTest {
     for (int i = 0; i < 2; i++) {
       Mover m = new Mover();
       jammed.flights.get(i, m);
-      m.stuck = 5_000;
+      m.stuck = StuckRule.LIMIT + 1;
+      m.pace = 1;
       m.jam = Jam.with(null, Obstacles.CIRCLES + 1 - i);
       jammed.flights.put(i, m, 0, 0);
     }

@@ -40,7 +40,7 @@ final class EditSession {
     this.mostImpacts = mostImpacts;
     numbers = hard ? new SessionNumbers.Hard(random) : new SessionNumbers(random);
     sensors = random.nextBoolean();
-    worlds = new ThreeWorlds(scene(collide, hard), numbers.length(), new Random(~seed));
+    worlds = new ThreeWorlds(scene(collide, hard), numbers.length(), ~seed);
   }
 
   private Scene scene(boolean collide, boolean hard) {

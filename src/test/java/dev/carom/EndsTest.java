@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -15,11 +14,14 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** "It always ends, and says how": circles that jam, and steps that run out of their budget. */
 class EndsTest {
 
-  /** N of a world with one circle: 1,000 + 10 x circles. */
-  private static final int PATIENCE = 1_010;
+  /** The most elastic impacts with obstacles at one place. */
+  private static final int PATIENCE = 1_024;
+
+  /** For a call to have work for some thousand impacts only. */
+  private static final Machinery SMALL_BUDGET = Machinery.budget(1.0 / 200);
 
   private static long jammed(Run run) {
-    return run.impacts().stream().filter(Run.Row::jammed).count();
+    return run.impacts().stream().filter(row -> row.outcome() == Outcome.JAMMED).count();
   }
 
   // Infinitely many impacts in finite time.
@@ -46,9 +48,11 @@ class EndsTest {
             .circle(50, 0, 0.1, -1, 0.01)
             .build();
     Run run = Run.advance(new World(scene), 1000);
-    assertThat(jammed(run)).isEqualTo(1);
-    assertThat(run.impacts().get(run.impacts().size() - 1).jammed()).as("the last row").isTrue();
-    assertThat(run.impacts()).hasSizeBetween(2 * PATIENCE, 4 * PATIENCE);
+    assertThat(jammed(run)).isBetween(1L, 40L);
+    assertThat(run.impacts().get(run.impacts().size() - 1).outcome())
+        .as("the last row")
+        .isEqualTo(Outcome.JAMMED);
+    assertThat(run.impacts()).hasSizeBetween(10, 200);
     // It rests where it touches both lines: at the distance radius |w| / opening from the tip.
     double tip = 0.1 * Math.hypot(100, opening) / opening;
     Run.State end = run.end().get(0);
@@ -69,7 +73,7 @@ class EndsTest {
             .restitution(0.5)
             .circle(50, 0, 0.1, -1, 0.01);
     Run alone = Run.advance(new World(wedge.build()), 1000);
-    assertThat(jammed(alone)).isEqualTo(1);
+    assertThat(jammed(alone)).isPositive();
     assertThat(Run.advance(new World(wedge.collide(true).build()), 1000)).isEqualTo(alone);
   }
 
@@ -158,9 +162,8 @@ class EndsTest {
 
   /**
    * No number is exact here, and rounding may leave less room than the diameter, or some ulps more:
-   * then 1e16 impacts are to be made, and the budget ends each call. Resting circles keep it small.
+   * 1e16 impacts would be to be made.
    */
-  @Tag("long")
   @ParameterizedTest
   @CsvSource({"1,0.3", "1,0.33", "3,-0.7", "0.1,1", "7,5"})
   void corridorsOfAboutOneDiameterNeverGainEnergy(double wx, double wy) {
@@ -172,13 +175,9 @@ class EndsTest {
               .line(-99 * wx, -99 * wy, 99 * wx, 99 * wy)
               .line(4 * nx - 99 * wx, 4 * ny - 99 * wy, 4 * nx + 99 * wx, 4 * ny + 99 * wy)
               .circle(2 * nx, 2 * ny, 2 + ulps * Math.ulp(2.0), 1, 0.5);
-      for (int i = 0; i < 399; i++) {
-        builder.circle(500, 500, 1, 0, 0);
-      }
       World world = new World(builder.build());
-      boolean complete = world.advanceTo(20);
-      assertThat(complete).isEqualTo(world.now() == 20);
-      assertThat(world.impacts().size()).isLessThanOrEqualTo(10_000);
+      assertThat(world.advanceTo(20)).isTrue();
+      assertThat(world.impacts().size()).isLessThan(2_000);
       assertThat(Math.hypot(world.vx(0), world.vy(0))).isLessThan(Math.hypot(1, 0.5) + 1e-12);
       double across = world.x(0) * nx + world.y(0) * ny;
       assertThat(across).as("stays between the lines").isCloseTo(2, within(1e-12));
@@ -261,7 +260,7 @@ class EndsTest {
 
   // The budget of a step.
 
-  /** With 800 circles each may make 10,000 impacts a call; circles 3 and 5 need far more. */
+  /** With a small budget each may make 10,000 impacts a call; circles 3 and 5 need far more. */
   private static Scene busy() {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 64, 64);
     for (int i = 0; i < 800; i++) {
@@ -275,7 +274,7 @@ class EndsTest {
 
   @Test
   void aStepThatSpendsItsBudgetSaysSo() {
-    World world = new World(busy());
+    World world = new World(busy(), SMALL_BUDGET);
     assertThat(world.advanceTo(LONG)).isFalse();
     assertThat(world.now()).isPositive().isLessThan(LONG);
     assertThat(world.impacts().size()).isPositive();
@@ -283,17 +282,17 @@ class EndsTest {
 
   @Test
   void anUnfinishedWorldStandsAtAnEarlierTimeAsAWhole() {
-    World world = new World(busy());
+    World world = new World(busy(), SMALL_BUDGET);
     world.advanceTo(LONG);
     World reference = new World(busy());
-    Run expected = Run.advance(reference, pieces(world.now()));
+    Run expected = Run.advance(reference, world.now());
     assertThat(Run.states(world)).isEqualTo(expected.end());
     assertThat(Run.rows(world.impacts())).isEqualTo(expected.impacts());
   }
 
   @Test
   void furtherCallsGoOnAndNothingIsDropped() {
-    World world = new World(busy());
+    World world = new World(busy(), SMALL_BUDGET);
     List<Run.Row> rows = new ArrayList<>();
     int calls = 0;
     boolean complete;
@@ -306,46 +305,32 @@ class EndsTest {
     } while (!complete);
     assertThat(world.now()).isEqualTo(LONG);
     assertThat(calls).isGreaterThan(2);
-    assertThat(new Run(rows, Run.states(world)))
-        .isEqualTo(Run.advance(new World(busy()), pieces(LONG)));
-  }
-
-  /** 16 calls, each within the budget. */
-  private static double[] pieces(double end) {
-    double[] times = new double[16];
-    for (int i = 0; i < times.length; i++) {
-      times[i] = end * (i + 1) / times.length;
-    }
-    return times;
+    assertThat(new Run(rows, Run.states(world))).isEqualTo(Run.advance(new World(busy()), LONG));
   }
 
   /** What an earlier step did is not taken back by a later one that has to. */
   @Test
   void anUnfinishedStepTakesBackNothingButItsOwn() {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 64, 64);
-    for (int i = 0; i < 400; i++) {
-      builder.circle(32, 32, 1, 0, 0);
-    }
-    World world = new World(builder.circle(50, 32, 1, 8, 0).build());
+    builder.circle(32, 32, 1, 0, 0);
+    World world = new World(builder.circle(50, 32, 1, 8, 0).build(), SMALL_BUDGET);
     world.step(2);
     assertThat(world.impacts().size()).isOne();
     world.setVelocity(0, 0x1p21, 0);
     assertThat(world.step(1)).isFalse();
     assertThat(Run.rows(world.impacts())).allMatch(row -> row.circle() == 0);
-    assertThat(world.vx(400)).isEqualTo(-8);
-    assertThat(world.x(400)).isCloseTo(60 - 8 * (world.now() - 2), within(1e-9));
+    assertThat(world.vx(1)).isEqualTo(-8);
+    assertThat(world.x(1)).isCloseTo(60 - 8 * (world.now() - 2), within(1e-9));
   }
 
-  /** 4,000,000 impacts, shared by 400 circles. */
+  /** 2,000,000 impacts, of which a circle may make all. */
   @Test
   void theBudgetIsSpentToTheLastImpact() {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 64, 64).circle(32, 32, 1, 0x1p21, 0);
-    for (int i = 1; i < 400; i++) {
-      builder.circle(32, 32, 1, 0, 0);
-    }
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 64, 64).circle(32, 32, 1, 0x1p27, 0);
+    builder.circle(32, 32, 1, 0, 0);
     World world = new World(builder.build());
     assertThat(world.step(1)).isFalse();
-    assertThat(world.impacts().size()).isEqualTo(10_000);
+    assertThat(world.impacts().size()).isEqualTo(2_000_000);
   }
 
   /** Impacts so soon that exact numbers tell when, on a slope of a thousand bits. */
@@ -353,10 +338,7 @@ class EndsTest {
   void exactWorkIsPartOfTheBudget() {
     SceneBuilder builder =
         Scene.builder().bounds(0, -9, 9, 4).line(0, 0, 8, 0x1p-1000).circle(4, 2, 1, 0, -0x1p260);
-    for (int i = 1; i < 400; i++) {
-      builder.circle(4, 2, 1, 0, 0);
-    }
-    World world = new World(builder.build());
+    World world = new World(builder.build(), SMALL_BUDGET);
     assertThat(world.step(6_000 * 0x1p-259)).isFalse();
     assertThat(world.impacts().size()).isBetween(10, 5_000);
   }

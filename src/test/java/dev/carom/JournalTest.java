@@ -29,14 +29,14 @@ class JournalTest {
     m.t = base + 6;
     m.tl = 0x1p-60;
     m.cleared = base + 7;
-    m.anchorX = base + 8;
-    m.anchorY = base + 9;
     m.last = base + 10;
     m.next = base + 11;
     m.contact = SegmentSweep.END;
     m.reach = base + 12;
     m.stuck = base + 13;
     m.pace = base + 14;
+    m.turn = base % 3 - 1;
+    m.driven = base % 2 == 0;
     m.jam = jam;
     circles.store(i);
   }

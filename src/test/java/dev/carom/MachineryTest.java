@@ -186,7 +186,7 @@ class MachineryTest {
           row.nx(),
           row.ny(),
           row.speed(),
-          row.jammed());
+          row.outcome());
     }
   }
 

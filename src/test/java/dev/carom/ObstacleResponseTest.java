@@ -2,110 +2,126 @@
 package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** How impacts in one place are counted, and what ends them, on a line that rises to the right. */
+/** What impacts at one place come to, on a line that rises to the right and in wedges. */
 class ObstacleResponseTest {
 
-  private static final int PATIENCE = 1_000;
+  /** As stuck as a circle is that still bounces. */
+  private static final int NEARLY = StuckRule.LIMIT - StuckRule.ELASTIC;
 
   private final ObstacleResponse response =
-      new ObstacleResponse(Obstacles.of(Scene.builder().line(0, 0, 10, 10).build()), PATIENCE);
+      new ObstacleResponse(Obstacles.of(Scene.builder().line(0, 0, 10, 10).build()));
   private final ImpactLog log = new ImpactLog(1);
   private final Mover m = new Mover();
 
-  /** On the upper side, in no time, after so many impacts. */
-  private void hit(double vx, double vy, int stuck) {
+  /** On the upper side, in no time, after impacts of that weight. */
+  private int hit(double vx, double vy, int stuck) {
     m.start(0, 4, 6, 1, vx, vy, 1);
     m.stuck = stuck;
     m.next = Obstacles.WALLS;
     m.contact = SegmentSweep.LEFT;
     log.clear();
-    response.resolve(m, log);
+    return response.resolve(m, log);
   }
 
   @Test
-  void anImpactCountsOnce() {
-    hit(1, -1, 7);
-    assertThat(m.stuck).isEqualTo(8);
+  void anImpactCountsOnceAndBounces() {
+    assertThat(hit(1, -1, 7)).isEqualTo(ObstacleResponse.NEW_FLIGHT);
+    assertThat(m.stuck).isEqualTo(7 + StuckRule.ELASTIC);
     assertThat(m.vx).isEqualTo(-1);
     assertThat(m.vy).isOne();
-    assertThat(log.jammed(0)).isFalse();
-  }
-
-  /** A 32nd of the patience, and one more. */
-  @Test
-  void oneThatApproachesByRoundingCountsAsMany() {
-    hit(1, 1 - 0x1p-50, 7);
-    assertThat(m.stuck).isEqualTo(8 + PATIENCE / 32);
+    assertThat(log.outcome(0)).isEqualTo(Outcome.BOUNCED);
   }
 
   @Test
-  void whoIsOutOfPatienceDoesNotBounce() {
-    hit(1, -1, PATIENCE - 1);
-    assertThat(m.vx).isEqualTo(-1);
-    hit(1, -1, PATIENCE);
-    assertThat(m.vx).isZero();
-    assertThat(m.vy).isZero();
-    assertThat(log.jammed(0)).isFalse();
-  }
-
-  @Test
-  void thenItStops() {
-    hit(1, 0.5, 2 * PATIENCE - 1);
-    assertThat(log.jammed(0)).isFalse();
+  void aStuckCircleDoesNotBounce() {
+    assertThat(hit(1, 0.5, NEARLY)).isEqualTo(ObstacleResponse.NEW_FLIGHT);
+    assertThat(m.vx).isEqualTo(0.5);
+    assertThat(m.vy).isOne();
+    assertThat(hit(1, 0.5, NEARLY + 1)).isEqualTo(ObstacleResponse.STUCK);
     assertThat(m.vx).isEqualTo(0.75);
-    hit(1, 0.5, 2 * PATIENCE);
-    assertThat(log.jammed(0)).isTrue();
-    assertThat(m.vx).isZero();
-    assertThat(m.vy).isZero();
-    assertThat(response.seizes()).isTrue();
+    assertThat(m.vy).isEqualTo(0.75);
+    assertThat(log.outcome(0)).isEqualTo(Outcome.JAMMED);
+    assertThat(m.jam).isNull();
   }
 
   @Test
-  void orSlidesAlongIfThatIsAllItDoes() {
-    hit(1, 1 - 0x1p-50, 2 * PATIENCE);
-    assertThat(log.jammed(0)).isTrue();
+  void whatItApproachesByRoundingIsInertForIt() {
+    assertThat(hit(1, 1 - 0x1p-50, StuckRule.LIMIT)).isEqualTo(ObstacleResponse.NEW_FLIGHT);
+    assertThat(log.outcome(0)).isEqualTo(Outcome.JAMMED);
     assertThat(m.vx).isBetween(1 - 0x1p-49, 1.0);
     assertThat(m.vy).isEqualTo(m.vx);
     assertThat(m.jam.makesInert(Obstacles.WALLS)).isTrue();
-    assertThat(response.seizes()).isFalse();
   }
 
-  /** A place of 4 ulps, at most: for a circle of radius 1 at 1. */
-  private static final double PLACE = 0x1p-51;
-
-  /** Far from where its impacts began to count, with speed 1, after a flight of so long. */
-  private boolean counts(double flown, double approach, int stuck) {
-    m.start(0, 1, 0, 1, 0, 1, 1);
-    m.anchorY = -1;
-    m.stuck = stuck;
-    m.flown = flown;
-    response.countStuck(m, 1, 1, approach);
-    return m.stuck > stuck;
+  /** Two lines that meet below it in a narrow wedge; it hits one of them, then the other. */
+  private static Scene wedge(double restitution) {
+    return Scene.builder()
+        .line(0, 0, 10, 20)
+        .restitution(restitution)
+        .line(0, 0, -10, 20)
+        .restitution(restitution)
+        .build();
   }
 
-  /** As long as it came no nearer to what it slides along than a place is wide. */
+  private void hitInWedge(ObstacleResponse wedge, int line, int contact) {
+    m.next = Obstacles.WALLS + line;
+    m.contact = contact;
+    m.cleared = 0;
+    log.clear();
+    wedge.resolve(m, log);
+  }
+
+  /** The first line turns it to the left, the second to the right: it would never end. */
   @Test
-  void whoSlidesCountsWhereverItIs() {
-    double faint = 0x1p-48;
-    assertThat(counts(PLACE / faint, -faint, 7)).isTrue();
-    assertThat(counts(2 * PLACE / faint, -faint / 2, 7)).isTrue();
-    assertThat(counts(Math.nextUp(PLACE / faint), -faint, 7)).as("too long").isFalse();
-    assertThat(counts(0, -Math.nextUp(faint), 7)).as("too fast").isFalse();
-    assertThat(counts(1e9, -faint, 2 * PATIENCE)).as("too long").isFalse();
-    assertThat(m.stuck).isZero();
+  void withoutBounceItStopsWhenItIsTurnedBack() {
+    ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wedge(0)));
+    m.start(0, 0, 5, 1, 0, -1, 1);
+    hitInWedge(wedge, 0, SegmentSweep.LEFT);
+    assertThat(m.vy).isEqualTo(-0.8);
+    assertThat(log.outcome(0)).isEqualTo(Outcome.BOUNCED);
+    hitInWedge(wedge, 1, SegmentSweep.RIGHT);
+    assertThat(m.vx).isZero();
+    assertThat(m.vy).isZero();
+    assertThat(log.outcome(0)).isEqualTo(Outcome.JAMMED);
   }
 
   @Test
-  void whoIsJammedAndSlidesOnStaysSo() {
-    counts(1e9, -0x1p-48, 2 * PATIENCE + 1);
-    assertThat(response.isJammed(m)).isTrue();
-    counts(1e9, -0x1p-47, 2 * PATIENCE + 1);
-    assertThat(response.isJammed(m)).isFalse();
+  void itGoesOnIfItCameFromElsewhere() {
+    ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wedge(0)));
+    m.start(0, 0, 5, 1, 0, -1, 1);
+    hitInWedge(wedge, 0, SegmentSweep.LEFT);
+    m.next = Obstacles.WALLS + 1;
+    m.contact = SegmentSweep.RIGHT;
+    m.cleared = 0x1p-40;
+    log.clear();
+    wedge.resolve(m, log);
+    assertThat(m.vy).isCloseTo(-0.48, within(1e-15));
+    assertThat(log.outcome(0)).isEqualTo(Outcome.BOUNCED);
+  }
+
+  /** A wider wedge turns it twice the same way: it goes up on the other side. */
+  @Test
+  void whatTurnsItOnTheSameWayLetsItGoOn() {
+    Scene wide =
+        Scene.builder()
+            .line(0, 0, 20, 10)
+            .restitution(0)
+            .line(0, 0, -20, 10)
+            .restitution(0)
+            .build();
+    ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wide));
+    m.start(0, 0, 5, 1, 0, -1, 1);
+    hitInWedge(wedge, 0, SegmentSweep.LEFT);
+    hitInWedge(wedge, 1, SegmentSweep.RIGHT);
+    assertThat(m.vx).isCloseTo(-0.24, within(1e-15));
+    assertThat(m.vy).isCloseTo(0.12, within(1e-15));
+    assertThat(log.outcome(0)).isEqualTo(Outcome.BOUNCED);
   }
 
   @Test
@@ -116,10 +132,10 @@ class ObstacleResponseTest {
     assertThat(ObstacleResponse.share(0, 0)).isZero();
   }
 
-  /** On the upper side of a line of length 8, sliding to the right, after all patience. */
+  /** On the upper side of a line of length 8, sliding to the right, stuck. */
   private void slide(ObstacleResponse response, double vx, double vy) {
     m.start(0, 4, 1, 1, vx, vy, 1);
-    m.stuck = 2 * PATIENCE;
+    m.stuck = StuckRule.LIMIT;
     m.next = Obstacles.WALLS;
     m.contact = SegmentSweep.LEFT;
     log.clear();
@@ -130,84 +146,27 @@ class ObstacleResponseTest {
   @Test
   void slidingIsToApproachByRoundingOfTheSpeedAtMost() {
     ObstacleResponse level =
-        new ObstacleResponse(Obstacles.of(Scene.builder().line(0, 0, 8, 0).build()), PATIENCE);
+        new ObstacleResponse(Obstacles.of(Scene.builder().line(0, 0, 8, 0).build()));
     slide(level, 0x1p48, -1);
-    assertThat(m.vx).isEqualTo(0x1p48);
+    assertThat(m.jam.makesInert(Obstacles.WALLS)).isTrue();
     slide(level, 0x1p48, -1.0001);
-    assertThat(m.vx).isZero();
+    assertThat(m.jam).isNull();
   }
 
   @Test
   void soItIsAlongAnUprightLine() {
     ObstacleResponse upright =
-        new ObstacleResponse(Obstacles.of(Scene.builder().line(5, 5, 5, -3).build()), PATIENCE);
+        new ObstacleResponse(Obstacles.of(Scene.builder().line(5, 5, 5, -3).build()));
     slide(upright, -1, 0x1p48);
-    assertThat(m.vy).isEqualTo(0x1p48);
+    assertThat(m.jam.makesInert(Obstacles.WALLS)).isTrue();
     slide(upright, -1.0001, 0x1p48);
-    assertThat(m.vy).isZero();
-  }
-
-  @Test
-  void roundingIsAPartOfTheSpeedSPowerOfTwo() {
-    assertThat(ObstacleResponse.isRounding(0x1p-48, 1)).isTrue();
-    assertThat(ObstacleResponse.isRounding(-0x1p-48, 1.9)).isTrue();
-    assertThat(ObstacleResponse.isRounding(0x1.1p-48, 1.9)).isFalse();
-    assertThat(ObstacleResponse.isRounding(0x1p-1070, 0x1p-1022)).isTrue();
-    assertThat(ObstacleResponse.isRounding(0x1p-1070, 0x1p-1023)).isFalse();
-  }
-
-  /** Whether an impact counts of one who came from (anchor, 6 + off) and flew for so long. */
-  private boolean counts(double off, double way, double flown, double approach, int stuck) {
-    m.start(0, 4, 6, 1, 1, 0, 1);
-    m.anchorY = 6 + off;
-    m.flown = flown;
-    m.stuck = stuck;
-    response.countStuck(m, way, 1, approach);
-    return m.stuck > 0;
-  }
-
-  @Test
-  void impactsInOnePlaceCount() {
-    double place = 6 * 0x1p-51;
-    assertThat(counts(0, place, 1, 1, 0)).isTrue();
-    assertThat(counts(0, 1.1 * place, 1, 1, 0)).isFalse();
-    assertThat(counts(0x1p-48, place, 1, 1, 0)).isFalse();
-  }
-
-  @Test
-  void thePlaceEndsFourUlpsAway() {
-    m.start(0, 4, 4, 1, 1, 0, 1);
-    m.anchorY = 4 + 0x1p-48;
-    assertThat(ObstacleResponse.isInPlace(m)).isFalse();
-    m.anchorY = 4 - 0x1p-49;
-    assertThat(ObstacleResponse.isInPlace(m)).isTrue();
-    m.anchorY = 4;
-    m.anchorX = 4 - 0x1p-49;
-    assertThat(ObstacleResponse.isInPlace(m)).isTrue();
-  }
-
-  /** Elsewhere: approaching by rounding only, and by no more than a place in all the time. */
-  @Test
-  void impactsOfOneThatSlidesCount() {
-    double faint = 0x1p-48;
-    double place = 7 * 0x1p-51;
-    assertThat(counts(1, 1, place / faint, faint, 0)).isTrue();
-    assertThat(counts(1, 1, 1.1 * place / faint, faint, 0)).isFalse();
-    assertThat(counts(1, 1, 0x1p-20, 1.1 * faint, 0)).isFalse();
-  }
-
-  @Test
-  void aJammedOneSlidesHoweverFar() {
-    double faint = 0x1p-48;
-    assertThat(counts(1, 1, 10, faint, 2 * PATIENCE)).isFalse();
-    assertThat(counts(1, 1, 10, faint, 2 * PATIENCE + 1)).isTrue();
-    assertThat(counts(1, 1, 10, 1.1 * faint, 2 * PATIENCE + 1)).isFalse();
+    assertThat(m.jam).isNull();
   }
 
   @Test
   void theLargestSpeedIsOneYet() {
     m.start(0, 4, 6, 1, -Double.MAX_VALUE, Double.MAX_VALUE, 1);
-    ObstacleResponse.stopBeyondRange(m);
+    assertThat(ObstacleResponse.stopsBeyondRange(m)).isFalse();
     assertThat(m.vx).isEqualTo(-Double.MAX_VALUE);
     assertThat(m.vy).isEqualTo(Double.MAX_VALUE);
   }

@@ -25,8 +25,7 @@ class PairResponseTest {
     for (double mass : masses) {
       scene.circle(0, 0, 1, 0, 0).mass(mass);
     }
-    Obstacles none = Obstacles.of(scene.build());
-    return new PairResponse(new Roster(scene.build(), 1), new ObstacleResponse(none, 1_000));
+    return new PairResponse(new Roster(scene.build(), 1));
   }
 
   /** The first circle at the origin, the second where the angle says, both of radius 1. */
@@ -38,10 +37,8 @@ class PairResponseTest {
     response.resolve(a, b, log);
   }
 
-  /** In no time, after so many impacts of each. */
-  private ObstacleResponse jam(int stuck, double vx, double vy) {
-    SceneBuilder scene = Scene.builder().circle(0, 0, 1, 0, 0).circle(7, 7, 1, 0, 0);
-    ObstacleResponse response = new ObstacleResponse(Obstacles.of(scene.build()), 1_000);
+  /** In no time, after impacts of that weight of each. */
+  private int jam(int stuck, double vx, double vy) {
     a.start(0, 0, 0, 1, vx, vy, 1);
     b.start(1, 7, 7, 1, 1, 1, 1);
     for (Mover m : new Mover[] {a, b}) {
@@ -49,26 +46,75 @@ class PairResponseTest {
       m.standsStill = true;
     }
     log.clear();
-    new PairResponse(new Roster(scene.build(), 1), response).resolve(a, b, log);
-    return response;
+    return masses(1, 1).resolve(a, b, log);
   }
 
   @Test
-  void whoIsOutOfPatienceTwiceIsJammed() {
-    assertThat(jam(1_999, 2, 1).seizes()).isFalse();
-    assertThat(log.jammed(0)).isFalse();
+  void whoIsStuckDoesNotBounce() {
+    int nearly = StuckRule.LIMIT - StuckRule.ELASTIC_PAIR;
+    assertThat(jam(nearly, 3, 3)).isEqualTo(ObstacleResponse.NEW_FLIGHT);
+    assertThat(log.outcome(0)).isEqualTo(Outcome.BOUNCED);
+    assertThat(a.vx).isOne();
+    assertThat(b.vx).isEqualTo(3);
+    assertThat(jam(nearly + 1, 3, 3)).isEqualTo(ObstacleResponse.STUCK);
+    assertThat(log.outcome(0)).isEqualTo(Outcome.JAMMED);
+    assertThat(a.vx).isEqualTo(2);
+    assertThat(b.vx).isEqualTo(2);
     assertThat(a.jam).isNull();
-    assertThat(jam(2_000, 2, 1).seizes()).isTrue();
-    assertThat(log.jammed(0)).isTrue();
+  }
+
+  /** Two that go on alike, but for rounding, are inert for each other. */
+  @Test
+  void whoApproachesByRoundingIsInert() {
+    assertThat(jam(StuckRule.LIMIT, 1 + 0x1p-49, 1)).isEqualTo(ObstacleResponse.NEW_FLIGHT);
+    assertThat(log.outcome(0)).isEqualTo(Outcome.JAMMED);
     assertThat(a.jam.makesInert(Obstacles.CIRCLES + 1)).isTrue();
     assertThat(b.jam.makesInert(Obstacles.CIRCLES)).isTrue();
+    PairResponse response = masses(1, 1);
+    assertThat(response.isInert(0, a.jam, 1, b.jam)).isTrue();
+    assertThat(response.isInert(0, null, 1, b.jam)).isFalse();
+    assertThat(response.isInert(0, a.jam, 1, null)).isFalse();
   }
 
-  /** Two that go on alike, but for rounding, are no piece that has to be seized. */
   @Test
-  void whoApproachesByRoundingIsNotSeized() {
-    assertThat(jam(2_000, 1 + 0x1p-49, 1).seizes()).isFalse();
-    assertThat(log.jammed(0)).isTrue();
+  void anInfiniteMassPassesOverWhatItCrushed() {
+    PairResponse response = masses(1, INFINITE);
+    Jam jam = Jam.with(null, Obstacles.CIRCLES + 1);
+    assertThat(response.isInert(0, jam, 1, null)).isTrue();
+    assertThat(response.isInert(1, null, 0, jam)).isTrue();
+    assertThat(response.isInert(0, null, 1, null)).isFalse();
+    assertThat(response.isInert(0, null, 1, Jam.with(null, Obstacles.CIRCLES))).isFalse();
+  }
+
+  @Test
+  void infiniteMassesPassAndFlyOn() {
+    a.start(0, 0, 0, 1, 1, 0, 1);
+    b.start(1, 2, 0, 1, 0, 0, 1);
+    assertThat(masses(INFINITE, INFINITE).resolve(a, b, log)).isEqualTo(ObstacleResponse.SENSED);
+    assertThat(log.outcome(0)).isEqualTo(Outcome.PASSED);
+    assertThat(a.last).isEqualTo(Mover.NOTHING);
+  }
+
+  /** A crushed circle stands like a rock. */
+  @Test
+  void aCrushedCircleIsNotMoved() {
+    a.start(0, 0, 0, 1, 1, 0, 1);
+    b.start(1, 2, 0, 1, 0, 0, 1);
+    b.crushed = true;
+    masses(1, 1).resolve(a, b, log);
+    assertThat(a.vx).isEqualTo(-1);
+    assertThat(b.vx).isZero();
+  }
+
+  /** By an infinite mass that moves towards it, not by one that it runs into. */
+  @ParameterizedTest
+  @CsvSource({"-0.5, true", "0, false", "0.5, false"})
+  void whoIsDrivenIsNoted(double v, boolean driven) {
+    a.start(0, 0, 0, 1, 1, 0, 1);
+    b.start(1, 2, 0, 1, v, 0, 1);
+    masses(1, INFINITE).resolve(a, b, log);
+    assertThat(a.driven).isEqualTo(driven);
+    assertThat(b.driven).isFalse();
   }
 
   @Test
@@ -79,7 +125,7 @@ class PairResponseTest {
     b.stuck = 5;
     b.flown = 1;
     masses(1, 1).resolve(a, b, log);
-    assertThat(a.stuck).isEqualTo(6);
+    assertThat(a.stuck).isEqualTo(5 + StuckRule.ELASTIC_PAIR);
     assertThat(b.stuck).isZero();
   }
 
@@ -255,6 +301,7 @@ class PairResponseTest {
     PairResponse response = masses(1, 1);
     a.start(0, 1, -1, 1, 1 + 0x1p-49, 1, 1);
     b.start(1, 0, 0, 1, 0, 0, 1);
+    a.pace = 1;
     assertThat(response.part(a, b)).isFalse();
     a.vx = 1 + 0x1p-45;
     assertThat(response.part(a, b)).isTrue();
@@ -264,13 +311,7 @@ class PairResponseTest {
   void whoHaltsGoesOnAlongsideWhatItDoesNotApproach() {
     Scene scene =
         Scene.builder().circle(0, 0, 1, 0, 0).response(Response.HALT).circle(2, 0, 1, 0, 0).build();
-    collide(
-        new PairResponse(new Roster(scene, 1), new ObstacleResponse(Obstacles.of(scene), 1_000)),
-        0,
-        3,
-        1,
-        3,
-        0);
+    collide(new PairResponse(new Roster(scene, 1)), 0, 3, 1, 3, 0);
     assertThat(a.vx).isEqualTo(3);
     assertThat(b.vx).isEqualTo(3);
   }

@@ -4,6 +4,7 @@ package dev.carom;
 import static dev.carom.DoubleDouble.sumTail;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -24,7 +25,7 @@ final class PlainWorld {
   private Roster roster;
   private ObstacleResponse response;
   private PairResponse pairs;
-  private Piece piece;
+  private ContactCluster cluster;
   private List<Mover> movers = new ArrayList<>();
 
   /** The sensors that each circle's flight met: codes of obstacles. */
@@ -65,9 +66,29 @@ final class PlainWorld {
   }
 
   private void respond() {
-    response = new ObstacleResponse(obstacles, roster.patience());
-    pairs = new PairResponse(roster, response);
-    piece = new Piece(roster, pairs);
+    response = new ObstacleResponse(obstacles);
+    pairs = new PairResponse(roster);
+    cluster = new ContactCluster(roster, pairs, response, obstacles, new Vicinity());
+  }
+
+  /** Everything is near everything. */
+  private final class Vicinity implements ContactCluster.Vicinity {
+
+    @Override
+    public int[] circlesNear(int i) {
+      return movers.stream().mapToInt(m -> m.id).filter(roster::contains).toArray();
+    }
+
+    @Override
+    public Mover copyOf(int i) {
+      return copy(movers.get(i));
+    }
+
+    @Override
+    public int[] obstaclesNear(Mover m) {
+      int first = obstacles.bounds == null ? Obstacles.WALLS : 0;
+      return IntStream.of(codes()).filter(code -> code >= first).toArray();
+    }
   }
 
   private PlainWorld(PlainWorld other) {
@@ -121,7 +142,6 @@ final class PlainWorld {
   /** The first so many impacts until the given time, in the order of a world's log. */
   ImpactLog advance(double end, int most) {
     log.clear();
-    response.setPatience(roster.patience());
     if (collide) {
       while (log.size() < most && find(movers) <= end) {
         happen();
@@ -145,12 +165,14 @@ final class PlainWorld {
       meet(m, movers.get(high));
     } else {
       int code = m.next;
-      if (response.resolve(m, log)) {
+      int result = response.resolve(m, log);
+      if (result == ObstacleResponse.SENSED) {
+        met.get(low).add(code);
+      } else {
         happened();
         begin(m);
-        settle(m);
-      } else {
-        met.get(low).add(code);
+        leaveJamsOfInfinite(m);
+        settle(result, m);
       }
     }
   }
@@ -177,22 +199,25 @@ final class PlainWorld {
     two.fly(wait);
     early.flown += before;
     early.standsStill &= early.flown == wait;
-    if (pairs.resolve(one, two, log)) {
+    one.crushed = cluster.isCrushed(one);
+    two.crushed = cluster.isCrushed(two);
+    int result = pairs.resolve(one, two, log);
+    if (result == ObstacleResponse.SENSED) {
+      metPairs.add(pair(a, b));
+    } else {
       movers.set(a.id, one);
       movers.set(b.id, two);
       begin(one);
       begin(two);
-      settle(one, two);
-    } else {
-      metPairs.add(pair(a, b));
+      settle(result, one, two);
     }
   }
 
   /** What the new flights do to jams. */
-  private void settle(Mover... hit) {
-    List<Mover> changed = List.of(hit);
-    if (response.seizes()) {
-      changed = piece.seize(id -> copy(movers.get(id)), log, hit);
+  private void settle(int result, Mover... hit) {
+    Collection<Mover> changed = List.of(hit);
+    if (collide && result == ObstacleResponse.STUCK) {
+      changed = cluster.resolve(log, hit);
       for (Mover m : changed) {
         movers.set(m.id, m);
         begin(m);
@@ -201,10 +226,24 @@ final class PlainWorld {
     changed.forEach(this::revive);
   }
 
+  /** An infinite mass that changed its way is there again for circles that it crushed. */
+  private void leaveJamsOfInfinite(Mover m) {
+    if (roster.mass(m.id) == NEVER) {
+      leaveJams(Obstacles.CIRCLES + m.id);
+    }
+  }
+
+  private void leaveJams(int code) {
+    movers.stream()
+        .filter(other -> other.jam != null && other.jam.makesInert(code))
+        .forEach(other -> other.forget(code, 0));
+  }
+
   private void revive(Mover m) {
     for (Mover other : movers) {
       int code = Obstacles.CIRCLES + other.id;
-      if (m.jam != null && m.jam.makesInert(code) && pairs.part(m, other)) {
+      boolean inert = m.jam != null && m.jam.makesInert(code);
+      if (inert && roster.mass(other.id) < NEVER && pairs.part(m, other)) {
         m.jam = m.jam.without(code);
       }
     }
@@ -344,9 +383,7 @@ final class PlainWorld {
     int ofA = Obstacles.CIRCLES + a.id;
     int ofB = Obstacles.CIRCLES + b.id;
     boolean justHit = a.last == ofB && b.last == ofA;
-    boolean inert =
-        a.jam != null && b.jam != null && a.jam.makesInert(ofB) && b.jam.makesInert(ofA);
-    if (justHit || inert) {
+    if (justHit || pairs.isInert(a.id, a.jam, b.id, b.jam)) {
       return;
     }
     double later = later(a, b);
@@ -367,8 +404,9 @@ final class PlainWorld {
             late.vx,
             late.vy,
             NEVER);
-    boolean sensor = pairs.isSensor(a.id, b.id);
-    if (tau == NEVER || (sensor && (tau == 0 || metPairs.contains(pair(a, b))))) {
+    boolean touchedBefore = tau == 0 && pairs.isSensor(a.id, b.id);
+    boolean met = pairs.isSilent(a.id, b.id) && metPairs.contains(pair(a, b));
+    if (tau == NEVER || touchedBefore || met) {
       return;
     }
     double s = late.t + tau;
@@ -426,6 +464,7 @@ final class PlainWorld {
     Mover m = movers.get(id);
     m.restart(now, tailOfEdit(m));
     begin(m);
+    leaveJamsOfInfinite(m);
     return m;
   }
 
@@ -483,9 +522,7 @@ final class PlainWorld {
   private void removeCircle(int id) {
     int code = Obstacles.CIRCLES + id;
     roster.remove(id);
-    movers.stream()
-        .filter(m -> m.jam != null && m.jam.makesInert(code))
-        .forEach(m -> m.forget(code, 0));
+    leaveJams(code);
   }
 
   private void removeObstacle(int code) {

@@ -23,7 +23,7 @@ record Run(List<Row> impacts, List<State> end) {
       double nx,
       double ny,
       double speed,
-      boolean jammed) {}
+      Outcome outcome) {}
 
   /** Where a circle is, and its velocity. */
   record State(double x, double y, double vx, double vy) {}
@@ -72,7 +72,7 @@ record Run(List<Row> impacts, List<State> end) {
               log.nx(i),
               log.ny(i),
               log.approachSpeed(i),
-              log.jammed(i)));
+              log.outcome(i)));
     }
     return rows;
   }

@@ -13,16 +13,17 @@ import java.util.function.Consumer;
 
 /**
  * A world, a twin of it that finds impacts by other machinery in other steps, and a {@link
- * PlainWorld}: all are told the same, and must do the same. The twin also records its past.
+ * PlainWorld}: all are told the same, and must do the same. The twin also records its past. Beside
+ * them goes a {@link RestoredTwin}, which has the same snapshots.
  */
 final class ThreeWorlds {
 
   private static final Machinery[] OTHERS = {
     Machinery.EACH,
     Machinery.CHOSEN,
-    new Machinery(true, 0, 4, 1),
-    new Machinery(true, 3, 1.7, 1),
-    new Machinery(true, 23, 2, 1)
+    new Machinery(true, 0, 4, 1, 1),
+    new Machinery(true, 3, 1.7, 1, 1),
+    new Machinery(true, 23, 2, 1, 1)
   };
 
   private static final int BOUNCES = 5;
@@ -37,19 +38,21 @@ final class ThreeWorlds {
   private PastCheck past;
   private int compared;
   private final PlainWorld plain;
+  private final RestoredTwin restored;
 
   /**
    * Of a scene.
    *
    * @param unit of its lengths
    */
-  ThreeWorlds(Scene scene, double unit, Random random) {
+  ThreeWorlds(Scene scene, double unit, long seed) {
     this.scene = scene;
-    this.random = random;
+    random = new Random(seed);
     Machinery other = OTHERS[random.nextInt(OTHERS.length)];
     int slack = random.nextInt(2); // 0: its arrays are dense after each removal
-    machinery = new Machinery(other.grid(), other.cell() * unit, other.pairCells(), slack);
+    machinery = new Machinery(other.grid(), other.cell() * unit, other.pairCells(), slack, 1);
     plain = new PlainWorld(scene);
+    restored = new RestoredTwin(scene, machinery, new Random(seed + 1));
     begin();
   }
 
@@ -82,6 +85,8 @@ final class ThreeWorlds {
     assertThat(advanceTwin(start, end, rows)).as("twin").isEqualTo(rows);
     assertThat(states(twin)).as("twin").isEqualTo(states(world));
     assertThat(Run.rows(plain.advance(end, rows.size() + 1))).as("plain").isEqualTo(rows);
+    restored.advance(world, end, rows);
+    assertThat(twin.snapshot()).as("snapshot of the twin").isEqualTo(world.snapshot());
     if (rows.stream().anyMatch(row -> row.time() == start)) {
       past.forget(start);
     }
@@ -152,8 +157,12 @@ final class ThreeWorlds {
 
   /** Makes an edit; if worlds refuse it, both do so in the same words, and the model is spared. */
   void edit(Consumer<World> edit, Consumer<PlainWorld> plainEdit) {
+    restored.maybeFollow(world);
     String refusal = refusal(world, edit);
     assertThat(refusal(twin, edit)).isEqualTo(refusal);
+    assertThat(refusal(restored.world(), edit)).isEqualTo(refusal);
+    restored.compare(world);
+    assertThat(twin.snapshot()).as("snapshot of the twin").isEqualTo(world.snapshot());
     if (Objects.isNull(refusal)) {
       plainEdit.accept(plain);
     }
@@ -189,6 +198,7 @@ final class ThreeWorlds {
     plain.restore(plainSnapshot);
     past = new PastCheck(twin);
     assertThat(world.snapshot()).isEqualTo(snapshot);
+    restored.follow(world);
   }
 
   /** Compares what the twin recorded with what was seen. */

@@ -100,7 +100,7 @@ class WorldTest {
     assertThat(log.nx(0)).isZero();
     assertThat(log.ny(0)).isEqualTo(1);
     assertThat(log.approachSpeed(0)).isEqualTo(4);
-    assertThat(log.jammed(0)).isFalse();
+    assertThat(log.outcome(0)).isEqualTo(Outcome.BOUNCED);
   }
 
   @Test
@@ -162,6 +162,47 @@ class WorldTest {
   }
 
   // Arguments.
+
+  /** Else a loop until some time would never end. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void refusesAStepThatCannotMoveTheClock(boolean collide) {
+    World world = new World(Scene.builder().collide(collide).circle(0, 0, 1, 0, 0).build());
+    assertThat(world.step(Double.MIN_VALUE)).as("in a new world any step moves it").isTrue();
+    world.advanceTo(0x1p53);
+    Snapshot before = world.snapshot();
+    for (double dt : new double[] {Double.MIN_VALUE, 0.5, 1}) {
+      assertThatIllegalArgumentException()
+          .isThrownBy(() -> world.step(dt))
+          .withMessage(
+              "dt is %s: expected 0, or enough to move the clock on from 9.007199254740992E15", dt);
+    }
+    assertThat(world.snapshot()).isEqualTo(before);
+    assertThat(world.step(0)).isTrue();
+    assertThat(world.step(-0.0)).isTrue();
+    assertThat(world.now()).isEqualTo(0x1p53);
+    assertThat(world.step(Math.nextUp(1.0))).as("more than half of an ulp").isTrue();
+    assertThat(world.now()).isEqualTo(0x1p53 + 2);
+    assertThat(world.step(1)).as("half of one, to an even number").isTrue();
+    assertThat(world.now()).isEqualTo(0x1p53 + 4);
+  }
+
+  /** Where a step ended early, what is left of it always moves the clock. */
+  @Test
+  void whatIsLeftOfAnUnfinishedStepIsEnough() {
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 8, 0);
+    for (int i = 1; i < 400; i++) {
+      scene.circle(5, 5, 1, 0, 0);
+    }
+    World world = new World(scene.build(), Machinery.budget(1.0 / 200));
+    double end = Math.nextUp(20_000.0);
+    int calls = 0;
+    while (!world.step(end - world.now())) {
+      calls++;
+    }
+    assertThat(calls).isPositive();
+    assertThat(world.now()).isEqualTo(end);
+  }
 
   @ParameterizedTest
   @ValueSource(doubles = {Double.NaN, -1, -Double.MIN_VALUE, Double.POSITIVE_INFINITY})
@@ -225,7 +266,7 @@ class WorldTest {
             () -> log.nx(row),
             () -> log.ny(row),
             () -> log.approachSpeed(row),
-            () -> log.jammed(row))) {
+            () -> log.outcome(row))) {
       assertThatExceptionOfType(IndexOutOfBoundsException.class)
           .isThrownBy(query::run)
           .withMessageContaining("row " + row);
@@ -463,5 +504,72 @@ class WorldTest {
       double zero = row < 2 ? world.impacts().nx(row) : world.impacts().ny(row);
       assertThat(Double.doubleToRawLongBits(zero)).isZero();
     }
+  }
+
+  // What a debugger shows.
+
+  @Test
+  void aWorldTellsWhatIsThereAndWhen() {
+    World world =
+        new World(
+            Scene.builder()
+                .bounds(0, 0, 9, 8)
+                .collide(true)
+                .line(1, 2, 3, 4)
+                .peg(5, 5, 1)
+                .peg(6, 5, 1)
+                .circle(7, 2, 1, 2, 0)
+                .build());
+    world.remove(ObstacleKind.PEG, 0);
+    world.addCircle(2, 7, 0.5, 0, 0);
+    world.step(1.5);
+    assertThat(world)
+        .hasToString(
+            "World[now=1.5, 2 circles that collide, 1 lines, 1 pegs, bounds "
+                + "Bounds[xmin=0.0, ymin=0.0, xmax=9.0, ymax=8.0], 1 impacts in the last step]");
+    assertThat(new World(Scene.builder().build()))
+        .hasToString(
+            "World[now=0.0, 0 circles that ignore each other, 0 lines, 0 pegs, bounds none,"
+                + " 0 impacts in the last step]");
+  }
+
+  @Test
+  void aLogTellsItsFirstRows() {
+    World world =
+        new World(
+            Scene.builder()
+                .bounds(0, 0, 10, 20)
+                .line(4, 4, 6, 4)
+                .circle(5, 2, 1, 0, 4)
+                .circle(5, 10, 1, 2, 0)
+                .build());
+    assertThat(world.impacts()).hasToString("ImpactLog of 0 rows");
+    world.step(1);
+    assertThat(world.impacts())
+        .hasToString(
+            """
+            ImpactLog of 2 rows
+            0: time 0.25, circle 0, line 0 SIDE, approach speed 4.0
+            1: time 0.75, circle 0, wall 2 SIDE, approach speed 4.0""");
+    world.step(100);
+    int size = world.impacts().size();
+    assertThat(world.impacts().toString().lines())
+        .hasSize(12)
+        .startsWith(
+            "ImpactLog of " + size + " rows",
+            "0: time 1.25, circle 0, line 0 SIDE, approach speed 4.0")
+        .endsWith("and " + (size - 10) + " more");
+  }
+
+  @Test
+  void aJammedRowSaysSo() {
+    ImpactLog log = new ImpactLog(1);
+    log.add(1.5, 3, ObstacleKind.CIRCLE, 7, Feature.CIRCLE);
+    log.set(0, 0, 2, 0, -3);
+    log.setOutcome(Outcome.JAMMED);
+    assertThat(log)
+        .hasToString(
+            "ImpactLog of 1 rows\n"
+                + "0: time 1.5, circle 3, circle 7 CIRCLE, approach speed 1.5, JAMMED");
   }
 }

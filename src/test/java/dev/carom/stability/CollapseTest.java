@@ -5,6 +5,7 @@ import static dev.carom.stability.Play.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -45,7 +46,7 @@ class CollapseTest {
                 .circle(50, 0, 0.1, -1, 0.01));
     List<Play.Hit> hits = Play.finish(world, 1e6, 3);
     assertThat(world.now()).isEqualTo(1e6);
-    assertThat(hits.get(hits.size() - 1).jammed()).isTrue();
+    assertThat(hits.get(hits.size() - 1).outcome()).isEqualTo(Outcome.JAMMED);
     assertThat(Play.speed(world, 0)).isZero();
     assertThat(world.x(0)).isCloseTo(0.1 * Math.hypot(100, 1), within(1e-9));
   }

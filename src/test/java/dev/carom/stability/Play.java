@@ -7,6 +7,7 @@ import dev.carom.Feature;
 import dev.carom.ImpactLog;
 import dev.carom.Line;
 import dev.carom.ObstacleKind;
+import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -26,7 +27,7 @@ final class Play {
       int obstacle,
       Feature feature,
       double speed,
-      boolean jammed) {}
+      Outcome outcome) {}
 
   /** Where a circle is, and its velocity. */
   record State(double x, double y, double vx, double vy) {}
@@ -75,7 +76,7 @@ final class Play {
               log.id(i),
               log.feature(i),
               log.approachSpeed(i),
-              log.jammed(i)));
+              log.outcome(i)));
     }
     return hits;
   }

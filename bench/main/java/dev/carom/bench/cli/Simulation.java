@@ -3,6 +3,7 @@ package dev.carom.bench.cli;
 
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
+import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.World;
 import java.io.IOException;
@@ -40,7 +41,7 @@ final class Simulation {
     impacts += log.size();
     for (int row = 0; row < log.size(); row++) {
       wallImpacts += log.kind(row) == ObstacleKind.WALL ? 1 : 0;
-      jammed += log.jammed(row) ? 1 : 0;
+      jammed += log.outcome(row) == Outcome.JAMMED ? 1 : 0;
     }
   }
 

@@ -3,6 +3,7 @@ package dev.carom.bench.fuzz;
 
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
+import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.Snapshot;
 import dev.carom.Timeline;
@@ -107,7 +108,7 @@ final class Session {
 
   private void readImpacts(ImpactLog log) {
     for (int row = 0; row < log.size(); row++) {
-      jams += log.jammed(row) ? 1 : 0;
+      jams += log.outcome(row) == Outcome.JAMMED ? 1 : 0;
       // Of what bounces to and fro at one time there are no flights.
       rounding.keepSpeed(log.approachSpeed(row), 0);
     }

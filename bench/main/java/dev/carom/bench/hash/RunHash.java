@@ -2,6 +2,7 @@
 package dev.carom.bench.hash;
 
 import dev.carom.ImpactLog;
+import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.World;
 import java.nio.ByteBuffer;
@@ -80,7 +81,7 @@ public final class RunHash {
           .putDouble(log.nx(row))
           .putDouble(log.ny(row))
           .putDouble(log.approachSpeed(row))
-          .put((byte) (log.jammed(row) ? 1 : 0));
+          .put((byte) (log.outcome(row) == Outcome.JAMMED ? 1 : 0));
     }
   }
 

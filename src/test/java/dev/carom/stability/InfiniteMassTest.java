@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.stability;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.carom.ImpactLog;
+import dev.carom.Outcome;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.World;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Nothing deflects an infinite mass: not another one, not many, not a circle that has no way out.
+ * That circle is crushed: it stops, and the infinite masses pass over it.
+ */
+class InfiniteMassTest {
+
+  private static final double INFINITE = Double.POSITIVE_INFINITY;
+
+  private static SceneBuilder colliding() {
+    return Scene.builder().collide(true);
+  }
+
+  private static int count(ImpactLog log, Outcome outcome) {
+    int count = 0;
+    for (int i = 0; i < log.size(); i++) {
+      count += log.outcome(i) == outcome ? 1 : 0;
+    }
+    return count;
+  }
+
+  @Test
+  void threeInARowPassThroughEachOther() {
+    World world =
+        new World(
+            colliding()
+                .circle(0, 0, 1, 0, 0)
+                .mass(INFINITE)
+                .circle(3, 0, 1, -1, 0)
+                .mass(INFINITE)
+                .circle(7, 0, 1, -2, 0)
+                .mass(INFINITE)
+                .build());
+    assertThat(world.step(10)).isTrue();
+    assertThat(world.impacts().size()).isEqualTo(3);
+    assertThat(count(world.impacts(), Outcome.PASSED)).isEqualTo(3);
+    assertThat(world.x(0)).isZero();
+    assertThat(world.x(1)).isEqualTo(-7);
+    assertThat(world.x(2)).isEqualTo(-13);
+  }
+
+  /** Sixteen that overlap are moved as a flipper: each approach is one row, each frame. */
+  @Test
+  void manyThatOverlapReportEachApproachOnce() {
+    SceneBuilder scene = colliding();
+    for (int i = 0; i < 16; i++) {
+      scene.circle(0.5 * i, 0, 1, 0, 0).mass(INFINITE);
+    }
+    World world = new World(scene.build());
+    for (int frame = 0; frame < 10; frame++) {
+      double turn = frame % 2 == 0 ? 0.1 : -0.1;
+      for (int i = 0; i < 16; i++) {
+        world.setVelocity(i, -turn * world.y(i), turn * world.x(i));
+      }
+      assertThat(world.step(0.1)).isTrue();
+      assertThat(world.impacts().size()).isLessThanOrEqualTo(16 * 15 / 2);
+      assertThat(count(world.impacts(), Outcome.PASSED)).isEqualTo(world.impacts().size());
+      for (int i = 0; i < 16; i++) {
+        assertThat(world.vx(i)).isEqualTo(-turn * (world.y(i) - 0.1 * world.vy(i)), within(1e-15));
+      }
+    }
+  }
+
+  /**
+   *
+   *
+   * <pre>
+   *   ( door )->   (ball)   <-( door )
+   * </pre>
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.3, 0.5, 0.9, 1})
+  void twoDoorsThatCloseCrushABall(double e) {
+    World world =
+        new World(
+            colliding()
+                .circle(0, 0, 1, 0.3, 0)
+                .restitution(e)
+                .circle(-5, 0, 1, 1, 0)
+                .mass(INFINITE)
+                .circle(5, 0, 1, -1, 0)
+                .mass(INFINITE)
+                .build());
+    assertThat(world.step(2.5)).isTrue();
+    int rows = world.impacts().size();
+    assertThat(world.step(1)).isTrue();
+    rows += world.impacts().size();
+    assertThat(count(world.impacts(), Outcome.JAMMED)).isPositive();
+    assertThat(rows).isLessThan(3_000);
+    assertThat(world.x(0)).isCloseTo(0, within(1e-4));
+    assertThat(world.vx(0)).isZero();
+    assertThat(world.vx(1)).isEqualTo(1);
+    assertThat(world.vx(2)).isEqualTo(-1);
+    double crushed = world.x(0);
+    assertThat(world.step(10)).isTrue();
+    assertThat(count(world.impacts(), Outcome.PASSED)).as("the doors meet each other").isOne();
+    assertThat(world.impacts().size()).isOne();
+    assertThat(world.x(0)).isEqualTo(crushed);
+    assertThat(world.x(1)).isCloseTo(8.5, within(1e-12));
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.5, 1})
+  void aPistonCrushesABallAtAWall(double e) {
+    World world =
+        new World(
+            colliding()
+                .bounds(0, 0, 20, 20)
+                .circle(15, 10, 1, 0.3, 0)
+                .restitution(e)
+                .circle(5, 10, 1, 1, 0)
+                .mass(INFINITE)
+                .build());
+    assertThat(world.advanceTo(13)).isTrue();
+    assertThat(world.x(0)).isCloseTo(19, within(1e-4));
+    assertThat(world.vx(0)).isZero();
+    assertThat(world.x(1)).isCloseTo(18, within(1e-12));
+    assertThat(world.advanceTo(16)).isTrue();
+    assertThat(world.x(1)).as("back from the wall").isCloseTo(17, within(1e-12));
+    assertThat(world.x(0)).isCloseTo(19, within(1e-4));
+  }
+
+  /** What hits a crushed circle finds a rock; when the doors have left it, it moves again. */
+  @Test
+  void aCrushedCircleStandsUntilTheDoorsHaveLeft() {
+    World world =
+        new World(
+            colliding()
+                .circle(0, 0, 1, 0, 0)
+                .circle(-5, 0, 1, 1, 0)
+                .mass(INFINITE)
+                .circle(5, 0, 1, -1, 0)
+                .mass(INFINITE)
+                .circle(0, 10, 1, 0, -2)
+                .restitution(1)
+                .build());
+    assertThat(world.advanceTo(4)).isTrue();
+    assertThat(world.y(3)).as("before").isEqualTo(2, within(1e-12));
+    assertThat(world.advanceTo(4.5)).isTrue();
+    assertThat(world.vy(3)).as("turned round").isEqualTo(2);
+    assertThat(world.y(0)).isZero();
+    world.setVelocity(3, 0, 0);
+    assertThat(world.advanceTo(9)).as("the doors are gone").isTrue();
+    world.setVelocity(3, 0, -2);
+    assertThat(world.advanceTo(10)).isTrue();
+    assertThat(world.vy(0)).as("moved").isCloseTo(-2, within(1e-12));
+  }
+
+  /** A row between a piston and a wall ends with all of it at rest, and the piston goes on. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.5, 0.9})
+  void aRowIsCrushedToo(double e) {
+    SceneBuilder scene = colliding().bounds(0, 0, 40, 10);
+    for (int i = 0; i < 5; i++) {
+      scene.circle(20 + 3 * i, 5, 1, 0, 0).restitution(e);
+    }
+    World world = new World(scene.circle(2, 5, 1, 1, 0).mass(INFINITE).build());
+    assertThat(world.advanceTo(36)).isTrue();
+    assertThat(world.x(5)).isCloseTo(38, within(1e-12));
+    for (int i = 0; i < 5; i++) {
+      assertThat(world.x(i)).isBetween(20.0, 39 + 1e-12);
+    }
+  }
+}
