@@ -79,6 +79,9 @@ final class Circles {
    */
   final Agenda due;
 
+  /** The walls around all circles, as {@link Obstacles#walls}. */
+  double[] walls;
+
   /** Of stuck circles; null until there is one. */
   Jam[] jams;
 
@@ -169,12 +172,16 @@ final class Circles {
 
   double x(int i, double now) {
     int k = at(i);
-    return Math.fma(state[k + VX], Mover.since(state[k + T], state[k + TL], now), state[k + X]);
+    double since = Mover.since(state[k + T], state[k + TL], now);
+    double x = Math.fma(state[k + VX], since, state[k + X]);
+    return Confinement.x(walls, state[k + X], x, state[k + RADIUS]);
   }
 
   double y(int i, double now) {
     int k = at(i);
-    return Math.fma(state[k + VY], Mover.since(state[k + T], state[k + TL], now), state[k + Y]);
+    double since = Mover.since(state[k + T], state[k + TL], now);
+    double y = Math.fma(state[k + VY], since, state[k + Y]);
+    return Confinement.y(walls, state[k + Y], y, state[k + RADIUS]);
   }
 
   double vx(int i) {

@@ -229,7 +229,7 @@ final class Collisions extends Engine {
     int high = Math.max(i, j);
     circles.loadForMeeting(s, c, low, circles.mover);
     circles.loadForMeeting(s, c, high, other);
-    flyToMeeting(s, circles.mover, other, i);
+    flyToMeeting(s, circles.mover, other, i, circles.walls);
     circles.mover.crushed = cluster.isCrushed(circles.mover);
     other.crushed = cluster.isCrushed(other);
     switch (pairs.resolve(circles.mover, other, log)) {
@@ -272,7 +272,7 @@ final class Collisions extends Engine {
   }
 
   /** Flies two circles to the meeting foreseen of circle i, the earlier one first to the other. */
-  private static void flyToMeeting(double[] s, Mover a, Mover b, int i) {
+  private static void flyToMeeting(double[] s, Mover a, Mover b, int i, double[] walls) {
     double tau = Meetings.tau(s, i);
     double head = Meetings.time(s, i);
     double tail = Meetings.tail(s, i);
@@ -280,8 +280,8 @@ final class Collisions extends Engine {
     double ofA = Meetings.positive(later);
     double ofB = ofA - later;
     boolean standsStill = later > 0 ? b.isAt(head, tail) : a.isAt(head, tail);
-    a.fly(ofA, tau, head, tail, standsStill);
-    b.fly(ofB, tau, head, tail, standsStill);
+    a.fly(ofA, tau, head, tail, standsStill, walls);
+    b.fly(ofB, tau, head, tail, standsStill, walls);
   }
 
   /** Puts a circle on its new flight. */

@@ -124,10 +124,9 @@ final class ContactCluster {
   }
 
   /** A circle where it is at the time of another one. */
-  private static Mover broughtTo(Mover time, Mover m) {
-    m.fly((time.t - m.t) + (time.tl - m.tl));
-    m.t = time.t;
-    m.tl = time.tl;
+  private Mover broughtTo(Mover time, Mover m) {
+    double dt = (time.t - m.t) + (time.tl - m.tl);
+    m.fly(dt, 0, time.t, time.tl, dt == 0, obstacles.walls);
     m.newFlight();
     return m;
   }

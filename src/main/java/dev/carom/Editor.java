@@ -155,7 +155,7 @@ final class Editor {
   /** A circle at the start of a new flight, now. */
   private Mover restarted(int slot, double now) {
     circles.load(slot, mover);
-    mover.restart(now, engine.tailOfEdit(mover, now));
+    mover.restart(now, engine.tailOfEdit(mover, now), obstacles.walls);
     return mover;
   }
 

@@ -24,6 +24,7 @@ abstract class Engine {
     this.circles = circles;
     this.log = log;
     surroundings = new Surroundings(scene, machinery);
+    circles.walls = surroundings.obstacles.walls;
     response = new ObstacleResponse(surroundings.obstacles);
   }
 
@@ -91,7 +92,7 @@ abstract class Engine {
       if (roster.contains(i)) {
         circles.load(i);
         if (surroundings.meets(m, code)) {
-          m.restart(now, tailOfEdit(m, now));
+          m.restart(now, tailOfEdit(m, now), circles.walls);
           fly(m);
         }
       }

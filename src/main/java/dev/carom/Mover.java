@@ -102,11 +102,12 @@ final class Mover {
    *
    * @param now the head of that time, which is not before the flight that ends
    * @param tail its tail
+   * @param walls which it does not leave, as {@link Obstacles#walls}
    */
-  void restart(double now, double tail) {
+  void restart(double now, double tail, double[] walls) {
     double dt = (now - t) + (tail - tl);
-    x = Math.fma(vx, dt, x);
-    y = Math.fma(vy, dt, y);
+    x = Confinement.x(walls, x, Math.fma(vx, dt, x), radius);
+    y = Confinement.y(walls, y, Math.fma(vy, dt, y), radius);
     t = now;
     tl = tail;
     newFlight();
@@ -248,10 +249,12 @@ final class Mover {
    * known.
    *
    * @param standsStill whether the second is too short for the clock
+   * @param walls which it does not leave, as {@link Obstacles#walls}
    */
-  void fly(double first, double second, double head, double tail, boolean standsStill) {
-    x = Math.fma(vx, second, Math.fma(vx, first, x));
-    y = Math.fma(vy, second, Math.fma(vy, first, y));
+  void fly(
+      double first, double second, double head, double tail, boolean standsStill, double[] walls) {
+    x = Confinement.x(walls, x, Math.fma(vx, second, Math.fma(vx, first, x)), radius);
+    y = Confinement.y(walls, y, Math.fma(vy, second, Math.fma(vy, first, y)), radius);
     t = head;
     tl = tail;
     flown = first + second;

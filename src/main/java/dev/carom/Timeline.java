@@ -30,6 +30,7 @@ public final class Timeline {
   private final IntUnaryOperator ids;
   private Tracks tracks;
   private PastObstacles obstacles;
+  private double[] walls;
   private double begin;
   private double end;
 
@@ -87,7 +88,7 @@ public final class Timeline {
    */
   public double x(int id, double t) {
     Track track = track(id, t);
-    return track.x(track.find(t), t);
+    return track.x(track.find(t), t, walls);
   }
 
   /**
@@ -100,7 +101,7 @@ public final class Timeline {
    */
   public double y(int id, double t) {
     Track track = track(id, t);
-    return track.y(track.find(t), t);
+    return track.y(track.find(t), t, walls);
   }
 
   /**
@@ -197,6 +198,7 @@ public final class Timeline {
   void begin(double now, Obstacles here) {
     tracks = new Tracks(most);
     obstacles = new PastObstacles(here, most);
+    walls = here.walls;
     begin = now;
     end = now;
     pendings = 0;

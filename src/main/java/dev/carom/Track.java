@@ -106,12 +106,16 @@ final class Track {
     return low;
   }
 
-  double x(int k, double t) {
-    return Math.fma(flights[k + 4], Mover.since(flights[k], flights[k + 1], t), flights[k + 2]);
+  double x(int k, double t, double[] walls) {
+    double start = flights[k + 2];
+    double x = Math.fma(flights[k + 4], Mover.since(flights[k], flights[k + 1], t), start);
+    return Confinement.x(walls, start, x, radius(k));
   }
 
-  double y(int k, double t) {
-    return Math.fma(flights[k + 5], Mover.since(flights[k], flights[k + 1], t), flights[k + 3]);
+  double y(int k, double t, double[] walls) {
+    double start = flights[k + 3];
+    double y = Math.fma(flights[k + 5], Mover.since(flights[k], flights[k + 1], t), start);
+    return Confinement.y(walls, start, y, radius(k));
   }
 
   double vx(int k) {

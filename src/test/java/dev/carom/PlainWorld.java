@@ -462,7 +462,7 @@ final class PlainWorld {
 
   private Mover restarted(int id) {
     Mover m = movers.get(id);
-    m.restart(now, tailOfEdit(m));
+    m.restart(now, tailOfEdit(m), obstacles.walls);
     begin(m);
     leaveJamsOfInfinite(m);
     return m;
