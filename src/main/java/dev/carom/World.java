@@ -30,39 +30,42 @@ import java.util.Optional;
  * are computed from a flight's start and are never corrected. So circles in contact stay as they
  * are, to the bit, however long; one that approaches however slowly bounces once.
  *
- * <p><b>It ends.</b> Restitution other than 1, or clearance below rounding, can make infinitely
- * many impacts in finite time: a wedge, a corridor of exactly one diameter, two bumpers above 1.
- * With N = 1,000 + 10 x circles: a circle that makes N successive impacts while its centre stays
- * within 4 ulps, or while its clock, kept to 106 bits, does not move, loses its motion along each
- * further normal (restitution 0); after N more it is <i>jammed</i>: the things it touches are not
- * there for it any more if it approaches them by no more than rounding, so that it slides along
- * them, else it stops; the log says so, and the next impact with anything else ends that. Steps do
- * not reset the counts. An impact whose approach is no more than rounding of the speeds that the
- * circle has met at that place counts for N / 32. Two circles that jam each other are inert for
- * each other if they approach by no more than rounding, until an impact makes them approach or part
- * by more. If they approach by more, the two and all that are jammed to them go on as one piece:
- * with the velocity of their common momentum (if some have infinite mass, the mean of theirs); and
- * where one of a piece stops at an obstacle, all of it stops, infinite masses too. The log has a
- * row for each of them. So nothing is pressed through a jammed circle, however light. A circle's
- * impacts count as at one place only while what hits it comes from as near. Motion is stopped
- * there, not given: the TC model of Luding and McNamara (Granular Matter 1, 1998) makes impacts
- * elastic that follow each other too fast, which feeds energy back that the scene had taken away.
+ * <p><b>It ends.</b> Some scenes would make infinitely many impacts in finite time: a wedge, a gap
+ * of exactly one diameter, a ball that comes to rest, two bumpers. A circle is <i>stuck</i> when
+ * its own impacts at one place have too much weight, whoever else is there and however time is cut
+ * into steps. At one place means: it moved by less than 2^-39 of its coordinates since its last
+ * impact, or, if that impact was not elastic, by less than 2^-16 of its radius. 1,024 elastic
+ * impacts with obstacles have that weight, or 16,384 with circles; others weigh more, the more
+ * energy they take or add, so that speeds fall or grow there by a factor of 2^16 at most.
  *
- * <p>Independently there is a budget of work for one call of {@link #step step} or {@link
- * #advanceTo advanceTo}. If circles ignore each other, each may make 4,000,000 / circles impacts,
- * at least 10,000; if they collide, all together may take 200,000 + 1,000 x circles events
- * (impacts, and circles that leave a cell). Exact arithmetic counts too, one impact for each 8,192
- * bits of the numbers it makes (a root or a quotient of n bits as n^2 / 64), so that near-ties take
- * no longer. If that is not enough, the call returns false, unfinished, with the whole world at an
- * earlier time, nothing dropped; the next call goes on.
+ * <p>The impacts of a stuck circle have restitution 0, and it and all circles in contact with it
+ * are resolved at once: they get the velocities nearest to those before, weighted by the masses,
+ * with which no contact approaches (the inelastic shock of J. J. Moreau). Contacts that then
+ * approach by no more than rounding are not there for each other, until an impact makes the two
+ * approach or part by more. Such rows of the log are {@link Outcome#JAMMED}. The next impact at
+ * another place ends it.
+ *
+ * <p><b>Infinite mass.</b> Nothing deflects a circle of infinite mass; two of them pass through
+ * each other, and each approach is one row of the log ({@link Outcome#PASSED}). One that presses a
+ * circle against something that cannot give way <i>crushes</i> it: the circle stops where it is,
+ * and the infinite mass passes over it; meanwhile others find the circle as if it had infinite
+ * mass. Nothing else is pressed through anything.
+ *
+ * <p><b>Budget.</b> One call of {@link #step step} or {@link #advanceTo advanceTo} does so much
+ * work and no more. If circles ignore each other, each may make 1,000 impacts, and all together
+ * 2,000,000 besides; if they collide, all together may take 2,000,000 + 1,000 x circles events
+ * (impacts, and circles that leave a cell). Exact arithmetic counts too: one impact for each 2,048
+ * bits of the numbers that it makes. If that is not enough, the call returns false, unfinished,
+ * with the whole world at an earlier time, nothing dropped; the next call goes on.
  *
  * <p><b>Accuracy.</b> Each question is answered exactly on the doubles with which it is asked, and
  * each impact's state is rounded once; a scene multiplies such roundings from impact to impact. The
  * clock has 106 bits: where circles collide so fast that one crosses its own size in less than the
  * last of them, at some 1e31 sizes a unit of time, many meetings come at one time of the clock, and
  * which of them is resolved first may depend on the machinery and on a {@link #restore restore}. A
- * circle that flies out of the range of doubles has infinite coordinates from then on, and hits
- * nothing; one that an impact would make faster than doubles can tell stops. In the log a
+ * circle so fast that it would leave the bounds between two times of the clock is told to be at the
+ * wall. A circle that flies out of the range of doubles has infinite coordinates from then on, and
+ * hits nothing; one that an impact would make faster than doubles can tell stops. In the log a
  * coordinate beyond that range is the largest one.
  *
  * <p><b>Between steps</b> it can be edited: what is there can be changed, moved, added and removed,

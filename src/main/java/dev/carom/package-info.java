@@ -60,8 +60,9 @@
  *   <li>A step costs what happens in it. It allocates nothing, unless it records, its log or
  *       another list grows, exact arithmetic has to decide, a circle jams, or edits made grids or
  *       arrays stale.
- *   <li>It always ends: a scene that would make infinitely many impacts in finite time jams the
- *       circle and says so, a step that runs out of its budget says that it is unfinished.
+ *   <li>It always ends: where impacts at one place would go on for ever, the circle is stuck, its
+ *       contacts act at once without bounce, and the log says so; a step that runs out of its
+ *       budget says that it is unfinished.
  * </ul>
  *
  * <p><img src="doc-files/line.svg" alt="A circle that touches the side of a line, and one that
