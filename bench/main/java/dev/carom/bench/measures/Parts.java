@@ -3,7 +3,7 @@ package dev.carom.bench.measures;
 
 import dev.carom.RungCounts;
 import dev.carom.bench.methods.Contender;
-import dev.carom.bench.methods.LineTests;
+import dev.carom.bench.methods.LineContender;
 import dev.carom.bench.peers.Contenders;
 import java.util.ArrayList;
 import java.util.List;
@@ -97,8 +97,8 @@ public final class Parts {
 
   private static Part queryTimes(int fork, boolean quick) {
     List<String> tests =
-        LineTests.all().stream()
-            .map(LineTests::id)
+        LineContender.all().stream()
+            .map(LineContender::id)
             .filter(id -> !quick || !(BETWEEN.contains(id) || LATER.contains(id)))
             .toList();
     return new QueryTimePart(

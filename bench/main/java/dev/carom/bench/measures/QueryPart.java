@@ -2,8 +2,8 @@
 package dev.carom.bench.measures;
 
 import dev.carom.bench.methods.Contender;
-import dev.carom.bench.methods.LineTest;
-import dev.carom.bench.methods.LineTests;
+import dev.carom.bench.methods.LineContender;
+import dev.carom.bench.methods.LineDetector;
 import dev.carom.bench.results.Row;
 import dev.carom.oracle.Contact;
 import dev.carom.oracle.SegmentQuery;
@@ -32,19 +32,19 @@ record QueryPart(String name, int count) implements Part {
     List<SegmentQuery> queries = Queries.draw(name, count);
     List<Contact> truths = queries.stream().map(SegmentQuery::truth).toList();
     List<Row> rows = new ArrayList<>();
-    for (LineTests tests : LineTests.all()) {
+    for (LineContender tests : LineContender.all()) {
       rows.addAll(judge(trial(name, tests, Trial.ANY_FORK), tests.test(), queries, truths));
     }
     return rows;
   }
 
-  static Trial trial(String name, LineTests tests, int fork) {
+  static Trial trial(String name, LineContender tests, int fork) {
     Contender contender = new Contender(tests.id(), tests.method(), tests.knob(), null);
     return new Trial("query:" + name, contender, fork);
   }
 
   static List<Row> judge(
-      Trial trial, LineTest test, List<SegmentQuery> queries, List<Contact> truths) {
+      Trial trial, LineDetector test, List<SegmentQuery> queries, List<Contact> truths) {
     Verdict verdict = new Verdict();
     for (int i = 0; i < queries.size(); i++) {
       SegmentQuery q = queries.get(i);

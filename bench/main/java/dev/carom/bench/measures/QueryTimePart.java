@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
-import dev.carom.bench.methods.LineTests;
+import dev.carom.bench.methods.LineContender;
 import dev.carom.bench.results.Row;
 import java.io.IOException;
 import java.io.InputStream;
@@ -28,16 +28,16 @@ record QueryTimePart(int fork, List<String> ids, int warmUpMillis) implements Pa
 
   @Override
   public List<Row> run() {
-    List<LineTests> order = new ArrayList<>(ids.stream().map(LineTests::byId).toList());
+    List<LineContender> order = new ArrayList<>(ids.stream().map(LineContender::byId).toList());
     Collections.shuffle(order, new Random(fork));
     List<Row> rows = new ArrayList<>();
-    for (LineTests tests : order) {
+    for (LineContender tests : order) {
       rows.addAll(rowsOf(tests));
     }
     return rows;
   }
 
-  List<Row> rowsOf(LineTests tests) {
+  List<Row> rowsOf(LineContender tests) {
     try {
       return start(tests)
           .lines()
@@ -61,7 +61,7 @@ record QueryTimePart(int fork, List<String> ids, int warmUpMillis) implements Pa
     }
   }
 
-  private String start(LineTests tests) throws IOException, InterruptedException {
+  private String start(LineContender tests) throws IOException, InterruptedException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());

@@ -22,12 +22,12 @@ final class EventDriven extends PlainMethod {
   private static final int WALL_X = -1;
   private static final int WALL_Y = -2;
 
-  private final LineTest test;
+  private final LineDetector test;
   private final double[] age;
   private final double[] due;
   private final int[] hit;
 
-  EventDriven(Scene scene, LineTest test) {
+  EventDriven(Scene scene, LineDetector test) {
     super(PlainScene.checkCircles(scene));
     this.test = test;
     age = new double[circles];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
-/** The test of the textbooks as {@link TextbookTest} has it, every double a float. */
-public final class TextbookTestFloat {
+/** The test of the textbooks as {@link TextbookDetector} has it, every double a float. */
+public final class TextbookFloatKernel {
 
   private static final float NEVER = Float.POSITIVE_INFINITY;
 
@@ -10,7 +10,7 @@ public final class TextbookTestFloat {
   long pairTests;
 
   /**
-   * {@link TextbookTest#time} in float.
+   * {@link TextbookDetector#time} in float.
    *
    * @param px the x coordinate of the centre
    * @param py the y coordinate of the centre

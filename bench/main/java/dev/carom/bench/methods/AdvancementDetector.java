@@ -10,7 +10,7 @@ package dev.carom.bench.methods;
  *
  * <p>Contact is reported early, by up to the tolerance, and where the gap only comes below it.
  */
-public final class AdvancementTest extends LineTest {
+public final class AdvancementDetector extends LineDetector {
 
   private final double tolerance;
 
@@ -19,7 +19,7 @@ public final class AdvancementTest extends LineTest {
    *
    * @param tolerance the gap that counts as contact, greater than 0
    */
-  public AdvancementTest(double tolerance) {
+  public AdvancementDetector(double tolerance) {
     this.tolerance = tolerance;
   }
 

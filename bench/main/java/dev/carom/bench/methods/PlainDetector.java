@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
-import dev.carom.SweptCircle;
-
-/** The detector of this library. */
-final class CaromTest extends LineTest {
+/** The detector of this library without its promise. */
+final class PlainDetector extends LineDetector {
 
   @Override
   public double time(
@@ -18,6 +16,6 @@ final class CaromTest extends LineTest {
       double bx,
       double by,
       double end) {
-    return SweptCircle.line(px, py, r, vx, vy, ax, ay, bx, by, end);
+    return PlainSweptCircle.line(px, py, r, vx, vy, ax, ay, bx, by, end);
   }
 }

@@ -12,7 +12,7 @@ import java.util.List;
  * @param knob the setting, {@code name=value}; empty if the method has none
  * @param test the answers
  */
-public record LineTests(String id, String method, String knob, LineTest test) {
+public record LineContender(String id, String method, String knob, LineDetector test) {
 
   private static final int LEAST_TOLERANCE = -12;
   private static final int MOST_SAMPLES = 4096;
@@ -22,30 +22,30 @@ public record LineTests(String id, String method, String knob, LineTest test) {
    *
    * @return in the order in which tables show them, this library first
    */
-  public static List<LineTests> all() {
-    List<LineTests> all = new ArrayList<>();
-    all.add(new LineTests("carom", "carom", "", new CaromTest()));
-    all.add(new LineTests("plain", "plain", "", new PlainTest()));
-    all.add(new LineTests("textbook-double", "textbook-double", "", new TextbookTest()));
-    all.add(new LineTests("textbook-float", "textbook-float", "", new TextbookFloatTest()));
-    all.add(new LineTests("poster", "poster", "", new PublishedTest()));
+  public static List<LineContender> all() {
+    List<LineContender> all = new ArrayList<>();
+    all.add(new LineContender("carom", "carom", "", new CaromDetector()));
+    all.add(new LineContender("plain", "plain", "", new PlainDetector()));
+    all.add(new LineContender("textbook-double", "textbook-double", "", new TextbookDetector()));
+    all.add(new LineContender("textbook-float", "textbook-float", "", new TextbookFloatDetector()));
+    all.add(new LineContender("poster", "poster", "", new PosterDetector()));
     for (int exponent = -2; exponent >= LEAST_TOLERANCE; exponent -= 2) {
       double tolerance = Double.parseDouble("1e" + exponent);
       String value = "1e" + exponent;
       all.add(
-          new LineTests(
+          new LineContender(
               "advancement-" + value,
               "advancement",
               "tolerance=" + value,
-              new AdvancementTest(tolerance)));
+              new AdvancementDetector(tolerance)));
     }
     for (int samples = 16; samples <= MOST_SAMPLES; samples *= 16) {
       all.add(
-          new LineTests(
+          new LineContender(
               "closest-point-" + samples,
               "closest-point",
               "samples=" + samples,
-              new ClosestPointTest(samples)));
+              new ClosestPointDetector(samples)));
     }
     return List.copyOf(all);
   }
@@ -57,7 +57,7 @@ public record LineTests(String id, String method, String knob, LineTest test) {
    * @return the tests
    * @throws IllegalArgumentException if there is none of this id
    */
-  public static LineTests byId(String id) {
+  public static LineContender byId(String id) {
     return all().stream()
         .filter(tests -> tests.id().equals(id))
         .findFirst()

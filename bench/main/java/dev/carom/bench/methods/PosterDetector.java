@@ -4,7 +4,7 @@ package dev.carom.bench.methods;
 import dev.carom.Line;
 
 /** The published algorithm's answer, in float: the window is its frame. */
-final class PublishedTest extends LineTest {
+final class PosterDetector extends LineDetector {
 
   private final PosterLines lines = new PosterLines(1);
 

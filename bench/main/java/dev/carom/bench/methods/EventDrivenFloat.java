@@ -13,12 +13,12 @@ import dev.carom.Vec2;
  * Java has no type that is a float here and a double there, and one double between would be
  * measured, too.
  */
-final class TextbookFloat implements Method {
+final class EventDrivenFloat implements Method {
 
   private static final int WALL_X = -1;
   private static final int WALL_Y = -2;
 
-  private final TextbookTestFloat test = new TextbookTestFloat();
+  private final TextbookFloatKernel test = new TextbookFloatKernel();
   private final int circles;
   private final int lines;
 
@@ -46,7 +46,7 @@ final class TextbookFloat implements Method {
   private int impacts;
   private int wallImpacts;
 
-  TextbookFloat(Scene scene) {
+  EventDrivenFloat(Scene scene) {
     PlainScene.check(scene);
     circles = scene.circleCount();
     x = new float[circles];

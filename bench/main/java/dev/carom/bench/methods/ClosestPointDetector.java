@@ -6,11 +6,11 @@ package dev.carom.bench.methods;
  * which it is within the radius, and the circle comes nearer, is the answer. Its resolution in time
  * is the window divided by the number of samples.
  */
-final class ClosestPointTest extends LineTest {
+final class ClosestPointDetector extends LineDetector {
 
   private final int samples;
 
-  ClosestPointTest(int samples) {
+  ClosestPointDetector(int samples) {
     this.samples = samples;
   }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
-/** The detector of this library without its promise. */
-final class PlainTest extends LineTest {
+import dev.carom.SweptCircle;
+
+/** The detector of this library. */
+final class CaromDetector extends LineDetector {
 
   @Override
   public double time(
@@ -16,6 +18,6 @@ final class PlainTest extends LineTest {
       double bx,
       double by,
       double end) {
-    return PlainSweptCircle.line(px, py, r, vx, vy, ax, ay, bx, by, end);
+    return SweptCircle.line(px, py, r, vx, vy, ax, ay, bx, by, end);
   }
 }

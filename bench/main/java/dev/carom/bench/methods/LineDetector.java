@@ -2,14 +2,14 @@
 package dev.carom.bench.methods;
 
 /** A way to find, in doubles, when a moving circle touches a line; it counts its work. */
-public abstract class LineTest {
+public abstract class LineDetector {
 
   static final double NEVER = Double.POSITIVE_INFINITY;
 
   int squareRoots;
   long pairTests;
 
-  LineTest() {}
+  LineDetector() {}
 
   /**
    * A moving circle against a line.

@@ -6,7 +6,7 @@ package dev.carom.bench.methods;
  * not on it, its two ends by the quadratic with c = e.e - r^2 and b^2 - a c. Right as mathematics;
  * in doubles the differences cancel.
  */
-public final class TextbookTest extends LineTest {
+public final class TextbookDetector extends LineDetector {
 
   @Override
   public double time(

@@ -2,9 +2,9 @@
 package dev.carom.bench.methods;
 
 /** The test of the textbooks in float: the question is rounded first. */
-final class TextbookFloatTest extends LineTest {
+final class TextbookFloatDetector extends LineDetector {
 
-  private final TextbookTestFloat test = new TextbookTestFloat();
+  private final TextbookFloatKernel test = new TextbookFloatKernel();
 
   @Override
   public double time(
