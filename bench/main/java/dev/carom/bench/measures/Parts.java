@@ -96,13 +96,12 @@ public final class Parts {
   }
 
   private static Part queryTimes(int fork, boolean quick) {
-    List<String> tests =
+    List<String> ids =
         LineContender.all().stream()
             .map(LineContender::id)
             .filter(id -> !quick || !(BETWEEN.contains(id) || LATER.contains(id)))
             .toList();
-    return new QueryTimePart(
-        fork, tests, quick ? QUICK_QUERY_WARM_UP_MILLIS : QUERY_WARM_UP_MILLIS);
+    return new QueryTimePart(fork, ids, quick ? QUICK_QUERY_WARM_UP_MILLIS : QUERY_WARM_UP_MILLIS);
   }
 
   private static Part frameTimes(String scene, int fork, boolean quick) {

@@ -29,11 +29,11 @@ final class QueryClock {
   @SuppressWarnings("UnusedVariable")
   private static volatile double sink;
 
-  private final LineDetector test;
+  private final LineDetector detector;
   private final Map<String, double[]> queries = new LinkedHashMap<>();
 
-  private QueryClock(LineDetector test) {
-    this.test = test;
+  private QueryClock(LineDetector detector) {
+    this.detector = detector;
     for (String name : Queries.classes()) {
       queries.put(name, flat(Queries.draw(name, QUERIES)));
     }
@@ -45,7 +45,7 @@ final class QueryClock {
    * @param arguments the id of a {@link LineContender}, and the milliseconds of the warm-up
    */
   public static void main(String[] arguments) {
-    QueryClock clock = new QueryClock(LineContender.byId(arguments[0]).test());
+    QueryClock clock = new QueryClock(LineContender.byId(arguments[0]).detector());
     clock.warmUp(Long.parseLong(arguments[1]));
     clock.measure().forEach((name, nanos) -> System.out.println(name + " " + nanos));
   }
@@ -85,7 +85,7 @@ final class QueryClock {
     double sum = 0;
     for (int i = 0; i < q.length; i += NUMBERS) {
       sum +=
-          test.time(
+          detector.time(
               q[i + 4], q[i + 5], q[i + 6], q[i + 7], q[i + 8], q[i], q[i + 1], q[i + 2], q[i + 3],
               q[i + 9]);
     }

@@ -32,24 +32,26 @@ record QueryPart(String name, int count) implements Part {
     List<SegmentQuery> queries = Queries.draw(name, count);
     List<Contact> truths = queries.stream().map(SegmentQuery::truth).toList();
     List<Row> rows = new ArrayList<>();
-    for (LineContender tests : LineContender.all()) {
-      rows.addAll(judge(trial(name, tests, Trial.ANY_FORK), tests.test(), queries, truths));
+    for (LineContender contender : LineContender.all()) {
+      rows.addAll(
+          judge(trial(name, contender, Trial.ANY_FORK), contender.detector(), queries, truths));
     }
     return rows;
   }
 
-  static Trial trial(String name, LineContender tests, int fork) {
-    Contender contender = new Contender(tests.id(), tests.method(), tests.knob(), null);
+  static Trial trial(String name, LineContender line, int fork) {
+    Contender contender = new Contender(line.id(), line.method(), line.knob(), null);
     return new Trial("query:" + name, contender, fork);
   }
 
   static List<Row> judge(
-      Trial trial, LineDetector test, List<SegmentQuery> queries, List<Contact> truths) {
+      Trial trial, LineDetector detector, List<SegmentQuery> queries, List<Contact> truths) {
     Verdict verdict = new Verdict();
     for (int i = 0; i < queries.size(); i++) {
       SegmentQuery q = queries.get(i);
       double time =
-          test.time(q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by(), q.end());
+          detector.time(
+              q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by(), q.end());
       verdict.add(truths.get(i), time);
     }
     return verdict.rows(trial);

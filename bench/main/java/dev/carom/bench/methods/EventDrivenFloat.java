@@ -18,7 +18,7 @@ final class EventDrivenFloat implements Method {
   private static final int WALL_X = -1;
   private static final int WALL_Y = -2;
 
-  private final TextbookFloatKernel test = new TextbookFloatKernel();
+  private final TextbookFloatKernel kernel = new TextbookFloatKernel();
   private final int circles;
   private final int lines;
 
@@ -100,8 +100,8 @@ final class EventDrivenFloat implements Method {
   public void frame() {
     impacts = 0;
     wallImpacts = 0;
-    test.squareRoots = 0;
-    test.pairTests = 0;
+    kernel.squareRoots = 0;
+    kernel.pairTests = 0;
     for (int i = 0; i < circles; i++) {
       age[i] += 1;
       int atOnce = 0;
@@ -157,7 +157,7 @@ final class EventDrivenFloat implements Method {
     float first = Math.min(wallX, wallY);
     int what = wallX <= wallY ? WALL_X : WALL_Y;
     for (int k = 0; k < lines; k++) {
-      float t = test.time(x[i], y[i], radius[i], vx[i], vy[i], ax[k], ay[k], bx[k], by[k], first);
+      float t = kernel.time(x[i], y[i], radius[i], vx[i], vy[i], ax[k], ay[k], bx[k], by[k], first);
       if (t < first) {
         first = t;
         what = k;
@@ -186,12 +186,12 @@ final class EventDrivenFloat implements Method {
 
   @Override
   public int squareRoots() {
-    return test.squareRoots;
+    return kernel.squareRoots;
   }
 
   @Override
   public long pairTests() {
-    return test.pairTests;
+    return kernel.pairTests;
   }
 
   @Override

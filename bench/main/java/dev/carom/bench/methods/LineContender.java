@@ -5,14 +5,14 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The ways to answer one question, circle against line, that are compared.
+ * A detector that is compared with others, on single queries: when does a circle meet a line?
  *
  * @param id its name in options, unique
  * @param method the label of the method
  * @param knob the setting, {@code name=value}; empty if the method has none
- * @param test the answers
+ * @param detector gives the answers
  */
-public record LineContender(String id, String method, String knob, LineDetector test) {
+public record LineContender(String id, String method, String knob, LineDetector detector) {
 
   private static final int LEAST_TOLERANCE = -12;
   private static final int MOST_SAMPLES = 4096;
@@ -54,12 +54,12 @@ public record LineContender(String id, String method, String knob, LineDetector 
    * One of them.
    *
    * @param id its id
-   * @return the tests
+   * @return the contender
    * @throws IllegalArgumentException if there is none of this id
    */
   public static LineContender byId(String id) {
     return all().stream()
-        .filter(tests -> tests.id().equals(id))
+        .filter(contender -> contender.id().equals(id))
         .findFirst()
         .orElseThrow(() -> new IllegalArgumentException(id + " is no way to test a line"));
   }

@@ -4,7 +4,7 @@ package dev.carom.bench.methods;
 /** The test of the textbooks in float: the question is rounded first. */
 final class TextbookFloatDetector extends LineDetector {
 
-  private final TextbookFloatKernel test = new TextbookFloatKernel();
+  private final TextbookFloatKernel kernel = new TextbookFloatKernel();
 
   @Override
   public double time(
@@ -18,7 +18,7 @@ final class TextbookFloatDetector extends LineDetector {
       double bx,
       double by,
       double end) {
-    return test.time(
+    return kernel.time(
         (float) px,
         (float) py,
         (float) r,

@@ -82,11 +82,11 @@ class QueryMeasuresTest {
 
   @Test
   void everyWayToAnswerFindsAPlainContact() {
-    for (LineContender tests : LineContender.all()) {
-      double time = tests.test().time(40, 40, 5, 10, 0, 50, 0, 50, 100, 1);
-      assertThat(time).as(tests.id()).isCloseTo(0.5, within(1e-2));
-      assertThat(tests.test().time(30, 40, 5, 10, 0, 50, 0, 50, 100, 1))
-          .as(tests.id())
+    for (LineContender contender : LineContender.all()) {
+      double time = contender.detector().time(40, 40, 5, 10, 0, 50, 0, 50, 100, 1);
+      assertThat(time).as(contender.id()).isCloseTo(0.5, within(1e-2));
+      assertThat(contender.detector().time(30, 40, 5, 10, 0, 50, 0, 50, 100, 1))
+          .as(contender.id())
           .isInfinite();
     }
   }
