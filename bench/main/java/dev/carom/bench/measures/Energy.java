@@ -9,9 +9,9 @@ import java.util.List;
 /** The kinetic energy of each circle, which no impact of an elastic scene changes. */
 final class Energy {
 
-  private final Course course;
+  private final RecordedRun course;
 
-  Energy(Course course) {
+  Energy(RecordedRun course) {
     this.course = course;
   }
 

@@ -123,7 +123,7 @@ final class Queries {
   }
 
   private static void recordAll(Scene scene, List<SegmentQuery> queries) {
-    Course course = Course.play(Methods.CAROM, scene, Subjects.FRAMES);
+    RecordedRun course = RecordedRun.play(Methods.CAROM, scene, Subjects.FRAMES);
     for (int frame = 0; frame <= course.frames(); frame++) {
       for (int i = 0; i < course.circles(); i++) {
         record(scene, course, frame, i, queries);
@@ -132,7 +132,7 @@ final class Queries {
   }
 
   private static void record(
-      Scene scene, Course course, int frame, int i, List<SegmentQuery> queries) {
+      Scene scene, RecordedRun course, int frame, int i, List<SegmentQuery> queries) {
     double x = course.x(frame, i);
     double y = course.y(frame, i);
     double r = scene.circle(i).radius();

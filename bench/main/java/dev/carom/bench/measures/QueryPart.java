@@ -46,7 +46,7 @@ record QueryPart(String name, int count) implements Part {
 
   static List<Row> judge(
       Trial trial, LineDetector detector, List<SegmentQuery> queries, List<Contact> truths) {
-    Verdict verdict = new Verdict();
+    AnswerErrors verdict = new AnswerErrors();
     for (int i = 0; i < queries.size(); i++) {
       SegmentQuery q = queries.get(i);
       double time =

@@ -24,9 +24,9 @@ final class Solidity {
   private static final double MARGIN = 1 + 1e-6;
 
   private final Scene scene;
-  private final Course course;
+  private final RecordedRun course;
 
-  Solidity(Scene scene, Course course) {
+  Solidity(Scene scene, RecordedRun course) {
     this.scene = scene;
     this.course = course;
   }

@@ -41,7 +41,7 @@ final class States {
   }
 
   /** The same obstacles, and circles where a run has them after a frame, flying back. */
-  static Scene reversed(Scene scene, Course course, int frame) {
+  static Scene reversed(Scene scene, RecordedRun course, int frame) {
     return with(
         scene,
         new State() {

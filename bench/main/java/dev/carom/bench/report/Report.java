@@ -45,8 +45,8 @@ public final class Report {
     if (!ratios.rows().isEmpty()) {
       text.append('\n').append(ratios.text());
     }
-    text.append('\n').append(Limits.table(results).text());
-    Limits.note(results).ifPresent(note -> text.append('\n').append(note).append('\n'));
+    text.append('\n').append(AcceptanceLimits.table(results).text());
+    AcceptanceLimits.note(results).ifPresent(note -> text.append('\n').append(note).append('\n'));
     return text.toString();
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
-import dev.carom.bench.charts.Course;
+import dev.carom.bench.charts.Curve;
 import dev.carom.bench.report.ScaleTimes.Per;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
@@ -28,7 +28,7 @@ final class ScaleGrowth {
   }
 
   /** The fit of all places that have a time, if there are enough. */
-  private static Optional<Growth> fit(Course course) {
+  private static Optional<Growth> fit(Curve course) {
     int n = (int) Arrays.stream(course.middle()).filter(v -> !Double.isNaN(v)).count();
     return n < LEAST_POINTS
         ? Optional.empty()
@@ -49,7 +49,7 @@ final class ScaleGrowth {
     List<String> sentences = new ArrayList<>();
     for (Model model : Model.values()) {
       for (Per per : List.of(Per.FRAME, Per.IMPACT)) {
-        for (Course course : times.courses(model, per)) {
+        for (Curve course : times.courses(model, per)) {
           fit(course)
               .ifPresent(
                   fit ->
@@ -75,7 +75,8 @@ final class ScaleGrowth {
                 String.format(
                     Locale.ROOT,
                     "A world of %s circles and lines takes %.0f bytes a circle and %.0f a line.",
-                    Numbers.count(Double.parseDouble(scene.substring(scene.indexOf('=') + 1))),
+                    ReportNumbers.count(
+                        Double.parseDouble(scene.substring(scene.indexOf('=') + 1))),
                     results.value(scene, Metrics.CAROM, Scale.MEMORY, "circle"),
                     results.value(scene, Metrics.CAROM, Scale.MEMORY, "line")));
   }
@@ -85,7 +86,7 @@ final class ScaleGrowth {
     List<String> models = new ArrayList<>();
     List<String> late = new ArrayList<>();
     for (Model model : Model.values()) {
-      for (Course course : times.courses(model, Per.FRAME)) {
+      for (Curve course : times.courses(model, Per.FRAME)) {
         int last = course.x().length - 1;
         if (course.method().equals(Metrics.OURS)) {
           fit(course).ifPresent(fit -> models.add(ours(model, course, fit)));
@@ -93,7 +94,8 @@ final class ScaleGrowth {
         if (Double.isNaN(course.middle()[last])) {
           late.add(
               "%s at %s (%s)"
-                  .formatted(course.method(), Numbers.count(course.x()[last]), model.label()));
+                  .formatted(
+                      course.method(), ReportNumbers.count(course.x()[last]), model.label()));
         }
       }
     }
@@ -106,13 +108,13 @@ final class ScaleGrowth {
         : whole + "; too slow to go on: " + String.join(", ", late) + ".";
   }
 
-  private static String ours(Model model, Course course, Growth fit) {
+  private static String ours(Model model, Curve course, Growth fit) {
     int last = course.x().length - 1;
     return "with %s %s, up to %s for %s"
         .formatted(
             model.words(),
             power(fit),
-            Numbers.time(course.middle()[last]),
-            Numbers.count(course.x()[last]));
+            ReportNumbers.time(course.middle()[last]),
+            ReportNumbers.count(course.x()[last]));
   }
 }

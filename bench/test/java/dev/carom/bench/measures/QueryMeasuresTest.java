@@ -30,7 +30,7 @@ class QueryMeasuresTest {
   void answersAreCounted() {
     Contact half = truthFrom(40);
     Contact none = truthFrom(30);
-    Verdict verdict = new Verdict();
+    AnswerErrors verdict = new AnswerErrors();
     verdict.add(half, 0.5);
     verdict.add(half, 0.5 + 3 * Math.ulp(0.5));
     verdict.add(half, Double.POSITIVE_INFINITY);

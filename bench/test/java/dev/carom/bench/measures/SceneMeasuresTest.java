@@ -104,7 +104,7 @@ class SceneMeasuresTest {
   void aLegalTripRoundAnEndIsNoTunnelling() {
     Scene scene =
         Scene.builder().line(0, 0, 0, 10).line(-5, 13, 5, 13).circle(-3, 9, 1, 3, 3).build();
-    Course course = Course.play(Methods.CAROM, scene, 2);
+    RecordedRun course = RecordedRun.play(Methods.CAROM, scene, 2);
 
     assertThat(course.x(2, 0)).isEqualTo(3);
     assertThat(course.y(2, 0)).isEqualTo(9);

@@ -5,7 +5,7 @@ package dev.carom.bench.stability;
  * What became of a run, judged at the end of every frame; the first that applies, from the last one
  * backwards. The thresholds are the same for all methods.
  */
-public enum Outcome {
+public enum CellOutcome {
   /** Never more than 0.001 radius from its true place. */
   RIGHT("right", "never more than 0.001 radius from the true place"),
 
@@ -27,7 +27,7 @@ public enum Outcome {
   private final String label;
   private final String meaning;
 
-  Outcome(String label, String meaning) {
+  CellOutcome(String label, String meaning) {
     this.label = label;
     this.meaning = meaning;
   }

@@ -16,7 +16,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** The limits that Carom is to keep, what was measured, and whether it does: by rule. */
-final class Limits {
+final class AcceptanceLimits {
 
   /**
    * One limit.
@@ -57,12 +57,12 @@ final class Limits {
   private final Results results;
   private final List<Limit> limits = new ArrayList<>();
 
-  private Limits(Results results) {
+  private AcceptanceLimits(Results results) {
     this.results = results;
   }
 
   static List<Limit> of(Results results) {
-    Limits all = new Limits(results);
+    AcceptanceLimits all = new AcceptanceLimits(results);
     all.decisions();
     SLOW.forEach(all::frameError);
     all.roundings();
@@ -108,7 +108,7 @@ final class Limits {
   private void decisions() {
     double wrong = sum(Metrics.MISSED) + sum(Metrics.INVENTED);
     double asked = sum(Metrics.DECISIONS);
-    String measured = asked > 0 ? Numbers.failures(wrong, asked) : "";
+    String measured = asked > 0 ? ReportNumbers.failures(wrong, asked) : "";
     limits.add(new Limit("wrong answers", "all questions", "0", measured, wrong == 0));
   }
 
@@ -124,7 +124,7 @@ final class Limits {
         "worst error of one frame, in radii",
         scene,
         FRAME_ERROR,
-        Numbers::error,
+        ReportNumbers::error,
         results.spread(scene, Metrics.CAROM, Metrics.FRAME_ERROR, "max"));
   }
 
@@ -135,13 +135,13 @@ final class Limits {
         "worst error of one circle in one frame, in 2^-53 x its conditioning",
         FAST,
         RoundingPart.LIMIT,
-        units -> Numbers.ratio(units) + (units > RoundingPart.LIMIT ? above : ""),
+        units -> ReportNumbers.ratio(units) + (units > RoundingPart.LIMIT ? above : ""),
         worst);
     atMost(
         "worst error of one frame, in 2^-53 x the greatest conditioning in it",
         FAST,
         RoundingPart.LIMIT,
-        Numbers::ratio,
+        ReportNumbers::ratio,
         results.spread(FAST, Metrics.CAROM, RoundingPart.METRIC, RoundingPart.OF_FRAMES));
   }
 
@@ -191,7 +191,11 @@ final class Limits {
       double worst = results.value(scene, Metrics.CAROM, Metrics.FRAME_TIME, "worst");
       limits.add(
           new Limit(
-              "slowest frame", scene, Numbers.time(BUDGET), Numbers.time(worst), worst <= BUDGET));
+              "slowest frame",
+              scene,
+              ReportNumbers.time(BUDGET),
+              ReportNumbers.time(worst),
+              worst <= BUDGET));
     }
   }
 
@@ -207,7 +211,7 @@ final class Limits {
               "circles through a line or out of bounds",
               scene,
               "0",
-              Numbers.count(most),
+              ReportNumbers.count(most),
               most == 0));
     }
   }

@@ -13,16 +13,16 @@ import java.util.List;
  * whose end a circle is more than {@value #LOST} radii from its true place, and one more than the
  * number of frames if that does not happen.
  */
-final class Trajectory {
+final class TrajectoryError {
 
   /** In radii. */
   static final double LOST = 0.1;
 
   private final Scene scene;
-  private final Course course;
+  private final RecordedRun course;
   private final Reference reference;
 
-  Trajectory(Scene scene, Course course, Reference reference) {
+  TrajectoryError(Scene scene, RecordedRun course, Reference reference) {
     this.scene = scene;
     this.course = course;
     this.reference = reference;

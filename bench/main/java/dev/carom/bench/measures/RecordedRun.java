@@ -11,7 +11,7 @@ import java.util.Optional;
  * A run, written down: the state of every circle at the end of every frame, 0 for the start. From
  * the frame on in which the method failed, all is NaN.
  */
-final class Course {
+final class RecordedRun {
 
   private final double[][] x;
   private final double[][] y;
@@ -20,7 +20,7 @@ final class Course {
   private final Counters counters = new Counters();
   private String failure;
 
-  private Course(int frames, int circles) {
+  private RecordedRun(int frames, int circles) {
     x = unknown(frames, circles);
     y = unknown(frames, circles);
     vx = unknown(frames, circles);
@@ -40,8 +40,8 @@ final class Course {
    *
    * @throws UnsupportedOperationException if the contender cannot run here
    */
-  static Course play(Contender contender, Scene scene, int frames) {
-    Course course = new Course(frames, scene.circleCount());
+  static RecordedRun play(Contender contender, Scene scene, int frames) {
+    RecordedRun course = new RecordedRun(frames, scene.circleCount());
     try (Method method = contender.start(scene)) {
       course.record(method, 0);
       for (int frame = 1; frame <= frames && course.failure == null; frame++) {

@@ -5,7 +5,7 @@ package dev.carom.bench.reference;
  * What one circle did: its state at the end of each frame, correctly rounded, and what that
  * rounding left.
  */
-final class Course {
+final class CircleFrames {
 
   /** x, y, vx, vy; then the tails of these. */
   static final int TAILS = 4;
@@ -22,7 +22,7 @@ final class Course {
   private int next;
   private int flight;
 
-  Course(int frames) {
+  CircleFrames(int frames) {
     states = new double[frames + 1][];
     conditioning = new double[frames + 1];
     flights = new int[frames + 1];
@@ -63,7 +63,7 @@ final class Course {
   }
 
   /** The greatest difference of a place from that of another run, at any frame. */
-  double distance(Course that) {
+  double distance(CircleFrames that) {
     double most = 0;
     for (int frame = 0; frame < states.length; frame++) {
       for (int i = 0; i < 2; i++) {

@@ -14,7 +14,7 @@ import org.jfree.chart.axis.NumberAxis;
 import org.jfree.chart.axis.ValueAxis;
 
 /** Lines with bands against a logarithmic height, their names at their right ends. */
-final class CoursePanel {
+final class CurvePanel {
 
   private static final double SPACING = 90;
   private static final int FEW = 3;
@@ -24,7 +24,7 @@ final class CoursePanel {
   private final Axes axes;
   private final Marks marks;
 
-  private CoursePanel(Graphics2D g, Axes axes, Marks marks) {
+  private CurvePanel(Graphics2D g, Axes axes, Marks marks) {
     this.g = g;
     this.axes = axes;
     this.marks = marks;
@@ -32,7 +32,7 @@ final class CoursePanel {
 
   /** The heights that lines and bands need, and others. */
   static DecadeAxis heights(
-      List<Course> courses, String label, DoubleFunction<String> text, double... others) {
+      List<Curve> courses, String label, DoubleFunction<String> text, double... others) {
     DoubleStream all =
         courses.stream()
             .flatMapToDouble(
@@ -46,7 +46,7 @@ final class CoursePanel {
   }
 
   /** From the smallest to the largest place of all lines, a little room at either end. */
-  static NumberAxis places(List<Course> courses, String label) {
+  static NumberAxis places(List<Curve> courses, String label) {
     double least = courses.stream().flatMapToDouble(c -> Arrays.stream(c.x())).min().orElse(0);
     double most = courses.stream().flatMapToDouble(c -> Arrays.stream(c.x())).max().orElse(1);
     NumberAxis axis = new NumberAxis(label);
@@ -64,12 +64,12 @@ final class CoursePanel {
       ValueAxis places,
       DecadeAxis heights,
       Marks marks,
-      List<Course> courses) {
+      List<Curve> courses) {
     Rectangle2D inner =
         new Rectangle2D.Double(
             where.getX(), where.getY(), where.getWidth() - names, where.getHeight());
     Axes axes = Axes.draw(g, inner, places, heights);
-    CoursePanel panel = new CoursePanel(g, axes, marks);
+    CurvePanel panel = new CurvePanel(g, axes, marks);
     courses.forEach(course -> panel.band(course, courses.size()));
     courses.forEach(panel::line);
     panel.names(courses);
@@ -77,7 +77,7 @@ final class CoursePanel {
   }
 
   /** Where there are many, only our band is drawn: through a dozen nobody can see. */
-  private void band(Course course, int courses) {
+  private void band(Curve course, int courses) {
     if (courses > FEW && !Marks.isOurs(course.method())) {
       return;
     }
@@ -108,7 +108,7 @@ final class CoursePanel {
   }
 
   /** The shape of the method stands on the line now and then, so that it reads in grey. */
-  private void line(Course course) {
+  private void line(Curve course) {
     double[][] points = new double[course.x().length][];
     for (int i = 0; i < points.length; i++) {
       double value = course.middle()[i];
@@ -126,14 +126,14 @@ final class CoursePanel {
   }
 
   /** Shapes of lines that run together do not cover each other. */
-  private static double phase(Course course) {
+  private static double phase(Curve course) {
     return Math.floorMod(course.method().hashCode() * 31 + course.knob().hashCode(), 97) / 97.0;
   }
 
-  private void names(List<Course> courses) {
+  private void names(List<Curve> courses) {
     Rectangle2D area = axes.area();
     LineLabels labels = LineLabels.of(marks);
-    for (Course course : courses) {
+    for (Curve course : courses) {
       int last = course.last();
       if (last >= 0) {
         double y = axes.y(course.middle()[last]);

@@ -12,7 +12,7 @@ import java.util.List;
  * again every circle should be where it started. Played are as many frames as the median circle
  * takes for {@value #TRAVEL} median radii: on longer ways chaos hides what a method does.
  */
-final class Reversal {
+final class ReversalError {
 
   static final double TRAVEL = 30;
 
@@ -20,7 +20,7 @@ final class Reversal {
   private final Scene scene;
   private final int frames;
 
-  Reversal(Contender contender, Scene scene) {
+  ReversalError(Contender contender, Scene scene) {
     this.contender = contender;
     this.scene = scene;
     frames = frames(scene);
@@ -45,11 +45,11 @@ final class Reversal {
   private double[] errors() {
     double[] errors = new double[scene.circleCount()];
     Arrays.fill(errors, Double.NaN);
-    Course there = Course.play(contender, scene, frames);
+    RecordedRun there = RecordedRun.play(contender, scene, frames);
     if (there.failure().isPresent()) {
       return errors;
     }
-    Course back = Course.play(contender, States.reversed(scene, there, frames), frames);
+    RecordedRun back = RecordedRun.play(contender, States.reversed(scene, there, frames), frames);
     Arrays.setAll(
         errors,
         i ->

@@ -7,7 +7,7 @@ import dev.carom.bench.methods.Method;
 import dev.carom.bench.reference.Reference;
 
 /** Plays a cell by a method and tells what became of it. */
-final class Judge {
+final class CellJudge {
 
   /** In radii. */
   static final double RIGHT = 0.001;
@@ -18,20 +18,20 @@ final class Judge {
   /** As a part of the speed at the start, that of the fastest circle. */
   static final double LOST = 0.01;
 
-  private Judge() {}
+  private CellJudge() {}
 
-  static Outcome of(Contender contender, Cell cell) {
+  static CellOutcome of(Contender contender, Cell cell) {
     if (cell.truth() == null) {
-      return Outcome.NO_ANSWER;
+      return CellOutcome.NO_ANSWER;
     }
     try (Method method = contender.start(cell.scene())) {
       return play(method, cell);
     } catch (UnsupportedOperationException | IllegalArgumentException | IllegalStateException e) {
-      return Outcome.NO_ANSWER;
+      return CellOutcome.NO_ANSWER;
     }
   }
 
-  private static Outcome play(Method method, Cell cell) {
+  private static CellOutcome play(Method method, Cell cell) {
     Reference truth = cell.truth();
     double worst = 0;
     for (int frame = 1; frame <= truth.frames(); frame++) {
@@ -40,16 +40,18 @@ final class Judge {
         double x = method.x(i);
         double y = method.y(i);
         if (!Double.isFinite(x) || !Double.isFinite(y) || cell.fence().isBeyond(x, y)) {
-          return Outcome.ESCAPED;
+          return CellOutcome.ESCAPED;
         }
         double error = Math.hypot(x - truth.x(frame, i), y - truth.y(frame, i));
         worst = Math.max(worst, error / cell.scene().circle(i).radius());
       }
     }
     if (speedError(method, truth) > LOST * fastest(cell.scene())) {
-      return Outcome.LOST_SPEED;
+      return CellOutcome.LOST_SPEED;
     }
-    return worst <= RIGHT ? Outcome.RIGHT : worst <= DRIFTED ? Outcome.DRIFTED : Outcome.FAR_OFF;
+    return worst <= RIGHT
+        ? CellOutcome.RIGHT
+        : worst <= DRIFTED ? CellOutcome.DRIFTED : CellOutcome.FAR_OFF;
   }
 
   private static double speedError(Method method, Reference truth) {

@@ -6,17 +6,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-class LimitsTest {
+class AcceptanceLimitsTest {
 
   private static List<String> row(Sample sample, String what, String where) {
-    return Limits.table(sample.results()).rows().stream()
+    return AcceptanceLimits.table(sample.results()).rows().stream()
         .filter(row -> row.get(0).startsWith(what) && row.get(1).equals(where))
         .findFirst()
         .orElseThrow();
   }
 
   private static String sentence(Sample sample) {
-    return Limits.sentence(sample.results());
+    return AcceptanceLimits.sentence(sample.results());
   }
 
   @Test
@@ -54,7 +54,7 @@ class LimitsTest {
   void howManyAreAboveIsToldAndExplained() {
     Sample sample = Sample.complete();
     sample.add("fast-1", "carom", "", "frame_roundings", "max", 8.4, "1", -1);
-    assertThat(Limits.note(sample.results())).isEmpty();
+    assertThat(AcceptanceLimits.note(sample.results())).isEmpty();
     sample.add("fast-1", "carom", "", "frame_roundings", "above limit", 3, "1", -1);
     sample.add("fast-1", "carom", "", "frame_roundings", "impacts of worst", 7, "1", -1);
     sample.add("fast-1", "carom", "", "frame_roundings", "rounded places", 8.1, "1", -1);
@@ -63,7 +63,7 @@ class LimitsTest {
         .endsWith("4", "8.4, 3 of 600 circle-frames above", "no");
     assertThat(row(sample, "worst error of one frame, in 2^-53", "fast-1"))
         .endsWith("4", "1.2", "yes");
-    assertThat(Limits.note(sample.results()).orElseThrow())
+    assertThat(AcceptanceLimits.note(sample.results()).orElseThrow())
         .contains("fast-1: 3 of 600 circle-frames above 4 x", "the worst, of 8.4, has 7 impacts")
         .contains("errs there by 8.1.")
         .endsWith("at most 1.2.");

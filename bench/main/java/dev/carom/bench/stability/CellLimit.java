@@ -2,7 +2,7 @@
 package dev.carom.bench.stability;
 
 /** Why no method in doubles, or no method at all, can be asked to be right in a cell. */
-public enum Limit {
+public enum CellLimit {
   /** Nothing is in the way. */
   NONE(""),
 
@@ -17,7 +17,7 @@ public enum Limit {
 
   private final String meaning;
 
-  Limit(String meaning) {
+  CellLimit(String meaning) {
     this.meaning = meaning;
   }
 

@@ -7,11 +7,11 @@ import java.math.MathContext;
 import java.util.Locale;
 
 /** Numbers as the report prints them. */
-final class Numbers {
+final class ReportNumbers {
 
   private static final String[] UNITS = {"ns", "µs", "ms", "s"};
 
-  private Numbers() {}
+  private ReportNumbers() {}
 
   /** A time with three digits and its unit. */
   static String time(double nanos) {

@@ -10,7 +10,7 @@ import java.util.function.DoubleUnaryOperator;
 import org.junit.jupiter.api.Test;
 
 /** A circle of radius 10 flies by 2 a frame in a box, and others do something like it. */
-class JudgeTest {
+class CellJudgeTest {
 
   private static final int FRAMES = 9;
 
@@ -82,8 +82,8 @@ class JudgeTest {
     }
   }
 
-  private static Outcome judged(DoubleUnaryOperator place, double speed) {
-    return Judge.of(new Contender("fake", "fake", "", new Fake(place, speed)), CELL);
+  private static CellOutcome judged(DoubleUnaryOperator place, double speed) {
+    return CellJudge.of(new Contender("fake", "fake", "", new Fake(place, speed)), CELL);
   }
 
   private static double truth(double frame) {
@@ -92,27 +92,27 @@ class JudgeTest {
 
   @Test
   void theWorstFrameCounts() {
-    assertThat(judged(JudgeTest::truth, 2)).isEqualTo(Outcome.RIGHT);
-    assertThat(judged(t -> truth(t) + 0.0099, 2)).isEqualTo(Outcome.RIGHT);
-    assertThat(judged(t -> truth(t) + (t == 3 ? 0.0101 : 0), 2)).isEqualTo(Outcome.DRIFTED);
-    assertThat(judged(t -> truth(t) - (t == 3 ? 9.99 : 0), 2)).isEqualTo(Outcome.DRIFTED);
-    assertThat(judged(t -> truth(t) - (t == 3 ? 10.01 : 0), 2)).isEqualTo(Outcome.FAR_OFF);
+    assertThat(judged(CellJudgeTest::truth, 2)).isEqualTo(CellOutcome.RIGHT);
+    assertThat(judged(t -> truth(t) + 0.0099, 2)).isEqualTo(CellOutcome.RIGHT);
+    assertThat(judged(t -> truth(t) + (t == 3 ? 0.0101 : 0), 2)).isEqualTo(CellOutcome.DRIFTED);
+    assertThat(judged(t -> truth(t) - (t == 3 ? 9.99 : 0), 2)).isEqualTo(CellOutcome.DRIFTED);
+    assertThat(judged(t -> truth(t) - (t == 3 ? 10.01 : 0), 2)).isEqualTo(CellOutcome.FAR_OFF);
   }
 
   @Test
   void speedCountsAtTheEndWhateverItsDirection() {
-    assertThat(judged(JudgeTest::truth, -2)).isEqualTo(Outcome.RIGHT);
-    assertThat(judged(JudgeTest::truth, 1.981)).isEqualTo(Outcome.RIGHT);
-    assertThat(judged(JudgeTest::truth, 1.979)).isEqualTo(Outcome.LOST_SPEED);
-    assertThat(judged(t -> truth(t) - 20, 0)).isEqualTo(Outcome.LOST_SPEED);
-    assertThat(judged(JudgeTest::truth, Double.NaN)).isEqualTo(Outcome.LOST_SPEED);
+    assertThat(judged(CellJudgeTest::truth, -2)).isEqualTo(CellOutcome.RIGHT);
+    assertThat(judged(CellJudgeTest::truth, 1.981)).isEqualTo(CellOutcome.RIGHT);
+    assertThat(judged(CellJudgeTest::truth, 1.979)).isEqualTo(CellOutcome.LOST_SPEED);
+    assertThat(judged(t -> truth(t) - 20, 0)).isEqualTo(CellOutcome.LOST_SPEED);
+    assertThat(judged(CellJudgeTest::truth, Double.NaN)).isEqualTo(CellOutcome.LOST_SPEED);
   }
 
   @Test
   void whoIsOutsideOrNowhereHasEscaped() {
-    assertThat(judged(t -> t == 4 ? 100.5 : truth(t), 2)).isEqualTo(Outcome.ESCAPED);
-    assertThat(judged(t -> t == 4 ? Double.NaN : truth(t), 0)).isEqualTo(Outcome.ESCAPED);
-    assertThat(judged(t -> Double.NEGATIVE_INFINITY, 2)).isEqualTo(Outcome.ESCAPED);
+    assertThat(judged(t -> t == 4 ? 100.5 : truth(t), 2)).isEqualTo(CellOutcome.ESCAPED);
+    assertThat(judged(t -> t == 4 ? Double.NaN : truth(t), 0)).isEqualTo(CellOutcome.ESCAPED);
+    assertThat(judged(t -> Double.NEGATIVE_INFINITY, 2)).isEqualTo(CellOutcome.ESCAPED);
   }
 
   @Test
@@ -125,22 +125,23 @@ class JudgeTest {
             scene -> {
               throw new UnsupportedOperationException("not this one");
             });
-    assertThat(Judge.of(refuses, CELL)).isEqualTo(Outcome.NO_ANSWER);
+    assertThat(CellJudge.of(refuses, CELL)).isEqualTo(CellOutcome.NO_ANSWER);
     DoubleUnaryOperator endless =
         t -> {
           throw new IllegalStateException("circle 0 makes impacts without end");
         };
-    assertThat(judged(endless, 2)).isEqualTo(Outcome.NO_ANSWER);
+    assertThat(judged(endless, 2)).isEqualTo(CellOutcome.NO_ANSWER);
   }
 
   @Test
   void whereRoundingGrowsTooFarIsALimit() {
-    assertThat(CELL.limit()).isEqualTo(Limit.NONE);
-    assertThat(new Cell(SCENE, CELL.truth(), Fence.NONE, true).limit()).isEqualTo(Limit.PILE_UP);
-    assertThat(new Cell(SCENE, null, Fence.NONE, false).limit()).isEqualTo(Limit.PILE_UP);
+    assertThat(CELL.limit()).isEqualTo(CellLimit.NONE);
+    assertThat(new Cell(SCENE, CELL.truth(), Fence.NONE, true).limit())
+        .isEqualTo(CellLimit.PILE_UP);
+    assertThat(new Cell(SCENE, null, Fence.NONE, false).limit()).isEqualTo(CellLimit.PILE_UP);
     // 4 x 2^-53 x 1e14 = 0.044: more than a thousandth of the radius, 0.01.
     Scene far = Scene.builder().circle(60, 50, 10, 1e13, 0).build();
     BoxCourse course = new BoxCourse(far, 100, 100, FRAMES);
-    assertThat(new Cell(far, course, Fence.NONE, false).limit()).isEqualTo(Limit.DOUBLES);
+    assertThat(new Cell(far, course, Fence.NONE, false).limit()).isEqualTo(CellLimit.DOUBLES);
   }
 }

@@ -12,11 +12,11 @@ package dev.carom.bench.charts;
  * @param high the upper edge of the band
  */
 @SuppressWarnings("ArrayRecordComponent") // series of a chart, compared by nobody
-public record Course(
+public record Curve(
     String method, String knob, double[] x, double[] low, double[] middle, double[] high) {
 
   /** Takes values as they are: whoever hands them over does not change them. */
-  public Course {
+  public Curve {
     if (low.length != x.length || middle.length != x.length || high.length != x.length) {
       throw new IllegalArgumentException(
           "%s: %d places, %d, %d and %d values: expected as many"

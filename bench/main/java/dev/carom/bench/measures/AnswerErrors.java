@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Counts answers against the truth. */
-final class Verdict {
+final class AnswerErrors {
 
   private int total;
   private int missed;
