@@ -32,9 +32,9 @@ final class CurvePanel {
 
   /** The heights that lines and bands need, and others. */
   static DecadeAxis heights(
-      List<Curve> courses, String label, DoubleFunction<String> text, double... others) {
+      List<Curve> curves, String label, DoubleFunction<String> text, double... others) {
     DoubleStream all =
-        courses.stream()
+        curves.stream()
             .flatMapToDouble(
                 c ->
                     DoubleStream.concat(
@@ -46,9 +46,9 @@ final class CurvePanel {
   }
 
   /** From the smallest to the largest place of all lines, a little room at either end. */
-  static NumberAxis places(List<Curve> courses, String label) {
-    double least = courses.stream().flatMapToDouble(c -> Arrays.stream(c.x())).min().orElse(0);
-    double most = courses.stream().flatMapToDouble(c -> Arrays.stream(c.x())).max().orElse(1);
+  static NumberAxis places(List<Curve> curves, String label) {
+    double least = curves.stream().flatMapToDouble(c -> Arrays.stream(c.x())).min().orElse(0);
+    double most = curves.stream().flatMapToDouble(c -> Arrays.stream(c.x())).max().orElse(1);
     NumberAxis axis = new NumberAxis(label);
     axis.setStandardTickUnits(NumberAxis.createIntegerTickUnits());
     double room = Math.max(0.02 * (most - least), 1e-9);
@@ -64,37 +64,37 @@ final class CurvePanel {
       ValueAxis places,
       DecadeAxis heights,
       Marks marks,
-      List<Curve> courses) {
+      List<Curve> curves) {
     Rectangle2D inner =
         new Rectangle2D.Double(
             where.getX(), where.getY(), where.getWidth() - names, where.getHeight());
     Axes axes = Axes.draw(g, inner, places, heights);
     CurvePanel panel = new CurvePanel(g, axes, marks);
-    courses.forEach(course -> panel.band(course, courses.size()));
-    courses.forEach(panel::line);
-    panel.names(courses);
+    curves.forEach(curve -> panel.band(curve, curves.size()));
+    curves.forEach(panel::line);
+    panel.names(curves);
     return axes;
   }
 
   /** Where there are many, only our band is drawn: through a dozen nobody can see. */
-  private void band(Curve course, int courses) {
-    if (courses > FEW && !Marks.isOurs(course.method())) {
+  private void band(Curve curve, int curves) {
+    if (curves > FEW && !Marks.isOurs(curve.method())) {
       return;
     }
-    int n = course.x().length;
+    int n = curve.x().length;
     Path2D band = new Path2D.Double();
     boolean empty = true;
     for (int i = 0; i < 2 * n; i++) {
       int k = i < n ? i : 2 * n - 1 - i;
-      double value = i < n ? course.high()[k] : course.low()[k];
+      double value = i < n ? curve.high()[k] : curve.low()[k];
       if (!Double.isNaN(value)) {
-        point(band, empty, course.x()[k], value);
+        point(band, empty, curve.x()[k], value);
         empty = false;
       }
     }
     Shape clip = g.getClip();
     g.clip(axes.area());
-    g.setColor(Style.veil(marks.of(course.method()).color(), BAND));
+    g.setColor(Style.veil(marks.of(curve.method()).color(), BAND));
     g.fill(band);
     g.setClip(clip);
   }
@@ -108,40 +108,40 @@ final class CurvePanel {
   }
 
   /** The shape of the method stands on the line now and then, so that it reads in grey. */
-  private void line(Curve course) {
-    double[][] points = new double[course.x().length][];
+  private void line(Curve curve) {
+    double[][] points = new double[curve.x().length][];
     for (int i = 0; i < points.length; i++) {
-      double value = course.middle()[i];
-      points[i] = new double[] {axes.x(course.x()[i]), Double.isNaN(value) ? value : axes.y(value)};
+      double value = curve.middle()[i];
+      points[i] = new double[] {axes.x(curve.x()[i]), Double.isNaN(value) ? value : axes.y(value)};
     }
-    Marks.Mark mark = marks.of(course.method());
+    Marks.Mark mark = marks.of(curve.method());
     axes.line(g, points, mark.color(), mark.stroke());
-    double next = axes.area().getMinX() + SPACING * phase(course);
+    double next = axes.area().getMinX() + SPACING * phase(curve);
     for (double[] point : points) {
       if (point[0] >= next && !Double.isNaN(point[1])) {
-        marks.draw(g, course.method(), point[0], point[1], false);
+        marks.draw(g, curve.method(), point[0], point[1], false);
         next = point[0] + SPACING;
       }
     }
   }
 
   /** Shapes of lines that run together do not cover each other. */
-  private static double phase(Curve course) {
-    return Math.floorMod(course.method().hashCode() * 31 + course.knob().hashCode(), 97) / 97.0;
+  private static double phase(Curve curve) {
+    return Math.floorMod(curve.method().hashCode() * 31 + curve.knob().hashCode(), 97) / 97.0;
   }
 
-  private void names(List<Curve> courses) {
+  private void names(List<Curve> curves) {
     Rectangle2D area = axes.area();
     LineLabels labels = LineLabels.of(marks);
-    for (Curve course : courses) {
-      int last = course.last();
+    for (Curve curve : curves) {
+      int last = curve.last();
       if (last >= 0) {
-        double y = axes.y(course.middle()[last]);
-        double x = axes.x(course.x()[last]);
-        g.setColor(marks.of(course.method()).color());
+        double y = axes.y(curve.middle()[last]);
+        double x = axes.x(curve.x()[last]);
+        g.setColor(marks.of(curve.method()).color());
         g.setStroke(Style.dashes(Style.HAIR, 1, 3));
         g.draw(new Line2D.Double(x, y, area.getMaxX(), y));
-        labels.add(y, course.method(), course.knob(), marks.of(course.method()).color());
+        labels.add(y, curve.method(), curve.knob(), marks.of(curve.method()).color());
       }
     }
     labels.draw(g, area.getMaxX(), area.getMinY(), area.getMaxY());

@@ -95,11 +95,11 @@ public final class DriftChart {
     return name;
   }
 
-  private void panel(Graphics2D g, Rectangle2D where, List<Curve> courses, boolean first) {
-    NumberAxis frames = CurvePanel.places(courses, "frame");
-    DecadeAxis heights = CurvePanel.heights(courses, null, DriftChart::power);
+  private void panel(Graphics2D g, Rectangle2D where, List<Curve> curves, boolean first) {
+    NumberAxis frames = CurvePanel.places(curves, "frame");
+    DecadeAxis heights = CurvePanel.heights(curves, null, DriftChart::power);
     double names = Math.min(NAMES, 0.36 * where.getWidth());
-    Axes axes = CurvePanel.draw(g, where, names, frames, heights, marks, courses);
+    Axes axes = CurvePanel.draw(g, where, names, frames, heights, marks, curves);
     if (!Double.isNaN(limit)) {
       horizon(g, axes, limit, Style.QUIET, axes.area().getMinY());
     }

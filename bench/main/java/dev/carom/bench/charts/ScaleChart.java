@@ -75,18 +75,18 @@ public final class ScaleChart {
     }
   }
 
-  private void panel(Graphics2D g, Rectangle2D where, List<Curve> courses) {
-    boolean timeOut = courses.stream().anyMatch(ScaleChart::isCut);
+  private void panel(Graphics2D g, Rectangle2D where, List<Curve> curves) {
+    boolean timeOut = curves.stream().anyMatch(ScaleChart::isCut);
     double[] others = timeOut ? new double[] {limit} : new double[0];
     DecadeAxis circles =
         DecadeAxis.covering(
-            courses.stream().flatMapToDouble(c -> Arrays.stream(c.x())), ScaleChart::count);
-    DecadeAxis times = CurvePanel.heights(courses, null, v -> Durations.text(v, 1), others);
-    Axes axes = CurvePanel.draw(g, where, NAMES, circles, times, marks, courses);
-    for (Curve course : courses) {
-      for (int i = 0; i < course.x().length; i++) {
-        if (Double.isNaN(course.middle()[i])) {
-          marks.drawFailure(g, course.method(), axes.x(course.x()[i]), axes.y(limit));
+            curves.stream().flatMapToDouble(c -> Arrays.stream(c.x())), ScaleChart::count);
+    DecadeAxis times = CurvePanel.heights(curves, null, v -> Durations.text(v, 1), others);
+    Axes axes = CurvePanel.draw(g, where, NAMES, circles, times, marks, curves);
+    for (Curve curve : curves) {
+      for (int i = 0; i < curve.x().length; i++) {
+        if (Double.isNaN(curve.middle()[i])) {
+          marks.drawFailure(g, curve.method(), axes.x(curve.x()[i]), axes.y(limit));
         }
       }
     }
@@ -99,7 +99,7 @@ public final class ScaleChart {
         : n < 1e6 ? Durations.number(n / 1e3, 1) + "k" : Durations.number(n / 1e6, 1) + "M";
   }
 
-  private static boolean isCut(Curve course) {
-    return Arrays.stream(course.middle()).anyMatch(Double::isNaN);
+  private static boolean isCut(Curve curve) {
+    return Arrays.stream(curve.middle()).anyMatch(Double::isNaN);
   }
 }

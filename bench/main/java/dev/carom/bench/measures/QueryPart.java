@@ -46,14 +46,14 @@ record QueryPart(String name, int count) implements Part {
 
   static List<Row> judge(
       Trial trial, LineDetector detector, List<SegmentQuery> queries, List<Contact> truths) {
-    AnswerErrors verdict = new AnswerErrors();
+    AnswerErrors errors = new AnswerErrors();
     for (int i = 0; i < queries.size(); i++) {
       SegmentQuery q = queries.get(i);
       double time =
           detector.time(
               q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by(), q.end());
-      verdict.add(truths.get(i), time);
+      errors.add(truths.get(i), time);
     }
-    return verdict.rows(trial);
+    return errors.rows(trial);
   }
 }

@@ -41,14 +41,14 @@ final class RecordedRun {
    * @throws UnsupportedOperationException if the contender cannot run here
    */
   static RecordedRun play(Contender contender, Scene scene, int frames) {
-    RecordedRun course = new RecordedRun(frames, scene.circleCount());
+    RecordedRun run = new RecordedRun(frames, scene.circleCount());
     try (Method method = contender.start(scene)) {
-      course.record(method, 0);
-      for (int frame = 1; frame <= frames && course.failure == null; frame++) {
-        course.playFrame(method, frame);
+      run.record(method, 0);
+      for (int frame = 1; frame <= frames && run.failure == null; frame++) {
+        run.playFrame(method, frame);
       }
     }
-    return course;
+    return run;
   }
 
   private void playFrame(Method method, int frame) {

@@ -19,12 +19,12 @@ final class TrajectoryError {
   static final double LOST = 0.1;
 
   private final Scene scene;
-  private final RecordedRun course;
+  private final RecordedRun run;
   private final Reference reference;
 
-  TrajectoryError(Scene scene, RecordedRun course, Reference reference) {
+  TrajectoryError(Scene scene, RecordedRun run, Reference reference) {
     this.scene = scene;
-    this.course = course;
+    this.run = run;
     this.reference = reference;
   }
 
@@ -34,14 +34,14 @@ final class TrajectoryError {
     int n = horizons.size();
     rows.add(trial.row("horizon", "any", horizons.at(0), Trial.FRAMES, n));
     rows.add(trial.row("horizon", "median", horizons.median(), Trial.FRAMES, n));
-    rows.addAll(Drift.rows(trial, "drift_trajectory", Trial.RADII, course.frames(), this::errors));
+    rows.addAll(Drift.rows(trial, "drift_trajectory", Trial.RADII, run.frames(), this::errors));
     return rows;
   }
 
   private double[] horizons() {
-    double[] horizons = new double[course.circles()];
-    Arrays.fill(horizons, course.frames() + 1);
-    for (int frame = course.frames(); frame > 0; frame--) {
+    double[] horizons = new double[run.circles()];
+    Arrays.fill(horizons, run.frames() + 1);
+    for (int frame = run.frames(); frame > 0; frame--) {
       double[] errors = errors(frame);
       for (int i = 0; i < errors.length; i++) {
         if (!(errors[i] <= LOST)) {
@@ -53,13 +53,13 @@ final class TrajectoryError {
   }
 
   private double[] errors(int frame) {
-    double[] errors = new double[course.circles()];
+    double[] errors = new double[run.circles()];
     Arrays.setAll(
         errors,
         i ->
             Math.hypot(
-                    course.x(frame, i) - reference.x(frame, i),
-                    course.y(frame, i) - reference.y(frame, i))
+                    run.x(frame, i) - reference.x(frame, i),
+                    run.y(frame, i) - reference.y(frame, i))
                 / scene.circle(i).radius());
     return errors;
   }

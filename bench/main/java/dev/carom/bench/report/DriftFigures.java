@@ -51,10 +51,10 @@ final class DriftFigures {
         new ReportTable.Builder("quantity", "setting", "frame", "band from", "line", "band to");
     PANELS.forEach(
         (metric, name) -> {
-          List<Curve> courses = courses(scene, metric);
-          if (!courses.isEmpty()) {
-            panels.put(name, courses);
-            courses.forEach(course -> rows(table, name, course));
+          List<Curve> curves = curves(scene, metric);
+          if (!curves.isEmpty()) {
+            panels.put(name, curves);
+            curves.forEach(curve -> rows(table, name, curve));
           }
         });
     Map<String, Double> horizons = horizons(scene);
@@ -129,8 +129,8 @@ final class DriftFigures {
             + ".";
   }
 
-  private List<Curve> courses(String scene, String metric) {
-    List<Curve> courses = new ArrayList<>();
+  private List<Curve> curves(String scene, String metric) {
+    List<Curve> curves = new ArrayList<>();
     for (Setting setting : Settings.finest(results, scene, metric)) {
       Map<Integer, Double> middle = results.series(scene, setting, metric, "median");
       Map<Integer, Double> low = results.series(scene, setting, metric, "p5");
@@ -141,12 +141,12 @@ final class DriftFigures {
       double[] lows = sizes(frames, low);
       double[] middles = sizes(frames, middle);
       double[] highs = sizes(frames, high);
-      courses.add(
+      curves.add(
           metric.equals(Metrics.TRAJECTORY_DRIFT)
               ? new Curve(setting.method(), knob, x, lows, middles, highs)
               : worst(setting.method(), knob, x, lows, middles, highs));
     }
-    return courses;
+    return curves;
   }
 
   /** Where most circles do nothing wrong, what tells is the worse end, to either side of 0. */
@@ -163,18 +163,18 @@ final class DriftFigures {
         .toArray();
   }
 
-  private static void rows(ReportTable.Builder table, String name, Curve course) {
-    int n = course.x().length;
+  private static void rows(ReportTable.Builder table, String name, Curve curve) {
+    int n = curve.x().length;
     for (int k = 1; k <= TABLE_ROWS; k++) {
       int i = k * n / TABLE_ROWS - 1;
       if (i >= 0) {
         table.row(
             name,
-            (course.method() + " " + course.knob()).strip(),
-            ReportNumbers.count(course.x()[i]),
-            ReportNumbers.error(course.low()[i]),
-            ReportNumbers.error(course.middle()[i]),
-            ReportNumbers.error(course.high()[i]));
+            (curve.method() + " " + curve.knob()).strip(),
+            ReportNumbers.count(curve.x()[i]),
+            ReportNumbers.error(curve.low()[i]),
+            ReportNumbers.error(curve.middle()[i]),
+            ReportNumbers.error(curve.high()[i]));
       }
     }
   }

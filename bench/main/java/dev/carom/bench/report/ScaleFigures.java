@@ -45,11 +45,11 @@ public final class ScaleFigures {
     Map<String, List<Curve>> panels = new LinkedHashMap<>();
     for (Model model : Model.values()) {
       for (Per per : Per.values()) {
-        List<Curve> courses = times.courses(model, per);
-        if (!courses.isEmpty()) {
+        List<Curve> curves = times.curves(model, per);
+        if (!curves.isEmpty()) {
           panels.put(
               model.words() + ": time of " + per.words,
-              courses.stream().map(ScaleFigures::unset).toList());
+              curves.stream().map(ScaleFigures::unset).toList());
         }
       }
     }
@@ -96,28 +96,28 @@ public final class ScaleFigures {
         new ReportTable.Builder(
             "model", "circles", "method", "a frame", "least", "greatest", "an impact", "a circle");
     for (Model model : Model.values()) {
-      for (Curve course : times.courses(model, Per.FRAME)) {
-        for (int i = 0; i < course.x().length; i++) {
-          row(table, model, course, i);
+      for (Curve curve : times.curves(model, Per.FRAME)) {
+        for (int i = 0; i < curve.x().length; i++) {
+          row(table, model, curve, i);
         }
       }
     }
     return table.build();
   }
 
-  private void row(ReportTable.Builder table, Model model, Curve course, int i) {
-    double n = course.x()[i];
-    double time = course.middle()[i];
-    Setting setting = new Setting(course.method(), course.knob());
+  private void row(ReportTable.Builder table, Model model, Curve curve, int i) {
+    double n = curve.x()[i];
+    double time = curve.middle()[i];
+    Setting setting = new Setting(curve.method(), curve.knob());
     double impacts = times.impacts(ScaleTimes.scene(model, n), setting);
     boolean cut = Double.isNaN(time);
     table.row(
         model.label(),
         ReportNumbers.count(n),
-        course.method(),
+        curve.method(),
         cut ? "over " + ReportNumbers.time(limit) : ReportNumbers.time(time),
-        cut ? "-" : ReportNumbers.time(course.low()[i]),
-        cut ? "-" : ReportNumbers.time(course.high()[i]),
+        cut ? "-" : ReportNumbers.time(curve.low()[i]),
+        cut ? "-" : ReportNumbers.time(curve.high()[i]),
         impacts > 0 && !cut ? ReportNumbers.time(time / impacts) : "-",
         cut ? "-" : ReportNumbers.time(time / n));
   }

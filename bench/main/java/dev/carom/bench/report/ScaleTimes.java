@@ -65,7 +65,7 @@ final class ScaleTimes {
   }
 
   /** The lines of a model; at the last place of one that took too long it is NaN. */
-  List<Curve> courses(Model model, Per per) {
+  List<Curve> curves(Model model, Per per) {
     Map<Setting, TreeSet<Integer>> places = new LinkedHashMap<>();
     for (String scene : results.scenes(Scale.TIME)) {
       if (scene.startsWith(prefix(model))) {
@@ -77,14 +77,14 @@ final class ScaleTimes {
         }
       }
     }
-    List<Curve> courses = new ArrayList<>();
+    List<Curve> curves = new ArrayList<>();
     places.forEach(
         (setting, all) -> {
           double[] x =
               all.headSet(end(model, setting), true).stream().mapToDouble(n -> n).toArray();
-          courses.add(course(model, setting, x, per));
+          curves.add(curve(model, setting, x, per));
         });
-    return courses;
+    return curves;
   }
 
   private static int circles(String scene) {
@@ -118,7 +118,7 @@ final class ScaleTimes {
     return false;
   }
 
-  private Curve course(Model model, Setting setting, double[] x, Per per) {
+  private Curve curve(Model model, Setting setting, double[] x, Per per) {
     double[][] values = new double[3][x.length];
     for (int i = 0; i < x.length; i++) {
       String scene = scene(model, x[i]);

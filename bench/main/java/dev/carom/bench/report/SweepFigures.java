@@ -55,9 +55,9 @@ public final class SweepFigures {
     Map<String, List<Curve>> panels = new LinkedHashMap<>();
     PANELS.forEach(
         (axis, name) -> {
-          List<Curve> courses = courses(axis);
-          if (!courses.isEmpty()) {
-            panels.put(name, courses);
+          List<Curve> curves = curves(axis);
+          if (!curves.isEmpty()) {
+            panels.put(name, curves);
           }
         });
     String title = title();
@@ -86,14 +86,14 @@ public final class SweepFigures {
   public List<String> growth() {
     List<String> sentences = new ArrayList<>();
     for (String axis : SIZES) {
-      for (Curve course : courses(axis)) {
-        if (course.x().length >= LEAST_POINTS) {
-          Growth fit = Growth.of(course.x(), course.middle());
+      for (Curve curve : curves(axis)) {
+        if (curve.x().length >= LEAST_POINTS) {
+          Growth fit = Growth.of(curve.x(), curve.middle());
           sentences.add(
               String.format(
                   Locale.ROOT,
                   "The time of %s grows with the number of %s to the power %.2f (%.2f .. %.2f at 95 %%).",
-                  course.method(),
+                  curve.method(),
                   axis,
                   fit.slope(),
                   fit.low(),
@@ -106,9 +106,9 @@ public final class SweepFigures {
 
   private String title() {
     Map<String, Double> full = new LinkedHashMap<>();
-    for (Curve course : courses("circles")) {
-      int last = course.x().length - 1;
-      full.put(course.method(), course.middle()[last]);
+    for (Curve curve : curves("circles")) {
+      int last = curve.x().length - 1;
+      full.put(curve.method(), curve.middle()[last]);
     }
     return full.entrySet().stream()
             .map(e -> e.getKey() + " " + ReportNumbers.time(e.getValue()))
@@ -117,7 +117,7 @@ public final class SweepFigures {
         + ReportNumbers.time(1e9 / Budget.PUBLISHED_FPS);
   }
 
-  private List<Curve> courses(String axis) {
+  private List<Curve> curves(String axis) {
     Map<Setting, List<Integer>> places = new LinkedHashMap<>();
     for (String scene : results.scenes(Sweep.TIME)) {
       String prefix = Sweep.SCENE + axis + "=";
@@ -128,12 +128,12 @@ public final class SweepFigures {
         }
       }
     }
-    List<Curve> courses = new ArrayList<>();
-    places.forEach((setting, at) -> courses.add(course(axis, setting, at)));
-    return courses;
+    List<Curve> curves = new ArrayList<>();
+    places.forEach((setting, at) -> curves.add(curve(axis, setting, at)));
+    return curves;
   }
 
-  private Curve course(String axis, Setting setting, List<Integer> places) {
+  private Curve curve(String axis, Setting setting, List<Integer> places) {
     int[] sorted = places.stream().mapToInt(i -> i).sorted().toArray();
     int n = sorted.length;
     double[][] values = new double[4][n];
@@ -161,16 +161,16 @@ public final class SweepFigures {
         new ReportTable.Builder(
             "varied", "value", "method", "mean", "least", "greatest", "frames a second");
     for (String axis : PANELS.keySet()) {
-      for (Curve course : courses(axis)) {
-        for (int i = 0; i < course.x().length; i++) {
+      for (Curve curve : curves(axis)) {
+        for (int i = 0; i < curve.x().length; i++) {
           table.row(
               axis,
-              ReportNumbers.count(course.x()[i]),
-              course.method(),
-              ReportNumbers.time(course.middle()[i]),
-              ReportNumbers.time(course.low()[i]),
-              ReportNumbers.time(course.high()[i]),
-              ReportNumbers.count(1e9 / course.middle()[i]));
+              ReportNumbers.count(curve.x()[i]),
+              curve.method(),
+              ReportNumbers.time(curve.middle()[i]),
+              ReportNumbers.time(curve.low()[i]),
+              ReportNumbers.time(curve.high()[i]),
+              ReportNumbers.count(1e9 / curve.middle()[i]));
         }
       }
     }

@@ -30,18 +30,18 @@ class QueryMeasuresTest {
   void answersAreCounted() {
     Contact half = truthFrom(40);
     Contact none = truthFrom(30);
-    AnswerErrors verdict = new AnswerErrors();
-    verdict.add(half, 0.5);
-    verdict.add(half, 0.5 + 3 * Math.ulp(0.5));
-    verdict.add(half, Double.POSITIVE_INFINITY);
-    verdict.add(half, Double.NaN);
-    verdict.add(none, Double.POSITIVE_INFINITY);
-    verdict.add(none, 0.9);
-    verdict.add(none, Double.NaN);
+    AnswerErrors errors = new AnswerErrors();
+    errors.add(half, 0.5);
+    errors.add(half, 0.5 + 3 * Math.ulp(0.5));
+    errors.add(half, Double.POSITIVE_INFINITY);
+    errors.add(half, Double.NaN);
+    errors.add(none, Double.POSITIVE_INFINITY);
+    errors.add(none, 0.9);
+    errors.add(none, Double.NaN);
     // Touching at the start: right, and no time to have an error in ulps of.
-    verdict.add(truthFrom(45), 0);
+    errors.add(truthFrom(45), 0);
 
-    List<Row> rows = verdict.rows(QueryPart.trial("some", LineContender.byId("plain"), -1));
+    List<Row> rows = errors.rows(QueryPart.trial("some", LineContender.byId("plain"), -1));
 
     assertThat(value(rows, "decisions_missed", "count")).isEqualTo(2);
     assertThat(value(rows, "decisions_false", "count")).isEqualTo(2);
