@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.hash;
+package dev.carom.bench.replay;
 
 import java.io.IOException;
 import java.io.InputStream;
