@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.cli;
+package dev.carom.bench.gas;
 
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
@@ -14,9 +14,17 @@ import dev.carom.World;
  * @param wallImpacts with walls
  * @param energyChange of the kinetic energy, relative to what it was
  */
-record GasReplay(long nanos, long collisions, long wallImpacts, double energyChange) {
+public record GasReplay(long nanos, long collisions, long wallImpacts, double energyChange) {
 
-  static GasReplay play(Scene scene, int frames, double frameTime) {
+  /**
+   * Plays a scene once.
+   *
+   * @param scene whose circles collide
+   * @param frames how many
+   * @param frameTime how long each lasts
+   * @return what it took, and what happened
+   */
+  public static GasReplay play(Scene scene, int frames, double frameTime) {
     World world = new World(scene);
     double before = energy(scene, world);
     long nanos = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.cli;
+package dev.carom.bench.gas;
 
 import dev.carom.Scene;
 import dev.carom.World;
@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 
 /** How deep circles of a gas reach into each other at the ends of the frames of a replay. */
-final class GasOverlap {
+public final class GasOverlap {
 
   private final World world;
 
@@ -26,9 +26,12 @@ final class GasOverlap {
   /**
    * Plays a scene, untimed.
    *
+   * @param scene whose circles collide, or not
+   * @param frames how many
+   * @param frameTime how long each lasts
    * @return the deepest overlap of two circles, as a part of the smaller radius; 0 if none overlap
    */
-  static double deepest(Scene scene, int frames, double frameTime) {
+  public static double deepest(Scene scene, int frames, double frameTime) {
     World world = new World(scene);
     GasOverlap overlap = new GasOverlap(world);
     double deepest = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.cli;
+package dev.carom.bench.gas;
 
 import com.sun.management.ThreadMXBean;
 import dev.carom.ImpactLog;
@@ -21,13 +21,13 @@ import java.util.Arrays;
  * @param frames of all rounds together
  * @param bytes allocated in the steps of the last round
  */
-record GasSteady(
+public record GasSteady(
     double median, double least, double most, long collisions, long frames, long bytes) {
 
   /** Collisions before the first round: so many, and so many for each circle. */
-  static final long WARM_UP = 3_000_000;
+  private static final long WARM_UP = 3_000_000;
 
-  static final int WARM_UP_PER_CIRCLE = 5;
+  private static final int WARM_UP_PER_CIRCLE = 5;
 
   private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
@@ -73,10 +73,12 @@ record GasSteady(
   /**
    * Plays a scene in which circles collide again and again.
    *
+   * @param scene the scene
    * @param rounds how many rounds, at least 1
    * @param collisions of one round, at least; it ends with a frame
+   * @return what the rounds took
    */
-  static GasSteady play(Scene scene, int rounds, long collisions) {
+  public static GasSteady play(Scene scene, int rounds, long collisions) {
     World world = new World(scene);
     new Round(world).play(Math.max(WARM_UP, (long) WARM_UP_PER_CIRCLE * scene.circleCount()));
     double[] nanos = new double[rounds];
