@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.rungs;
+package dev.carom.bench.measures;
 
 /**
  * How many queries each rung of precision answered. A query counts for the highest rung that one of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.rungs;
+package dev.carom.bench.measures;
 
 import java.util.List;
 import java.util.Locale;
