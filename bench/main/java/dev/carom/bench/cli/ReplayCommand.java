@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
-import dev.carom.RungCounts;
 import dev.carom.Scene;
 import dev.carom.bench.charts.Pictures;
 import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.methods.RungCounts;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.replay.ReplayJson;
 import dev.carom.bench.replay.ReplayPlan;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
-import dev.carom.RungCounts;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.LineContender;
+import dev.carom.bench.methods.RungCounts;
 import dev.carom.bench.peers.Contenders;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
-import dev.carom.RungCounts;
 import dev.carom.SweptCircle;
+import dev.carom.bench.methods.RungCounts;
 import dev.carom.oracle.Draw;
 import dev.carom.oracle.Families;
 import dev.carom.oracle.Family;
