@@ -7,7 +7,7 @@ import dev.carom.bench.results.ResultsCsv;
 import dev.carom.bench.results.ResultsJson;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.results.WholeFile;
-import dev.carom.bench.scale.ScalePlan;
+import dev.carom.bench.series.ScalePlan;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

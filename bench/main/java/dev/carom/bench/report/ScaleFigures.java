@@ -6,7 +6,7 @@ import dev.carom.bench.charts.ScaleChart;
 import dev.carom.bench.report.ScaleTimes.Per;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
-import dev.carom.bench.scale.ScalePlan.Model;
+import dev.carom.bench.series.ScalePlan.Model;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

@@ -4,7 +4,7 @@ package dev.carom.bench.report;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.results.Spread;
-import dev.carom.bench.scale.Scale;
+import dev.carom.bench.series.Scale;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

@@ -7,9 +7,9 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import dev.carom.bench.measures.Part;
 import dev.carom.bench.measures.Parts;
 import dev.carom.bench.results.Row;
-import dev.carom.bench.scale.ScalePart;
+import dev.carom.bench.series.ScalePart;
+import dev.carom.bench.series.SweepPart;
 import dev.carom.bench.stability.StabilityPart;
-import dev.carom.bench.sweep.SweepPart;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.sweep;
+package dev.carom.bench.series;
 
 import org.apache.commons.math3.stat.regression.SimpleRegression;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.sweep;
+package dev.carom.bench.series;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -7,8 +7,8 @@ import static org.assertj.core.api.Assertions.within;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.methods.Methods;
 import dev.carom.bench.results.Row;
-import dev.carom.bench.sweep.SweepPlan.Axis;
-import dev.carom.bench.sweep.SweepPlan.Point;
+import dev.carom.bench.series.SweepPlan.Axis;
+import dev.carom.bench.series.SweepPlan.Point;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;

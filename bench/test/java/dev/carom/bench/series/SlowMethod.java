@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.scale;
+package dev.carom.bench.series;
 
 import dev.carom.bench.methods.Method;
 import java.util.concurrent.TimeUnit;

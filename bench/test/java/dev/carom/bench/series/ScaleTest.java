@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.scale;
+package dev.carom.bench.series;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,7 +10,7 @@ import dev.carom.bench.experiment.Tiles;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Methods;
 import dev.carom.bench.results.Row;
-import dev.carom.bench.scale.ScalePlan.Model;
+import dev.carom.bench.series.ScalePlan.Model;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.sweep;
+package dev.carom.bench.series;
 
 import dev.carom.Scene;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.methods.Method;
 import dev.carom.bench.results.Row;
-import dev.carom.bench.sweep.SweepPlan.Point;
+import dev.carom.bench.series.SweepPlan.Point;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;

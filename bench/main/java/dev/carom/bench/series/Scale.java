@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.scale;
+package dev.carom.bench.series;
 
 import dev.carom.Scene;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Method;
 import dev.carom.bench.results.Row;
-import dev.carom.bench.scale.ScalePlan.Model;
+import dev.carom.bench.series.ScalePlan.Model;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.scale;
+package dev.carom.bench.series;
 
 import dev.carom.Scene;
 import dev.carom.World;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Tiles;
 import dev.carom.bench.results.Row;
-import dev.carom.bench.scale.ScalePlan.Model;
+import dev.carom.bench.series.ScalePlan.Model;
 import java.lang.ref.Reference;
 import java.util.List;
 
