@@ -7,15 +7,11 @@ import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Method;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.series.ScalePlan.Model;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Collections;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Random;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 
@@ -42,11 +38,38 @@ public final class Scale {
   public static final String SCENE = "scale:";
 
   private final ScalePlan plan;
-  private final Random random;
-  private final List<Row> rows = new ArrayList<>();
+  private final Turns turns;
 
   /** Which have played a frame that was too long. */
   private final Set<Contender> timedOut = new HashSet<>();
+
+  private SeriesRows rows;
+
+  /** What a method has played of a scene. */
+  private static final class Playing {
+    private final Method method;
+    private final double[] nanos;
+    private long frames;
+    private long impacts;
+
+    Playing(Method method, int rounds) {
+      this.method = method;
+      nanos = new double[rounds];
+    }
+
+    /** A round of at least this time, and of at least one frame; the mean time of a frame. */
+    double round(long least) {
+      long sum = 0;
+      int count = 0;
+      while (count == 0 || sum < least) {
+        sum += frame(method);
+        count++;
+        impacts += Math.max(0, method.impacts()) + Math.max(0, method.wallImpacts());
+      }
+      frames += count;
+      return (double) sum / count;
+    }
+  }
 
   /**
    * Prepares it.
@@ -56,7 +79,7 @@ public final class Scale {
    */
   public Scale(ScalePlan plan, long turns) {
     this.plan = plan;
-    random = new Random(turns);
+    this.turns = new Turns(turns);
   }
 
   /**
@@ -70,7 +93,7 @@ public final class Scale {
    */
   public List<Row> run(Model model, List<Contender> contenders, Runnable progress)
       throws CannotPlaceException {
-    rows.clear();
+    rows = new SeriesRows(TIME, IMPACTS);
     timedOut.clear();
     warmUp(plan.scene(model, plan.sides().get(0)), contenders);
     for (int side : plan.sides()) {
@@ -80,7 +103,7 @@ public final class Scale {
           contenders.stream().filter(c -> !timedOut.contains(c)).toList());
       progress.run();
     }
-    return List.copyOf(rows);
+    return rows.all();
   }
 
   private void warmUp(Scene scene, List<Contender> contenders) {
@@ -95,76 +118,48 @@ public final class Scale {
   }
 
   private void play(String name, Scene scene, List<Contender> contenders) {
-    Map<Contender, Method> playing = new LinkedHashMap<>();
+    Map<Contender, Playing> playing = new LinkedHashMap<>();
     for (Contender contender : contenders) {
-      Method method = contender.start(scene);
-      double nanos = first(method);
-      if (nanos > TimeUnit.MILLISECONDS.toNanos(plan.limitMillis())) {
-        timedOut.add(contender);
-        add(name, contender, TIME, TIMED_OUT, nanos, "ns", 1);
-        method.close();
-      } else {
-        playing.put(contender, method);
-      }
+      start(name, scene, contender).ifPresent(started -> playing.put(contender, started));
     }
-    Map<Contender, double[]> times = new HashMap<>();
-    playing.keySet().forEach(c -> times.put(c, new double[plan.rounds()]));
-    Map<Contender, long[]> counts = new HashMap<>();
-    playing.keySet().forEach(c -> counts.put(c, new long[2]));
-    List<Contender> order = new ArrayList<>(playing.keySet());
-    for (int round = -1; round < plan.rounds(); round++) {
-      Collections.shuffle(order, random);
-      for (Contender contender : order) {
-        double nanos = round(playing.get(contender), counts.get(contender));
-        if (round >= 0) { // the one before warms up
-          times.get(contender)[round] = nanos;
-        }
-      }
+    long least = TimeUnit.MILLISECONDS.toNanos(plan.roundMillis());
+    turns.round(playing.keySet(), contender -> playing.get(contender).round(least)); // warms up
+    for (int i = 0; i < plan.rounds(); i++) {
+      int round = i;
+      turns.round(
+          playing.keySet(),
+          contender -> {
+            Playing its = playing.get(contender);
+            its.nanos[round] = its.round(least);
+          });
     }
-    playing.forEach(
-        (contender, method) -> {
-          add(name, contender, times.get(contender), counts.get(contender));
-          method.close();
-        });
+    playing.forEach((contender, its) -> end(name, contender, its));
   }
 
-  private static double first(Method method) {
+  /** Nothing if the first frame took too long. */
+  private Optional<Playing> start(String name, Scene scene, Contender contender) {
+    Method method = contender.start(scene);
+    long nanos = frame(method);
+    if (nanos <= TimeUnit.MILLISECONDS.toNanos(plan.limitMillis())) {
+      return Optional.of(new Playing(method, plan.rounds()));
+    }
+    timedOut.add(contender);
+    rows.addTime(name, contender, TIMED_OUT, (double) nanos, 1);
+    method.close();
+    return Optional.empty();
+  }
+
+  private static long frame(Method method) {
     long start = System.nanoTime();
     method.frame();
     return System.nanoTime() - start;
   }
 
-  /** The mean time of a frame; adds frames and impacts to the counts. */
-  private double round(Method method, long[] counts) {
-    long end = TimeUnit.MILLISECONDS.toNanos(plan.roundMillis());
-    long sum = 0;
-    int frames = 0;
-    while (frames == 0 || sum < end) {
-      long start = System.nanoTime();
-      method.frame();
-      sum += System.nanoTime() - start;
-      frames++;
-      counts[0]++;
-      counts[1] += Math.max(0, method.impacts()) + Math.max(0, method.wallImpacts());
+  private void end(String name, Contender contender, Playing its) {
+    rows.addTimes(name, contender, "median", SeriesRows.median(its.nanos), its.nanos);
+    if (its.impacts > 0) { // engines do not tell
+      rows.addImpacts(name, contender, its.impacts, its.frames);
     }
-    return (double) sum / frames;
-  }
-
-  private void add(String name, Contender contender, double[] times, long[] counts) {
-    double[] sorted = times.clone();
-    Arrays.sort(sorted);
-    int n = sorted.length;
-    double median = (sorted[(n - 1) / 2] + sorted[n / 2]) / 2;
-    add(name, contender, TIME, "median", median, "ns", n);
-    add(name, contender, TIME, "min", sorted[0], "ns", n);
-    add(name, contender, TIME, "max", sorted[n - 1], "ns", n);
-    if (counts[1] > 0) { // engines do not tell
-      add(name, contender, IMPACTS, "mean", (double) counts[1] / counts[0], "1", counts[0]);
-    }
-  }
-
-  private void add(
-      String name, Contender c, String metric, String stat, double value, String unit, long n) {
-    rows.add(new Row(name, c.method(), c.knob(), metric, stat, value, unit, n, 0));
+    its.method.close();
   }
 }

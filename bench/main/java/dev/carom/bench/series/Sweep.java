@@ -3,6 +3,7 @@ package dev.carom.bench.series;
 
 import dev.carom.Scene;
 import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Method;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.series.SweepPlan.Point;
@@ -11,10 +12,8 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.SplittableRandom;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
-import java.util.function.Function;
 
 /**
  * Plays the scenes of a {@link SweepPlan} by several methods in one process, which take turns in
@@ -39,22 +38,22 @@ public final class Sweep {
   private static final int LEAST_FRAMES = 5;
 
   private final SweepPlan plan;
-  private final Map<String, Function<Scene, Method>> methods;
-  private final SplittableRandom random;
-  private final List<Row> rows = new ArrayList<>();
-  private final Map<String, Map<Integer, List<Double>>> byImpacts = new LinkedHashMap<>();
+  private final List<Contender> contenders;
+  private final Turns turns;
+  private final SeriesRows rows = new SeriesRows(TIME, IMPACTS);
+  private final Map<Contender, Map<Integer, List<Double>>> byImpacts = new LinkedHashMap<>();
 
   /**
    * Prepares a sweep.
    *
    * @param plan what to play
-   * @param methods what to play it by, by label
-   * @param seed of the order in which methods take turns
+   * @param contenders what to play it by
+   * @param turns seed of the order in which methods take turns
    */
-  public Sweep(SweepPlan plan, Map<String, Function<Scene, Method>> methods, long seed) {
+  public Sweep(SweepPlan plan, List<Contender> contenders, long turns) {
     this.plan = plan;
-    this.methods = new LinkedHashMap<>(methods);
-    random = new SplittableRandom(seed);
+    this.contenders = List.copyOf(contenders);
+    this.turns = new Turns(turns);
   }
 
   /**
@@ -72,9 +71,9 @@ public final class Sweep {
       progress.run();
     }
     byImpacts.forEach(
-        (method, classes) ->
-            classes.forEach((impacts, times) -> addFrames(method, impacts, times)));
-    return rows;
+        (contender, classes) ->
+            classes.forEach((impacts, times) -> addFrames(contender, impacts, times)));
+    return rows.all();
   }
 
   private void warmUp(int millis) throws CannotPlaceException {
@@ -82,41 +81,32 @@ public final class Sweep {
     Scene scene = last.crosses().scene();
     long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(millis);
     while (System.nanoTime() < deadline) {
-      for (String method : methods.keySet()) {
-        times(method, scene);
-      }
+      contenders.forEach(contender -> replay(contender, scene));
     }
   }
 
   private void measure(Point point) throws CannotPlaceException {
     Scene scene = point.crosses().scene();
-    Map<String, double[][]> times = new LinkedHashMap<>();
-    methods.keySet().forEach(method -> times.put(method, new double[plan.replays()][]));
-    for (int replay = 0; replay < plan.replays(); replay++) {
-      for (String method : shuffled()) {
-        times.get(method)[replay] = times(method, scene);
-      }
+    Map<Contender, double[][]> nanos = new LinkedHashMap<>();
+    contenders.forEach(contender -> nanos.put(contender, new double[plan.replays()][]));
+    for (int i = 0; i < plan.replays(); i++) {
+      int replay = i;
+      turns.round(contenders, contender -> nanos.get(contender)[replay] = replay(contender, scene));
     }
     String name = SCENE + point.axis().label() + "=" + point.at();
     boolean sorted = point.axis() == SweepPlan.Axis.RADIUS;
-    times.forEach((method, replays) -> add(name, method, scene, medians(replays), sorted));
+    nanos.forEach((contender, replays) -> add(name, contender, scene, medians(replays), sorted));
   }
 
-  private List<String> shuffled() {
-    List<String> order = new ArrayList<>(methods.keySet());
-    for (int i = order.size() - 1; i > 0; i--) {
-      order.add(i, order.remove(random.nextInt(i + 1)));
-    }
-    return order;
-  }
-
-  private double[] times(String method, Scene scene) {
-    Method playing = methods.get(method).apply(scene);
+  /** The time of each frame. */
+  private double[] replay(Contender contender, Scene scene) {
     double[] nanos = new double[plan.frames()];
-    for (int frame = 0; frame < nanos.length; frame++) {
-      long start = System.nanoTime();
-      playing.frame();
-      nanos[frame] = System.nanoTime() - start;
+    try (Method method = contender.start(scene)) {
+      for (int frame = 0; frame < nanos.length; frame++) {
+        long start = System.nanoTime();
+        method.frame();
+        nanos[frame] = System.nanoTime() - start;
+      }
     }
     return nanos;
   }
@@ -124,50 +114,41 @@ public final class Sweep {
   /** Of each frame over all replays: what the machine does besides falls on few of them. */
   private double[] medians(double[][] replays) {
     double[] medians = new double[plan.frames()];
-    double[] one = new double[replays.length];
-    for (int frame = 0; frame < medians.length; frame++) {
-      for (int i = 0; i < replays.length; i++) {
-        one[i] = replays[i][frame];
-      }
-      Arrays.sort(one);
-      medians[frame] = (one[(one.length - 1) / 2] + one[one.length / 2]) / 2;
-    }
+    Arrays.setAll(
+        medians,
+        frame -> SeriesRows.median(Arrays.stream(replays).mapToDouble(r -> r[frame]).toArray()));
     return medians;
   }
 
   /** Frames are sorted by their impacts where all scenes have the same number of things. */
-  private void add(String name, String method, Scene scene, double[] nanos, boolean sorted) {
-    Method playing = methods.get(method).apply(scene);
+  private void add(String name, Contender contender, Scene scene, double[] nanos, boolean sorted) {
     long sum = 0;
-    for (double time : nanos) {
-      playing.frame();
-      int impacts = playing.impacts() + playing.wallImpacts();
-      sum += impacts;
-      if (sorted) {
-        byImpacts
-            .computeIfAbsent(method, none -> new TreeMap<>())
-            .computeIfAbsent(impacts, none -> new ArrayList<>())
-            .add(time);
+    try (Method method = contender.start(scene)) {
+      for (double time : nanos) {
+        method.frame();
+        int impacts = method.impacts() + method.wallImpacts();
+        sum += impacts;
+        if (sorted) {
+          byImpacts
+              .computeIfAbsent(contender, none -> new TreeMap<>())
+              .computeIfAbsent(impacts, none -> new ArrayList<>())
+              .add(time);
+        }
       }
     }
-    addTimes(name, method, nanos);
-    double mean = (double) sum / nanos.length;
-    rows.add(new Row(name, method, "", IMPACTS, "mean", mean, "1", nanos.length, 0));
+    addTimes(name, contender, nanos);
+    rows.addImpacts(name, contender, sum, nanos.length);
   }
 
-  private void addFrames(String method, int impacts, List<Double> times) {
+  private void addFrames(Contender contender, int impacts, List<Double> times) {
     if (times.size() >= LEAST_FRAMES) {
       String name = SCENE + BY_IMPACTS + "=" + impacts;
-      addTimes(name, method, times.stream().mapToDouble(t -> t).toArray());
+      addTimes(name, contender, times.stream().mapToDouble(t -> t).toArray());
     }
   }
 
-  private void addTimes(String name, String method, double[] nanos) {
+  private void addTimes(String name, Contender contender, double[] nanos) {
     double mean = Arrays.stream(nanos).average().orElse(Double.NaN);
-    double least = Arrays.stream(nanos).min().orElse(Double.NaN);
-    double most = Arrays.stream(nanos).max().orElse(Double.NaN);
-    rows.add(new Row(name, method, "", TIME, "mean", mean, "ns", nanos.length, 0));
-    rows.add(new Row(name, method, "", TIME, "min", least, "ns", nanos.length, 0));
-    rows.add(new Row(name, method, "", TIME, "max", most, "ns", nanos.length, 0));
+    rows.addTimes(name, contender, "mean", mean, nanos);
   }
 }

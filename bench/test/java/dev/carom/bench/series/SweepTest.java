@@ -10,7 +10,6 @@ import dev.carom.bench.results.Row;
 import dev.carom.bench.series.SweepPlan.Axis;
 import dev.carom.bench.series.SweepPlan.Point;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
@@ -52,7 +51,7 @@ class SweepTest {
     List<Point> few = all.points().stream().filter(p -> p.at() == 5).toList();
     AtomicInteger steps = new AtomicInteger();
     List<Row> rows =
-        new Sweep(new SweepPlan(60, 3, few), Map.of("carom", Methods.CAROM::start), 7)
+        new Sweep(new SweepPlan(60, 3, few), List.of(Methods.CAROM), 7)
             .run(0, steps::incrementAndGet);
 
     assertThat(steps).hasValue(2);
