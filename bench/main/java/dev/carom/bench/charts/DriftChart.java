@@ -29,7 +29,7 @@ public final class DriftChart {
   private final String title;
   private final String subtitle;
   private final Marks marks;
-  private final Map<String, List<Course>> panels;
+  private final Map<String, List<Curve>> panels;
   private final Map<String, Double> horizons;
   private final double limit;
 
@@ -49,7 +49,7 @@ public final class DriftChart {
       String title,
       String subtitle,
       Marks marks,
-      Map<String, List<Course>> panels,
+      Map<String, List<Curve>> panels,
       Map<String, Double> horizons,
       double limit) {
     this.title = title;
@@ -75,7 +75,7 @@ public final class DriftChart {
     double top = Heading.draw(g, width, title, subtitle);
     double each = (height - top - 6) / panels.size();
     boolean first = true;
-    for (Map.Entry<String, List<Course>> panel : panels.entrySet()) {
+    for (Map.Entry<String, List<Curve>> panel : panels.entrySet()) {
       Rectangle2D where = new Rectangle2D.Double(10, top + TITLE, width - 20, each - TITLE - 4);
       g.setFont(Style.bold(13));
       g.setColor(Style.INK);
@@ -95,11 +95,11 @@ public final class DriftChart {
     return name;
   }
 
-  private void panel(Graphics2D g, Rectangle2D where, List<Course> courses, boolean first) {
-    NumberAxis frames = CoursePanel.places(courses, "frame");
-    DecadeAxis heights = CoursePanel.heights(courses, null, DriftChart::power);
+  private void panel(Graphics2D g, Rectangle2D where, List<Curve> curves, boolean first) {
+    NumberAxis frames = CurvePanel.places(curves, "frame");
+    DecadeAxis heights = CurvePanel.heights(curves, null, DriftChart::power);
     double names = Math.min(NAMES, 0.36 * where.getWidth());
-    Axes axes = CoursePanel.draw(g, where, names, frames, heights, marks, courses);
+    Axes axes = CurvePanel.draw(g, where, names, frames, heights, marks, curves);
     if (!Double.isNaN(limit)) {
       horizon(g, axes, limit, Style.QUIET, axes.area().getMinY());
     }

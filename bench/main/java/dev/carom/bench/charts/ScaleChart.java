@@ -24,7 +24,7 @@ public final class ScaleChart {
   private final String title;
   private final String subtitle;
   private final Marks marks;
-  private final Map<String, List<Course>> panels;
+  private final Map<String, List<Curve>> panels;
   private final double limit;
 
   /**
@@ -37,7 +37,7 @@ public final class ScaleChart {
    * @param limit the time of a frame that is too long, in nanoseconds
    */
   public ScaleChart(
-      String title, String subtitle, Marks marks, Map<String, List<Course>> panels, double limit) {
+      String title, String subtitle, Marks marks, Map<String, List<Curve>> panels, double limit) {
     this.title = title;
     this.subtitle = subtitle;
     this.marks = marks;
@@ -62,7 +62,7 @@ public final class ScaleChart {
     double top = Heading.draw(g, whole, title, subtitle);
     double width = (whole - 20.0) / columns;
     int i = 0;
-    for (Map.Entry<String, List<Course>> panel : panels.entrySet()) {
+    for (Map.Entry<String, List<Curve>> panel : panels.entrySet()) {
       double x = 10 + i % columns * width;
       int row = i / columns;
       double y = top + row * (PANEL - 4.0);
@@ -75,18 +75,18 @@ public final class ScaleChart {
     }
   }
 
-  private void panel(Graphics2D g, Rectangle2D where, List<Course> courses) {
-    boolean timeOut = courses.stream().anyMatch(ScaleChart::isCut);
+  private void panel(Graphics2D g, Rectangle2D where, List<Curve> curves) {
+    boolean timeOut = curves.stream().anyMatch(ScaleChart::isCut);
     double[] others = timeOut ? new double[] {limit} : new double[0];
     DecadeAxis circles =
         DecadeAxis.covering(
-            courses.stream().flatMapToDouble(c -> Arrays.stream(c.x())), ScaleChart::count);
-    DecadeAxis times = CoursePanel.heights(courses, null, v -> Durations.text(v, 1), others);
-    Axes axes = CoursePanel.draw(g, where, NAMES, circles, times, marks, courses);
-    for (Course course : courses) {
-      for (int i = 0; i < course.x().length; i++) {
-        if (Double.isNaN(course.middle()[i])) {
-          marks.drawFailure(g, course.method(), axes.x(course.x()[i]), axes.y(limit));
+            curves.stream().flatMapToDouble(c -> Arrays.stream(c.x())), ScaleChart::count);
+    DecadeAxis times = CurvePanel.heights(curves, null, v -> Durations.text(v, 1), others);
+    Axes axes = CurvePanel.draw(g, where, NAMES, circles, times, marks, curves);
+    for (Curve curve : curves) {
+      for (int i = 0; i < curve.x().length; i++) {
+        if (Double.isNaN(curve.middle()[i])) {
+          marks.drawFailure(g, curve.method(), axes.x(curve.x()[i]), axes.y(limit));
         }
       }
     }
@@ -99,7 +99,7 @@ public final class ScaleChart {
         : n < 1e6 ? Durations.number(n / 1e3, 1) + "k" : Durations.number(n / 1e6, 1) + "M";
   }
 
-  private static boolean isCut(Course course) {
-    return Arrays.stream(course.middle()).anyMatch(Double::isNaN);
+  private static boolean isCut(Curve curve) {
+    return Arrays.stream(curve.middle()).anyMatch(Double::isNaN);
   }
 }

@@ -24,7 +24,7 @@ public final class SweepChart {
   private final String title;
   private final String subtitle;
   private final Marks marks;
-  private final Map<String, List<Course>> panels;
+  private final Map<String, List<Curve>> panels;
   private final double goal;
   private final double published;
 
@@ -42,7 +42,7 @@ public final class SweepChart {
       String title,
       String subtitle,
       Marks marks,
-      Map<String, List<Course>> panels,
+      Map<String, List<Curve>> panels,
       double goal,
       double published) {
     this.title = title;
@@ -71,23 +71,23 @@ public final class SweepChart {
     double top = Heading.draw(g, whole, title, subtitle);
     int rows = (panels.size() + columns - 1) / columns;
     double each = (height - top - 8) / rows;
-    List<Course> all = panels.values().stream().flatMap(List::stream).toList();
+    List<Curve> all = panels.values().stream().flatMap(List::stream).toList();
     double width = (whole - 20.0) / columns;
     int i = 0;
-    for (Map.Entry<String, List<Course>> panel : panels.entrySet()) {
+    for (Map.Entry<String, List<Curve>> panel : panels.entrySet()) {
       double x = 10 + i % columns * width;
       int row = i / columns;
       double y = top + row * each;
       g.setFont(Style.bold(13));
       g.setColor(Style.INK);
       g.drawString("against " + panel.getKey(), (float) x + 6, (float) y + 15);
-      DecadeAxis times = CoursePanel.heights(all, null, v -> Durations.text(v, 1), goal, published);
+      DecadeAxis times = CurvePanel.heights(all, null, v -> Durations.text(v, 1), goal, published);
       Axes axes =
-          CoursePanel.draw(
+          CurvePanel.draw(
               g,
               new Rectangle2D.Double(x, y + TITLE, width - 6, each - TITLE - 8),
               NAMES,
-              CoursePanel.places(panel.getValue(), null),
+              CurvePanel.places(panel.getValue(), null),
               times,
               marks,
               panel.getValue());

@@ -2,9 +2,9 @@
 package dev.carom.bench.cli;
 
 import dev.carom.bench.experiment.CannotPlaceException;
-import dev.carom.bench.hash.GoldenRun;
-import dev.carom.bench.hash.RunHash;
-import dev.carom.bench.hash.StoredHashes;
+import dev.carom.bench.replay.GoldenRun;
+import dev.carom.bench.replay.RunHash;
+import dev.carom.bench.replay.StoredHashes;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.util.ArrayList;

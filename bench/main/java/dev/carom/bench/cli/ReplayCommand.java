@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
-import dev.carom.RungCounts;
 import dev.carom.Scene;
 import dev.carom.bench.charts.Pictures;
 import dev.carom.bench.experiment.CannotPlaceException;
-import dev.carom.bench.hash.RunHash;
+import dev.carom.bench.methods.RungCounts;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.replay.ReplayJson;
 import dev.carom.bench.replay.ReplayPlan;
 import dev.carom.bench.replay.ReplayResult;
 import dev.carom.bench.replay.ReplayRun;
 import dev.carom.bench.replay.ReplayTable;
+import dev.carom.bench.replay.RunHash;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;

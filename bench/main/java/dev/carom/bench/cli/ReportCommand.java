@@ -9,9 +9,8 @@ import dev.carom.bench.report.ReportRun;
 import dev.carom.bench.results.Metadata;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.ResultsJson;
-import dev.carom.bench.scale.ScalePart;
+import dev.carom.bench.series.SeriesParts;
 import dev.carom.bench.stability.StabilityPart;
-import dev.carom.bench.sweep.SweepPart;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -115,10 +114,10 @@ final class ReportCommand implements Callable<Integer> {
   private List<Part> chosen() {
     List<Part> parts = new ArrayList<>(Parts.of(quick));
     for (int fork = 0; fork < Parts.FORKS; fork++) {
-      parts.add(SweepPart.of(fork, quick));
+      parts.add(SeriesParts.sweep(fork, quick));
     }
     for (int fork = 0; fork < Parts.FORKS; fork++) {
-      parts.add(ScalePart.of(fork, quick));
+      parts.add(SeriesParts.scale(fork, quick));
     }
     parts.addAll(StabilityPart.all(quick));
     try {

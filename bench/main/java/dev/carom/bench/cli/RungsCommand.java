@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
-import dev.carom.bench.rungs.RungShare;
-import dev.carom.bench.rungs.RungSurvey;
-import dev.carom.bench.rungs.RungTable;
+import dev.carom.bench.measures.RungShare;
+import dev.carom.bench.measures.RungSurvey;
+import dev.carom.bench.measures.RungTable;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.cli;
 
-import dev.carom.Scene;
 import dev.carom.bench.experiment.CannotPlaceException;
-import dev.carom.bench.methods.Method;
+import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Methods;
 import dev.carom.bench.report.Origin;
 import dev.carom.bench.report.SweepFigures;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Row;
-import dev.carom.bench.sweep.Sweep;
-import dev.carom.bench.sweep.SweepPlan;
+import dev.carom.bench.series.Sweep;
+import dev.carom.bench.series.SweepPlan;
 import java.io.IOException;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
-import java.util.function.Function;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -86,11 +83,9 @@ final class SweepCommand implements Callable<Integer> {
   }
 
   private List<Row> measure(SweepPlan plan) throws CannotPlaceException {
-    Map<String, Function<Scene, Method>> methods = new LinkedHashMap<>();
-    methods.put("carom", Methods.CAROM::start);
-    methods.put("poster", Methods.POSTER::start);
+    List<Contender> contenders = List.of(Methods.CAROM, Methods.POSTER);
     try (Progress progress = Progress.start("sweep", plan.points().size())) {
-      return new Sweep(plan, methods, series.turns()).run(warmUpMillis, progress::step);
+      return new Sweep(plan, contenders, series.turns()).run(warmUpMillis, progress::step);
     }
   }
 }

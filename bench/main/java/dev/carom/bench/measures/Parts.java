@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
-import dev.carom.RungCounts;
 import dev.carom.bench.methods.Contender;
-import dev.carom.bench.methods.LineTests;
+import dev.carom.bench.methods.LineContender;
+import dev.carom.bench.methods.RungCounts;
 import dev.carom.bench.peers.Contenders;
 import java.util.ArrayList;
 import java.util.List;
@@ -96,13 +96,12 @@ public final class Parts {
   }
 
   private static Part queryTimes(int fork, boolean quick) {
-    List<String> tests =
-        LineTests.all().stream()
-            .map(LineTests::id)
+    List<String> ids =
+        LineContender.all().stream()
+            .map(LineContender::id)
             .filter(id -> !quick || !(BETWEEN.contains(id) || LATER.contains(id)))
             .toList();
-    return new QueryTimePart(
-        fork, tests, quick ? QUICK_QUERY_WARM_UP_MILLIS : QUERY_WARM_UP_MILLIS);
+    return new QueryTimePart(fork, ids, quick ? QUICK_QUERY_WARM_UP_MILLIS : QUERY_WARM_UP_MILLIS);
   }
 
   private static Part frameTimes(String scene, int fork, boolean quick) {

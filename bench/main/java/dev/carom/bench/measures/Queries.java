@@ -123,26 +123,26 @@ final class Queries {
   }
 
   private static void recordAll(Scene scene, List<SegmentQuery> queries) {
-    Course course = Course.play(Methods.CAROM, scene, Subjects.FRAMES);
-    for (int frame = 0; frame <= course.frames(); frame++) {
-      for (int i = 0; i < course.circles(); i++) {
-        record(scene, course, frame, i, queries);
+    RecordedRun run = RecordedRun.play(Methods.CAROM, scene, Subjects.FRAMES);
+    for (int frame = 0; frame <= run.frames(); frame++) {
+      for (int i = 0; i < run.circles(); i++) {
+        record(scene, run, frame, i, queries);
       }
     }
   }
 
   private static void record(
-      Scene scene, Course course, int frame, int i, List<SegmentQuery> queries) {
-    double x = course.x(frame, i);
-    double y = course.y(frame, i);
+      Scene scene, RecordedRun run, int frame, int i, List<SegmentQuery> queries) {
+    double x = run.x(frame, i);
+    double y = run.y(frame, i);
     double r = scene.circle(i).radius();
-    double reach = r + course.speed(frame, i);
+    double reach = r + run.speed(frame, i);
     for (int k = 0; k < scene.lineCount(); k++) {
       Line line = scene.line(k);
       Vec2 closest = line.closestPoint(new Vec2(x, y));
       if (Math.hypot(closest.x() - x, closest.y() - y) <= reach) {
-        double vx = course.vx(frame, i);
-        double vy = course.vy(frame, i);
+        double vx = run.vx(frame, i);
+        double vy = run.vy(frame, i);
         queries.add(
             new SegmentQuery(line.ax(), line.ay(), line.bx(), line.by(), x, y, r, vx, vy, 1));
       }

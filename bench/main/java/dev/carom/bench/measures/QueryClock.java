@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
-import dev.carom.bench.methods.LineTest;
-import dev.carom.bench.methods.LineTests;
+import dev.carom.bench.methods.LineContender;
+import dev.carom.bench.methods.LineDetector;
 import dev.carom.oracle.SegmentQuery;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -29,11 +29,11 @@ final class QueryClock {
   @SuppressWarnings("UnusedVariable")
   private static volatile double sink;
 
-  private final LineTest test;
+  private final LineDetector detector;
   private final Map<String, double[]> queries = new LinkedHashMap<>();
 
-  private QueryClock(LineTest test) {
-    this.test = test;
+  private QueryClock(LineDetector detector) {
+    this.detector = detector;
     for (String name : Queries.classes()) {
       queries.put(name, flat(Queries.draw(name, QUERIES)));
     }
@@ -42,10 +42,10 @@ final class QueryClock {
   /**
    * Prints a line for each class: its name and the nanoseconds of a question.
    *
-   * @param arguments the id of one of the {@link LineTests}, and the milliseconds of the warm-up
+   * @param arguments the id of a {@link LineContender}, and the milliseconds of the warm-up
    */
   public static void main(String[] arguments) {
-    QueryClock clock = new QueryClock(LineTests.byId(arguments[0]).test());
+    QueryClock clock = new QueryClock(LineContender.byId(arguments[0]).detector());
     clock.warmUp(Long.parseLong(arguments[1]));
     clock.measure().forEach((name, nanos) -> System.out.println(name + " " + nanos));
   }
@@ -85,7 +85,7 @@ final class QueryClock {
     double sum = 0;
     for (int i = 0; i < q.length; i += NUMBERS) {
       sum +=
-          test.time(
+          detector.time(
               q[i + 4], q[i + 5], q[i + 6], q[i + 7], q[i + 8], q[i], q[i + 1], q[i + 2], q[i + 3],
               q[i + 9]);
     }

@@ -2,8 +2,8 @@
 package dev.carom.bench.measures;
 
 import dev.carom.bench.methods.Contender;
-import dev.carom.bench.methods.LineTest;
-import dev.carom.bench.methods.LineTests;
+import dev.carom.bench.methods.LineContender;
+import dev.carom.bench.methods.LineDetector;
 import dev.carom.bench.results.Row;
 import dev.carom.oracle.Contact;
 import dev.carom.oracle.SegmentQuery;
@@ -32,26 +32,28 @@ record QueryPart(String name, int count) implements Part {
     List<SegmentQuery> queries = Queries.draw(name, count);
     List<Contact> truths = queries.stream().map(SegmentQuery::truth).toList();
     List<Row> rows = new ArrayList<>();
-    for (LineTests tests : LineTests.all()) {
-      rows.addAll(judge(trial(name, tests, Trial.ANY_FORK), tests.test(), queries, truths));
+    for (LineContender contender : LineContender.all()) {
+      rows.addAll(
+          judge(trial(name, contender, Trial.ANY_FORK), contender.detector(), queries, truths));
     }
     return rows;
   }
 
-  static Trial trial(String name, LineTests tests, int fork) {
-    Contender contender = new Contender(tests.id(), tests.method(), tests.knob(), null);
+  static Trial trial(String name, LineContender line, int fork) {
+    Contender contender = new Contender(line.id(), line.method(), line.knob(), null);
     return new Trial("query:" + name, contender, fork);
   }
 
   static List<Row> judge(
-      Trial trial, LineTest test, List<SegmentQuery> queries, List<Contact> truths) {
-    Verdict verdict = new Verdict();
+      Trial trial, LineDetector detector, List<SegmentQuery> queries, List<Contact> truths) {
+    AnswerErrors errors = new AnswerErrors();
     for (int i = 0; i < queries.size(); i++) {
       SegmentQuery q = queries.get(i);
       double time =
-          test.time(q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by(), q.end());
-      verdict.add(truths.get(i), time);
+          detector.time(
+              q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by(), q.end());
+      errors.add(truths.get(i), time);
     }
-    return verdict.rows(trial);
+    return errors.rows(trial);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
-import dev.carom.bench.methods.LineTests;
+import dev.carom.bench.methods.LineContender;
 import dev.carom.bench.results.Row;
 import java.io.IOException;
 import java.io.InputStream;
@@ -28,24 +28,24 @@ record QueryTimePart(int fork, List<String> ids, int warmUpMillis) implements Pa
 
   @Override
   public List<Row> run() {
-    List<LineTests> order = new ArrayList<>(ids.stream().map(LineTests::byId).toList());
+    List<LineContender> order = new ArrayList<>(ids.stream().map(LineContender::byId).toList());
     Collections.shuffle(order, new Random(fork));
     List<Row> rows = new ArrayList<>();
-    for (LineTests tests : order) {
-      rows.addAll(rowsOf(tests));
+    for (LineContender contender : order) {
+      rows.addAll(rowsOf(contender));
     }
     return rows;
   }
 
-  List<Row> rowsOf(LineTests tests) {
+  List<Row> rowsOf(LineContender contender) {
     try {
-      return start(tests)
+      return start(contender)
           .lines()
           .filter(line -> line.matches(QueryClock.LINE))
           .map(line -> line.split(" "))
           .map(
               words ->
-                  QueryPart.trial(words[0], tests, fork)
+                  QueryPart.trial(words[0], contender, fork)
                       .row(
                           "query_time",
                           "median",
@@ -54,26 +54,27 @@ record QueryTimePart(int fork, List<String> ids, int warmUpMillis) implements Pa
                           QueryClock.QUERIES))
           .toList();
     } catch (IOException e) {
-      return List.of(QueryPart.trial("all", tests, fork).failure(e));
+      return List.of(QueryPart.trial("all", contender, fork).failure(e));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return List.of(QueryPart.trial("all", tests, fork).failure("interrupted"));
+      return List.of(QueryPart.trial("all", contender, fork).failure("interrupted"));
     }
   }
 
-  private String start(LineTests tests) throws IOException, InterruptedException {
+  private String start(LineContender contender) throws IOException, InterruptedException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
     command.addAll(List.of("-cp", System.getProperty("java.class.path")));
-    command.addAll(List.of(QueryClock.class.getName(), tests.id(), Integer.toString(warmUpMillis)));
+    command.addAll(
+        List.of(QueryClock.class.getName(), contender.id(), Integer.toString(warmUpMillis)));
     Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
     try (InputStream out = process.getInputStream()) {
       String text = new String(out.readAllBytes(), StandardCharsets.UTF_8);
       int exit = process.waitFor();
       if (exit != 0) {
         String reason = text.lines().findFirst().orElse("exit code " + exit);
-        throw new IOException("the clock of " + tests.id() + " failed: " + reason);
+        throw new IOException("the clock of " + contender.id() + " failed: " + reason);
       }
       return text;
     } finally {

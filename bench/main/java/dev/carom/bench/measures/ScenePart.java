@@ -35,20 +35,20 @@ record ScenePart(String scene, Contender contender) implements Part {
   }
 
   static List<Row> measure(Trial trial, Subject subject) {
-    Course course = Course.play(trial.contender(), subject.scene(), subject.frames());
+    RecordedRun run = RecordedRun.play(trial.contender(), subject.scene(), subject.frames());
     List<Row> rows = new ArrayList<>();
-    course.failure().ifPresent(reason -> rows.add(trial.failure(reason)));
+    run.failure().ifPresent(reason -> rows.add(trial.failure(reason)));
     subject
         .reference()
         .ifPresent(
             reference -> {
               rows.addAll(FrameError.rows(trial, subject, reference));
-              rows.addAll(new Trajectory(subject.scene(), course, reference).rows(trial));
+              rows.addAll(new TrajectoryError(subject.scene(), run, reference).rows(trial));
             });
-    rows.addAll(new Solidity(subject.scene(), course).rows(trial));
-    rows.addAll(new Energy(course).rows(trial));
-    rows.addAll(new Reversal(trial.contender(), subject.scene()).rows(trial));
-    rows.addAll(course.counters().rows(trial));
+    rows.addAll(new Solidity(subject.scene(), run).rows(trial));
+    rows.addAll(new Energy(run).rows(trial));
+    rows.addAll(new ReversalError(trial.contender(), subject.scene()).rows(trial));
+    rows.addAll(run.counters().rows(trial));
     return rows;
   }
 }

@@ -24,36 +24,36 @@ final class Solidity {
   private static final double MARGIN = 1 + 1e-6;
 
   private final Scene scene;
-  private final Course course;
+  private final RecordedRun run;
 
-  Solidity(Scene scene, Course course) {
+  Solidity(Scene scene, RecordedRun run) {
     this.scene = scene;
-    this.course = course;
+    this.run = run;
   }
 
   List<Row> rows(Trial trial) {
     List<Row> rows = new ArrayList<>();
-    long n = (long) course.frames() * course.circles();
+    long n = (long) run.frames() * run.circles();
     rows.add(trial.row("penetration", "max", deepest(), Trial.RADII, n));
-    rows.add(trial.row("tunnelled", "circles", tunnelled(), Trial.ONE, course.circles()));
-    rows.add(trial.row("escaped", "circles", escaped(0), Trial.ONE, course.circles()));
-    int end = course.frames();
-    rows.add(trial.row("outside_at_end", "circles", escaped(end), Trial.ONE, course.circles()));
-    rows.addAll(Drift.rows(trial, "drift_penetration", Trial.RADII, course.frames(), this::depths));
+    rows.add(trial.row("tunnelled", "circles", tunnelled(), Trial.ONE, run.circles()));
+    rows.add(trial.row("escaped", "circles", escaped(0), Trial.ONE, run.circles()));
+    int end = run.frames();
+    rows.add(trial.row("outside_at_end", "circles", escaped(end), Trial.ONE, run.circles()));
+    rows.addAll(Drift.rows(trial, "drift_penetration", Trial.RADII, run.frames(), this::depths));
     return rows;
   }
 
   private double deepest() {
     double deepest = 0;
-    for (int frame = 1; frame <= course.frames(); frame++) {
+    for (int frame = 1; frame <= run.frames(); frame++) {
       deepest = Math.max(deepest, new Quantiles(depths(frame)).max());
     }
     return deepest;
   }
 
   private double[] depths(int frame) {
-    double[] depths = new double[course.circles()];
-    Arrays.setAll(depths, i -> depth(course.x(frame, i), course.y(frame, i), i));
+    double[] depths = new double[run.circles()];
+    Arrays.setAll(depths, i -> depth(run.x(frame, i), run.y(frame, i), i));
     return depths;
   }
 
@@ -88,31 +88,31 @@ final class Solidity {
   /** How many are outside of the bounds after that frame or later; NaN if the run did not end. */
   private double escaped(int from) {
     int count = 0;
-    for (int i = 0; i < course.circles(); i++) {
+    for (int i = 0; i < run.circles(); i++) {
       boolean inside = true;
-      for (int frame = from; frame <= course.frames() && inside; frame++) {
-        inside = isInside(course.x(frame, i), course.y(frame, i));
+      for (int frame = from; frame <= run.frames() && inside; frame++) {
+        inside = isInside(run.x(frame, i), run.y(frame, i));
       }
       count += inside ? 0 : 1;
     }
-    return course.failure().isPresent() ? Double.NaN : count;
+    return run.failure().isPresent() ? Double.NaN : count;
   }
 
   /** NaN if the run did not end. */
   private double tunnelled() {
     int count = 0;
-    for (int i = 0; i < course.circles(); i++) {
+    for (int i = 0; i < run.circles(); i++) {
       boolean passed = false;
-      for (int frame = 1; frame <= course.frames() && !passed; frame++) {
+      for (int frame = 1; frame <= run.frames() && !passed; frame++) {
         passed = passesSomeLine(frame, i);
       }
       count += passed ? 1 : 0;
     }
-    return course.failure().isPresent() ? Double.NaN : count;
+    return run.failure().isPresent() ? Double.NaN : count;
   }
 
   private boolean passesSomeLine(int frame, int i) {
-    double travel = MARGIN * Math.max(course.speed(frame - 1, i), course.speed(frame, i));
+    double travel = MARGIN * Math.max(run.speed(frame - 1, i), run.speed(frame, i));
     for (int k = 0; k < scene.lineCount(); k++) {
       Line line = scene.line(k);
       if (isBetween(line, frame, i)
@@ -128,10 +128,10 @@ final class Solidity {
   private boolean isBetween(Line line, int frame, int i) {
     double wx = line.bx() - line.ax();
     double wy = line.by() - line.ay();
-    double px = course.x(frame - 1, i) - line.ax();
-    double py = course.y(frame - 1, i) - line.ay();
-    double vx = course.x(frame, i) - course.x(frame - 1, i);
-    double vy = course.y(frame, i) - course.y(frame - 1, i);
+    double px = run.x(frame - 1, i) - line.ax();
+    double py = run.y(frame - 1, i) - line.ay();
+    double vx = run.x(frame, i) - run.x(frame - 1, i);
+    double vy = run.y(frame, i) - run.y(frame - 1, i);
     double before = wx * py - wy * px;
     double after = before + wx * vy - wy * vx;
     double share = before / (before - after);
@@ -141,7 +141,7 @@ final class Solidity {
 
   /** The shortest way between the two places that passes by an end of the line. */
   private double detour(double ex, double ey, int frame, int i) {
-    return Math.hypot(course.x(frame - 1, i) - ex, course.y(frame - 1, i) - ey)
-        + Math.hypot(course.x(frame, i) - ex, course.y(frame, i) - ey);
+    return Math.hypot(run.x(frame - 1, i) - ex, run.y(frame - 1, i) - ey)
+        + Math.hypot(run.x(frame, i) - ex, run.y(frame, i) - ey);
   }
 }

@@ -41,19 +41,19 @@ final class States {
   }
 
   /** The same obstacles, and circles where a run has them after a frame, flying back. */
-  static Scene reversed(Scene scene, Course course, int frame) {
+  static Scene reversed(Scene scene, RecordedRun run, int frame) {
     return with(
         scene,
         new State() {
           @Override
           public Circle circle(int i) {
             double r = scene.circle(i).radius();
-            return new Circle(course.x(frame, i), course.y(frame, i), r);
+            return new Circle(run.x(frame, i), run.y(frame, i), r);
           }
 
           @Override
           public Vec2 velocity(int i) {
-            return new Vec2(-course.vx(frame, i), -course.vy(frame, i));
+            return new Vec2(-run.vx(frame, i), -run.vy(frame, i));
           }
         });
   }

@@ -37,8 +37,8 @@ record UlpPart(String scene) implements Part {
         .reference()
         .map(
             reference -> {
-              Course course = Course.play(NUDGED, subject.scene(), subject.frames());
-              return new Trajectory(subject.scene(), course, reference)
+              RecordedRun run = RecordedRun.play(NUDGED, subject.scene(), subject.frames());
+              return new TrajectoryError(subject.scene(), run, reference)
                   .rows(new Trial(scene, NUDGED));
             })
         .orElse(List.of());

@@ -3,7 +3,6 @@ package dev.carom.bench.methods;
 
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
-import dev.carom.RungCounts;
 import dev.carom.Scene;
 import dev.carom.World;
 

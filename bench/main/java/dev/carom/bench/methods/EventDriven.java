@@ -7,7 +7,7 @@ import java.util.Arrays;
 /**
  * The event-driven loop without a grid: after each impact a circle asks every line for the next
  * one, and until then it is not looked at. Every impact of a frame is resolved at its own moment.
- * Which test answers is the knob.
+ * Which detector answers is the knob.
  *
  * <p>A circle's arrays hold the start of its flight; {@code age} is the time since then.
  */
@@ -22,14 +22,14 @@ final class EventDriven extends PlainMethod {
   private static final int WALL_X = -1;
   private static final int WALL_Y = -2;
 
-  private final LineTest test;
+  private final LineDetector detector;
   private final double[] age;
   private final double[] due;
   private final int[] hit;
 
-  EventDriven(Scene scene, LineTest test) {
+  EventDriven(Scene scene, LineDetector detector) {
     super(PlainScene.checkCircles(scene));
-    this.test = test;
+    this.detector = detector;
     age = new double[circles];
     due = new double[circles];
     hit = new int[circles];
@@ -40,8 +40,8 @@ final class EventDriven extends PlainMethod {
   public void frame() {
     impacts = 0;
     wallImpacts = 0;
-    test.squareRoots = 0;
-    test.pairTests = 0;
+    detector.squareRoots = 0;
+    detector.pairTests = 0;
     for (int i = 0; i < circles; i++) {
       age[i] += 1;
       int atOnce = 0;
@@ -94,7 +94,8 @@ final class EventDriven extends PlainMethod {
     double first = Math.min(wallX, wallY);
     int what = wallX <= wallY ? WALL_X : WALL_Y;
     for (int k = 0; k < lines; k++) {
-      double t = test.time(x[i], y[i], radius[i], vx[i], vy[i], ax[k], ay[k], bx[k], by[k], first);
+      double t =
+          detector.time(x[i], y[i], radius[i], vx[i], vy[i], ax[k], ay[k], bx[k], by[k], first);
       if (t < first) {
         first = t;
         what = k;
@@ -123,11 +124,11 @@ final class EventDriven extends PlainMethod {
 
   @Override
   public int squareRoots() {
-    return test.squareRoots;
+    return detector.squareRoots;
   }
 
   @Override
   public long pairTests() {
-    return test.pairTests;
+    return detector.pairTests;
   }
 }

@@ -21,7 +21,7 @@ public final class Methods {
 
   /** The quadratic of the textbooks in float, event-driven. */
   public static final Contender TEXTBOOK_FLOAT =
-      new Contender("textbook-float", "textbook-float", "", TextbookFloat::new);
+      new Contender("textbook-float", "textbook-float", "", EventDrivenFloat::new);
 
   /** The quadratic of the textbooks in double, event-driven. */
   public static final Contender TEXTBOOK_DOUBLE =
@@ -29,7 +29,7 @@ public final class Methods {
           "textbook-double",
           "textbook-double",
           "",
-          scene -> new EventDriven(scene, new TextbookTest()));
+          scene -> new EventDriven(scene, new TextbookDetector()));
 
   /** The overlap test at the end of the frame: one substep. */
   public static final Contender OVERLAP =
@@ -84,6 +84,6 @@ public final class Methods {
         String.format(Locale.ROOT, "advancement-1e%d", exponent),
         "advancement",
         String.format(Locale.ROOT, "tolerance=1e%d", exponent),
-        scene -> new EventDriven(scene, new AdvancementTest(tolerance)));
+        scene -> new EventDriven(scene, new AdvancementDetector(tolerance)));
   }
 }

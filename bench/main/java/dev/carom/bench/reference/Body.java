@@ -26,7 +26,7 @@ final class Body {
   Object last;
 
   Tangents tangents;
-  Course course;
+  CircleFrames course;
 
   private boolean inDoubles;
 
@@ -43,7 +43,7 @@ final class Body {
     v = Vec.of(velocity.x(), velocity.y(), bits);
     t = Ball.of(0, bits);
     tangents = new Tangents(values, first, circle.x(), circle.y(), velocity.x(), velocity.y());
-    course = new Course(frames);
+    course = new CircleFrames(frames);
   }
 
   /** From now on each flight starts at the doubles that are nearest to its place. */
@@ -69,7 +69,7 @@ final class Body {
     v = v.negate();
     t = Ball.of(0, bits);
     last = null;
-    course = new Course(frames);
+    course = new CircleFrames(frames);
   }
 
   boolean isAtRest() {

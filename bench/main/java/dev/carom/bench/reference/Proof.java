@@ -13,7 +13,7 @@ import java.util.function.IntFunction;
  * @param hits the impacts in their order
  * @param courses what each circle did
  */
-record Proof(int bits, int needed, List<Hit> hits, List<Course> courses) {
+record Proof(int bits, int needed, List<Hit> hits, List<CircleFrames> courses) {
 
   private static final int FIRST_BITS = 128;
   private static final int MOST_BITS = 1 << 15;

@@ -53,8 +53,8 @@ final class ReferenceReader {
   }
 
   private static Stretch readStretch(int start, int end, DataInputStream in) throws IOException {
-    double[] heads = new double[Course.TAILS];
-    float[] tails = new float[Course.TAILS];
+    double[] heads = new double[CircleFrames.TAILS];
+    float[] tails = new float[CircleFrames.TAILS];
     for (int i = 0; i < heads.length; i++) {
       heads[i] = in.readDouble();
     }

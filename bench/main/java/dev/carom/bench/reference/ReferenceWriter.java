@@ -43,7 +43,7 @@ final class ReferenceWriter {
   }
 
   /** As few as give each state to the last bit. */
-  static List<Stretch> stretches(Course course) {
+  static List<Stretch> stretches(CircleFrames course) {
     List<Stretch> stretches = new ArrayList<>();
     Stretch last = null;
     for (int frame = 0; frame < course.states.length; frame++) {

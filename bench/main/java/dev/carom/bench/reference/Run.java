@@ -47,7 +47,7 @@ final class Run {
     return bodies[i];
   }
 
-  List<Course> courses() {
+  List<CircleFrames> courses() {
     return Arrays.stream(bodies).map(body -> body.course).toList();
   }
 

@@ -22,13 +22,13 @@ final class Stretch {
   }
 
   /** At the first frame of a course that it is to tell of. */
-  static Stretch of(Course course, int frame) {
-    double[] heads = new double[Course.TAILS];
-    float[] tails = new float[Course.TAILS];
-    for (int i = 0; i < Course.TAILS; i++) {
+  static Stretch of(CircleFrames course, int frame) {
+    double[] heads = new double[CircleFrames.TAILS];
+    float[] tails = new float[CircleFrames.TAILS];
+    for (int i = 0; i < CircleFrames.TAILS; i++) {
       heads[i] = course.states[frame][i];
       // + 0 turns -0, what is left of a tie, into 0.
-      tails[i] = (float) course.states[frame][Course.TAILS + i] + 0f;
+      tails[i] = (float) course.states[frame][CircleFrames.TAILS + i] + 0f;
     }
     return new Stretch(frame, heads, tails);
   }
@@ -49,7 +49,7 @@ final class Stretch {
   }
 
   /** Whether it gives the very state of a course at a frame. */
-  boolean tells(Course course, int frame) {
+  boolean tells(CircleFrames course, int frame) {
     double[] state = course.states[frame];
     return state[0] == place(0, frame)
         && state[1] == place(1, frame)

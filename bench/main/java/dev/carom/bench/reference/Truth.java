@@ -16,10 +16,10 @@ import java.util.stream.IntStream;
 public final class Truth implements Reference {
 
   private final int frames;
-  private final Course[] courses;
+  private final CircleFrames[] courses;
   private final List<Proof> proofs;
 
-  private Truth(int frames, Course[] courses, List<Proof> proofs) {
+  private Truth(int frames, CircleFrames[] courses, List<Proof> proofs) {
     this.frames = frames;
     this.courses = courses;
     this.proofs = proofs;
@@ -59,7 +59,7 @@ public final class Truth implements Reference {
                       frames);
               progress.run();
             });
-    Course[] courses = new Course[count];
+    CircleFrames[] courses = new CircleFrames[count];
     for (int g = 0; g < groups.length; g++) {
       for (int i = 0; i < groups[g].length; i++) {
         courses[groups[g][i]] = proofs[g].courses().get(i);
@@ -146,7 +146,7 @@ public final class Truth implements Reference {
     return Arrays.stream(courses).mapToDouble(c -> c.conditioning[frames]).max().orElse(0);
   }
 
-  Course course(int circle) {
+  CircleFrames course(int circle) {
     return courses[circle];
   }
 }

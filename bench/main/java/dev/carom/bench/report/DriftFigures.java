@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
-import dev.carom.bench.charts.Course;
+import dev.carom.bench.charts.Curve;
 import dev.carom.bench.charts.DriftChart;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
@@ -46,15 +46,15 @@ final class DriftFigures {
   }
 
   private Figure figure(String scene) {
-    Map<String, List<Course>> panels = new LinkedHashMap<>();
+    Map<String, List<Curve>> panels = new LinkedHashMap<>();
     ReportTable.Builder table =
         new ReportTable.Builder("quantity", "setting", "frame", "band from", "line", "band to");
     PANELS.forEach(
         (metric, name) -> {
-          List<Course> courses = courses(scene, metric);
-          if (!courses.isEmpty()) {
-            panels.put(name, courses);
-            courses.forEach(course -> rows(table, name, course));
+          List<Curve> curves = curves(scene, metric);
+          if (!curves.isEmpty()) {
+            panels.put(name, curves);
+            curves.forEach(curve -> rows(table, name, curve));
           }
         });
     Map<String, Double> horizons = horizons(scene);
@@ -98,7 +98,7 @@ final class DriftFigures {
             .mapToInt(i -> i)
             .max()
             .orElse(Integer.MAX_VALUE);
-    return frame > last ? "to the end" : "until frame " + Numbers.count(frame);
+    return frame > last ? "to the end" : "until frame " + ReportNumbers.count(frame);
   }
 
   private double horizon(String scene, Setting setting) {
@@ -118,9 +118,9 @@ final class DriftFigures {
 
   private static String told(Map<String, Double> horizons, double limit) {
     List<String> all = new ArrayList<>();
-    horizons.forEach((method, frame) -> all.add(method + " " + Numbers.count(frame)));
+    horizons.forEach((method, frame) -> all.add(method + " " + ReportNumbers.count(frame)));
     if (!Double.isNaN(limit)) {
-      all.add("the reference started 1 ulp away " + Numbers.count(limit));
+      all.add("the reference started 1 ulp away " + ReportNumbers.count(limit));
     }
     return all.isEmpty()
         ? "No horizon was measured."
@@ -129,8 +129,8 @@ final class DriftFigures {
             + ".";
   }
 
-  private List<Course> courses(String scene, String metric) {
-    List<Course> courses = new ArrayList<>();
+  private List<Curve> curves(String scene, String metric) {
+    List<Curve> curves = new ArrayList<>();
     for (Setting setting : Settings.finest(results, scene, metric)) {
       Map<Integer, Double> middle = results.series(scene, setting, metric, "median");
       Map<Integer, Double> low = results.series(scene, setting, metric, "p5");
@@ -141,20 +141,20 @@ final class DriftFigures {
       double[] lows = sizes(frames, low);
       double[] middles = sizes(frames, middle);
       double[] highs = sizes(frames, high);
-      courses.add(
+      curves.add(
           metric.equals(Metrics.TRAJECTORY_DRIFT)
-              ? new Course(setting.method(), knob, x, lows, middles, highs)
+              ? new Curve(setting.method(), knob, x, lows, middles, highs)
               : worst(setting.method(), knob, x, lows, middles, highs));
     }
-    return courses;
+    return curves;
   }
 
   /** Where most circles do nothing wrong, what tells is the worse end, to either side of 0. */
-  private static Course worst(
+  private static Curve worst(
       String method, String knob, double[] x, double[] low, double[] middle, double[] high) {
     double[] worse = new double[x.length];
     Arrays.setAll(worse, i -> Math.max(low[i], high[i]));
-    return new Course(method, knob, x, middle, worse, worse);
+    return new Curve(method, knob, x, middle, worse, worse);
   }
 
   private static double[] sizes(int[] frames, Map<Integer, Double> series) {
@@ -163,18 +163,18 @@ final class DriftFigures {
         .toArray();
   }
 
-  private static void rows(ReportTable.Builder table, String name, Course course) {
-    int n = course.x().length;
+  private static void rows(ReportTable.Builder table, String name, Curve curve) {
+    int n = curve.x().length;
     for (int k = 1; k <= TABLE_ROWS; k++) {
       int i = k * n / TABLE_ROWS - 1;
       if (i >= 0) {
         table.row(
             name,
-            (course.method() + " " + course.knob()).strip(),
-            Numbers.count(course.x()[i]),
-            Numbers.error(course.low()[i]),
-            Numbers.error(course.middle()[i]),
-            Numbers.error(course.high()[i]));
+            (curve.method() + " " + curve.knob()).strip(),
+            ReportNumbers.count(curve.x()[i]),
+            ReportNumbers.error(curve.low()[i]),
+            ReportNumbers.error(curve.middle()[i]),
+            ReportNumbers.error(curve.high()[i]));
       }
     }
   }

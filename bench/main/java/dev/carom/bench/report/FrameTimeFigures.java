@@ -65,12 +65,12 @@ final class FrameTimeFigures {
       String name = (strip.method() + " " + strip.knob()).strip();
       table.row(
           name,
-          Numbers.count(n),
-          Numbers.time(rank(sorted, 0.5)),
-          Numbers.time(rank(sorted, 0.95)),
-          Numbers.time(rank(sorted, 0.99)),
-          Numbers.time(sorted[n - 1]),
-          Numbers.failures((double) missed, n));
+          ReportNumbers.count(n),
+          ReportNumbers.time(rank(sorted, 0.5)),
+          ReportNumbers.time(rank(sorted, 0.95)),
+          ReportNumbers.time(rank(sorted, 0.99)),
+          ReportNumbers.time(sorted[n - 1]),
+          ReportNumbers.failures((double) missed, n));
       if (missed > 0) {
         over.add(name + " (" + missed + " of " + n + ")");
       }
@@ -102,7 +102,8 @@ final class FrameTimeFigures {
     for (Strip strip : strips) {
       double worst = Arrays.stream(strip.nanos()).max().orElseThrow();
       all.add(
-          "%s %s".formatted((strip.method() + " " + strip.knob()).strip(), Numbers.time(worst)));
+          "%s %s"
+              .formatted((strip.method() + " " + strip.knob()).strip(), ReportNumbers.time(worst)));
     }
     int n = strips.get(0).nanos().length;
     return "Worst of " + n + ": " + String.join(", ", all) + ".";

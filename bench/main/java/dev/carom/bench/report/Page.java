@@ -123,8 +123,8 @@ final class Page {
 
   private void limits() {
     html.append("<h2>The limits, and whether they hold</h2>\n");
-    table(Limits.table(results), "Limits");
-    Limits.note(results)
+    table(AcceptanceLimits.table(results), "Limits");
+    AcceptanceLimits.note(results)
         .ifPresent(
             note -> html.append("<p class=\"machine\">").append(text(note)).append("</p>\n"));
   }
@@ -234,7 +234,7 @@ final class Page {
     item("commit", m.commit());
     m.scenes().forEach((scene, hash) -> item("scene " + scene, "SHA-256 " + hash));
     m.seeds().forEach((name, seed) -> item("seed " + name, Long.toString(seed)));
-    item("rows", Numbers.count(results.rows().size()));
+    item("rows", ReportNumbers.count(results.rows().size()));
     failures().forEach(failure -> item("not measured", failure));
     html.append("</dl>\n");
   }

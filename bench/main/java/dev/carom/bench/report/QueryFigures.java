@@ -52,9 +52,9 @@ final class QueryFigures {
         table.row(
             Metrics.queryClass(scene),
             setting.toString(),
-            time(scene, setting).map(Numbers::spread).orElse("not measured"),
-            Numbers.error(results.value(scene, setting, Metrics.TIME_ERROR, "max")),
-            Numbers.error(results.value(scene, setting, Metrics.TIME_ERROR, "median")));
+            time(scene, setting).map(ReportNumbers::spread).orElse("not measured"),
+            ReportNumbers.error(results.value(scene, setting, Metrics.TIME_ERROR, "max")),
+            ReportNumbers.error(results.value(scene, setting, Metrics.TIME_ERROR, "median")));
       }
       panels.put(Metrics.queryClass(scene), dots);
       beaten.addAll(better(scene, dots));
@@ -98,7 +98,7 @@ final class QueryFigures {
     }
     int n = panels.size();
     return " Carom is the most accurate in %d of %d classes, with at worst %s ulps, and the fastest in %d of %d."
-        .formatted(finest, n, Numbers.error(worst), fastest, n);
+        .formatted(finest, n, ReportNumbers.error(worst), fastest, n);
   }
 
   private static Optional<Dot> ours(List<Dot> dots) {
@@ -151,11 +151,11 @@ final class QueryFigures {
         table.row(
             Metrics.queryClass(scenes.get(k)),
             settings.get(i).toString(),
-            Numbers.count(cell.missed()),
-            Numbers.count(cell.invented()),
+            ReportNumbers.count(cell.missed()),
+            ReportNumbers.count(cell.invented()),
             Double.isNaN(cell.total())
                 ? "not asked"
-                : Numbers.failures(cell.missed() + cell.invented(), cell.total()));
+                : ReportNumbers.failures(cell.missed() + cell.invented(), cell.total()));
       }
     }
     String sentence = Verdict.of(results).get(0);

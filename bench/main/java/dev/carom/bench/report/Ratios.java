@@ -49,12 +49,14 @@ public final class Ratios {
       return theirs.isEmpty() ? "not measured" : "failed";
     }
     Spread t = theirs.get();
-    String middle = Numbers.ratio(t.middle() / ours.middle());
+    String middle = ReportNumbers.ratio(t.middle() / ours.middle());
     if (t.forks() < 2) {
       return middle;
     }
     return "%s (%s .. %s)"
         .formatted(
-            middle, Numbers.ratio(t.low() / ours.high()), Numbers.ratio(t.high() / ours.low()));
+            middle,
+            ReportNumbers.ratio(t.low() / ours.high()),
+            ReportNumbers.ratio(t.high() / ours.low()));
   }
 }

@@ -7,7 +7,7 @@ import dev.carom.bench.results.ResultsCsv;
 import dev.carom.bench.results.ResultsJson;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.results.WholeFile;
-import dev.carom.bench.scale.ScalePlan;
+import dev.carom.bench.series.ScalePlan;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -45,8 +45,8 @@ public final class Report {
     if (!ratios.rows().isEmpty()) {
       text.append('\n').append(ratios.text());
     }
-    text.append('\n').append(Limits.table(results).text());
-    Limits.note(results).ifPresent(note -> text.append('\n').append(note).append('\n'));
+    text.append('\n').append(AcceptanceLimits.table(results).text());
+    AcceptanceLimits.note(results).ifPresent(note -> text.append('\n').append(note).append('\n'));
     return text.toString();
   }
 

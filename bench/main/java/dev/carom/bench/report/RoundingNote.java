@@ -28,7 +28,9 @@ final class RoundingNote {
     return above.map(
         spread ->
             "%s of %s circle-frames above"
-                .formatted(Numbers.count(spread.middle()), Numbers.count((double) spread.n())));
+                .formatted(
+                    ReportNumbers.count(spread.middle()),
+                    ReportNumbers.count((double) spread.n())));
   }
 
   /** Two sentences, or nothing if it was not measured. */
@@ -40,10 +42,10 @@ final class RoundingNote {
                     .formatted(
                         scene,
                         count,
-                        Numbers.ratio(RoundingPart.LIMIT),
-                        Numbers.ratio(stat("max")),
-                        Numbers.count(stat(RoundingPart.IMPACTS)),
-                        Numbers.ratio(stat(RoundingPart.ROUNDED)),
-                        Numbers.ratio(stat(RoundingPart.OF_FRAMES))));
+                        ReportNumbers.ratio(RoundingPart.LIMIT),
+                        ReportNumbers.ratio(stat("max")),
+                        ReportNumbers.count(stat(RoundingPart.IMPACTS)),
+                        ReportNumbers.ratio(stat(RoundingPart.ROUNDED)),
+                        ReportNumbers.ratio(stat(RoundingPart.OF_FRAMES))));
   }
 }

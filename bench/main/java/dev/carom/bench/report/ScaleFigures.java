@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
-import dev.carom.bench.charts.Course;
+import dev.carom.bench.charts.Curve;
 import dev.carom.bench.charts.ScaleChart;
 import dev.carom.bench.report.ScaleTimes.Per;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
-import dev.carom.bench.scale.ScalePlan.Model;
+import dev.carom.bench.series.ScalePlan.Model;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -42,14 +42,14 @@ public final class ScaleFigures {
     if (times.isEmpty()) {
       return List.of();
     }
-    Map<String, List<Course>> panels = new LinkedHashMap<>();
+    Map<String, List<Curve>> panels = new LinkedHashMap<>();
     for (Model model : Model.values()) {
       for (Per per : Per.values()) {
-        List<Course> courses = times.courses(model, per);
-        if (!courses.isEmpty()) {
+        List<Curve> curves = times.curves(model, per);
+        if (!curves.isEmpty()) {
           panels.put(
               model.words() + ": time of " + per.words,
-              courses.stream().map(ScaleFigures::unset).toList());
+              curves.stream().map(ScaleFigures::unset).toList());
         }
       }
     }
@@ -59,20 +59,20 @@ public final class ScaleFigures {
         new ScaleChart(
             "Time against the number of circles",
             "Equal density in all scenes. Line: median; band: %s. A crossed ring: one frame took longer than %s."
-                .formatted(band, Numbers.time(limit)),
+                .formatted(band, ReportNumbers.time(limit)),
             Settings.marks(results),
             panels,
             limit);
     String caption =
         "Time of a frame, of an impact and of a circle against the number of circles, by each method up to where one frame takes longer than %s. "
-                .formatted(Numbers.time(limit))
+                .formatted(ReportNumbers.time(limit))
             + String.join(" ", told());
     return List.of(new Figure("scale", "Many circles", caption.strip(), chart::picture, table()));
   }
 
   /** Each method stands there in one setting: it needs no name. */
-  private static Course unset(Course c) {
-    return new Course(c.method(), "", c.x(), c.low(), c.middle(), c.high());
+  private static Curve unset(Curve c) {
+    return new Curve(c.method(), "", c.x(), c.low(), c.middle(), c.high());
   }
 
   /**
@@ -96,29 +96,29 @@ public final class ScaleFigures {
         new ReportTable.Builder(
             "model", "circles", "method", "a frame", "least", "greatest", "an impact", "a circle");
     for (Model model : Model.values()) {
-      for (Course course : times.courses(model, Per.FRAME)) {
-        for (int i = 0; i < course.x().length; i++) {
-          row(table, model, course, i);
+      for (Curve curve : times.curves(model, Per.FRAME)) {
+        for (int i = 0; i < curve.x().length; i++) {
+          row(table, model, curve, i);
         }
       }
     }
     return table.build();
   }
 
-  private void row(ReportTable.Builder table, Model model, Course course, int i) {
-    double n = course.x()[i];
-    double time = course.middle()[i];
-    Setting setting = new Setting(course.method(), course.knob());
+  private void row(ReportTable.Builder table, Model model, Curve curve, int i) {
+    double n = curve.x()[i];
+    double time = curve.middle()[i];
+    Setting setting = new Setting(curve.method(), curve.knob());
     double impacts = times.impacts(ScaleTimes.scene(model, n), setting);
     boolean cut = Double.isNaN(time);
     table.row(
         model.label(),
-        Numbers.count(n),
-        course.method(),
-        cut ? "over " + Numbers.time(limit) : Numbers.time(time),
-        cut ? "-" : Numbers.time(course.low()[i]),
-        cut ? "-" : Numbers.time(course.high()[i]),
-        impacts > 0 && !cut ? Numbers.time(time / impacts) : "-",
-        cut ? "-" : Numbers.time(time / n));
+        ReportNumbers.count(n),
+        curve.method(),
+        cut ? "over " + ReportNumbers.time(limit) : ReportNumbers.time(time),
+        cut ? "-" : ReportNumbers.time(curve.low()[i]),
+        cut ? "-" : ReportNumbers.time(curve.high()[i]),
+        impacts > 0 && !cut ? ReportNumbers.time(time / impacts) : "-",
+        cut ? "-" : ReportNumbers.time(time / n));
   }
 }

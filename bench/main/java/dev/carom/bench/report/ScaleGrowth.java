@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
-import dev.carom.bench.charts.Course;
+import dev.carom.bench.charts.Curve;
 import dev.carom.bench.report.ScaleTimes.Per;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
-import dev.carom.bench.scale.Scale;
-import dev.carom.bench.scale.ScalePlan.Model;
-import dev.carom.bench.sweep.Growth;
+import dev.carom.bench.series.Growth;
+import dev.carom.bench.series.Scale;
+import dev.carom.bench.series.ScalePlan.Model;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -28,11 +28,11 @@ final class ScaleGrowth {
   }
 
   /** The fit of all places that have a time, if there are enough. */
-  private static Optional<Growth> fit(Course course) {
-    int n = (int) Arrays.stream(course.middle()).filter(v -> !Double.isNaN(v)).count();
+  private static Optional<Growth> fit(Curve curve) {
+    int n = (int) Arrays.stream(curve.middle()).filter(v -> !Double.isNaN(v)).count();
     return n < LEAST_POINTS
         ? Optional.empty()
-        : Optional.of(Growth.of(Arrays.copyOf(course.x(), n), Arrays.copyOf(course.middle(), n)));
+        : Optional.of(Growth.of(Arrays.copyOf(curve.x(), n), Arrays.copyOf(curve.middle(), n)));
   }
 
   private static String power(Growth fit) {
@@ -49,15 +49,15 @@ final class ScaleGrowth {
     List<String> sentences = new ArrayList<>();
     for (Model model : Model.values()) {
       for (Per per : List.of(Per.FRAME, Per.IMPACT)) {
-        for (Course course : times.courses(model, per)) {
-          fit(course)
+        for (Curve curve : times.curves(model, per)) {
+          fit(curve)
               .ifPresent(
                   fit ->
                       sentences.add(
                           "%s: %s, the time of %s grows with the circles %s."
                               .formatted(
                                   model.label(),
-                                  new Setting(course.method(), course.knob()),
+                                  new Setting(curve.method(), curve.knob()),
                                   per.words,
                                   power(fit))));
         }
@@ -75,7 +75,8 @@ final class ScaleGrowth {
                 String.format(
                     Locale.ROOT,
                     "A world of %s circles and lines takes %.0f bytes a circle and %.0f a line.",
-                    Numbers.count(Double.parseDouble(scene.substring(scene.indexOf('=') + 1))),
+                    ReportNumbers.count(
+                        Double.parseDouble(scene.substring(scene.indexOf('=') + 1))),
                     results.value(scene, Metrics.CAROM, Scale.MEMORY, "circle"),
                     results.value(scene, Metrics.CAROM, Scale.MEMORY, "line")));
   }
@@ -85,15 +86,15 @@ final class ScaleGrowth {
     List<String> models = new ArrayList<>();
     List<String> late = new ArrayList<>();
     for (Model model : Model.values()) {
-      for (Course course : times.courses(model, Per.FRAME)) {
-        int last = course.x().length - 1;
-        if (course.method().equals(Metrics.OURS)) {
-          fit(course).ifPresent(fit -> models.add(ours(model, course, fit)));
+      for (Curve curve : times.curves(model, Per.FRAME)) {
+        int last = curve.x().length - 1;
+        if (curve.method().equals(Metrics.OURS)) {
+          fit(curve).ifPresent(fit -> models.add(ours(model, curve, fit)));
         }
-        if (Double.isNaN(course.middle()[last])) {
+        if (Double.isNaN(curve.middle()[last])) {
           late.add(
               "%s at %s (%s)"
-                  .formatted(course.method(), Numbers.count(course.x()[last]), model.label()));
+                  .formatted(curve.method(), ReportNumbers.count(curve.x()[last]), model.label()));
         }
       }
     }
@@ -106,13 +107,13 @@ final class ScaleGrowth {
         : whole + "; too slow to go on: " + String.join(", ", late) + ".";
   }
 
-  private static String ours(Model model, Course course, Growth fit) {
-    int last = course.x().length - 1;
+  private static String ours(Model model, Curve curve, Growth fit) {
+    int last = curve.x().length - 1;
     return "with %s %s, up to %s for %s"
         .formatted(
             model.words(),
             power(fit),
-            Numbers.time(course.middle()[last]),
-            Numbers.count(course.x()[last]));
+            ReportNumbers.time(curve.middle()[last]),
+            ReportNumbers.count(curve.x()[last]));
   }
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
-import dev.carom.bench.charts.Course;
+import dev.carom.bench.charts.Curve;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.results.Spread;
-import dev.carom.bench.scale.Scale;
-import dev.carom.bench.scale.ScalePlan.Model;
+import dev.carom.bench.series.Scale;
+import dev.carom.bench.series.ScalePlan.Model;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -65,7 +65,7 @@ final class ScaleTimes {
   }
 
   /** The lines of a model; at the last place of one that took too long it is NaN. */
-  List<Course> courses(Model model, Per per) {
+  List<Curve> curves(Model model, Per per) {
     Map<Setting, TreeSet<Integer>> places = new LinkedHashMap<>();
     for (String scene : results.scenes(Scale.TIME)) {
       if (scene.startsWith(prefix(model))) {
@@ -77,14 +77,14 @@ final class ScaleTimes {
         }
       }
     }
-    List<Course> courses = new ArrayList<>();
+    List<Curve> curves = new ArrayList<>();
     places.forEach(
         (setting, all) -> {
           double[] x =
               all.headSet(end(model, setting), true).stream().mapToDouble(n -> n).toArray();
-          courses.add(course(model, setting, x, per));
+          curves.add(curve(model, setting, x, per));
         });
-    return courses;
+    return curves;
   }
 
   private static int circles(String scene) {
@@ -118,7 +118,7 @@ final class ScaleTimes {
     return false;
   }
 
-  private Course course(Model model, Setting setting, double[] x, Per per) {
+  private Curve curve(Model model, Setting setting, double[] x, Per per) {
     double[][] values = new double[3][x.length];
     for (int i = 0; i < x.length; i++) {
       String scene = scene(model, x[i]);
@@ -133,7 +133,7 @@ final class ScaleTimes {
         values[k][i] = times[k] / share;
       }
     }
-    return new Course(setting.method(), setting.knob(), x, values[0], values[1], values[2]);
+    return new Curve(setting.method(), setting.knob(), x, values[0], values[1], values[2]);
   }
 
   /** Low, middle, high: over the virtual machines, or, if there is but one, over its rounds. */

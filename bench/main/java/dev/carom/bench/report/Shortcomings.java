@@ -4,7 +4,7 @@ package dev.carom.bench.report;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.results.Spread;
-import dev.carom.bench.scale.Scale;
+import dev.carom.bench.series.Scale;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -79,7 +79,7 @@ final class Shortcomings {
       faster.forEach((name, n) -> all.add(name + " in " + n));
       told.add(
           "Of %d classes of single questions, of which carom's slowest takes %s, others answer faster, though not always rightly: %s."
-              .formatted(classes.size(), Numbers.time(longest), String.join(", ", all)));
+              .formatted(classes.size(), ReportNumbers.time(longest), String.join(", ", all)));
     }
   }
 
@@ -117,7 +117,7 @@ final class Shortcomings {
     if (!Double.isNaN(ours) && !Double.isNaN(limit)) {
       told.add(
           "In %s half of carom's circles have left the true course by frame %s; of a start that differs in the last bit, by frame %s: no method in doubles follows it much longer."
-              .formatted(scene, Numbers.count(ours), Numbers.count(limit)));
+              .formatted(scene, ReportNumbers.count(ours), ReportNumbers.count(limit)));
     }
   }
 
@@ -126,7 +126,7 @@ final class Shortcomings {
     if (!Double.isNaN(error)) {
       told.add(
           "Sent back after some 30 radii of %s, the worst circle of carom misses its start by %s radii."
-              .formatted(scene, Numbers.error(error)));
+              .formatted(scene, ReportNumbers.error(error)));
     }
   }
 }

@@ -7,9 +7,9 @@ import dev.carom.bench.charts.FailureMapChart.Side;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.stability.Axis;
+import dev.carom.bench.stability.CellLimit;
+import dev.carom.bench.stability.CellOutcome;
 import dev.carom.bench.stability.FailureMap;
-import dev.carom.bench.stability.Limit;
-import dev.carom.bench.stability.Outcome;
 import dev.carom.bench.stability.Survey;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -46,9 +46,9 @@ public final class StabilityFigures {
   }
 
   private Figure figure(FailureMap map) {
-    List<Tally> tallies = tallies(map);
+    List<MapTally> tallies = tallies(map);
     StabilityWords words = new StabilityWords(tallies);
-    List<Limit> limits = limits(map);
+    List<CellLimit> limits = limits(map);
     FailureMapChart chart =
         new FailureMapChart(
             words.title(),
@@ -56,8 +56,8 @@ public final class StabilityFigures {
             side(map, map.x(), Survey.X),
             side(map, map.y(), Survey.Y),
             legend(limits),
-            limits.stream().map(limit -> limit != Limit.NONE).toList(),
-            tallies.stream().filter(Tally::played).map(StabilityFigures::panel).toList());
+            limits.stream().map(limit -> limit != CellLimit.NONE).toList(),
+            tallies.stream().filter(MapTally::played).map(StabilityFigures::panel).toList());
     return new Figure(
         "fails-" + map.name(),
         "Where methods fail: " + map.heading(),
@@ -67,23 +67,23 @@ public final class StabilityFigures {
   }
 
   /** Those who play the map, then those who cannot. */
-  private List<Tally> tallies(FailureMap map) {
+  private List<MapTally> tallies(FailureMap map) {
     String scene = Survey.SCENE + map.name();
     List<Setting> cannot = results.settings(scene, ReportRun.FAILURE);
-    List<Limit> limits = limits(map);
+    List<CellLimit> limits = limits(map);
     return Settings.of(results, scene, Survey.OUTCOME).stream()
-        .map(s -> new Tally(s, outcomes(scene, s), limits, !cannot.contains(s)))
+        .map(s -> new MapTally(s, outcomes(scene, s), limits, !cannot.contains(s)))
         .sorted((a, b) -> Boolean.compare(b.played(), a.played()))
         .toList();
   }
 
-  private List<Outcome> outcomes(String scene, Setting setting) {
-    Outcome[] all = Outcome.values();
+  private List<CellOutcome> outcomes(String scene, Setting setting) {
+    CellOutcome[] all = CellOutcome.values();
     return series(scene, setting, Survey.OUTCOME).stream().map(i -> all[i.intValue()]).toList();
   }
 
-  private List<Limit> limits(FailureMap map) {
-    Limit[] all = Limit.values();
+  private List<CellLimit> limits(FailureMap map) {
+    CellLimit[] all = CellLimit.values();
     return ofMap(map, Survey.LIMIT).stream().map(i -> all[i.intValue()]).toList();
   }
 
@@ -101,37 +101,37 @@ public final class StabilityFigures {
     return new Side(axis.label(), ofMap(map, metric).stream().map(axis.text()::apply).toList());
   }
 
-  private static Panel panel(Tally tally) {
+  private static Panel panel(MapTally tally) {
     Setting setting = tally.setting();
     return new Panel(
         setting.method(),
         Metrics.shortKnob(setting),
-        "right " + StabilityWords.share(tally.count(Outcome.RIGHT), tally.outcomes().size()),
-        tally.outcomes().stream().map(Outcome::ordinal).toList());
+        "right " + StabilityWords.share(tally.count(CellOutcome.RIGHT), tally.outcomes().size()),
+        tally.outcomes().stream().map(CellOutcome::ordinal).toList());
   }
 
-  private static String judged(List<Limit> limits) {
+  private static String judged(List<CellLimit> limits) {
     String classes =
-        Stream.of(Outcome.values())
+        Stream.of(CellOutcome.values())
             .map(outcome -> outcome.label() + ": " + outcome.meaning())
             .collect(Collectors.joining("; "));
     String corner =
-        reached(limits).stream().map(Limit::meaning).collect(Collectors.joining(", or "));
+        reached(limits).stream().map(CellLimit::meaning).collect(Collectors.joining(", or "));
     return "At the end of every frame, "
         + classes
         + (corner.isEmpty() ? "." : ". Dark corner: " + corner + ".");
   }
 
-  private static List<String> legend(List<Limit> limits) {
+  private static List<String> legend(List<CellLimit> limits) {
     List<String> legend = new ArrayList<>();
-    Arrays.stream(Outcome.values()).forEach(outcome -> legend.add(outcome.label()));
+    Arrays.stream(CellOutcome.values()).forEach(outcome -> legend.add(outcome.label()));
     if (!reached(limits).isEmpty()) {
       legend.add("beyond the limits");
     }
     return legend;
   }
 
-  private static List<Limit> reached(List<Limit> limits) {
-    return limits.stream().filter(limit -> limit != Limit.NONE).distinct().sorted().toList();
+  private static List<CellLimit> reached(List<CellLimit> limits) {
+    return limits.stream().filter(limit -> limit != CellLimit.NONE).distinct().sorted().toList();
   }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
-import dev.carom.bench.stability.Limit;
-import dev.carom.bench.stability.Outcome;
+import dev.carom.bench.stability.CellLimit;
+import dev.carom.bench.stability.CellOutcome;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -14,14 +14,14 @@ final class StabilityWords {
 
   private static final int MOST_NAMES = 3;
 
-  private final List<Tally> tallies;
+  private final List<MapTally> tallies;
 
   /** Of all who played a map or could not; this library among them. */
-  StabilityWords(List<Tally> tallies) {
+  StabilityWords(List<MapTally> tallies) {
     this.tallies = tallies;
   }
 
-  private Tally ours() {
+  private MapTally ours() {
     return tallies.get(0);
   }
 
@@ -29,10 +29,10 @@ final class StabilityWords {
     String name = ours().setting().method();
     int wrong = ours().wrongWithin();
     String cells =
-        Numbers.count(ours().within()) + " cells" + (isLimited() ? " within its limits" : "");
+        ReportNumbers.count(ours().within()) + " cells" + (isLimited() ? " within its limits" : "");
     return wrong == 0
         ? "%s is right in all %s".formatted(capital(name), cells)
-        : "%s is wrong in %s of %s".formatted(capital(name), Numbers.count(wrong), cells);
+        : "%s is wrong in %s of %s".formatted(capital(name), ReportNumbers.count(wrong), cells);
   }
 
   /** One sentence. */
@@ -43,7 +43,7 @@ final class StabilityWords {
                 ours().setting().method(),
                 isLimited() ? " within its limits" : "",
                 heading,
-                Numbers.failures(ours().wrongWithin(), ours().within()));
+                ReportNumbers.failures(ours().wrongWithin(), ours().within()));
     return ours + beyond() + others() + cannot() + ".";
   }
 
@@ -53,28 +53,31 @@ final class StabilityWords {
 
   private String beyond() {
     StringBuilder text = new StringBuilder();
-    for (Limit limit : Limit.values()) {
+    for (CellLimit limit : CellLimit.values()) {
       int cells = ours().count(outcome -> true, limit::equals);
-      if (limit != Limit.NONE && cells > 0) {
+      if (limit != CellLimit.NONE && cells > 0) {
         text.append(
             "; in %d more, where %s, it is right in %d"
                 .formatted(
-                    cells, limit.meaning(), ours().count(Outcome.RIGHT::equals, limit::equals)));
+                    cells,
+                    limit.meaning(),
+                    ours().count(CellOutcome.RIGHT::equals, limit::equals)));
       }
     }
     return text.toString();
   }
 
   private String others() {
-    List<Tally> others = tallies.stream().skip(1).filter(Tally::played).toList();
+    List<MapTally> others = tallies.stream().skip(1).filter(MapTally::played).toList();
     if (others.isEmpty()) {
       return "";
     }
-    int most = others.stream().mapToInt(t -> t.count(Outcome.RIGHT)).max().orElseThrow();
-    int least = others.stream().mapToInt(t -> t.count(Outcome.RIGHT)).min().orElseThrow();
+    int most = others.stream().mapToInt(t -> t.count(CellOutcome.RIGHT)).max().orElseThrow();
+    int least = others.stream().mapToInt(t -> t.count(CellOutcome.RIGHT)).min().orElseThrow();
     int n = ours().outcomes().size();
     String all =
-        "; of all %d cells it is right in %s, ".formatted(n, share(ours().count(Outcome.RIGHT), n));
+        "; of all %d cells it is right in %s, "
+            .formatted(n, share(ours().count(CellOutcome.RIGHT), n));
     if (most == least) {
       return all + "each of the others in " + share(most, n);
     }
@@ -83,10 +86,10 @@ final class StabilityWords {
             .formatted(names(others, most), share(most, n), names(others, least), share(least, n));
   }
 
-  private static String names(List<Tally> tallies, int right) {
+  private static String names(List<MapTally> tallies, int right) {
     List<String> names =
         tallies.stream()
-            .filter(t -> t.count(Outcome.RIGHT) == right)
+            .filter(t -> t.count(CellOutcome.RIGHT) == right)
             .map(t -> Metrics.shortName(t.setting()))
             .toList();
     return names.size() > MOST_NAMES ? names.size() + " settings" : String.join(", ", names);
@@ -113,19 +116,19 @@ final class StabilityWords {
   }
 
   /** Shares of each class, and the wrong ones within the limits. */
-  static ReportTable table(List<Tally> tallies) {
+  static ReportTable table(List<MapTally> tallies) {
     List<String> head = new ArrayList<>(List.of("setting"));
-    Stream.of(Outcome.values()).forEach(outcome -> head.add(outcome.label()));
+    Stream.of(CellOutcome.values()).forEach(outcome -> head.add(outcome.label()));
     head.add("wrong within the limits");
     ReportTable.Builder table = new ReportTable.Builder(head);
-    for (Tally tally : tallies) {
+    for (MapTally tally : tallies) {
       List<String> row = new ArrayList<>(List.of(Metrics.shortName(tally.setting())));
-      for (Outcome outcome : Outcome.values()) {
+      for (CellOutcome outcome : CellOutcome.values()) {
         row.add(tally.played() ? share(tally.count(outcome), tally.outcomes().size()) : "-");
       }
       row.add(
           tally.played()
-              ? Numbers.failures(tally.wrongWithin(), tally.within())
+              ? ReportNumbers.failures(tally.wrongWithin(), tally.within())
               : "cannot play such scenes");
       table.row(row);
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
-import dev.carom.bench.charts.Course;
+import dev.carom.bench.charts.Curve;
 import dev.carom.bench.charts.SweepChart;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
-import dev.carom.bench.sweep.Growth;
-import dev.carom.bench.sweep.Sweep;
+import dev.carom.bench.series.Growth;
+import dev.carom.bench.series.Sweep;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -52,12 +52,12 @@ public final class SweepFigures {
     if (results.scenes(Sweep.TIME).isEmpty()) {
       return List.of();
     }
-    Map<String, List<Course>> panels = new LinkedHashMap<>();
+    Map<String, List<Curve>> panels = new LinkedHashMap<>();
     PANELS.forEach(
         (axis, name) -> {
-          List<Course> courses = courses(axis);
-          if (!courses.isEmpty()) {
-            panels.put(name, courses);
+          List<Curve> curves = curves(axis);
+          if (!curves.isEmpty()) {
+            panels.put(name, curves);
           }
         });
     String title = title();
@@ -86,14 +86,14 @@ public final class SweepFigures {
   public List<String> growth() {
     List<String> sentences = new ArrayList<>();
     for (String axis : SIZES) {
-      for (Course course : courses(axis)) {
-        if (course.x().length >= LEAST_POINTS) {
-          Growth fit = Growth.of(course.x(), course.middle());
+      for (Curve curve : curves(axis)) {
+        if (curve.x().length >= LEAST_POINTS) {
+          Growth fit = Growth.of(curve.x(), curve.middle());
           sentences.add(
               String.format(
                   Locale.ROOT,
                   "The time of %s grows with the number of %s to the power %.2f (%.2f .. %.2f at 95 %%).",
-                  course.method(),
+                  curve.method(),
                   axis,
                   fit.slope(),
                   fit.low(),
@@ -106,18 +106,18 @@ public final class SweepFigures {
 
   private String title() {
     Map<String, Double> full = new LinkedHashMap<>();
-    for (Course course : courses("circles")) {
-      int last = course.x().length - 1;
-      full.put(course.method(), course.middle()[last]);
+    for (Curve curve : curves("circles")) {
+      int last = curve.x().length - 1;
+      full.put(curve.method(), curve.middle()[last]);
     }
     return full.entrySet().stream()
-            .map(e -> e.getKey() + " " + Numbers.time(e.getValue()))
+            .map(e -> e.getKey() + " " + ReportNumbers.time(e.getValue()))
             .collect(Collectors.joining(", "))
         + " a frame with the most circles; published: "
-        + Numbers.time(1e9 / Budget.PUBLISHED_FPS);
+        + ReportNumbers.time(1e9 / Budget.PUBLISHED_FPS);
   }
 
-  private List<Course> courses(String axis) {
+  private List<Curve> curves(String axis) {
     Map<Setting, List<Integer>> places = new LinkedHashMap<>();
     for (String scene : results.scenes(Sweep.TIME)) {
       String prefix = Sweep.SCENE + axis + "=";
@@ -128,12 +128,12 @@ public final class SweepFigures {
         }
       }
     }
-    List<Course> courses = new ArrayList<>();
-    places.forEach((setting, at) -> courses.add(course(axis, setting, at)));
-    return courses;
+    List<Curve> curves = new ArrayList<>();
+    places.forEach((setting, at) -> curves.add(curve(axis, setting, at)));
+    return curves;
   }
 
-  private Course course(String axis, Setting setting, List<Integer> places) {
+  private Curve curve(String axis, Setting setting, List<Integer> places) {
     int[] sorted = places.stream().mapToInt(i -> i).sorted().toArray();
     int n = sorted.length;
     double[][] values = new double[4][n];
@@ -148,7 +148,7 @@ public final class SweepFigures {
         SIZES.contains(axis) && n >= LEAST_POINTS
             ? String.format(Locale.ROOT, "n^%.2f", Growth.of(values[0], values[2]).slope())
             : "";
-    return new Course(setting.method(), slope, values[0], values[1], values[2], values[3]);
+    return new Curve(setting.method(), slope, values[0], values[1], values[2], values[3]);
   }
 
   /**
@@ -161,16 +161,16 @@ public final class SweepFigures {
         new ReportTable.Builder(
             "varied", "value", "method", "mean", "least", "greatest", "frames a second");
     for (String axis : PANELS.keySet()) {
-      for (Course course : courses(axis)) {
-        for (int i = 0; i < course.x().length; i++) {
+      for (Curve curve : curves(axis)) {
+        for (int i = 0; i < curve.x().length; i++) {
           table.row(
               axis,
-              Numbers.count(course.x()[i]),
-              course.method(),
-              Numbers.time(course.middle()[i]),
-              Numbers.time(course.low()[i]),
-              Numbers.time(course.high()[i]),
-              Numbers.count(1e9 / course.middle()[i]));
+              ReportNumbers.count(curve.x()[i]),
+              curve.method(),
+              ReportNumbers.time(curve.middle()[i]),
+              ReportNumbers.time(curve.low()[i]),
+              ReportNumbers.time(curve.high()[i]),
+              ReportNumbers.count(1e9 / curve.middle()[i]));
         }
       }
     }

@@ -40,29 +40,30 @@ public final class Verdict {
         verdict.budget(),
         verdict.place(),
         new ScaleGrowth(results).verdict(),
-        Limits.sentence(results));
+        AcceptanceLimits.sentence(results));
   }
 
   /** Wrong answers of one setting to all queries. */
-  private record Tally(Setting setting, double wrong, double total) {}
+  private record WrongAnswers(Setting setting, double wrong, double total) {}
 
   private String decisions() {
-    List<Tally> tallies = tallies();
-    Optional<Tally> ours =
+    List<WrongAnswers> tallies = tallies();
+    Optional<WrongAnswers> ours =
         tallies.stream().filter(t -> t.setting.equals(Metrics.CAROM)).findFirst();
     if (ours.isEmpty()) {
       return "Decisions: not measured.";
     }
-    Tally carom = ours.get();
-    String all = "Decisions: wrong answers of carom: " + Numbers.failures(carom.wrong, carom.total);
-    Optional<Tally> next =
+    WrongAnswers carom = ours.get();
+    String all =
+        "Decisions: wrong answers of carom: " + ReportNumbers.failures(carom.wrong, carom.total);
+    Optional<WrongAnswers> next =
         tallies.stream()
             .filter(t -> !t.setting.method().equals(Metrics.OURS) && t.total == carom.total)
-            .min(Comparator.comparingDouble(Tally::wrong));
+            .min(Comparator.comparingDouble(WrongAnswers::wrong));
     if (next.isEmpty()) {
       return all + ".";
     }
-    String other = next.get().setting + ", with " + Numbers.count(next.get().wrong) + ".";
+    String other = next.get().setting + ", with " + ReportNumbers.count(next.get().wrong) + ".";
     if (next.get().wrong == carom.wrong) {
       return all + "; as many has " + other;
     }
@@ -71,14 +72,14 @@ public final class Verdict {
         : all + "; next is " + other;
   }
 
-  private List<Tally> tallies() {
+  private List<WrongAnswers> tallies() {
     List<String> classes = results.scenes(Metrics.DECISIONS);
     return classes.stream()
         .flatMap(scene -> results.settings(scene, Metrics.DECISIONS).stream())
         .distinct()
         .map(
             setting ->
-                new Tally(
+                new WrongAnswers(
                     setting,
                     sum(classes, setting, Metrics.MISSED) + sum(classes, setting, Metrics.INVENTED),
                     sum(classes, setting, Metrics.DECISIONS)))
@@ -102,7 +103,7 @@ public final class Verdict {
     }
     String all =
         "Accuracy: in %s the worst error of one frame of carom is %s radii"
-            .formatted(scenes(scenes.size()), Numbers.error(ours));
+            .formatted(scenes(scenes.size()), ReportNumbers.error(ours));
     Optional<Setting> next =
         settings(scenes, Metrics.FRAME_ERROR)
             .filter(s -> !Double.isNaN(worstError(scenes, s)))
@@ -111,7 +112,7 @@ public final class Verdict {
       return all + "; all others failed in one of them.";
     }
     double theirs = worstError(scenes, next.get());
-    String other = next.get() + ", with " + Numbers.error(theirs) + ".";
+    String other = next.get() + ", with " + ReportNumbers.error(theirs) + ".";
     if (theirs == ours) {
       return all + "; as accurate is " + other;
     }
@@ -156,11 +157,11 @@ public final class Verdict {
         .formatted(
             worst <= BUDGET ? "met" : "missed",
             scenes(scenes.size()),
-            Numbers.time(worst),
+            ReportNumbers.time(worst),
             slowest,
             worst <= BUDGET
-                ? "1/" + Numbers.count(BUDGET / worst)
-                : Numbers.ratio(worst / BUDGET) + " times");
+                ? "1/" + ReportNumbers.count(BUDGET / worst)
+                : ReportNumbers.ratio(worst / BUDGET) + " times");
   }
 
   /** Where something is both faster and more accurate; else what comes close. */

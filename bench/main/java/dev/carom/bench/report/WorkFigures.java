@@ -109,7 +109,9 @@ final class WorkFigures {
             ours -> {
               text.append(
                   "Carom: %s, %s radii. "
-                      .formatted(Numbers.time(ours.time().middle()), Numbers.error(ours.error())));
+                      .formatted(
+                          ReportNumbers.time(ours.time().middle()),
+                          ReportNumbers.error(ours.error())));
               tell(text, "Faster than carom", all, s -> s.isFasterThan(ours));
               tell(text, "More accurate than carom", all, s -> s.isMoreAccurateThan(ours));
               tell(
@@ -133,8 +135,8 @@ final class WorkFigures {
   }
 
   private static String numbers(Standing s) {
-    String time = Numbers.time(s.time().middle());
-    String error = Double.isNaN(s.error()) ? "" : ", " + Numbers.error(s.error()) + " radii";
+    String time = ReportNumbers.time(s.time().middle());
+    String error = Double.isNaN(s.error()) ? "" : ", " + ReportNumbers.error(s.error()) + " radii";
     return "%s (%s%s)".formatted(name(s), time, error);
   }
 
@@ -175,9 +177,9 @@ final class WorkFigures {
     for (Standing s : all) {
       table.row(
           s.setting().toString(),
-          Numbers.spread(s.time()),
-          Numbers.time(results.value(scene, s.setting(), Metrics.FRAME_TIME, "worst")),
-          Numbers.error(s.error()),
+          ReportNumbers.spread(s.time()),
+          ReportNumbers.time(results.value(scene, s.setting(), Metrics.FRAME_TIME, "worst")),
+          ReportNumbers.error(s.error()),
           stat(scene, s, Metrics.FRAME_ERROR, "p99.9"),
           stat(scene, s, Metrics.FRAME_ERROR, "median"),
           only(scene, s, Metrics.PAIR_TESTS),
@@ -197,14 +199,14 @@ final class WorkFigures {
   private String stat(String scene, Standing s, String metric, String stat) {
     return results
         .spread(scene, s.setting(), metric, stat)
-        .map(spread -> Numbers.error(spread.middle()))
+        .map(spread -> ReportNumbers.error(spread.middle()))
         .orElse("");
   }
 
   private String only(String scene, Standing s, String metric) {
     return results
         .only(scene, s.setting(), metric)
-        .map(spread -> spread.failed() ? "not told" : Numbers.ratio(spread.middle()))
+        .map(spread -> spread.failed() ? "not told" : ReportNumbers.ratio(spread.middle()))
         .orElse("");
   }
 
@@ -239,14 +241,14 @@ final class WorkFigures {
     for (Dot dot : dots) {
       table.row(
           (dot.method() + " " + dot.knob()).strip(),
-          Numbers.error(dot.error()),
-          Numbers.ratio(dot.work()));
+          ReportNumbers.error(dot.error()),
+          ReportNumbers.ratio(dot.work()));
     }
     String caption =
         "Pair tests in a frame against the worst error of one frame. "
             + dots.stream()
                 .filter(d -> d.method().equals(Metrics.OURS))
-                .map(d -> "Carom: " + Numbers.ratio(d.work()) + " pair tests. ")
+                .map(d -> "Carom: " + ReportNumbers.ratio(d.work()) + " pair tests. ")
                 .collect(Collectors.joining())
             + fewest(dots)
             + quiet;
@@ -264,7 +266,8 @@ final class WorkFigures {
         .map(
             d ->
                 "Fewest: %s, with %s."
-                    .formatted((d.method() + " " + d.knob()).strip(), Numbers.ratio(d.work())))
+                    .formatted(
+                        (d.method() + " " + d.knob()).strip(), ReportNumbers.ratio(d.work())))
         .orElse("");
   }
 }

@@ -18,18 +18,18 @@ record Cell(Scene scene, Reference truth, Fence fence, boolean pilesUp) {
   /** The accuracy that the library states: so many roundings times the conditioning. */
   private static final double ROUNDINGS = 4 * 0x1p-53;
 
-  Limit limit() {
+  CellLimit limit() {
     if (pilesUp || truth == null) {
-      return Limit.PILE_UP;
+      return CellLimit.PILE_UP;
     }
     for (int i = 0; i < scene.circleCount(); i++) {
-      double most = Math.log10(Judge.RIGHT * scene.circle(i).radius() / ROUNDINGS);
+      double most = Math.log10(CellJudge.RIGHT * scene.circle(i).radius() / ROUNDINGS);
       for (int frame = 1; frame <= truth.frames(); frame++) {
         if (truth.log10Conditioning(frame, i) > most) {
-          return Limit.DOUBLES;
+          return CellLimit.DOUBLES;
         }
       }
     }
-    return Limit.NONE;
+    return CellLimit.NONE;
   }
 }

@@ -14,10 +14,12 @@ public final class Survey {
   /** What the scenes' names begin with. */
   public static final String SCENE = "stability:";
 
-  /** The metric of the classes, as ordinals of {@link Outcome}; their stats are {@link #CELL}. */
+  /**
+   * The metric of the classes, as ordinals of {@link CellOutcome}; their stats are {@link #CELL}.
+   */
   public static final String OUTCOME = "stability_outcome";
 
-  /** The metric of the limits, as ordinals of {@link Limit}. */
+  /** The metric of the limits, as ordinals of {@link CellLimit}. */
   public static final String LIMIT = "stability_limit";
 
   /** The metric of the values along the lower edge. */
@@ -80,7 +82,7 @@ public final class Survey {
       rows.add(row(contender, "failure", e.getMessage(), Double.NaN));
     }
     double[] outcomes =
-        cells.stream().mapToDouble(cell -> Judge.of(contender, cell).ordinal()).toArray();
+        cells.stream().mapToDouble(cell -> CellJudge.of(contender, cell).ordinal()).toArray();
     series(rows, contender, OUTCOME, outcomes);
   }
 

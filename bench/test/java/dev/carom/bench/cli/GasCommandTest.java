@@ -4,7 +4,6 @@ package dev.carom.bench.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Scene;
-import dev.carom.SceneBuilder;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.regex.Matcher;
@@ -53,17 +52,6 @@ class GasCommandTest {
     Matcher found = Pattern.compile("impacts +([\\d,]+) between").matcher(run.out());
     assertThat(found.find()).isTrue();
     return Long.parseLong(found.group(1).replace(",", ""));
-  }
-
-  /** A pair drawn into each other, one that touches, and one apart. */
-  @Test
-  void tellsTheDeepestOverlap() {
-    SceneBuilder builder = Scene.builder().collide(true);
-    builder.circle(0, 0, 2, 0, 0).circle(2.5, 0, 1, 0, 0);
-    builder.circle(0, 10, 1, 0, 0).circle(2, 10, 1, 0, 0);
-    assertThat(GasOverlap.deepest(builder.build(), 2, 0.5)).isEqualTo(0.5);
-    Scene touching = Scene.builder().circle(0, 0, 1, 0, 0).circle(2, 0, 1, 0, 0).build();
-    assertThat(GasOverlap.deepest(touching, 1, 1)).isZero();
   }
 
   @Test

@@ -7,9 +7,8 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import dev.carom.bench.measures.Part;
 import dev.carom.bench.measures.Parts;
 import dev.carom.bench.results.Row;
-import dev.carom.bench.scale.ScalePart;
+import dev.carom.bench.series.SeriesParts;
 import dev.carom.bench.stability.StabilityPart;
-import dev.carom.bench.sweep.SweepPart;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -35,8 +34,8 @@ class PartChoiceTest {
           new Named("query/grazing"),
           new Named("query-time/fork-0"),
           new Named("time/base-1/fork-0"),
-          SweepPart.of(0, true),
-          ScalePart.of(0, true),
+          SeriesParts.sweep(0, true),
+          SeriesParts.scale(0, true),
           StabilityPart.all(true).get(0));
 
   @Test

@@ -3,7 +3,7 @@ package dev.carom.bench.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.bench.rungs.RungSurvey;
+import dev.carom.bench.measures.RungSurvey;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -6,7 +6,7 @@ import static dev.carom.bench.measures.Found.value;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.carom.bench.methods.LineTests;
+import dev.carom.bench.methods.LineContender;
 import dev.carom.bench.results.Row;
 import dev.carom.oracle.Contact;
 import dev.carom.oracle.SegmentQuery;
@@ -30,18 +30,18 @@ class QueryMeasuresTest {
   void answersAreCounted() {
     Contact half = truthFrom(40);
     Contact none = truthFrom(30);
-    Verdict verdict = new Verdict();
-    verdict.add(half, 0.5);
-    verdict.add(half, 0.5 + 3 * Math.ulp(0.5));
-    verdict.add(half, Double.POSITIVE_INFINITY);
-    verdict.add(half, Double.NaN);
-    verdict.add(none, Double.POSITIVE_INFINITY);
-    verdict.add(none, 0.9);
-    verdict.add(none, Double.NaN);
+    AnswerErrors errors = new AnswerErrors();
+    errors.add(half, 0.5);
+    errors.add(half, 0.5 + 3 * Math.ulp(0.5));
+    errors.add(half, Double.POSITIVE_INFINITY);
+    errors.add(half, Double.NaN);
+    errors.add(none, Double.POSITIVE_INFINITY);
+    errors.add(none, 0.9);
+    errors.add(none, Double.NaN);
     // Touching at the start: right, and no time to have an error in ulps of.
-    verdict.add(truthFrom(45), 0);
+    errors.add(truthFrom(45), 0);
 
-    List<Row> rows = verdict.rows(QueryPart.trial("some", LineTests.byId("plain"), -1));
+    List<Row> rows = errors.rows(QueryPart.trial("some", LineContender.byId("plain"), -1));
 
     assertThat(value(rows, "decisions_missed", "count")).isEqualTo(2);
     assertThat(value(rows, "decisions_false", "count")).isEqualTo(2);
@@ -82,18 +82,18 @@ class QueryMeasuresTest {
 
   @Test
   void everyWayToAnswerFindsAPlainContact() {
-    for (LineTests tests : LineTests.all()) {
-      double time = tests.test().time(40, 40, 5, 10, 0, 50, 0, 50, 100, 1);
-      assertThat(time).as(tests.id()).isCloseTo(0.5, within(1e-2));
-      assertThat(tests.test().time(30, 40, 5, 10, 0, 50, 0, 50, 100, 1))
-          .as(tests.id())
+    for (LineContender contender : LineContender.all()) {
+      double time = contender.detector().time(40, 40, 5, 10, 0, 50, 0, 50, 100, 1);
+      assertThat(time).as(contender.id()).isCloseTo(0.5, within(1e-2));
+      assertThat(contender.detector().time(30, 40, 5, 10, 0, 50, 0, 50, 100, 1))
+          .as(contender.id())
           .isInfinite();
     }
   }
 
   @Test
   void theClockTimesEveryClassInAnotherMachine() {
-    List<Row> rows = new QueryTimePart(3, List.of("plain"), 1).rowsOf(LineTests.byId("plain"));
+    List<Row> rows = new QueryTimePart(3, List.of("plain"), 1).rowsOf(LineContender.byId("plain"));
 
     assertThat(rows)
         .extracting(Row::scene)
@@ -109,7 +109,7 @@ class QueryMeasuresTest {
 
   @Test
   void aClockThatFailsSaysWhy() {
-    LineTests nobody = new LineTests("nobody", "nobody", "", null);
+    LineContender nobody = new LineContender("nobody", "nobody", "", null);
 
     assertThat(reason(new QueryTimePart(0, List.of("nobody"), 1).rowsOf(nobody)))
         .contains("nobody is no way to test");

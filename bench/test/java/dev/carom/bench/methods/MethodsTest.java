@@ -131,8 +131,8 @@ class MethodsTest {
   /** The gap at contact is the tolerance, as far as one more step would close it. */
   @Test
   void advancementStopsWithinItsTolerance() {
-    AdvancementTest coarse = new AdvancementTest(0.5);
-    AdvancementTest fine = new AdvancementTest(1e-12);
+    AdvancementDetector coarse = new AdvancementDetector(0.5);
+    AdvancementDetector fine = new AdvancementDetector(1e-12);
     // Past the start of a line at an offset of 3, radius 5: contact at x = -4, time 16 of 1 px.
     double exact = 16;
 

@@ -20,8 +20,8 @@ final class Differences {
   static double derivative(Scene scene, int q, int frame, int circle) {
     double[] near = Truth.of(moved(scene, q, 0), frame, () -> {}).course(circle).states[frame];
     double[] far = Truth.of(moved(scene, q, STEP), frame, () -> {}).course(circle).states[frame];
-    double dx = (far[0] - near[0]) + (far[Course.TAILS] - near[Course.TAILS]);
-    double dy = (far[1] - near[1]) + (far[Course.TAILS + 1] - near[Course.TAILS + 1]);
+    double dx = (far[0] - near[0]) + (far[CircleFrames.TAILS] - near[CircleFrames.TAILS]);
+    double dy = (far[1] - near[1]) + (far[CircleFrames.TAILS + 1] - near[CircleFrames.TAILS + 1]);
     return Math.hypot(dx, dy) / STEP;
   }
 

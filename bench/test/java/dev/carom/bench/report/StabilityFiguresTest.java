@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Row;
-import dev.carom.bench.stability.Limit;
-import dev.carom.bench.stability.Outcome;
+import dev.carom.bench.stability.CellLimit;
+import dev.carom.bench.stability.CellOutcome;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -26,13 +26,13 @@ class StabilityFiguresTest {
     }
   }
 
-  private void limits(Limit last) {
+  private void limits(CellLimit last) {
     series("carom", "stability_x", 0.9, 1, 1.1);
     series("carom", "stability_y", 0.01, 1);
     series("carom", "stability_limit", 0, 0, 0, 0, 0, last.ordinal());
   }
 
-  private void outcomes(String method, Outcome last) {
+  private void outcomes(String method, CellOutcome last) {
     series(method, "stability_outcome", 0, 0, 0, 0, 0, last.ordinal());
   }
 
@@ -42,10 +42,10 @@ class StabilityFiguresTest {
 
   @Test
   void noFailureIsToldWithItsBound() {
-    limits(Limit.NONE);
-    outcomes("carom", Outcome.RIGHT);
-    outcomes("overlap", Outcome.ESCAPED);
-    outcomes("poster", Outcome.RIGHT);
+    limits(CellLimit.NONE);
+    outcomes("carom", CellOutcome.RIGHT);
+    outcomes("overlap", CellOutcome.ESCAPED);
+    outcomes("poster", CellOutcome.RIGHT);
 
     assertThat(figure().caption())
         .isEqualTo(
@@ -58,8 +58,8 @@ class StabilityFiguresTest {
 
   @Test
   void aFailureOfCaromIsTold() {
-    limits(Limit.NONE);
-    outcomes("carom", Outcome.FAR_OFF);
+    limits(CellLimit.NONE);
+    outcomes("carom", CellOutcome.FAR_OFF);
 
     assertThat(figure().caption())
         .isEqualTo("Wrong cells of carom, by gap between two lines and speed: 1 of 6.");
@@ -68,9 +68,9 @@ class StabilityFiguresTest {
 
   @Test
   void whatLimitsIsTold() {
-    limits(Limit.PILE_UP);
-    outcomes("carom", Outcome.DRIFTED);
-    outcomes("overlap", Outcome.ESCAPED);
+    limits(CellLimit.PILE_UP);
+    outcomes("carom", CellOutcome.DRIFTED);
+    outcomes("overlap", CellOutcome.ESCAPED);
 
     assertThat(figure().caption())
         .isEqualTo(
@@ -89,9 +89,9 @@ class StabilityFiguresTest {
 
   @Test
   void whoCannotPlayHasNoPanelButALine() {
-    limits(Limit.NONE);
-    outcomes("carom", Outcome.RIGHT);
-    outcomes("overlap", Outcome.NO_ANSWER);
+    limits(CellLimit.NONE);
+    outcomes("carom", CellOutcome.RIGHT);
+    outcomes("overlap", CellOutcome.NO_ANSWER);
     rows.add(new Row("stability:gap", "overlap", "", "failure", "why", Double.NaN, "1", 1, -1));
 
     assertThat(figure().caption()).endsWith("; such scenes cannot be played by overlap.");
@@ -104,7 +104,7 @@ class StabilityFiguresTest {
 
   @Test
   void theTableHasTheShareOfEachClass() {
-    limits(Limit.NONE);
+    limits(CellLimit.NONE);
     series("carom", "stability_outcome", 0, 1, 2, 3, 4, 5);
 
     assertThat(figure().table().head())
@@ -125,7 +125,7 @@ class StabilityFiguresTest {
   /** Signs tell classes apart on grey paper; and neighbours of one class share a rectangle. */
   @Test
   void classesDifferInMoreThanColour() {
-    limits(Limit.NONE);
+    limits(CellLimit.NONE);
     series("carom", "stability_outcome", 0, 0, 0, 0, 0, 0);
     long none = lines(svg());
     rows.removeIf(row -> row.metric().equals("stability_outcome"));

@@ -23,10 +23,10 @@ class CaromEverywhereTest {
     int within = 0;
     for (int i = 0; i < map.size(); i++) {
       Cell cell = map.cell(i);
-      if (cell.limit() == Limit.NONE) {
+      if (cell.limit() == CellLimit.NONE) {
         within++;
-        Outcome outcome = Judge.of(Methods.CAROM, cell);
-        if (outcome != Outcome.RIGHT) {
+        CellOutcome outcome = CellJudge.of(Methods.CAROM, cell);
+        if (outcome != CellOutcome.RIGHT) {
           wrong.add("cell " + i + ": " + outcome);
         }
       }

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.measures;
+
+/**
+ * How many queries each rung of precision answered. A query counts for the highest rung that one of
+ * its decisions, or the rounding of its time, needed.
+ *
+ * @param family the kind of queries
+ * @param queries how many
+ * @param plain decided by plain doubles
+ * @param doubleDouble decided by double-double
+ * @param exact decided by exact numbers
+ * @param times the queries with an impact after time 0, whose time was to be rounded
+ * @param exactTimes of them, those that exact numbers rounded; double-double did the others
+ */
+public record RungShare(
+    String family,
+    long queries,
+    long plain,
+    long doubleDouble,
+    long exact,
+    long times,
+    long exactTimes) {
+
+  /**
+   * Nothing asked yet.
+   *
+   * @param family the kind of queries
+   * @return zeros
+   */
+  static RungShare none(String family) {
+    return new RungShare(family, 0, 0, 0, 0, 0, 0);
+  }
+
+  /**
+   * The times that double-double rounded.
+   *
+   * @return how many
+   */
+  public long doubleDoubleTimes() {
+    return times - exactTimes;
+  }
+
+  /**
+   * The sum of two counts.
+   *
+   * @param other the other one
+   * @return the sum, with the name of this one
+   */
+  public RungShare plus(RungShare other) {
+    return new RungShare(
+        family,
+        queries + other.queries,
+        plain + other.plain,
+        doubleDouble + other.doubleDouble,
+        exact + other.exact,
+        times + other.times,
+        exactTimes + other.exactTimes);
+  }
+}

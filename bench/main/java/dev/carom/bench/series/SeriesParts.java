@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.series;
+
+import dev.carom.bench.measures.CommandPart;
+import dev.carom.bench.measures.Part;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The sweep and the scale as parts of the report, each cut into forks. */
+public final class SeriesParts {
+
+  private static final int REPLAYS = 5;
+  private static final int QUICK_REPLAYS = 2;
+  private static final int QUICK_SWEEP_WARM_UP_MILLIS = 1000;
+  private static final int SCALE_WARM_UP_MILLIS = 800;
+  private static final int QUICK_SCALE_WARM_UP_MILLIS = 120;
+
+  private SeriesParts() {}
+
+  /**
+   * One round of the sweep.
+   *
+   * @param fork the number of the virtual machine, from 0
+   * @param quick whether a few scenes will do
+   * @return the part
+   */
+  public static Part sweep(int fork, boolean quick) {
+    List<String> options = new ArrayList<>();
+    options.addAll(List.of("--replays", Integer.toString(quick ? QUICK_REPLAYS : REPLAYS)));
+    if (quick) {
+      options.addAll(List.of("--quick", "--warm-up", Integer.toString(QUICK_SWEEP_WARM_UP_MILLIS)));
+    }
+    return part("sweep", quick ? 5 : 25, fork, options);
+  }
+
+  /**
+   * One round of the times against the number of circles.
+   *
+   * @param fork the number of the virtual machine, from 0; the first one measures memory, too
+   * @param quick whether up to a thousand circles will do
+   * @return the part
+   */
+  public static Part scale(int fork, boolean quick) {
+    int warmUp = quick ? QUICK_SCALE_WARM_UP_MILLIS : SCALE_WARM_UP_MILLIS;
+    List<String> options = new ArrayList<>();
+    options.addAll(List.of("--rounds", "1", "--warm-up", Integer.toString(warmUp)));
+    if (quick) {
+      options.add("--quick");
+    }
+    if (fork > 0) {
+      options.add("--no-memory");
+    }
+    return part("scale", quick ? 2 : 90, fork, options);
+  }
+
+  private static Part part(String command, double seconds, int fork, List<String> options) {
+    List<String> arguments = new ArrayList<>();
+    arguments.addAll(List.of(command, "--turns", Integer.toString(fork)));
+    arguments.addAll(options);
+    return new CommandPart(command + "/fork-" + fork, seconds, fork, arguments);
+  }
+}
