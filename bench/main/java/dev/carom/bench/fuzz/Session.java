@@ -26,7 +26,6 @@ final class Session {
 
   private final Random random;
   private final Numbers numbers;
-  private final Rules rules = new Rules();
   private final Rounding rounding = new Rounding();
   private final SessionScene sessionScene;
   private final Scene scene;
@@ -43,15 +42,15 @@ final class Session {
     boolean crowded = Math.floorMod(seed, CROWDED) == CROWDED - 1;
     random = new Random(seed);
     numbers = new Numbers(random);
-    sessionScene = new SessionScene(random, numbers, rules, crowded);
+    sessionScene = new SessionScene(random, numbers, crowded);
     scene = sessionScene.build();
     enter(new World(scene));
   }
 
   private void enter(World entered) {
     world = entered;
-    energy = new EnergyCheck(world, rules, numbers.speedUnit(), impacts);
-    edits = new Edits(random, numbers, sessionScene, rules, world);
+    energy = new EnergyCheck(world, numbers.speedUnit());
+    edits = new Edits(random, numbers, sessionScene, world);
   }
 
   long impacts() {
@@ -120,7 +119,7 @@ final class Session {
       flights += of.size();
       of.forEach(f -> rounding.keepSpeed(f.vx(), f.vy()));
     }
-    new Crossings(world, rules, rounding).check(all);
+    new Crossings(world, rounding).check(all);
   }
 
   /** What there is now counts for the bound of rounding. */
