@@ -18,10 +18,12 @@ final class Crossings {
 
   private final World world;
   private final Rounding rounding;
+  private final MassCheck masses;
 
-  Crossings(World world, Rounding rounding) {
+  Crossings(World world, Rounding rounding, MassCheck masses) {
     this.world = world;
     this.rounding = rounding;
+    this.masses = masses;
   }
 
   void check(List<List<Flight>> flights) throws FindingException {
@@ -153,7 +155,9 @@ final class Crossings {
     double start = Math.hypot(f.px() - g.px(), f.py() - g.py());
     double slack = rounding.of(f) + rounding.of(g);
     double limit = Math.min(f.radius() + g.radius(), start) * (1 - 0x1p-50) - slack;
-    if (limit > 0 && f.passage().seenFrom(g.passage()).comesNearer(0, 0, 0, 0, limit)) {
+    if (limit > 0
+        && !masses.mayOverlap(f, g)
+        && f.passage().seenFrom(g.passage()).comesNearer(0, 0, 0, 0, limit)) {
       throw new FindingException("%s and %s come nearer than %s".formatted(f, g, limit));
     }
   }

@@ -22,6 +22,9 @@ final class SessionScene {
   /** Half of all scenes are elastic throughout, so that energy can be looked at. */
   private final boolean elastic;
 
+  /** Few scenes have bumpers: they lead to more and more impacts, which takes long. */
+  private final boolean bumpers;
+
   private final boolean traits;
   private final boolean masses;
   private final boolean crowded;
@@ -30,6 +33,7 @@ final class SessionScene {
     this.random = random;
     this.numbers = numbers;
     elastic = random.nextBoolean();
+    bumpers = random.nextInt(6) == 0;
     traits = random.nextBoolean();
     masses = random.nextBoolean();
     this.crowded = crowded;
@@ -90,7 +94,7 @@ final class SessionScene {
 
   /** For the thing in hand. */
   double restitution() {
-    double[] some = {0, 0.5, 0.9, 1, 1, 1, 1, 1.1};
+    double[] some = {0, 0.5, 0.9, 1, 1, 1, 1, bumpers ? 1.1 : 1};
     return elastic ? 1 : some[random.nextInt(some.length)];
   }
 
