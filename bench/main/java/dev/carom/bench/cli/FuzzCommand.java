@@ -22,8 +22,11 @@ import picocli.CommandLine.Spec;
       "Plays random worlds (neighbours by ulps, ties, lattices, crowds, extremes) with random edits,"
           + " and checks after every step: flights continuous, through no line, no peg, no wall and no"
           + " circle, by exact arithmetic of its own; energy as the responses allow; the log in the"
-          + " order of time. With --queries it asks the detector with numbers of all patterns"
+          + " order of time; the same rows and states if the step is cut, restored on the way, or"
+          + " of one circle alone. With --queries it asks the detector with numbers of all patterns"
           + " instead.",
+      "Each fourth world is one in which impacts would not end without a rule: trapped circles,"
+          + " pockets, infinite masses, doors, heaps, bumpers.",
       "The first finding ends the run, with the seed and the scene that show it again."
     },
     mixinStandardHelpOptions = true,

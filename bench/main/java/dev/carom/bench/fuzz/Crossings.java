@@ -5,6 +5,7 @@ import dev.carom.Bounds;
 import dev.carom.Circle;
 import dev.carom.Line;
 import dev.carom.ObstacleKind;
+import dev.carom.Response;
 import dev.carom.World;
 import java.util.List;
 
@@ -16,13 +17,13 @@ import java.util.List;
 final class Crossings {
 
   private final World world;
-  private final Rules rules;
   private final Rounding rounding;
+  private final MassCheck masses;
 
-  Crossings(World world, Rules rules, Rounding rounding) {
+  Crossings(World world, Rounding rounding, MassCheck masses) {
     this.world = world;
-    this.rules = rules;
     this.rounding = rounding;
+    this.masses = masses;
   }
 
   void check(List<List<Flight>> flights) throws FindingException {
@@ -43,16 +44,20 @@ final class Crossings {
   private boolean isSolid(int i, int j) {
     return world.contains(ObstacleKind.CIRCLE, i)
         && world.contains(ObstacleKind.CIRCLE, j)
-        && !rules.isSensor(ObstacleKind.CIRCLE, i)
-        && !rules.isSensor(ObstacleKind.CIRCLE, j)
+        && !isSensor(ObstacleKind.CIRCLE, i)
+        && !isSensor(ObstacleKind.CIRCLE, j)
         && Math.min(world.mass(i), world.mass(j)) < Double.POSITIVE_INFINITY;
+  }
+
+  private boolean isSensor(ObstacleKind kind, int id) {
+    return world.response(kind, id) == Response.SENSOR;
   }
 
   private void checkLines(Flight f) throws FindingException {
     for (int id : world.ids(ObstacleKind.LINE)) {
-      if (!rules.isSensor(ObstacleKind.LINE, id)) {
+      if (!isSensor(ObstacleKind.LINE, id)) {
         Line line = world.line(id);
-        if (!rules.isOneWay(id) || isFromTheLeft(f, line)) {
+        if (!world.oneWay(id) || isFromTheLeft(f, line)) {
           check(f, line, f.radius(), "line " + id);
         }
       }
@@ -61,7 +66,7 @@ final class Crossings {
 
   private void checkPegs(Flight f) throws FindingException {
     for (int id : world.ids(ObstacleKind.PEG)) {
-      if (!rules.isSensor(ObstacleKind.PEG, id)) {
+      if (!isSensor(ObstacleKind.PEG, id)) {
         Circle peg = world.peg(id);
         Line centre = new Line(peg.x(), peg.y(), peg.x(), peg.y());
         check(f, centre, f.radius() + peg.radius(), "peg " + id);
@@ -150,7 +155,9 @@ final class Crossings {
     double start = Math.hypot(f.px() - g.px(), f.py() - g.py());
     double slack = rounding.of(f) + rounding.of(g);
     double limit = Math.min(f.radius() + g.radius(), start) * (1 - 0x1p-50) - slack;
-    if (limit > 0 && f.passage().seenFrom(g.passage()).comesNearer(0, 0, 0, 0, limit)) {
+    if (limit > 0
+        && !masses.mayOverlap(f, g)
+        && f.passage().seenFrom(g.passage()).comesNearer(0, 0, 0, 0, limit)) {
       throw new FindingException("%s and %s come nearer than %s".formatted(f, g, limit));
     }
   }

@@ -2,7 +2,6 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.ObstacleKind;
-import dev.carom.Response;
 import dev.carom.Snapshot;
 import dev.carom.World;
 import java.util.Random;
@@ -15,14 +14,12 @@ final class Edits {
   private final Random random;
   private final Numbers numbers;
   private final SessionScene draws;
-  private final Rules rules;
   private final World world;
 
-  Edits(Random random, Numbers numbers, SessionScene draws, Rules rules, World world) {
+  Edits(Random random, Numbers numbers, SessionScene draws, World world) {
     this.random = random;
     this.numbers = numbers;
     this.draws = draws;
-    this.rules = rules;
     this.world = world;
   }
 
@@ -42,7 +39,7 @@ final class Edits {
       case 0, 1 -> world.setVelocity(circle(), numbers.speed(), numbers.speed());
       case 2, 3 -> world.setPosition(circle(), numbers.x(), numbers.y());
       case 4 -> world.setRadius(circle(), numbers.radius());
-      case 5 -> setMass();
+      case 5 -> world.setMass(circle(), numbers.mass());
       case 6 -> addCircle();
       case 7 -> world.addLine(numbers.x(), numbers.y(), numbers.x(), numbers.y());
       case 8 -> world.addPeg(numbers.x(), numbers.y(), numbers.pegRadius());
@@ -68,12 +65,6 @@ final class Edits {
       }
     }
     return -1;
-  }
-
-  private void setMass() {
-    double mass = numbers.mass();
-    rules.setMass(mass);
-    world.setMass(circle(), mass);
   }
 
   private void addCircle() {
@@ -112,14 +103,10 @@ final class Edits {
     ObstacleKind kind = ObstacleKind.values()[random.nextInt(4)];
     int id = some(kind);
     if (id >= 0) {
-      Response response = draws.response(kind);
-      world.setResponse(kind, id, response);
-      rules.setResponse(kind, id, response);
+      world.setResponse(kind, id, draws.response(kind));
     }
     if (id >= 0 && kind == ObstacleKind.LINE && draws.hasTraits()) {
-      boolean oneWay = random.nextInt(3) == 0;
-      world.setOneWay(id, oneWay);
-      rules.setOneWay(id, oneWay);
+      world.setOneWay(id, random.nextInt(3) == 0);
     }
   }
 }

@@ -1,32 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.fuzz;
 
+import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
+import dev.carom.Outcome;
 import dev.carom.World;
 
 /**
- * Kinetic energy over one step, as the responses allow: of each circle, or of all together if they
- * collide. Restitutions up to 1 never add any; where all are 1 and nothing halts or jams, none is
- * lost.
+ * Kinetic energy over one step: of each circle, or of all finite masses together if they collide.
+ * It grows only if a row bounced with a restitution above 1, or met an infinite mass. It is lost
+ * only if a row has a restitution below 1 or another outcome than a bounce, or met an infinite
+ * mass.
  */
 final class EnergyCheck {
 
   /** Relative, of an impact. */
   private static final double ROUNDING = 0x1p-48;
 
-  /** At so many impacts at one place a world begins to take motion away: see World. */
-  private static final int PATIENCE = 31;
-
   private final World world;
-  private final Rules rules;
   private final double unit;
   private double[] before = new double[0];
-  private long impacts;
 
-  EnergyCheck(World world, Rules rules, double speedUnit, long impacts) {
-    this.impacts = impacts;
+  EnergyCheck(World world, double speedUnit) {
     this.world = world;
-    this.rules = rules;
     unit = speedUnit;
   }
 
@@ -35,19 +31,21 @@ final class EnergyCheck {
     before = energies();
   }
 
-  /** Looks at what the step made of it. */
+  /** Compares the state at the end of the step. */
   void end() throws FindingException {
     int rows = world.impacts().size();
-    impacts += rows;
     double[] after = energies();
+    boolean[] mayGain = new boolean[after.length];
+    boolean[] mayLose = new boolean[after.length];
+    for (int row = 0; row < rows; row++) {
+      int i = world.scene().collide() ? 0 : world.impacts().circle(row);
+      mayGain[i] |= mayGain(row);
+      mayLose[i] |= mayLose(row);
+    }
     double slack = ROUNDING * (rows + 4);
     for (int i = 0; i < after.length; i++) {
-      boolean gained = after[i] > before[i] * (1 + slack) && !rules.mayGain() && !isDriven();
-      boolean lost =
-          after[i] < before[i] * (1 - slack)
-              && !rules.mayLose()
-              && !isDriven()
-              && impacts <= PATIENCE;
+      boolean gained = after[i] > before[i] * (1 + slack) && !mayGain[i];
+      boolean lost = after[i] < before[i] * (1 - slack) && !mayLose[i];
       if (gained || lost) {
         throw new FindingException(
             "energy %s went from %s to %s in %d impacts"
@@ -60,8 +58,34 @@ final class EnergyCheck {
     }
   }
 
-  private boolean isDriven() {
-    return world.scene().collide() && rules.hasInfiniteMasses();
+  private boolean mayGain(int row) {
+    boolean bounced = world.impacts().outcome(row) == Outcome.BOUNCED;
+    return (bounced && restitution(row) > 1) || meetsInfinite(row);
+  }
+
+  private boolean mayLose(int row) {
+    return switch (world.impacts().outcome(row)) {
+      case SENSED, PASSED -> false;
+      case BOUNCED -> restitution(row) < 1 || meetsInfinite(row);
+      default -> true;
+    };
+  }
+
+  private double restitution(int row) {
+    ImpactLog log = world.impacts();
+    return world.restitution(ObstacleKind.CIRCLE, log.circle(row))
+        * world.restitution(log.kind(row), log.id(row));
+  }
+
+  /** Whether one of two circles has infinite mass, which gives or takes any energy. */
+  private boolean meetsInfinite(int row) {
+    ImpactLog log = world.impacts();
+    return log.kind(row) == ObstacleKind.CIRCLE
+        && (isInfinite(log.circle(row)) || isInfinite(log.id(row)));
+  }
+
+  private boolean isInfinite(int id) {
+    return world.mass(id) == Double.POSITIVE_INFINITY;
   }
 
   /** In the session's own unit of speed, so that squares stay in range. */
@@ -71,8 +95,9 @@ final class EnergyCheck {
     for (int id : world.ids(ObstacleKind.CIRCLE)) {
       double vx = world.vx(id) / unit;
       double vy = world.vy(id) / unit;
-      double mass = collide ? world.mass(id) : 1;
-      each[collide ? 0 : id] += mass * (vx * vx + vy * vy);
+      if (!collide || !isInfinite(id)) {
+        each[collide ? 0 : id] += (collide ? world.mass(id) : 1) * (vx * vx + vy * vy);
+      }
     }
     return each;
   }

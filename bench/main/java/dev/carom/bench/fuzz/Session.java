@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.fuzz;
 
-import dev.carom.ImpactLog;
-import dev.carom.ObstacleKind;
-import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.Snapshot;
-import dev.carom.Timeline;
 import dev.carom.World;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.Random;
+import java.util.Set;
 
-/** One random world, stepped and edited at random, with everything checked after every step. */
+/**
+ * One random world, stepped and edited at random, with everything checked after every step. Each
+ * fourth seed has a scene on which the end rule works, without random edits as a rule: only then
+ * what the scene promises holds.
+ */
 final class Session {
 
   private static final int ACTIONS = 60;
@@ -21,53 +22,62 @@ final class Session {
   /** One of so many seeds in a row has many lines. */
   private static final int CROWDED = 4;
 
+  /** One of so many seeds in a row has a scene on which the end rule works. */
+  private static final int ENDS = 4;
+
   /** Of one step: a corridor hardly wider than its circle would keep a session for hours. */
   private static final int MOST_IMPACTS = 2_000;
 
+  /** Of one step of trapped circles. */
+  private static final int MOST_OF_TRAPPED = 10_000;
+
+  /** Impacts of a part of a step, if they come as fast as in the last one. */
+  private static final double PART = 500;
+
   private final Random random;
   private final Numbers numbers;
-  private final Rules rules = new Rules();
-  private final Rounding rounding = new Rounding();
-  private final SessionScene sessionScene;
+  private final SessionScene draws;
+
+  /** Null for an ordinary scene. */
+  private final EndScene ends;
+
+  private final boolean edited;
   private final Scene scene;
-  private World world;
-  private EnergyCheck energy;
+  private final StepWatch watch;
   private Edits edits;
   private boolean stuck;
-  private long impacts;
-  private long flights;
-  private long steps;
-  private long jams;
+
+  /** In which that many impacts are expected; as long as there are none, no limit. */
+  private double time = Double.POSITIVE_INFINITY;
 
   Session(long seed) {
     boolean crowded = Math.floorMod(seed, CROWDED) == CROWDED - 1;
     random = new Random(seed);
     numbers = new Numbers(random);
-    sessionScene = new SessionScene(random, numbers, rules, crowded);
-    scene = sessionScene.build();
-    enter(new World(scene));
+    draws = new SessionScene(random, numbers, crowded);
+    boolean ordinary = Math.floorMod(seed, ENDS) > 0;
+    edited = ordinary || random.nextInt(3) == 0;
+    ends = ordinary ? null : endScene(Math.floorDiv(seed, ENDS));
+    scene = ordinary ? draws.build() : ends.scene();
+    Set<Integer> trapped = edited ? Set.of() : ends.trapped();
+    int most = ordinary ? MOST_IMPACTS : MOST_OF_TRAPPED;
+    watch = new StepWatch(scene, numbers.speedUnit(), trapped, most, seed);
+    enter(watch.world());
   }
 
-  private void enter(World entered) {
-    world = entered;
-    energy = new EnergyCheck(world, rules, numbers.speedUnit(), impacts);
-    edits = new Edits(random, numbers, sessionScene, rules, world);
+  private EndScene endScene(long number) {
+    EndScene.Kind[] kinds = EndScene.Kind.values();
+    EndScene.Kind kind = kinds[(int) Math.floorMod(number, (long) kinds.length)];
+    return new EndScene(kind, random, numbers.length(), numbers.speedUnit());
   }
 
-  long impacts() {
-    return impacts;
+  private void enter(World world) {
+    watch.enter(world);
+    edits = new Edits(random, numbers, draws, world);
   }
 
-  long flights() {
-    return flights;
-  }
-
-  long steps() {
-    return steps;
-  }
-
-  long jams() {
-    return jams;
+  StepWatch watch() {
+    return watch;
   }
 
   Scene scene() {
@@ -77,72 +87,44 @@ final class Session {
   void play() throws FindingException, IOException {
     for (int i = 0; i < ACTIONS && !stuck; i++) {
       int what = random.nextInt(20);
-      if (what < 12) {
-        step(numbers.duration());
-      } else if (what < 19) {
-        edits.edit();
-      } else {
+      if (what == 19) {
         reload();
+      } else if (edited && what >= (ends == null ? 12 : 17)) {
+        edits.edit();
+        watch.edited();
+      } else if (ends == null) {
+        step(numbers.duration());
+      } else {
+        stepOfEnds();
       }
     }
   }
 
+  private void stepOfEnds() throws FindingException {
+    watch.step(ends, edited);
+    if (!watch.isComplete()) {
+      watch.step(0);
+      stuck = true;
+    }
+  }
+
+  /** In parts, if the last one tells of so many impacts. */
   private void step(double dt) throws FindingException {
-    double start = world.now();
-    Timeline timeline = world.record(MOST_IMPACTS);
-    keepLimits();
-    energy.begin();
-    boolean complete = world.step(dt);
-    ImpactLog log = world.impacts();
-    steps++;
-    impacts += log.size();
-    LogCheck.check(world, start);
-    readImpacts(log);
-    stuck = !complete || log.size() >= MOST_IMPACTS;
-    if (!stuck) {
-      keepLimits();
-      energy.end();
-      checkFlights(start, timeline);
-    }
-  }
-
-  private void readImpacts(ImpactLog log) {
-    for (int row = 0; row < log.size(); row++) {
-      jams += log.outcome(row) == Outcome.JAMMED ? 1 : 0;
-      // Of what bounces to and fro at one time there are no flights.
-      rounding.keepSpeed(log.approachSpeed(row), 0);
-    }
-  }
-
-  private void checkFlights(double start, Timeline timeline) throws FindingException {
-    var all = new StepFlights(world, timeline, start, rounding).all();
-    for (var of : all) {
-      flights += of.size();
-      of.forEach(f -> rounding.keepSpeed(f.vx(), f.vy()));
-    }
-    new Crossings(world, rules, rounding).check(all);
-  }
-
-  /** What there is now counts for the bound of rounding. */
-  private void keepLimits() {
-    scene.bounds().ifPresent(b -> rounding.keepPlace(b.xmin(), b.ymin(), b.xmax(), b.ymax()));
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
-      rounding.keepPlace(world.x(id), world.y(id), world.radius(id));
-      rounding.keepSpeed(world.vx(id), world.vy(id));
-    }
-    for (int id : world.ids(ObstacleKind.LINE)) {
-      var line = world.line(id);
-      rounding.keepPlace(line.ax(), line.ay(), line.bx(), line.by());
-    }
-    for (int id : world.ids(ObstacleKind.PEG)) {
-      var peg = world.peg(id);
-      rounding.keepPlace(peg.x(), peg.y(), peg.radius());
-    }
+    World world = watch.world();
+    double end = world.now() + dt;
+    do {
+      double start = world.now();
+      double part = Math.max(time, 2 * Math.ulp(start));
+      watch.step(start + part < end ? part : end - start);
+      stuck = !watch.isComplete() || watch.rows() >= MOST_IMPACTS;
+      double passed = world.now() - start;
+      time = passed == 0 ? time : PART * passed / watch.rows();
+    } while (!stuck && world.now() < end);
   }
 
   /** The session goes on in a new world, from what was written of the old one. */
   private void reload() throws FindingException, IOException {
-    Snapshot snapshot = world.snapshot();
+    Snapshot snapshot = watch.world().snapshot();
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     snapshot.write(out);
     World other = new World(scene);

@@ -7,7 +7,7 @@ import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import java.util.Random;
 
-/** The scene from which a session starts, and the rules that go with it. */
+/** The scene from which a session starts. */
 final class SessionScene {
 
   /** Lines, at most: about as many as make a grid pay, and many more. */
@@ -17,21 +17,23 @@ final class SessionScene {
 
   private final Random random;
   private final Numbers numbers;
-  private final Rules rules;
   private final SceneBuilder builder = Scene.builder();
 
   /** Half of all scenes are elastic throughout, so that energy can be looked at. */
   private final boolean elastic;
 
+  /** Few scenes have bumpers: they lead to more and more impacts, which takes long. */
+  private final boolean bumpers;
+
   private final boolean traits;
   private final boolean masses;
   private final boolean crowded;
 
-  SessionScene(Random random, Numbers numbers, Rules rules, boolean crowded) {
+  SessionScene(Random random, Numbers numbers, boolean crowded) {
     this.random = random;
     this.numbers = numbers;
-    this.rules = rules;
     elastic = random.nextBoolean();
+    bumpers = random.nextInt(6) == 0;
     traits = random.nextBoolean();
     masses = random.nextBoolean();
     this.crowded = crowded;
@@ -52,16 +54,15 @@ final class SessionScene {
     for (int i = 0; i < lines; i++) {
       addLine();
       builder.restitution(restitution());
-      respond(ObstacleKind.LINE, i);
+      builder.response(response(ObstacleKind.LINE));
       if (traits && random.nextInt(4) == 0) {
         builder.oneWay();
-        rules.setOneWay(i, true);
       }
     }
     int pegs = random.nextInt(4);
     for (int i = 0; i < pegs; i++) {
       builder.peg(numbers.x(), numbers.y(), numbers.pegRadius()).restitution(restitution());
-      respond(ObstacleKind.PEG, i);
+      builder.response(response(ObstacleKind.PEG));
     }
     addCircles();
     return builder.build();
@@ -84,21 +85,17 @@ final class SessionScene {
       double r = numbers.radius();
       builder.circle(numbers.x(), numbers.y(), r, numbers.speed(), numbers.speed());
       builder.restitution(restitution());
-      respond(ObstacleKind.CIRCLE, i);
+      builder.response(response(ObstacleKind.CIRCLE));
       if (masses) {
-        double mass = numbers.mass();
-        builder.mass(mass);
-        rules.setMass(mass);
+        builder.mass(numbers.mass());
       }
     }
   }
 
   /** For the thing in hand. */
   double restitution() {
-    double[] some = {0, 0.5, 0.9, 1, 1, 1, 1, 1.1};
-    double e = elastic ? 1 : some[random.nextInt(some.length)];
-    rules.setRestitution(e);
-    return e;
+    double[] some = {0, 0.5, 0.9, 1, 1, 1, 1, bumpers ? 1.1 : 1};
+    return elastic ? 1 : some[random.nextInt(some.length)];
   }
 
   Response response(ObstacleKind kind) {
@@ -108,11 +105,5 @@ final class SessionScene {
     boolean noSensor = kind == ObstacleKind.WALL;
     Response drawn = Response.values()[random.nextInt(noSensor ? 2 : 3)];
     return elastic && drawn == Response.HALT ? Response.BOUNCE : drawn;
-  }
-
-  private void respond(ObstacleKind kind, int id) {
-    Response response = response(kind);
-    builder.response(response);
-    rules.setResponse(kind, id, response);
   }
 }

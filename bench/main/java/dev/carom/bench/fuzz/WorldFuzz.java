@@ -28,10 +28,11 @@ public final class WorldFuzz {
           "session %d: %s%n%s".formatted(seed, e, session == null ? "" : text(session)), e);
     }
     sessions++;
-    steps += session.steps();
-    flights += session.flights();
-    impacts += session.impacts();
-    jams += session.jams();
+    StepWatch watch = session.watch();
+    steps += watch.steps();
+    flights += watch.flights();
+    impacts += watch.impacts();
+    jams += watch.jams();
   }
 
   private static String text(Session session) {

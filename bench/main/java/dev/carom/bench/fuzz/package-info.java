@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: Apache-2.0
-/** Random worlds and queries of the kinds that break things, and what must hold for each. */
+/** Random worlds and long runs, watched by rules that do not use the library's own detector. */
 package dev.carom.bench.fuzz;

@@ -38,5 +38,10 @@ class SoakCommandTest {
         .contains("--impacts is 10: expected at least 100000");
     assertThat(Cli.run("soak", "--circles", 0).err()).contains("circles is 0: expected at least 1");
     assertThat(Cli.run("soak", "--circles", 0).exitCode()).isEqualTo(2);
+    assertThat(Cli.run("soak", "--scene", "heaps").err())
+        .contains("'heaps' is none of [trapped, pockets, masses, doors, heap, bumpers]");
+    assertThat(Cli.run("soak", "--scene", "heap", "--gas").err())
+        .contains("--scene and --gas exclude each other");
+    assertThat(Cli.run("soak", "--scene", "heap", "--circles", 9).exitCode()).isEqualTo(2);
   }
 }

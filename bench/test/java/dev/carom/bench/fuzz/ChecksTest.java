@@ -8,16 +8,18 @@ import dev.carom.ObstacleKind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
+import dev.carom.Snapshot;
 import dev.carom.Timeline;
 import dev.carom.World;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 
 /** Each check sees what it is there for. */
 class ChecksTest {
 
-  private final Rules rules = new Rules();
   private final Rounding rounding = new Rounding();
+  private final MassCheck masses = new MassCheck();
 
   private static SceneBuilder box() {
     return Scene.builder().bounds(0, 0, 100, 100).line(50, 20, 50, 80).peg(80, 50, 4);
@@ -31,7 +33,8 @@ class ChecksTest {
   private void check(World world, Flight... flights) throws FindingException {
     rounding.keepPlace(100);
     rounding.keepSpeed(100, 100);
-    new Crossings(world, rules, rounding).check(List.of(flights).stream().map(List::of).toList());
+    masses.enter(world);
+    new Crossings(world, rounding, masses).check(List.of(flights).stream().map(List::of).toList());
   }
 
   private void assertFound(String message, World world, Flight... flights) {
@@ -68,10 +71,10 @@ class ChecksTest {
   void whatIsNotThereIsPassed() throws FindingException {
     World world = new World(box().circle(20, 50, 5, 1, 0).build());
 
-    rules.setOneWay(0, true);
+    world.setOneWay(0, true);
     check(world, flight(60, 50, 40, 50));
     assertFound("THROUGH", world, flight(40, 50, 60, 50));
-    rules.setResponse(ObstacleKind.LINE, 0, Response.SENSOR);
+    world.setResponse(ObstacleKind.LINE, 0, Response.SENSOR);
     check(world, flight(40, 50, 60, 50));
   }
 
@@ -103,19 +106,40 @@ class ChecksTest {
   void energyThatIsLostOrGainedIsFound() throws FindingException {
     for (double e : new double[] {0.5, 1.5}) {
       World world = new World(box().circle(20, 50, 5, -9, 0).restitution(e).build());
-      EnergyCheck energy = new EnergyCheck(world, rules, 1, 0);
+      EnergyCheck energy = new EnergyCheck(world, 1);
       energy.begin();
       world.step(3);
 
+      energy.end();
+      world.setRestitution(ObstacleKind.CIRCLE, 0, 1);
       assertThatThrownBy(energy::end)
           .isInstanceOf(FindingException.class)
           .hasMessageContaining("energy of circle 0 went from 81.0");
-      Rules allowing = new Rules();
-      allowing.setRestitution(e);
-      EnergyCheck allowed = new EnergyCheck(world, allowing, 1, 0);
-      allowed.begin();
-      allowed.end();
     }
+  }
+
+  /** Infinite masses give and take energy, but only where they meet others. */
+  @Test
+  void energyFromNowhereIsFoundBesideInfiniteMasses() throws FindingException {
+    World world =
+        new World(
+            Scene.builder()
+                .collide(true)
+                .circle(0, 0, 1, 1, 0)
+                .mass(Double.POSITIVE_INFINITY)
+                .circle(4, 0, 1, 0, 0)
+                .build());
+    EnergyCheck energy = new EnergyCheck(world, 1);
+    energy.begin();
+    world.step(1);
+    energy.end();
+    world.setVelocity(1, 3, 0);
+    assertThatThrownBy(energy::end).hasMessageContaining("energy of all went from 0.0 to 9.0");
+    world.setVelocity(1, 0, 0);
+    energy.begin();
+    world.step(2);
+    assertThat(world.vx(1)).isEqualTo(2);
+    energy.end();
   }
 
   @Test
@@ -126,5 +150,137 @@ class ChecksTest {
     LogCheck.check(world, 0);
     assertThat(world.impacts().size()).isPositive();
     assertThatThrownBy(() -> LogCheck.check(world, 2.5)).hasMessageContaining("row 0 is at");
+  }
+
+  @Test
+  void whoLeavesTheBoundsIsFound() throws FindingException {
+    World world = new World(box().circle(20, 50, 5, 1, 0).build());
+    PlaceCheck places = new PlaceCheck(world);
+    places.begin();
+    world.setPosition(0, 5, 50);
+    places.end();
+    world.setPosition(0, 5 - 1e-12, 50);
+    assertThatThrownBy(places::end).hasMessageContaining("circle 0 left the bounds by");
+    places.begin();
+    world.setPosition(0, -9, 50);
+    places.end(); // it was outside
+  }
+
+  private static SceneBuilder doors() {
+    return Scene.builder()
+        .collide(true)
+        .circle(0, 0, 1, 0, 0)
+        .circle(-5, 0, 1, 1, 0)
+        .mass(Double.POSITIVE_INFINITY)
+        .circle(5, 0, 1, -1, 0)
+        .mass(Double.POSITIVE_INFINITY);
+  }
+
+  @Test
+  void infiniteMassesPassOverCrushedCirclesOnly() throws FindingException {
+    World world = new World(doors().build());
+    world.advanceTo(3.5);
+    Flight resting = new Flight(0, 1, 3.5, 4, 0, 0, 0, 0, 0, 0, 0);
+    Flight door = new Flight(1, 1, 3.5, 4, -1.5, 0, -1, 0, 1, 0, 1);
+    Flight moving = new Flight(0, 1, 3.5, 4, 0, 0, 0.1, 0, 0.2, 0, 0.2);
+
+    assertFound("come nearer", world, resting, door);
+    masses.read(world.impacts());
+    check(world, resting, door);
+    assertFound("come nearer", world, moving, door);
+    world.advanceTo(9);
+    masses.end();
+    assertFound("come nearer", world, resting, door);
+  }
+
+  @Test
+  void anInfiniteMassThatIsDeflectedIsFound() throws FindingException {
+    World world = new World(doors().build());
+    masses.enter(world);
+    Flight before = new Flight(1, 1, 0, 1, -5, 0, -4, 0, 1, 0, 1);
+    Flight after = new Flight(1, 1, 1, 2, -4, 0, -3.5, 0, 0.5, 0, 1);
+    masses.check(List.of(List.of(before)));
+    assertThatThrownBy(() -> masses.check(List.of(List.of(before, after))))
+        .hasMessageContaining("deflected an infinite mass");
+  }
+
+  @Test
+  void infiniteMassesThatBounceOffEachOtherAreFound() throws FindingException {
+    World world =
+        new World(
+            Scene.builder().collide(true).circle(0, 0, 1, 1, 0).circle(3, 0, 1, 0, 0).build());
+    masses.enter(world);
+    world.step(2);
+    masses.read(world.impacts());
+    world.setMass(0, Double.POSITIVE_INFINITY);
+    world.setMass(1, Double.POSITIVE_INFINITY);
+    assertThatThrownBy(() -> masses.read(world.impacts()))
+        .hasMessageContaining("infinite masses 0 and 1: BOUNCED");
+  }
+
+  private static World trapped() {
+    return new World(
+        Scene.builder()
+            .line(-10, -2, 10, -2)
+            .line(-8, -6, 4, 8)
+            .line(8, -6, -4, 8)
+            .circle(0, 0, 5, 3, 1)
+            .build());
+  }
+
+  @Test
+  void whoIsJammedAndGoesOnIsFound() throws FindingException {
+    World world = trapped();
+    Timeline timeline = world.record(10_000);
+    JamCheck jam = new JamCheck(Set.of(0), 1);
+    world.step(1);
+    jam.check(world, timeline, true);
+    world.setVelocity(0, 1, 2);
+    world.step(1);
+    assertThatThrownBy(() -> jam.check(world, timeline, true))
+        .hasMessageContaining("circle 0 was jammed, and makes another row");
+    jam.edited();
+    jam.check(world, timeline, true);
+  }
+
+  @Test
+  void whoMakesTooManyRowsAtOnePlaceIsFound() throws FindingException {
+    World world = trapped();
+    Timeline timeline = world.record(10_000);
+    JamCheck jam = new JamCheck(Set.of(), 1);
+    world.step(1);
+    jam.check(world, timeline, true);
+    assertThatThrownBy(() -> jam.check(world, timeline, true))
+        .hasMessageContaining("circle 0 made 2001 rows at one place");
+  }
+
+  @Test
+  void whatDependsOnHowItIsPlayedIsFound() throws FindingException {
+    World world = new World(box().circle(20, 50, 5, -9, 3).circle(60, 50, 5, 2, 3).build());
+    OtherWays ways = new OtherWays(world.scene(), 1);
+    Snapshot before = world.snapshot();
+    world.step(9);
+    ways.check(before, world);
+    Snapshot between = world.snapshot();
+    world.setVelocity(0, 8, 2);
+    world.step(9);
+    assertThatThrownBy(() -> ways.check(between, world)).hasMessageContaining("expected");
+    ways.checkAlone(1, between, world, rows(world, 1));
+    assertThatThrownBy(() -> ways.checkAlone(0, between, world, rows(world, 0)))
+        .hasMessageContaining("circle 0 alone");
+  }
+
+  private static List<Row> rows(World world, int circle) {
+    return Row.of(world.impacts()).stream().filter(row -> row.circle() == circle).toList();
+  }
+
+  @Test
+  void aStepThatDoesNotEndIsFound() throws FindingException {
+    Scene scene = Scene.builder().bounds(0, 0, 2.000001, 9).circle(1, 5, 1, 99, 0).build();
+    StepWatch watch = new StepWatch(scene, 1, Set.of(), 100, 1);
+    watch.step(1e-6);
+    watch.demandEnd();
+    watch.step(1);
+    assertThatThrownBy(watch::demandEnd).hasMessageContaining("a step did not end, at 0.0");
   }
 }

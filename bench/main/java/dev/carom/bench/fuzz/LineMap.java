@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.soak;
+package dev.carom.bench.fuzz;
 
 import dev.carom.Line;
 import dev.carom.Scene;

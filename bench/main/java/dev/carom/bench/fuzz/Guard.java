@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.soak;
+package dev.carom.bench.fuzz;
 
-import dev.carom.Bounds;
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
 import dev.carom.Scene;
@@ -64,16 +63,9 @@ final class Guard {
 
   /** How many centres are outside of the bounds now. */
   int outside() {
-    if (scene.bounds().isEmpty()) {
-      return 0;
-    }
-    Bounds b = scene.bounds().get();
     int count = 0;
     for (int i = 0; i < world.circleCount(); i++) {
-      double x = world.x(i);
-      double y = world.y(i);
-      boolean inside = x > b.xmin() && x < b.xmax() && y > b.ymin() && y < b.ymax();
-      count += inside ? 0 : 1;
+      count += PlaceCheck.beyond(world, i) < world.radius(i) ? 0 : 1;
     }
     return count;
   }

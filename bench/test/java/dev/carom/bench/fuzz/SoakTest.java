@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom.bench.soak;
+package dev.carom.bench.fuzz;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -11,6 +11,8 @@ import dev.carom.bench.experiment.Gas;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 class SoakTest {
 
@@ -20,16 +22,23 @@ class SoakTest {
     SoakResult result = Soak.run(Crosses.canonical(1).scene(), 20_000, rounds::add);
 
     assertThat(result.holds()).isTrue();
-    assertThat(result.impacts()).isBetween(20_000L, 22_000L);
+    assertThat(result.times().impacts()).isBetween(20_000L, 22_000L);
     assertThat(rounds).hasSize(Soak.ROUNDS);
-    assertThat(result.nanosAtStart()).isBetween(result.leastNanos(), result.mostNanos());
-    assertThat(result.heapAtEnd()).isPositive();
+    SoakTimes times = result.times();
+    assertThat(times.nanosAtStart()).isBetween(times.leastNanos(), times.mostNanos());
+    assertThat(times.heapAtEnd()).isPositive();
   }
 
   @Test
   void aGasHolds() throws Exception {
     assertThat(Soak.run(new Gas(50, 0.2, 1, false, 1).scene(), 20_000, round -> {}).holds())
         .isTrue();
+  }
+
+  @ParameterizedTest
+  @EnumSource(EndScene.Kind.class)
+  void scenesOfTheEndRuleHold(EndScene.Kind kind) throws FindingException {
+    assertThat(Soak.run(kind, 1, 2_000, round -> {}).impacts()).isGreaterThanOrEqualTo(2_000);
   }
 
   /** A bumper: what drifts is told. */

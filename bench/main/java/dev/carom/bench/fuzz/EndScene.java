@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.fuzz;
+
+import dev.carom.ObstacleKind;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.World;
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Random;
+import java.util.Set;
+
+/**
+ * A random scene in which impacts would not end without a rule: circles are trapped, pressed,
+ * heaped or driven. With it comes how it is steered between steps, and what it promises.
+ */
+public final class EndScene {
+
+  /** What leads to endless impacts. */
+  public enum Kind {
+    /** Disks that overlap several lines or pegs, among others that fly past. */
+    TRAPPED,
+    /** Disks in pockets with a clearance of some ulps, among others that fly past. */
+    POCKETS,
+    /** Infinite masses that overlap, meet, and turn as a flipper. */
+    MASSES,
+    /** Infinite masses that close on balls like doors, or press them against walls. */
+    DOORS,
+    /** Balls under gravity. */
+    HEAP,
+    /** Crowds in which impacts add energy. */
+    BUMPERS;
+
+    @Override
+    public String toString() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+  }
+
+  private static final double WIDTH = Numbers.WIDTH;
+  private static final double HEIGHT = Numbers.HEIGHT;
+  private static final double INFINITE = Double.POSITIVE_INFINITY;
+  private static final double GRAVITY = 0.05;
+  private static final double FLIP = 0.1;
+
+  /** Steps after which a scene that would come to rest, or to no end of speed, is stirred. */
+  private static final int STIR = 100;
+
+  private final Kind kind;
+  private final Random random;
+  private final double length;
+  private final double speed;
+  private final SceneBuilder builder = Scene.builder();
+  private final Set<Integer> trapped = new HashSet<>();
+  private final Scene scene;
+  private int circles;
+  private int steered;
+
+  /**
+   * Draws a scene.
+   *
+   * @param length the unit of length
+   * @param speed the unit of speed
+   */
+  EndScene(Kind kind, Random random, double length, double speed) {
+    this.kind = kind;
+    this.random = random;
+    this.length = length;
+    this.speed = speed;
+    build();
+    scene = builder.build();
+  }
+
+  Scene scene() {
+    return scene;
+  }
+
+  /** Circles that cannot leave their places, and ignore others. */
+  Set<Integer> trapped() {
+    return trapped;
+  }
+
+  /** Whether each step leads to its end. */
+  boolean finishes() {
+    return kind != Kind.BUMPERS;
+  }
+
+  /** The length of a step. */
+  double duration() {
+    double frames =
+        switch (kind) {
+          case HEAP -> 1;
+          case BUMPERS -> 0.25;
+          default -> 4 * random.nextDouble();
+        };
+    return frames * length / speed;
+  }
+
+  private void build() {
+    switch (kind) {
+      case TRAPPED, POCKETS -> buildTraps();
+      case MASSES -> buildMasses();
+      case DOORS -> buildDoors();
+      case HEAP -> buildHeap();
+      case BUMPERS -> buildBumpers();
+      default -> throw new AssertionError(kind);
+    }
+  }
+
+  private double pick(double... some) {
+    return some[random.nextInt(some.length)];
+  }
+
+  private double between(double least, double most) {
+    return least + (most - least) * random.nextDouble();
+  }
+
+  private void box(boolean collide, double restitution) {
+    builder.collide(collide).bounds(0, 0, WIDTH * length, HEIGHT * length);
+    builder.restitution(restitution);
+  }
+
+  /** Adds a circle, in units. */
+  private int circle(double x, double y, double r, double vx, double vy, double e) {
+    builder.circle(x * length, y * length, r * length, vx * speed, vy * speed).restitution(e);
+    return circles++;
+  }
+
+  private int flying(double r, double e) {
+    double x = between(r, WIDTH - r);
+    double y = between(r, HEIGHT - r);
+    return circle(x, y, r, 2 * random.nextGaussian(), 2 * random.nextGaussian(), e);
+  }
+
+  private void buildTraps() {
+    box(false, pick(1, 1, 0.9));
+    int traps = kind == Kind.POCKETS ? 1 : 1 + random.nextInt(3);
+    for (int i = 0; i < traps; i++) {
+      double x = 20 + 30 * i;
+      double y = between(20, 60);
+      double r = between(2, 5);
+      double e = pick(0, 0.5, 0.9, 1, 1, 1, 1.1);
+      surround(x, y, r);
+      trapped.add(circle(x, y, r, random.nextGaussian(), random.nextGaussian(), e));
+    }
+    int others = random.nextInt(8);
+    for (int i = 0; i < others; i++) {
+      flying(between(0.5, 2), pick(1, 1, 0.9));
+    }
+  }
+
+  /** Lines and pegs on all sides of a disk: their normals leave no direction free. */
+  private void surround(double x, double y, double r) {
+    int sides = 3 + random.nextInt(3);
+    double turn = between(0, 2 * Math.PI);
+    for (int k = 0; k < sides; k++) {
+      double angle = turn + 2 * Math.PI * k / sides + between(-0.2, 0.2);
+      double gap = kind == Kind.POCKETS ? r + random.nextInt(32) * Math.ulp(x) : r * pick(0.2, 0.7);
+      double size = pick(0, 1, between(0.5, 3));
+      double nx = Math.cos(angle);
+      double ny = Math.sin(angle);
+      if (random.nextBoolean()) {
+        builder.peg(
+            (x + (gap + size) * nx) * length, (y + (gap + size) * ny) * length, size * length);
+      } else {
+        double fx = x + gap * nx;
+        double fy = y + gap * ny;
+        double half = r * between(0.5, 1.5);
+        builder.line(
+            (fx - half * ny) * length,
+            (fy + half * nx) * length,
+            (fx + half * ny) * length,
+            (fy - half * nx) * length);
+      }
+      builder.restitution(pick(1, 1, 0.9));
+    }
+  }
+
+  private void buildMasses() {
+    box(true, 1);
+    int infinite = 2 + random.nextInt(6);
+    double r = pick(1, 3, 5);
+    for (int i = 0; i < infinite; i++) {
+      double x = random.nextBoolean() ? between(10, 90) : 30 + i * r / 2;
+      double y = random.nextBoolean() ? between(10, 70) : 40;
+      circle(x, y, r, pick(-2, -1, 0, 1, 2), pick(-1, 0, 0, 1), pick(0, 0.5, 1, 1));
+      builder.mass(INFINITE);
+    }
+    int finite = random.nextInt(5);
+    for (int i = 0; i < finite; i++) {
+      flying(between(0.5, 3), pick(0, 0.5, 0.9, 1));
+      builder.mass(pick(1, 1, 3, 1e6));
+    }
+  }
+
+  private void buildDoors() {
+    box(true, pick(1, 1, 0.5));
+    double r = pick(2, 5);
+    double y = between(10, 70);
+    circle(10, y, r, pick(1, 2), 0, 1);
+    builder.mass(INFINITE);
+    if (random.nextInt(3) > 0) {
+      circle(90, y + pick(0, 0, 1, r), r, pick(-1, -1, -2), pick(0, 0, 0.25), 1);
+      builder.mass(INFINITE);
+    }
+    if (random.nextInt(3) == 0) {
+      circle(50, random.nextBoolean() ? r : HEIGHT - r, r, 0, pick(-1, 1), 1);
+      builder.mass(INFINITE);
+    }
+    double e = pick(0, 0.3, 0.5, 0.9, 1);
+    int balls = 1 + random.nextInt(6);
+    for (int i = 0; i < balls; i++) {
+      double off = random.nextBoolean() ? 0 : between(-1, 1);
+      circle(25 + 8 * i, y + off, between(1, 3), pick(0, 0, 0.3, -0.5), pick(0, 0, 0.1), e);
+      builder.mass(pick(1, 1, 1, 2, 1e-3));
+    }
+  }
+
+  private void buildHeap() {
+    double e = pick(0, 0.3, 0.5, 0.8, 0.9);
+    box(true, e);
+    int count = 3 + random.nextInt(18);
+    double off = pick(0, 0.4);
+    for (int i = 0; i < count; i++) {
+      double x = 5 + 9 * (i % 6) + off * random.nextDouble();
+      double y = 5 + 9 * (i / 6) + off * random.nextDouble();
+      circle(x, y, random.nextBoolean() ? 3 : between(1, 4), 0, 0, e);
+    }
+    int pegs = random.nextInt(3);
+    for (int i = 0; i < pegs; i++) {
+      builder.peg(between(60, 90) * length, between(0, 20) * length, pick(0, 1, 3) * length);
+    }
+  }
+
+  private void buildBumpers() {
+    box(random.nextInt(3) > 0, pick(1, 1.1, 1.5));
+    int count = 3 + random.nextInt(10);
+    for (int i = 0; i < count; i++) {
+      flying(between(2, 8), pick(1, 1.1, 1.5, 2));
+    }
+    int pegs = random.nextInt(4);
+    for (int i = 0; i < pegs; i++) {
+      builder.peg(between(0, WIDTH) * length, between(0, HEIGHT) * length, between(0, 5) * length);
+      builder.restitution(pick(1, 1.1, 2));
+    }
+  }
+
+  /**
+   * Edits the world before a step, so that there is more to come.
+   *
+   * @return whether it edited anything
+   */
+  boolean steer(World world) {
+    steered++;
+    return switch (kind) {
+      case TRAPPED, POCKETS -> random.nextInt(6) == 0 && kick(world);
+      case MASSES -> random.nextInt(4) == 0 && flip(world);
+      case DOORS -> false;
+      case HEAP -> steered % STIR == 0 ? stir(world) : fall(world);
+      case BUMPERS -> steered % (STIR / 10) == 0 && stir(world);
+    };
+  }
+
+  private boolean kick(World world) {
+    for (int i : world.ids(ObstacleKind.CIRCLE)) {
+      if (trapped.contains(i)) {
+        world.setVelocity(i, speed * random.nextGaussian(), speed * random.nextGaussian());
+      }
+    }
+    return true;
+  }
+
+  /** Turns infinite masses around the centre of the box, to and fro. */
+  private boolean flip(World world) {
+    double turn = random.nextBoolean() ? FLIP : -FLIP;
+    for (int i : world.ids(ObstacleKind.CIRCLE)) {
+      if (world.mass(i) == INFINITE) {
+        double x = world.x(i) / length - WIDTH / 2;
+        double y = world.y(i) / length - HEIGHT / 2;
+        world.setVelocity(i, -turn * y * speed, turn * x * speed);
+      }
+    }
+    return true;
+  }
+
+  private boolean fall(World world) {
+    for (int i : world.ids(ObstacleKind.CIRCLE)) {
+      world.setVelocity(i, world.vx(i), world.vy(i) - GRAVITY * speed);
+    }
+    return true;
+  }
+
+  private boolean stir(World world) {
+    for (int i : world.ids(ObstacleKind.CIRCLE)) {
+      world.setVelocity(i, 2 * speed * random.nextGaussian(), 2 * speed * random.nextGaussian());
+    }
+    return true;
+  }
+}

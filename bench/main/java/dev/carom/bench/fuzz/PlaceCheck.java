@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.fuzz;
+
+import dev.carom.Bounds;
+import dev.carom.ObstacleKind;
+import dev.carom.World;
+import java.util.BitSet;
+
+/** After any call, finished or not: no NaN, and nobody outside the bounds who was inside. */
+final class PlaceCheck {
+
+  /** So many ulps of its coordinates a circle inside the bounds may be over a wall. */
+  private static final double ULPS = 4;
+
+  private final World world;
+  private final BitSet inside = new BitSet();
+
+  PlaceCheck(World world) {
+    this.world = world;
+  }
+
+  /** Notes who is inside at the start of a step. */
+  void begin() {
+    inside.clear();
+    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+      inside.set(id, isInside(id));
+    }
+  }
+
+  /** Compares with the end of the step. */
+  void end() throws FindingException {
+    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+      boolean numbers = !Double.isNaN(world.x(id)) && !Double.isNaN(world.y(id));
+      if (!numbers || !Double.isFinite(world.vx(id)) || !Double.isFinite(world.vy(id))) {
+        throw new FindingException("circle %d has a coordinate that is no number".formatted(id));
+      }
+      if (inside.get(id) && !isInside(id)) {
+        throw new FindingException(
+            "circle %d left the bounds by %s at %s".formatted(id, beyond(world, id), world.now()));
+      }
+    }
+  }
+
+  private boolean isInside(int id) {
+    double size =
+        Math.max(world.radius(id), Math.max(Math.abs(world.x(id)), Math.abs(world.y(id))));
+    for (Bounds b : world.scene().bounds().stream().toList()) {
+      size = Math.max(size, Math.max(Math.abs(b.xmin()), Math.abs(b.xmax())));
+      size = Math.max(size, Math.max(Math.abs(b.ymin()), Math.abs(b.ymax())));
+    }
+    return beyond(world, id) <= (size <= Double.MAX_VALUE ? ULPS * Math.ulp(size) : 0);
+  }
+
+  /** How far a circle is over a wall; less than 0 inside, and where there are no bounds. */
+  static double beyond(World world, int id) {
+    if (world.scene().bounds().isEmpty()) {
+      return Double.NEGATIVE_INFINITY;
+    }
+    Bounds b = world.scene().bounds().get();
+    double x = Math.max(b.xmin() - world.x(id), world.x(id) - b.xmax());
+    double y = Math.max(b.ymin() - world.y(id), world.y(id) - b.ymax());
+    return Math.max(x, y) + world.radius(id);
+  }
+}

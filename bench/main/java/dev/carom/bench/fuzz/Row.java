@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.fuzz;
+
+import dev.carom.Feature;
+import dev.carom.ImpactLog;
+import dev.carom.ObstacleKind;
+import dev.carom.Outcome;
+import java.util.ArrayList;
+import java.util.List;
+
+/** A row of a log, copied; two are equal if all their bits are. */
+record Row(
+    double time,
+    int circle,
+    ObstacleKind kind,
+    int id,
+    Feature feature,
+    double x,
+    double y,
+    double nx,
+    double ny,
+    double speed,
+    Outcome outcome) {
+
+  static List<Row> of(ImpactLog log) {
+    List<Row> rows = new ArrayList<>(log.size());
+    for (int i = 0; i < log.size(); i++) {
+      rows.add(
+          new Row(
+              log.time(i),
+              log.circle(i),
+              log.kind(i),
+              log.id(i),
+              log.feature(i),
+              log.x(i),
+              log.y(i),
+              log.nx(i),
+              log.ny(i),
+              log.approachSpeed(i),
+              log.outcome(i)));
+    }
+    return rows;
+  }
+}

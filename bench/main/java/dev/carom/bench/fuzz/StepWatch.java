@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.fuzz;
+
+import dev.carom.ImpactLog;
+import dev.carom.ObstacleKind;
+import dev.carom.Outcome;
+import dev.carom.Scene;
+import dev.carom.Snapshot;
+import dev.carom.Timeline;
+import dev.carom.World;
+import java.util.Set;
+
+/** Steps a world and checks each step by all rules, without the library's detector. */
+final class StepWatch {
+
+  /** A circle crosses its own size in no less than so much of the clock: see {@link World}. */
+  private static final double CLOCK = 0x1p-90;
+
+  /** One of so many steps is played in other ways. */
+  private static final int EACH = 4;
+
+  /** Flights of a step with more rows are not checked. */
+  private final int mostRows;
+
+  private final Scene scene;
+  private final double speedUnit;
+  private final Rounding rounding = new Rounding();
+  private final MassCheck masses = new MassCheck();
+  private final JamCheck jam;
+  private final OtherWays ways;
+  private World world;
+  private EnergyCheck energy;
+  private PlaceCheck places;
+  private boolean complete = true;
+  private long impacts;
+  private long flights;
+  private long steps;
+  private long jams;
+
+  /**
+   * Watches a world of its own.
+   *
+   * @param trapped circles that cannot leave their places
+   * @param mostRows of a step with more rows the flights are not checked
+   */
+  StepWatch(Scene scene, double speedUnit, Set<Integer> trapped, int mostRows, long seed) {
+    this.scene = scene;
+    this.speedUnit = speedUnit;
+    this.mostRows = mostRows;
+    jam = new JamCheck(trapped, speedUnit);
+    ways = new OtherWays(scene, seed);
+    enter(new World(scene));
+  }
+
+  /** Goes on in another world of the same state. */
+  void enter(World entered) {
+    world = entered;
+    energy = new EnergyCheck(world, speedUnit);
+    places = new PlaceCheck(world);
+    masses.enter(world);
+  }
+
+  World world() {
+    return world;
+  }
+
+  /** Notes that the world was edited. */
+  void edited() {
+    jam.edited();
+  }
+
+  /** Whether the last step led to its end. */
+  boolean isComplete() {
+    return complete;
+  }
+
+  /** Impacts of the last step. */
+  int rows() {
+    return world.impacts().size();
+  }
+
+  long impacts() {
+    return impacts;
+  }
+
+  long flights() {
+    return flights;
+  }
+
+  long steps() {
+    return steps;
+  }
+
+  long jams() {
+    return jams;
+  }
+
+  /**
+   * Steers a scene and plays a step of it.
+   *
+   * @param edited whether other edits may keep a step from its end
+   */
+  long step(EndScene ends, boolean edited) throws FindingException {
+    if (ends.steer(world)) {
+      jam.edited();
+    }
+    long nanos = step(ends.duration());
+    if (!edited && ends.finishes()) {
+      demandEnd();
+    }
+    return nanos;
+  }
+
+  /** Demands that the last step led to its end. */
+  void demandEnd() throws FindingException {
+    if (!complete) {
+      throw new FindingException("a step did not end, at " + world.now());
+    }
+  }
+
+  /** Plays a step, and returns how long it took of the processor, in nanoseconds. */
+  long step(double dt) throws FindingException {
+    Snapshot before = world.snapshot();
+    double start = world.now();
+    Timeline timeline = world.record(mostRows);
+    keepLimits();
+    energy.begin();
+    places.begin();
+    long begin = Soak.THREADS.getCurrentThreadCpuTime();
+    complete = world.step(dt);
+    long nanos = Soak.THREADS.getCurrentThreadCpuTime() - begin;
+    ImpactLog log = world.impacts();
+    steps++;
+    impacts += log.size();
+    LogCheck.check(world, start);
+    places.end();
+    masses.read(log);
+    readImpacts(log);
+    if (complete && log.size() < mostRows) {
+      keepLimits();
+      energy.end();
+      jam.check(world, timeline, dt > 0);
+      checkFlights(start, timeline);
+      if (isWithinClock() && steps % EACH == 0) {
+        ways.check(before, world);
+      }
+    }
+    masses.end();
+    return nanos;
+  }
+
+  /** Whether nobody is so fast that the order of impacts may depend on a restored snapshot. */
+  private boolean isWithinClock() {
+    double least = Double.POSITIVE_INFINITY;
+    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+      least = Math.min(least, world.radius(id));
+    }
+    return rounding.fastest() * world.now() * CLOCK < least;
+  }
+
+  private void readImpacts(ImpactLog log) {
+    for (int row = 0; row < log.size(); row++) {
+      jams += log.outcome(row) == Outcome.JAMMED ? 1 : 0;
+      // There are no flights of circles that bounce to and fro at one time.
+      rounding.keepSpeed(log.approachSpeed(row), 0);
+    }
+  }
+
+  private void checkFlights(double start, Timeline timeline) throws FindingException {
+    var all = new StepFlights(world, timeline, start, rounding).all();
+    for (var of : all) {
+      flights += of.size();
+      of.forEach(f -> rounding.keepSpeed(f.vx(), f.vy()));
+    }
+    masses.check(all);
+    new Crossings(world, rounding, masses).check(all);
+  }
+
+  /** Everything there is now counts for the bound of rounding. */
+  private void keepLimits() {
+    scene.bounds().ifPresent(b -> rounding.keepPlace(b.xmin(), b.ymin(), b.xmax(), b.ymax()));
+    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+      rounding.keepPlace(world.x(id), world.y(id), world.radius(id));
+      rounding.keepSpeed(world.vx(id), world.vy(id));
+    }
+    for (int id : world.ids(ObstacleKind.LINE)) {
+      var line = world.line(id);
+      rounding.keepPlace(line.ax(), line.ay(), line.bx(), line.by());
+    }
+    for (int id : world.ids(ObstacleKind.PEG)) {
+      var peg = world.peg(id);
+      rounding.keepPlace(peg.x(), peg.y(), peg.radius());
+    }
+  }
+}
