@@ -357,7 +357,7 @@ final class Collisions extends Engine {
     circles.load(i);
     for (int code : jam.codes()) {
       int id = code - Obstacles.CIRCLES;
-      if (id >= 0 && roster.mass(id) < Double.POSITIVE_INFINITY) {
+      if (id >= 0) {
         circles.load(id, other);
         if (pairs.part(circles.mover, other)) {
           jam = jam.without(code);
@@ -483,7 +483,7 @@ final class Collisions extends Engine {
     for (int k = 0; k < present.size(); k++) {
       int i = present.get(k);
       Jam jam = circles.jam(i);
-      if (roster.contains(i) && jam != null && jam.makesInert(code)) {
+      if (roster.contains(i) && jam != null && jam.concerns(code)) {
         circles.load(i);
         circles.mover.forget(code, 0);
         keep(i, circles.mover);

@@ -111,8 +111,8 @@ final class ContactCluster {
       return false;
     }
     for (int code : m.jam.codes()) {
-      int id = code - Obstacles.CIRCLES;
-      if (id >= 0 && isInfinite(id) && Touch.of(m, broughtTo(m, vicinity.copyOf(id))) != null) {
+      int id = ~code - Obstacles.CIRCLES;
+      if (id >= 0 && Touch.of(m, broughtTo(m, vicinity.copyOf(id))) != null) {
         return true;
       }
     }
@@ -162,8 +162,7 @@ final class ContactCluster {
     Mover m = members.get(k);
     int[] near = IntStream.of(vicinity.circlesNear(m.id)).sorted().distinct().toArray();
     for (int id : near) {
-      boolean passesOver =
-          isInfinite(id) && m.jam != null && m.jam.makesInert(Obstacles.CIRCLES + id);
+      boolean passesOver = m.jam != null && m.jam.isCrushedBy(Obstacles.CIRCLES + id);
       if (id != m.id && !pairs.isSensor(id, m.id) && !passesOver) {
         addCircle(k, id, numbers);
       }
@@ -217,7 +216,7 @@ final class ContactCluster {
       m.vx = 0;
       m.vy = 0;
       m.last = Mover.NOTHING;
-      m.jam = Jam.with(m.jam, c.touch.code());
+      m.jam = Jam.crushedBy(m.jam, c.touch.code());
       m.crushed = true;
       changed.add(m);
     }

@@ -10,6 +10,7 @@ import java.util.function.IntUnaryOperator;
  */
 final class Jam {
 
+  /** Of what is inert; of an infinite mass that crushed the circle, the complement. */
   private final int[] codes;
 
   private Jam(int[] codes) {
@@ -18,10 +19,19 @@ final class Jam {
 
   /** A jam, or none yet, with one more thing. */
   static Jam with(Jam jam, int code) {
+    return withEntry(jam, code);
+  }
+
+  /** A jam, or none yet, of a circle that an infinite mass crushed, which passes over it. */
+  static Jam crushedBy(Jam jam, int code) {
+    return withEntry(jam, ~code);
+  }
+
+  private static Jam withEntry(Jam jam, int code) {
     if (jam == null) {
       return new Jam(new int[] {code});
     }
-    if (jam.makesInert(code)) {
+    if (jam.contains(code)) {
       return jam;
     }
     int[] more = Arrays.copyOf(jam.codes, jam.codes.length + 1);
@@ -34,13 +44,13 @@ final class Jam {
     if (jam == null) {
       return null;
     }
-    int[] left = Arrays.stream(jam.codes).filter(code -> code >= first).toArray();
+    int[] left = Arrays.stream(jam.codes).filter(code -> code >= first || code < 0).toArray();
     return left.length == jam.codes.length ? jam : left.length == 0 ? null : new Jam(left);
   }
 
   /** What is left of it without one thing, null for nothing. */
   Jam without(int code) {
-    int[] left = Arrays.stream(codes).filter(other -> other != code).toArray();
+    int[] left = Arrays.stream(codes).filter(other -> other != code && other != ~code).toArray();
     return left.length == 0 ? null : new Jam(left);
   }
 
@@ -48,10 +58,15 @@ final class Jam {
   Jam ofOtherCircles(int first, IntUnaryOperator number) {
     return new Jam(
         Arrays.stream(codes)
-            .map(code -> code < first ? code : first + number.applyAsInt(code - first))
+            .map(code -> code < 0 ? ~other(~code, first, number) : other(code, first, number))
             .toArray());
   }
 
+  private static int other(int code, int first, IntUnaryOperator number) {
+    return code < first ? code : first + number.applyAsInt(code - first);
+  }
+
+  /** What is inert; the complements of those infinite masses that crushed the circle. */
   int[] codes() {
     return codes.clone();
   }
@@ -67,6 +82,19 @@ final class Jam {
   }
 
   boolean makesInert(int code) {
+    return contains(code);
+  }
+
+  boolean isCrushedBy(int code) {
+    return contains(~code);
+  }
+
+  /** Whether a thing is inert, or crushed the circle. */
+  boolean concerns(int code) {
+    return contains(code) || contains(~code);
+  }
+
+  private boolean contains(int code) {
     for (int other : codes) {
       if (other == code) {
         return true;

@@ -157,7 +157,7 @@ final class Mover {
    * @param sensedCode if it is next: of the sensors at its time, up to which code those were met
    */
   boolean forget(int code, int sensedCode) {
-    boolean knew = last == code || next == code || (jam != null && jam.makesInert(code));
+    boolean knew = last == code || next == code || (jam != null && jam.concerns(code));
     if (last == code) {
       last = NOTHING;
     }
@@ -165,7 +165,7 @@ final class Mover {
       next = NOTHING;
       contact = sensedCode;
     }
-    if (jam != null && jam.makesInert(code)) {
+    if (jam != null && jam.concerns(code)) {
       // The rest stays inert: it would be hit where the flight began, before the edit.
       jam = jam.without(code);
       stuck = jam == null ? 0 : stuck;

@@ -49,13 +49,14 @@ final class PairResponse {
 
   /**
    * Whether two circles are not there for each other: both are jammed to the other, or one of them
-   * is, and the other one has infinite mass and passes over it.
+   * has infinite mass, crushed the other, and passes over it.
    */
   boolean isInert(int i, Jam ofI, int j, Jam ofJ) {
-    boolean first = ofI != null && ofI.makesInert(Obstacles.CIRCLES + j);
-    boolean second = ofJ != null && ofJ.makesInert(Obstacles.CIRCLES + i);
-    return (first && (second || roster.mass(j) == INFINITE))
-        || (second && roster.mass(i) == INFINITE);
+    int codeI = Obstacles.CIRCLES + i;
+    int codeJ = Obstacles.CIRCLES + j;
+    return (ofI != null && ofI.isCrushedBy(codeJ))
+        || (ofJ != null && ofJ.isCrushedBy(codeI))
+        || (ofI != null && ofJ != null && ofI.makesInert(codeJ) && ofJ.makesInert(codeI));
   }
 
   /**

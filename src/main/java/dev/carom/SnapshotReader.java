@@ -215,8 +215,9 @@ final class SnapshotReader {
     Jam jam = null;
     for (int k = 0; k < count; k++) {
       int code = in.readInt();
-      checkCode(code);
-      jam = Jam.with(jam, code);
+      boolean crushes = ~code >= Obstacles.CIRCLES;
+      checkCode(crushes ? ~code : code);
+      jam = crushes ? Jam.crushedBy(jam, ~code) : Jam.with(jam, code);
     }
     return jam;
   }

@@ -79,7 +79,7 @@ class PairResponseTest {
   @Test
   void anInfiniteMassPassesOverWhatItCrushed() {
     PairResponse response = masses(1, INFINITE);
-    Jam jam = Jam.with(null, Obstacles.CIRCLES + 1);
+    Jam jam = Jam.crushedBy(null, Obstacles.CIRCLES + 1);
     assertThat(response.isInert(0, jam, 1, null)).isTrue();
     assertThat(response.isInert(1, null, 0, jam)).isTrue();
     assertThat(response.isInert(0, null, 1, null)).isFalse();

@@ -235,7 +235,7 @@ final class PlainWorld {
 
   private void leaveJams(int code) {
     movers.stream()
-        .filter(other -> other.jam != null && other.jam.makesInert(code))
+        .filter(other -> other.jam != null && other.jam.concerns(code))
         .forEach(other -> other.forget(code, 0));
   }
 
@@ -243,7 +243,7 @@ final class PlainWorld {
     for (Mover other : movers) {
       int code = Obstacles.CIRCLES + other.id;
       boolean inert = m.jam != null && m.jam.makesInert(code);
-      if (inert && roster.mass(other.id) < NEVER && pairs.part(m, other)) {
+      if (inert && pairs.part(m, other)) {
         m.jam = m.jam.without(code);
       }
     }

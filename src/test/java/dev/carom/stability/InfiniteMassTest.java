@@ -160,6 +160,32 @@ class InfiniteMassTest {
     assertThat(world.vy(0)).as("moved").isCloseTo(-2, within(1e-12));
   }
 
+  /** A ball that rides on one door is hit by the other one: it is not crushed while it moves. */
+  @Test
+  void onlyWhatStandsIsPassedOver() {
+    World world =
+        new World(
+            colliding()
+                .bounds(-50, 0, 50, 50)
+                .circle(0, 1.5, 1, 0, 0)
+                .restitution(0)
+                .circle(-3, 3.5, 2, 0.5, -1)
+                .mass(INFINITE)
+                .circle(3, 3.5, 2, -2, -0.5)
+                .mass(INFINITE)
+                .build());
+    for (int frame = 1; frame <= 400; frame++) {
+      assertThat(world.advanceTo(frame / 100.0)).isTrue();
+      double nearest = Double.POSITIVE_INFINITY;
+      for (int door = 1; door <= 2; door++) {
+        double dx = world.x(0) - world.x(door);
+        nearest = Math.min(nearest, Math.hypot(dx, world.y(0) - world.y(door)));
+      }
+      boolean stands = world.vx(0) == 0 && world.vy(0) == 0;
+      assertThat(nearest > 3 - 1e-9 || stands).as("at %s", world.now()).isTrue();
+    }
+  }
+
   /** A row between a piston and a wall ends with all of it at rest, and the piston goes on. */
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.5, 0.9})
