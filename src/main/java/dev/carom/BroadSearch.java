@@ -355,11 +355,11 @@ final class BroadSearch extends NarrowSearch {
   private int isNear(int code) {
     double[] lines = this.lines;
     // The first and the last one first: then compilers need not ask whether the rest is in range.
-    int k = code * Scene.LINE;
-    double ax = lines[k];
-    double by = lines[k + 3];
-    double ay = lines[k + 1];
-    double bx = lines[k + 2];
+    int k = code * Obstacles.LINE_ROW;
+    double ax = lines[k + Obstacles.AX];
+    double by = lines[k + Obstacles.BY];
+    double ay = lines[k + Obstacles.AY];
+    double bx = lines[k + Obstacles.BX];
     double a = Math.fma(ay, crossY, Math.fma(ax, crossX, crossOfOrigin));
     double b = Math.fma(by, crossY, Math.fma(bx, crossX, crossOfOrigin));
     // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2

@@ -115,7 +115,7 @@ final class DueCircles {
     }
     double[] lines = surroundings.obstacles.lines;
     int k = surroundings.obstacles.offset(code);
-    return bits(lines[k]) + bits(lines[k + Scene.LINE - 1]);
+    return bits(lines[k]) + bits(lines[k + Obstacles.LINE_ROW - 1]);
   }
 
   private static long bits(double number) {

@@ -194,15 +194,18 @@ final class Grid {
     for (int i = 0; i < lines.size(); i++) {
       if (!obstacles.isGone(lines.get(i))) {
         int k = obstacles.offset(lines.get(i));
-        include(box, obstacles.lines[k], obstacles.lines[k + 1], radius);
-        include(box, obstacles.lines[k + 2], obstacles.lines[k + 3], radius);
+        double[] l = obstacles.lines;
+        include(box, l[k + Obstacles.AX], l[k + Obstacles.AY], radius);
+        include(box, l[k + Obstacles.BX], l[k + Obstacles.BY], radius);
       }
     }
     PresentCodes pegs = obstacles.presentPegs();
     for (int i = 0; i < pegs.size(); i++) {
       if (!obstacles.isGone(pegs.get(i))) {
         int k = obstacles.offset(pegs.get(i));
-        include(box, obstacles.pegs[k], obstacles.pegs[k + 1], radius + obstacles.pegs[k + 2]);
+        double[] p = obstacles.pegs;
+        double r = p[k + Obstacles.RADIUS];
+        include(box, p[k + Obstacles.X], p[k + Obstacles.Y], radius + r);
       }
     }
     return box;

@@ -123,11 +123,11 @@ abstract class NarrowSearch {
   }
 
   private void considerLine(int code) {
-    int k = code * Scene.LINE;
-    double ax = lines[k];
-    double ay = lines[k + 1];
-    double bx = lines[k + 2];
-    double by = lines[k + 3];
+    int k = code * Obstacles.LINE_ROW;
+    double ax = lines[k + Obstacles.AX];
+    double ay = lines[k + Obstacles.AY];
+    double bx = lines[k + Obstacles.BX];
+    double by = lines[k + Obstacles.BY];
     if (Double.isNaN(ax)) {
       return; // removed
     }
@@ -141,10 +141,10 @@ abstract class NarrowSearch {
   }
 
   private void considerPeg(int code) {
-    int k = (code - Obstacles.PEGS) * Scene.PEG;
-    double cx = pegs[k];
-    double cy = pegs[k + 1];
-    double radius = pegs[k + 2];
+    int k = (code - Obstacles.PEGS) * Obstacles.PEG_ROW;
+    double cx = pegs[k + Obstacles.X];
+    double cy = pegs[k + Obstacles.Y];
+    double radius = pegs[k + Obstacles.RADIUS];
     if (Double.isNaN(cx)) {
       return; // removed
     }
@@ -184,11 +184,11 @@ abstract class NarrowSearch {
     if (code == bestCode) {
       return;
     }
-    int k = code * Scene.LINE;
-    double ax = lines[k];
-    double ay = lines[k + 1];
-    double bx = lines[k + 2];
-    double by = lines[k + 3];
+    int k = code * Obstacles.LINE_ROW;
+    double ax = lines[k + Obstacles.AX];
+    double ay = lines[k + Obstacles.AY];
+    double bx = lines[k + Obstacles.BX];
+    double by = lines[k + Obstacles.BY];
     int contact = RoughSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, margin);
     if (contact > SegmentSweep.MISS) {
       keepRough(RoughSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by), code, contact);
@@ -222,15 +222,18 @@ abstract class NarrowSearch {
 
   /** The exact time of a contact with a line, from the rough one. */
   private double timeOf(int line, int contact, double rough) {
-    int k = line * Scene.LINE;
+    int k = line * Obstacles.LINE_ROW;
     if (contact >= SegmentSweep.START) {
       // Which end it is, no processor can foretell: its place is computed.
-      int end = k + (contact - SegmentSweep.START) * Scene.END;
+      int end = k + (contact - SegmentSweep.START) * Obstacles.END;
       return EndSweep.time(px, py, r, vx, vy, lines[end], lines[end + 1], rough);
     }
     int side = contact == SegmentSweep.LEFT ? 1 : -1;
-    return SideSweep.refined(
-        side, px, py, r, vx, vy, lines[k], lines[k + 1], lines[k + 2], lines[k + 3], rough);
+    double ax = lines[k + Obstacles.AX];
+    double ay = lines[k + Obstacles.AY];
+    double bx = lines[k + Obstacles.BX];
+    double by = lines[k + Obstacles.BY];
+    return SideSweep.refined(side, px, py, r, vx, vy, ax, ay, bx, by, rough);
   }
 
   private void keep(double t, int code, int contact) {
@@ -289,9 +292,16 @@ abstract class NarrowSearch {
       return WallSweep.exactTime(vertical ? px : py, r, vertical ? vx : vy, obstacles.walls[code]);
     }
     int k = obstacles.offset(code);
-    return code < Obstacles.PEGS
-        ? SegmentSweep.exactTime(
-            contact, px, py, r, vx, vy, lines[k], lines[k + 1], lines[k + 2], lines[k + 3])
-        : DiskSweep.exactTime(contact, px, py, r, vx, vy, pegs[k], pegs[k + 1], pegs[k + 2], 0, 0);
+    if (code < Obstacles.PEGS) {
+      double ax = lines[k + Obstacles.AX];
+      double ay = lines[k + Obstacles.AY];
+      double bx = lines[k + Obstacles.BX];
+      double by = lines[k + Obstacles.BY];
+      return SegmentSweep.exactTime(contact, px, py, r, vx, vy, ax, ay, bx, by);
+    }
+    double cx = pegs[k + Obstacles.X];
+    double cy = pegs[k + Obstacles.Y];
+    double radius = pegs[k + Obstacles.RADIUS];
+    return DiskSweep.exactTime(contact, px, py, r, vx, vy, cx, cy, radius, 0, 0);
   }
 }

@@ -224,15 +224,15 @@ final class ObstacleResponse {
     int contact = m.contact & ~SegmentSweep.NOW;
     if (contact >= SegmentSweep.START) {
       // Which end it is, no processor can foretell: its place is computed.
-      int end = (contact - SegmentSweep.START) * Scene.END;
-      int other = Scene.END - end;
+      int end = (contact - SegmentSweep.START) * Obstacles.END;
+      int other = Obstacles.END - end;
       locateOnEnd(m, lines[k + end], lines[k + end + 1], lines[k + other], lines[k + other + 1]);
       return;
     }
-    double ax = lines[k];
-    double ay = lines[k + 1];
-    double bx = lines[k + 2];
-    double by = lines[k + 3];
+    double ax = lines[k + Obstacles.AX];
+    double ay = lines[k + Obstacles.AY];
+    double bx = lines[k + Obstacles.BX];
+    double by = lines[k + Obstacles.BY];
     if (contact == SegmentSweep.LEFT) {
       locateOnSide(m, ax, ay, bx, by, ay, bx, by, ax);
     } else {
@@ -283,7 +283,11 @@ final class ObstacleResponse {
   }
 
   private void locateOnPeg(Mover m, int k) {
-    locateAt(m, obstacles.pegs[k], obstacles.pegs[k + 1], obstacles.pegs[k + 2]);
+    locateAt(
+        m,
+        obstacles.pegs[k + Obstacles.X],
+        obstacles.pegs[k + Obstacles.Y],
+        obstacles.pegs[k + Obstacles.RADIUS]);
   }
 
   /**

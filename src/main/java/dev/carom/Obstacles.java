@@ -33,17 +33,39 @@ final class Obstacles {
 
   static final int PEG_LIMIT = CIRCLES - PEGS;
 
+  /** Doubles of one row of {@link #lines}. */
+  static final int LINE_ROW = 5;
+
+  // Their places in the row.
+  static final int AX = 0;
+  static final int AY = 1;
+  static final int BX = 2;
+  static final int BY = 3;
+  static final int LINE_RESTITUTION = 4;
+
+  /** From the start of a line to its end, in a row. */
+  static final int END = BX - AX;
+
+  /** Doubles of one row of {@link #pegs}. */
+  static final int PEG_ROW = 4;
+
+  // Their places in the row.
+  static final int X = 0;
+  static final int Y = 1;
+  static final int RADIUS = 2;
+  static final int PEG_RESTITUTION = 3;
+
   private static final Feature[] LINE_FEATURES = {
     null, Feature.SIDE, Feature.SIDE, Feature.START, Feature.END
   };
 
   /**
-   * {@link Scene#LINE} doubles for each code from 0 on: those of a line; NaN for one that was
-   * removed, and for the walls, which are no lines.
+   * A row for each code from 0 on: that of a line; NaN for one that was removed, and for the walls,
+   * which are no lines.
    */
   double[] lines;
 
-  /** {@link Scene#PEG} doubles a peg; NaN for one that was removed. */
+  /** A row for each peg; NaN for one that was removed. */
   double[] pegs;
 
   /** Null in an open scene. */
@@ -90,8 +112,8 @@ final class Obstacles {
     boundsTraits = scene.boundsTraits;
     lineTraits = scene.lineTraits;
     pegTraits = scene.pegTraits;
-    endOfLines = lines.length / Scene.LINE;
-    endOfPegs = PEGS + pegs.length / Scene.PEG;
+    endOfLines = lines.length / LINE_ROW;
+    endOfPegs = PEGS + pegs.length / PEG_ROW;
     presentLines = new PresentCodes(WALLS, endOfLines - WALLS);
     presentPegs = new PresentCodes(PEGS, endOfPegs - PEGS);
     countSpecials();
@@ -129,17 +151,17 @@ final class Obstacles {
     read.edited = true;
     read.countSpecials();
     read.presentLines = new PresentCodes(WALLS, lineTraits.length);
-    read.presentLines.removed(gone(lines, Scene.LINE), read::isGone);
+    read.presentLines.removed(gone(lines, LINE_ROW), read::isGone);
     read.presentPegs = new PresentCodes(PEGS, pegTraits.length);
-    read.presentPegs.removed(gone(pegs, Scene.PEG), read::isGone);
+    read.presentPegs.removed(gone(pegs, PEG_ROW), read::isGone);
     return read;
   }
 
   /** Rows of lines, with those of the walls before them. */
   static double[] byCode(double[] lines) {
-    double[] rows = new double[WALLS * Scene.LINE + lines.length];
-    Arrays.fill(rows, 0, WALLS * Scene.LINE, Double.NaN);
-    System.arraycopy(lines, 0, rows, WALLS * Scene.LINE, lines.length);
+    double[] rows = new double[WALLS * LINE_ROW + lines.length];
+    Arrays.fill(rows, 0, WALLS * LINE_ROW, Double.NaN);
+    System.arraycopy(lines, 0, rows, WALLS * LINE_ROW, lines.length);
     return rows;
   }
 
@@ -206,7 +228,7 @@ final class Obstacles {
       lines = lines.clone();
       pegs = pegs.clone();
       lineTraits = lineTraits == null ? new byte[endOfLines - WALLS] : lineTraits.clone();
-      pegTraits = pegTraits == null ? new byte[pegs.length / Scene.PEG] : pegTraits.clone();
+      pegTraits = pegTraits == null ? new byte[pegs.length / PEG_ROW] : pegTraits.clone();
       presentLines = presentLines.copy();
       presentPegs = presentPegs.copy();
     }
@@ -218,12 +240,12 @@ final class Obstacles {
     int i = endOfLines - WALLS;
     if (i == lineTraits.length) {
       lineTraits = Arrays.copyOf(lineTraits, Math.min(2 * i + 4, LINE_LIMIT));
-      lines = Arrays.copyOf(lines, (WALLS + lineTraits.length) * Scene.LINE);
+      lines = Arrays.copyOf(lines, (WALLS + lineTraits.length) * LINE_ROW);
     }
     int code = endOfLines++;
     presentLines.add(code);
     moveLine(code, ax, ay, bx, by);
-    lines[offset(code) + 4] = 1;
+    lines[offset(code) + LINE_RESTITUTION] = 1;
     lineTraits[i] = 0;
     return code;
   }
@@ -231,10 +253,10 @@ final class Obstacles {
   void moveLine(int code, double ax, double ay, double bx, double by) {
     own();
     int k = offset(code);
-    lines[k] = ax;
-    lines[k + 1] = ay;
-    lines[k + 2] = bx;
-    lines[k + 3] = by;
+    lines[k + AX] = ax;
+    lines[k + AY] = ay;
+    lines[k + BX] = bx;
+    lines[k + BY] = by;
   }
 
   /** Adds an elastic peg of no special trait, and returns its code. */
@@ -243,12 +265,12 @@ final class Obstacles {
     int i = endOfPegs - PEGS;
     if (i == pegTraits.length) {
       pegTraits = Arrays.copyOf(pegTraits, Math.min(2 * i + 4, PEG_LIMIT));
-      pegs = Arrays.copyOf(pegs, pegTraits.length * Scene.PEG);
+      pegs = Arrays.copyOf(pegs, pegTraits.length * PEG_ROW);
     }
     int code = endOfPegs++;
     presentPegs.add(code);
     movePeg(code, x, y, radius);
-    pegs[offset(code) + 3] = 1;
+    pegs[offset(code) + PEG_RESTITUTION] = 1;
     pegTraits[i] = 0;
     return code;
   }
@@ -256,9 +278,9 @@ final class Obstacles {
   void movePeg(int code, double x, double y, double radius) {
     own();
     int k = offset(code);
-    pegs[k] = x;
-    pegs[k + 1] = y;
-    pegs[k + 2] = radius;
+    pegs[k + X] = x;
+    pegs[k + Y] = y;
+    pegs[k + RADIUS] = radius;
   }
 
   /** Removes a line or a peg: no sweep finds it any more. */
@@ -267,10 +289,10 @@ final class Obstacles {
     int k = offset(code);
     setTraits(code, 0);
     if (code < PEGS) {
-      Arrays.fill(lines, k, k + Scene.LINE, Double.NaN);
+      Arrays.fill(lines, k, k + LINE_ROW, Double.NaN);
       presentLines.removed(1, this::isGone);
     } else {
-      Arrays.fill(pegs, k, k + Scene.PEG, Double.NaN);
+      Arrays.fill(pegs, k, k + PEG_ROW, Double.NaN);
       presentPegs.removed(1, this::isGone);
     }
   }
@@ -280,7 +302,7 @@ final class Obstacles {
     if (!edited) {
       return false;
     }
-    double x = code < PEGS ? lines[offset(code)] : pegs[offset(code)];
+    double x = code < PEGS ? lines[offset(code) + AX] : pegs[offset(code) + X];
     return Double.isNaN(x);
   }
 
@@ -310,8 +332,8 @@ final class Obstacles {
     }
     int k = offset(code);
     return code < PEGS
-        ? new Line(lines[k], lines[k + 1], lines[k + 2], lines[k + 3])
-        : new Circle(pegs[k], pegs[k + 1], pegs[k + 2]);
+        ? new Line(lines[k + AX], lines[k + AY], lines[k + BX], lines[k + BY])
+        : new Circle(pegs[k + X], pegs[k + Y], pegs[k + RADIUS]);
   }
 
   /** The number of a thing among those of its kind. */
@@ -321,7 +343,7 @@ final class Obstacles {
 
   /** The place of a line's or a peg's numbers in its array. */
   int offset(int code) {
-    return code < PEGS ? code * Scene.LINE : (code - PEGS) * Scene.PEG;
+    return code < PEGS ? code * LINE_ROW : (code - PEGS) * PEG_ROW;
   }
 
   /** The feature that a contact of the detector's code means. */
@@ -347,7 +369,9 @@ final class Obstacles {
     if (code < WALLS) {
       return boundsRestitution;
     }
-    return code < PEGS ? lines[offset(code) + 4] : pegs[offset(code) + 3];
+    return code < PEGS
+        ? lines[offset(code) + LINE_RESTITUTION]
+        : pegs[offset(code) + PEG_RESTITUTION];
   }
 
   void setRestitution(int code, double e) {
@@ -355,9 +379,9 @@ final class Obstacles {
     if (code < WALLS) {
       boundsRestitution = e;
     } else if (code < PEGS) {
-      lines[offset(code) + 4] = e;
+      lines[offset(code) + LINE_RESTITUTION] = e;
     } else {
-      pegs[offset(code) + 3] = e;
+      pegs[offset(code) + PEG_RESTITUTION] = e;
     }
   }
 
@@ -438,8 +462,8 @@ final class Obstacles {
   }
 
   private boolean haveSameNumbers(Obstacles that) {
-    int l = endOfLines * Scene.LINE;
-    int p = (endOfPegs - PEGS) * Scene.PEG;
+    int l = endOfLines * LINE_ROW;
+    int p = (endOfPegs - PEGS) * PEG_ROW;
     return Arrays.equals(lines, 0, l, that.lines, 0, l)
         && Arrays.equals(pegs, 0, p, that.pegs, 0, p);
   }

@@ -65,15 +65,6 @@ public final class Scene {
   /** Doubles of one circle in {@link #circles}: x, y, radius, vx, vy, restitution. */
   static final int CIRCLE = 6;
 
-  /** Doubles of one line in {@link #lines}: ax, ay, bx, by, restitution. */
-  static final int LINE = 5;
-
-  /** Numbers of one end of a line, the first in its row. */
-  static final int END = 2;
-
-  /** Doubles of one peg in {@link #pegs}: x, y, radius, restitution. */
-  static final int PEG = 4;
-
   /** Doubles of the bounds while they are built: xmin, ymin, xmax, ymax, restitution. */
   static final int BOUNDS = 5;
 
@@ -185,7 +176,7 @@ public final class Scene {
    * @return at least 0
    */
   public int lineCount() {
-    return lines.length / LINE - Obstacles.WALLS;
+    return lines.length / Obstacles.LINE_ROW - Obstacles.WALLS;
   }
 
   /**
@@ -194,7 +185,7 @@ public final class Scene {
    * @return at least 0
    */
   public int pegCount() {
-    return pegs.length / PEG;
+    return pegs.length / Obstacles.PEG_ROW;
   }
 
   /**
@@ -240,7 +231,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int i) {
-    int k = (Obstacles.WALLS + at(ObstacleKind.LINE, i)) * LINE;
+    int k = (Obstacles.WALLS + at(ObstacleKind.LINE, i)) * Obstacles.LINE_ROW;
     return new Line(lines[k], lines[k + 1], lines[k + 2], lines[k + 3]);
   }
 
@@ -252,7 +243,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such peg
    */
   public Circle peg(int i) {
-    int k = at(ObstacleKind.PEG, i) * PEG;
+    int k = at(ObstacleKind.PEG, i) * Obstacles.PEG_ROW;
     return new Circle(pegs[k], pegs[k + 1], pegs[k + 2]);
   }
 
@@ -269,8 +260,8 @@ public final class Scene {
     int k = at(kind, i);
     return switch (kind) {
       case WALL -> boundsRestitution;
-      case LINE -> lines[(Obstacles.WALLS + k) * LINE + 4];
-      case PEG -> pegs[k * PEG + 3];
+      case LINE -> lines[(Obstacles.WALLS + k) * Obstacles.LINE_ROW + Obstacles.LINE_RESTITUTION];
+      case PEG -> pegs[k * Obstacles.PEG_ROW + Obstacles.PEG_RESTITUTION];
       case CIRCLE -> circles[k * CIRCLE + 5];
     };
   }

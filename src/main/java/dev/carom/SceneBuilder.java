@@ -22,8 +22,8 @@ package dev.carom;
 public final class SceneBuilder {
 
   final SceneThings circles = new SceneThings("circle", Scene.CIRCLE, 2);
-  final SceneThings lines = new SceneThings("line", Scene.LINE, 4);
-  final SceneThings pegs = new SceneThings("peg", Scene.PEG, 2);
+  final SceneThings lines = new SceneThings("line", Obstacles.LINE_ROW, 4);
+  final SceneThings pegs = new SceneThings("peg", Obstacles.PEG_ROW, 2);
   final SceneThings bounds = new SceneThings("bounds", Scene.BOUNDS, 4);
   final DoubleList masses = new DoubleList();
   boolean collide;

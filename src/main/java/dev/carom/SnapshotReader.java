@@ -84,10 +84,10 @@ final class SnapshotReader {
     int traits = traits(1);
     lines = count(Obstacles.LINE_LIMIT);
     ByteArrayOutputStream lineTraits = new ByteArrayOutputStream();
-    DoubleList lineNumbers = numbers(lines, Scene.LINE, lineTraits);
+    DoubleList lineNumbers = numbers(lines, Obstacles.LINE_ROW, lineTraits);
     pegs = count(Obstacles.PEG_LIMIT);
     ByteArrayOutputStream pegTraits = new ByteArrayOutputStream();
-    DoubleList pegNumbers = numbers(pegs, Scene.PEG, pegTraits);
+    DoubleList pegNumbers = numbers(pegs, Obstacles.PEG_ROW, pegTraits);
     return Obstacles.of(
         bounds,
         restitution,
@@ -104,7 +104,7 @@ final class SnapshotReader {
     DoubleList numbers = new DoubleList();
     double[] row = new double[width];
     for (int i = 0; i < count; i++) {
-      int its = traitsOrGone(width == Scene.LINE ? 7 : 3);
+      int its = traitsOrGone(width == Obstacles.LINE_ROW ? 7 : 3);
       if (its == SnapshotWriter.GONE) {
         Arrays.fill(row, Double.NaN);
         its = 0;
@@ -123,7 +123,7 @@ final class SnapshotReader {
       Check.finite("a number of line or peg " + i, row[k]);
     }
     Check.notNegative("restitution", row[row.length - 1]);
-    Check.notNegative("radius", row.length == Scene.PEG ? row[2] : 0);
+    Check.notNegative("radius", row.length == Obstacles.PEG_ROW ? row[2] : 0);
   }
 
   private Snapshot circles(double now, boolean collide, Obstacles obstacles, Limits limits)

@@ -51,11 +51,11 @@ final class SnapshotWriter {
   private void obstacles(Obstacles o) throws IOException {
     out.writeInt(o.endOfLines - Obstacles.WALLS);
     for (int code = Obstacles.WALLS; code < o.endOfLines; code++) {
-      obstacle(o, code, o.lines, Scene.LINE);
+      obstacle(o, code, o.lines, Obstacles.LINE_ROW);
     }
     out.writeInt(o.endOfPegs - Obstacles.PEGS);
     for (int code = Obstacles.PEGS; code < o.endOfPegs; code++) {
-      obstacle(o, code, o.pegs, Scene.PEG);
+      obstacle(o, code, o.pegs, Obstacles.PEG_ROW);
     }
   }
 

@@ -30,10 +30,15 @@ record Touch(int code, int contact, double nx, double ny) {
     int k = obstacles.offset(code);
     if (code >= Obstacles.PEGS) {
       double[] p = obstacles.pegs;
-      return offset(m, code, 0, p[k], p[k + 1], m.radius + p[k + 2], size(m));
+      double reach = m.radius + p[k + Obstacles.RADIUS];
+      return offset(m, code, 0, p[k + Obstacles.X], p[k + Obstacles.Y], reach, size(m));
     }
     double[] l = obstacles.lines;
-    return ofLine(m, code, l[k], l[k + 1], l[k + 2], l[k + 3], obstacles.isOneWay(code));
+    double ax = l[k + Obstacles.AX];
+    double ay = l[k + Obstacles.AY];
+    double bx = l[k + Obstacles.BX];
+    double by = l[k + Obstacles.BY];
+    return ofLine(m, code, ax, ay, bx, by, obstacles.isOneWay(code));
   }
 
   private static Touch ofWall(Mover m, int code, double wall) {
