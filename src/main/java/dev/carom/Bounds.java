@@ -24,15 +24,6 @@ public record Bounds(double xmin, double ymin, double xmax, double ymax) impleme
    *     greater than its minimum
    */
   public Bounds {
-    Check.finite("xmin", xmin);
-    Check.finite("ymin", ymin);
-    Check.finite("xmax", xmax);
-    Check.finite("ymax", ymax);
-    if (!(xmax > xmin)) {
-      throw Check.refused("xmax", xmax, "more than xmin, " + xmin);
-    }
-    if (!(ymax > ymin)) {
-      throw Check.refused("ymax", ymax, "more than ymin, " + ymin);
-    }
+    Check.bounds(xmin, ymin, xmax, ymax);
   }
 }

@@ -83,11 +83,11 @@ final class BroadSearch extends NarrowSearch {
   BroadSearch(Obstacles obstacles, CodeList loose) {
     super(obstacles);
     this.loose = loose;
-    Bounds b = obstacles.bounds;
-    middleX = b == null ? 0 : b.xmin() / 2 + b.xmax() / 2;
-    middleY = b == null ? 0 : b.ymin() / 2 + b.ymax() / 2;
-    halfWidth = b == null ? NEVER : b.xmax() / 2 - b.xmin() / 2;
-    halfHeight = b == null ? NEVER : b.ymax() / 2 - b.ymin() / 2;
+    double[] w = obstacles.walls;
+    middleX = w == null ? 0 : w[Obstacles.LEFT] / 2 + w[Obstacles.RIGHT] / 2;
+    middleY = w == null ? 0 : w[Obstacles.BOTTOM] / 2 + w[Obstacles.TOP] / 2;
+    halfWidth = w == null ? NEVER : w[Obstacles.RIGHT] / 2 - w[Obstacles.LEFT] / 2;
+    halfHeight = w == null ? NEVER : w[Obstacles.TOP] / 2 - w[Obstacles.BOTTOM] / 2;
     lookAgainAtAll();
   }
 
@@ -100,7 +100,7 @@ final class BroadSearch extends NarrowSearch {
   /** Takes notice that all may be others. */
   void lookAgainAtAll() {
     double ofBounds =
-        obstacles.bounds == null
+        obstacles.walls == null
             ? 0
             : Math.max(Math.abs(middleX) + halfWidth, Math.abs(middleY) + halfHeight);
     extent = Math.max(obstacles.extent(), ofBounds);
@@ -224,7 +224,7 @@ final class BroadSearch extends NarrowSearch {
    * A time at or shortly before that of the next wall: it is found only if nothing comes before.
    */
   private double wallAhead() {
-    if (obstacles.bounds == null) {
+    if (obstacles.walls == null) {
       return NEVER;
     }
     // Distances from the walls ahead, without a branch that half of all flights take. They err by

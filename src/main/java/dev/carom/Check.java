@@ -52,6 +52,20 @@ final class Check {
     }
   }
 
+  /** The sides of a rectangle that is wider and higher than 0. */
+  static void bounds(double xmin, double ymin, double xmax, double ymax) {
+    finite("xmin", xmin);
+    finite("ymin", ymin);
+    finite("xmax", xmax);
+    finite("ymax", ymax);
+    if (!(xmax > xmin)) {
+      throw refused("xmax", xmax, "more than xmin, " + xmin);
+    }
+    if (!(ymax > ymin)) {
+      throw refused("ymax", ymax, "more than ymin, " + ymin);
+    }
+  }
+
   /** A length of time: 0 or more, {@code +infinity} included. */
   static void duration(String name, double value) {
     if (!(value >= 0)) {

@@ -100,28 +100,28 @@ final class CircleTree {
   }
 
   /** Finds all circles that overlap a line, and some more. */
-  void nearLine(Line l, IntConsumer found) {
-    ax = l.ax();
-    ay = l.ay();
-    wx = l.bx() - ax;
-    wy = l.by() - ay;
-    left = Math.min(ax, l.bx());
-    bottom = Math.min(ay, l.by());
-    right = Math.max(ax, l.bx());
-    top = Math.max(ay, l.by());
+  void nearLine(double fromX, double fromY, double toX, double toY, IntConsumer found) {
+    ax = fromX;
+    ay = fromY;
+    wx = toX - ax;
+    wy = toY - ay;
+    left = Math.min(ax, toX);
+    bottom = Math.min(ay, toY);
+    right = Math.max(ax, toX);
+    top = Math.max(ay, toY);
     find(0, 0, order.length, found);
   }
 
   /** Finds all circles that overlap a disk, and some more. */
-  void nearDisk(Circle disk, IntConsumer found) {
-    ax = disk.x();
-    ay = disk.y();
+  void nearDisk(double x, double y, double r, IntConsumer found) {
+    ax = x;
+    ay = y;
     wx = 0;
     wy = 0;
-    left = Math.nextDown(ax - disk.radius());
-    bottom = Math.nextDown(ay - disk.radius());
-    right = Math.nextUp(ax + disk.radius());
-    top = Math.nextUp(ay + disk.radius());
+    left = Math.nextDown(ax - r);
+    bottom = Math.nextDown(ay - r);
+    right = Math.nextUp(ax + r);
+    top = Math.nextUp(ay + r);
     find(0, 0, order.length, found);
   }
 

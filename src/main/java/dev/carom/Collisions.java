@@ -23,7 +23,9 @@ final class Collisions extends Engine {
   private static final int EVENTS_PER_CIRCLE = 1_000;
 
   private final Machinery machinery;
-  private final Bounds bounds;
+  /** Where the walls stand, by their codes; null without bounds. */
+  private final double[] walls;
+
   private final PairResponse pairs;
   private final ContactCluster cluster;
   private Neighbors neighbors;
@@ -65,7 +67,7 @@ final class Collisions extends Engine {
   Collisions(Scene scene, Roster roster, Machinery machinery, ImpactLog log) {
     super(scene, roster, Circles.colliding(scene.circleCount()), machinery, log);
     this.machinery = machinery;
-    bounds = scene.bounds;
+    walls = scene.walls;
     pairs = new PairResponse(roster);
     cluster = new ContactCluster(roster, pairs, response, surroundings.obstacles, new Vicinity());
     int count = circles.count;
@@ -84,7 +86,7 @@ final class Collisions extends Engine {
     found = new int[room + 9];
     foundOfOther = new int[room + 9];
     int[] slots = roster.slots();
-    neighbors = new Neighbors(circles, slots, bounds, machinery.pairCells(), reached);
+    neighbors = new Neighbors(circles, slots, walls, machinery.pairCells(), reached);
     meetings = new Meetings(circles, pairs, sensed);
     schedule = new Schedule(circles, roster, neighbors, meetings, pairs, room);
     queue = schedule.queue;

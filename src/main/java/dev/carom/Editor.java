@@ -28,9 +28,9 @@ final class Editor {
     circles = engine.circles;
     obstacles = engine.surroundings.obstacles;
     limits.keepPlace(obstacles.extent(), 0);
-    if (scene.bounds != null) {
-      limits.keepPlace(scene.bounds.xmin(), scene.bounds.ymin());
-      limits.keepPlace(scene.bounds.xmax(), scene.bounds.ymax());
+    if (obstacles.walls != null) {
+      limits.keepPlace(obstacles.walls[Obstacles.LEFT], obstacles.walls[Obstacles.BOTTOM]);
+      limits.keepPlace(obstacles.walls[Obstacles.RIGHT], obstacles.walls[Obstacles.TOP]);
     }
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);

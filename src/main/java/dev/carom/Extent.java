@@ -7,9 +7,13 @@ package dev.carom;
  */
 record Extent(double left, double bottom, double right, double top) {
 
-  static Extent of(Circles circles, int[] ids, Bounds bounds, double now) {
-    if (bounds != null) {
-      return new Extent(bounds.xmin(), bounds.ymin(), bounds.xmax(), bounds.ymax());
+  static Extent of(Circles circles, int[] ids, double[] walls, double now) {
+    if (walls != null) {
+      return new Extent(
+          walls[Obstacles.LEFT],
+          walls[Obstacles.BOTTOM],
+          walls[Obstacles.RIGHT],
+          walls[Obstacles.TOP]);
     }
     double left = Double.POSITIVE_INFINITY;
     double bottom = Double.POSITIVE_INFINITY;

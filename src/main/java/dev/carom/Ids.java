@@ -20,7 +20,7 @@ final class Ids {
   boolean contains(ObstacleKind kind, int id) {
     return switch (Check.notNull("kind", kind)) {
       case CIRCLE -> roster.slot(id) >= 0;
-      case WALL -> obstacles.bounds != null && id >= 0 && id < Obstacles.WALLS;
+      case WALL -> obstacles.walls != null && id >= 0 && id < Obstacles.WALLS;
       case LINE, PEG -> id >= 0 && id < end(kind) && !obstacles.isGone(code(kind, id));
     };
   }
@@ -28,7 +28,7 @@ final class Ids {
   /** One more than the largest id ever given. */
   int end(ObstacleKind kind) {
     return switch (Check.notNull("kind", kind)) {
-      case WALL -> obstacles.bounds == null ? 0 : Obstacles.WALLS;
+      case WALL -> obstacles.walls == null ? 0 : Obstacles.WALLS;
       case LINE -> obstacles.endOfLines - Obstacles.WALLS;
       case PEG -> obstacles.endOfPegs - Obstacles.PEGS;
       case CIRCLE -> roster.idEnd();

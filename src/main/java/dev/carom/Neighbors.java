@@ -67,12 +67,12 @@ final class Neighbors {
 
   private int way;
 
-  Neighbors(Circles circles, int[] ids, Bounds bounds, double diameters, double now) {
+  Neighbors(Circles circles, int[] ids, double[] walls, double diameters, double now) {
     this.circles = circles;
     state = circles.state;
     codes = circles.codes;
     count = circles.capacity();
-    Extent extent = Extent.of(circles, ids, bounds, now);
+    Extent extent = Extent.of(circles, ids, walls, now);
     originX = extent.left();
     originY = extent.bottom();
     sizes = new SizeClasses(circles, ids, extent, diameters);
@@ -95,7 +95,7 @@ final class Neighbors {
     coarse = new double[levels == 1 ? 0 : 2 * levels * count];
     inside = new double[4 * levels];
     for (int k = 0; k < levels; k++) {
-      limit(k, sizes.radii[k] * (1 + 0x1p-10) + sizes.slack(), bounds);
+      limit(k, sizes.radii[k] * (1 + 0x1p-10) + sizes.slack(), walls);
     }
     for (int i : ids) {
       enter(i, now);
@@ -127,13 +127,14 @@ final class Neighbors {
   }
 
   /** Finds the cells of a level all of whose places are further than that from every wall. */
-  private void limit(int level, double distance, Bounds b) {
+  private void limit(int level, double distance, double[] w) {
     int k = 4 * level;
     double cell = size[level];
-    inside[k] = b == null ? -NEVER : Math.ceil((b.xmin() + distance - originX) / cell);
-    inside[k + 1] = b == null ? NEVER : Math.floor((b.xmax() - distance - originX) / cell);
-    inside[k + 2] = b == null ? -NEVER : Math.ceil((b.ymin() + distance - originY) / cell);
-    inside[k + 3] = b == null ? NEVER : Math.floor((b.ymax() - distance - originY) / cell);
+    boolean open = w == null;
+    inside[k] = open ? -NEVER : Math.ceil((w[Obstacles.LEFT] + distance - originX) / cell);
+    inside[k + 1] = open ? NEVER : Math.floor((w[Obstacles.RIGHT] - distance - originX) / cell);
+    inside[k + 2] = open ? -NEVER : Math.ceil((w[Obstacles.BOTTOM] + distance - originY) / cell);
+    inside[k + 3] = open ? NEVER : Math.floor((w[Obstacles.TOP] - distance - originY) / cell);
   }
 
   /**

@@ -2,7 +2,6 @@
 package dev.carom;
 
 import java.util.Arrays;
-import java.util.Objects;
 
 /**
  * The things that stand still, in flat arrays. Each has one code, and the codes stand in the order
@@ -68,9 +67,6 @@ final class Obstacles {
   /** A row for each peg; NaN for one that was removed. */
   double[] pegs;
 
-  /** Null in an open scene. */
-  final Bounds bounds;
-
   /** Where the walls stand, by their codes; null without bounds. */
   final double[] walls;
 
@@ -106,8 +102,7 @@ final class Obstacles {
   private Obstacles(Scene scene) {
     lines = scene.lines;
     pegs = scene.pegs;
-    bounds = scene.bounds;
-    walls = walls(bounds);
+    walls = scene.walls;
     boundsRestitution = scene.boundsRestitution;
     boundsTraits = scene.boundsTraits;
     lineTraits = scene.lineTraits;
@@ -120,26 +115,24 @@ final class Obstacles {
   }
 
   private Obstacles(Obstacles other) {
-    bounds = other.bounds;
     walls = other.walls;
     set(other);
   }
 
-  private Obstacles(Bounds bounds) {
-    this.bounds = bounds;
-    walls = walls(bounds);
+  private Obstacles(double[] walls) {
+    this.walls = walls;
   }
 
   /** Those of a snapshot; the traits are one for each line and each peg. */
   static Obstacles of(
-      Bounds bounds,
+      double[] walls,
       double boundsRestitution,
       int boundsTraits,
       double[] lines,
       byte[] lineTraits,
       double[] pegs,
       byte[] pegTraits) {
-    Obstacles read = new Obstacles(bounds);
+    Obstacles read = new Obstacles(walls);
     read.boundsRestitution = boundsRestitution;
     read.boundsTraits = boundsTraits;
     read.lines = byCode(lines);
@@ -197,11 +190,17 @@ final class Obstacles {
     return new Obstacles(this);
   }
 
-  private static double[] walls(Bounds b) {
-    return b == null ? null : new double[] {b.xmin(), b.xmax(), b.ymin(), b.ymax()};
+  /** Where the walls of a rectangle stand, by their codes. */
+  static double[] walls(double xmin, double ymin, double xmax, double ymax) {
+    double[] walls = new double[WALLS];
+    walls[LEFT] = xmin;
+    walls[RIGHT] = xmax;
+    walls[BOTTOM] = ymin;
+    walls[TOP] = ymax;
+    return walls;
   }
 
-  /** Takes over what another one holds, with the same bounds. */
+  /** Takes over what another one holds, with the same walls. */
   void set(Obstacles other) {
     other.shared = true;
     shared = true;
@@ -325,15 +324,12 @@ final class Obstacles {
     return code < WALLS ? ObstacleKind.WALL : code < PEGS ? ObstacleKind.LINE : ObstacleKind.PEG;
   }
 
-  /** The thing itself; of a wall, the bounds. */
-  Obstacle thing(int code) {
-    if (code < WALLS) {
-      return bounds;
-    }
+  /** A copy of the row of a line or a peg. */
+  double[] row(int code) {
     int k = offset(code);
     return code < PEGS
-        ? new Line(lines[k + AX], lines[k + AY], lines[k + BX], lines[k + BY])
-        : new Circle(pegs[k + X], pegs[k + Y], pegs[k + RADIUS]);
+        ? Arrays.copyOfRange(lines, k, k + LINE_ROW)
+        : Arrays.copyOfRange(pegs, k, k + PEG_ROW);
   }
 
   /** The number of a thing among those of its kind. */
@@ -452,7 +448,7 @@ final class Obstacles {
   @Override
   public boolean equals(Object other) {
     return other instanceof Obstacles that
-        && Objects.equals(bounds, that.bounds)
+        && Arrays.equals(walls, that.walls)
         && Double.compare(boundsRestitution, that.boundsRestitution) == 0
         && boundsTraits == that.boundsTraits
         && endOfLines == that.endOfLines

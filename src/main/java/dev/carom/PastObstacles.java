@@ -11,8 +11,8 @@ import java.util.Map;
 /** Where lines and pegs were during a recording: what was there first, and each change since. */
 final class PastObstacles {
 
-  /** A thing from a time on; null where it is gone. */
-  private record Change(double from, Obstacle thing) {}
+  /** The row of a thing from a time on; null where it is gone. */
+  private record Change(double from, double[] row) {}
 
   private final Obstacles first;
   private final int most;
@@ -49,7 +49,7 @@ final class PastObstacles {
   void note(int code, Obstacles now, double t) {
     List<Change> ofThis = changes.computeIfAbsent(code, this::newChanges);
     boolean gone = now.isGone(code);
-    ofThis.add(new Change(t, gone ? null : now.thing(code)));
+    ofThis.add(new Change(t, gone ? null : now.row(code)));
     if (ofThis.size() > most) {
       ofThis.remove(0);
       start = Math.max(start, ofThis.get(0).from());
@@ -88,15 +88,15 @@ final class PastObstacles {
     }
   }
 
-  /** What had a code at a given time, null if nothing had it then. */
-  Obstacle at(int code, double t) {
+  /** The row of what had a code at a given time, null if nothing had it then. */
+  double[] at(int code, double t) {
     List<Change> ofThis = changes.getOrDefault(code, List.of());
     for (int i = ofThis.size() - 1; i >= 0; i--) {
       if (ofThis.get(i).from() <= t) {
-        return ofThis.get(i).thing();
+        return ofThis.get(i).row();
       }
     }
-    return isFirst(code) ? first.thing(code) : null;
+    return isFirst(code) ? first.row(code) : null;
   }
 
   /** Whether a thing was there when the recording began. */

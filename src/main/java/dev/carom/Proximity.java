@@ -6,6 +6,8 @@ import java.util.stream.IntStream;
 /**
  * Which obstacles are near a point, or overlap a disk or a box. Overlaps are decided exactly, by
  * the signs that the detector uses; to touch is not to overlap.
+ *
+ * <p>A box is the coordinates of its sides, by the codes of walls.
  */
 final class Proximity {
 
@@ -27,7 +29,7 @@ final class Proximity {
   /** The codes of one kind of what stands still. */
   IntStream codes(ObstacleKind kind) {
     return switch (kind) {
-      case WALL -> IntStream.range(0, obstacles.bounds == null ? 0 : Obstacles.WALLS);
+      case WALL -> IntStream.range(0, obstacles.walls == null ? 0 : Obstacles.WALLS);
       case LINE -> obstacles.presentLines().stream(obstacles::isGone);
       case PEG -> obstacles.presentPegs().stream(obstacles::isGone);
       case CIRCLE -> IntStream.empty();
@@ -54,52 +56,53 @@ final class Proximity {
   }
 
   private double distance(int code, double x, double y) {
-    Obstacle thing = obstacles.thing(code);
-    if (thing instanceof Line line) {
-      Vec2 foot = line.closestPoint(new Vec2(x, y));
-      return StrictMath.hypot(x - foot.x(), y - foot.y());
+    if (code < Obstacles.WALLS) {
+      return Math.abs((code <= Obstacles.RIGHT ? x : y) - obstacles.walls[code]);
     }
-    if (thing instanceof Circle peg) {
-      return distance(peg, x, y);
+    int k = obstacles.offset(code);
+    if (code < Obstacles.PEGS) {
+      return distanceFromLine(obstacles.lines, k, x, y);
     }
-    Bounds b = obstacles.bounds;
-    return Math.abs(
-        switch (code) {
-          case Obstacles.LEFT -> x - b.xmin();
-          case Obstacles.RIGHT -> x - b.xmax();
-          case Obstacles.BOTTOM -> y - b.ymin();
-          default -> y - b.ymax();
-        });
+    double[] p = obstacles.pegs;
+    return distance(p[k + Obstacles.X], p[k + Obstacles.Y], p[k + Obstacles.RADIUS], x, y);
   }
 
-  /** The distance from the rim of a disk; 0 inside. */
-  static double distance(Circle disk, double x, double y) {
-    return Math.max(0, StrictMath.hypot(x - disk.x(), y - disk.y()) - disk.radius());
+  /** The distance of a point from the line whose row begins at a place in an array. */
+  static double distanceFromLine(double[] lines, int k, double x, double y) {
+    double ax = lines[k + Obstacles.AX];
+    double ay = lines[k + Obstacles.AY];
+    double bx = lines[k + Obstacles.BX];
+    double by = lines[k + Obstacles.BY];
+    double s = Line.fraction(ax, ay, bx, by, x, y);
+    double footX = !(s > 0) ? ax : s >= 1 ? bx : Line.between(s, ax, bx);
+    double footY = !(s > 0) ? ay : s >= 1 ? by : Line.between(s, ay, by);
+    return StrictMath.hypot(x - footX, y - footY);
   }
 
-  IntStream overlapping(Circle disk) {
-    return codes().filter(code -> overlaps(code, disk));
+  /** The distance of a point from the rim of a disk; 0 inside. */
+  static double distance(double cx, double cy, double r, double x, double y) {
+    return Math.max(0, StrictMath.hypot(x - cx, y - cy) - r);
   }
 
-  IntStream overlapping(Bounds box) {
-    return codes().filter(code -> overlaps(code, box));
+  // What overlaps a disk.
+
+  IntStream overlapping(double x, double y, double r) {
+    return codes().filter(code -> overlaps(code, x, y, r));
   }
 
-  boolean overlaps(int code, Circle disk) {
-    Obstacle thing = obstacles.thing(code);
-    if (thing instanceof Line line) {
-      return overlap(line, disk);
+  boolean overlaps(int code, double x, double y, double r) {
+    if (code < Obstacles.WALLS) {
+      double p = code <= Obstacles.RIGHT ? x : y;
+      double wall = obstacles.walls[code];
+      boolean isLower = (code & 1) == 0;
+      return isLower ? isNearer(p, wall, r) : isNearer(wall, p, r);
     }
-    if (thing instanceof Circle peg) {
-      return overlap(peg, disk);
+    int k = obstacles.offset(code);
+    if (code < Obstacles.PEGS) {
+      return overlapsLine(obstacles.lines, k, x, y, r);
     }
-    Bounds b = obstacles.bounds;
-    return switch (code) {
-      case Obstacles.LEFT -> isNearer(disk.x(), b.xmin(), disk.radius());
-      case Obstacles.RIGHT -> isNearer(b.xmax(), disk.x(), disk.radius());
-      case Obstacles.BOTTOM -> isNearer(disk.y(), b.ymin(), disk.radius());
-      default -> isNearer(b.ymax(), disk.y(), disk.radius());
-    };
+    double[] p = obstacles.pegs;
+    return overlap(p[k + Obstacles.X], p[k + Obstacles.Y], p[k + Obstacles.RADIUS], x, y, r);
   }
 
   /** Whether {@code p - q < r}, exactly. */
@@ -107,75 +110,85 @@ final class Proximity {
     return Dyadic.of(p).minus(Dyadic.of(q)).minus(Dyadic.of(r)).sign() < 0;
   }
 
-  static boolean overlap(Circle a, Circle b) {
-    return Predicates.gap(a.x(), a.y(), b.x(), b.y(), a.radius(), b.radius()) < 0;
+  /** Whether two disks overlap. */
+  static boolean overlap(double x1, double y1, double r1, double x2, double y2, double r2) {
+    return Predicates.gap(x1, y1, x2, y2, r1, r2) < 0;
   }
 
-  private static boolean overlap(Line l, Circle disk) {
-    double x = disk.x();
-    double y = disk.y();
-    double r = disk.radius();
-    if (Predicates.dot(x, y, l.ax(), l.ay(), l.bx(), l.by(), l.ax(), l.ay()) <= 0) {
-      return Predicates.gap(x, y, l.ax(), l.ay(), r, 0) < 0;
+  private static boolean overlapsLine(double[] lines, int k, double x, double y, double r) {
+    double ax = lines[k + Obstacles.AX];
+    double ay = lines[k + Obstacles.AY];
+    double bx = lines[k + Obstacles.BX];
+    double by = lines[k + Obstacles.BY];
+    if (Predicates.dot(x, y, ax, ay, bx, by, ax, ay) <= 0) {
+      return Predicates.gap(x, y, ax, ay, r, 0) < 0;
     }
-    if (Predicates.dot(x, y, l.bx(), l.by(), l.bx(), l.by(), l.ax(), l.ay()) >= 0) {
-      return Predicates.gap(x, y, l.bx(), l.by(), r, 0) < 0;
+    if (Predicates.dot(x, y, bx, by, bx, by, ax, ay) >= 0) {
+      return Predicates.gap(x, y, bx, by, r, 0) < 0;
     }
-    return Predicates.reach(l.bx(), l.by(), l.ax(), l.ay(), x, y, l.ax(), l.ay(), r, 0) > 0;
+    return Predicates.reach(bx, by, ax, ay, x, y, ax, ay, r, 0) > 0;
   }
 
-  boolean overlaps(int code, Bounds box) {
-    Obstacle thing = obstacles.thing(code);
-    if (thing instanceof Line line) {
-      return overlap(line, box);
+  // What overlaps a box.
+
+  IntStream overlapping(double[] box) {
+    return codes().filter(code -> overlaps(code, box));
+  }
+
+  boolean overlaps(int code, double[] box) {
+    if (code < Obstacles.WALLS) {
+      double wall = obstacles.walls[code];
+      boolean isLower = (code & 1) == 0;
+      return isLower ? box[code] < wall : box[code] > wall;
     }
-    if (thing instanceof Circle peg) {
-      return overlap(peg, box);
+    int k = obstacles.offset(code);
+    if (code < Obstacles.PEGS) {
+      return overlapsLine(obstacles.lines, k, box);
     }
-    Bounds b = obstacles.bounds;
-    return switch (code) {
-      case Obstacles.LEFT -> box.xmin() < b.xmin();
-      case Obstacles.RIGHT -> box.xmax() > b.xmax();
-      case Obstacles.BOTTOM -> box.ymin() < b.ymin();
-      default -> box.ymax() > b.ymax();
-    };
+    double[] p = obstacles.pegs;
+    return overlap(p[k + Obstacles.X], p[k + Obstacles.Y], p[k + Obstacles.RADIUS], box);
   }
 
   /** A disk and a box: the box's point nearest to the centre is in the disk. */
-  static boolean overlap(Circle disk, Bounds box) {
-    double x = Math.max(box.xmin(), Math.min(disk.x(), box.xmax()));
-    double y = Math.max(box.ymin(), Math.min(disk.y(), box.ymax()));
-    boolean inside = x == disk.x() && y == disk.y();
-    return inside
-        ? disk.radius() > 0 || isInside(box, x, y)
-        : Predicates.gap(disk.x(), disk.y(), x, y, disk.radius(), 0) < 0;
+  static boolean overlap(double cx, double cy, double r, double[] box) {
+    double x = Math.max(box[Obstacles.LEFT], Math.min(cx, box[Obstacles.RIGHT]));
+    double y = Math.max(box[Obstacles.BOTTOM], Math.min(cy, box[Obstacles.TOP]));
+    boolean inside = x == cx && y == cy;
+    return inside ? r > 0 || isInside(box, x, y) : Predicates.gap(cx, cy, x, y, r, 0) < 0;
   }
 
-  private static boolean isInside(Bounds box, double x, double y) {
-    return x > box.xmin() && x < box.xmax() && y > box.ymin() && y < box.ymax();
+  private static boolean isInside(double[] box, double x, double y) {
+    return x > box[Obstacles.LEFT]
+        && x < box[Obstacles.RIGHT]
+        && y > box[Obstacles.BOTTOM]
+        && y < box[Obstacles.TOP];
   }
 
   /**
    * A line and a box overlap unless they can be parted: by a horizontal or a vertical line, or by
    * the line itself, with all corners on one side of it.
    */
-  private static boolean overlap(Line l, Bounds box) {
-    if (Math.max(l.ax(), l.bx()) <= box.xmin()
-        || Math.min(l.ax(), l.bx()) >= box.xmax()
-        || Math.max(l.ay(), l.by()) <= box.ymin()
-        || Math.min(l.ay(), l.by()) >= box.ymax()) {
+  private static boolean overlapsLine(double[] lines, int k, double[] box) {
+    double ax = lines[k + Obstacles.AX];
+    double ay = lines[k + Obstacles.AY];
+    double bx = lines[k + Obstacles.BX];
+    double by = lines[k + Obstacles.BY];
+    if (Math.max(ax, bx) <= box[Obstacles.LEFT]
+        || Math.min(ax, bx) >= box[Obstacles.RIGHT]
+        || Math.max(ay, by) <= box[Obstacles.BOTTOM]
+        || Math.min(ay, by) >= box[Obstacles.TOP]) {
       return false;
     }
     int left = 0;
     int right = 0;
     for (int corner = 0; corner < 4; corner++) {
-      double x = corner % 2 == 0 ? box.xmin() : box.xmax();
-      double y = corner / 2 == 0 ? box.ymin() : box.ymax();
-      int side = Predicates.cross(l.bx(), l.by(), l.ax(), l.ay(), x, y, l.ax(), l.ay());
+      double x = box[corner % 2 == 0 ? Obstacles.LEFT : Obstacles.RIGHT];
+      double y = box[corner / 2 == 0 ? Obstacles.BOTTOM : Obstacles.TOP];
+      int side = Predicates.cross(bx, by, ax, ay, x, y, ax, ay);
       left += side > 0 ? 1 : 0;
       right += side < 0 ? 1 : 0;
     }
-    boolean isPoint = l.ax() == l.bx() && l.ay() == l.by();
+    boolean isPoint = ax == bx && ay == by;
     return isPoint || (left > 0 && right > 0);
   }
 }

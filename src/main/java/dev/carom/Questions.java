@@ -89,7 +89,9 @@ final class Questions {
     double least = Double.POSITIVE_INFINITY;
     int nearest = -1;
     for (int slot : slots(now).toArray()) {
-      double distance = Proximity.distance(circle(slot, now), x, y);
+      double distance =
+          Proximity.distance(
+              circles.x(slot, now), circles.y(slot, now), circles.radius(slot), x, y);
       if (nearest < 0 || distance < least) {
         least = distance;
         nearest = roster.id(slot);
@@ -100,14 +102,32 @@ final class Questions {
 
   int[] overlapping(ObstacleKind kind, Circle disk, double now) {
     return kind == ObstacleKind.CIRCLE
-        ? ids(now, slot -> Proximity.overlap(circle(slot, now), disk))
-        : ids(proximity.codes(kind).filter(code -> proximity.overlaps(code, disk)));
+        ? ids(now, slot -> overlaps(slot, disk, now))
+        : ids(
+            proximity
+                .codes(kind)
+                .filter(code -> proximity.overlaps(code, disk.x(), disk.y(), disk.radius())));
   }
 
-  int[] overlapping(ObstacleKind kind, Bounds box, double now) {
+  private boolean overlaps(int slot, Circle disk, double now) {
+    return Proximity.overlap(
+        circles.x(slot, now),
+        circles.y(slot, now),
+        circles.radius(slot),
+        disk.x(),
+        disk.y(),
+        disk.radius());
+  }
+
+  int[] overlapping(ObstacleKind kind, Bounds bounds, double now) {
+    double[] box = Records.walls(bounds);
     return kind == ObstacleKind.CIRCLE
-        ? ids(now, slot -> Proximity.overlap(circle(slot, now), box))
+        ? ids(now, slot -> overlaps(slot, box, now))
         : ids(proximity.codes(kind).filter(code -> proximity.overlaps(code, box)));
+  }
+
+  private boolean overlaps(int slot, double[] box, double now) {
+    return Proximity.overlap(circles.x(slot, now), circles.y(slot, now), circles.radius(slot), box);
   }
 
   private int[] ids(IntStream codes) {

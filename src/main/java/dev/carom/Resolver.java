@@ -183,7 +183,7 @@ public final class Resolver {
    */
   public List<Obstacle> overlapping(Circle disk) {
     Check.notNull("disk", disk);
-    return things(new Proximity(obstacles).overlapping(disk));
+    return things(new Proximity(obstacles).overlapping(disk.x(), disk.y(), disk.radius()));
   }
 
   /**
@@ -194,7 +194,7 @@ public final class Resolver {
    */
   public List<Obstacle> overlapping(Bounds box) {
     Check.notNull("box", box);
-    return things(new Proximity(obstacles).overlapping(box));
+    return things(new Proximity(obstacles).overlapping(Records.walls(box)));
   }
 
   /** What codes stand for. Walls come first: those after the first one are the same bounds. */
@@ -216,7 +216,7 @@ public final class Resolver {
   /** What a code stands for: of a wall, the bounds. */
   private Obstacle thing(int code) {
     return switch (obstacles.kind(code)) {
-      case WALL -> obstacles.bounds;
+      case WALL -> Records.bounds(obstacles.walls);
       case LINE -> lines.get(obstacles.index(code));
       default -> pegs.get(obstacles.index(code));
     };

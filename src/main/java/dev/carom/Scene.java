@@ -83,7 +83,9 @@ public final class Scene {
   final byte[] pegTraits;
   final int boundsTraits;
 
-  final Bounds bounds;
+  /** Where the walls stand, by their codes; null without bounds. */
+  final double[] walls;
+
   final boolean collide;
   final double boundsRestitution;
 
@@ -98,7 +100,7 @@ public final class Scene {
     collide = from.collide;
     double[] b = from.bounds.toArray();
     boolean closed = b.length == BOUNDS;
-    bounds = closed ? new Bounds(b[0], b[1], b[2], b[3]) : null;
+    walls = closed ? Obstacles.walls(b[0], b[1], b[2], b[3]) : null;
     boundsRestitution = closed ? b[4] : 1;
     boundsTraits = closed ? from.bounds.lastTraits() : 0;
   }
@@ -232,7 +234,7 @@ public final class Scene {
    */
   public Line line(int i) {
     int k = (Obstacles.WALLS + at(ObstacleKind.LINE, i)) * Obstacles.LINE_ROW;
-    return new Line(lines[k], lines[k + 1], lines[k + 2], lines[k + 3]);
+    return Records.line(lines, k);
   }
 
   /**
@@ -244,7 +246,7 @@ public final class Scene {
    */
   public Circle peg(int i) {
     int k = at(ObstacleKind.PEG, i) * Obstacles.PEG_ROW;
-    return new Circle(pegs[k], pegs[k + 1], pegs[k + 2]);
+    return Records.peg(pegs, k);
   }
 
   /**
@@ -297,7 +299,7 @@ public final class Scene {
    * @return the rectangle that keeps circles inside, empty if the scene is open
    */
   public Optional<Bounds> bounds() {
-    return Optional.ofNullable(bounds);
+    return Optional.ofNullable(Records.bounds(walls));
   }
 
   /**
@@ -347,20 +349,35 @@ public final class Scene {
         && Arrays.equals(lineTraits, that.lineTraits)
         && Arrays.equals(pegTraits, that.pegTraits)
         && boundsTraits == that.boundsTraits
-        && Objects.equals(bounds, that.bounds)
+        && Arrays.equals(walls, that.walls)
         && Double.compare(boundsRestitution, that.boundsRestitution) == 0;
   }
 
   @Override
   public int hashCode() {
     return Objects.hash(
-        Arrays.hashCode(circles), Arrays.hashCode(lines), Arrays.hashCode(pegs), bounds);
+        Arrays.hashCode(circles),
+        Arrays.hashCode(lines),
+        Arrays.hashCode(pegs),
+        Arrays.hashCode(walls));
   }
 
   @Override
   public String toString() {
     return "Scene[circles=%d, lines=%d, pegs=%d, bounds=%s]"
-        .formatted(circleCount(), lineCount(), pegCount(), bounds == null ? "none" : bounds);
+        .formatted(circleCount(), lineCount(), pegCount(), Records.told(walls));
+  }
+
+  double x(int i) {
+    return circles[i * CIRCLE];
+  }
+
+  double y(int i) {
+    return circles[i * CIRCLE + 1];
+  }
+
+  double radius(int i) {
+    return circles[i * CIRCLE + 2];
   }
 
   /** The {@link Traits} of a thing that is there. */
@@ -375,7 +392,7 @@ public final class Scene {
 
   private int count(ObstacleKind kind) {
     return switch (kind) {
-      case WALL -> bounds == null ? 0 : Obstacles.WALLS;
+      case WALL -> walls == null ? 0 : Obstacles.WALLS;
       case LINE -> lineCount();
       case PEG -> pegCount();
       case CIRCLE -> circleCount();

@@ -17,9 +17,9 @@ final class SceneWriter {
     if (scene.collide) {
       out.append("collide,1\n");
     }
-    if (scene.bounds != null) {
-      Bounds b = scene.bounds;
-      begin("wall", b.xmin(), b.ymin(), b.xmax(), b.ymax());
+    double[] w = scene.walls;
+    if (w != null) {
+      begin("wall", w[Obstacles.LEFT], w[Obstacles.BOTTOM], w[Obstacles.RIGHT], w[Obstacles.TOP]);
       end(scene, ObstacleKind.WALL, 0);
     }
     for (int i = 0; i < scene.lineCount(); i++) {

@@ -22,7 +22,6 @@ final class SnapshotReader {
 
   private final CRC32 sum = new CRC32();
   private final DataInputStream in;
-  private Bounds bounds;
   private int lines;
   private int pegs;
 
@@ -76,9 +75,7 @@ final class SnapshotReader {
   }
 
   private Obstacles obstacles() throws IOException {
-    if (in.readBoolean()) {
-      bounds = new Bounds(in.readDouble(), in.readDouble(), in.readDouble(), in.readDouble());
-    }
+    double[] walls = in.readBoolean() ? walls() : null;
     double restitution = in.readDouble();
     Check.notNegative("restitution", restitution);
     int traits = traits(1);
@@ -89,13 +86,22 @@ final class SnapshotReader {
     ByteArrayOutputStream pegTraits = new ByteArrayOutputStream();
     DoubleList pegNumbers = numbers(pegs, Obstacles.PEG_ROW, pegTraits);
     return Obstacles.of(
-        bounds,
+        walls,
         restitution,
         traits,
         lineNumbers.toArray(),
         lineTraits.toByteArray(),
         pegNumbers.toArray(),
         pegTraits.toByteArray());
+  }
+
+  private double[] walls() throws IOException {
+    double xmin = in.readDouble();
+    double ymin = in.readDouble();
+    double xmax = in.readDouble();
+    double ymax = in.readDouble();
+    Check.bounds(xmin, ymin, xmax, ymax);
+    return Obstacles.walls(xmin, ymin, xmax, ymax);
   }
 
   /** Rows of finite numbers that end in a restitution, all NaN for what was removed; and traits. */

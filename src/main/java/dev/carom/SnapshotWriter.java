@@ -40,9 +40,10 @@ final class SnapshotWriter {
   }
 
   private void bounds(Obstacles o) throws IOException {
-    out.writeBoolean(o.bounds != null);
-    if (o.bounds != null) {
-      numbers(o.bounds.xmin(), o.bounds.ymin(), o.bounds.xmax(), o.bounds.ymax());
+    double[] w = o.walls;
+    out.writeBoolean(w != null);
+    if (w != null) {
+      numbers(w[Obstacles.LEFT], w[Obstacles.BOTTOM], w[Obstacles.RIGHT], w[Obstacles.TOP]);
     }
     out.writeDouble(o.boundsRestitution);
     out.writeByte(o.boundsTraits);

@@ -76,7 +76,8 @@ final class Surroundings {
 
   /** What follows a circle of any radius that is not of this world. */
   Tracer tracer(double radius) {
-    return new Tracer(obstacles, obstacles::thing, search, grids.atLeast(radius));
+    return new Tracer(
+        obstacles, code -> Records.of(obstacles, code), search, grids.atLeast(radius));
   }
 
   /** Whether a flight, followed for ever from its start, meets a line or a peg. */

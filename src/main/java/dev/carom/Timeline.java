@@ -155,7 +155,8 @@ public final class Timeline {
     double time = checked(t);
     return !isId(id)
         ? Optional.empty()
-        : Optional.ofNullable((Line) obstacles.at(Obstacles.WALLS + id, time));
+        : Optional.ofNullable(obstacles.at(Obstacles.WALLS + id, time))
+            .map(row -> Records.line(row, 0));
   }
 
   /**
@@ -170,7 +171,8 @@ public final class Timeline {
     double time = checked(t);
     return !isId(id)
         ? Optional.empty()
-        : Optional.ofNullable((Circle) obstacles.at(Obstacles.PEGS + id, time));
+        : Optional.ofNullable(obstacles.at(Obstacles.PEGS + id, time))
+            .map(row -> Records.peg(row, 0));
   }
 
   private static boolean isId(int id) {

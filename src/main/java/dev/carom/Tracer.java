@@ -52,7 +52,7 @@ final class Tracer {
     Obstacle thing = things.apply(code);
     ObstacleKind kind = obstacles.kind(code);
     return switch (kind) {
-      case WALL -> Casts.wall(circle, v, obstacles.bounds, code, t);
+      case WALL -> Casts.wall(circle, v, Records.bounds(obstacles.walls), code, t);
       case LINE -> Casts.line(circle, v, (Line) thing, contact, t);
       default -> Casts.disk(circle, v, Casts.peg(thing), Vec2.ZERO, kind, thing, contact, t);
     };

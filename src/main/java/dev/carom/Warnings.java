@@ -70,12 +70,11 @@ final class Warnings {
   }
 
   private void lookAtWalls(int i) {
-    if (scene.bounds == null || isInside(i)) {
+    if (scene.walls == null || isInside(i)) {
       return;
     }
-    Circle circle = scene.circle(i);
     for (int wall = 0; wall < Obstacles.WALLS; wall++) {
-      if (proximity.overlaps(wall, circle)) {
+      if (proximity.overlaps(wall, scene.x(i), scene.y(i), scene.radius(i))) {
         keep(i, wall);
       }
     }
@@ -83,42 +82,53 @@ final class Warnings {
 
   /** Whether a circle is within the bounds for certain: what rounding left apart is apart. */
   private boolean isInside(int i) {
-    double x = scene.circles[i * Scene.CIRCLE];
-    double y = scene.circles[i * Scene.CIRCLE + 1];
-    double r = scene.circles[i * Scene.CIRCLE + 2];
-    Bounds b = scene.bounds;
-    return x - r > b.xmin() && x + r < b.xmax() && y - r > b.ymin() && y + r < b.ymax();
+    double x = scene.x(i);
+    double y = scene.y(i);
+    double r = scene.radius(i);
+    double[] w = scene.walls;
+    return x - r > w[Obstacles.LEFT]
+        && x + r < w[Obstacles.RIGHT]
+        && y - r > w[Obstacles.BOTTOM]
+        && y + r < w[Obstacles.TOP];
   }
 
   private void lookAtLine(int code, CircleTree tree) {
     if (obstacles.isSensor(code)) {
       return;
     }
-    Line line = (Line) obstacles.thing(code);
+    int k = obstacles.offset(code);
+    double ax = scene.lines[k + Obstacles.AX];
+    double ay = scene.lines[k + Obstacles.AY];
+    double bx = scene.lines[k + Obstacles.BX];
+    double by = scene.lines[k + Obstacles.BY];
     boolean oneWay = obstacles.isOneWay(code);
     tree.nearLine(
-        line,
+        ax,
+        ay,
+        bx,
+        by,
         i -> {
-          Circle circle = scene.circle(i);
-          if (proximity.overlaps(code, circle) && !(oneWay && passes(circle, line))) {
-            keep(i, code);
+          double x = scene.x(i);
+          double y = scene.y(i);
+          if (proximity.overlaps(code, x, y, scene.radius(i))
+              && !(oneWay && Predicates.cross(bx, by, ax, ay, x, y, ax, ay) <= 0)) {
+            keep(i, code); // a one-way line is there only for a centre strictly left of it
           }
         });
   }
 
-  /** A one-way line is there only for a centre strictly left of it. */
-  private static boolean passes(Circle circle, Line l) {
-    return Predicates.cross(l.bx(), l.by(), l.ax(), l.ay(), circle.x(), circle.y(), l.ax(), l.ay())
-        <= 0;
-  }
-
   private void lookAtPeg(int code, CircleTree tree) {
     if (!obstacles.isSensor(code)) {
-      Circle peg = (Circle) obstacles.thing(code);
+      int k = obstacles.offset(code);
+      double x = scene.pegs[k + Obstacles.X];
+      double y = scene.pegs[k + Obstacles.Y];
+      double r = scene.pegs[k + Obstacles.RADIUS];
       tree.nearDisk(
-          peg,
+          x,
+          y,
+          r,
           i -> {
-            if (Proximity.overlap(peg, scene.circle(i))) {
+            if (overlaps(x, y, r, i)) {
               keep(i, code);
             }
           });
@@ -127,15 +137,24 @@ final class Warnings {
 
   private void lookAtCircle(int j, CircleTree tree) {
     if (!isSensor(j)) {
-      Circle circle = scene.circle(j);
+      double x = scene.x(j);
+      double y = scene.y(j);
+      double r = scene.radius(j);
       tree.nearDisk(
-          circle,
+          x,
+          y,
+          r,
           i -> {
-            if (i < j && !passes(i, j) && Proximity.overlap(circle, scene.circle(i))) {
+            if (i < j && !passes(i, j) && overlaps(x, y, r, i)) {
               keep(i, Obstacles.CIRCLES + j);
             }
           });
     }
+  }
+
+  /** Whether a disk overlaps circle i. */
+  private boolean overlaps(double x, double y, double r, int i) {
+    return Proximity.overlap(x, y, r, scene.x(i), scene.y(i), scene.radius(i));
   }
 
   private boolean isSensor(int i) {
@@ -149,37 +168,39 @@ final class Warnings {
 
   /** What is told of a circle and what it overlaps. */
   static String text(Scene scene, int i, int code) {
-    Circle circle = scene.circle(i);
-    double r = circle.radius();
+    double r = scene.radius(i);
     if (code < Obstacles.WALLS) {
       String wall = "the " + WALLS.get(code) + " wall";
-      return text(i, wall, distance(circle, scene.bounds, code), r, "its radius");
+      return text(i, wall, distanceFromWall(scene, i, code), r, "its radius");
     }
     if (code < Obstacles.PEGS) {
-      int id = code - Obstacles.WALLS;
-      Vec2 foot = scene.line(id).closestPoint(new Vec2(circle.x(), circle.y()));
-      double distance = distance(circle, foot.x(), foot.y());
-      return text(i, ObstacleKind.LINE.nameOf(id), distance, r, "its radius");
+      String line = ObstacleKind.LINE.nameOf(code - Obstacles.WALLS);
+      int k = code * Obstacles.LINE_ROW;
+      double distance = Proximity.distanceFromLine(scene.lines, k, scene.x(i), scene.y(i));
+      return text(i, line, distance, r, "its radius");
     }
-    boolean isPeg = code < Obstacles.CIRCLES;
-    ObstacleKind kind = isPeg ? ObstacleKind.PEG : ObstacleKind.CIRCLE;
-    int id = isPeg ? code - Obstacles.PEGS : code - Obstacles.CIRCLES;
-    Circle other = isPeg ? scene.peg(id) : scene.circle(id);
-    double distance = distance(circle, other.x(), other.y());
-    return text(i, kind.nameOf(id), distance, r + other.radius(), "the sum of both radii");
+    if (code < Obstacles.CIRCLES) {
+      int id = code - Obstacles.PEGS;
+      int k = id * Obstacles.PEG_ROW;
+      double distance =
+          distance(scene, i, scene.pegs[k + Obstacles.X], scene.pegs[k + Obstacles.Y]);
+      double sum = r + scene.pegs[k + Obstacles.RADIUS];
+      return text(i, ObstacleKind.PEG.nameOf(id), distance, sum, "the sum of both radii");
+    }
+    int j = code - Obstacles.CIRCLES;
+    double distance = distance(scene, i, scene.x(j), scene.y(j));
+    double sum = r + scene.radius(j);
+    return text(i, ObstacleKind.CIRCLE.nameOf(j), distance, sum, "the sum of both radii");
   }
 
-  private static double distance(Circle circle, double x, double y) {
-    return StrictMath.hypot(circle.x() - x, circle.y() - y);
+  private static double distance(Scene scene, int i, double x, double y) {
+    return StrictMath.hypot(scene.x(i) - x, scene.y(i) - y);
   }
 
-  private static double distance(Circle circle, Bounds b, int wall) {
-    return switch (wall) {
-      case Obstacles.LEFT -> circle.x() - b.xmin();
-      case Obstacles.RIGHT -> b.xmax() - circle.x();
-      case Obstacles.BOTTOM -> circle.y() - b.ymin();
-      default -> b.ymax() - circle.y();
-    };
+  private static double distanceFromWall(Scene scene, int i, int wall) {
+    double p = wall <= Obstacles.RIGHT ? scene.x(i) : scene.y(i);
+    boolean isLower = (wall & 1) == 0;
+    return isLower ? p - scene.walls[wall] : scene.walls[wall] - p;
   }
 
   /**

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import java.util.Objects;
+import java.util.Arrays;
 import java.util.Optional;
 
 /**
@@ -284,9 +284,8 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int id) {
-    int k = obstacles.offset(ids.checked(ObstacleKind.LINE, id));
-    double[] l = obstacles.lines;
-    return new Line(l[k], l[k + 1], l[k + 2], l[k + 3]);
+    int code = ids.checked(ObstacleKind.LINE, id);
+    return Records.line(obstacles.lines, obstacles.offset(code));
   }
 
   /**
@@ -297,9 +296,8 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such peg
    */
   public Circle peg(int id) {
-    int k = obstacles.offset(ids.checked(ObstacleKind.PEG, id));
-    double[] p = obstacles.pegs;
-    return new Circle(p[k], p[k + 1], p[k + 2]);
+    int code = ids.checked(ObstacleKind.PEG, id);
+    return Records.peg(obstacles.pegs, obstacles.offset(code));
   }
 
   /**
@@ -709,11 +707,11 @@ public final class World {
    */
   public void restore(Snapshot snapshot) {
     Check.notNull("snapshot", snapshot);
-    if (!Objects.equals(snapshot.obstacles.bounds, scene.bounds)) {
+    if (!Arrays.equals(snapshot.obstacles.walls, scene.walls)) {
       throw Check.refused(
           "bounds of the snapshot",
-          told(snapshot.obstacles.bounds),
-          "this world's, " + told(scene.bounds));
+          Records.told(snapshot.obstacles.walls),
+          "this world's, " + Records.told(scene.walls));
     }
     if (snapshot.collide != scene.collide) {
       throw Check.refused(
@@ -729,10 +727,6 @@ public final class World {
       timeline.begin(now, obstacles);
       engine.record(timeline);
     }
-  }
-
-  private static Object told(Bounds bounds) {
-    return bounds == null ? "none" : bounds;
   }
 
   /**
@@ -783,7 +777,7 @@ public final class World {
         scene.collide ? "collide" : "ignore each other",
         obstacles.presentLines().count(),
         obstacles.presentPegs().count(),
-        told(scene.bounds),
+        Records.told(scene.walls),
         log.size());
   }
 }

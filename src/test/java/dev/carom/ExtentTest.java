@@ -13,7 +13,7 @@ class ExtentTest {
       circles.start(scene, i);
       circles.store(i);
     }
-    return Extent.of(circles, roster.ids(), scene.bounds, now);
+    return Extent.of(circles, roster.ids(), scene.walls, now);
   }
 
   private static Extent of(Scene scene, double now) {

@@ -46,9 +46,9 @@ class NeighborsTest {
 
   private static void allThatTouchAreVisited(Scene scene, double diameters) {
     Circles circles = circles(scene);
-    for (Bounds bounds : new Bounds[] {null, scene.bounds}) {
+    for (double[] walls : new double[][] {null, scene.walls}) {
       Neighbors neighbors =
-          new Neighbors(circles, new Roster(scene, 1).slots(), bounds, diameters, 0);
+          new Neighbors(circles, new Roster(scene, 1).slots(), walls, diameters, 0);
       for (int i = 0; i < circles.count; i += 3) {
         neighbors.leave(i);
         assertThat(neighbors.enter(i, 0)).isTrue();
@@ -101,7 +101,7 @@ class NeighborsTest {
     }
     Scene scene = builder.circle(1e3, 20, 1, 0, 0).circle(20, -1e3, 1, 0, 0).build();
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), scene.bounds, 1, 0);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), scene.walls, 1, 0);
     int inside = 0;
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
@@ -131,8 +131,7 @@ class NeighborsTest {
       }
       Scene built = scene.build();
       Circles circles = circles(built);
-      Neighbors neighbors =
-          new Neighbors(circles, new Roster(built, 1).slots(), built.bounds, 1, 0);
+      Neighbors neighbors = new Neighbors(circles, new Roster(built, 1).slots(), built.walls, 1, 0);
       assertThat(neighbors.isInside(circles.state, 0)).as("wall at %s", right).isFalse();
     }
   }
@@ -281,7 +280,7 @@ class NeighborsTest {
   void whoBeginsANewFlightIsListedWhereThatStarts() {
     Scene scene = alike(new Random(6), 40);
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), scene.bounds, 1, 0);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), scene.walls, 1, 0);
     Random random = new Random(7);
     int stayed = 0;
     for (int k = 0; k < 400; k++) {
@@ -308,7 +307,7 @@ class NeighborsTest {
   void readingAheadChangesNothing() {
     Scene scene = alike(new Random(5), 40);
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), scene.bounds, 1, 0);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), scene.walls, 1, 0);
     int[] ids = new int[EventQueue.MOST_OUTLOOK];
     for (int k = 0; k < ids.length; k++) {
       ids[k] = k * 7 % 40;

@@ -126,8 +126,8 @@ class ObstaclesTest {
   @Test
   void whatIsAddedIsWhereItWasPut() {
     Obstacles more = obstacles();
-    assertThat(more.thing(more.addPeg(3, 4, 2))).isEqualTo(new Circle(3, 4, 2));
-    assertThat(more.thing(more.addLine(3, 4, 2, 1))).isEqualTo(new Line(3, 4, 2, 1));
+    assertThat(Records.of(more, more.addPeg(3, 4, 2))).isEqualTo(new Circle(3, 4, 2));
+    assertThat(Records.of(more, more.addLine(3, 4, 2, 1))).isEqualTo(new Line(3, 4, 2, 1));
     assertThat(more.size()).isEqualTo(6);
   }
 

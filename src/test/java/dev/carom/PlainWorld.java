@@ -86,7 +86,7 @@ final class PlainWorld {
 
     @Override
     public int[] obstaclesNear(Mover m) {
-      int first = obstacles.bounds == null ? Obstacles.WALLS : 0;
+      int first = obstacles.walls == null ? Obstacles.WALLS : 0;
       return IntStream.of(codes()).filter(code -> code >= first).toArray();
     }
   }
@@ -365,7 +365,7 @@ final class PlainWorld {
 
   /** A wall is met only on the way to it. */
   private double sweepWall(Mover m, int code) {
-    if (obstacles.bounds == null) {
+    if (obstacles.walls == null) {
       return NEVER;
     }
     boolean vertical = code <= Obstacles.RIGHT;
@@ -374,7 +374,7 @@ final class PlainWorld {
     if (up ? !(v > 0) : !(v < 0)) {
       return NEVER;
     }
-    Bounds b = obstacles.bounds;
+    Bounds b = Records.bounds(obstacles.walls);
     double wall = vertical ? (up ? b.xmax() : b.xmin()) : (up ? b.ymax() : b.ymin());
     return SweptCircle.wall(vertical ? m.x : m.y, m.radius, v, wall, NEVER);
   }

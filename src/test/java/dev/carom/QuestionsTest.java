@@ -393,8 +393,8 @@ class QuestionsTest {
 
   @Test
   void distancesArePlain() {
-    assertThat(Proximity.distance(new Circle(0, 0, 1), 3, 4)).isCloseTo(4, within(1e-15));
-    assertThat(Proximity.distance(new Circle(0, 0, 10), 3, 4)).isZero();
+    assertThat(Proximity.distance(0, 0, 1, 3, 4)).isCloseTo(4, within(1e-15));
+    assertThat(Proximity.distance(0, 0, 10, 3, 4)).isZero();
   }
 
   /** The largest double is a place, and what is there can be asked for. */

@@ -205,10 +205,10 @@ class WarningsTest {
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle circle = scene.circle(i);
       Obstacles obstacles = Obstacles.of(scene);
-      for (int code : proximity.overlapping(circle).toArray()) {
+      for (int code : proximity.overlapping(circle.x(), circle.y(), circle.radius()).toArray()) {
         boolean isLeft = code >= Obstacles.PEGS || !obstacles.isOneWay(code);
         if (!isLeft) {
-          Line l = (Line) obstacles.thing(code);
+          Line l = (Line) Records.of(obstacles, code);
           isLeft =
               Predicates.cross(
                       l.bx(), l.by(), l.ax(), l.ay(), circle.x(), circle.y(), l.ax(), l.ay())
