@@ -243,14 +243,14 @@ final class Editor {
     }
   }
 
-  void setResponse(int code, Response response, double now) {
+  void setResponse(int code, int response, double now) {
     if (code >= Obstacles.CIRCLES) {
       int slot = code - Obstacles.CIRCLES;
       roster.setTraits(slot, Traits.with(roster.traits(slot), response));
       engine.fly(restarted(slot, now));
     } else if (code < Obstacles.WALLS) {
-      if (response == Response.SENSOR) {
-        throw Check.refused("response", response, "BOUNCE or HALT: bounds keep circles inside")
+      if (response == Traits.SENSOR) {
+        throw Check.refused("response", "SENSOR", "BOUNCE or HALT: bounds keep circles inside")
             .of("bounds");
       }
       obstacles.setTraits(code, Traits.with(obstacles.boundsTraits, response));

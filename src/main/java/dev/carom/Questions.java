@@ -62,7 +62,7 @@ final class Questions {
   }
 
   Response response(int code) {
-    return Traits.response(traits(code));
+    return Response.of(Traits.response(traits(code)));
   }
 
   boolean isOneWay(int code) {

@@ -278,7 +278,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public Response response(ObstacleKind kind, int i) {
-    return Traits.response(traits(kind, at(kind, i)));
+    return Response.of(Traits.response(traits(kind, at(kind, i))));
   }
 
   /**

@@ -140,7 +140,7 @@ public final class SceneBuilder {
       throw Check.refused("response", "sensor", "bounce or halt: bounds keep circles inside")
           .of("bounds");
     }
-    last.setLastTraits(Traits.with(last.lastTraits(), response));
+    last.setLastTraits(Traits.with(last.lastTraits(), response.ordinal()));
     return this;
   }
 

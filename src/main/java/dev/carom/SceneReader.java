@@ -125,7 +125,7 @@ final class SceneReader {
     if (key.equals("restitution")) {
       builder.restitution(row.option(i));
     } else if (key.equals("response")) {
-      builder.response(response(row, i));
+      builder.response(Response.of(response(row, i)));
     } else if (key.equals("oneway") && row.kind() == SceneRowKind.LINE) {
       if (flag(row, i, "oneway", row.value(i))) {
         builder.oneWay();
@@ -138,14 +138,13 @@ final class SceneReader {
     }
   }
 
-  private static Response response(SceneRow row, int i) throws SceneFormatException {
-    for (Response response : Response.values()) {
-      if (SceneText.word(response).equals(row.value(i))) {
-        return response;
-      }
+  private static int response(SceneRow row, int i) throws SceneFormatException {
+    int response = SceneRowKind.RESPONSES.indexOf(row.value(i));
+    if (response < 0) {
+      throw row.error(
+          i, "response is " + SceneText.quoted(row.value(i)) + ": expected bounce, halt or sensor");
     }
-    throw row.error(
-        i, "response is " + SceneText.quoted(row.value(i)) + ": expected bounce, halt or sensor");
+    return response;
   }
 
   /** The truth in a text of 0 or 1, which field i holds. */

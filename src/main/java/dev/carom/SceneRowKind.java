@@ -12,6 +12,9 @@ enum SceneRowKind {
   CIRCLE("circle,x,y,radius,vx,vy[,mass]"),
   COLLIDE("collide,0|1");
 
+  /** The words for the responses, by their numbers in {@link Traits}. */
+  static final List<String> RESPONSES = List.of("bounce", "halt", "sensor");
+
   private static final SceneRowKind[] KINDS = values();
 
   private final String shape;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import java.util.Locale;
-
 /** Spaces, numbers and quotations in the rows of a scene file. */
 final class SceneText {
 
@@ -64,11 +62,6 @@ final class SceneText {
 
   private static boolean isLast(char c) {
     return (c >= '0' && c <= '9') || c == '.';
-  }
-
-  /** The word for a response. */
-  static String word(Response response) {
-    return response.name().toLowerCase(Locale.ROOT);
   }
 
   /**

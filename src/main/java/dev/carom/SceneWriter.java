@@ -59,12 +59,12 @@ final class SceneWriter {
 
   private void end(Scene scene, ObstacleKind kind, int i) throws IOException {
     double restitution = scene.restitution(kind, i);
-    Response response = scene.response(kind, i);
+    int response = Traits.response(scene.traits(kind, i));
     if (restitution != 1) {
       row.append(",restitution=").append(restitution);
     }
-    if (response != Response.BOUNCE) {
-      row.append(",response=").append(SceneText.word(response));
+    if (response != Traits.BOUNCE) {
+      row.append(",response=").append(SceneRowKind.RESPONSES.get(response));
     }
     if (kind == ObstacleKind.LINE && scene.oneWay(i)) {
       row.append(",oneway=1");

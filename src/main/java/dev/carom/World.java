@@ -568,7 +568,7 @@ public final class World {
   public void setResponse(ObstacleKind kind, int id, Response response) {
     int code = ids.checked(kind, id);
     Check.notNull("response", response);
-    editor.setResponse(code, response, now);
+    editor.setResponse(code, response.ordinal(), now);
   }
 
   /**

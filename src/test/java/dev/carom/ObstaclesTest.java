@@ -35,9 +35,9 @@ class ObstaclesTest {
             o -> o.setRestitution(line, 0.5),
             o -> o.setRestitution(peg, 0.5),
             o -> o.setRestitution(Obstacles.LEFT, 0.5),
-            o -> o.setTraits(line, Traits.with(0, Response.HALT)),
-            o -> o.setTraits(peg, Traits.with(0, Response.HALT)),
-            o -> o.setTraits(Obstacles.LEFT, Traits.with(0, Response.HALT)),
+            o -> o.setTraits(line, Traits.with(0, Traits.HALT)),
+            o -> o.setTraits(peg, Traits.with(0, Traits.HALT)),
+            o -> o.setTraits(Obstacles.LEFT, Traits.with(0, Traits.HALT)),
             o -> o.addLine(1, 1, 2, 2),
             o -> o.addPeg(1, 1, 2),
             o -> o.remove(line),
@@ -146,13 +146,13 @@ class ObstaclesTest {
     assertThat(all.areSpecial()).isFalse();
     assertThat(all.haveSensors()).isFalse();
     for (int code : new int[] {Obstacles.WALLS, Obstacles.PEGS}) {
-      all.setTraits(code, Traits.with(0, Response.SENSOR));
+      all.setTraits(code, Traits.with(0, Traits.SENSOR));
       assertThat(all.areSpecial()).isTrue();
       assertThat(all.haveSensors()).isTrue();
       all.setTraits(code, 0);
       assertThat(all.areSpecial()).isFalse();
       assertThat(all.haveSensors()).isFalse();
-      all.setTraits(code, Traits.with(0, Response.SENSOR));
+      all.setTraits(code, Traits.with(0, Traits.SENSOR));
       all.remove(code);
       assertThat(all.areSpecial()).isFalse();
       assertThat(all.haveSensors()).isFalse();

@@ -543,11 +543,11 @@ final class PlainWorld {
     switch (kind) {
       case LINE, PEG -> {
         int code = (kind == ObstacleKind.LINE ? Obstacles.WALLS : Obstacles.PEGS) + id;
-        setTraits(code, Traits.with(obstacles.traits(code), response));
+        setTraits(code, Traits.with(obstacles.traits(code), response.ordinal()));
       }
-      case WALL -> obstacles.setTraits(id, Traits.with(obstacles.boundsTraits, response));
+      case WALL -> obstacles.setTraits(id, Traits.with(obstacles.boundsTraits, response.ordinal()));
       case CIRCLE -> {
-        roster.setTraits(id, Traits.with(roster.traits(id), response));
+        roster.setTraits(id, Traits.with(roster.traits(id), response.ordinal()));
         restarted(id);
       }
     }

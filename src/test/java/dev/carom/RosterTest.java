@@ -52,9 +52,9 @@ class RosterTest {
   @Test
   void whatIsDenseNamesItsCirclesAsBefore() {
     Roster roster = without(0, 3, 4, 9);
-    roster.setTraits(7, Traits.with(0, Response.SENSOR));
+    roster.setTraits(7, Traits.with(0, Traits.SENSOR));
     Roster sparse = without(0, 3, 4, 9);
-    sparse.setTraits(7, Traits.with(0, Response.SENSOR));
+    sparse.setTraits(7, Traits.with(0, Traits.SENSOR));
     roster.set(roster);
     assertThat(roster.slots()).containsExactly(0, 1, 2, 3, 4, 5);
     assertThat(roster.ids()).containsExactly(1, 2, 5, 6, 7, 8).isEqualTo(sparse.ids());
