@@ -12,15 +12,6 @@ import java.util.stream.IntStream;
  */
 final class BroadSearch extends NarrowSearch {
 
-  /**
-   * How far a first search may look ahead, in halves of a cell at the pace, where less is asked
-   * for; each further one, twice that.
-   */
-  static final int FIRST_REACH = 64;
-
-  /** The same for a flight that an edit began: another edit may cut it short. */
-  static final int EDITED_REACH = 1;
-
   /** Ticks of time in which a cell is passed at the pace. */
   private static final double TICKS = 0x1p30;
 

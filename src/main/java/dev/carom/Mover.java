@@ -15,6 +15,15 @@ final class Mover {
   /** Nothing hit yet, or since the last edit. */
   static final int NOTHING = -1;
 
+  /**
+   * How far a first search may look ahead, in halves of a cell at the pace, where less is asked
+   * for; each further one, twice that.
+   */
+  static final int FIRST_REACH = 64;
+
+  /** The same for a flight that an edit began: another edit may cut it short. */
+  static final int EDITED_REACH = 1;
+
   private static final int TURN_SHIFT = 4;
   private static final int TURN_BITS = 3;
   private static final int DRIVEN = 1 << 6;
@@ -111,7 +120,7 @@ final class Mover {
     t = now;
     tl = tail;
     newFlight();
-    reach = BroadSearch.EDITED_REACH;
+    reach = EDITED_REACH;
   }
 
   /** Forgets what was hit: the next impact may be with anything. */
@@ -179,7 +188,7 @@ final class Mover {
     cleared = 0;
     next = NOTHING;
     contact = 0;
-    reach = BroadSearch.FIRST_REACH;
+    reach = FIRST_REACH;
   }
 
   /** How far a time is into a flight: one that begins at its head may begin after it. */

@@ -132,7 +132,7 @@ final class Surroundings {
       states.put(k, m, 0, 0);
       return;
     }
-    m.reach = BroadSearch.EDITED_REACH;
+    m.reach = Mover.EDITED_REACH;
     while (m.next == Mover.NOTHING && m.due() <= now) {
       extend(m, now - m.t);
     }
