@@ -40,10 +40,10 @@ final class Casts {
 
   /** The impact with a line, of which the detector told the contact and the time. */
   static Impact line(Circle circle, Vec2 v, Line line, int contact, double t) {
-    return switch (contact & ~SegmentSweep.NOW) {
-      case SegmentSweep.START -> end(circle, v, line.start(), line.end(), t, line, Feature.START);
-      case SegmentSweep.END -> end(circle, v, line.end(), line.start(), t, line, Feature.END);
-      case SegmentSweep.LEFT -> side(1, circle, v, line, t);
+    return switch (contact & ~Contact.NOW) {
+      case Contact.START -> end(circle, v, line.start(), line.end(), t, line, Feature.START);
+      case Contact.END -> end(circle, v, line.end(), line.start(), t, line, Feature.END);
+      case Contact.LEFT -> side(1, circle, v, line, t);
       default -> side(-1, circle, v, line, t);
     };
   }
@@ -97,8 +97,8 @@ final class Casts {
   static Optional<Impact> bounds(Circle circle, Vec2 v, Bounds bounds, double T) {
     double wallX = v.x() < 0 ? bounds.xmin() : bounds.xmax();
     double wallY = v.y() < 0 ? bounds.ymin() : bounds.ymax();
-    double tx = SweptCircle.wall(circle.x(), circle.radius(), v.x(), wallX, T);
-    double ty = SweptCircle.wall(circle.y(), circle.radius(), v.y(), wallY, T);
+    double tx = WallSweep.time(circle.x(), circle.radius(), v.x(), wallX, T);
+    double ty = WallSweep.time(circle.y(), circle.radius(), v.y(), wallY, T);
     if (tx == NEVER && ty == NEVER) {
       return Optional.empty();
     }
@@ -228,7 +228,7 @@ final class Casts {
             v2.x(),
             v2.y(),
             t);
-    Vec2 point = contact == DiskSweep.NOW ? between(c1, c2) : rim(c2, v2, t, normal);
+    Vec2 point = contact == Contact.NOW ? between(c1, c2) : rim(c2, v2, t, normal);
     double speed = approach(v1, v2, normal);
     return new Impact(t, kind, Impact.NO_ID, obstacle, Feature.CIRCLE, point, normal, speed);
   }

@@ -15,15 +15,6 @@ import static dev.carom.DoubleDouble.sumTail;
  */
 final class DiskSweep {
 
-  /** No impact. */
-  static final int MISS = 0;
-
-  /** Overlapping or touching and approaching: an impact at time 0. */
-  static final int NOW = 1;
-
-  /** An impact at a time above 0. */
-  static final int LATER = 2;
-
   private DiskSweep() {}
 
   /** Whether two disks touch while approaching, now or later. */
@@ -42,7 +33,7 @@ final class DiskSweep {
       b = Predicates.dot(vx1, vy1, vx2, vy2, x1, y1, x2, y2);
     }
     if (b >= 0) {
-      return MISS;
+      return Contact.MISS;
     }
     // g = d.d - r^2
     double r = r1 + r2;
@@ -54,7 +45,7 @@ final class DiskSweep {
       g = Predicates.gap(x1, y1, x2, y2, r1, r2);
     }
     if (g <= 0) {
-      return NOW;
+      return Contact.NOW;
     }
     // reach = a r^2 - cross(u, d)^2
     double a = ux * ux + uy * uy;
@@ -63,7 +54,7 @@ final class DiskSweep {
     if (!(Math.abs(reach) > FirstRoot.reachBound(a, w))) {
       reach = Predicates.reach(vx1, vy1, vx2, vy2, x1, y1, x2, y2, r1, r2);
     }
-    return reach > 0 || (reach == 0 && r == 0) ? LATER : MISS;
+    return reach > 0 || (reach == 0 && r == 0) ? Contact.LATER : Contact.MISS;
   }
 
   /** Whether the distance of the centres is less than r1 + r2. */
@@ -90,8 +81,8 @@ final class DiskSweep {
   static double time(
       int contact, double x1, double y1, double r1, double vx1, double vy1, double x2, double y2,
       double r2, double vx2, double vy2, double T) {
-    if (contact != LATER) {
-      return contact == NOW ? 0 : Double.POSITIVE_INFINITY;
+    if (contact != Contact.LATER) {
+      return contact == Contact.NOW ? 0 : Double.POSITIVE_INFINITY;
     }
     double dx = x1 - x2;
     double dy = y1 - y2;
@@ -126,7 +117,7 @@ final class DiskSweep {
   static ExactTime exactTime(
       int contact, double x1, double y1, double r1, double vx1, double vy1, double x2, double y2,
       double r2, double vx2, double vy2) {
-    return contact == NOW
+    return contact == Contact.NOW
         ? ExactTime.NOW
         : Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).exactTime();
   }
@@ -223,7 +214,7 @@ final class DiskSweep {
   /**
    * The unit normal at contact, from the second disk to the first, each component within 1e-15.
    *
-   * @param t the time of impact, or 0 for an impact {@link #NOW}
+   * @param t the time of impact, or 0 for an impact {@link Contact#NOW}
    */
   static Vec2 normal(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,

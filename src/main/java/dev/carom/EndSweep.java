@@ -32,7 +32,7 @@ final class EndSweep {
       Rungs.root();
       return time;
     }
-    return DiskSweep.time(DiskSweep.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, NEVER);
+    return DiskSweep.time(Contact.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, NEVER);
   }
 
   /** The same as far as one step from the plain root tells, else NaN or infinity. */

@@ -383,7 +383,7 @@ final class Meetings {
       return;
     }
     int contact =
-        known ? DiskSweep.LATER : DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
+        known ? Contact.LATER : DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
     exactTau = DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
     // The later start and tau, as head and tail.
     double t = s[late + Circles.T];

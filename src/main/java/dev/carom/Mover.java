@@ -61,7 +61,7 @@ final class Mover {
   int next;
 
   /**
-   * How the detector names that contact, see {@link SegmentSweep}; if there is none, the code of
+   * How the detector names that contact, see {@link Contact}; if there is none, the code of
    * the sensor that was met at {@link #cleared}, else 0.
    */
   int contact;

@@ -135,7 +135,7 @@ abstract class NarrowSearch {
       return;
     }
     int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
-    if (contact != SegmentSweep.MISS) {
+    if (contact != Contact.MISS) {
       keep(SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, NEVER), code, contact);
     }
   }
@@ -149,7 +149,7 @@ abstract class NarrowSearch {
       return; // removed
     }
     int contact = DiskSweep.contact(px, py, r, vx, vy, cx, cy, radius, 0, 0);
-    if (contact != DiskSweep.MISS) {
+    if (contact != Contact.MISS) {
       keep(DiskSweep.time(contact, px, py, r, vx, vy, cx, cy, radius, 0, 0, NEVER), code, contact);
     }
   }
@@ -190,9 +190,9 @@ abstract class NarrowSearch {
     double bx = lines[k + Obstacles.BX];
     double by = lines[k + Obstacles.BY];
     int contact = RoughSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, margin);
-    if (contact > SegmentSweep.MISS) {
+    if (contact > Contact.MISS) {
       keepRough(RoughSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by), code, contact);
-    } else if (contact == RoughSweep.DOUBT) {
+    } else if (contact == Contact.DOUBT) {
       consider(code);
     }
   }
@@ -223,12 +223,12 @@ abstract class NarrowSearch {
   /** The exact time of a contact with a line, from the rough one. */
   private double timeOf(int line, int contact, double rough) {
     int k = line * Obstacles.LINE_ROW;
-    if (contact >= SegmentSweep.START) {
+    if (contact >= Contact.START) {
       // Which end it is, no processor can foretell: its place is computed.
-      int end = k + (contact - SegmentSweep.START) * Obstacles.END;
+      int end = k + (contact - Contact.START) * Obstacles.END;
       return EndSweep.time(px, py, r, vx, vy, lines[end], lines[end + 1], rough);
     }
-    int side = contact == SegmentSweep.LEFT ? 1 : -1;
+    int side = contact == Contact.LEFT ? 1 : -1;
     double ax = lines[k + Obstacles.AX];
     double ay = lines[k + Obstacles.AY];
     double bx = lines[k + Obstacles.BX];

@@ -221,10 +221,10 @@ final class ObstacleResponse {
 
   private void locateOnLine(Mover m, int k) {
     double[] lines = obstacles.lines;
-    int contact = m.contact & ~SegmentSweep.NOW;
-    if (contact >= SegmentSweep.START) {
+    int contact = m.contact & ~Contact.NOW;
+    if (contact >= Contact.START) {
       // Which end it is, no processor can foretell: its place is computed.
-      int end = (contact - SegmentSweep.START) * Obstacles.END;
+      int end = (contact - Contact.START) * Obstacles.END;
       int other = Obstacles.END - end;
       locateOnEnd(m, lines[k + end], lines[k + end + 1], lines[k + other], lines[k + other + 1]);
       return;
@@ -233,7 +233,7 @@ final class ObstacleResponse {
     double ay = lines[k + Obstacles.AY];
     double bx = lines[k + Obstacles.BX];
     double by = lines[k + Obstacles.BY];
-    if (contact == SegmentSweep.LEFT) {
+    if (contact == Contact.LEFT) {
       locateOnSide(m, ax, ay, bx, by, ay, bx, by, ax);
     } else {
       locateOnSide(m, ax, ay, bx, by, by, ax, ay, bx);

@@ -347,7 +347,7 @@ final class Obstacles {
     if (code >= PEGS) {
       return Feature.CIRCLE;
     }
-    return code < WALLS ? Feature.SIDE : LINE_FEATURES[contact & ~SegmentSweep.NOW];
+    return code < WALLS ? Feature.SIDE : LINE_FEATURES[contact & ~Contact.NOW];
   }
 
   /** The restitution along the normal; where a circle halts, none. */

@@ -12,9 +12,6 @@ package dev.carom;
  */
 final class RoughSweep {
 
-  /** In place of a contact: the detector is to be asked. */
-  static final int DOUBT = -1;
-
   /** The error of a time, in proportion, is less than a quarter of this. */
   static final double TIME_ERROR = 0x1p-26;
 
@@ -75,10 +72,10 @@ final class RoughSweep {
     boolean outside = c * c - reach > CLEAR * (m * m + reach) + TINY;
     boolean inRange = margin >= 0;
     if (!(inRange && outside && Math.abs(drift) > CLEAR * (Math.abs(s0) + Math.abs(s1)) + TINY)) {
-      return DOUBT;
+      return Contact.DOUBT;
     }
     if (drift > 0) {
-      return SegmentSweep.MISS;
+      return Contact.MISS;
     }
     return part(side, px, py, r, vx, vy, ax, ay, bx, by, margin * ww + TINY);
   }
@@ -108,15 +105,15 @@ final class RoughSweep {
     double beyondStart = Math.fma(a * Math.abs(a), scale, yy);
     double beyondEnd = Math.fma(b * Math.abs(b), scale, yy);
     if (!(Math.abs(beyondStart) > doubt && Math.abs(beyondEnd) > doubt)) {
-      return DOUBT;
+      return Contact.DOUBT;
     }
     if (beyondStart > 0) {
-      return endpoint(SegmentSweep.START, px, py, r, vx, vy, ax, ay);
+      return endpoint(Contact.START, px, py, r, vx, vy, ax, ay);
     }
     if (beyondEnd < 0) {
-      return endpoint(SegmentSweep.END, px, py, r, vx, vy, bx, by);
+      return endpoint(Contact.END, px, py, r, vx, vy, bx, by);
     }
-    return side > 0 ? SegmentSweep.LEFT : SegmentSweep.RIGHT;
+    return side > 0 ? Contact.LEFT : Contact.RIGHT;
   }
 
   /**
@@ -133,13 +130,13 @@ final class RoughSweep {
     double reach = vv * rr - k * k;
     double doubt = CLEAR * vv * (dd + rr) + TINY;
     if (reach < -doubt) {
-      return SegmentSweep.MISS;
+      return Contact.MISS;
     }
     if (!(reach > doubt)) {
-      return DOUBT;
+      return Contact.DOUBT;
     }
     // (v.d)^2 = reach + v.v (d.d - r^2), so its sign is certain.
-    return vx * dx + vy * dy < 0 ? end : SegmentSweep.MISS;
+    return vx * dx + vy * dy < 0 ? end : Contact.MISS;
   }
 
   /** The time of a contact that a look told, see {@link #TIME_ERROR}. */
@@ -154,10 +151,10 @@ final class RoughSweep {
       double ay,
       double bx,
       double by) {
-    if (contact == SegmentSweep.START) {
+    if (contact == Contact.START) {
       return timeOfEnd(px, py, r, vx, vy, ax, ay);
     }
-    if (contact == SegmentSweep.END) {
+    if (contact == Contact.END) {
       return timeOfEnd(px, py, r, vx, vy, bx, by);
     }
     double wx = bx - ax;

@@ -27,24 +27,6 @@ package dev.carom;
  */
 final class SegmentSweep {
 
-  /** No impact. */
-  static final int MISS = 0;
-
-  /** On the side, the disk left of the line; it may have {@link #NOW} added. */
-  static final int LEFT = 1;
-
-  /** On the side, the disk right of the line; it may have {@link #NOW} added. */
-  static final int RIGHT = 2;
-
-  /** On the start; it may have {@link #NOW} added. */
-  static final int START = 3;
-
-  /** On the end; it may have {@link #NOW} added. */
-  static final int END = 4;
-
-  /** Added where the impact is at time 0. */
-  static final int NOW = 8;
-
   /** cross(w, d), d.w: differences 1 + 1, product 1, sum 1: 4 u, and one more. */
   private static final double PLACE_BOUND = 5 * 0x1p-53;
 
@@ -102,19 +84,19 @@ final class SegmentSweep {
   static double time(
       int contact, double px, double py, double r, double vx, double vy, double ax, double ay,
       double bx, double by, double T) {
-    if (contact == MISS) {
+    if (contact == Contact.MISS) {
       return Double.POSITIVE_INFINITY;
     }
-    if ((contact & NOW) != 0) {
+    if ((contact & Contact.NOW) != 0) {
       return 0;
     }
-    if (contact == START) {
+    if (contact == Contact.START) {
       return timeOfEnd(px, py, r, vx, vy, ax, ay, T);
     }
-    if (contact == END) {
+    if (contact == Contact.END) {
       return timeOfEnd(px, py, r, vx, vy, bx, by, T);
     }
-    return SideSweep.time(contact == LEFT ? 1 : -1, px, py, r, vx, vy, ax, ay, bx, by, T);
+    return SideSweep.time(contact == Contact.LEFT ? 1 : -1, px, py, r, vx, vy, ax, ay, bx, by, T);
   }
 
   /** The exact time of a contact that is no MISS. */
@@ -122,9 +104,10 @@ final class SegmentSweep {
       int contact, double px, double py, double r, double vx, double vy, double ax, double ay,
       double bx, double by) {
     return switch (contact) {
-      case START -> DiskSweep.exactTime(DiskSweep.LATER, px, py, r, vx, vy, ax, ay, 0, 0, 0);
-      case END -> DiskSweep.exactTime(DiskSweep.LATER, px, py, r, vx, vy, bx, by, 0, 0, 0);
-      case LEFT, RIGHT -> Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by).exactTime();
+      case Contact.START -> DiskSweep.exactTime(Contact.LATER, px, py, r, vx, vy, ax, ay, 0, 0, 0);
+      case Contact.END -> DiskSweep.exactTime(Contact.LATER, px, py, r, vx, vy, bx, by, 0, 0, 0);
+      case Contact.LEFT, Contact.RIGHT ->
+          Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by).exactTime();
       default -> ExactTime.NOW;
     };
   }
@@ -133,7 +116,7 @@ final class SegmentSweep {
       double px, double py, double r, double vx, double vy, double x, double y, double T) {
     return T == Double.POSITIVE_INFINITY
         ? EndSweep.time(px, py, r, vx, vy, x, y)
-        : DiskSweep.time(DiskSweep.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, T);
+        : DiskSweep.time(Contact.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, T);
   }
 
   /** The centre starts inside the strip. */
@@ -141,13 +124,13 @@ final class SegmentSweep {
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
       double by) {
     if (along(px, py, ax, ay, ax, ay, bx, by) <= 0) {
-      return endpoint(START, px, py, r, vx, vy, ax, ay);
+      return endpoint(Contact.START, px, py, r, vx, vy, ax, ay);
     }
     if (along(px, py, bx, by, ax, ay, bx, by) >= 0) {
-      return endpoint(END, px, py, r, vx, vy, bx, by);
+      return endpoint(Contact.END, px, py, r, vx, vy, bx, by);
     }
     int side = Predicates.cross(bx, by, ax, ay, px, py, ax, ay);
-    return side * drift(vx, vy, ax, ay, bx, by) < 0 ? NOW | sideOf(side) : MISS;
+    return side * drift(vx, vy, ax, ay, bx, by) < 0 ? Contact.NOW | sideOf(side) : Contact.MISS;
   }
 
   /** The centre starts outside the strip, on the given side. */
@@ -155,26 +138,26 @@ final class SegmentSweep {
       int side, double px, double py, double r, double vx, double vy, double ax, double ay,
       double bx, double by) {
     if (side * drift(vx, vy, ax, ay, bx, by) >= 0) {
-      return MISS;
+      return Contact.MISS;
     }
     if (corner(side, px, py, ax, ay, vx, vy, ax, ay, bx, by, r) <= 0) {
-      return endpoint(START, px, py, r, vx, vy, ax, ay);
+      return endpoint(Contact.START, px, py, r, vx, vy, ax, ay);
     }
     if (corner(side, px, py, bx, by, vx, vy, ax, ay, bx, by, r) >= 0) {
-      return endpoint(END, px, py, r, vx, vy, bx, by);
+      return endpoint(Contact.END, px, py, r, vx, vy, bx, by);
     }
     return sideOf(side);
   }
 
   private static int sideOf(int side) {
-    return side > 0 ? LEFT : RIGHT;
+    return side > 0 ? Contact.LEFT : Contact.RIGHT;
   }
 
   private static int endpoint(
       int end, double px, double py, double r, double vx, double vy, double x, double y) {
     return switch (DiskSweep.contact(px, py, r, vx, vy, x, y, 0, 0, 0)) {
-      case DiskSweep.MISS -> MISS;
-      case DiskSweep.NOW -> NOW | end;
+      case Contact.MISS -> Contact.MISS;
+      case Contact.NOW -> Contact.NOW | end;
       default -> end;
     };
   }

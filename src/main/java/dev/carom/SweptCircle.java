@@ -55,8 +55,6 @@ import java.util.Optional;
  */
 public final class SweptCircle {
 
-  private static final double NEVER = Double.POSITIVE_INFINITY;
-
   private SweptCircle() {}
 
   /**
@@ -141,8 +139,8 @@ public final class SweptCircle {
       check(px, py, r, vx, vy, T);
       new Bounds(xmin, ymin, xmax, ymax);
     }
-    double tx = wall(px, r, vx, vx < 0 ? xmin : xmax, T);
-    double ty = wall(py, r, vy, vy < 0 ? ymin : ymax, T);
+    double tx = WallSweep.time(px, r, vx, vx < 0 ? xmin : xmax, T);
+    double ty = WallSweep.time(py, r, vy, vy < 0 ? ymin : ymax, T);
     return Math.min(tx, ty);
   }
 
@@ -285,12 +283,6 @@ public final class SweptCircle {
    */
   public static Vec2 separation(Circle circle, Line line) {
     return Separation.of(Check.notNull("circle", circle), Check.notNull("line", line));
-  }
-
-  /** The time of impact with the wall ahead, within the window. */
-  static double wall(double p, double r, double v, double wall, double T) {
-    double t = WallSweep.time(p, r, v, wall);
-    return t > T || (t == T && WallSweep.roundedDown(p, r, v, wall, t)) ? NEVER : t;
   }
 
   private static void check(double px, double py, double r, double vx, double vy, double T) {

@@ -6,7 +6,7 @@ package dev.carom;
  * StuckRule#INELASTIC_PLACE one place} or 64 ulps of the coordinates, or overlapping.
  *
  * @param code what it touches, see {@link Obstacles}
- * @param contact how the detector names that contact, see {@link SegmentSweep}; 0 but for lines
+ * @param contact how the detector names that contact, see {@link Contact}; 0 but for lines
  * @param nx the x component of the unit normal, which points to the circle
  * @param ny the y component of the unit normal
  */
@@ -58,10 +58,10 @@ record Touch(int code, int contact, double nx, double ny) {
     }
     double s = ax == bx && ay == by ? 0 : Line.fraction(ax, ay, bx, by, m.x, m.y);
     if (s <= 0) {
-      return offset(m, code, SegmentSweep.START, ax, ay, m.radius, size(m));
+      return offset(m, code, Contact.START, ax, ay, m.radius, size(m));
     }
     if (s >= 1) {
-      return offset(m, code, SegmentSweep.END, bx, by, m.radius, size(m));
+      return offset(m, code, Contact.END, bx, by, m.radius, size(m));
     }
     double x = m.x - Line.between(s, ax, bx);
     double y = m.y - Line.between(s, ay, by);
@@ -69,7 +69,7 @@ record Touch(int code, int contact, double nx, double ny) {
       return null;
     }
     Vec2 n = Directions.normal(side, ax, ay, bx, by);
-    return new Touch(code, side > 0 ? SegmentSweep.LEFT : SegmentSweep.RIGHT, n.x(), n.y());
+    return new Touch(code, side > 0 ? Contact.LEFT : Contact.RIGHT, n.x(), n.y());
   }
 
   /** The contact with what is round; a circle exactly on its centre cannot come nearer. */

@@ -63,6 +63,12 @@ final class WallSweep {
     return Exact.wallTime(p, r, v, wall);
   }
 
+  /** The same within a window: {@code +infinity} if it is later than the window's end T. */
+  static double time(double p, double r, double v, double wall, double T) {
+    double t = time(p, r, v, wall);
+    return t > T || (t == T && roundedDown(p, r, v, wall, t)) ? Double.POSITIVE_INFINITY : t;
+  }
+
   /** The exact time of impact of a disk that moves towards a wall. */
   static ExactTime exactTime(double p, double r, double v, double wall) {
     Dyadic gap = Exact.wallGap(p, r, v, wall);
@@ -70,7 +76,7 @@ final class WallSweep {
   }
 
   /** Whether the true time of impact is later than its rounding t. */
-  static boolean roundedDown(double p, double r, double v, double wall, double t) {
+  private static boolean roundedDown(double p, double r, double v, double wall, double t) {
     return t < Double.POSITIVE_INFINITY && Exact.compareWallTime(p, r, v, wall, t) > 0;
   }
 }

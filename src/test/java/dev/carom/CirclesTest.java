@@ -15,7 +15,7 @@ class CirclesTest {
     Mover.NOTHING + ", 0",
     Mover.NOTHING + ", " + Obstacles.PEGS,
     WallSweep.LEFT + ", 0",
-    Obstacles.WALLS + ", " + SegmentSweep.NOW
+    Obstacles.WALLS + ", " + Contact.NOW
   })
   void whatIsKeptIsLoaded(int next, int contact) {
     Mover m = new Mover();

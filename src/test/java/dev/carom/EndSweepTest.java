@@ -44,7 +44,7 @@ class EndSweepTest {
       double vx = -speed * Math.cos(angle + lean);
       double vy = -speed * Math.sin(angle + lean);
       int contact = DiskSweep.contact(px, py, r, vx, vy, x, y, 0, 0, 0);
-      if (contact == DiskSweep.LATER) {
+      if (contact == Contact.LATER) {
         met++;
         double time = DiskSweep.time(contact, px, py, r, vx, vy, x, y, 0, 0, 0, NEVER);
         assertThat(EndSweep.time(px, py, r, vx, vy, x, y)).isEqualTo(time);

@@ -31,7 +31,7 @@ class JournalTest {
     m.cleared = base + 7;
     m.last = base + 10;
     m.next = base + 11;
-    m.contact = SegmentSweep.END;
+    m.contact = Contact.END;
     m.reach = base + 12;
     m.stuck = base + 13;
     m.pace = base + 14;

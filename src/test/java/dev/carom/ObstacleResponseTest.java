@@ -24,7 +24,7 @@ class ObstacleResponseTest {
     m.start(0, 4, 6, 1, vx, vy, 1);
     m.stuck = stuck;
     m.next = Obstacles.WALLS;
-    m.contact = SegmentSweep.LEFT;
+    m.contact = Contact.LEFT;
     log.clear();
     return response.resolve(m, log);
   }
@@ -82,10 +82,10 @@ class ObstacleResponseTest {
   void withoutBounceItStopsWhenItIsTurnedBack() {
     ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wedge(0)));
     m.start(0, 0, 5, 1, 0, -1, 1);
-    hitInWedge(wedge, 0, SegmentSweep.LEFT);
+    hitInWedge(wedge, 0, Contact.LEFT);
     assertThat(m.vy).isEqualTo(-0.8);
     assertThat(log.outcome(0)).isEqualTo(Outcome.BOUNCED);
-    hitInWedge(wedge, 1, SegmentSweep.RIGHT);
+    hitInWedge(wedge, 1, Contact.RIGHT);
     assertThat(m.vx).isZero();
     assertThat(m.vy).isZero();
     assertThat(log.outcome(0)).isEqualTo(Outcome.JAMMED);
@@ -95,9 +95,9 @@ class ObstacleResponseTest {
   void itGoesOnIfItCameFromElsewhere() {
     ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wedge(0)));
     m.start(0, 0, 5, 1, 0, -1, 1);
-    hitInWedge(wedge, 0, SegmentSweep.LEFT);
+    hitInWedge(wedge, 0, Contact.LEFT);
     m.next = Obstacles.WALLS + 1;
-    m.contact = SegmentSweep.RIGHT;
+    m.contact = Contact.RIGHT;
     m.cleared = 0x1p-40;
     log.clear();
     wedge.resolve(m, log);
@@ -117,8 +117,8 @@ class ObstacleResponseTest {
             .build();
     ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wide));
     m.start(0, 0, 5, 1, 0, -1, 1);
-    hitInWedge(wedge, 0, SegmentSweep.LEFT);
-    hitInWedge(wedge, 1, SegmentSweep.RIGHT);
+    hitInWedge(wedge, 0, Contact.LEFT);
+    hitInWedge(wedge, 1, Contact.RIGHT);
     assertThat(m.vx).isCloseTo(-0.24, within(1e-15));
     assertThat(m.vy).isCloseTo(0.12, within(1e-15));
     assertThat(log.outcome(0)).isEqualTo(Outcome.BOUNCED);
@@ -137,7 +137,7 @@ class ObstacleResponseTest {
     m.start(0, 4, 1, 1, vx, vy, 1);
     m.stuck = StuckRule.LIMIT;
     m.next = Obstacles.WALLS;
-    m.contact = SegmentSweep.LEFT;
+    m.contact = Contact.LEFT;
     log.clear();
     response.resolve(m, log);
   }

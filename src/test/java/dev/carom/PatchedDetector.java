@@ -81,7 +81,7 @@ final class PatchedDetector {
       boolean pair = query instanceof PairQuery;
       int contact = (int) (pair ? pairContact : lineContact).invokeExact(arguments);
       double time = (double) (pair ? pairTime : lineTime).invokeExact(contact, arguments);
-      return reply(pair ? Part.CIRCLE : linePart(contact & ~SegmentSweep.NOW), time);
+      return reply(pair ? Part.CIRCLE : linePart(contact & ~Contact.NOW), time);
     } catch (ArithmeticException e) {
       return new Reply(null, Double.NaN);
     } catch (RuntimeException | Error e) {
@@ -109,9 +109,9 @@ final class PatchedDetector {
   }
 
   private static Part linePart(int contact) {
-    return contact == SegmentSweep.START
+    return contact == Contact.START
         ? Part.START
-        : contact == SegmentSweep.END ? Part.END : Part.SIDE;
+        : contact == Contact.END ? Part.END : Part.SIDE;
   }
 
   /** Reads class files of the library; what they need besides is the platform's. */

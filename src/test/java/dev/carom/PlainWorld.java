@@ -376,7 +376,7 @@ final class PlainWorld {
     }
     Bounds b = Records.bounds(obstacles.walls);
     double wall = vertical ? (up ? b.xmax() : b.xmin()) : (up ? b.ymax() : b.ymin());
-    return SweptCircle.wall(vertical ? m.x : m.y, m.radius, v, wall, NEVER);
+    return WallSweep.time(vertical ? m.x : m.y, m.radius, v, wall, NEVER);
   }
 
   private void lookAtPair(Mover a, Mover b) {

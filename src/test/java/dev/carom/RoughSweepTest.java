@@ -38,11 +38,11 @@ class RoughSweepTest {
     double by = scale * q[8];
     double margin = RoughSweep.margin(Math.abs(vx) + Math.abs(vy), size);
     int contact = RoughSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, margin);
-    if (contact != RoughSweep.DOUBT) {
+    if (contact != Contact.DOUBT) {
       told++;
       assertThat(contact).isEqualTo(SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by));
     }
-    if (contact > SegmentSweep.MISS) {
+    if (contact > Contact.MISS) {
       double time = SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, NEVER);
       assertThat(RoughSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by))
           .isCloseTo(time, within(time * RoughSweep.TIME_ERROR / 4));
@@ -139,8 +139,8 @@ class RoughSweepTest {
 
   @Test
   void whatIsHitIsLeftInDoubtByAnInfiniteMargin() {
-    assertThat(RoughSweep.contact(0, 0, 1, 2, 0, 4, -3, 4, 3, NEVER)).isEqualTo(RoughSweep.DOUBT);
-    assertThat(RoughSweep.contact(0, 0, 1, -2, 0, 4, -3, 4, 3, NEVER)).isEqualTo(SegmentSweep.MISS);
+    assertThat(RoughSweep.contact(0, 0, 1, 2, 0, 4, -3, 4, 3, NEVER)).isEqualTo(Contact.DOUBT);
+    assertThat(RoughSweep.contact(0, 0, 1, -2, 0, 4, -3, 4, 3, NEVER)).isEqualTo(Contact.MISS);
   }
 
   /** What r^2 or w.w lose by underflow is large beside the square of a small distance. */
@@ -156,7 +156,7 @@ class RoughSweepTest {
     double margin = RoughSweep.margin(vx + vy, size);
     int told = RoughSweep.contact(px, py, r, vx, vy, 0, 0, bx, 0, margin);
     int contact = SegmentSweep.contact(px, py, r, vx, vy, 0, 0, bx, 0);
-    assertThat(told).isIn(contact, RoughSweep.DOUBT);
+    assertThat(told).isIn(contact, Contact.DOUBT);
     return contact;
   }
 }

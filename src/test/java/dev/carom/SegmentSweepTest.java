@@ -54,7 +54,7 @@ class SegmentSweepTest {
       double[] n = next();
       int contact = contact(n);
       boolean side = corner(n, n[0], n[1]) > 0 && corner(n, n[2], n[3]) < 0;
-      assertThat(contact == SegmentSweep.LEFT).as(() -> Arrays.toString(n)).isEqualTo(side);
+      assertThat(contact == Contact.LEFT).as(() -> Arrays.toString(n)).isEqualTo(side);
       hits += side ? 1 : 0;
     }
     assertThat(hits).isBetween(QUESTIONS / 4, QUESTIONS * 3 / 4);

@@ -21,9 +21,9 @@ class SideSweepTest {
       double[] n = random.doubles(8, -scale, scale).toArray();
       double r = scale * random.nextDouble() / 10;
       int contact = SegmentSweep.contact(n[0], n[1], r, n[2], n[3], n[4], n[5], n[6], n[7]);
-      if (contact == SegmentSweep.LEFT || contact == SegmentSweep.RIGHT) {
+      if (contact == Contact.LEFT || contact == Contact.RIGHT) {
         met++;
-        int side = contact == SegmentSweep.LEFT ? 1 : -1;
+        int side = contact == Contact.LEFT ? 1 : -1;
         double time = SideSweep.time(side, n[0], n[1], r, n[2], n[3], n[4], n[5], n[6], n[7]);
         for (double error : new double[] {0, 0x1p-52, -0x1p-40, 0x1p-28, -0x1p-10, 1, -1}) {
           double rough = time * (1 + error);

@@ -120,7 +120,7 @@ class WindowEndTest {
     while (asked < QUESTIONS) {
       double[] n = disks();
       if (DiskSweep.contact(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9])
-          == DiskSweep.LATER) {
+          == Contact.LATER) {
         asked++;
         int told =
             DiskSweep.compareTime(
@@ -334,11 +334,11 @@ class WindowEndTest {
     for (int i = 0; i < QUESTIONS; i++) {
       double[] n = side();
       int contact = change.applyAsInt(n);
-      if (contact == SegmentSweep.LEFT || contact == SegmentSweep.RIGHT) {
+      if (contact == Contact.LEFT || contact == Contact.RIGHT) {
         asked++;
         int told =
             SideSweep.compareTime(
-                contact == SegmentSweep.LEFT ? 1 : -1,
+                contact == Contact.LEFT ? 1 : -1,
                 n[4],
                 n[5],
                 n[6],
