@@ -50,7 +50,7 @@ final class Ahead implements EventQueue.Outlook {
     int others = 0;
     for (int k = 0; k < size; k++) {
       // Which it is cannot be foretold: it is written down for both.
-      int isOther = (kind(ids[k]) - Schedule.CROSSING) >>> 31;
+      int isOther = (kind(ids[k]) - EventKind.CROSSING) >>> 31;
       concerned[others] = ids[k];
       others += isOther;
       crossing[crossings] = ids[k];
@@ -74,7 +74,7 @@ final class Ahead implements EventQueue.Outlook {
     for (int k = 0; k < others; k++) {
       int i = concerned[k];
       concerned[end] = circles.codes[Circles.collidingCodesAt(i) + Circles.PARTNER];
-      end += kind(i) == Schedule.PAIR ? 1 : 0;
+      end += kind(i) == EventKind.PAIR ? 1 : 0;
     }
     return end;
   }
@@ -100,7 +100,7 @@ final class Ahead implements EventQueue.Outlook {
   private void placesAhead(int from, int crossings) {
     for (int k = 0; k < crossings; k++) {
       int i = crossing[k];
-      int way = kind(i) - Schedule.CROSSING;
+      int way = kind(i) - EventKind.CROSSING;
       int column = neighbors.column(i);
       int row = neighbors.row(i);
       int dx = Neighbors.columnsOn(way);

@@ -13,7 +13,7 @@ import java.util.Arrays;
  */
 final class Cells {
 
-  static final int NONE = -1;
+  private static final int NONE = Index.NONE;
 
   private final int columns;
   private final int[] heads;

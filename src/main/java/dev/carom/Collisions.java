@@ -123,14 +123,14 @@ final class Collisions extends Engine {
         return reached;
       }
       int i = queue.take(end);
-      if (i == EventQueue.NONE) {
+      if (i == Index.NONE) {
         reached = end;
         return end;
       }
       reach(queue.takenAt());
       int kind = Schedule.kind(c, i);
-      if (kind >= Schedule.CROSSING) { // most are
-        cross(s, c, i, kind - Schedule.CROSSING);
+      if (kind >= EventKind.CROSSING) { // most are
+        cross(s, c, i, kind - EventKind.CROSSING);
       } else {
         happen(s, c, i, kind);
       }
@@ -140,7 +140,7 @@ final class Collisions extends Engine {
   /** Whether there is an event until the end of the step. */
   private boolean isSomethingDue() {
     int i = queue.first();
-    return i != EventQueue.NONE && queue.time(i) <= end;
+    return i != Index.NONE && queue.time(i) <= end;
   }
 
   /** Goes on to a time. A crossing may be noticed late by rounding: time does not go back for it. */
@@ -153,8 +153,8 @@ final class Collisions extends Engine {
   /** What is no crossing. */
   private void happen(double[] s, int[] c, int i, int kind) {
     switch (kind) {
-      case Schedule.STATIC -> meetObstacle(i);
-      case Schedule.PAIR -> meet(s, c, i);
+      case EventKind.STATIC -> meetObstacle(i);
+      case EventKind.PAIR -> meet(s, c, i);
       default -> { // an edit
         lookAround(s, c, i);
         foresee(i);
@@ -323,7 +323,7 @@ final class Collisions extends Engine {
       int end = neighbors.find(circles.codes, i, found);
       for (int k = 0; k < end; k++) {
         int follower = circles.codes[Circles.collidingCodesAt(found[k]) + Circles.FOLLOWER];
-        if (follower != Cells.NONE) {
+        if (follower != Index.NONE) {
           found[end++] = follower;
         }
       }

@@ -9,9 +9,9 @@ import java.util.Arrays;
  */
 final class EventHeap {
 
-  private static final int NONE = EventQueue.NONE;
+  private static final int NONE = Index.NONE;
 
-  private final EventQueue.Order order;
+  private final EventOrder order;
 
   /** When the event of each circle is due. */
   private final double[] times;
@@ -22,7 +22,7 @@ final class EventHeap {
   private int[] heap = new int[16];
   private int size;
 
-  EventHeap(double[] times, EventQueue.Order order, int[] codes) {
+  EventHeap(double[] times, EventOrder order, int[] codes) {
     this.times = times;
     this.order = order;
     this.codes = codes;

@@ -20,11 +20,6 @@ import java.util.Arrays;
  */
 final class EventQueue {
 
-  /** The order of two events of the same time. */
-  interface Order {
-    boolean before(int i, int j);
-  }
-
   /** Is told which events come next, some time before they come. */
   interface Outlook {
 
@@ -32,8 +27,7 @@ final class EventQueue {
     void next(EventQueue queue, int[] circles, int size);
   }
 
-  /** No event. */
-  static final int NONE = -1;
+  private static final int NONE = Index.NONE;
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -128,7 +122,7 @@ final class EventQueue {
   @SuppressWarnings("UnusedVariable")
   private double read;
 
-  EventQueue(int count, Order order) {
+  EventQueue(int count, EventOrder order) {
     this(count, order, null, new int[Circles.collidingCodesAt(count)]);
   }
 
@@ -138,7 +132,7 @@ final class EventQueue {
    * @param outlook or null for none
    * @param codes the ints of so many circles: it keeps their {@link Circles#PLACE}
    */
-  EventQueue(int count, Order order, Outlook outlook, int[] codes) {
+  EventQueue(int count, EventOrder order, Outlook outlook, int[] codes) {
     this.outlook = outlook;
     long round = Math.min((long) ROUND * PER_EVENT * count, MOST_BUCKETS);
     int many = outlook == null ? MANY_IN_SPAN : MANY_WITH_OUTLOOK;

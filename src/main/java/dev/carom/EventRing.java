@@ -11,7 +11,7 @@ import java.util.Arrays;
 final class EventRing {
 
   /** No circle. */
-  private static final int NONE = EventQueue.NONE;
+  private static final int NONE = Index.NONE;
 
   /** No bucket: beyond all. */
   static final int NOWHERE = Integer.MAX_VALUE;

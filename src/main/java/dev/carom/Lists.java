@@ -24,8 +24,8 @@ final class Lists {
     int first = cells.first(place);
     next[i] = first;
     if (previous != null) {
-      previous[i] = Cells.NONE;
-      if (first != Cells.NONE) {
+      previous[i] = Index.NONE;
+      if (first != Index.NONE) {
         previous[first] = i;
       }
     }
@@ -35,18 +35,18 @@ final class Lists {
   void remove(int i, int place) {
     int before = previous == null ? before(i, place) : previous[i];
     int after = next[i];
-    if (before == Cells.NONE) {
+    if (before == Index.NONE) {
       cells.setFirst(place, after);
     } else {
       next[before] = after;
     }
-    if (previous != null && after != Cells.NONE) {
+    if (previous != null && after != Index.NONE) {
       previous[after] = before;
     }
   }
 
   private int before(int i, int place) {
-    int before = Cells.NONE;
+    int before = Index.NONE;
     for (int j = cells.first(place); j != i; j = next[j]) {
       before = j;
     }

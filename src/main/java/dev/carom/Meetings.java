@@ -154,9 +154,9 @@ final class Meetings {
 
   /** Forgets what was foreseen of circle i, and foresees it among those that {@link #sift} left. */
   void decide(double[] s, int[] codes, int i, int[] found, int left) {
-    keep(s, i, EventQueue.NONE, NEVER, NEVER, 0, 0);
+    keep(s, i, Index.NONE, NEVER, NEVER, 0, 0);
     for (int k = 0; k < left; k++) {
-      consider(s, codes, i, found[k], EventQueue.NONE);
+      consider(s, codes, i, found[k], Index.NONE);
     }
     storePartner(codes, i);
   }
@@ -305,7 +305,7 @@ final class Meetings {
   private void storePartner(int[] codes, int i) {
     int c = Circles.collidingCodesAt(i);
     codes[c + Circles.PARTNER] = partner;
-    if (partner != EventQueue.NONE) {
+    if (partner != Index.NONE) {
       codes[c + Circles.PARTNER_COUNT] = codes[Circles.collidingCodesAt(partner) + Circles.COUNT];
     }
   }
@@ -337,7 +337,7 @@ final class Meetings {
 
   /** Of two meetings of circle i at one time: whether that with j comes before that with k. */
   private boolean comesFirst(int i, int j, int k) {
-    return k == EventQueue.NONE
+    return k == Index.NONE
         || pairs.rank(Math.min(i, j), Math.max(i, j)) < pairs.rank(Math.min(i, k), Math.max(i, k));
   }
 

@@ -90,7 +90,7 @@ final class Neighbors {
           k == 0 ? null : new Lists(cells(extent, size[k]), new int[count], new int[count]);
     }
     for (int i = 0; i < count; i++) {
-      codes[Circles.collidingCodesAt(i) + Circles.FOLLOWER] = Cells.NONE;
+      codes[Circles.collidingCodesAt(i) + Circles.FOLLOWER] = Index.NONE;
     }
     coarse = new double[levels == 1 ? 0 : 2 * levels * count];
     inside = new double[4 * levels];

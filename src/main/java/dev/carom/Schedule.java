@@ -11,12 +11,6 @@ package dev.carom;
  */
 final class Schedule {
 
-  // Kinds of events; those from CROSSING on tell over which edge.
-  static final int STATIC = 0;
-  static final int PAIR = 1;
-  static final int EDIT = 2;
-  static final int CROSSING = 3;
-
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   /** The circles by the times of their events. */
@@ -52,12 +46,12 @@ final class Schedule {
 
   /** Whether the event of circle j is its meeting with circle i, as both are now. */
   static boolean isSame(int[] c, int i, int j) {
-    return kind(c, j) == PAIR && Meetings.partner(c, j) == i && Meetings.holds(c, j);
+    return kind(c, j) == EventKind.PAIR && Meetings.partner(c, j) == i && Meetings.holds(c, j);
   }
 
   /** Lets a circle be looked at anew at the given time. */
   void edit(int i, double time) {
-    put(i, time, EDIT);
+    put(i, time, EventKind.EDIT);
   }
 
   private void put(int i, double time, int kind) {
@@ -116,16 +110,16 @@ final class Schedule {
     double time = Math.min(crossing, meeting);
     // Without a branch, as it cannot be foretold: if none ever is, there is no event of any kind.
     int pair = (int) (Double.doubleToRawLongBits(meeting - crossing) >> 63);
-    int cross = CROSSING + way;
-    int kind = cross ^ ((cross ^ PAIR) & pair);
+    int cross = EventKind.CROSSING + way;
+    int kind = cross ^ ((cross ^ EventKind.PAIR) & pair);
     // Within one stored time a fast circle could go on through the cells behind what it hits.
     if (meeting == crossing && meeting < NEVER && isBeforeCrossing(i)) {
-      kind = PAIR;
+      kind = EventKind.PAIR;
     }
     if (due <= time
         && (due < crossing || cleared(s, i) < neighbors.until(s, i))
         && !(meeting <= due && isBeforeObstacle(i))) {
-      kind = STATIC;
+      kind = EventKind.STATIC;
       time = due;
     }
     c[Circles.collidingCodesAt(i) + Circles.KIND] = kind;
@@ -153,9 +147,9 @@ final class Schedule {
 
   private double tail(int i) {
     return switch (kind(codes, i)) {
-      case STATIC -> dueTail(i);
-      case PAIR -> Meetings.tail(state, i);
-      case EDIT -> Double.NEGATIVE_INFINITY;
+      case EventKind.STATIC -> dueTail(i);
+      case EventKind.PAIR -> Meetings.tail(state, i);
+      case EventKind.EDIT -> Double.NEGATIVE_INFINITY;
       default -> crossingTail(i);
     };
   }
@@ -170,8 +164,8 @@ final class Schedule {
 
   private long rank(int i) {
     return switch (kind(codes, i)) {
-      case STATIC -> next(codes, i) < 0 ? i : (long) next(codes, i) << 31 | i;
-      case PAIR -> {
+      case EventKind.STATIC -> next(codes, i) < 0 ? i : (long) next(codes, i) << 31 | i;
+      case EventKind.PAIR -> {
         int j = Meetings.partner(codes, i);
         yield pairs.rank(Math.min(i, j), Math.max(i, j));
       }

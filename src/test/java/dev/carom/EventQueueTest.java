@@ -54,7 +54,7 @@ class EventQueueTest {
     /** Takes the first event, as a world does before it sets another one. */
     void take(int first) {
       sorted.remove(events[first]);
-      assertThat(queue.take(Math.nextDown(events[first].time()))).isEqualTo(EventQueue.NONE);
+      assertThat(queue.take(Math.nextDown(events[first].time()))).isEqualTo(Index.NONE);
       assertThat(queue.take(events[first].time())).isEqualTo(first);
       assertThat(queue.takenAt()).isEqualTo(events[first].time());
       events[first] = null;
@@ -63,7 +63,7 @@ class EventQueueTest {
 
     int first() {
       int first = queue.first();
-      assertThat(first).isEqualTo(sorted.isEmpty() ? EventQueue.NONE : sorted.first().circle());
+      assertThat(first).isEqualTo(sorted.isEmpty() ? Index.NONE : sorted.first().circle());
       return first;
     }
   }
@@ -77,7 +77,7 @@ class EventQueueTest {
     }
     for (int step = 0; step < 30_000; step++) {
       int first = twin.first();
-      if (first == EventQueue.NONE) {
+      if (first == Index.NONE) {
         return;
       }
       double now = twin.events[first].time();
@@ -161,7 +161,7 @@ class EventQueueTest {
     twin.set(0, NEVER, 0, 0);
     assertThat(twin.first()).isEqualTo(1);
     twin.set(1, NEVER, 0, 1);
-    assertThat(twin.first()).isEqualTo(EventQueue.NONE);
+    assertThat(twin.first()).isEqualTo(Index.NONE);
     twin.set(2, 1, 0, 2);
     twin.set(1, 1, -1, 2);
     assertThat(twin.first()).isEqualTo(1);
@@ -223,12 +223,12 @@ class EventQueueTest {
       assertThat(queue.first()).isEqualTo(i);
       assertThat(queue.take(9)).isEqualTo(i);
     }
-    assertThat(queue.first()).isEqualTo(EventQueue.NONE);
+    assertThat(queue.first()).isEqualTo(Index.NONE);
   }
 
   @Test
   void isMadeForNoneToo() {
-    assertThat(new EventQueue(0, (i, j) -> false).first()).isEqualTo(EventQueue.NONE);
+    assertThat(new EventQueue(0, (i, j) -> false).first()).isEqualTo(Index.NONE);
   }
 
   /**

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class EventRingTest {
 
-  private static final int NONE = EventQueue.NONE;
+  private static final int NONE = Index.NONE;
 
   /** Those of a bucket, the one that was added last first. */
   private static Deque<Integer> all(EventRing ring, int first) {

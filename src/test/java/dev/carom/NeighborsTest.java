@@ -72,7 +72,7 @@ class NeighborsTest {
     int end = size;
     for (int k = 0; k < end; k++) {
       int follower = circles.codes[Circles.collidingCodesAt(found[k]) + Circles.FOLLOWER];
-      if (follower != Cells.NONE) {
+      if (follower != Index.NONE) {
         found[end++] = follower;
       }
     }
@@ -250,7 +250,7 @@ class NeighborsTest {
 
   private static Set<Integer> heads(int[] lists, int from, int to) {
     return Arrays.stream(lists, from, to)
-        .filter(i -> i != Cells.NONE)
+        .filter(i -> i != Index.NONE)
         .boxed()
         .collect(Collectors.toSet());
   }
@@ -312,7 +312,7 @@ class NeighborsTest {
     for (int k = 0; k < ids.length; k++) {
       ids[k] = k * 7 % 40;
       int c = Circles.collidingCodesAt(ids[k]);
-      circles.codes[c + Circles.KIND] = k % (Schedule.CROSSING + 4);
+      circles.codes[c + Circles.KIND] = k % (EventKind.CROSSING + 4);
       circles.codes[c + Circles.PARTNER] = k % 40;
     }
     double[] state = circles.state.clone();
@@ -336,7 +336,7 @@ class NeighborsTest {
     int size = cells.around(place, found, 0);
     for (int k = 0; k < size; k++) {
       int follower = codes[Circles.collidingCodesAt(found[k]) + Circles.FOLLOWER];
-      if (follower != Cells.NONE) {
+      if (follower != Index.NONE) {
         found[size++] = follower;
       }
     }
