@@ -53,18 +53,19 @@ final class Casts {
     Vec2 normal =
         slides(circle, v, end, other, t)
             ? slideNormal(v, end, other)
-            : DiskSweep.normal(
-                circle.x(),
-                circle.y(),
-                circle.radius(),
-                v.x(),
-                v.y(),
-                end.x(),
-                end.y(),
-                0,
-                0,
-                0,
-                t);
+            : vector(
+                DiskSweep.normal(
+                    circle.x(),
+                    circle.y(),
+                    circle.radius(),
+                    v.x(),
+                    v.y(),
+                    end.x(),
+                    end.y(),
+                    0,
+                    0,
+                    0,
+                    t));
     Vec2 point = new Vec2(end.x(), end.y());
     return impact(t, v, line, feature, point, normal);
   }
@@ -79,11 +80,11 @@ final class Casts {
   /** The side's normal, against the velocity: the limit of the normals from before. */
   private static Vec2 slideNormal(Vec2 v, Endpoint end, Endpoint other) {
     int drift = Predicates.cross(other.x(), other.y(), end.x(), end.y(), v.x(), v.y(), 0, 0);
-    return Directions.normal(-drift, end.x(), end.y(), other.x(), other.y());
+    return vector(Directions.normal(-drift, end.x(), end.y(), other.x(), other.y()));
   }
 
   private static Impact side(int side, Circle circle, Vec2 v, Line line, double t) {
-    Vec2 normal = Directions.normal(side, line.ax(), line.ay(), line.bx(), line.by());
+    Vec2 normal = vector(Directions.normal(side, line.ax(), line.ay(), line.bx(), line.by()));
     Vec2 point = line.closestPoint(place(circle, v, t));
     return impact(t, v, line, Feature.SIDE, point, normal);
   }
@@ -216,18 +217,19 @@ final class Casts {
       int contact,
       double t) {
     Vec2 normal =
-        DiskSweep.normal(
-            c1.x(),
-            c1.y(),
-            c1.radius(),
-            v1.x(),
-            v1.y(),
-            c2.x(),
-            c2.y(),
-            c2.radius(),
-            v2.x(),
-            v2.y(),
-            t);
+        vector(
+            DiskSweep.normal(
+                c1.x(),
+                c1.y(),
+                c1.radius(),
+                v1.x(),
+                v1.y(),
+                c2.x(),
+                c2.y(),
+                c2.radius(),
+                v2.x(),
+                v2.y(),
+                t));
     Vec2 point = contact == Contact.NOW ? between(c1, c2) : rim(c2, v2, t, normal);
     double speed = approach(v1, v2, normal);
     return new Impact(t, kind, Impact.NO_ID, obstacle, Feature.CIRCLE, point, normal, speed);
@@ -238,10 +240,14 @@ final class Casts {
     return obstacle instanceof Endpoint end ? new Circle(end.x(), end.y(), 0) : (Circle) obstacle;
   }
 
+  private static Vec2 vector(UnitVector n) {
+    return new Vec2(n.x(), n.y());
+  }
+
   /** Where two that overlap or touch meet: their distance is divided as their radii. */
   private static Vec2 between(Circle c1, Circle c2) {
     double share = ObstacleResponse.share(c2.radius(), c1.radius());
-    return new Vec2(Line.between(share, c2.x(), c1.x()), Line.between(share, c2.y(), c1.y()));
+    return new Vec2(Coordinates.between(share, c2.x(), c1.x()), Coordinates.between(share, c2.y(), c1.y()));
   }
 
   private static Vec2 rim(Circle circle, Vec2 v, double t, Vec2 normal) {

@@ -17,7 +17,7 @@ final class Directions {
   }
 
   /** (a - b) / |a - b| for two different points. */
-  static Vec2 unit(double ax, double ay, double bx, double by) {
+  static UnitVector unit(double ax, double ay, double bx, double by) {
     double x = ax - bx;
     double y = ay - by;
     double size = Math.max(Math.abs(x), Math.abs(y));
@@ -25,13 +25,13 @@ final class Directions {
       return Exact.unit(ax, ay, bx, by);
     }
     double length = Math.sqrt(x * x + y * y);
-    return new Vec2(x / length + 0.0, y / length + 0.0);
+    return new UnitVector(x / length + 0.0, y / length + 0.0);
   }
 
   /** The unit normal of the line from a to b: the left one for side +1, the right one for -1. */
-  static Vec2 normal(int side, double ax, double ay, double bx, double by) {
-    Vec2 w = unit(bx, by, ax, ay);
+  static UnitVector normal(int side, double ax, double ay, double bx, double by) {
+    UnitVector w = unit(bx, by, ax, ay);
     // + 0 turns -0 into 0.
-    return new Vec2(-side * w.y() + 0.0, side * w.x() + 0.0);
+    return new UnitVector(-side * w.y() + 0.0, side * w.x() + 0.0);
   }
 }

@@ -216,7 +216,7 @@ final class DiskSweep {
    *
    * @param t the time of impact, or 0 for an impact {@link Contact#NOW}
    */
-  static Vec2 normal(
+  static UnitVector normal(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
       double vx2, double vy2, double t) {
     if (t == 0) {

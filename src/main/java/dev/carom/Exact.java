@@ -117,7 +117,7 @@ final class Exact {
     }
 
     /** The unit normal at a contact to come: (d + u t) / |d + u t|, or -u / |u| for two points. */
-    Vec2 normal() {
+    UnitVector normal() {
       if (r.sign() == 0) {
         return new Vector(u.x.negate(), u.y.negate(), Dyadic.ZERO).unit();
       }
@@ -178,7 +178,7 @@ final class Exact {
   }
 
   /** (a - b) / |a - b|. */
-  static Vec2 unit(double ax, double ay, double bx, double by) {
+  static UnitVector unit(double ax, double ay, double bx, double by) {
     return vector(ax, ay, bx, by).unit();
   }
 
@@ -239,9 +239,9 @@ final class Exact {
     }
 
     /** Of a vector in the plane. */
-    Vec2 unit() {
+    UnitVector unit() {
       Dyadic length = square().sqrt(BITS);
-      return new Vec2(quotient(x, length), quotient(y, length));
+      return new UnitVector(quotient(x, length), quotient(y, length));
     }
 
     private static double quotient(Dyadic a, Dyadic length) {

@@ -272,9 +272,9 @@ public final class ImpactLog {
   void set(double x, double y, double nx, double ny, double vn) {
     int k = (size - 1) * ROW;
     // The first and the last one first: then compilers need not ask whether the rest is in range.
-    numbers[k + 1] = Vec2.within(x);
+    numbers[k + 1] = Coordinates.within(x);
     numbers[k + 5] = vn;
-    numbers[k + 2] = Vec2.within(y);
+    numbers[k + 2] = Coordinates.within(y);
     numbers[k + 3] = nx;
     numbers[k + 4] = ny;
   }

@@ -75,36 +75,7 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
    *     zero
    */
   public Vec2 closestPoint(Vec2 p) {
-    double s = fraction(ax, ay, bx, by, Check.notNull("p", p).x(), p.y());
-    if (!(s > 0)) {
-      return new Vec2(ax, ay);
-    }
-    return s >= 1 ? new Vec2(bx, by) : pointAt(s);
-  }
-
-  /** s = (p - a).w / w.w with w = b - a, as cosine times lengths; NaN for zero length. */
-  static double fraction(double ax, double ay, double bx, double by, double px, double py) {
-    double half = Double.isInfinite(bx - ax) || Double.isInfinite(by - ay) ? 0.5 : 1;
-    double wx = half * bx - half * ax;
-    double wy = half * by - half * ay;
-    double dx = half * px - half * ax;
-    double dy = half * py - half * ay;
-    double w = Math.max(Math.abs(wx), Math.abs(wy));
-    double d = Math.max(Math.abs(dx), Math.abs(dy));
-    double ux = wx / w;
-    double uy = wy / w;
-    double along = d == 0 ? 0 : (dx / d) * ux + (dy / d) * uy;
-    // Lengths last: their quotient may be infinite.
-    return along == 0 ? 0 * ux : along / (ux * ux + uy * uy) * (d / w);
-  }
-
-  private Vec2 pointAt(double s) {
-    return new Vec2(between(s, ax, bx), between(s, ay, by));
-  }
-
-  /** a + s (b - a), also where b - a overflows. */
-  static double between(double s, double a, double b) {
-    double w = b - a;
-    return Double.isInfinite(w) ? (1 - s) * a + s * b : Math.fma(s, w, a);
+    double s = Coordinates.fraction(ax, ay, bx, by, Check.notNull("p", p).x(), p.y());
+    return new Vec2(Coordinates.onSegment(s, ax, bx), Coordinates.onSegment(s, ay, by));
   }
 }

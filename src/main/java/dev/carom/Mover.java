@@ -61,8 +61,8 @@ final class Mover {
   int next;
 
   /**
-   * How the detector names that contact, see {@link Contact}; if there is none, the code of
-   * the sensor that was met at {@link #cleared}, else 0.
+   * How the detector names that contact, see {@link Contact}; if there is none, the code of the
+   * sensor that was met at {@link #cleared}, else 0.
    */
   int contact;
 

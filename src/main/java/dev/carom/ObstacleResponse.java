@@ -276,9 +276,10 @@ final class ObstacleResponse {
     double s =
         size > LEAST && size < MOST
             ? ((m.x - ax) * wx + (m.y - ay) * wy) / (wx * wx + wy * wy)
-            : Line.fraction(ax, ay, bx, by, Vec2.within(m.x), Vec2.within(m.y));
-    contactX = Line.between(s, ax, bx);
-    contactY = Line.between(s, ay, by);
+            : Coordinates.fraction(
+                ax, ay, bx, by, Coordinates.within(m.x), Coordinates.within(m.y));
+    contactX = Coordinates.between(s, ax, bx);
+    contactY = Coordinates.between(s, ay, by);
     normal(m, px, py, qx, qy);
   }
 
@@ -296,13 +297,13 @@ final class ObstacleResponse {
    */
   private void locateAt(Mover m, double cx, double cy, double radius) {
     double share = share(radius, m.radius);
-    contactX = Line.between(share, cx, Vec2.within(m.x));
-    contactY = Line.between(share, cy, Vec2.within(m.y));
+    contactX = Coordinates.between(share, cx, Coordinates.within(m.x));
+    contactY = Coordinates.between(share, cy, Coordinates.within(m.y));
     double reach = radius + m.radius;
     if (reach == 0) {
       normal(m, 0, 0, m.vx, m.vy);
     } else if (reach < SMALL * Math.max(size(cx, cy), size(startX, startY))) {
-      Vec2 n =
+      UnitVector n =
           DiskSweep.normal(startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, 0, 0, m.cleared);
       normal(m, n.x(), n.y(), 0, 0);
     } else {
@@ -360,8 +361,8 @@ final class ObstacleResponse {
     if (exponent == 0) {
       return p - q;
     }
-    double a = Vec2.within(p);
-    double b = Vec2.within(q);
+    double a = Coordinates.within(p);
+    double b = Coordinates.within(q);
     double d = a - b;
     return Math.abs(d) <= Double.MAX_VALUE
         ? Math.scalb(d, -exponent)

@@ -201,7 +201,7 @@ final class PairResponse {
     un = scaled(ObstacleResponse.dot(ux, uy, nx, ny), fast);
     double share = ObstacleResponse.share(b.radius, a.radius);
     log.add(a.t, a.id, ObstacleKind.CIRCLE, b.id, Feature.CIRCLE);
-    log.set(Line.between(share, b.x, a.x), Line.between(share, b.y, a.y), nx, ny, un);
+    log.set(Coordinates.between(share, b.x, a.x), Coordinates.between(share, b.y, a.y), nx, ny, un);
   }
 
   /**

@@ -73,9 +73,9 @@ final class Proximity {
     double ay = lines[k + Obstacles.AY];
     double bx = lines[k + Obstacles.BX];
     double by = lines[k + Obstacles.BY];
-    double s = Line.fraction(ax, ay, bx, by, x, y);
-    double footX = !(s > 0) ? ax : s >= 1 ? bx : Line.between(s, ax, bx);
-    double footY = !(s > 0) ? ay : s >= 1 ? by : Line.between(s, ay, by);
+    double s = Coordinates.fraction(ax, ay, bx, by, x, y);
+    double footX = Coordinates.onSegment(s, ax, bx);
+    double footY = Coordinates.onSegment(s, ay, by);
     return StrictMath.hypot(x - footX, y - footY);
   }
 
@@ -120,13 +120,7 @@ final class Proximity {
     double ay = lines[k + Obstacles.AY];
     double bx = lines[k + Obstacles.BX];
     double by = lines[k + Obstacles.BY];
-    if (Predicates.dot(x, y, ax, ay, bx, by, ax, ay) <= 0) {
-      return Predicates.gap(x, y, ax, ay, r, 0) < 0;
-    }
-    if (Predicates.dot(x, y, bx, by, bx, by, ax, ay) >= 0) {
-      return Predicates.gap(x, y, bx, by, r, 0) < 0;
-    }
-    return Predicates.reach(bx, by, ax, ay, x, y, ax, ay, r, 0) > 0;
+    return SegmentSweep.overlap(x, y, r, ax, ay, bx, by);
   }
 
   // What overlaps a box.

@@ -77,6 +77,18 @@ final class SegmentSweep {
     return inside(px, py, r, vx, vy, ax, ay, bx, by);
   }
 
+  /** Whether the distance of the centre from the line is less than the radius, exactly. */
+  static boolean overlap(
+      double px, double py, double r, double ax, double ay, double bx, double by) {
+    if (Predicates.dot(px, py, ax, ay, bx, by, ax, ay) <= 0) {
+      return DiskSweep.overlap(px, py, r, ax, ay, 0);
+    }
+    if (Predicates.dot(px, py, bx, by, bx, by, ax, ay) >= 0) {
+      return DiskSweep.overlap(px, py, r, bx, by, 0);
+    }
+    return Predicates.reach(bx, by, ax, ay, px, py, ax, ay, r, 0) > 0;
+  }
+
   /**
    * The correctly rounded time of a contact, {@code +infinity} if it is a MISS or later than the
    * window's end T.

@@ -9,83 +9,62 @@ package dev.carom;
  * <p>The moved centre is rounded to doubles, so a bit more may be needed. With s the sum of the
  * largest coordinate and the radii, the length, r less a distance, errs by 3 ulps of s at most, and
  * rounding two coordinates takes less than 1: the tries, by 0, 1, 2 and 4 ulps more, end there.
+ *
+ * @param x by how much along x
+ * @param y by how much along y
  */
-final class Separation {
+record Separation(double x, double y) {
 
-  private Separation() {}
+  private static final Separation NONE = new Separation(0, 0);
 
-  static Vec2 of(Circle circle, Circle other) {
-    if (!overlaps(circle.x(), circle.y(), circle.radius(), other)) {
-      return Vec2.ZERO;
+  private static final UnitVector ALONG_X = new UnitVector(1, 0);
+
+  /** Whether a circle whose centre is at (x, y) overlaps the obstacle. */
+  private interface Overlap {
+    boolean at(double x, double y);
+  }
+
+  /** That of a circle from a disk. */
+  static Separation ofDisk(double x, double y, double r, double cx, double cy, double radius) {
+    Overlap overlap = (atX, atY) -> DiskSweep.overlap(atX, atY, r, cx, cy, radius);
+    if (!overlap.at(x, y)) {
+      return NONE;
     }
-    double dx = circle.x() - other.x();
-    double dy = circle.y() - other.y();
-    Vec2 n =
-        dx == 0 && dy == 0
-            ? new Vec2(1, 0)
-            : Directions.unit(circle.x(), circle.y(), other.x(), other.y());
+    double dx = x - cx;
+    double dy = y - cy;
+    UnitVector n = dx == 0 && dy == 0 ? ALONG_X : Directions.unit(x, y, cx, cy);
     double distance = dx * n.x() + dy * n.y();
-    double r = circle.radius() + other.radius();
-    double size = Math.max(size(circle.x(), circle.y()), size(other.x(), other.y()));
-    return out(circle, other, n, r - distance, size + r);
+    double reach = r + radius;
+    double size = Math.max(size(x, y), size(cx, cy));
+    return out(x, y, overlap, n, reach - distance, size + reach);
   }
 
-  static Vec2 of(Circle circle, Line line) {
-    if (!overlaps(circle.x(), circle.y(), circle.radius(), line)) {
-      return Vec2.ZERO;
+  /** That of a circle from a line. */
+  static Separation ofLine(
+      double x, double y, double r, double ax, double ay, double bx, double by) {
+    Overlap overlap = (atX, atY) -> SegmentSweep.overlap(atX, atY, r, ax, ay, bx, by);
+    if (!overlap.at(x, y)) {
+      return NONE;
     }
-    double x = circle.x();
-    double y = circle.y();
-    Endpoint nearest = end(x, y, line);
-    double fromX = x - (nearest == null ? line.ax() : nearest.x());
-    double fromY = y - (nearest == null ? line.ay() : nearest.y());
-    Vec2 n = normal(x, y, nearest, line);
-    double distance = fromX * n.x() + fromY * n.y();
-    double size =
-        Math.max(size(x, y), Math.max(size(line.ax(), line.ay()), size(line.bx(), line.by())));
-    return out(circle, line, n, circle.radius() - distance, size + circle.radius());
+    boolean atEnd = Predicates.dot(x, y, bx, by, bx, by, ax, ay) >= 0;
+    boolean beside = !atEnd && Predicates.dot(x, y, ax, ay, bx, by, ax, ay) > 0;
+    double nearX = atEnd ? bx : ax;
+    double nearY = atEnd ? by : ay;
+    boolean ofSide = beside || (x == nearX && y == nearY);
+    UnitVector n = ofSide ? sideNormal(x, y, ax, ay, bx, by) : Directions.unit(x, y, nearX, nearY);
+    double distance = (x - nearX) * n.x() + (y - nearY) * n.y();
+    double size = Math.max(size(x, y), Math.max(size(ax, ay), size(bx, by)));
+    return out(x, y, overlap, n, r - distance, size + r);
   }
 
-  /**
-   * The unit vector from the nearest point of a line to the centre; if it is 0, the left normal.
-   */
-  private static Vec2 normal(double x, double y, Endpoint nearest, Line line) {
-    if (nearest != null && (x != nearest.x() || y != nearest.y())) {
-      return Directions.unit(x, y, nearest.x(), nearest.y());
+  /** The normal of a line on the side of a point; on the line the left one. */
+  private static UnitVector sideNormal(
+      double x, double y, double ax, double ay, double bx, double by) {
+    if (ax == bx && ay == by) {
+      return ALONG_X;
     }
-    if (line.ax() == line.bx() && line.ay() == line.by()) {
-      return new Vec2(1, 0);
-    }
-    int side =
-        Predicates.cross(line.bx(), line.by(), line.ax(), line.ay(), x, y, line.ax(), line.ay());
-    return Directions.normal(side < 0 ? -1 : 1, line.ax(), line.ay(), line.bx(), line.by());
-  }
-
-  /** The end beyond which a point projects, null for a point beside the line. */
-  private static Endpoint end(double x, double y, Line line) {
-    double ax = line.ax();
-    double ay = line.ay();
-    double bx = line.bx();
-    double by = line.by();
-    if (Predicates.dot(x, y, ax, ay, bx, by, ax, ay) <= 0) {
-      return line.start();
-    }
-    return Predicates.dot(x, y, bx, by, bx, by, ax, ay) >= 0 ? line.end() : null;
-  }
-
-  /** Whether the distance of a centre from an obstacle is less than the radius, exactly. */
-  static boolean overlaps(double x, double y, double r, Obstacle obstacle) {
-    if (obstacle instanceof Circle circle) {
-      return DiskSweep.overlap(x, y, r, circle.x(), circle.y(), circle.radius());
-    }
-    Line line = (Line) obstacle;
-    Endpoint nearest = end(x, y, line);
-    if (nearest != null) {
-      return DiskSweep.overlap(x, y, r, nearest.x(), nearest.y(), 0);
-    }
-    double ax = line.ax();
-    double ay = line.ay();
-    return Predicates.reach(line.bx(), line.by(), ax, ay, x, y, ax, ay, r, 0) > 0;
+    int side = Predicates.cross(bx, by, ax, ay, x, y, ax, ay);
+    return Directions.normal(side < 0 ? -1 : 1, ax, ay, bx, by);
   }
 
   private static double size(double x, double y) {
@@ -93,18 +72,19 @@ final class Separation {
   }
 
   /** A translation along n of at least the given length, by which the circle comes out. */
-  private static Vec2 out(Circle circle, Obstacle obstacle, Vec2 n, double least, double size) {
+  private static Separation out(
+      double x, double y, Overlap overlap, UnitVector n, double least, double size) {
     if (!(size <= 0x1p1023)) {
       throw Check.refused("coordinate and radius together", size, "at most 2^1023");
     }
     double more = 0;
     double tx = least * n.x();
     double ty = least * n.y();
-    while (overlaps(circle.x() + tx, circle.y() + ty, circle.radius(), obstacle)) {
+    while (overlap.at(x + tx, y + ty)) {
       more = more == 0 ? Math.ulp(size) : 2 * more;
       tx = (least + more) * n.x();
       ty = (least + more) * n.y();
     }
-    return new Vec2(tx, ty);
+    return new Separation(tx, ty);
   }
 }

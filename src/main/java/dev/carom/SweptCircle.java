@@ -265,7 +265,11 @@ public final class SweptCircle {
    *     together exceed 2^1023
    */
   public static Vec2 separation(Circle circle, Circle other) {
-    return Separation.of(Check.notNull("circle", circle), Check.notNull("other", other));
+    Check.notNull("circle", circle);
+    Check.notNull("other", other);
+    return vector(
+        Separation.ofDisk(
+            circle.x(), circle.y(), circle.radius(), other.x(), other.y(), other.radius()));
   }
 
   /**
@@ -282,7 +286,15 @@ public final class SweptCircle {
    *     together exceed 2^1023
    */
   public static Vec2 separation(Circle circle, Line line) {
-    return Separation.of(Check.notNull("circle", circle), Check.notNull("line", line));
+    Check.notNull("circle", circle);
+    Check.notNull("line", line);
+    return vector(
+        Separation.ofLine(
+            circle.x(), circle.y(), circle.radius(), line.ax(), line.ay(), line.bx(), line.by()));
+  }
+
+  private static Vec2 vector(Separation separation) {
+    return new Vec2(separation.x(), separation.y());
   }
 
   private static void check(double px, double py, double r, double vx, double vy, double T) {

@@ -56,19 +56,19 @@ record Touch(int code, int contact, double nx, double ny) {
     if (oneWay && side <= 0) {
       return null;
     }
-    double s = ax == bx && ay == by ? 0 : Line.fraction(ax, ay, bx, by, m.x, m.y);
+    double s = ax == bx && ay == by ? 0 : Coordinates.fraction(ax, ay, bx, by, m.x, m.y);
     if (s <= 0) {
       return offset(m, code, Contact.START, ax, ay, m.radius, size(m));
     }
     if (s >= 1) {
       return offset(m, code, Contact.END, bx, by, m.radius, size(m));
     }
-    double x = m.x - Line.between(s, ax, bx);
-    double y = m.y - Line.between(s, ay, by);
+    double x = m.x - Coordinates.between(s, ax, bx);
+    double y = m.y - Coordinates.between(s, ay, by);
     if (side == 0 || StrictMath.hypot(x, y) - m.radius > tolerance(m, size(m))) {
       return null;
     }
-    Vec2 n = Directions.normal(side, ax, ay, bx, by);
+    UnitVector n = Directions.normal(side, ax, ay, bx, by);
     return new Touch(code, side > 0 ? Contact.LEFT : Contact.RIGHT, n.x(), n.y());
   }
 

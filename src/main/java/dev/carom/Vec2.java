@@ -28,16 +28,9 @@ public record Vec2(double x, double y) {
     Check.finite("y", y);
   }
 
-  /** A coordinate; of one beyond the range of doubles, the largest one. */
-  static double within(double x) {
-    return Math.abs(x) <= Double.MAX_VALUE
-        ? x
-        : Math.max(-Double.MAX_VALUE, Math.min(x, Double.MAX_VALUE));
-  }
-
-  /** The point (x, y), with coordinates {@link #within(double)} the range of doubles. */
+  /** The point (x, y), with coordinates {@linkplain Coordinates#within within} the doubles. */
   static Vec2 within(double x, double y) {
-    return new Vec2(within(x), within(y));
+    return new Vec2(Coordinates.within(x), Coordinates.within(y));
   }
 
   /**

@@ -182,9 +182,9 @@ class LineTest {
 
   @Test
   void theFractionAtTheStartIsZeroWhateverTheSlope() {
-    assertThat(Line.fraction(0, 0, 0, 2, 5, 0)).isZero();
-    assertThat(Line.fraction(0, 0, 2, 0, 0, 5)).isZero();
-    assertThat(Line.fraction(1, 1, 1, 1, 0, 5)).isNaN();
+    assertThat(Coordinates.fraction(0, 0, 0, 2, 5, 0)).isZero();
+    assertThat(Coordinates.fraction(0, 0, 2, 0, 0, 5)).isZero();
+    assertThat(Coordinates.fraction(1, 1, 1, 1, 0, 5)).isNaN();
   }
 
   /** Beside it: the very start, down to the sign of its zeros. */

@@ -109,9 +109,7 @@ final class PatchedDetector {
   }
 
   private static Part linePart(int contact) {
-    return contact == Contact.START
-        ? Part.START
-        : contact == Contact.END ? Part.END : Part.SIDE;
+    return contact == Contact.START ? Part.START : contact == Contact.END ? Part.END : Part.SIDE;
   }
 
   /** Reads class files of the library; what they need besides is the platform's. */
