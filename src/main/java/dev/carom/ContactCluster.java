@@ -80,7 +80,7 @@ final class ContactCluster {
    *     the start of their new flights
    * @return those that were hit and those that changed, at the start of their new flights
    */
-  Collection<Mover> resolve(ImpactLog log, Mover... hit) {
+  Collection<Mover> resolve(ImpactRows log, Mover... hit) {
     gather(hit);
     Set<Mover> changed = new LinkedHashSet<>(List.of(hit));
     if (members.size() == 1) {
@@ -201,7 +201,7 @@ final class ContactCluster {
   }
 
   /** Stops the circles that infinite masses touch, and lets those pass over them. */
-  private boolean crush(Set<Mover> changed, ImpactLog log, Mover... hit) {
+  private boolean crush(Set<Mover> changed, ImpactRows log, Mover... hit) {
     List<Contact> ofInfinite =
         contacts.stream()
             .filter(c -> c.b != InelasticShock.OBSTACLE && isInfinite(members.get(c.b).id))
@@ -229,7 +229,7 @@ final class ContactCluster {
     return isFirst && (hit.length == 1 ? c.touch.code() == hit[0].last : c.b == 1);
   }
 
-  private void report(Contact c, ImpactLog log) {
+  private void report(Contact c, ImpactRows log) {
     Mover a = members.get(c.a);
     if (c.b == InelasticShock.OBSTACLE) {
       response.report(a, c.touch, log);
@@ -237,7 +237,7 @@ final class ContactCluster {
       Mover b = members.get(c.b);
       pairs.report(a.id < b.id ? a : b, a.id < b.id ? b : a, log);
     }
-    log.setOutcome(Outcome.JAMMED);
+    log.setOutcome(ImpactRows.JAMMED);
   }
 
   private void change(InelasticShock shock, Set<Mover> changed) {

@@ -11,7 +11,7 @@ abstract class Engine {
   final Circles circles;
   final Surroundings surroundings;
   final ObstacleResponse response;
-  final ImpactLog log;
+  final ImpactRows log;
 
   /** Whether the budget was spent in the last {@link #advance}. */
   boolean unfinished;
@@ -19,7 +19,7 @@ abstract class Engine {
   /** Null unless flights are recorded. */
   Timeline timeline;
 
-  Engine(Scene scene, Roster roster, Circles circles, Machinery machinery, ImpactLog log) {
+  Engine(Scene scene, Roster roster, Circles circles, Machinery machinery, ImpactRows log) {
     this.roster = roster;
     this.circles = circles;
     this.log = log;

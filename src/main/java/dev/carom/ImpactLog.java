@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import java.util.Arrays;
 import java.util.function.IntUnaryOperator;
 
 /**
@@ -18,26 +17,6 @@ import java.util.function.IntUnaryOperator;
  */
 public final class ImpactLog {
 
-  /**
-   * Doubles of one row: time, contact x and y, normal n of any length, and v.n before the impact.
-   * The root that makes n a unit vector is taken by who reads it.
-   */
-  private static final int ROW = 6;
-
-  /** Ints of one row: circle, obstacle, and what is packed, see {@link #WHAT}. */
-  private static final int INTS = 3;
-
-  private static final int OBSTACLE = 1;
-
-  /** The ordinals of the kind, of the feature and of the outcome, a byte each. */
-  private static final int WHAT = 2;
-
-  private static final int FEATURE = 8;
-  private static final int OUTCOME = 16;
-  private static final int ORDINAL = (1 << FEATURE) - 1;
-
-  // Ordinals are kept as numbers: storing a reference costs what a garbage collector must know of
-  // it.
   private static final ObstacleKind[] KINDS = ObstacleKind.values();
   private static final Feature[] FEATURES = Feature.values();
   private static final Outcome[] OUTCOMES = Outcome.values();
@@ -47,32 +26,19 @@ public final class ImpactLog {
 
   private static final int CIRCLE = ObstacleKind.CIRCLE.ordinal();
 
-  private int size;
-  private double[] numbers;
-  private int[] ints;
+  private final ImpactRows rows;
 
-  private final TimeOrder order;
-
-  /** Below 0 if a row arrived that is earlier than the one before it: told without a branch. */
-  private long disorder;
-
-  /** The time of the row that arrived last. */
-  private double latest;
-
-  /** What callers call a circle, which is written by its slot. */
+  /** The id of the circle that a row names by its slot. */
   private final IntUnaryOperator ids;
 
   /** Of circles whose slots are their ids. */
-  ImpactLog(int rows) {
+  ImpactLog(ImpactRows rows) {
     this(rows, IntUnaryOperator.identity());
   }
 
-  /** With room for some rows; it grows as needed. */
-  ImpactLog(int rows, IntUnaryOperator ids) {
+  ImpactLog(ImpactRows rows, IntUnaryOperator ids) {
+    this.rows = rows;
     this.ids = ids;
-    numbers = new double[rows * ROW];
-    ints = new int[rows * INTS];
-    order = new TimeOrder(numbers, ROW);
   }
 
   /**
@@ -81,7 +47,7 @@ public final class ImpactLog {
    * @return at least 0
    */
   public int size() {
-    return size;
+    return rows.size();
   }
 
   /**
@@ -92,7 +58,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public double time(int row) {
-    return numbers[at(row) * ROW];
+    return rows.time(row);
   }
 
   /**
@@ -103,7 +69,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public int circle(int row) {
-    return ids.applyAsInt(ints[at(row) * INTS]);
+    return ids.applyAsInt(rows.circle(row));
   }
 
   /**
@@ -114,7 +80,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public ObstacleKind kind(int row) {
-    return KINDS[what(row) & ORDINAL];
+    return KINDS[rows.kind(row)];
   }
 
   /**
@@ -125,9 +91,8 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public int id(int row) {
-    int k = at(row) * INTS;
-    int obstacle = ints[k + OBSTACLE];
-    return (ints[k + WHAT] & ORDINAL) == CIRCLE ? ids.applyAsInt(obstacle) : obstacle;
+    int obstacle = rows.obstacle(row);
+    return rows.kind(row) == CIRCLE ? ids.applyAsInt(obstacle) : obstacle;
   }
 
   /**
@@ -138,7 +103,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public Feature feature(int row) {
-    return FEATURES[what(row) >> FEATURE & ORDINAL];
+    return FEATURES[rows.feature(row)];
   }
 
   /**
@@ -149,7 +114,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public double x(int row) {
-    return numbers[at(row) * ROW + 1];
+    return rows.x(row);
   }
 
   /**
@@ -160,7 +125,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public double y(int row) {
-    return numbers[at(row) * ROW + 2];
+    return rows.y(row);
   }
 
   /**
@@ -171,8 +136,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public double nx(int row) {
-    int k = at(row) * ROW;
-    return numbers[k + 3] / length(k);
+    return rows.nx(row);
   }
 
   /**
@@ -183,8 +147,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public double ny(int row) {
-    int k = at(row) * ROW;
-    return numbers[k + 4] / length(k);
+    return rows.ny(row);
   }
 
   /**
@@ -195,8 +158,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public double approachSpeed(int row) {
-    int k = at(row) * ROW;
-    return Math.max(0, -numbers[k + 5] / length(k));
+    return rows.approachSpeed(row);
   }
 
   /**
@@ -207,7 +169,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public Outcome outcome(int row) {
-    return OUTCOMES[what(row) >> OUTCOME];
+    return OUTCOMES[rows.outcome(row)];
   }
 
   /**
@@ -218,8 +180,8 @@ public final class ImpactLog {
    */
   @Override
   public String toString() {
-    StringBuilder text = new StringBuilder("ImpactLog of " + size + " rows");
-    for (int row = 0; row < Math.min(size, TOLD); row++) {
+    StringBuilder text = new StringBuilder("ImpactLog of " + size() + " rows");
+    for (int row = 0; row < Math.min(size(), TOLD); row++) {
       text.append(
           "\n%d: time %s, circle %d, %s %s, approach speed %s%s"
               .formatted(
@@ -231,82 +193,6 @@ public final class ImpactLog {
                   approachSpeed(row),
                   outcome(row) == Outcome.BOUNCED ? "" : ", " + outcome(row)));
     }
-    return text.append(size > TOLD ? "\nand " + (size - TOLD) + " more" : "").toString();
-  }
-
-  private int what(int row) {
-    return ints[at(row) * INTS + WHAT];
-  }
-
-  private double length(int k) {
-    double nx = numbers[k + 3];
-    double ny = numbers[k + 4];
-    return Math.sqrt(nx * nx + ny * ny);
-  }
-
-  void clear() {
-    size = 0;
-    disorder = 0;
-    latest = 0;
-  }
-
-  /** Adds a row, to be completed by {@link #set}. */
-  void add(double time, int circle, ObstacleKind kind, int obstacle, Feature feature) {
-    int row = size;
-    int k = row * ROW;
-    if (k == numbers.length) {
-      grow();
-    }
-    disorder |= Double.doubleToRawLongBits(time - latest);
-    latest = time;
-    numbers[k] = time;
-    int c = row * INTS;
-    ints[c] = circle;
-    ints[c + WHAT] = kind.ordinal() | feature.ordinal() << FEATURE;
-    ints[c + OBSTACLE] = obstacle;
-    order.rows[row] = row;
-    size = row + 1;
-  }
-
-  /** Completes the row added last, with a normal of any length and v.n. */
-  void set(double x, double y, double nx, double ny, double vn) {
-    int k = (size - 1) * ROW;
-    // The first and the last one first: then compilers need not ask whether the rest is in range.
-    numbers[k + 1] = Coordinates.within(x);
-    numbers[k + 5] = vn;
-    numbers[k + 2] = Coordinates.within(y);
-    numbers[k + 3] = nx;
-    numbers[k + 4] = ny;
-  }
-
-  /** Sets the outcome of the row added last, which else is that the circle bounced. */
-  void setOutcome(Outcome outcome) {
-    int k = (size - 1) * INTS + WHAT;
-    ints[k] = (ints[k] & (1 << OUTCOME) - 1) | outcome.ordinal() << OUTCOME;
-  }
-
-  /**
-   * Puts the rows into the order of time. Stable: rows arrive circle by circle, and those of one
-   * circle as they happened.
-   */
-  void sort() {
-    if (disorder < 0) {
-      order.sort(size);
-    }
-  }
-
-  private void grow() {
-    int capacity = 2 * size;
-    numbers = Arrays.copyOf(numbers, capacity * ROW);
-    ints = Arrays.copyOf(ints, capacity * INTS);
-    order.extend(numbers);
-  }
-
-  private int at(int row) {
-    if (row < 0 || row >= size) {
-      throw new IndexOutOfBoundsException(
-          "row " + row + " does not exist: the log has " + size + " of them, from 0");
-    }
-    return order.rows[row];
+    return text.append(size() > TOLD ? "\nand " + (size() - TOLD) + " more" : "").toString();
   }
 }

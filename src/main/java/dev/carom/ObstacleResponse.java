@@ -69,7 +69,7 @@ final class ObstacleResponse {
    *
    * @return what it leads to: SENSED, NEW_FLIGHT or STUCK
    */
-  int resolve(Mover m, ImpactLog log) {
+  int resolve(Mover m, ImpactRows log) {
     int code = m.next;
     if (obstacles.isSensor(code)) {
       sense(m, code, log);
@@ -96,7 +96,7 @@ final class ObstacleResponse {
         m.vy = 0;
       }
       if (stuck || stops) {
-        log.setOutcome(Outcome.JAMMED);
+        log.setOutcome(ImpactRows.JAMMED);
       }
     } else {
       m.turn = 0;
@@ -108,13 +108,13 @@ final class ObstacleResponse {
   }
 
   /** Changes the velocity of a circle that approaches. */
-  private void change(Mover m, int code, double vn, double e, ImpactLog log) {
+  private void change(Mover m, int code, double vn, double e, ImpactRows log) {
     if (vn < 0) {
       reflect(m, code, e);
       if (stopsBeyondRange(m)) {
-        log.setOutcome(Outcome.STOPPED);
+        log.setOutcome(ImpactRows.STOPPED);
       } else if (obstacles.halts(code)) {
-        log.setOutcome(Outcome.HALTED);
+        log.setOutcome(ImpactRows.HALTED);
       }
     }
   }
@@ -134,13 +134,13 @@ final class ObstacleResponse {
   }
 
   /** Writes that a mover meets a sensor; the flight goes on, and is known up to there. */
-  private void sense(Mover m, int code, ImpactLog log) {
+  private void sense(Mover m, int code, ImpactRows log) {
     startX = m.x;
     startY = m.y;
     m.x = Math.fma(m.vx, m.cleared, m.x);
     m.y = Math.fma(m.vy, m.cleared, m.y);
     report(m, code, m.after(m.cleared), log);
-    log.setOutcome(Outcome.SENSED);
+    log.setOutcome(ImpactRows.SENSED);
     m.x = startX;
     m.y = startY;
     m.next = Mover.NOTHING;
@@ -148,7 +148,7 @@ final class ObstacleResponse {
   }
 
   /** Writes that a mover is in contact with an obstacle. */
-  void report(Mover m, Touch touch, ImpactLog log) {
+  void report(Mover m, Touch touch, ImpactRows log) {
     startX = m.x;
     startY = m.y;
     m.contact = touch.contact();
@@ -157,15 +157,15 @@ final class ObstacleResponse {
   }
 
   /** Writes an impact of a mover that stands where it touches, and returns v.n. */
-  private double report(Mover m, int code, double time, ImpactLog log) {
+  private double report(Mover m, int code, double time, ImpactRows log) {
     locate(m, code);
     double vn = dot(m.vx, m.vy, nx, ny);
     log.add(
         time,
         m.id,
-        obstacles.kind(code),
+        obstacles.kind(code).ordinal(),
         obstacles.index(code),
-        obstacles.feature(code, m.contact));
+        obstacles.feature(code, m.contact).ordinal());
     log.set(contactX, contactY, nx, ny, vn);
     return vn;
   }

@@ -112,10 +112,10 @@ final class PairResponse {
    *
    * @return what it leads to, as {@link ObstacleResponse#resolve} tells
    */
-  int resolve(Mover a, Mover b, ImpactLog log) {
+  int resolve(Mover a, Mover b, ImpactRows log) {
     report(a, b, log);
     if (isSilent(a.id, b.id)) {
-      log.setOutcome(isSensor(a.id, b.id) ? Outcome.SENSED : Outcome.PASSED);
+      log.setOutcome(isSensor(a.id, b.id) ? ImpactRows.SENSED : ImpactRows.PASSED);
       return ObstacleResponse.SENSED;
     }
     boolean halt = roster.halts(a.id) || roster.halts(b.id);
@@ -131,7 +131,7 @@ final class PairResponse {
       change(a, b, stuck ? 0 : e, halt, log);
     }
     if (stuck) {
-      log.setOutcome(Outcome.JAMMED);
+      log.setOutcome(ImpactRows.JAMMED);
     }
     if (faint) {
       a.jam = Jam.with(a.jam, Obstacles.CIRCLES + b.id);
@@ -163,7 +163,7 @@ final class PairResponse {
     }
   }
 
-  private void change(Mover a, Mover b, double e, boolean halt, ImpactLog log) {
+  private void change(Mover a, Mover b, double e, boolean halt, ImpactRows log) {
     double massA = mass(a);
     double massB = mass(b);
     if (halt && massA + massB < INFINITE) {
@@ -178,9 +178,9 @@ final class PairResponse {
     boolean aStops = ObstacleResponse.stopsBeyondRange(a);
     boolean bStops = ObstacleResponse.stopsBeyondRange(b);
     if (aStops || bStops) {
-      log.setOutcome(Outcome.STOPPED);
+      log.setOutcome(ImpactRows.STOPPED);
     } else if (halt) {
-      log.setOutcome(Outcome.HALTED);
+      log.setOutcome(ImpactRows.HALTED);
     }
   }
 
@@ -191,7 +191,7 @@ final class PairResponse {
   }
 
   /** Writes that two circles are in contact, the lower number first, and how they approach. */
-  void report(Mover a, Mover b, ImpactLog log) {
+  void report(Mover a, Mover b, ImpactRows log) {
     fast = exponent(a, b);
     ux = ObstacleResponse.difference(a.vx, b.vx, fast);
     uy = ObstacleResponse.difference(a.vy, b.vy, fast);
@@ -200,7 +200,7 @@ final class PairResponse {
     ny = ObstacleResponse.difference(a.y, b.y, large);
     un = scaled(ObstacleResponse.dot(ux, uy, nx, ny), fast);
     double share = ObstacleResponse.share(b.radius, a.radius);
-    log.add(a.t, a.id, ObstacleKind.CIRCLE, b.id, Feature.CIRCLE);
+    log.addPair(a.t, a.id, b.id);
     log.set(Coordinates.between(share, b.x, a.x), Coordinates.between(share, b.y, a.y), nx, ny, un);
   }
 

@@ -16,7 +16,8 @@ final class Tracer {
 
   private final BroadSearch search;
   private final ObstacleResponse response;
-  private final ImpactLog log = new ImpactLog(1);
+  private final ImpactRows rows = new ImpactRows(1);
+  private final ImpactLog log = new ImpactLog(rows);
 
   /** Where the circle's obstacles are listed, or null to ask them all. */
   private final Grid grid;
@@ -89,8 +90,8 @@ final class Tracer {
         return true;
       }
       if (mover.next != Mover.NOTHING) {
-        log.clear();
-        response.resolve(mover, log);
+        rows.clear();
+        response.resolve(mover, rows);
       }
       search.extend(mover, grid, end - mover.t);
     }
@@ -99,8 +100,8 @@ final class Tracer {
 
   private Impact resolve(Mover mover) {
     int code = mover.next;
-    log.clear();
-    response.resolve(mover, log);
+    rows.clear();
+    response.resolve(mover, rows);
     return new Impact(
         log.time(0),
         log.kind(0),

@@ -89,6 +89,7 @@ public final class World {
   private static final int LOG_MOST = 4096;
 
   private final Scene scene;
+  private final ImpactRows rows;
   private final ImpactLog log;
   private final Roster roster;
   private final Ids ids;
@@ -114,11 +115,12 @@ public final class World {
   World(Scene scene, Machinery machinery) {
     this.scene = Check.notNull("scene", scene);
     roster = new Roster(scene, machinery.slack());
-    log = new ImpactLog(Math.max(LOG_LEAST, Math.min(LOG_MOST, scene.circleCount())), roster::id);
+    rows = new ImpactRows(Math.max(LOG_LEAST, Math.min(LOG_MOST, scene.circleCount())));
+    log = new ImpactLog(rows, roster::id);
     engine =
         scene.collide
-            ? new Collisions(scene, roster, machinery, log)
-            : new Flights(scene, roster, machinery, log);
+            ? new Collisions(scene, roster, machinery, rows)
+            : new Flights(scene, roster, machinery, rows);
     circles = engine.circles;
     obstacles = engine.surroundings.obstacles;
     ids = new Ids(roster, obstacles);
@@ -177,12 +179,12 @@ public final class World {
   }
 
   private boolean advance(double end) {
-    log.clear();
+    rows.clear();
     if (roster.isSparse()) {
       engine.compact(now);
     }
     double reached = engine.advance(end);
-    log.sort();
+    rows.sort();
     now = reached;
     if (timeline != null) {
       timeline.advance(now);
@@ -717,7 +719,7 @@ public final class World {
       throw Check.refused(
           "collide of the snapshot", snapshot.collide, "this world's, " + scene.collide);
     }
-    log.clear();
+    rows.clear();
     now = snapshot.now;
     roster.set(snapshot.roster);
     editor.restore(snapshot.limits);

@@ -84,7 +84,7 @@ class IdLimitTest {
   void noMoreLinesAndPegsThanIdsAreAdded() {
     Scene scene = Scene.builder().line(1, 2, 3, 4).peg(5, 6, 7).build();
     Roster roster = new Roster(scene, 1);
-    Engine engine = new Flights(scene, roster, Machinery.CHOSEN, new ImpactLog(1, roster::id));
+    Engine engine = new Flights(scene, roster, Machinery.CHOSEN, new ImpactRows(1));
     Editor editor = new Editor(scene, engine, roster);
     Obstacles obstacles = engine.surroundings.obstacles;
     obstacles.endOfLines = Obstacles.WALLS + LINES;

@@ -16,7 +16,8 @@ class ObstacleResponseTest {
 
   private final ObstacleResponse response =
       new ObstacleResponse(Obstacles.of(Scene.builder().line(0, 0, 10, 10).build()));
-  private final ImpactLog log = new ImpactLog(1);
+  private final ImpactRows rows = new ImpactRows(1);
+  private final ImpactLog log = new ImpactLog(rows);
   private final Mover m = new Mover();
 
   /** On the upper side, in no time, after impacts of that weight. */
@@ -25,8 +26,8 @@ class ObstacleResponseTest {
     m.stuck = stuck;
     m.next = Obstacles.WALLS;
     m.contact = Contact.LEFT;
-    log.clear();
-    return response.resolve(m, log);
+    rows.clear();
+    return response.resolve(m, rows);
   }
 
   @Test
@@ -73,8 +74,8 @@ class ObstacleResponseTest {
     m.next = Obstacles.WALLS + line;
     m.contact = contact;
     m.cleared = 0;
-    log.clear();
-    wedge.resolve(m, log);
+    rows.clear();
+    wedge.resolve(m, rows);
   }
 
   /** The first line turns it to the left, the second to the right: it would never end. */
@@ -99,8 +100,8 @@ class ObstacleResponseTest {
     m.next = Obstacles.WALLS + 1;
     m.contact = Contact.RIGHT;
     m.cleared = 0x1p-40;
-    log.clear();
-    wedge.resolve(m, log);
+    rows.clear();
+    wedge.resolve(m, rows);
     assertThat(m.vy).isCloseTo(-0.48, within(1e-15));
     assertThat(log.outcome(0)).isEqualTo(Outcome.BOUNCED);
   }
@@ -138,8 +139,8 @@ class ObstacleResponseTest {
     m.stuck = StuckRule.LIMIT;
     m.next = Obstacles.WALLS;
     m.contact = Contact.LEFT;
-    log.clear();
-    response.resolve(m, log);
+    rows.clear();
+    response.resolve(m, rows);
   }
 
   /** The approach is taken along a normal of length 1, whatever the line's is. */

@@ -16,7 +16,8 @@ class PairResponseTest {
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
-  private final ImpactLog log = new ImpactLog(16);
+  private final ImpactRows rows = new ImpactRows(16);
+  private final ImpactLog log = new ImpactLog(rows);
   private final Mover a = new Mover();
   private final Mover b = new Mover();
 
@@ -33,8 +34,8 @@ class PairResponseTest {
       PairResponse response, double angle, double vx1, double vy1, double vx2, double vy2) {
     a.start(0, 0, 0, 1, vx1, vy1, 1);
     b.start(1, 2 * Math.cos(angle), 2 * Math.sin(angle), 1, vx2, vy2, 1);
-    log.clear();
-    response.resolve(a, b, log);
+    rows.clear();
+    response.resolve(a, b, rows);
   }
 
   /** In no time, after impacts of that weight of each. */
@@ -45,8 +46,8 @@ class PairResponseTest {
       m.stuck = stuck;
       m.standsStill = true;
     }
-    log.clear();
-    return masses(1, 1).resolve(a, b, log);
+    rows.clear();
+    return masses(1, 1).resolve(a, b, rows);
   }
 
   @Test
@@ -90,7 +91,7 @@ class PairResponseTest {
   void infiniteMassesPassAndFlyOn() {
     a.start(0, 0, 0, 1, 1, 0, 1);
     b.start(1, 2, 0, 1, 0, 0, 1);
-    assertThat(masses(INFINITE, INFINITE).resolve(a, b, log)).isEqualTo(ObstacleResponse.SENSED);
+    assertThat(masses(INFINITE, INFINITE).resolve(a, b, rows)).isEqualTo(ObstacleResponse.SENSED);
     assertThat(log.outcome(0)).isEqualTo(Outcome.PASSED);
     assertThat(a.last).isEqualTo(Mover.NOTHING);
   }
@@ -101,7 +102,7 @@ class PairResponseTest {
     a.start(0, 0, 0, 1, 1, 0, 1);
     b.start(1, 2, 0, 1, 0, 0, 1);
     b.crushed = true;
-    masses(1, 1).resolve(a, b, log);
+    masses(1, 1).resolve(a, b, rows);
     assertThat(a.vx).isEqualTo(-1);
     assertThat(b.vx).isZero();
   }
@@ -112,7 +113,7 @@ class PairResponseTest {
   void whoIsDrivenIsNoted(double v, boolean driven) {
     a.start(0, 0, 0, 1, 1, 0, 1);
     b.start(1, 2, 0, 1, v, 0, 1);
-    masses(1, INFINITE).resolve(a, b, log);
+    masses(1, INFINITE).resolve(a, b, rows);
     assertThat(a.driven).isEqualTo(driven);
     assertThat(b.driven).isFalse();
   }
@@ -124,7 +125,7 @@ class PairResponseTest {
     a.stuck = 5;
     b.stuck = 5;
     b.flown = 1;
-    masses(1, 1).resolve(a, b, log);
+    masses(1, 1).resolve(a, b, rows);
     assertThat(a.stuck).isEqualTo(5 + StuckRule.ELASTIC_PAIR);
     assertThat(b.stuck).isZero();
   }
@@ -209,7 +210,7 @@ class PairResponseTest {
     a.start(0, 0, 0, 1, 2, 1, e1);
     b.start(1, 1.2, 1.6, 1, -1, 0.5, e2);
     double before = (a.vx - b.vx) * 0.6 + (a.vy - b.vy) * 0.8;
-    response.resolve(a, b, log);
+    response.resolve(a, b, rows);
     double after = (a.vx - b.vx) * 0.6 + (a.vy - b.vy) * 0.8;
     assertThat(after).isCloseTo(-e1 * e2 * before, within(1e-15));
     assertThat(2 * a.vx + 3 * b.vx).isCloseTo(2 * 2 - 3, within(4e-15));
@@ -262,8 +263,8 @@ class PairResponseTest {
       boolean towards = (vx[i] - vx[j]) * nx + (vy[i] - vy[j]) * ny < 0;
       a.start(i, towards ? nx : -nx, towards ? ny : -ny, 1, vx[i], vy[i], 1);
       b.start(j, 0, 0, 1, vx[j], vy[j], 1);
-      log.clear();
-      response.resolve(a, b, log);
+      rows.clear();
+      response.resolve(a, b, rows);
       vx[i] = a.vx;
       vy[i] = a.vy;
       vx[j] = b.vx;

@@ -34,7 +34,8 @@ final class PlainWorld {
   /** The pairs, one of them a sensor, that met since the later of their flights began. */
   private Set<Long> metPairs = new HashSet<>();
 
-  private final ImpactLog log = new ImpactLog(16);
+  private final ImpactRows rows = new ImpactRows(16);
+  private final ImpactLog log = new ImpactLog(rows);
   private double now;
 
   /** The last event that happened when the clock shows the same as now, by the tail of its time. */
@@ -141,7 +142,7 @@ final class PlainWorld {
 
   /** The first so many impacts until the given time, in the order of a world's log. */
   ImpactLog advance(double end, int most) {
-    log.clear();
+    rows.clear();
     if (collide) {
       while (log.size() < most && find(movers) <= end) {
         happen();
@@ -153,7 +154,7 @@ final class PlainWorld {
         }
       }
     }
-    log.sort();
+    rows.sort();
     now = end;
     return log;
   }
@@ -165,7 +166,7 @@ final class PlainWorld {
       meet(m, movers.get(high));
     } else {
       int code = m.next;
-      int result = response.resolve(m, log);
+      int result = response.resolve(m, rows);
       if (result == ObstacleResponse.SENSED) {
         met.get(low).add(code);
       } else {
@@ -201,7 +202,7 @@ final class PlainWorld {
     early.standsStill &= early.flown == wait;
     one.crushed = cluster.isCrushed(one);
     two.crushed = cluster.isCrushed(two);
-    int result = pairs.resolve(one, two, log);
+    int result = pairs.resolve(one, two, rows);
     if (result == ObstacleResponse.SENSED) {
       metPairs.add(pair(a, b));
     } else {
@@ -217,7 +218,7 @@ final class PlainWorld {
   private void settle(int result, Mover... hit) {
     Collection<Mover> changed = List.of(hit);
     if (collide && result == ObstacleResponse.STUCK) {
-      changed = cluster.resolve(log, hit);
+      changed = cluster.resolve(rows, hit);
       for (Mover m : changed) {
         movers.set(m.id, m);
         begin(m);

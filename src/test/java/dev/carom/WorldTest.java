@@ -563,11 +563,11 @@ class WorldTest {
 
   @Test
   void aJammedRowSaysSo() {
-    ImpactLog log = new ImpactLog(1);
-    log.add(1.5, 3, ObstacleKind.CIRCLE, 7, Feature.CIRCLE);
-    log.set(0, 0, 2, 0, -3);
-    log.setOutcome(Outcome.JAMMED);
-    assertThat(log)
+    ImpactRows rows = new ImpactRows(1);
+    rows.addPair(1.5, 3, 7);
+    rows.set(0, 0, 2, 0, -3);
+    rows.setOutcome(ImpactRows.JAMMED);
+    assertThat(new ImpactLog(rows))
         .hasToString(
             "ImpactLog of 1 rows\n"
                 + "0: time 1.5, circle 3, circle 7 CIRCLE, approach speed 1.5, JAMMED");
