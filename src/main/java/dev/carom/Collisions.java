@@ -291,8 +291,8 @@ final class Collisions extends Engine {
     circles.keepNewFlight(s, c, i, m);
     neighbors.comeBack(s, i);
     count(c, i);
-    if (timeline != null) {
-      timeline.add(m);
+    if (recorder != null) {
+      recorder.add(m);
     }
     lookAround(s, c, i);
   }
@@ -434,8 +434,8 @@ final class Collisions extends Engine {
     surroundings.setRadius(i, m.radius);
     circles.keep(i, m);
     count(circles.codes, i);
-    if (timeline != null) {
-      timeline.add(m);
+    if (recorder != null) {
+      recorder.add(m);
     }
     outgrown = outgrown || !neighbors.enter(i, reached);
     lookAnew(i);

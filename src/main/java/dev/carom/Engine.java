@@ -17,7 +17,7 @@ abstract class Engine {
   boolean unfinished;
 
   /** Null unless flights are recorded. */
-  Timeline timeline;
+  FlightRecorder recorder;
 
   Engine(Scene scene, Roster roster, Circles circles, Machinery machinery, ImpactRows log) {
     this.roster = roster;
@@ -106,20 +106,20 @@ abstract class Engine {
 
   private void changed(int code, double now) {
     surroundings.changed(code);
-    if (timeline != null) {
-      timeline.noteObstacle(code, surroundings.obstacles, now);
+    if (recorder != null) {
+      recorder.noteObstacle(code, surroundings.obstacles, now);
     }
   }
 
   // Time.
 
   /** Records new flights, or none for null; those of now first. */
-  final void record(Timeline timeline) {
-    this.timeline = timeline;
-    if (timeline != null) {
+  final void record(FlightRecorder recorder) {
+    this.recorder = recorder;
+    if (recorder != null) {
       for (int i : roster.slots()) {
         circles.load(i);
-        timeline.add(circles.mover);
+        recorder.add(circles.mover);
       }
     }
   }

@@ -64,8 +64,8 @@ final class Flights extends Engine {
       if (reached < goal) {
         journal.restore(circles);
         log.clear();
-        if (timeline != null) {
-          timeline.undo();
+        if (recorder != null) {
+          recorder.undo();
         }
       }
     } while (reached < goal);
@@ -112,8 +112,8 @@ final class Flights extends Engine {
           return reached;
         }
         reached = due; // with a sensor no new flight begins
-        if (response.resolve(m, log) != ObstacleResponse.SENSED && timeline != null) {
-          timeline.note(m);
+        if (response.resolve(m, log) != ObstacleResponse.SENSED && recorder != null) {
+          recorder.note(m);
         }
         impacts++;
       }
@@ -131,8 +131,8 @@ final class Flights extends Engine {
     }
     surroundings.setRadius(m.id, m.radius);
     circles.store(m.id, m);
-    if (timeline != null) {
-      timeline.add(m);
+    if (recorder != null) {
+      recorder.add(m);
     }
   }
 

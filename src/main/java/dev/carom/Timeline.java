@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import java.util.Arrays;
 import java.util.Optional;
-import java.util.function.IntUnaryOperator;
 
 /**
  * The recorded flights of a world's circles: where each was, and how it moved, at any moment from
@@ -26,25 +24,10 @@ import java.util.function.IntUnaryOperator;
  */
 public final class Timeline {
 
-  private final int most;
-  private final IntUnaryOperator ids;
-  private Tracks tracks;
-  private PastObstacles obstacles;
-  private double[] walls;
-  private double begin;
-  private double end;
+  private final FlightRecorder recorder;
 
-  // Flights of a step that may still be rolled back: their circles, and their numbers.
-  private int[] pendingIds = new int[16];
-  private double[] pending = new double[16 * Track.FLIGHT];
-  private int pendings;
-
-  /**
-   * Keeps so many flights of each circle, which the world knows by its slot, and callers by its id.
-   */
-  Timeline(int most, IntUnaryOperator ids) {
-    this.most = most;
-    this.ids = ids;
+  Timeline(FlightRecorder recorder) {
+    this.recorder = recorder;
   }
 
   /**
@@ -54,7 +37,7 @@ public final class Timeline {
    *     circles that were removed
    */
   public double start() {
-    return Math.max(begin, Math.max(obstacles.start(), tracks.start()));
+    return recorder.start();
   }
 
   /**
@@ -63,7 +46,7 @@ public final class Timeline {
    * @return the time of the world, or that at which it stopped to record
    */
   public double end() {
-    return end;
+    return recorder.end();
   }
 
   /**
@@ -74,8 +57,7 @@ public final class Timeline {
    * @return whether it can be asked for
    */
   public boolean contains(int id, double t) {
-    Track track = tracks.get(id);
-    return track != null && t >= track.start() && t < track.end() && t <= end;
+    return recorder.track(id, t) != null;
   }
 
   /**
@@ -88,7 +70,7 @@ public final class Timeline {
    */
   public double x(int id, double t) {
     Track track = track(id, t);
-    return track.x(track.find(t), t, walls);
+    return track.x(track.find(t), t, recorder.walls());
   }
 
   /**
@@ -101,7 +83,7 @@ public final class Timeline {
    */
   public double y(int id, double t) {
     Track track = track(id, t);
-    return track.y(track.find(t), t, walls);
+    return track.y(track.find(t), t, recorder.walls());
   }
 
   /**
@@ -155,7 +137,7 @@ public final class Timeline {
     double time = checked(t);
     return !isId(id)
         ? Optional.empty()
-        : Optional.ofNullable(obstacles.at(Obstacles.WALLS + id, time))
+        : Optional.ofNullable(recorder.obstacle(Obstacles.WALLS + id, time))
             .map(row -> Records.line(row, 0));
   }
 
@@ -171,7 +153,7 @@ public final class Timeline {
     double time = checked(t);
     return !isId(id)
         ? Optional.empty()
-        : Optional.ofNullable(obstacles.at(Obstacles.PEGS + id, time))
+        : Optional.ofNullable(recorder.obstacle(Obstacles.PEGS + id, time))
             .map(row -> Records.peg(row, 0));
   }
 
@@ -180,73 +162,18 @@ public final class Timeline {
   }
 
   private double checked(double t) {
-    if (!(t >= start() && t <= end)) {
-      throw Check.refused("t", t, "a time of the recording, from " + start() + " to " + end);
+    if (!(t >= start() && t <= end())) {
+      throw Check.refused("t", t, "a time of the recording, from " + start() + " to " + end());
     }
     return t;
   }
 
   private Track track(int id, double t) {
-    if (!contains(id, t)) {
+    Track track = recorder.track(id, t);
+    if (track == null) {
       checked(t);
       throw Check.refused("circle " + id, "unknown at " + t, "one that was there then");
     }
-    return tracks.get(id);
-  }
-
-  // What a world tells.
-
-  /** Forgets all, and begins at a given time, with what stands still then. */
-  void begin(double now, Obstacles here) {
-    tracks = new Tracks(most);
-    obstacles = new PastObstacles(here, most);
-    walls = here.walls;
-    begin = now;
-    end = now;
-    pendings = 0;
-  }
-
-  /** Notes a flight of the step in hand. */
-  void note(Mover m) {
-    if (pendings == pendingIds.length) {
-      pendingIds = Arrays.copyOf(pendingIds, 2 * pendings);
-      pending = Arrays.copyOf(pending, 2 * pendings * Track.FLIGHT);
-    }
-    pendingIds[pendings] = ids.applyAsInt(m.id);
-    Track.put(m, pending, pendings * Track.FLIGHT);
-    pendings++;
-  }
-
-  /** Drops what was noted in the step in hand. */
-  void undo() {
-    pendings = 0;
-  }
-
-  /** Adds a flight for good. */
-  void add(Mover m) {
-    note(m);
-    keep();
-  }
-
-  /** The step in hand is done: the world stands at a given time. */
-  void advance(double now) {
-    keep();
-    end = now;
-  }
-
-  private void keep() {
-    for (int i = 0; i < pendings; i++) {
-      tracks.add(pendingIds[i], pending, i * Track.FLIGHT);
-    }
-    pendings = 0;
-  }
-
-  /** Notes that a line or a peg is new, elsewhere, or gone. */
-  void noteObstacle(int code, Obstacles here, double now) {
-    obstacles.note(code, here, now);
-  }
-
-  void remove(int id, double now) {
-    tracks.remove(id, now);
+    return track;
   }
 }

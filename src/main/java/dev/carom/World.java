@@ -101,7 +101,7 @@ public final class World {
   private double now;
 
   /** Null unless flights are recorded. */
-  private Timeline timeline;
+  private FlightRecorder recorder;
 
   /**
    * Sets a scene in motion, at time 0.
@@ -186,8 +186,8 @@ public final class World {
     double reached = engine.advance(end);
     rows.sort();
     now = reached;
-    if (timeline != null) {
-      timeline.advance(now);
+    if (recorder != null) {
+      recorder.advance(now);
     }
     return reached == end && !engine.unfinished;
   }
@@ -680,8 +680,8 @@ public final class World {
       throw Check.refused("kind", kind, "LINE, PEG or CIRCLE: walls stay");
     }
     editor.remove(code, now);
-    if (timeline != null && kind == ObstacleKind.CIRCLE) {
-      timeline.remove(id, now);
+    if (recorder != null && kind == ObstacleKind.CIRCLE) {
+      recorder.remove(id, now);
     }
   }
 
@@ -725,9 +725,9 @@ public final class World {
     editor.restore(snapshot.limits);
     engine.surroundings.restore(snapshot.obstacles);
     engine.restore(snapshot.flights, now);
-    if (timeline != null) {
-      timeline.begin(now, obstacles);
-      engine.record(timeline);
+    if (recorder != null) {
+      recorder.begin(now, obstacles);
+      engine.record(recorder);
     }
   }
 
@@ -751,15 +751,15 @@ public final class World {
     if (most < 1) {
       throw Check.refused("most", most, "at least 1");
     }
-    timeline = new Timeline(most, roster::id);
-    timeline.begin(now, obstacles);
-    engine.record(timeline);
-    return timeline;
+    recorder = new FlightRecorder(most, roster::id);
+    recorder.begin(now, obstacles);
+    engine.record(recorder);
+    return new Timeline(recorder);
   }
 
   /** Stops to record, if it does; the timeline stays as it is. */
   public void stopRecording() {
-    timeline = null;
+    recorder = null;
     engine.record(null);
   }
 
