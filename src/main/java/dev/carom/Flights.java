@@ -11,7 +11,7 @@ final class Flights extends Engine {
   /** Circles that a step may advance before the journal grows. */
   private static final int JOURNAL = 1024;
 
-  /** Impacts that all circles may make together in one call; see {@link World}. */
+  /** Impacts that all circles may make together in one call, as World tells. */
   private static final int IMPACTS_PER_CALL = 2_000_000;
 
   /** Impacts that each circle may make in a call, however many the others made. */

@@ -32,9 +32,4 @@ public record Impact(
 
   /** What has no id: an answer of the detector alone. */
   static final int NO_ID = -1;
-
-  /** The same thing under its id. */
-  Impact of(ObstacleKind itsKind, int itsId) {
-    return new Impact(time, itsKind, itsId, obstacle, feature, point, normal, approachSpeed);
-  }
 }

@@ -99,13 +99,6 @@ final class Mover {
     newFlight();
   }
 
-  /** A circle of no world. */
-  static Mover of(Circle circle, Vec2 v, double restitution) {
-    Mover m = new Mover();
-    m.start(0, circle.x(), circle.y(), circle.radius(), v.x(), v.y(), restitution);
-    return m;
-  }
-
   /**
    * Begins a new flight at a given time, from where the circle is then, as an edit does.
    *

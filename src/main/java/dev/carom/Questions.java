@@ -2,63 +2,61 @@
 package dev.carom;
 
 import java.util.Optional;
-import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
 /** What can be asked of a world without moving anything. */
 final class Questions {
 
+  private final Obstacles obstacles;
   private final Surroundings surroundings;
   private final Circles circles;
   private final Roster roster;
   private final Proximity proximity;
+  private final CircleQueries queries;
   private final boolean collide;
 
   Questions(Engine engine, Roster roster, boolean collide) {
     this.roster = roster;
     this.collide = collide;
     surroundings = engine.surroundings;
+    obstacles = surroundings.obstacles;
     circles = engine.circles;
-    proximity = new Proximity(surroundings.obstacles);
+    proximity = new Proximity(obstacles);
+    queries = new CircleQueries(circles, roster);
   }
 
   Optional<Impact> cast(Circle circle, Vec2 velocity, double T, double now) {
-    Tracer tracer = surroundings.tracer(circle.radius());
-    Optional<Candidate> obstacle = tracer.first(circle, velocity, T);
-    Optional<Candidate> first = collide ? first(obstacle, circle, velocity, T, now) : obstacle;
-    return first.flatMap(candidate -> candidate.until(T));
+    Mover mover = Casts.mover(circle, velocity, 1);
+    Candidate obstacle = tracer(circle).first(mover, T);
+    Candidate first = collide ? queries.first(mover, obstacle, T, now) : obstacle;
+    return first == null || !first.isWithin(T) ? Optional.empty() : Optional.of(impact(first, now));
   }
 
-  /** The first contact of all, circles included: of exactly simultaneous ones they come last. */
-  private Optional<Candidate> first(
-      Optional<Candidate> obstacle, Circle circle, Vec2 velocity, double T, double now) {
-    Candidate first = obstacle.orElse(null);
-    PresentCodes present = roster.present();
-    for (int i = 0; i < present.size(); i++) {
-      int slot = present.get(i);
-      if (isThere(slot, now) && !roster.isSensor(slot)) {
-        Vec2 v = new Vec2(circles.vx(slot), circles.vy(slot));
-        double limit = first == null ? T : first.time();
-        Candidate other = Casts.candidate(circle, velocity, circle(slot, now), v, limit);
-        if (other != null && (first == null || other.isBefore(first))) {
-          first = other.of(ObstacleKind.CIRCLE, roster.id(slot));
-        }
-      }
+  private Impact impact(Candidate first, double now) {
+    int code = first.code();
+    if (code < Obstacles.CIRCLES) {
+      Obstacle thing = Records.of(obstacles, code);
+      return Casts.impact(first, obstacles.kind(code), obstacles.index(code), thing);
     }
-    return Optional.ofNullable(first);
+    int slot = code - Obstacles.CIRCLES;
+    Circle circle = new Circle(circles.x(slot, now), circles.y(slot, now), circles.radius(slot));
+    return Casts.impact(first, ObstacleKind.CIRCLE, roster.id(slot), circle);
   }
 
   Trajectory trace(Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
-    return surroundings
-        .tracer(circle.radius())
-        .trace(
-            Mover.of(circle, velocity, restitution), duration, bounces, Resolver.IMPACTS_PER_TRACE);
+    Mover mover = Casts.mover(circle, velocity, restitution);
+    TracedPath path = tracer(circle).trace(mover, duration, bounces, Resolver.IMPACTS_PER_TRACE);
+    return Casts.trajectory(path, code -> Records.of(obstacles, code));
+  }
+
+  private Tracer tracer(Circle circle) {
+    return new Tracer(obstacles, surroundings.search, surroundings.gridAtLeast(circle.radius()));
   }
 
   double restitution(int code) {
     return code >= Obstacles.CIRCLES
         ? circles.restitution(code - Obstacles.CIRCLES)
-        : surroundings.obstacles.givenRestitution(code);
+        : obstacles.givenRestitution(code);
   }
 
   Response response(int code) {
@@ -73,7 +71,6 @@ final class Questions {
     if (code >= Obstacles.CIRCLES) {
       return roster.traits(code - Obstacles.CIRCLES);
     }
-    Obstacles obstacles = surroundings.obstacles;
     return code < Obstacles.WALLS ? obstacles.boundsTraits : obstacles.traits(code);
   }
 
@@ -84,72 +81,29 @@ final class Questions {
   int nearest(ObstacleKind kind, double x, double y, double now) {
     if (kind != ObstacleKind.CIRCLE) {
       int code = proximity.nearest(proximity.codes(kind), x, y);
-      return code == Proximity.NONE ? -1 : surroundings.obstacles.index(code);
+      return code == Proximity.NONE ? -1 : obstacles.index(code);
     }
-    double least = Double.POSITIVE_INFINITY;
-    int nearest = -1;
-    for (int slot : slots(now).toArray()) {
-      double distance =
-          Proximity.distance(
-              circles.x(slot, now), circles.y(slot, now), circles.radius(slot), x, y);
-      if (nearest < 0 || distance < least) {
-        least = distance;
-        nearest = roster.id(slot);
-      }
-    }
-    return nearest;
+    int slot = queries.nearest(x, y, now);
+    return slot == Index.NONE ? -1 : roster.id(slot);
   }
 
   int[] overlapping(ObstacleKind kind, Circle disk, double now) {
+    double x = disk.x();
+    double y = disk.y();
+    double r = disk.radius();
     return kind == ObstacleKind.CIRCLE
-        ? ids(now, slot -> overlaps(slot, disk, now))
-        : ids(
-            proximity
-                .codes(kind)
-                .filter(code -> proximity.overlaps(code, disk.x(), disk.y(), disk.radius())));
-  }
-
-  private boolean overlaps(int slot, Circle disk, double now) {
-    return Proximity.overlap(
-        circles.x(slot, now),
-        circles.y(slot, now),
-        circles.radius(slot),
-        disk.x(),
-        disk.y(),
-        disk.radius());
+        ? queries.overlapping(x, y, r, now).map(roster::id).toArray()
+        : ids(proximity.codes(kind).filter(code -> proximity.overlaps(code, x, y, r)));
   }
 
   int[] overlapping(ObstacleKind kind, Bounds bounds, double now) {
     double[] box = Records.walls(bounds);
     return kind == ObstacleKind.CIRCLE
-        ? ids(now, slot -> overlaps(slot, box, now))
+        ? queries.overlapping(box, now).map(roster::id).toArray()
         : ids(proximity.codes(kind).filter(code -> proximity.overlaps(code, box)));
   }
 
-  private boolean overlaps(int slot, double[] box, double now) {
-    return Proximity.overlap(circles.x(slot, now), circles.y(slot, now), circles.radius(slot), box);
-  }
-
   private int[] ids(IntStream codes) {
-    return codes.map(surroundings.obstacles::index).toArray();
-  }
-
-  private int[] ids(double now, IntPredicate isMeant) {
-    return slots(now).filter(isMeant).map(roster::id).toArray();
-  }
-
-  private IntStream slots(double now) {
-    return roster.present().stream(slot -> !isThere(slot, now));
-  }
-
-  /** Whether a circle is there, and not beyond the range of doubles. */
-  private boolean isThere(int slot, double now) {
-    return roster.contains(slot)
-        && Math.abs(circles.x(slot, now)) <= Double.MAX_VALUE
-        && Math.abs(circles.y(slot, now)) <= Double.MAX_VALUE;
-  }
-
-  private Circle circle(int slot, double now) {
-    return new Circle(circles.x(slot, now), circles.y(slot, now), circles.radius(slot));
+    return codes.map(obstacles::index).toArray();
   }
 }

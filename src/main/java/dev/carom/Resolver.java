@@ -138,8 +138,9 @@ public final class Resolver {
     Check.notNegative("restitution", restitution);
     Check.notNegative("duration", duration);
     Check.notNegative("bounces", bounces);
-    Mover mover = Mover.of(circle, velocity, restitution);
-    return tracer().trace(mover, duration, bounces, IMPACTS_PER_TRACE);
+    Mover mover = Casts.mover(circle, velocity, restitution);
+    TracedPath path = tracer().trace(mover, duration, bounces, IMPACTS_PER_TRACE);
+    return Casts.trajectory(path, this::thing);
   }
 
   /**
@@ -157,7 +158,13 @@ public final class Resolver {
     Check.notNull("circle", circle);
     Check.notNull("velocity", velocity);
     Check.duration("T", T);
-    return tracer().first(circle, velocity, T).flatMap(first -> first.until(T));
+    Candidate first = tracer().first(Casts.mover(circle, velocity, 1), T);
+    if (first == null || !first.isWithin(T)) {
+      return Optional.empty();
+    }
+    int code = first.code();
+    return Optional.of(
+        Casts.impact(first, obstacles.kind(code), obstacles.index(code), thing(code)));
   }
 
   /**
@@ -210,7 +217,7 @@ public final class Resolver {
 
   private Tracer tracer() {
     BroadSearch search = new BroadSearch(obstacles, new CodeList());
-    return new Tracer(obstacles, this::thing, search, null);
+    return new Tracer(obstacles, search, null);
   }
 
   /** What a code stands for: of a wall, the bounds. */

@@ -13,7 +13,7 @@ final class Surroundings {
 
   final Obstacles obstacles;
   private final Grids grids;
-  private final BroadSearch search;
+  final BroadSearch search;
 
   /** The grid of all circles, while they share one; null where none is used. */
   private Grid shared;
@@ -74,10 +74,9 @@ final class Surroundings {
     return search.near(m, grid(m.id));
   }
 
-  /** What follows a circle of any radius that is not of this world. */
-  Tracer tracer(double radius) {
-    return new Tracer(
-        obstacles, code -> Records.of(obstacles, code), search, grids.atLeast(radius));
+  /** A grid for circles of at least this radius; null if there is none now. */
+  Grid gridAtLeast(double radius) {
+    return grids.atLeast(radius);
   }
 
   /** Whether a flight, followed for ever from its start, meets a line or a peg. */

@@ -1,30 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Optional;
-import java.util.function.IntFunction;
-
 /** Follows one circle among things that stand still, with all its bounces. */
 final class Tracer {
 
   private final Obstacles obstacles;
-
-  /** The thing that a code stands for. */
-  private final IntFunction<Obstacle> things;
-
   private final BroadSearch search;
   private final ObstacleResponse response;
-  private final ImpactRows rows = new ImpactRows(1);
-  private final ImpactLog log = new ImpactLog(rows);
+
+  /** What is written where sensors are passed over. */
+  private final ImpactRows passed = new ImpactRows(1);
 
   /** Where the circle's obstacles are listed, or null to ask them all. */
   private final Grid grid;
 
-  Tracer(Obstacles obstacles, IntFunction<Obstacle> things, BroadSearch search, Grid grid) {
+  Tracer(Obstacles obstacles, BroadSearch search, Grid grid) {
     this.obstacles = obstacles;
-    this.things = things;
     this.search = search;
     this.grid = grid;
     response = new ObstacleResponse(obstacles);
@@ -32,31 +23,57 @@ final class Tracer {
 
   /**
    * The first contact until a given time, or later by less than rounding: exactly the earliest one,
-   * sensors passed over.
+   * sensors passed over. Null if there is none.
+   *
+   * @param mover at the start; it must stay as it is found
    */
-  Optional<Candidate> first(Circle circle, Vec2 velocity, double T) {
-    Mover mover = Mover.of(circle, velocity, 1);
+  Candidate first(Mover mover, double T) {
     if (!search.cast(mover, grid, T)) {
-      return Optional.empty();
+      return null;
     }
-    return Optional.of(
-        new Candidate(
-                mover.cleared, () -> search.exactTime(mover), () -> impact(circle, velocity, mover))
-            .of(obstacles.kind(mover.next), obstacles.index(mover.next)));
+    return new Candidate(
+        mover.next,
+        mover.contact,
+        mover.cleared,
+        () -> search.exactTime(mover),
+        () -> hit(mover, mover.next, mover.cleared));
   }
 
-  /** The impact that a search found. */
-  private Impact impact(Circle circle, Vec2 v, Mover mover) {
-    int code = mover.next;
-    int contact = mover.contact;
-    double t = mover.cleared;
-    Obstacle thing = things.apply(code);
-    ObstacleKind kind = obstacles.kind(code);
-    return switch (kind) {
-      case WALL -> Casts.wall(circle, v, Records.bounds(obstacles.walls), code, t);
-      case LINE -> Casts.line(circle, v, (Line) thing, contact, t);
-      default -> Casts.disk(circle, v, Casts.peg(thing), Vec2.ZERO, kind, thing, contact, t);
-    };
+  /** Where a search found an impact. */
+  private Hit hit(Mover m, int code, double t) {
+    if (code < Obstacles.WALLS) {
+      return Hit.ofWall(m.x, m.y, m.vx, m.vy, code, obstacles.walls[code], t);
+    }
+    int k = obstacles.offset(code);
+    if (code < Obstacles.PEGS) {
+      double[] l = obstacles.lines;
+      return Hit.ofLine(
+          m.x,
+          m.y,
+          m.radius,
+          m.vx,
+          m.vy,
+          l[k + Obstacles.AX],
+          l[k + Obstacles.AY],
+          l[k + Obstacles.BX],
+          l[k + Obstacles.BY],
+          m.contact,
+          t);
+    }
+    double[] p = obstacles.pegs;
+    return Hit.ofDisks(
+        m.x,
+        m.y,
+        m.radius,
+        m.vx,
+        m.vy,
+        p[k + Obstacles.X],
+        p[k + Obstacles.Y],
+        p[k + Obstacles.RADIUS],
+        0,
+        0,
+        m.contact,
+        t);
   }
 
   /**
@@ -64,22 +81,24 @@ final class Tracer {
    *
    * @param most impacts at which the way ends unfinished
    */
-  Trajectory trace(Mover mover, double duration, int bounces, int most) {
-    List<Flight> flights = new ArrayList<>(List.of(flight(mover)));
-    List<Impact> impacts = new ArrayList<>();
+  TracedPath trace(Mover mover, double duration, int bounces, int most) {
+    DoubleList flights = new DoubleList();
+    ImpactRows impacts = new ImpactRows(1);
+    add(mover, flights);
     ExactWork work = ExactWork.ofThread();
     long before = work.bits();
     while (next(mover, duration)) {
-      if (impacts.size() == bounces) {
-        return new Trajectory(flights, impacts, mover.due(), true);
+      int count = impacts.size();
+      if (count == bounces) {
+        return new TracedPath(flights, impacts, mover.due(), true);
       }
-      if (!impacts.isEmpty() && impacts.size() + work.impactsSince(before) >= most) {
-        return new Trajectory(flights, impacts, mover.t, false);
+      if (count > 0 && count + work.impactsSince(before) >= most) {
+        return new TracedPath(flights, impacts, mover.t, false);
       }
-      impacts.add(resolve(mover));
-      flights.add(flight(mover));
+      response.resolve(mover, impacts);
+      add(mover, flights);
     }
-    return new Trajectory(flights, impacts, duration, true);
+    return new TracedPath(flights, impacts, duration, true);
   }
 
   /** Looks for the next impact, past sensors; false if there is none until the given time. */
@@ -90,30 +109,15 @@ final class Tracer {
         return true;
       }
       if (mover.next != Mover.NOTHING) {
-        rows.clear();
-        response.resolve(mover, rows);
+        passed.clear();
+        response.resolve(mover, passed);
       }
       search.extend(mover, grid, end - mover.t);
     }
     return false;
   }
 
-  private Impact resolve(Mover mover) {
-    int code = mover.next;
-    rows.clear();
-    response.resolve(mover, rows);
-    return new Impact(
-        log.time(0),
-        log.kind(0),
-        log.id(0),
-        things.apply(code),
-        log.feature(0),
-        new Vec2(log.x(0), log.y(0)),
-        new Vec2(log.nx(0), log.ny(0)),
-        log.approachSpeed(0));
-  }
-
-  private static Flight flight(Mover m) {
-    return new Flight(m.t, m.x, m.y, m.vx, m.vy);
+  private static void add(Mover m, DoubleList flights) {
+    flights.add(m.t, m.x, m.y, m.vx, m.vy);
   }
 }

@@ -124,11 +124,11 @@ class BudgetTest {
     assertThat(world.impacts().size() + work).isBetween(10_000L, 10_100L);
   }
 
-  private static Trajectory trace(int bounces, int most) {
+  private static TracedPath trace(int bounces, int most) {
     Obstacles obstacles = Obstacles.of(nearTies(true));
     BroadSearch search = new BroadSearch(obstacles, new CodeList());
-    Tracer tracer = new Tracer(obstacles, code -> NEAR_TIES, search, null);
-    return tracer.trace(Mover.of(LEAVING, new Vec2(-UNIT, 0), 1), 1e3, bounces, most);
+    Tracer tracer = new Tracer(obstacles, search, null);
+    return tracer.trace(Casts.mover(LEAVING, new Vec2(-UNIT, 0), 1), 1e3, bounces, most);
   }
 
   /** What it takes to know the impact that comes after so many. */
@@ -148,8 +148,8 @@ class BudgetTest {
         impacts++;
       }
       ExactWork.add(1_000 * most);
-      Trajectory trace = trace(1_000_000, most);
-      assertThat(trace.impacts()).as("of %s", most).hasSize(impacts);
+      TracedPath trace = trace(1_000_000, most);
+      assertThat(trace.impacts().size()).as("of %s", most).isEqualTo(impacts);
       assertThat(trace.complete()).isFalse();
     }
   }

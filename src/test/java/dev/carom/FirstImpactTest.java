@@ -54,7 +54,8 @@ class FirstImpactTest {
   }
 
   private static Impact alone(Line line, int id) {
-    return SweptCircle.cast(POINT, V, line, NEVER).orElseThrow().of(ObstacleKind.LINE, id);
+    Impact impact = SweptCircle.cast(POINT, V, line, NEVER).orElseThrow();
+    return QuestionsTest.named(impact, ObstacleKind.LINE, id);
   }
 
   @ParameterizedTest
@@ -236,7 +237,7 @@ class FirstImpactTest {
                   scene.circle, scene.v, scene.circles.get(id), scene.velocities.get(id), NEVER);
         };
     assertThat(impact.orElseThrow().time()).isEqualTo(first.contact().time());
-    return impact.get().of(first.kind(), id);
+    return QuestionsTest.named(impact.get(), first.kind(), id);
   }
 
   private static List<Obstacle> obstacles(NearlyAtOnce scene) {

@@ -420,7 +420,7 @@ final class PlainWorld {
 
   /** When a circle that is not there would first hit something but a sensor. */
   double cast(Circle circle, Vec2 v) {
-    Mover m = Mover.of(circle, v, 1);
+    Mover m = Casts.mover(circle, v, 1);
     double first = NEVER;
     for (int code : codes()) {
       first = Math.min(first, obstacles.isSensor(code) ? NEVER : sweep(m, code));

@@ -124,7 +124,20 @@ class QuestionsTest {
   }
 
   private static void add(List<Impact> all, Optional<Impact> impact, ObstacleKind kind, int id) {
-    impact.map(hit -> hit.of(kind, id)).ifPresent(all::add);
+    impact.map(hit -> named(hit, kind, id)).ifPresent(all::add);
+  }
+
+  /** The same impact with a thing under its id. */
+  static Impact named(Impact hit, ObstacleKind kind, int id) {
+    return new Impact(
+        hit.time(),
+        kind,
+        id,
+        hit.obstacle(),
+        hit.feature(),
+        hit.point(),
+        hit.normal(),
+        hit.approachSpeed());
   }
 
   @Test
