@@ -54,11 +54,16 @@ final class CircleTree {
   private static int[] inStrips(double[] circles, int from, int to) {
     Integer[] byX = new Integer[to - from];
     Arrays.setAll(byX, k -> from + k);
-    Arrays.sort(byX, Comparator.comparingDouble(i -> circles[i * Scene.CIRCLE]));
+    Arrays.sort(
+        byX, Comparator.comparingDouble(i -> circles[i * SceneData.CIRCLE_ROW + SceneData.X]));
     int strip = FEW * (int) Math.ceil(Math.sqrt(byX.length / (double) FEW));
     for (int k = 0; k < byX.length; k += strip) {
       int end = Math.min(byX.length, k + strip);
-      Arrays.sort(byX, k, end, Comparator.comparingDouble(i -> circles[i * Scene.CIRCLE + 1]));
+      Arrays.sort(
+          byX,
+          k,
+          end,
+          Comparator.comparingDouble(i -> circles[i * SceneData.CIRCLE_ROW + SceneData.Y]));
     }
     return Arrays.stream(byX).mapToInt(i -> i).toArray();
   }
@@ -83,9 +88,10 @@ final class CircleTree {
 
   /** Puts the box of a circle in a place; none of it is outside, whatever rounding takes. */
   private void boxOf(int circle, int k) {
-    double x = circles[circle * Scene.CIRCLE];
-    double y = circles[circle * Scene.CIRCLE + 1];
-    double r = circles[circle * Scene.CIRCLE + 2];
+    int row = circle * SceneData.CIRCLE_ROW;
+    double x = circles[row + SceneData.X];
+    double y = circles[row + SceneData.Y];
+    double r = circles[row + SceneData.RADIUS];
     boxes[k] = Math.nextDown(x - r);
     boxes[k + 1] = Math.nextDown(y - r);
     boxes[k + 2] = Math.nextUp(x + r);

@@ -157,17 +157,9 @@ final class Circles {
   }
 
   /** Puts circle i of a scene at the start of its first flight, into the mover only. */
-  void start(Scene scene, int i) {
-    Circle circle = scene.circle(i);
-    Vec2 v = scene.velocity(i);
+  void start(SceneData scene, int i) {
     mover.start(
-        i,
-        circle.x(),
-        circle.y(),
-        circle.radius(),
-        v.x(),
-        v.y(),
-        scene.restitution(ObstacleKind.CIRCLE, i));
+        i, scene.x(i), scene.y(i), scene.radius(i), scene.vx(i), scene.vy(i), scene.restitution(i));
   }
 
   double x(int i, double now) {

@@ -64,7 +64,7 @@ final class Collisions extends Engine {
   private final SensedPairs sensed = new SensedPairs();
   private final Mover other = new Mover();
 
-  Collisions(Scene scene, Roster roster, Machinery machinery, ImpactRows log) {
+  Collisions(SceneData scene, Roster roster, Machinery machinery, ImpactRows log) {
     super(scene, roster, Circles.colliding(scene.circleCount()), machinery, log);
     this.machinery = machinery;
     walls = scene.walls;

@@ -21,7 +21,7 @@ final class Editor {
 
   private final Limits limits = new Limits();
 
-  Editor(Scene scene, Engine engine, Roster roster) {
+  Editor(SceneData scene, Engine engine, Roster roster) {
     collide = scene.collide;
     this.engine = engine;
     this.roster = roster;
@@ -33,9 +33,8 @@ final class Editor {
       limits.keepPlace(obstacles.walls[Obstacles.RIGHT], obstacles.walls[Obstacles.TOP]);
     }
     for (int i = 0; i < scene.circleCount(); i++) {
-      Circle c = scene.circle(i);
-      limits.keepPlace(c.x(), c.y());
-      limits.keepRadius(c.radius());
+      limits.keepPlace(scene.x(i), scene.y(i));
+      limits.keepRadius(scene.radius(i));
     }
   }
 

@@ -19,7 +19,7 @@ abstract class Engine {
   /** Null unless flights are recorded. */
   FlightRecorder recorder;
 
-  Engine(Scene scene, Roster roster, Circles circles, Machinery machinery, ImpactRows log) {
+  Engine(SceneData scene, Roster roster, Circles circles, Machinery machinery, ImpactRows log) {
     this.roster = roster;
     this.circles = circles;
     this.log = log;

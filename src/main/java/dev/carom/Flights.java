@@ -26,7 +26,7 @@ final class Flights extends Engine {
   /** Impacts made in this pass, and exact work that takes as long. */
   private long spent;
 
-  Flights(Scene scene, Roster roster, Machinery machinery, ImpactRows log) {
+  Flights(SceneData scene, Roster roster, Machinery machinery, ImpactRows log) {
     super(scene, roster, new Circles(scene.circleCount()), machinery, log);
     impactsPerCall = (long) (IMPACTS_PER_CALL * machinery.budget());
     impactsPerCircle = (long) (IMPACTS_PER_CIRCLE * machinery.budget());

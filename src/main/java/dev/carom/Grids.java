@@ -30,7 +30,7 @@ final class Grids {
   /** Whether something is neither in the grids nor kept among what is loose. */
   private boolean isIncomplete;
 
-  Grids(Scene scene, Obstacles obstacles, Machinery machinery) {
+  Grids(SceneData scene, Obstacles obstacles, Machinery machinery) {
     this.obstacles = obstacles;
     this.machinery = machinery;
     if (wanted()) {
@@ -53,10 +53,10 @@ final class Grids {
     byExponent.put(exponent, new Grid(obstacles, radius, machinery.cell()));
   }
 
-  private static Map<Integer, Double> largestRadii(Scene scene) {
+  private static Map<Integer, Double> largestRadii(SceneData scene) {
     Map<Integer, Double> largest = new TreeMap<>();
     for (int i = 0; i < scene.circleCount(); i++) {
-      double radius = scene.circle(i).radius();
+      double radius = scene.radius(i);
       largest.merge(Math.getExponent(radius), radius, Math::max);
     }
     return largest;

@@ -99,7 +99,7 @@ final class Obstacles {
 
   private int sensors;
 
-  private Obstacles(Scene scene) {
+  private Obstacles(SceneData scene) {
     lines = scene.lines;
     pegs = scene.pegs;
     walls = scene.walls;
@@ -181,7 +181,7 @@ final class Obstacles {
   }
 
   /** Those of a scene. */
-  static Obstacles of(Scene scene) {
+  static Obstacles of(SceneData scene) {
     return new Obstacles(scene);
   }
 

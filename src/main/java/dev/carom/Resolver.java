@@ -70,7 +70,7 @@ public final class Resolver {
         pegs.add(obstacle);
       }
     }
-    return new Resolver(Obstacles.of(builder.build()), lines, pegs);
+    return new Resolver(Obstacles.of(builder.build().data), lines, pegs);
   }
 
   private static void add(SceneBuilder builder, Bounds bounds) {
@@ -100,7 +100,7 @@ public final class Resolver {
     for (int i = 0; i < scene.pegCount(); i++) {
       pegs.add(scene.peg(i));
     }
-    return new Resolver(Obstacles.of(scene), lines, pegs);
+    return new Resolver(Obstacles.of(scene.data), lines, pegs);
   }
 
   /**

@@ -49,7 +49,7 @@ final class Roster {
   /** Where an id was found last: the next one asked for is often the next one. */
   private int found;
 
-  Roster(Scene scene, double slack) {
+  Roster(SceneData scene, double slack) {
     this.slack = slack;
     end = scene.circleCount();
     idEnd = end;

@@ -4,9 +4,7 @@ package dev.carom;
 import java.io.IOException;
 import java.io.Reader;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -62,47 +60,10 @@ import java.util.Optional;
  */
 public final class Scene {
 
-  /** Doubles of one circle in {@link #circles}: x, y, radius, vx, vy, restitution. */
-  static final int CIRCLE = 6;
+  final SceneData data;
 
-  /** Doubles of the bounds while they are built: xmin, ymin, xmax, ymax, restitution. */
-  static final int BOUNDS = 5;
-
-  final double[] circles;
-
-  /** Rows of the lines, by their codes: see {@link Obstacles#lines}. */
-  final double[] lines;
-
-  final double[] pegs;
-  final double[] masses;
-
-  /** See {@link Traits}. */
-  final byte[] circleTraits;
-
-  final byte[] lineTraits;
-  final byte[] pegTraits;
-  final int boundsTraits;
-
-  /** Where the walls stand, by their codes; null without bounds. */
-  final double[] walls;
-
-  final boolean collide;
-  final double boundsRestitution;
-
-  Scene(SceneBuilder from) {
-    circles = from.circles.toArray();
-    lines = Obstacles.byCode(from.lines.toArray());
-    pegs = from.pegs.toArray();
-    masses = from.masses.toArray();
-    circleTraits = from.circles.traits();
-    lineTraits = from.lines.traits();
-    pegTraits = from.pegs.traits();
-    collide = from.collide;
-    double[] b = from.bounds.toArray();
-    boolean closed = b.length == BOUNDS;
-    walls = closed ? Obstacles.walls(b[0], b[1], b[2], b[3]) : null;
-    boundsRestitution = closed ? b[4] : 1;
-    boundsTraits = closed ? from.bounds.lastTraits() : 0;
+  Scene(SceneData data) {
+    this.data = data;
   }
 
   /**
@@ -123,7 +84,7 @@ public final class Scene {
    *     {@link SceneBuilder} refuses
    */
   public static Scene read(Path path) throws IOException {
-    return SceneFile.read(Check.notNull("path", path));
+    return new Scene(SceneFile.read(Check.notNull("path", path)));
   }
 
   /**
@@ -138,7 +99,7 @@ public final class Scene {
   public static Scene read(Reader in, String name) throws IOException {
     Check.notNull("in", in);
     Check.notNull("name", name);
-    return SceneFile.read(in, name);
+    return new Scene(SceneFile.read(in, name));
   }
 
   /**
@@ -150,7 +111,7 @@ public final class Scene {
    * @throws IOException if the file cannot be written; the message names it, and why
    */
   public void write(Path path) throws IOException {
-    SceneFile.write(this, Check.notNull("path", path));
+    SceneFile.write(data, Check.notNull("path", path));
   }
 
   /**
@@ -160,7 +121,7 @@ public final class Scene {
    * @throws IOException if writing fails
    */
   public void write(Appendable out) throws IOException {
-    SceneFile.write(this, Check.notNull("out", out));
+    SceneFile.write(data, Check.notNull("out", out));
   }
 
   /**
@@ -169,7 +130,7 @@ public final class Scene {
    * @return at least 0
    */
   public int circleCount() {
-    return circles.length / CIRCLE;
+    return data.circleCount();
   }
 
   /**
@@ -178,7 +139,7 @@ public final class Scene {
    * @return at least 0
    */
   public int lineCount() {
-    return lines.length / Obstacles.LINE_ROW - Obstacles.WALLS;
+    return data.lineCount();
   }
 
   /**
@@ -187,7 +148,7 @@ public final class Scene {
    * @return at least 0
    */
   public int pegCount() {
-    return pegs.length / Obstacles.PEG_ROW;
+    return data.pegCount();
   }
 
   /**
@@ -198,8 +159,8 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public Circle circle(int i) {
-    int k = at(ObstacleKind.CIRCLE, i) * CIRCLE;
-    return new Circle(circles[k], circles[k + 1], circles[k + 2]);
+    at(ObstacleKind.CIRCLE, i);
+    return new Circle(data.x(i), data.y(i), data.radius(i));
   }
 
   /**
@@ -210,8 +171,8 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public Vec2 velocity(int i) {
-    int k = at(ObstacleKind.CIRCLE, i) * CIRCLE;
-    return new Vec2(circles[k + 3], circles[k + 4]);
+    at(ObstacleKind.CIRCLE, i);
+    return new Vec2(data.vx(i), data.vy(i));
   }
 
   /**
@@ -222,7 +183,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double mass(int i) {
-    return masses[at(ObstacleKind.CIRCLE, i)];
+    return data.masses[at(ObstacleKind.CIRCLE, i)];
   }
 
   /**
@@ -233,8 +194,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int i) {
-    int k = (Obstacles.WALLS + at(ObstacleKind.LINE, i)) * Obstacles.LINE_ROW;
-    return Records.line(lines, k);
+    return Records.line(data.lines, SceneData.lineAt(at(ObstacleKind.LINE, i)));
   }
 
   /**
@@ -245,8 +205,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such peg
    */
   public Circle peg(int i) {
-    int k = at(ObstacleKind.PEG, i) * Obstacles.PEG_ROW;
-    return Records.peg(pegs, k);
+    return Records.peg(data.pegs, SceneData.pegAt(at(ObstacleKind.PEG, i)));
   }
 
   /**
@@ -259,12 +218,12 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public double restitution(ObstacleKind kind, int i) {
-    int k = at(kind, i);
+    at(kind, i);
     return switch (kind) {
-      case WALL -> boundsRestitution;
-      case LINE -> lines[(Obstacles.WALLS + k) * Obstacles.LINE_ROW + Obstacles.LINE_RESTITUTION];
-      case PEG -> pegs[k * Obstacles.PEG_ROW + Obstacles.PEG_RESTITUTION];
-      case CIRCLE -> circles[k * CIRCLE + 5];
+      case WALL -> data.boundsRestitution;
+      case LINE -> data.lineRestitution(i);
+      case PEG -> data.pegRestitution(i);
+      case CIRCLE -> data.restitution(i);
     };
   }
 
@@ -299,7 +258,7 @@ public final class Scene {
    * @return the rectangle that keeps circles inside, empty if the scene is open
    */
   public Optional<Bounds> bounds() {
-    return Optional.ofNullable(Records.bounds(walls));
+    return Optional.ofNullable(Records.bounds(data.walls));
   }
 
   /**
@@ -308,7 +267,7 @@ public final class Scene {
    * @return false if they ignore each other
    */
   public boolean collide() {
-    return collide;
+    return data.collide;
   }
 
   /**
@@ -328,7 +287,7 @@ public final class Scene {
    * @return the warnings, to be read by people; unmodifiable, empty if there are none
    */
   public List<String> warnings() {
-    return Warnings.of(this);
+    return Warnings.of(data);
   }
 
   /**
@@ -339,60 +298,33 @@ public final class Scene {
    */
   @Override
   public boolean equals(Object other) {
-    return other instanceof Scene that
-        && Arrays.equals(circles, that.circles)
-        && Arrays.equals(masses, that.masses)
-        && collide == that.collide
-        && Arrays.equals(lines, that.lines)
-        && Arrays.equals(pegs, that.pegs)
-        && Arrays.equals(circleTraits, that.circleTraits)
-        && Arrays.equals(lineTraits, that.lineTraits)
-        && Arrays.equals(pegTraits, that.pegTraits)
-        && boundsTraits == that.boundsTraits
-        && Arrays.equals(walls, that.walls)
-        && Double.compare(boundsRestitution, that.boundsRestitution) == 0;
+    return other instanceof Scene that && data.equals(that.data);
   }
 
   @Override
   public int hashCode() {
-    return Objects.hash(
-        Arrays.hashCode(circles),
-        Arrays.hashCode(lines),
-        Arrays.hashCode(pegs),
-        Arrays.hashCode(walls));
+    return data.hashCode();
   }
 
   @Override
   public String toString() {
     return "Scene[circles=%d, lines=%d, pegs=%d, bounds=%s]"
-        .formatted(circleCount(), lineCount(), pegCount(), Records.told(walls));
-  }
-
-  double x(int i) {
-    return circles[i * CIRCLE];
-  }
-
-  double y(int i) {
-    return circles[i * CIRCLE + 1];
-  }
-
-  double radius(int i) {
-    return circles[i * CIRCLE + 2];
+        .formatted(circleCount(), lineCount(), pegCount(), Records.told(data.walls));
   }
 
   /** The {@link Traits} of a thing that is there. */
-  int traits(ObstacleKind kind, int i) {
+  private int traits(ObstacleKind kind, int i) {
     return switch (kind) {
-      case WALL -> boundsTraits;
-      case LINE -> Traits.of(lineTraits, i);
-      case PEG -> Traits.of(pegTraits, i);
-      case CIRCLE -> Traits.of(circleTraits, i);
+      case WALL -> data.boundsTraits;
+      case LINE -> Traits.of(data.lineTraits, i);
+      case PEG -> Traits.of(data.pegTraits, i);
+      case CIRCLE -> Traits.of(data.circleTraits, i);
     };
   }
 
   private int count(ObstacleKind kind) {
     return switch (kind) {
-      case WALL -> walls == null ? 0 : Obstacles.WALLS;
+      case WALL -> data.walls == null ? 0 : Obstacles.WALLS;
       case LINE -> lineCount();
       case PEG -> pegCount();
       case CIRCLE -> circleCount();

@@ -21,15 +21,7 @@ package dev.carom;
  */
 public final class SceneBuilder {
 
-  final SceneThings circles = new SceneThings("circle", Scene.CIRCLE, 2);
-  final SceneThings lines = new SceneThings("line", Obstacles.LINE_ROW, 4);
-  final SceneThings pegs = new SceneThings("peg", Obstacles.PEG_ROW, 2);
-  final SceneThings bounds = new SceneThings("bounds", Scene.BOUNDS, 4);
-  final DoubleList masses = new DoubleList();
-  boolean collide;
-
-  /** The things whose last one is the thing added last; null before the first. */
-  private SceneThings last;
+  private final SceneDataBuilder data = new SceneDataBuilder();
 
   SceneBuilder() {}
 
@@ -45,10 +37,8 @@ public final class SceneBuilder {
    * @throws IllegalStateException if the scene has bounds already
    */
   public SceneBuilder bounds(double xmin, double ymin, double xmax, double ymax) {
-    if (bounds.count() > 0) {
-      throw new IllegalStateException("the scene has bounds already: expected one only");
-    }
-    return add(bounds, () -> new Bounds(xmin, ymin, xmax, ymax), xmin, ymin, xmax, ymax, 1);
+    data.bounds(xmin, ymin, xmax, ymax);
+    return this;
   }
 
   /**
@@ -62,7 +52,8 @@ public final class SceneBuilder {
    * @throws IllegalArgumentException if a coordinate is refused by {@link Line}
    */
   public SceneBuilder line(double ax, double ay, double bx, double by) {
-    return add(lines, () -> new Line(ax, ay, bx, by), ax, ay, bx, by, 1);
+    data.line(ax, ay, bx, by);
+    return this;
   }
 
   /**
@@ -75,7 +66,8 @@ public final class SceneBuilder {
    * @throws IllegalArgumentException if a number is refused by {@link Circle}
    */
   public SceneBuilder peg(double x, double y, double radius) {
-    return add(pegs, () -> new Circle(x, y, radius), x, y, radius, 1);
+    data.peg(x, y, radius);
+    return this;
   }
 
   /**
@@ -90,17 +82,8 @@ public final class SceneBuilder {
    * @throws IllegalArgumentException if a number is NaN or infinite, or the radius not positive
    */
   public SceneBuilder circle(double x, double y, double radius, double vx, double vy) {
-    add(circles, () -> checkCircle(x, y, radius, vx, vy), x, y, radius, vx, vy, 1);
-    masses.add(1);
+    data.circle(x, y, radius, vx, vy);
     return this;
-  }
-
-  private static void checkCircle(double x, double y, double radius, double vx, double vy) {
-    Check.finite("x", x);
-    Check.finite("y", y);
-    Check.positive("radius", radius);
-    Check.finite("vx", vx);
-    Check.finite("vy", vy);
   }
 
   /**
@@ -114,11 +97,7 @@ public final class SceneBuilder {
    * @throws IllegalStateException if nothing was added yet
    */
   public SceneBuilder restitution(double e) {
-    if (last == null) {
-      throw new IllegalStateException("restitution belongs to the thing added last: add one first");
-    }
-    check(last, last.count() - 1, () -> Check.notNegative("restitution", e));
-    last.setLastRestitution(e);
+    data.restitution(e);
     return this;
   }
 
@@ -132,15 +111,7 @@ public final class SceneBuilder {
    * @throws IllegalStateException if nothing was added yet
    */
   public SceneBuilder response(Response response) {
-    Check.notNull("response", response);
-    if (last == null) {
-      throw new IllegalStateException("response belongs to the thing added last: add one first");
-    }
-    if (last == bounds && response == Response.SENSOR) {
-      throw Check.refused("response", "sensor", "bounce or halt: bounds keep circles inside")
-          .of("bounds");
-    }
-    last.setLastTraits(Traits.with(last.lastTraits(), response.ordinal()));
+    data.response(Check.notNull("response", response).ordinal());
     return this;
   }
 
@@ -157,10 +128,7 @@ public final class SceneBuilder {
    * @throws IllegalStateException if the thing added last is not a line
    */
   public SceneBuilder oneWay() {
-    if (last != lines) {
-      throw new IllegalStateException("one-way belongs to the line just added: add one first");
-    }
-    lines.setLastTraits(Traits.withOneWay(lines.lastTraits(), true));
+    data.oneWay();
     return this;
   }
 
@@ -174,11 +142,7 @@ public final class SceneBuilder {
    * @throws IllegalStateException if the thing added last is not a circle
    */
   public SceneBuilder mass(double m) {
-    if (last != circles) {
-      throw new IllegalStateException("mass belongs to the circle just added: add one first");
-    }
-    check(circles, circles.count() - 1, () -> Check.mass("mass", m));
-    masses.setLast(m);
+    data.mass(m);
     return this;
   }
 
@@ -189,7 +153,7 @@ public final class SceneBuilder {
    * @return this builder
    */
   public SceneBuilder collide(boolean collide) {
-    this.collide = collide;
+    data.collide = collide;
     return this;
   }
 
@@ -202,50 +166,6 @@ public final class SceneBuilder {
    *     coordinate of the scene: rounding of positions could carry such a circle through a line
    */
   public Scene build() {
-    int i = firstTooSmall();
-    if (i >= 0) {
-      String expected =
-          "at least %s, 2^10 ulps of the largest coordinate, %s"
-              .formatted(leastRadius(), largestCoordinate());
-      throw Check.refused("radius", circles.get(i, 2), expected).of(circles.name(i));
-    }
-    return new Scene(this);
-  }
-
-  /** The number of the first circle whose radius keeps the scene from being built, or -1. */
-  int firstTooSmall() {
-    double least = leastRadius();
-    for (int i = 0; i < circles.count(); i++) {
-      if (!(circles.get(i, 2) >= least)) {
-        return i;
-      }
-    }
-    return -1;
-  }
-
-  private double leastRadius() {
-    return Limits.leastRadius(largestCoordinate());
-  }
-
-  private double largestCoordinate() {
-    return Math.max(
-        Math.max(circles.largestCoordinate(), lines.largestCoordinate()),
-        Math.max(pegs.largestCoordinate(), bounds.largestCoordinate()));
-  }
-
-  private SceneBuilder add(SceneThings things, Runnable checks, double... row) {
-    check(things, things.count(), checks);
-    things.add(row);
-    last = things;
-    return this;
-  }
-
-  /** Puts the name of thing i before what its checks have to say. */
-  private static void check(SceneThings things, int i, Runnable checks) {
-    try {
-      checks.run();
-    } catch (RefusedException e) {
-      throw e.of(things.name(i));
-    }
+    return new Scene(data.build());
   }
 }

@@ -25,7 +25,7 @@ final class SceneFile {
 
   private SceneFile() {}
 
-  static Scene read(Path path) throws IOException {
+  static SceneData read(Path path) throws IOException {
     expectFile(path);
     // A reader of its own, since those of Files stop at a comment that is not UTF-8.
     try (Reader in = new InputStreamReader(Files.newInputStream(path), StandardCharsets.UTF_8)) {
@@ -33,11 +33,11 @@ final class SceneFile {
     }
   }
 
-  static Scene read(Reader in, String name) throws IOException {
+  static SceneData read(Reader in, String name) throws IOException {
     return new SceneReader(name).read(in);
   }
 
-  static void write(Scene scene, Path path) throws IOException {
+  static void write(SceneData scene, Path path) throws IOException {
     expectFile(path);
     try {
       if (Files.exists(path) && !Files.isRegularFile(path)) {
@@ -69,7 +69,7 @@ final class SceneFile {
   }
 
   /** Its name is short, so that it fits wherever that of the target does. */
-  private static void replace(Scene scene, Path target) throws IOException {
+  private static void replace(SceneData scene, Path target) throws IOException {
     String random = Long.toHexString(ThreadLocalRandom.current().nextLong());
     Path draft = Files.createFile(target.resolveSibling("carom-" + random + ".tmp"));
     try {
@@ -111,13 +111,13 @@ final class SceneFile {
     return e instanceof FileSystemException known ? known.getReason() : e.getMessage();
   }
 
-  private static void writeDirectly(Scene scene, Path path) throws IOException {
+  private static void writeDirectly(SceneData scene, Path path) throws IOException {
     try (Writer out = Files.newBufferedWriter(path, StandardOpenOption.WRITE)) {
       write(scene, out);
     }
   }
 
-  static void write(Scene scene, Appendable out) throws IOException {
+  static void write(SceneData scene, Appendable out) throws IOException {
     new SceneWriter(out).write(scene);
   }
 }

@@ -13,7 +13,7 @@ final class SceneReader {
   private static final int MASS = SceneRowKind.CIRCLE.names().indexOf("mass");
 
   private final String file;
-  private final SceneBuilder builder = Scene.builder();
+  private final SceneDataBuilder builder = new SceneDataBuilder();
 
   /** Line and column of each circle's radius: what is wrong with it may show at the end only. */
   private int[] radiusPlaces = new int[32];
@@ -26,7 +26,7 @@ final class SceneReader {
     this.file = file;
   }
 
-  Scene read(Reader in) throws IOException {
+  SceneData read(Reader in) throws IOException {
     BufferedReader lines = new BufferedReader(in);
     String text = lines.readLine();
     if (text != null && text.startsWith("\ufeff")) {
@@ -94,7 +94,7 @@ final class SceneReader {
 
   private void collide(SceneRow row) throws SceneFormatException {
     collideLine = only(row, collideLine);
-    builder.collide(flag(row, 1, "collide", row.field(1)));
+    builder.collide = flag(row, 1, "collide", row.field(1));
   }
 
   /** Refuses a second row of a kind; the line of the first one is 0 as long as there is none. */
@@ -125,7 +125,7 @@ final class SceneReader {
     if (key.equals("restitution")) {
       builder.restitution(row.option(i));
     } else if (key.equals("response")) {
-      builder.response(Response.of(response(row, i)));
+      builder.response(response(row, i));
     } else if (key.equals("oneway") && row.kind() == SceneRowKind.LINE) {
       if (flag(row, i, "oneway", row.value(i))) {
         builder.oneWay();
@@ -156,7 +156,7 @@ final class SceneReader {
     return text.equals("1");
   }
 
-  private Scene build() throws SceneFormatException {
+  private SceneData build() throws SceneFormatException {
     try {
       return builder.build();
     } catch (RefusedException e) {

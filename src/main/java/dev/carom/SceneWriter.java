@@ -13,31 +13,36 @@ final class SceneWriter {
     this.out = out;
   }
 
-  void write(Scene scene) throws IOException {
+  void write(SceneData scene) throws IOException {
     if (scene.collide) {
       out.append("collide,1\n");
     }
     double[] w = scene.walls;
     if (w != null) {
       begin("wall", w[Obstacles.LEFT], w[Obstacles.BOTTOM], w[Obstacles.RIGHT], w[Obstacles.TOP]);
-      end(scene, ObstacleKind.WALL, 0);
+      end(scene.boundsRestitution, scene.boundsTraits);
     }
     for (int i = 0; i < scene.lineCount(); i++) {
-      Line line = scene.line(i);
-      begin("line", line.ax(), line.ay(), line.bx(), line.by());
-      end(scene, ObstacleKind.LINE, i);
+      int k = SceneData.lineAt(i);
+      double[] l = scene.lines;
+      begin(
+          "line",
+          l[k + Obstacles.AX],
+          l[k + Obstacles.AY],
+          l[k + Obstacles.BX],
+          l[k + Obstacles.BY]);
+      end(scene.lineRestitution(i), Traits.of(scene.lineTraits, i));
     }
     for (int i = 0; i < scene.pegCount(); i++) {
-      Circle peg = scene.peg(i);
-      begin("peg", peg.x(), peg.y(), peg.radius());
-      end(scene, ObstacleKind.PEG, i);
+      int k = SceneData.pegAt(i);
+      double[] p = scene.pegs;
+      begin("peg", p[k + Obstacles.X], p[k + Obstacles.Y], p[k + Obstacles.RADIUS]);
+      end(scene.pegRestitution(i), Traits.of(scene.pegTraits, i));
     }
     for (int i = 0; i < scene.circleCount(); i++) {
-      Circle c = scene.circle(i);
-      Vec2 v = scene.velocity(i);
-      begin("circle", c.x(), c.y(), c.radius(), v.x(), v.y());
-      mass(scene.mass(i));
-      end(scene, ObstacleKind.CIRCLE, i);
+      begin("circle", scene.x(i), scene.y(i), scene.radius(i), scene.vx(i), scene.vy(i));
+      mass(scene.masses[i]);
+      end(scene.restitution(i), Traits.of(scene.circleTraits, i));
     }
   }
 
@@ -57,16 +62,15 @@ final class SceneWriter {
     }
   }
 
-  private void end(Scene scene, ObstacleKind kind, int i) throws IOException {
-    double restitution = scene.restitution(kind, i);
-    int response = Traits.response(scene.traits(kind, i));
+  private void end(double restitution, int traits) throws IOException {
     if (restitution != 1) {
       row.append(",restitution=").append(restitution);
     }
+    int response = Traits.response(traits);
     if (response != Traits.BOUNCE) {
       row.append(",response=").append(SceneRowKind.RESPONSES.get(response));
     }
-    if (kind == ObstacleKind.LINE && scene.oneWay(i)) {
+    if (Traits.isOneWay(traits)) {
       row.append(",oneway=1");
     }
     out.append(row.append('\n'));

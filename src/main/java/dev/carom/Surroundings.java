@@ -24,13 +24,11 @@ final class Surroundings {
   /** The circles that there is room for. */
   private int room;
 
-  Surroundings(Scene scene, Machinery machinery) {
+  Surroundings(SceneData scene, Machinery machinery) {
     obstacles = Obstacles.of(scene);
     grids = new Grids(scene, obstacles, machinery);
     search = new BroadSearch(obstacles, grids.loose());
-    assign(
-        IntStream.range(0, scene.circleCount()).toArray(),
-        i -> scene.circles[i * Scene.CIRCLE + 2]);
+    assign(IntStream.range(0, scene.circleCount()).toArray(), scene::radius);
   }
 
   private void assign(int[] ids, IntToDoubleFunction radius) {

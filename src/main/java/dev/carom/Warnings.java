@@ -19,7 +19,7 @@ final class Warnings {
 
   private static final List<String> WALLS = List.of("left", "right", "bottom", "top");
 
-  private final Scene scene;
+  private final SceneData scene;
   private final Obstacles obstacles;
   private final Proximity proximity;
   private final List<String> texts = new ArrayList<>();
@@ -27,13 +27,13 @@ final class Warnings {
   /** Of the block in hand, each a circle and, below it, the code of what it overlaps. */
   private LongStream.Builder found;
 
-  private Warnings(Scene scene) {
+  private Warnings(SceneData scene) {
     this.scene = scene;
     obstacles = Obstacles.of(scene);
     proximity = new Proximity(obstacles);
   }
 
-  static List<String> of(Scene scene) {
+  static List<String> of(SceneData scene) {
     Warnings warnings = new Warnings(scene);
     int count = scene.circleCount();
     int to = 0;
@@ -167,7 +167,7 @@ final class Warnings {
   }
 
   /** What is told of a circle and what it overlaps. */
-  static String text(Scene scene, int i, int code) {
+  static String text(SceneData scene, int i, int code) {
     double r = scene.radius(i);
     if (code < Obstacles.WALLS) {
       String wall = "the " + WALLS.get(code) + " wall";
@@ -193,11 +193,11 @@ final class Warnings {
     return text(i, ObstacleKind.CIRCLE.nameOf(j), distance, sum, "the sum of both radii");
   }
 
-  private static double distance(Scene scene, int i, double x, double y) {
+  private static double distance(SceneData scene, int i, double x, double y) {
     return StrictMath.hypot(scene.x(i) - x, scene.y(i) - y);
   }
 
-  private static double distanceFromWall(Scene scene, int i, int wall) {
+  private static double distanceFromWall(SceneData scene, int i, int wall) {
     double p = wall <= Obstacles.RIGHT ? scene.x(i) : scene.y(i);
     boolean isLower = (wall & 1) == 0;
     return isLower ? p - scene.walls[wall] : scene.walls[wall] - p;

@@ -114,18 +114,19 @@ public final class World {
 
   World(Scene scene, Machinery machinery) {
     this.scene = Check.notNull("scene", scene);
-    roster = new Roster(scene, machinery.slack());
-    rows = new ImpactRows(Math.max(LOG_LEAST, Math.min(LOG_MOST, scene.circleCount())));
+    SceneData data = scene.data;
+    roster = new Roster(data, machinery.slack());
+    rows = new ImpactRows(Math.max(LOG_LEAST, Math.min(LOG_MOST, data.circleCount())));
     log = new ImpactLog(rows, roster::id);
     engine =
-        scene.collide
-            ? new Collisions(scene, roster, machinery, rows)
-            : new Flights(scene, roster, machinery, rows);
+        data.collide
+            ? new Collisions(data, roster, machinery, rows)
+            : new Flights(data, roster, machinery, rows);
     circles = engine.circles;
     obstacles = engine.surroundings.obstacles;
     ids = new Ids(roster, obstacles);
-    editor = new Editor(scene, engine, roster);
-    questions = new Questions(engine, roster, scene.collide);
+    editor = new Editor(data, engine, roster);
+    questions = new Questions(engine, roster, data.collide);
   }
 
   /**
@@ -694,7 +695,7 @@ public final class World {
    */
   public Snapshot snapshot() {
     return new Snapshot(
-        now, scene.collide, obstacles.copy(), roster.copy(), editor.limits(), engine.save(now));
+        now, scene.collide(), obstacles.copy(), roster.copy(), editor.limits(), engine.save(now));
   }
 
   /**
@@ -709,15 +710,15 @@ public final class World {
    */
   public void restore(Snapshot snapshot) {
     Check.notNull("snapshot", snapshot);
-    if (!Arrays.equals(snapshot.obstacles.walls, scene.walls)) {
+    if (!Arrays.equals(snapshot.obstacles.walls, scene.data.walls)) {
       throw Check.refused(
           "bounds of the snapshot",
           Records.told(snapshot.obstacles.walls),
-          "this world's, " + Records.told(scene.walls));
+          "this world's, " + Records.told(scene.data.walls));
     }
-    if (snapshot.collide != scene.collide) {
+    if (snapshot.collide != scene.collide()) {
       throw Check.refused(
-          "collide of the snapshot", snapshot.collide, "this world's, " + scene.collide);
+          "collide of the snapshot", snapshot.collide, "this world's, " + scene.collide());
     }
     rows.clear();
     now = snapshot.now;
@@ -776,10 +777,10 @@ public final class World {
     return form.formatted(
         now,
         circleCount(),
-        scene.collide ? "collide" : "ignore each other",
+        scene.collide() ? "collide" : "ignore each other",
         obstacles.presentLines().count(),
         obstacles.presentPegs().count(),
-        Records.told(scene.walls),
+        Records.told(scene.data.walls),
         log.size());
   }
 }

@@ -125,7 +125,7 @@ class BudgetTest {
   }
 
   private static TracedPath trace(int bounces, int most) {
-    Obstacles obstacles = Obstacles.of(nearTies(true));
+    Obstacles obstacles = Obstacles.of(nearTies(true).data);
     BroadSearch search = new BroadSearch(obstacles, new CodeList());
     Tracer tracer = new Tracer(obstacles, search, null);
     return tracer.trace(Casts.mover(LEAVING, new Vec2(-UNIT, 0), 1), 1e3, bounces, most);

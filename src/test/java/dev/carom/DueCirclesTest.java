@@ -16,7 +16,7 @@ class DueCirclesTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 16, 17, 5000})
   void eachPassFindsThoseThatAreDueInTheirOrder(int count) {
-    Surroundings surroundings = new Surroundings(scene(count), Machinery.CHOSEN);
+    Surroundings surroundings = new Surroundings(scene(count).data, Machinery.CHOSEN);
     Circles circles = anywhere(count);
     double[] state = circles.state.clone();
     DueCircles due = new DueCircles(circles, surroundings);

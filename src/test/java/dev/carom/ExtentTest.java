@@ -10,14 +10,14 @@ class ExtentTest {
   private static Extent of(Scene scene, Roster roster, double now) {
     Circles circles = new Circles(scene.circleCount());
     for (int i = 0; i < circles.count; i++) {
-      circles.start(scene, i);
+      circles.start(scene.data, i);
       circles.store(i);
     }
-    return Extent.of(circles, roster.ids(), scene.walls, now);
+    return Extent.of(circles, roster.ids(), scene.data.walls, now);
   }
 
   private static Extent of(Scene scene, double now) {
-    return of(scene, new Roster(scene, 1), now);
+    return of(scene, new Roster(scene.data, 1), now);
   }
 
   @Test
@@ -49,7 +49,7 @@ class ExtentTest {
             .circle(9, 9, 1, 0, 1e308)
             .circle(9, 9, 1, 1e308, 0)
             .build();
-    Roster roster = new Roster(scene, 1);
+    Roster roster = new Roster(scene.data, 1);
     roster.remove(1);
     assertThat(of(scene, roster, 10)).isEqualTo(new Extent(3, 4, 3, 4));
   }

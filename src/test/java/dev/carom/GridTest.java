@@ -15,11 +15,11 @@ class GridTest {
   /** The obstacles span (0, 0) to (80, 40); the grid has the radius and a ring of cells more. */
   private static Grid grid() {
     return new Grid(
-        Obstacles.of(Scene.builder().line(0, 0, 80, 0).line(0, 40, 80, 40).build()), 4, 8);
+        Obstacles.of(Scene.builder().line(0, 0, 80, 0).line(0, 40, 80, 40).build().data), 4, 8);
   }
 
   private static Grid gridOf(SceneBuilder scene) {
-    return new Grid(Obstacles.of(scene.build()), 4, 8);
+    return new Grid(Obstacles.of(scene.build().data), 4, 8);
   }
 
   @Test

@@ -22,7 +22,7 @@ class GridsTest {
   }
 
   private static Grids grids(Scene scene) {
-    return new Grids(scene, Obstacles.of(scene), Machinery.CHOSEN);
+    return new Grids(scene.data, Obstacles.of(scene.data), Machinery.CHOSEN);
   }
 
   @Test
@@ -126,7 +126,7 @@ class GridsTest {
     change(grids, LOOSE + 1);
     Grid old = grids.of(3);
     Circles circles = new Circles(1);
-    circles.start(scene, 0);
+    circles.start(scene.data, 0);
     circles.store(0);
     grids.remake(circles, new int[] {0});
     assertThat(grids.of(3)).isNotNull().isNotSameAs(old);

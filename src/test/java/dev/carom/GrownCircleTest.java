@@ -39,8 +39,8 @@ class GrownCircleTest {
     Random random = new Random(info.getCurrentRepetition());
     Scene scene = scene(random);
     Circles circles = circles(scene);
-    Roster roster = new Roster(scene, 1);
-    Surroundings surroundings = new Surroundings(scene, Machinery.CHOSEN);
+    Roster roster = new Roster(scene.data, 1);
+    Surroundings surroundings = new Surroundings(scene.data, Machinery.CHOSEN);
     List<Integer> lines = new ArrayList<>();
     for (int i = 0; i < LINES; i++) {
       lines.add(Obstacles.WALLS + i);
@@ -83,7 +83,7 @@ class GrownCircleTest {
   private static Circles circles(Scene scene) {
     Circles circles = new Circles(CIRCLES);
     for (int i = 0; i < CIRCLES; i++) {
-      circles.start(scene, i);
+      circles.start(scene.data, i);
       circles.store(i);
     }
     return circles;

@@ -83,9 +83,9 @@ class IdLimitTest {
   @Test
   void noMoreLinesAndPegsThanIdsAreAdded() {
     Scene scene = Scene.builder().line(1, 2, 3, 4).peg(5, 6, 7).build();
-    Roster roster = new Roster(scene, 1);
-    Engine engine = new Flights(scene, roster, Machinery.CHOSEN, new ImpactRows(1));
-    Editor editor = new Editor(scene, engine, roster);
+    Roster roster = new Roster(scene.data, 1);
+    Engine engine = new Flights(scene.data, roster, Machinery.CHOSEN, new ImpactRows(1));
+    Editor editor = new Editor(scene.data, engine, roster);
     Obstacles obstacles = engine.surroundings.obstacles;
     obstacles.endOfLines = Obstacles.WALLS + LINES;
     obstacles.endOfPegs = Obstacles.PEGS + PEGS;

@@ -22,7 +22,7 @@ class NeighborsTest {
   private static Circles circles(Scene scene) {
     Circles circles = Circles.colliding(scene.circleCount());
     for (int i = 0; i < circles.count; i++) {
-      circles.start(scene, i);
+      circles.start(scene.data, i);
       circles.keep(i, circles.mover);
     }
     return circles;
@@ -46,9 +46,9 @@ class NeighborsTest {
 
   private static void allThatTouchAreVisited(Scene scene, double diameters) {
     Circles circles = circles(scene);
-    for (double[] walls : new double[][] {null, scene.walls}) {
+    for (double[] walls : new double[][] {null, scene.data.walls}) {
       Neighbors neighbors =
-          new Neighbors(circles, new Roster(scene, 1).slots(), walls, diameters, 0);
+          new Neighbors(circles, new Roster(scene.data, 1).slots(), walls, diameters, 0);
       for (int i = 0; i < circles.count; i += 3) {
         neighbors.leave(i);
         assertThat(neighbors.enter(i, 0)).isTrue();
@@ -87,7 +87,7 @@ class NeighborsTest {
   void whatStandsStillLeavesNoCell() {
     Scene scene = Scene.builder().circle(3, 4, 1, 0, 0).collide(true).build();
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), null, 1, 0);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene.data, 1).slots(), null, 1, 0);
     assertThat(neighbors.crossing(circles.state, 0)).isEqualTo(Double.POSITIVE_INFINITY);
   }
 
@@ -101,7 +101,8 @@ class NeighborsTest {
     }
     Scene scene = builder.circle(1e3, 20, 1, 0, 0).circle(20, -1e3, 1, 0, 0).build();
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), scene.walls, 1, 0);
+    Neighbors neighbors =
+        new Neighbors(circles, new Roster(scene.data, 1).slots(), scene.data.walls, 1, 0);
     int inside = 0;
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
@@ -131,7 +132,8 @@ class NeighborsTest {
       }
       Scene built = scene.build();
       Circles circles = circles(built);
-      Neighbors neighbors = new Neighbors(circles, new Roster(built, 1).slots(), built.walls, 1, 0);
+      Neighbors neighbors =
+          new Neighbors(circles, new Roster(built.data, 1).slots(), built.data.walls, 1, 0);
       assertThat(neighbors.isInside(circles.state, 0)).as("wall at %s", right).isFalse();
     }
   }
@@ -261,7 +263,7 @@ class NeighborsTest {
   void aWayLeadsIntoTheCellThatIsEnteredNext(double vx, double vy) {
     Scene scene = Scene.builder().circle(3, 4, 1, vx, vy).circle(-30, -40, 1, 0, 0).build();
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), null, 1, 0);
+    Neighbors neighbors = new Neighbors(circles, new Roster(scene.data, 1).slots(), null, 1, 0);
     int column = neighbors.column(0);
     int row = neighbors.row(0);
     double crossing = neighbors.crossing(circles.state, 0);
@@ -280,7 +282,8 @@ class NeighborsTest {
   void whoBeginsANewFlightIsListedWhereThatStarts() {
     Scene scene = alike(new Random(6), 40);
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), scene.walls, 1, 0);
+    Neighbors neighbors =
+        new Neighbors(circles, new Roster(scene.data, 1).slots(), scene.data.walls, 1, 0);
     Random random = new Random(7);
     int stayed = 0;
     for (int k = 0; k < 400; k++) {
@@ -307,7 +310,8 @@ class NeighborsTest {
   void readingAheadChangesNothing() {
     Scene scene = alike(new Random(5), 40);
     Circles circles = circles(scene);
-    Neighbors neighbors = new Neighbors(circles, new Roster(scene, 1).slots(), scene.walls, 1, 0);
+    Neighbors neighbors =
+        new Neighbors(circles, new Roster(scene.data, 1).slots(), scene.data.walls, 1, 0);
     int[] ids = new int[EventQueue.MOST_OUTLOOK];
     for (int k = 0; k < ids.length; k++) {
       ids[k] = k * 7 % 40;
@@ -318,7 +322,7 @@ class NeighborsTest {
     double[] state = circles.state.clone();
     int[] codes = circles.codes.clone();
     EventQueue queue = new EventQueue(40, (i, j) -> i < j);
-    Ahead ahead = new Ahead(circles, new Roster(scene, 1), neighbors);
+    Ahead ahead = new Ahead(circles, new Roster(scene.data, 1), neighbors);
     for (int size = 0; size <= ids.length; size++) {
       ahead.next(queue, ids, size);
     }

@@ -15,7 +15,7 @@ class ObstacleResponseTest {
   private static final int NEARLY = StuckRule.LIMIT - StuckRule.ELASTIC;
 
   private final ObstacleResponse response =
-      new ObstacleResponse(Obstacles.of(Scene.builder().line(0, 0, 10, 10).build()));
+      new ObstacleResponse(Obstacles.of(Scene.builder().line(0, 0, 10, 10).build().data));
   private final ImpactRows rows = new ImpactRows(1);
   private final ImpactLog log = new ImpactLog(rows);
   private final Mover m = new Mover();
@@ -81,7 +81,7 @@ class ObstacleResponseTest {
   /** The first line turns it to the left, the second to the right: it would never end. */
   @Test
   void withoutBounceItStopsWhenItIsTurnedBack() {
-    ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wedge(0)));
+    ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wedge(0).data));
     m.start(0, 0, 5, 1, 0, -1, 1);
     hitInWedge(wedge, 0, Contact.LEFT);
     assertThat(m.vy).isEqualTo(-0.8);
@@ -94,7 +94,7 @@ class ObstacleResponseTest {
 
   @Test
   void itGoesOnIfItCameFromElsewhere() {
-    ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wedge(0)));
+    ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wedge(0).data));
     m.start(0, 0, 5, 1, 0, -1, 1);
     hitInWedge(wedge, 0, Contact.LEFT);
     m.next = Obstacles.WALLS + 1;
@@ -116,7 +116,7 @@ class ObstacleResponseTest {
             .line(0, 0, -20, 10)
             .restitution(0)
             .build();
-    ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wide));
+    ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wide.data));
     m.start(0, 0, 5, 1, 0, -1, 1);
     hitInWedge(wedge, 0, Contact.LEFT);
     hitInWedge(wedge, 1, Contact.RIGHT);
@@ -147,7 +147,7 @@ class ObstacleResponseTest {
   @Test
   void slidingIsToApproachByRoundingOfTheSpeedAtMost() {
     ObstacleResponse level =
-        new ObstacleResponse(Obstacles.of(Scene.builder().line(0, 0, 8, 0).build()));
+        new ObstacleResponse(Obstacles.of(Scene.builder().line(0, 0, 8, 0).build().data));
     slide(level, 0x1p48, -1);
     assertThat(m.jam.makesInert(Obstacles.WALLS)).isTrue();
     slide(level, 0x1p48, -1.0001);
@@ -157,7 +157,7 @@ class ObstacleResponseTest {
   @Test
   void soItIsAlongAnUprightLine() {
     ObstacleResponse upright =
-        new ObstacleResponse(Obstacles.of(Scene.builder().line(5, 5, 5, -3).build()));
+        new ObstacleResponse(Obstacles.of(Scene.builder().line(5, 5, 5, -3).build().data));
     slide(upright, -1, 0x1p48);
     assertThat(m.jam.makesInert(Obstacles.WALLS)).isTrue();
     slide(upright, -1.0001, 0x1p48);

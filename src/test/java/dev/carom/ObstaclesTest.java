@@ -19,7 +19,8 @@ class ObstaclesTest {
             .line(2, 3, 4, 5)
             .peg(5, 6, 1)
             .peg(6, 7, 1)
-            .build());
+            .build()
+            .data);
   }
 
   @Test
@@ -109,9 +110,9 @@ class ObstaclesTest {
   /** An added line leaves room for others behind it, a read one does not. */
   @Test
   void equalOnesHaveOneHashCodeWhateverTheirRoom() {
-    Obstacles grown = Obstacles.of(Scene.builder().line(1, 2, 3, 4).build());
+    Obstacles grown = Obstacles.of(Scene.builder().line(1, 2, 3, 4).build().data);
     grown.addLine(2, 3, 4, 5);
-    Obstacles read = Obstacles.of(Scene.builder().line(1, 2, 3, 4).line(2, 3, 4, 5).build());
+    Obstacles read = Obstacles.of(Scene.builder().line(1, 2, 3, 4).line(2, 3, 4, 5).build().data);
     assertThat(grown).isEqualTo(read).hasSameHashCodeAs(read);
   }
 
@@ -134,10 +135,10 @@ class ObstaclesTest {
   /** Both ends of a line count; of a peg, its centre. */
   @Test
   void theExtentIsTheLargestCoordinate() {
-    assertThat(Obstacles.of(Scene.builder().line(-9, 2, 3, 4).build()).extent()).isEqualTo(9);
-    assertThat(Obstacles.of(Scene.builder().line(1, 2, 3, -8).build()).extent()).isEqualTo(8);
-    assertThat(Obstacles.of(Scene.builder().peg(1, -2, 50).build()).extent()).isEqualTo(2);
-    assertThat(Obstacles.of(Scene.builder().bounds(0, 0, 9, 9).build()).extent()).isZero();
+    assertThat(Obstacles.of(Scene.builder().line(-9, 2, 3, 4).build().data).extent()).isEqualTo(9);
+    assertThat(Obstacles.of(Scene.builder().line(1, 2, 3, -8).build().data).extent()).isEqualTo(8);
+    assertThat(Obstacles.of(Scene.builder().peg(1, -2, 50).build().data).extent()).isEqualTo(2);
+    assertThat(Obstacles.of(Scene.builder().bounds(0, 0, 9, 9).build().data).extent()).isZero();
   }
 
   @Test

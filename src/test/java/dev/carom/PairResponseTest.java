@@ -26,7 +26,7 @@ class PairResponseTest {
     for (double mass : masses) {
       scene.circle(0, 0, 1, 0, 0).mass(mass);
     }
-    return new PairResponse(new Roster(scene.build(), 1));
+    return new PairResponse(new Roster(scene.build().data, 1));
   }
 
   /** The first circle at the origin, the second where the angle says, both of radius 1. */
@@ -312,7 +312,7 @@ class PairResponseTest {
   void whoHaltsGoesOnAlongsideWhatItDoesNotApproach() {
     Scene scene =
         Scene.builder().circle(0, 0, 1, 0, 0).response(Response.HALT).circle(2, 0, 1, 0, 0).build();
-    collide(new PairResponse(new Roster(scene, 1)), 0, 3, 1, 3, 0);
+    collide(new PairResponse(new Roster(scene.data, 1)), 0, 3, 1, 3, 0);
     assertThat(a.vx).isEqualTo(3);
     assertThat(b.vx).isEqualTo(3);
   }

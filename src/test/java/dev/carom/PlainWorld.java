@@ -52,9 +52,9 @@ final class PlainWorld {
   private double wait;
 
   PlainWorld(Scene scene) {
-    collide = scene.collide;
-    obstacles = Obstacles.of(scene);
-    roster = new Roster(scene, 1);
+    collide = scene.collide();
+    obstacles = Obstacles.of(scene.data);
+    roster = new Roster(scene.data, 1);
     respond();
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);

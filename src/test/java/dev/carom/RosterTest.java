@@ -10,8 +10,8 @@ class RosterTest {
   @Test
   void aMassIsThatOfOneWorldOnly() {
     Scene scene = Scene.builder().circle(0, 0, 1, 0, 0).circle(9, 0, 1, 0, 0).build();
-    Roster roster = new Roster(scene, 1);
-    Roster other = new Roster(scene, 1);
+    Roster roster = new Roster(scene.data, 1);
+    Roster other = new Roster(scene.data, 1);
     roster.setMass(1, 5);
     roster.setMass(0, 3);
     assertThat(roster.mass(0)).isEqualTo(3);
@@ -24,7 +24,7 @@ class RosterTest {
   /** What asks each circle would else take longer with all that ever were there. */
   @Test
   void whoIsGoneIsNotAmongWhomToAsk() {
-    Roster roster = new Roster(Scene.builder().circle(0, 0, 1, 0, 0).build(), 1);
+    Roster roster = new Roster(Scene.builder().circle(0, 0, 1, 0, 0).build().data, 1);
     for (int i = 0; i < 1000; i++) {
       roster.remove(roster.add());
       assertThat(roster.count()).isEqualTo(1);
@@ -42,7 +42,7 @@ class RosterTest {
     for (int i = 0; i < 10; i++) {
       scene.circle(9 * i, 0, 1, 0, 0).mass(i + 1);
     }
-    Roster roster = new Roster(scene.build(), 1);
+    Roster roster = new Roster(scene.build().data, 1);
     for (int id : gone) {
       roster.remove(roster.slot(id));
     }

@@ -105,6 +105,6 @@ class SensedPairsTest {
   private static Roster roster(int count) {
     SceneBuilder scene = Scene.builder();
     IntStream.range(0, count).forEach(i -> scene.circle(9 * i, 0, 1, 0, 0));
-    return new Roster(scene.build(), 1);
+    return new Roster(scene.build().data, 1);
   }
 }

@@ -19,10 +19,10 @@ class SizeClassesTest {
     Scene scene = builder.build();
     Circles circles = new Circles(scene.circleCount());
     for (int i = 0; i < circles.count; i++) {
-      circles.start(scene, i);
+      circles.start(scene.data, i);
       circles.store(i);
     }
-    return new SizeClasses(circles, new Roster(scene, 1).slots(), extent, 1);
+    return new SizeClasses(circles, new Roster(scene.data, 1).slots(), extent, 1);
   }
 
   private static Extent square(double side) {

@@ -138,7 +138,7 @@ class SurroundingsTest {
   @Test
   void sensorsAreReportedBeforeWhatIsFoundAtTheirTime() {
     Scene scene = Scene.builder().line(0, 0, 1, 0).response(Response.SENSOR).peg(0, 0, 1).build();
-    Surroundings surroundings = new Surroundings(scene, Machinery.CHOSEN);
+    Surroundings surroundings = new Surroundings(scene.data, Machinery.CHOSEN);
     assertThat(surroundings.sensedBefore(Obstacles.WALLS)).isEqualTo(Obstacles.WALLS - 1);
     assertThat(surroundings.sensedBefore(Obstacles.PEGS)).isEqualTo(Integer.MAX_VALUE);
   }
@@ -148,7 +148,7 @@ class SurroundingsTest {
     Scene scene =
         Scene.builder().line(50, 0, 60, 0).line(5, -9, 5, 9).response(Response.SENSOR).build();
     FlightStates states = new FlightStates(new int[] {0});
-    new Surroundings(scene, Machinery.CHOSEN).save(0, m, now, states);
+    new Surroundings(scene.data, Machinery.CHOSEN).save(0, m, now, states);
     return states;
   }
 

@@ -201,10 +201,10 @@ class WarningsTest {
   /** The rule in its own words, without an index. */
   private static List<String> ofEachPair(Scene scene) {
     List<String> warnings = new ArrayList<>();
-    Proximity proximity = new Proximity(Obstacles.of(scene));
+    Proximity proximity = new Proximity(Obstacles.of(scene.data));
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle circle = scene.circle(i);
-      Obstacles obstacles = Obstacles.of(scene);
+      Obstacles obstacles = Obstacles.of(scene.data);
       for (int code : proximity.overlapping(circle.x(), circle.y(), circle.radius()).toArray()) {
         boolean isLeft = code >= Obstacles.PEGS || !obstacles.isOneWay(code);
         if (!isLeft) {
@@ -215,7 +215,7 @@ class WarningsTest {
                   > 0;
         }
         if (isLeft) {
-          warnings.add(Warnings.text(scene, i, code));
+          warnings.add(Warnings.text(scene.data, i, code));
         }
       }
       for (int j = i + 1; j < scene.circleCount() && scene.collide(); j++) {
@@ -226,7 +226,7 @@ class WarningsTest {
         if (!sensor
             && SweptCircle.overlap(
                 circle.x(), circle.y(), circle.radius(), o.x(), o.y(), o.radius())) {
-          warnings.add(Warnings.text(scene, i, Obstacles.CIRCLES + j));
+          warnings.add(Warnings.text(scene.data, i, Obstacles.CIRCLES + j));
         }
       }
     }
