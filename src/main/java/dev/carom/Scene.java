@@ -54,8 +54,8 @@ import java.util.Optional;
  *       after a row, either kind of line end, and a byte order mark are passed over.
  * </ul>
  *
- * <p>Everything else is an {@link IOException} whose message names file, line, column, what stands
- * there and what was expected, as {@code scene.csv:12:31: radius is "abc": expected a finite
+ * <p>Everything else is a {@link SceneFormatException} whose message names file, line, column, what
+ * stands there and what was expected, as {@code scene.csv:12:31: radius is "abc": expected a finite
  * number}; nothing is loaded then. What is written reads back as an equal scene, to the bit.
  */
 public final class Scene {
@@ -80,11 +80,17 @@ public final class Scene {
    *
    * @param path the file
    * @return the scene
-   * @throws IOException if the file cannot be read, does not follow the format, or holds what
-   *     {@link SceneBuilder} refuses
+   * @throws SceneFormatException if the file does not follow the format, or holds what {@link
+   *     SceneBuilder} refuses; it tells the line and the column
+   * @throws IOException if the file cannot be read
    */
   public static Scene read(Path path) throws IOException {
-    return new Scene(SceneFile.read(Check.notNull("path", path)));
+    Check.notNull("path", path);
+    try {
+      return new Scene(SceneFile.read(path));
+    } catch (RowException e) {
+      throw new SceneFormatException(path.toString(), e);
+    }
   }
 
   /**
@@ -93,13 +99,18 @@ public final class Scene {
    * @param in where to read, to its end; it is not closed
    * @param name what to call it in messages
    * @return the scene
-   * @throws IOException if reading fails, or the text does not follow the format, or holds what
-   *     {@link SceneBuilder} refuses
+   * @throws SceneFormatException if the text does not follow the format, or holds what {@link
+   *     SceneBuilder} refuses; it tells the line and the column
+   * @throws IOException if reading fails
    */
   public static Scene read(Reader in, String name) throws IOException {
     Check.notNull("in", in);
     Check.notNull("name", name);
-    return new Scene(SceneFile.read(in, name));
+    try {
+      return new Scene(SceneFile.read(in));
+    } catch (RowException e) {
+      throw new SceneFormatException(name, e);
+    }
   }
 
   /**

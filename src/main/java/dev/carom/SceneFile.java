@@ -29,12 +29,12 @@ final class SceneFile {
     expectFile(path);
     // A reader of its own, since those of Files stop at a comment that is not UTF-8.
     try (Reader in = new InputStreamReader(Files.newInputStream(path), StandardCharsets.UTF_8)) {
-      return read(in, path.toString());
+      return read(in);
     }
   }
 
-  static SceneData read(Reader in, String name) throws IOException {
-    return new SceneReader(name).read(in);
+  static SceneData read(Reader in) throws IOException {
+    return new SceneReader().read(in);
   }
 
   static void write(SceneData scene, Path path) throws IOException {

@@ -4,11 +4,13 @@ package dev.carom;
 import java.io.IOException;
 
 /**
- * A scene file does not follow the format of {@link Scene}. The message names the file, the line,
- * the column, what stands there and what was expected: {@code scene.csv:12:31: radius is "abc":
- * expected a finite number, more than 0}.
+ * A scene file does not follow the format of {@link Scene}, or holds what {@link SceneBuilder}
+ * refuses. It tells the place of the mistake, so that an editor can point at it.
+ *
+ * <p>The message names the file, the line, the column, the text found there and what was expected:
+ * {@code scene.csv:12:31: radius is "abc": expected a finite number}.
  */
-final class SceneFormatException extends IOException {
+public final class SceneFormatException extends IOException {
 
   private static final long serialVersionUID = 1;
 
@@ -21,19 +23,21 @@ final class SceneFormatException extends IOException {
   /** The column, from 1. */
   private final int column;
 
-  SceneFormatException(String file, int line, int column, String reason) {
-    super(file + ":" + line + ":" + column + ": " + reason);
+  SceneFormatException(String file, RowException mistake) {
+    super(
+        file + ":" + mistake.line() + ":" + mistake.column() + ": " + mistake.getMessage(),
+        mistake);
     this.file = file;
-    this.line = line;
-    this.column = column;
+    line = mistake.line();
+    column = mistake.column();
   }
 
   /**
    * The file that was read.
    *
-   * @return its path or name, as given to the reader
+   * @return its path or name, as given to {@link Scene#read(java.nio.file.Path) Scene.read}
    */
-  String file() {
+  public String file() {
     return file;
   }
 
@@ -42,17 +46,17 @@ final class SceneFormatException extends IOException {
    *
    * @return its number, from 1
    */
-  int line() {
+  public int line() {
     return line;
   }
 
   /**
-   * The column of the mistake: where the field begins that is wrong, or where the row ends that
-   * lacks a field.
+   * The column of the mistake: where the wrong field begins, or where the row ends that lacks a
+   * field.
    *
-   * @return its number in chars, from 1
+   * @return its number in chars, from 1; a byte order mark does not count
    */
-  int column() {
+  public int column() {
     return column;
   }
 }

@@ -12,7 +12,6 @@ final class SceneReader {
   private static final int RADIUS = SceneRowKind.CIRCLE.names().indexOf("radius");
   private static final int MASS = SceneRowKind.CIRCLE.names().indexOf("mass");
 
-  private final String file;
   private final SceneDataBuilder builder = new SceneDataBuilder();
 
   /** Line and column of each circle's radius: what is wrong with it may show at the end only. */
@@ -22,10 +21,6 @@ final class SceneReader {
   private int wallLine;
   private int collideLine;
 
-  SceneReader(String file) {
-    this.file = file;
-  }
-
   SceneData read(Reader in) throws IOException {
     BufferedReader lines = new BufferedReader(in);
     String text = lines.readLine();
@@ -33,7 +28,7 @@ final class SceneReader {
       text = text.substring(1);
     }
     for (int line = 1; text != null; line++) {
-      SceneRow row = SceneRow.of(file, line, text);
+      SceneRow row = SceneRow.of(line, text);
       if (row != null) {
         read(row);
       }
@@ -42,7 +37,7 @@ final class SceneReader {
     return build();
   }
 
-  private void read(SceneRow row) throws SceneFormatException {
+  private void read(SceneRow row) throws RowException {
     try {
       switch (row.kind()) {
         case WALL -> wall(row);
@@ -57,12 +52,12 @@ final class SceneReader {
     }
   }
 
-  private void wall(SceneRow row) throws SceneFormatException {
+  private void wall(SceneRow row) throws RowException {
     wallLine = only(row, wallLine);
     builder.bounds(row.number(1), row.number(2), row.number(3), row.number(4));
   }
 
-  private void circle(SceneRow row) throws SceneFormatException {
+  private void circle(SceneRow row) throws RowException {
     builder.circle(row.number(1), row.number(2), row.number(3), row.number(4), row.number(5));
     if (row.plain() > MASS) {
       builder.mass(mass(row));
@@ -70,7 +65,7 @@ final class SceneReader {
     keepPlace(row);
   }
 
-  private static double mass(SceneRow row) throws SceneFormatException {
+  private static double mass(SceneRow row) throws RowException {
     String mass = row.field(MASS);
     if (mass.equals("inf") || mass.equals("Infinity")) {
       return Double.POSITIVE_INFINITY;
@@ -92,13 +87,13 @@ final class SceneReader {
     circles++;
   }
 
-  private void collide(SceneRow row) throws SceneFormatException {
+  private void collide(SceneRow row) throws RowException {
     collideLine = only(row, collideLine);
     builder.collide = flag(row, 1, "collide", row.field(1));
   }
 
   /** Refuses a second row of a kind; the line of the first one is 0 as long as there is none. */
-  private static int only(SceneRow row, int first) throws SceneFormatException {
+  private static int only(SceneRow row, int first) throws RowException {
     if (first > 0) {
       throw row.error(
           0, "a second " + row.field(0) + " row, after line " + first + ": expected one only");
@@ -106,7 +101,7 @@ final class SceneReader {
     return row.line();
   }
 
-  private void options(SceneRow row) throws SceneFormatException {
+  private void options(SceneRow row) throws RowException {
     for (int i = row.plain(); i < row.size(); i++) {
       if (row.kind() == SceneRowKind.COLLIDE) {
         throw row.error(i, SceneText.quoted(row.field(i)) + " is out of place: expected no more");
@@ -120,7 +115,7 @@ final class SceneReader {
     }
   }
 
-  private void option(SceneRow row, int i) throws SceneFormatException {
+  private void option(SceneRow row, int i) throws RowException {
     String key = row.key(i);
     if (key.equals("restitution")) {
       builder.restitution(row.option(i));
@@ -138,7 +133,7 @@ final class SceneReader {
     }
   }
 
-  private static int response(SceneRow row, int i) throws SceneFormatException {
+  private static int response(SceneRow row, int i) throws RowException {
     int response = SceneRowKind.RESPONSES.indexOf(row.value(i));
     if (response < 0) {
       throw row.error(
@@ -148,21 +143,19 @@ final class SceneReader {
   }
 
   /** The truth in a text of 0 or 1, which field i holds. */
-  private static boolean flag(SceneRow row, int i, String name, String text)
-      throws SceneFormatException {
+  private static boolean flag(SceneRow row, int i, String name, String text) throws RowException {
     if (!text.equals("0") && !text.equals("1")) {
       throw row.error(i, name + " is " + SceneText.quoted(text) + ": expected 0 or 1");
     }
     return text.equals("1");
   }
 
-  private SceneData build() throws SceneFormatException {
+  private SceneData build() throws RowException {
     try {
       return builder.build();
     } catch (RefusedException e) {
       int place = 2 * builder.firstTooSmall();
-      throw new SceneFormatException(
-          file, radiusPlaces[place], radiusPlaces[place + 1], e.reason());
+      throw new RowException(radiusPlaces[place], radiusPlaces[place + 1], e.reason());
     }
   }
 }

@@ -7,7 +7,6 @@ package dev.carom;
  */
 final class SceneRow {
 
-  private final String file;
   private final int line;
   private final String[] fields;
 
@@ -17,8 +16,7 @@ final class SceneRow {
   private final SceneRowKind kind;
   private final int plain;
 
-  private SceneRow(String file, int line, String text, int end) throws SceneFormatException {
-    this.file = file;
+  private SceneRow(int line, String text, int end) throws RowException {
     this.line = line;
     int size = 1 + SceneText.count(',', text, end);
     fields = new String[size];
@@ -33,10 +31,10 @@ final class SceneRow {
   }
 
   /** The row that stands on a line of text; null if there is none, or only a comment. */
-  static SceneRow of(String file, int line, String text) throws SceneFormatException {
+  static SceneRow of(int line, String text) throws RowException {
     int comment = text.indexOf('#');
     int end = SceneText.end(text, 0, comment < 0 ? text.length() : comment);
-    return end == 0 ? null : new SceneRow(file, line, text, end);
+    return end == 0 ? null : new SceneRow(line, text, end);
   }
 
   private void cut(String text, int end) {
@@ -52,7 +50,7 @@ final class SceneRow {
   }
 
   /** Counts the fields before those of key=value, and checks that there are as many as needed. */
-  private int countPlain() throws SceneFormatException {
+  private int countPlain() throws RowException {
     int n = 1;
     while (n < size() && fields[n].indexOf('=') < 0) {
       n++;
@@ -96,12 +94,12 @@ final class SceneRow {
   }
 
   /** The finite number in field i. */
-  double number(int i) throws SceneFormatException {
+  double number(int i) throws RowException {
     return number(i, fields[i]);
   }
 
   /** The key of field i, which stands after the plain ones. */
-  String key(int i) throws SceneFormatException {
+  String key(int i) throws RowException {
     int equals = fields[i].indexOf('=');
     if (equals < 0) {
       throw error(i, SceneText.quoted(fields[i]) + " is out of place: expected key=value");
@@ -116,11 +114,11 @@ final class SceneRow {
   }
 
   /** The finite number after the key of field i. */
-  double option(int i) throws SceneFormatException {
+  double option(int i) throws RowException {
     return number(i, value(i));
   }
 
-  private double number(int i, String text) throws SceneFormatException {
+  private double number(int i, String text) throws RowException {
     double number = SceneText.finite(text);
     if (Double.isNaN(number)) {
       String name = i < plain ? kind.names().get(i) : key(i);
@@ -130,12 +128,12 @@ final class SceneRow {
   }
 
   /** A mistake in field i, or at the end of the row if that is the number of fields. */
-  SceneFormatException error(int i, String reason) {
-    return new SceneFormatException(file, line, columns[i], reason);
+  RowException error(int i, String reason) {
+    return new RowException(line, columns[i], reason);
   }
 
   /** What a check refused, at the field that holds the property. */
-  SceneFormatException error(RefusedException refused) throws SceneFormatException {
+  RowException error(RefusedException refused) throws RowException {
     int i = kind.names().indexOf(refused.property());
     if (i < 0) {
       i = plain;
