@@ -5,7 +5,7 @@ import java.util.Arrays;
 
 /**
  * What determines the flights of all circles that are there, in flat arrays, for a {@link
- * Snapshot}.
+ * WorldState}.
  */
 final class FlightStates {
 

@@ -4,7 +4,6 @@ package dev.carom;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.util.Arrays;
 
 /**
  * A copy of everything that determines the future of a {@link World}: for save games, and for going
@@ -29,26 +28,10 @@ import java.util.Arrays;
  */
 public final class Snapshot {
 
-  final double now;
-  final boolean collide;
-  final Obstacles obstacles;
-  final Roster roster;
-  final Limits limits;
-  final FlightStates flights;
+  final WorldState state;
 
-  Snapshot(
-      double now,
-      boolean collide,
-      Obstacles obstacles,
-      Roster roster,
-      Limits limits,
-      FlightStates flights) {
-    this.now = now;
-    this.collide = collide;
-    this.obstacles = obstacles;
-    this.roster = roster;
-    this.limits = limits;
-    this.flights = flights;
+  Snapshot(WorldState state) {
+    this.state = state;
   }
 
   /**
@@ -57,7 +40,7 @@ public final class Snapshot {
    * @return at least 0
    */
   public double now() {
-    return now;
+    return state.now();
   }
 
   /**
@@ -70,7 +53,7 @@ public final class Snapshot {
    *     wrote it, of a version that this library knows; the message tells what is wrong
    */
   public static Snapshot read(InputStream in) throws IOException {
-    return new SnapshotReader(Check.notNull("in", in)).read();
+    return new Snapshot(new SnapshotReader(Check.notNull("in", in)).read());
   }
 
   /**
@@ -82,7 +65,7 @@ public final class Snapshot {
    * @throws IOException if writing fails
    */
   public void write(OutputStream out) throws IOException {
-    new SnapshotWriter(Check.notNull("out", out)).write(this);
+    new SnapshotWriter(Check.notNull("out", out)).write(state);
   }
 
   /**
@@ -95,23 +78,17 @@ public final class Snapshot {
    */
   @Override
   public boolean equals(Object other) {
-    return other instanceof Snapshot that
-        && Double.compare(now, that.now) == 0
-        && collide == that.collide
-        && obstacles.equals(that.obstacles)
-        && roster.equals(that.roster)
-        && limits.equals(that.limits)
-        && flights.equals(that.flights);
+    return other instanceof Snapshot that && state.equals(that.state);
   }
 
   @Override
   public int hashCode() {
-    return Arrays.hashCode(flights.numbers);
+    return state.flights().hashCode();
   }
 
   @Override
   public String toString() {
     return "Snapshot[now=%s, circles=%d, lines and pegs=%d]"
-        .formatted(now, roster.count(), obstacles.size());
+        .formatted(state.now(), state.roster().count(), state.obstacles().size());
   }
 }

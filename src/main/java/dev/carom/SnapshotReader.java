@@ -32,7 +32,7 @@ final class SnapshotReader {
     this.in = new DataInputStream(new CheckedInputStream(in, sum));
   }
 
-  Snapshot read() throws IOException {
+  WorldState read() throws IOException {
     try {
       return readWhole();
     } catch (EOFException e) {
@@ -42,7 +42,7 @@ final class SnapshotReader {
     }
   }
 
-  private Snapshot readWhole() throws IOException {
+  private WorldState readWhole() throws IOException {
     long mark = in.readLong();
     expect(mark == SnapshotWriter.MARK, "it does not begin as one");
     int version = in.readInt();
@@ -57,11 +57,11 @@ final class SnapshotReader {
     expect(
         obstacles.extent() <= limits.largest(),
         "a coordinate is " + obstacles.extent() + ", the largest one " + limits.largest());
-    Snapshot snapshot = circles(now, collide, obstacles, limits);
-    snapshot.flights.tailOfEdit = tailOfEdit(now);
+    WorldState state = circles(now, collide, obstacles, limits);
+    state.flights().tailOfEdit = tailOfEdit(now);
     long expected = sum.getValue();
     expect(in.readLong() == expected, "its check sum differs from what it holds");
-    return snapshot;
+    return state;
   }
 
   private Limits limits() throws IOException {
@@ -132,7 +132,7 @@ final class SnapshotReader {
     Check.notNegative("radius", row.length == Obstacles.PEG_ROW ? row[2] : 0);
   }
 
-  private Snapshot circles(double now, boolean collide, Obstacles obstacles, Limits limits)
+  private WorldState circles(double now, boolean collide, Obstacles obstacles, Limits limits)
       throws IOException {
     int idEnd = in.readInt();
     expect(
@@ -169,7 +169,7 @@ final class SnapshotReader {
             codes.build().toArray(),
             jams.stream().anyMatch(Objects::nonNull) ? jams.toArray(Jam[]::new) : null);
     Roster roster = new Roster(masses.toArray(), traits.toByteArray(), present, idEnd);
-    return new Snapshot(now, collide, obstacles, roster, limits, flights);
+    return new WorldState(now, collide, obstacles, roster, limits, flights);
   }
 
   private double tailOfEdit(double now) throws IOException {

@@ -25,17 +25,17 @@ final class SnapshotWriter {
     this.out = new DataOutputStream(new CheckedOutputStream(out, sum));
   }
 
-  void write(Snapshot s) throws IOException {
+  void write(WorldState s) throws IOException {
     out.writeLong(MARK);
     out.writeInt(VERSION);
-    out.writeDouble(s.now);
-    out.writeBoolean(s.collide);
-    out.writeDouble(s.limits.largest());
-    out.writeDouble(s.limits.least());
-    bounds(s.obstacles);
-    obstacles(s.obstacles);
+    out.writeDouble(s.now());
+    out.writeBoolean(s.collide());
+    out.writeDouble(s.limits().largest());
+    out.writeDouble(s.limits().least());
+    bounds(s.obstacles());
+    obstacles(s.obstacles());
     circles(s);
-    out.writeDouble(s.flights.tailOfEdit);
+    out.writeDouble(s.flights().tailOfEdit);
     out.writeLong(sum.getValue());
   }
 
@@ -71,14 +71,14 @@ final class SnapshotWriter {
     }
   }
 
-  private void circles(Snapshot s) throws IOException {
-    out.writeInt(s.roster.idEnd());
-    out.writeInt(s.roster.count());
-    for (int i = 0; i < s.roster.count(); i++) { // a snapshot's roster is dense
-      out.writeInt(s.roster.id(i));
-      out.writeByte(s.roster.traits(i));
-      out.writeDouble(s.roster.mass(i));
-      flight(s.flights, i);
+  private void circles(WorldState s) throws IOException {
+    out.writeInt(s.roster().idEnd());
+    out.writeInt(s.roster().count());
+    for (int i = 0; i < s.roster().count(); i++) { // a snapshot's roster is dense
+      out.writeInt(s.roster().id(i));
+      out.writeByte(s.roster().traits(i));
+      out.writeDouble(s.roster().mass(i));
+      flight(s.flights(), i);
     }
   }
 

@@ -695,7 +695,13 @@ public final class World {
    */
   public Snapshot snapshot() {
     return new Snapshot(
-        now, scene.collide(), obstacles.copy(), roster.copy(), editor.limits(), engine.save(now));
+        new WorldState(
+            now,
+            scene.collide(),
+            obstacles.copy(),
+            roster.copy(),
+            editor.limits(),
+            engine.save(now)));
   }
 
   /**
@@ -709,23 +715,23 @@ public final class World {
    *     collide and here they do not, or the other way round
    */
   public void restore(Snapshot snapshot) {
-    Check.notNull("snapshot", snapshot);
-    if (!Arrays.equals(snapshot.obstacles.walls, scene.data.walls)) {
+    WorldState state = Check.notNull("snapshot", snapshot).state;
+    if (!Arrays.equals(state.obstacles().walls, scene.data.walls)) {
       throw Check.refused(
           "bounds of the snapshot",
-          Records.told(snapshot.obstacles.walls),
+          Records.told(state.obstacles().walls),
           "this world's, " + Records.told(scene.data.walls));
     }
-    if (snapshot.collide != scene.collide()) {
+    if (state.collide() != scene.collide()) {
       throw Check.refused(
-          "collide of the snapshot", snapshot.collide, "this world's, " + scene.collide());
+          "collide of the snapshot", state.collide(), "this world's, " + scene.collide());
     }
     rows.clear();
-    now = snapshot.now;
-    roster.set(snapshot.roster);
-    editor.restore(snapshot.limits);
-    engine.surroundings.restore(snapshot.obstacles);
-    engine.restore(snapshot.flights, now);
+    now = state.now();
+    roster.set(state.roster());
+    editor.restore(state.limits());
+    engine.surroundings.restore(state.obstacles());
+    engine.restore(state.flights(), now);
     if (recorder != null) {
       recorder.begin(now, obstacles);
       engine.record(recorder);

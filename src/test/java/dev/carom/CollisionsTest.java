@@ -181,11 +181,11 @@ class CollisionsTest {
     Snapshot jammed = world.snapshot();
     for (int i = 0; i < 2; i++) {
       Mover m = new Mover();
-      jammed.flights.get(i, m);
+      jammed.state.flights().get(i, m);
       m.stuck = StuckRule.LIMIT + 1;
       m.pace = 1;
       m.jam = Jam.with(null, Obstacles.CIRCLES + 1 - i);
-      jammed.flights.put(i, m, 0, 0);
+      jammed.state.flights().put(i, m, 0, 0);
     }
     world.restore(jammed);
     assertThat(world.step(1)).isTrue();

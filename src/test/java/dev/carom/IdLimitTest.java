@@ -24,13 +24,14 @@ class IdLimitTest {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).collide(collide);
     scene.circle(20, 50, 3, 4, 0).circle(50, 50, 3, 0, 0).circle(80, 50, 3, -4, 1);
     World world = new World(scene.build());
-    Snapshot s = world.snapshot();
+    WorldState s = world.snapshot().state;
     Roster roster =
         new Roster(new double[] {1, 2, 3}, new byte[3], new int[] {0, 7, idEnd - 1}, idEnd);
     FlightStates flights =
         new FlightStates(
-            new int[] {0, 7, idEnd - 1}, s.flights.numbers, s.flights.codes, s.flights.jams);
-    world.restore(new Snapshot(s.now, collide, s.obstacles, roster, s.limits, flights));
+            new int[] {0, 7, idEnd - 1}, s.flights().numbers, s.flights().codes, s.flights().jams);
+    world.restore(
+        new Snapshot(new WorldState(s.now(), collide, s.obstacles(), roster, s.limits(), flights)));
     return world;
   }
 

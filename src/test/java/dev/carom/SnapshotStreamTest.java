@@ -198,7 +198,7 @@ class SnapshotStreamTest {
   @Test
   void aJamIsKept() throws IOException {
     Snapshot snapshot = read(small());
-    snapshot.flights.jams = new Jam[] {null, Jam.with(Jam.with(null, 3), Obstacles.PEGS)};
+    snapshot.state.flights().jams = new Jam[] {null, Jam.with(Jam.with(null, 3), Obstacles.PEGS)};
     assertThat(snapshot).isNotEqualTo(read(small()));
     assertThat(read(bytes(snapshot))).isEqualTo(snapshot);
   }
@@ -374,7 +374,7 @@ class SnapshotStreamTest {
   @Test
   void aJamWithNothingIsRefused() throws IOException {
     Snapshot snapshot = read(small());
-    snapshot.flights.jams = new Jam[] {null, Jam.with(null, 77)};
+    snapshot.state.flights().jams = new Jam[] {null, Jam.with(null, 77)};
     assertRefused(bytes(snapshot), "code 77 does not exist");
   }
 

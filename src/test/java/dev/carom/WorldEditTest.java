@@ -388,7 +388,7 @@ class WorldEditTest {
         world.setPosition(i, c.x(), c.y());
         world.setVelocity(i, v.x(), v.y());
       }
-      assertThat(lines.obstacles).isEqualTo(fresh.snapshot().obstacles);
+      assertThat(lines.state.obstacles()).isEqualTo(fresh.snapshot().state.obstacles());
       assertThat(Run.step(world, 1, 60)).isEqualTo(Run.step(fresh, 1, 60));
     }
   }
