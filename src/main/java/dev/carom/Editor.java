@@ -89,13 +89,13 @@ final class Editor {
   }
 
   int addCircle(double x, double y, double radius, double vx, double vy, double now) {
-    checkId(ObstacleKind.CIRCLE, roster.idEnd(), Roster.ID_LIMIT);
+    checkId(Kind.CIRCLE, roster.idEnd(), Roster.ID_LIMIT);
     try {
       checkPlace(x, y);
       limits.checkRadius(radius, x, y);
       checkVelocity(vx, vy);
     } catch (RefusedException e) {
-      throw named(e, ObstacleKind.CIRCLE, roster.idEnd());
+      throw named(e, Kind.CIRCLE, roster.idEnd());
     }
     int slot = roster.add();
     mover.start(slot, x, y, radius, vx, vy, 1);
@@ -122,11 +122,11 @@ final class Editor {
   }
 
   /** Refuses to add a thing when all ids of its kind were given. */
-  private static void checkId(ObstacleKind kind, int id, int limit) {
+  private static void checkId(int kind, int id, int limit) {
     if (id >= limit) {
       throw new IllegalStateException(
           "%s cannot be added: expected an id below %d, and none is used twice"
-              .formatted(kind.nameOf(id), limit));
+              .formatted(Kind.nameOf(kind, id), limit));
     }
   }
 
@@ -141,13 +141,13 @@ final class Editor {
   }
 
   /** A refusal, led by the name of the thing: of one to be added, the id that it would get. */
-  private static RefusedException named(RefusedException e, ObstacleKind kind, int id) {
-    return e.of(kind == ObstacleKind.WALL ? "bounds" : kind.nameOf(id));
+  private static RefusedException named(RefusedException e, int kind, int id) {
+    return e.of(kind == Kind.WALL ? "bounds" : Kind.nameOf(kind, id));
   }
 
   private RefusedException named(RefusedException e, int code) {
     return code >= Obstacles.CIRCLES
-        ? named(e, ObstacleKind.CIRCLE, roster.id(code - Obstacles.CIRCLES))
+        ? named(e, Kind.CIRCLE, roster.id(code - Obstacles.CIRCLES))
         : named(e, obstacles.kind(code), obstacles.index(code));
   }
 
@@ -161,7 +161,7 @@ final class Editor {
   // Lines and pegs.
 
   int addLine(double ax, double ay, double bx, double by, double now) {
-    checkId(ObstacleKind.LINE, obstacles.endOfLines - Obstacles.WALLS, Obstacles.LINE_LIMIT);
+    checkId(Kind.LINE, obstacles.endOfLines - Obstacles.WALLS, Obstacles.LINE_LIMIT);
     checkLine(obstacles.endOfLines, ax, ay, bx, by);
     int code = obstacles.addLine(ax, ay, bx, by);
     limits.keepPlace(ax, ay);
@@ -191,7 +191,7 @@ final class Editor {
   }
 
   int addPeg(double x, double y, double radius, double now) {
-    checkId(ObstacleKind.PEG, obstacles.endOfPegs - Obstacles.PEGS, Obstacles.PEG_LIMIT);
+    checkId(Kind.PEG, obstacles.endOfPegs - Obstacles.PEGS, Obstacles.PEG_LIMIT);
     checkPeg(obstacles.endOfPegs, x, y, radius);
     int code = obstacles.addPeg(x, y, radius);
     limits.keepPlace(x, y);

@@ -3,8 +3,8 @@ package dev.carom;
 
 /**
  * The ids by which callers name the things of a world. Those of a kind begin at 0, and one is not
- * used again when its thing is removed; within, a kind and an id, of a circle its slot, are one
- * code, see {@link Obstacles} and {@link Roster}.
+ * used again when its thing is removed; within, a {@link Kind} and an id, of a circle its slot, are
+ * one code, see {@link Obstacles} and {@link Roster}.
  */
 final class Ids {
 
@@ -17,21 +17,21 @@ final class Ids {
   }
 
   /** Whether something is there, for any number. */
-  boolean contains(ObstacleKind kind, int id) {
-    return switch (Check.notNull("kind", kind)) {
-      case CIRCLE -> roster.slot(id) >= 0;
-      case WALL -> obstacles.walls != null && id >= 0 && id < Obstacles.WALLS;
-      case LINE, PEG -> id >= 0 && id < end(kind) && !obstacles.isGone(code(kind, id));
+  boolean contains(int kind, int id) {
+    return switch (kind) {
+      case Kind.WALL -> obstacles.walls != null && id >= 0 && id < Obstacles.WALLS;
+      case Kind.CIRCLE -> roster.slot(id) >= 0;
+      default -> id >= 0 && id < end(kind) && !obstacles.isGone(code(kind, id));
     };
   }
 
   /** One more than the largest id ever given. */
-  int end(ObstacleKind kind) {
-    return switch (Check.notNull("kind", kind)) {
-      case WALL -> obstacles.walls == null ? 0 : Obstacles.WALLS;
-      case LINE -> obstacles.endOfLines - Obstacles.WALLS;
-      case PEG -> obstacles.endOfPegs - Obstacles.PEGS;
-      case CIRCLE -> roster.idEnd();
+  int end(int kind) {
+    return switch (kind) {
+      case Kind.WALL -> obstacles.walls == null ? 0 : Obstacles.WALLS;
+      case Kind.LINE -> obstacles.endOfLines - Obstacles.WALLS;
+      case Kind.PEG -> obstacles.endOfPegs - Obstacles.PEGS;
+      default -> roster.idEnd();
     };
   }
 
@@ -39,34 +39,34 @@ final class Ids {
   int circle(int id) {
     int slot = roster.slot(id);
     if (slot < 0) {
-      throw missing(ObstacleKind.CIRCLE, id);
+      throw missing(Kind.CIRCLE, id);
     }
     return slot;
   }
 
   /** The code of a thing that is there; any other id is refused. */
-  int checked(ObstacleKind kind, int id) {
+  int checked(int kind, int id) {
     if (!contains(kind, id)) {
       throw missing(kind, id);
     }
     return code(kind, id);
   }
 
-  private int code(ObstacleKind kind, int id) {
+  private int code(int kind, int id) {
     return switch (kind) {
-      case WALL -> id;
-      case LINE -> Obstacles.WALLS + id;
-      case PEG -> Obstacles.PEGS + id;
-      case CIRCLE -> Obstacles.CIRCLES + roster.slot(id);
+      case Kind.WALL -> id;
+      case Kind.LINE -> Obstacles.WALLS + id;
+      case Kind.PEG -> Obstacles.PEGS + id;
+      default -> Obstacles.CIRCLES + roster.slot(id);
     };
   }
 
-  private IndexOutOfBoundsException missing(ObstacleKind kind, int id) {
+  private IndexOutOfBoundsException missing(int kind, int id) {
     int end = end(kind);
     boolean removed = id >= 0 && id < end;
     String others = end == 0 ? "there is none" : "expected an id from 0 on, below " + end;
     String reason = removed ? "it was removed" : others;
     return new IndexOutOfBoundsException(
-        "%s does not exist: %s".formatted(kind.nameOf(id), reason));
+        "%s does not exist: %s".formatted(Kind.nameOf(kind, id), reason));
   }
 }

@@ -9,6 +9,12 @@ import java.util.Arrays;
  */
 final class ImpactRows {
 
+  // Features: the ordinals of the public ones.
+  static final int SIDE = 0;
+  static final int START = 1;
+  static final int END = 2;
+  static final int CIRCLE = 3;
+
   // Outcomes: the ordinals of the public ones.
   static final int BOUNCED = 0;
   static final int HALTED = 1;
@@ -34,9 +40,6 @@ final class ImpactRows {
   private static final int FEATURE = 8;
   private static final int OUTCOME = 16;
   private static final int ORDINAL = (1 << FEATURE) - 1;
-
-  private static final int CIRCLE_KIND = 3;
-  private static final int CIRCLE_FEATURE = 3;
 
   private int size;
   private double[] numbers;
@@ -129,8 +132,8 @@ final class ImpactRows {
   /**
    * Adds a row, to be completed by {@link #set}.
    *
-   * @param kind the ordinal of the public kind
-   * @param feature the ordinal of the public feature
+   * @param kind the {@link Kind} of the obstacle
+   * @param feature the feature of the obstacle
    */
   void add(double time, int circle, int kind, int obstacle, int feature) {
     int row = size;
@@ -151,7 +154,7 @@ final class ImpactRows {
 
   /** Adds a row of two circles, to be completed by {@link #set}. */
   void addPair(double time, int circle, int other) {
-    add(time, circle, CIRCLE_KIND, other, CIRCLE_FEATURE);
+    add(time, circle, Kind.CIRCLE, other, CIRCLE);
   }
 
   /** Completes the row added last, with a normal of any length and v.n. */

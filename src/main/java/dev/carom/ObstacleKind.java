@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import java.util.Locale;
-
 /**
  * The kinds of things: what a circle hits, and what ids belong to. Simultaneous impacts are taken
  * in this order.
@@ -17,8 +15,15 @@ public enum ObstacleKind {
   /** Another moving circle. */
   CIRCLE;
 
+  private static final ObstacleKind[] ALL = values();
+
+  /** The kind with a given number, {@link #ordinal()}. */
+  static ObstacleKind of(int number) {
+    return ALL[number];
+  }
+
   /** What messages call thing i of this kind. */
   String nameOf(int i) {
-    return name().toLowerCase(Locale.ROOT) + " " + i;
+    return Kind.nameOf(ordinal(), i);
   }
 }

@@ -163,9 +163,9 @@ final class ObstacleResponse {
     log.add(
         time,
         m.id,
-        obstacles.kind(code).ordinal(),
+        obstacles.kind(code),
         obstacles.index(code),
-        obstacles.feature(code, m.contact).ordinal());
+        obstacles.feature(code, m.contact));
     log.set(contactX, contactY, nx, ny, vn);
     return vn;
   }

@@ -54,8 +54,9 @@ final class Obstacles {
   static final int RADIUS = 2;
   static final int PEG_RESTITUTION = 3;
 
-  private static final Feature[] LINE_FEATURES = {
-    null, Feature.SIDE, Feature.SIDE, Feature.START, Feature.END
+  /** By the part of a line that a contact names; the first is of none. */
+  private static final int[] LINE_FEATURES = {
+    0, ImpactRows.SIDE, ImpactRows.SIDE, ImpactRows.START, ImpactRows.END
   };
 
   /**
@@ -320,8 +321,9 @@ final class Obstacles {
     return presentPegs;
   }
 
-  ObstacleKind kind(int code) {
-    return code < WALLS ? ObstacleKind.WALL : code < PEGS ? ObstacleKind.LINE : ObstacleKind.PEG;
+  /** The {@link Kind} of a thing. */
+  int kind(int code) {
+    return code < WALLS ? Kind.WALL : code < PEGS ? Kind.LINE : Kind.PEG;
   }
 
   /** A copy of the row of a line or a peg. */
@@ -342,12 +344,12 @@ final class Obstacles {
     return code < PEGS ? code * LINE_ROW : (code - PEGS) * PEG_ROW;
   }
 
-  /** The feature that a contact of the detector's code means. */
-  Feature feature(int code, int contact) {
+  /** The feature that a contact of the detector's code means, as {@link ImpactRows} names it. */
+  int feature(int code, int contact) {
     if (code >= PEGS) {
-      return Feature.CIRCLE;
+      return ImpactRows.CIRCLE;
     }
-    return code < WALLS ? Feature.SIDE : LINE_FEATURES[contact & ~Contact.NOW];
+    return code < WALLS ? ImpactRows.SIDE : LINE_FEATURES[contact & ~Contact.NOW];
   }
 
   /** The restitution along the normal; where a circle halts, none. */

@@ -21,18 +21,16 @@ final class Proximity {
 
   /** The codes of all walls, lines and pegs that are there. */
   private IntStream codes() {
-    return IntStream.concat(
-        codes(ObstacleKind.WALL),
-        IntStream.concat(codes(ObstacleKind.LINE), codes(ObstacleKind.PEG)));
+    return IntStream.concat(codes(Kind.WALL), IntStream.concat(codes(Kind.LINE), codes(Kind.PEG)));
   }
 
-  /** The codes of one kind of what stands still. */
-  IntStream codes(ObstacleKind kind) {
+  /** The codes of one {@link Kind} of what stands still. */
+  IntStream codes(int kind) {
     return switch (kind) {
-      case WALL -> IntStream.range(0, obstacles.walls == null ? 0 : Obstacles.WALLS);
-      case LINE -> obstacles.presentLines().stream(obstacles::isGone);
-      case PEG -> obstacles.presentPegs().stream(obstacles::isGone);
-      case CIRCLE -> IntStream.empty();
+      case Kind.WALL -> IntStream.range(0, obstacles.walls == null ? 0 : Obstacles.WALLS);
+      case Kind.LINE -> obstacles.presentLines().stream(obstacles::isGone);
+      case Kind.PEG -> obstacles.presentPegs().stream(obstacles::isGone);
+      default -> IntStream.empty();
     };
   }
 

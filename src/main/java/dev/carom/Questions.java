@@ -36,7 +36,8 @@ final class Questions {
     int code = first.code();
     if (code < Obstacles.CIRCLES) {
       Obstacle thing = Records.of(obstacles, code);
-      return Casts.impact(first, obstacles.kind(code), obstacles.index(code), thing);
+      return Casts.impact(
+          first, ObstacleKind.of(obstacles.kind(code)), obstacles.index(code), thing);
     }
     int slot = code - Obstacles.CIRCLES;
     Circle circle = new Circle(circles.x(slot, now), circles.y(slot, now), circles.radius(slot));
@@ -75,12 +76,12 @@ final class Questions {
   }
 
   int[] ids(ObstacleKind kind) {
-    return kind == ObstacleKind.CIRCLE ? roster.ids() : ids(proximity.codes(kind));
+    return kind == ObstacleKind.CIRCLE ? roster.ids() : ids(proximity.codes(kind.ordinal()));
   }
 
   int nearest(ObstacleKind kind, double x, double y, double now) {
     if (kind != ObstacleKind.CIRCLE) {
-      int code = proximity.nearest(proximity.codes(kind), x, y);
+      int code = proximity.nearest(proximity.codes(kind.ordinal()), x, y);
       return code == Proximity.NONE ? -1 : obstacles.index(code);
     }
     int slot = queries.nearest(x, y, now);
@@ -93,14 +94,14 @@ final class Questions {
     double r = disk.radius();
     return kind == ObstacleKind.CIRCLE
         ? queries.overlapping(x, y, r, now).map(roster::id).toArray()
-        : ids(proximity.codes(kind).filter(code -> proximity.overlaps(code, x, y, r)));
+        : ids(proximity.codes(kind.ordinal()).filter(code -> proximity.overlaps(code, x, y, r)));
   }
 
   int[] overlapping(ObstacleKind kind, Bounds bounds, double now) {
     double[] box = Records.walls(bounds);
     return kind == ObstacleKind.CIRCLE
         ? queries.overlapping(box, now).map(roster::id).toArray()
-        : ids(proximity.codes(kind).filter(code -> proximity.overlaps(code, box)));
+        : ids(proximity.codes(kind.ordinal()).filter(code -> proximity.overlaps(code, box)));
   }
 
   private int[] ids(IntStream codes) {

@@ -164,7 +164,8 @@ public final class Resolver {
     }
     int code = first.code();
     return Optional.of(
-        Casts.impact(first, obstacles.kind(code), obstacles.index(code), thing(code)));
+        Casts.impact(
+            first, ObstacleKind.of(obstacles.kind(code)), obstacles.index(code), thing(code)));
   }
 
   /**
@@ -223,8 +224,8 @@ public final class Resolver {
   /** What a code stands for: of a wall, the bounds. */
   private Obstacle thing(int code) {
     return switch (obstacles.kind(code)) {
-      case WALL -> Records.bounds(obstacles.walls);
-      case LINE -> lines.get(obstacles.index(code));
+      case Kind.WALL -> Records.bounds(obstacles.walls);
+      case Kind.LINE -> lines.get(obstacles.index(code));
       default -> pegs.get(obstacles.index(code));
     };
   }

@@ -174,7 +174,7 @@ final class Warnings {
       return text(i, wall, distanceFromWall(scene, i, code), r, "its radius");
     }
     if (code < Obstacles.PEGS) {
-      String line = ObstacleKind.LINE.nameOf(code - Obstacles.WALLS);
+      String line = Kind.nameOf(Kind.LINE, code - Obstacles.WALLS);
       int k = code * Obstacles.LINE_ROW;
       double distance = Proximity.distanceFromLine(scene.lines, k, scene.x(i), scene.y(i));
       return text(i, line, distance, r, "its radius");
@@ -185,12 +185,12 @@ final class Warnings {
       double distance =
           distance(scene, i, scene.pegs[k + Obstacles.X], scene.pegs[k + Obstacles.Y]);
       double sum = r + scene.pegs[k + Obstacles.RADIUS];
-      return text(i, ObstacleKind.PEG.nameOf(id), distance, sum, "the sum of both radii");
+      return text(i, Kind.nameOf(Kind.PEG, id), distance, sum, "the sum of both radii");
     }
     int j = code - Obstacles.CIRCLES;
     double distance = distance(scene, i, scene.x(j), scene.y(j));
     double sum = r + scene.radius(j);
-    return text(i, ObstacleKind.CIRCLE.nameOf(j), distance, sum, "the sum of both radii");
+    return text(i, Kind.nameOf(Kind.CIRCLE, j), distance, sum, "the sum of both radii");
   }
 
   private static double distance(SceneData scene, int i, double x, double y) {
@@ -209,7 +209,7 @@ final class Warnings {
   private static String text(int i, String thing, double distance, double least, String what) {
     return "%s: distance from %s is %s: expected at least %s, %s"
         .formatted(
-            ObstacleKind.CIRCLE.nameOf(i),
+            Kind.nameOf(Kind.CIRCLE, i),
             thing,
             Math.min(distance, Math.nextDown(least)),
             least,

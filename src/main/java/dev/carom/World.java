@@ -287,7 +287,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int id) {
-    int code = ids.checked(ObstacleKind.LINE, id);
+    int code = code(ObstacleKind.LINE, id);
     return Records.line(obstacles.lines, obstacles.offset(code));
   }
 
@@ -299,7 +299,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such peg
    */
   public Circle peg(int id) {
-    int code = ids.checked(ObstacleKind.PEG, id);
+    int code = code(ObstacleKind.PEG, id);
     return Records.peg(obstacles.pegs, obstacles.offset(code));
   }
 
@@ -313,7 +313,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public double restitution(ObstacleKind kind, int id) {
-    return questions.restitution(ids.checked(kind, id));
+    return questions.restitution(code(kind, id));
   }
 
   /**
@@ -325,7 +325,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public Response response(ObstacleKind kind, int id) {
-    return questions.response(ids.checked(kind, id));
+    return questions.response(code(kind, id));
   }
 
   /**
@@ -336,7 +336,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public boolean oneWay(int id) {
-    return questions.isOneWay(ids.checked(ObstacleKind.LINE, id));
+    return questions.isOneWay(code(ObstacleKind.LINE, id));
   }
 
   /**
@@ -350,7 +350,7 @@ public final class World {
    * @return false if it was removed, or never was
    */
   public boolean contains(ObstacleKind kind, int id) {
-    return ids.contains(kind, id);
+    return ids.contains(number(kind), id);
   }
 
   /**
@@ -371,7 +371,7 @@ public final class World {
    * @return one more than the largest id ever given
    */
   public int idEnd(ObstacleKind kind) {
-    return ids.end(kind);
+    return ids.end(number(kind));
   }
 
   /**
@@ -382,6 +382,15 @@ public final class World {
    */
   public String model() {
     return engine.model();
+  }
+
+  /** The code of a thing that is there; any other id is refused. */
+  private int code(ObstacleKind kind, int id) {
+    return ids.checked(number(kind), id);
+  }
+
+  private static int number(ObstacleKind kind) {
+    return Check.notNull("kind", kind).ordinal();
   }
 
   // Questions.
@@ -553,7 +562,7 @@ public final class World {
    * @throws IllegalArgumentException if e is NaN, infinite or negative
    */
   public void setRestitution(ObstacleKind kind, int id, double e) {
-    editor.setRestitution(ids.checked(kind, id), e);
+    editor.setRestitution(code(kind, id), e);
   }
 
   /**
@@ -569,7 +578,7 @@ public final class World {
    * @throws NullPointerException if the response is null
    */
   public void setResponse(ObstacleKind kind, int id, Response response) {
-    int code = ids.checked(kind, id);
+    int code = code(kind, id);
     Check.notNull("response", response);
     editor.setResponse(code, response.ordinal(), now);
   }
@@ -582,7 +591,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public void setOneWay(int id, boolean oneWay) {
-    editor.setOneWay(ids.checked(ObstacleKind.LINE, id), oneWay, now);
+    editor.setOneWay(code(ObstacleKind.LINE, id), oneWay, now);
   }
 
   /**
@@ -632,7 +641,7 @@ public final class World {
    * @throws IllegalArgumentException if a coordinate is refused, as by {@link #addLine addLine}
    */
   public void moveLine(int id, double ax, double ay, double bx, double by) {
-    editor.moveLine(ids.checked(ObstacleKind.LINE, id), ax, ay, bx, by, now);
+    editor.moveLine(code(ObstacleKind.LINE, id), ax, ay, bx, by, now);
   }
 
   /**
@@ -662,7 +671,7 @@ public final class World {
    * @throws IllegalArgumentException if a number is refused, as by {@link #addPeg addPeg}
    */
   public void movePeg(int id, double x, double y, double radius) {
-    editor.movePeg(ids.checked(ObstacleKind.PEG, id), x, y, radius, now);
+    editor.movePeg(code(ObstacleKind.PEG, id), x, y, radius, now);
   }
 
   /**
@@ -676,7 +685,7 @@ public final class World {
    * @throws IllegalArgumentException if the kind is {@link ObstacleKind#WALL}
    */
   public void remove(ObstacleKind kind, int id) {
-    int code = ids.checked(kind, id);
+    int code = code(kind, id);
     if (kind == ObstacleKind.WALL) {
       throw Check.refused("kind", kind, "LINE, PEG or CIRCLE: walls stay");
     }

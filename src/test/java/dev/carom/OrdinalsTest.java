@@ -18,4 +18,23 @@ class OrdinalsTest {
           .isEqualToIgnoringCase(response.name());
     }
   }
+
+  @Test
+  void kinds() {
+    assertThat(ObstacleKind.values()).hasSize(4);
+    assertThat(ObstacleKind.of(Kind.WALL)).isEqualTo(ObstacleKind.WALL);
+    assertThat(ObstacleKind.of(Kind.LINE)).isEqualTo(ObstacleKind.LINE);
+    assertThat(ObstacleKind.of(Kind.PEG)).isEqualTo(ObstacleKind.PEG);
+    assertThat(ObstacleKind.of(Kind.CIRCLE)).isEqualTo(ObstacleKind.CIRCLE);
+    assertThat(ObstacleKind.LINE.nameOf(3)).isEqualTo("line 3");
+  }
+
+  @Test
+  void features() {
+    assertThat(Feature.values()).hasSize(4);
+    assertThat(ImpactRows.SIDE).isEqualTo(Feature.SIDE.ordinal());
+    assertThat(ImpactRows.START).isEqualTo(Feature.START.ordinal());
+    assertThat(ImpactRows.END).isEqualTo(Feature.END.ordinal());
+    assertThat(ImpactRows.CIRCLE).isEqualTo(Feature.CIRCLE.ordinal());
+  }
 }
