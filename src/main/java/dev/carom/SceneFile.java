@@ -17,7 +17,7 @@ import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.util.concurrent.ThreadLocalRandom;
 
-/** Scenes in files: see {@link Scene} for the format. */
+/** Scenes in files: see {@code Scene} for the format. */
 final class SceneFile {
 
   /** As many as Linux follows. */

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.stream.LongStream;
 
 /**
- * What a scene warns of: see {@link Scene#warnings}. The circles are taken in blocks, each twice as
+ * What a scene warns of: see {@code Scene.warnings}. The circles are taken in blocks, each twice as
  * large as the one before: where most overlap most, the first blocks have as many as are listed.
  */
 final class Warnings {
