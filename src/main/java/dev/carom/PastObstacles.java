@@ -12,7 +12,16 @@ import java.util.Map;
 final class PastObstacles {
 
   /** The row of a thing from a time on; null where it is gone. */
-  private record Change(double from, double[] row) {}
+  private static final class Change {
+
+    final double from;
+    final double[] row;
+
+    Change(double from, double[] row) {
+      this.from = from;
+      this.row = row;
+    }
+  }
 
   private final Obstacles first;
   private final int most;
@@ -52,7 +61,7 @@ final class PastObstacles {
     ofThis.add(new Change(t, gone ? null : now.row(code)));
     if (ofThis.size() > most) {
       ofThis.remove(0);
-      start = Math.max(start, ofThis.get(0).from());
+      start = Math.max(start, ofThis.get(0).from);
     }
     if (gone) {
       remove(code, ofThis.size());
@@ -82,7 +91,7 @@ final class PastObstacles {
     List<Change> dropped = changes.remove(code);
     Change last = dropped.get(dropped.size() - 1);
     changesOfRemoved -= dropped.size();
-    start = Math.max(start, last.from());
+    start = Math.max(start, last.from);
     if (isFirst(code)) {
       changes.put(code, List.of(last)); // else it would seem to be there still
     }
@@ -92,8 +101,8 @@ final class PastObstacles {
   double[] at(int code, double t) {
     List<Change> ofThis = changes.getOrDefault(code, List.of());
     for (int i = ofThis.size() - 1; i >= 0; i--) {
-      if (ofThis.get(i).from() <= t) {
-        return ofThis.get(i).row();
+      if (ofThis.get(i).from <= t) {
+        return ofThis.get(i).row;
       }
     }
     return isFirst(code) ? first.row(code) : null;
