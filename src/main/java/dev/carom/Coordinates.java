@@ -13,6 +13,12 @@ final class Coordinates {
         : Math.max(-Double.MAX_VALUE, Math.min(x, Double.MAX_VALUE));
   }
 
+  /** a / (a + b) for two radii; 0 if both are. */
+  static double share(double a, double b) {
+    double sum = a + b;
+    return sum == 0 ? 0 : sum <= Double.MAX_VALUE ? a / sum : a / 2 / (a / 2 + b / 2);
+  }
+
   /** a + s (b - a), also where b - a overflows. */
   static double between(double s, double a, double b) {
     double w = b - a;

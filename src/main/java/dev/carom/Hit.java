@@ -75,7 +75,7 @@ record Hit(double x, double y, double nx, double ny, double approachSpeed) {
     double x;
     double y;
     if (contact == Contact.NOW) { // their distance is divided as their radii
-      double share = ObstacleResponse.share(r2, r1);
+      double share = Coordinates.share(r2, r1);
       x = Coordinates.between(share, x2, x1);
       y = Coordinates.between(share, y2, y1);
     } else {

@@ -12,6 +12,9 @@ package dev.carom;
  */
 final class Mover {
 
+  /** The sum of weights of impacts at one place beyond which a circle is stuck. */
+  static final int STUCK_LIMIT = 1 << 24;
+
   /** Nothing hit yet, or since the last edit. */
   static final int NOTHING = -1;
 
@@ -129,6 +132,11 @@ final class Mover {
     stuck = 0;
     turn = 0;
     driven = false;
+  }
+
+  /** Whether a number can be the weight of impacts at one place. */
+  static boolean isStuckWeight(int weight) {
+    return weight >= 0 && weight <= STUCK_LIMIT + 1;
   }
 
   /** The pace, the turn, and whether the circle is driven, in one int whose last 4 bits are 0. */

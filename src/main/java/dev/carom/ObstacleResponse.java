@@ -296,7 +296,7 @@ final class ObstacleResponse {
    * where the offset is lost in the rounding of the centre, it is the detector's normal.
    */
   private void locateAt(Mover m, double cx, double cy, double radius) {
-    double share = share(radius, m.radius);
+    double share = Coordinates.share(radius, m.radius);
     contactX = Coordinates.between(share, cx, Coordinates.within(m.x));
     contactY = Coordinates.between(share, cy, Coordinates.within(m.y));
     double reach = radius + m.radius;
@@ -325,12 +325,6 @@ final class ObstacleResponse {
       nx += Mover.lack(startX, m.vx, m.cleared, m.x);
       ny += Mover.lack(startY, m.vy, m.cleared, m.y);
     }
-  }
-
-  /** a / (a + b) for two radii; 0 if both are. */
-  static double share(double a, double b) {
-    double sum = a + b;
-    return sum == 0 ? 0 : sum <= Double.MAX_VALUE ? a / sum : a / 2 / (a / 2 + b / 2);
   }
 
   /** Keeps the normal p - q; returns by which power of two it was divided. */

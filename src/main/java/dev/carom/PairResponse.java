@@ -199,7 +199,7 @@ final class PairResponse {
     nx = ObstacleResponse.difference(a.x, b.x, large);
     ny = ObstacleResponse.difference(a.y, b.y, large);
     un = scaled(ObstacleResponse.dot(ux, uy, nx, ny), fast);
-    double share = ObstacleResponse.share(b.radius, a.radius);
+    double share = Coordinates.share(b.radius, a.radius);
     log.addPair(a.t, a.id, b.id);
     log.set(Coordinates.between(share, b.x, a.x), Coordinates.between(share, b.y, a.y), nx, ny, un);
   }

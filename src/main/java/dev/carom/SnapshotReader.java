@@ -205,7 +205,7 @@ final class SnapshotReader {
       checkCode(last);
     }
     int stuck = in.readInt();
-    expect(StuckRule.isWeight(stuck), "the weight of impacts at one place is " + stuck);
+    expect(Mover.isStuckWeight(stuck), "the weight of impacts at one place is " + stuck);
     int sensed = in.readInt();
     expect(sensed >= 0, "codes sensed end with " + sensed);
     int partner = in.readInt();

@@ -27,7 +27,7 @@ package dev.carom;
 final class StuckRule {
 
   /** The sum of weights beyond which a circle is stuck. */
-  static final int LIMIT = 1 << 24;
+  static final int LIMIT = Mover.STUCK_LIMIT;
 
   /** The weight of an elastic impact with an obstacle. */
   static final int ELASTIC = LIMIT / 1024;
@@ -115,11 +115,6 @@ final class StuckRule {
   /** How far a circle moves at most from what it just hit to still be at the same place. */
   static double reach(Mover m) {
     return isStuck(m) ? place(m, 0) : ROUNDED * size(m);
-  }
-
-  /** Whether a number can be the weight of impacts at one place. */
-  static boolean isWeight(int stuck) {
-    return stuck >= 0 && stuck <= LIMIT + 1;
   }
 
   /** Whether a circle made so many impacts at one place that they would not end. */

@@ -127,10 +127,10 @@ class ObstacleResponseTest {
 
   @Test
   void sharesOfRadiiOfAnySize() {
-    assertThat(ObstacleResponse.share(1, 3)).isEqualTo(0.25);
-    assertThat(ObstacleResponse.share(0x1p1023, 0x1p1023)).isEqualTo(0.5);
-    assertThat(ObstacleResponse.share(0x1p1022, 0x1.8p1023)).isEqualTo(0.25);
-    assertThat(ObstacleResponse.share(0, 0)).isZero();
+    assertThat(Coordinates.share(1, 3)).isEqualTo(0.25);
+    assertThat(Coordinates.share(0x1p1023, 0x1p1023)).isEqualTo(0.5);
+    assertThat(Coordinates.share(0x1p1022, 0x1.8p1023)).isEqualTo(0.25);
+    assertThat(Coordinates.share(0, 0)).isZero();
   }
 
   /** On the upper side of a line of length 8, sliding to the right, stuck. */
