@@ -36,18 +36,18 @@ final class OtherWays {
    * @param before the world before the step
    */
   void check(Snapshot before, World world) throws FindingException {
-    List<Row> rows = Row.of(world.impacts());
+    List<ImpactRow> rows = ImpactRow.of(world.impacts());
     Snapshot after = world.snapshot();
     double[] cuts = cuts(before.now(), world.now(), rows);
     if (!sliced.snapshot().equals(before)) {
       sliced.restore(before);
     }
-    List<Row> seen = new ArrayList<>();
+    List<ImpactRow> seen = new ArrayList<>();
     int middle = random.nextInt(cuts.length);
     for (int k = 0; k < cuts.length; k++) {
       if (k == middle) {
         restored.restore(sliced.snapshot());
-        List<Row> rest = play(restored, world.now());
+        List<ImpactRow> rest = play(restored, world.now());
         same(
             "restored at " + sliced.now(),
             rows.subList(Math.min(seen.size(), rows.size()), rows.size()),
@@ -65,7 +65,7 @@ final class OtherWays {
   }
 
   /** Ends of parts of a step, some at impacts; the last one is the step's. */
-  private double[] cuts(double from, double to, List<Row> rows) {
+  private double[] cuts(double from, double to, List<ImpactRow> rows) {
     double[] cuts = new double[1 + random.nextInt(MOST_CUTS)];
     for (int k = 0; k < cuts.length; k++) {
       cuts[k] =
@@ -78,17 +78,18 @@ final class OtherWays {
     return cuts;
   }
 
-  private static List<Row> play(World world, double end) {
-    List<Row> rows = new ArrayList<>();
+  private static List<ImpactRow> play(World world, double end) {
+    List<ImpactRow> rows = new ArrayList<>();
     boolean complete;
     do {
       complete = world.advanceTo(end);
-      rows.addAll(Row.of(world.impacts()));
+      rows.addAll(ImpactRow.of(world.impacts()));
     } while (!complete);
     return rows;
   }
 
-  void checkAlone(int i, Snapshot before, World world, List<Row> rows) throws FindingException {
+  void checkAlone(int i, Snapshot before, World world, List<ImpactRow> rows)
+      throws FindingException {
     alone.restore(before);
     for (int id : alone.ids(ObstacleKind.CIRCLE)) {
       if (id != i) {
@@ -110,7 +111,7 @@ final class OtherWays {
     }
   }
 
-  private static void same(String way, List<Row> expected, List<Row> found)
+  private static void same(String way, List<ImpactRow> expected, List<ImpactRow> found)
       throws FindingException {
     int k = 0;
     while (k < Math.min(expected.size(), found.size()) && expected.get(k).equals(found.get(k))) {

@@ -270,8 +270,8 @@ class ChecksTest {
         .hasMessageContaining("circle 0 alone");
   }
 
-  private static List<Row> rows(World world, int circle) {
-    return Row.of(world.impacts()).stream().filter(row -> row.circle() == circle).toList();
+  private static List<ImpactRow> rows(World world, int circle) {
+    return ImpactRow.of(world.impacts()).stream().filter(row -> row.circle() == circle).toList();
   }
 
   @Test

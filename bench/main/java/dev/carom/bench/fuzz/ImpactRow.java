@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** A row of a log, copied; two are equal if all their bits are. */
-record Row(
+record ImpactRow(
     double time,
     int circle,
     ObstacleKind kind,
@@ -22,11 +22,11 @@ record Row(
     double speed,
     Outcome outcome) {
 
-  static List<Row> of(ImpactLog log) {
-    List<Row> rows = new ArrayList<>(log.size());
+  static List<ImpactRow> of(ImpactLog log) {
+    List<ImpactRow> rows = new ArrayList<>(log.size());
     for (int i = 0; i < log.size(); i++) {
       rows.add(
-          new Row(
+          new ImpactRow(
               log.time(i),
               log.circle(i),
               log.kind(i),
