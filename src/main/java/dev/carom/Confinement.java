@@ -10,8 +10,8 @@ package dev.carom;
  */
 final class Confinement {
 
-  /** The part of a wall's coordinate that may be mere rounding: 64 ulps. */
-  private static final double ROUNDING = 0x1p-46;
+  /** So many ulps of the largest coordinate may be mere rounding. */
+  private static final int ULPS = 4;
 
   private Confinement() {}
 
@@ -36,7 +36,7 @@ final class Confinement {
     if (p - r >= low && p + r <= high) {
       return p;
     }
-    double rounding = ROUNDING * Math.max(Math.max(Math.abs(low), Math.abs(high)), r);
+    double rounding = ULPS * Math.ulp(Math.max(Math.max(Math.abs(low), Math.abs(high)), r));
     if (p + r > high + rounding && start + r <= high + rounding) {
       return high - r;
     }

@@ -266,10 +266,23 @@ final class ContactCluster {
     Mover a = members.get(c.a);
     a.jam = Jam.with(a.jam, c.touch.code());
     changed.add(a);
+    if (c.touch.code() < Obstacles.WALLS) {
+      stopAtWall(a, c.touch);
+    }
     if (c.b != InelasticShock.OBSTACLE) {
       Mover b = members.get(c.b);
       b.jam = Jam.with(b.jam, Obstacles.CIRCLES + a.id);
       changed.add(b);
+    }
+  }
+
+  /** What little approach is left would add up, for the wall is inert from now on. */
+  private static void stopAtWall(Mover m, Touch wall) {
+    if (m.vx * wall.nx() < 0) {
+      m.vx = 0;
+    }
+    if (m.vy * wall.ny() < 0) {
+      m.vy = 0;
     }
   }
 

@@ -118,6 +118,12 @@ final class PairResponse {
       log.setOutcome(isSensor(a.id, b.id) ? ImpactRows.SENSED : ImpactRows.PASSED);
       return ObstacleResponse.SENSED;
     }
+    if (mass(a) == INFINITE && mass(b) == INFINITE) {
+      passOverCrushed(a, b);
+      passOverCrushed(b, a);
+      log.setOutcome(ImpactRows.JAMMED);
+      return ObstacleResponse.NEW_FLIGHT;
+    }
     boolean halt = roster.halts(a.id) || roster.halts(b.id);
     double e = halt ? 0 : a.restitution * b.restitution;
     double approach = un / (Math.abs(nx) + Math.abs(ny));
@@ -140,6 +146,14 @@ final class PairResponse {
     beginFlight(a, b);
     beginFlight(b, a);
     return stuck && !faint ? ObstacleResponse.STUCK : ObstacleResponse.NEW_FLIGHT;
+  }
+
+  /** Another infinite mass comes to a circle that one crushed. */
+  private static void passOverCrushed(Mover m, Mover other) {
+    if (m.crushed) {
+      m.jam = Jam.crushedBy(m.jam, Obstacles.CIRCLES + other.id);
+    }
+    beginFlight(m, other);
   }
 
   /** The mass with which a circle is hit. */

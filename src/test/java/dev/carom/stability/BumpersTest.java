@@ -22,8 +22,7 @@ class BumpersTest {
 
   private static final double RADIUS = 4;
 
-  /** 64 ulps of the walls' coordinates. */
-  private static final double ROUNDING = SIZE * 0x1p-46;
+  private static final double ROUNDING = 4 * Math.ulp(SIZE);
 
   private static World crowd(double e, boolean collide) {
     SceneBuilder scene = Scene.builder().bounds(0, 0, SIZE, SIZE).restitution(e).collide(collide);

@@ -186,6 +186,27 @@ class InfiniteMassTest {
     }
   }
 
+  @Test
+  void whoComesLaterPassesOverACrushedCircleToo() {
+    World world =
+        new World(
+            colliding()
+                .circle(0, 0, 1, 0, 0)
+                .circle(-5, 0, 1, 1, 0)
+                .mass(INFINITE)
+                .circle(5, 0, 1, -1, 0)
+                .mass(INFINITE)
+                .circle(0, 9, 1, 0, -2)
+                .mass(INFINITE)
+                .build());
+    assertThat(world.advanceTo(3)).isTrue();
+    assertThat(world.advanceTo(4)).isTrue();
+    assertThat(count(world.impacts(), Outcome.JAMMED)).as("it comes").isPositive();
+    assertThat(count(world.impacts(), Outcome.BOUNCED)).isZero();
+    assertThat(world.vy(0)).isZero();
+    assertThat(world.vy(3)).isEqualTo(-2);
+  }
+
   /** A row between a piston and a wall ends with all of it at rest, and the piston goes on. */
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.5, 0.9})
