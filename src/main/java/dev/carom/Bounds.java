@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.util.Check;
+
 /**
  * An axis-parallel rectangle that keeps circles inside. Its four walls are half-planes: the left
  * one is everything with {@code x <= xmin}, also above and below the rectangle. Also the box that

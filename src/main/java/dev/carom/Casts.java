@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.query.Candidate;
+import dev.carom.internal.query.TracedPath;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.Hit;
+import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.internal.sweep.WallSweep;
+import dev.carom.internal.util.DoubleList;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

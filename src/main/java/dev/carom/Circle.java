@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.util.Check;
+
 /**
  * A disk: the one that moves, or, as an obstacle, a peg.
  *

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.util.Check;
+
 /**
  * An end of a line: a static circle of radius zero.
  *

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.state.ImpactRows;
 import java.util.function.IntUnaryOperator;
 
 /**

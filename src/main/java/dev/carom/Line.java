@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.sweep.Coordinates;
+import dev.carom.internal.util.Check;
+
 /**
  * A static segment of finite length and zero thickness, solid from both sides, as in {@code
  * java.awt.geom.Line2D}. Zero length is allowed: the line is then a point, its start.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.util.Kind;
+
 /**
  * The kinds of things: what a circle hits, and what ids belong to. Simultaneous impacts are taken
  * in this order.

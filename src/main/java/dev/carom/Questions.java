@@ -1,6 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.engine.Engine;
+import dev.carom.internal.engine.Surroundings;
+import dev.carom.internal.query.Candidate;
+import dev.carom.internal.query.CircleQueries;
+import dev.carom.internal.query.Proximity;
+import dev.carom.internal.query.TracedPath;
+import dev.carom.internal.query.Tracer;
+import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.Traits;
+import dev.carom.internal.util.Index;
 import java.util.Optional;
 import java.util.stream.IntStream;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.state.Obstacles;
+
 /** The public records of what stands in the rows of {@link Obstacles}. */
 final class Records {
 

@@ -1,6 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.query.Candidate;
+import dev.carom.internal.query.Proximity;
+import dev.carom.internal.query.TracedPath;
+import dev.carom.internal.query.Tracer;
+import dev.carom.internal.response.Impulse;
+import dev.carom.internal.response.SphereResponse;
+import dev.carom.internal.search.BroadSearch;
+import dev.carom.internal.state.CodeList;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.util.Check;
+import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

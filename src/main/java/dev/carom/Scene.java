@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.io.RowException;
+import dev.carom.internal.io.SceneFile;
+import dev.carom.internal.query.Warnings;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.SceneData;
+import dev.carom.internal.state.Traits;
+import dev.carom.internal.util.Check;
 import java.io.IOException;
 import java.io.Reader;
 import java.nio.file.Path;

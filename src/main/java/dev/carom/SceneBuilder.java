@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.state.SceneDataBuilder;
+import dev.carom.internal.util.Check;
+
 /**
  * Collects the things of a {@link Scene}. Each call adds one thing, or gives the thing added last a
  * property. What is refused is refused at once, with a message that names the thing, its number,

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.exact.UnitVector;
+import dev.carom.internal.sweep.Directions;
+import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.internal.util.Check;
+
 /**
  * The least translation that moves a circle out of an obstacle: along the normal n at the nearest
  * point, by {@code r - distance} (the minimum translation of C. Ericson, Real-Time Collision

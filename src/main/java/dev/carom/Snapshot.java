@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.io.SnapshotReader;
+import dev.carom.internal.io.SnapshotWriter;
+import dev.carom.internal.state.WorldState;
+import dev.carom.internal.util.Check;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.internal.sweep.WallSweep;
+import dev.carom.internal.util.Check;
 import java.util.Optional;
 
 /**

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.exact.SpherePredicates;
+import dev.carom.internal.response.SphereResponse;
+import dev.carom.internal.sweep.SphereSweep;
+import dev.carom.internal.util.Check;
+
 /**
  * The detector in space: when do two moving spheres first touch, do they overlap, and how do they
  * part? Pure functions on doubles, without a world.

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.state.FlightRecorder;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.Track;
+import dev.carom.internal.util.Check;
 import java.util.Optional;
 
 /**

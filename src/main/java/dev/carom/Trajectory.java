@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.util.Check;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.Stream;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.sweep.Coordinates;
+import dev.carom.internal.util.Check;
+
 /**
  * A point or a vector of the plane: a position, a velocity or a direction.
  *

@@ -1,6 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.engine.Collisions;
+import dev.carom.internal.engine.Editor;
+import dev.carom.internal.engine.Engine;
+import dev.carom.internal.engine.Flights;
+import dev.carom.internal.engine.Ids;
+import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.FlightRecorder;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.SceneData;
+import dev.carom.internal.state.WorldState;
+import dev.carom.internal.util.Check;
 import java.util.Arrays;
 import java.util.Optional;
 

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 
 /** A world beside its plain model: both are told the same, and must do the same. */
-final class BesidePlain {
+public final class BesidePlain {
 
   private final World world;
   private final PlainWorld plain;
@@ -17,19 +17,19 @@ final class BesidePlain {
   }
 
   /** One whose circles, at rest so far, begin to move at a late time. */
-  static BesidePlain at(double start, Scene scene) {
+  public static BesidePlain at(double start, Scene scene) {
     BesidePlain both = new BesidePlain(scene);
     both.advanceTo(start);
     return both;
   }
 
-  void setVelocity(int id, double vx, double vy) {
+  public void setVelocity(int id, double vx, double vy) {
     world.setVelocity(id, vx, vy);
     plain.setVelocity(id, vx, vy);
   }
 
   /** Advances both, and returns the number of impacts, which are the same. */
-  int advanceTo(double end) {
+  public int advanceTo(double end) {
     assertThat(world.advanceTo(end)).isTrue();
     List<Run.Row> rows = Run.rows(world.impacts());
     assertThat(rows).isEqualTo(Run.rows(plain.advance(end, rows.size() + 1)));

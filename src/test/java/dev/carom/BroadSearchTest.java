@@ -3,6 +3,8 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.state.Machinery;
+import dev.carom.internal.sweep.WallSweep;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;

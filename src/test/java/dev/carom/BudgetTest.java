@@ -3,6 +3,13 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.exact.ExactWork;
+import dev.carom.internal.query.TracedPath;
+import dev.carom.internal.query.Tracer;
+import dev.carom.internal.search.BroadSearch;
+import dev.carom.internal.state.CodeList;
+import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.Obstacles;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

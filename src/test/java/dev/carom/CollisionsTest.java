@@ -3,6 +3,10 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.response.StuckRule;
+import dev.carom.internal.state.Jam;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -3,6 +3,12 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.engine.DueCircles;
+import dev.carom.internal.engine.Surroundings;
+import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

@@ -4,6 +4,7 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.carom.internal.state.Machinery;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -3,6 +3,9 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.Extent;
+import dev.carom.internal.state.Roster;
 import org.junit.jupiter.api.Test;
 
 class ExtentTest {

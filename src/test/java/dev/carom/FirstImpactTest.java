@@ -4,6 +4,8 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.NearlyAtOnce.Truth;
+import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.Obstacles;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;

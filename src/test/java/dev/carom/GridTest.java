@@ -3,6 +3,8 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.search.Grid;
+import dev.carom.internal.state.Obstacles;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;

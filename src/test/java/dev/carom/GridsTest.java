@@ -3,6 +3,11 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.search.Grid;
+import dev.carom.internal.search.Grids;
+import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.Obstacles;
 import org.junit.jupiter.api.Test;
 
 /** Which grids there are, whom they serve, and when they are made anew. */

@@ -3,6 +3,12 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.engine.Surroundings;
+import dev.carom.internal.search.Grid;
+import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.Roster;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;

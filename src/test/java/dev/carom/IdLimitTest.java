@@ -5,6 +5,15 @@ import static dev.carom.ObstacleKind.CIRCLE;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.carom.internal.engine.Editor;
+import dev.carom.internal.engine.Engine;
+import dev.carom.internal.engine.Flights;
+import dev.carom.internal.state.FlightStates;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.WorldState;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

@@ -3,6 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.state.ImpactRows;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 

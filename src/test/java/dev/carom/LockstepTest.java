@@ -6,6 +6,7 @@ import static dev.carom.ObstacleKind.LINE;
 import static dev.carom.ObstacleKind.PEG;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.state.Machinery;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Consumer;

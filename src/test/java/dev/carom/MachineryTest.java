@@ -3,6 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.state.Machinery;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;

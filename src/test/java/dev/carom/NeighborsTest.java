@@ -3,6 +3,15 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.engine.Ahead;
+import dev.carom.internal.engine.Cells;
+import dev.carom.internal.engine.EventKind;
+import dev.carom.internal.engine.Lists;
+import dev.carom.internal.engine.Neighbors;
+import dev.carom.internal.queue.EventQueue;
+import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.Roster;
+import dev.carom.internal.util.Index;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;

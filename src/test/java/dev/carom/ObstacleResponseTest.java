@@ -4,6 +4,13 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.response.StuckRule;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.Coordinates;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

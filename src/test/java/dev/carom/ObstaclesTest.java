@@ -3,6 +3,10 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.PresentCodes;
+import dev.carom.internal.state.Traits;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Consumer;

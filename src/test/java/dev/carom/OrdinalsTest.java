@@ -3,6 +3,10 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.io.SceneRowKind;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.Traits;
+import dev.carom.internal.util.Kind;
 import org.junit.jupiter.api.Test;
 
 /** The numbers that stand for constants of public enums are their ordinals. */

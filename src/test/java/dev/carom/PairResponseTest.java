@@ -4,6 +4,14 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.response.PairResponse;
+import dev.carom.internal.response.StuckRule;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.Jam;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.Roster;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

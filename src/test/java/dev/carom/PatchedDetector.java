@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.Part;
 import dev.carom.oracle.Query;
@@ -39,12 +42,12 @@ final class PatchedDetector {
 
   private PatchedDetector(Map<RoundingBound, Double> factors) {
     Loader loader = new Loader(factors);
-    lineContact = loader.handle("SegmentSweep", "contact", 9, 10);
-    lineTime = loader.handle("SegmentSweep", "time", 10, 10);
-    pairContact = loader.handle("DiskSweep", "contact", 10, 11);
-    pairTime = loader.handle("DiskSweep", "time", 11, 11);
-    bounds = loader.handle("SweptCircle", "bounds", 10, 10);
-    sphereTime = loader.handle("SweptSphere", "pair", 15, 15);
+    lineContact = loader.handle(SegmentSweep.class, "contact", 9, 10);
+    lineTime = loader.handle(SegmentSweep.class, "time", 10, 10);
+    pairContact = loader.handle(DiskSweep.class, "contact", 10, 11);
+    pairTime = loader.handle(DiskSweep.class, "time", 11, 11);
+    bounds = loader.handle(SweptCircle.class, "bounds", 10, 10);
+    sphereTime = loader.handle(SweptSphere.class, "pair", 15, 15);
   }
 
   /** The detector with one bound scaled down: 1 for none, 0 to remove it. */
@@ -127,9 +130,9 @@ final class PatchedDetector {
      * @param doubles how many it takes
      * @param given how many it is to be given, in an array
      */
-    MethodHandle handle(String className, String name, int doubles, int given) {
+    MethodHandle handle(Class<?> original, String name, int doubles, int given) {
       try {
-        Method method = find(loadClass("dev.carom." + className), name, doubles);
+        Method method = find(loadClass(original.getName()), name, doubles);
         method.setAccessible(true);
         MethodHandle handle = MethodHandles.lookup().unreflect(method);
         Class<?>[] ignored = new Class<?>[given - doubles];
@@ -168,7 +171,7 @@ final class PatchedDetector {
 
     @Override
     protected Class<?> findClass(String name) throws ClassNotFoundException {
-      String file = name.substring(name.lastIndexOf('.') + 1) + ".class";
+      String file = "/" + name.replace('.', '/') + ".class";
       try (InputStream in = SweptCircle.class.getResourceAsStream(file)) {
         if (in == null) {
           throw new ClassNotFoundException(name);

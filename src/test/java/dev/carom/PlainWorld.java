@@ -1,8 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import static dev.carom.DoubleDouble.sumTail;
+import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
+import dev.carom.internal.exact.Exact;
+import dev.carom.internal.response.ContactCluster;
+import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.response.PairResponse;
+import dev.carom.internal.state.FlightStates;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.Traits;
+import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.internal.sweep.WallSweep;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
@@ -16,7 +28,7 @@ import java.util.stream.IntStream;
  * every other circle, by the public detector, and the first answer happens. What an impact then
  * does is the library's own response. Edits change the flights as {@link World} tells.
  */
-final class PlainWorld {
+public final class PlainWorld {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -51,7 +63,7 @@ final class PlainWorld {
   private int high;
   private double wait;
 
-  PlainWorld(Scene scene) {
+  public PlainWorld(Scene scene) {
     collide = scene.collide();
     obstacles = Obstacles.of(scene.data);
     roster = new Roster(scene.data, 1);
@@ -141,7 +153,7 @@ final class PlainWorld {
   // Steps.
 
   /** The first so many impacts until the given time, in the order of a world's log. */
-  ImpactLog advance(double end, int most) {
+  public ImpactLog advance(double end, int most) {
     rows.clear();
     if (collide) {
       while (log.size() < most && find(movers) <= end) {

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.carom.internal.query.Proximity;
+import dev.carom.internal.state.Obstacles;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;

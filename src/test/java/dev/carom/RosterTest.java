@@ -3,6 +3,11 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.state.Jam;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.Traits;
 import org.junit.jupiter.api.Test;
 
 class RosterTest {

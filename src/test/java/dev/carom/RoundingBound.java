@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.sweep.FirstRoot;
+import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.internal.sweep.SideSweep;
+import dev.carom.internal.sweep.WallSweep;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.Query;
 import dev.carom.oracle.SegmentQuery;

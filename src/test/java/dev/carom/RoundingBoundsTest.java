@@ -7,6 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.carom.PatchedDetector.Reply;
+import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.sweep.FirstRoot;
+import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.internal.sweep.SideSweep;
+import dev.carom.internal.sweep.WallSweep;
 import dev.carom.oracle.Brinks;
 import dev.carom.oracle.Contact;
 import dev.carom.oracle.Draw;

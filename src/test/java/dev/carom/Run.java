@@ -9,10 +9,10 @@ import java.util.function.UnaryOperator;
  * What a run of a world left: all its impacts in order, and how its circles move at the end. Two
  * runs are equal if they are so to the bit: records compare doubles by their bits.
  */
-record Run(List<Row> impacts, List<State> end) {
+public record Run(List<Row> impacts, List<State> end) {
 
   /** One row of an impact log. */
-  record Row(
+  public record Row(
       double time,
       int circle,
       ObstacleKind kind,
@@ -26,7 +26,7 @@ record Run(List<Row> impacts, List<State> end) {
       Outcome outcome) {}
 
   /** Where a circle is, and its velocity. */
-  record State(double x, double y, double vx, double vy) {}
+  public record State(double x, double y, double vx, double vy) {}
 
   /** Advances a world to each of the given times in turn. */
   static Run advance(World world, double... times) {
@@ -57,7 +57,7 @@ record Run(List<Row> impacts, List<State> end) {
   }
 
   /** The rows of a log. */
-  static List<Row> rows(ImpactLog log) {
+  public static List<Row> rows(ImpactLog log) {
     List<Row> rows = new ArrayList<>();
     for (int i = 0; i < log.size(); i++) {
       rows.add(

@@ -3,6 +3,9 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.engine.SensedPairs;
+import dev.carom.internal.state.FlightStates;
+import dev.carom.internal.state.Roster;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

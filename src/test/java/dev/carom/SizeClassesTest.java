@@ -3,6 +3,10 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.engine.SizeClasses;
+import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.Extent;
+import dev.carom.internal.state.Roster;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 

@@ -3,6 +3,11 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.engine.Surroundings;
+import dev.carom.internal.state.FlightStates;
+import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
 import org.junit.jupiter.api.Test;
 
 /** Worlds of so many lines or pegs that grids list them, and what edits change there. */

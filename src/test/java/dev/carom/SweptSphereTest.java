@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import dev.carom.internal.response.Impulse;
 import dev.carom.oracle.Draw;
 import dev.carom.oracle.Families;
 import dev.carom.oracle.Family;

@@ -7,12 +7,12 @@ import java.net.URISyntaxException;
 import java.nio.file.Path;
 
 /** The scene files among the test resources. */
-final class TestScenes {
+public final class TestScenes {
 
   private TestScenes() {}
 
   /** The file {@code scenes/NAME}, such as base-1.csv. */
-  static Path path(String name) {
+  public static Path path(String name) {
     try {
       return Path.of(TestScenes.class.getResource("/scenes/" + name).toURI());
     } catch (URISyntaxException e) {
@@ -21,7 +21,7 @@ final class TestScenes {
   }
 
   /** The scene in the file {@code scenes/NAME}. */
-  static Scene read(String name) {
+  public static Scene read(String name) {
     try {
       return Scene.read(path(name));
     } catch (IOException e) {

@@ -5,6 +5,7 @@ import static dev.carom.ObstacleKind.CIRCLE;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.carom.internal.state.Obstacles;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;

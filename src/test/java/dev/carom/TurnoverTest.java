@@ -8,6 +8,7 @@ import static dev.carom.ObstacleKind.WALL;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.carom.internal.state.Machinery;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;

@@ -4,6 +4,10 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.query.Proximity;
+import dev.carom.internal.query.Warnings;
+import dev.carom.internal.state.Obstacles;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;

@@ -3,6 +3,12 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.exact.Dyadic;
+import dev.carom.internal.exact.Exact;
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.internal.sweep.SideSweep;
 import dev.carom.oracle.SegmentQuery;
 import dev.carom.oracle.SphereQuery;
 import java.math.BigDecimal;

@@ -8,6 +8,8 @@ import static org.assertj.core.api.Assertions.tuple;
 import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.Machinery;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;

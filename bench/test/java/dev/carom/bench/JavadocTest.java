@@ -73,7 +73,7 @@ class JavadocTest {
   }
 
   private static Stream<Path> sources() throws IOException {
-    try (Stream<Path> files = Files.list(SOURCES)) {
+    try (Stream<Path> files = Files.walk(SOURCES)) {
       return files.filter(file -> file.toString().endsWith(".java")).sorted().toList().stream();
     }
   }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
+import dev.carom.internal.exact.Rungs;
 
 /**
- * The library's counts of its rungs of precision. The library keeps them to itself, so they are
- * read by reflection; that works on the class path, on which the harness runs.
+ * The library's counts of its rungs of precision. They are in a package that the library does not
+ * export; the harness reads them on the class path.
  *
  * @param doubtfulDecisions decisions that plain doubles left open
  * @param exactDecisions of them, those that double-double left open too
@@ -20,44 +19,6 @@ public record RungCounts(
   private static final RungCounts NONE = new RungCounts(0, 0, 0, 0, 0);
 
   private static final String PROPERTY = "dev.carom.rungs";
-
-  /** Package-private in the library, as are its fields. */
-  private static final String COUNTERS = "dev.carom.Rungs";
-
-  /** The library's counters, found when this process first asks for them. */
-  private static final class Library {
-
-    static final VarHandle DOUBTFUL_DECISIONS = counter("doubtfulDecisions");
-    static final VarHandle EXACT_DECISIONS = counter("exactDecisions");
-    static final VarHandle ROOTS = counter("roots");
-    static final VarHandle EXACT_TIMES = counter("exactTimes");
-    static final VarHandle PAIR_TESTS = counter("pairTests");
-
-    /** Null in a process that does not count. */
-    static final Object RUNGS =
-        find((lookup, type) -> lookup.findStaticVarHandle(type, "COUNT", type)).get();
-
-    private interface Search {
-      VarHandle in(MethodHandles.Lookup lookup, Class<?> type) throws ReflectiveOperationException;
-    }
-
-    private static VarHandle counter(String name) {
-      return find((lookup, type) -> lookup.findVarHandle(type, name, long.class));
-    }
-
-    private static VarHandle find(Search search) {
-      try {
-        Class<?> type = Class.forName(COUNTERS);
-        return search.in(MethodHandles.privateLookupIn(type, MethodHandles.lookup()), type);
-      } catch (ReflectiveOperationException e) {
-        throw new LinkageError("the library's counters are not in " + COUNTERS + " any more", e);
-      }
-    }
-
-    static long read(VarHandle counter) {
-      return (long) counter.get(RUNGS);
-    }
-  }
 
   /**
    * Has this process count, for all its life; it is slower then. Call it before the library's first
@@ -78,7 +39,7 @@ public record RungCounts(
    * @return false unless counts are enabled
    */
   public static boolean areEnabled() {
-    return Library.RUNGS != null;
+    return Rungs.COUNT != null;
   }
 
   /**
@@ -92,11 +53,11 @@ public record RungCounts(
       throw new IllegalStateException("nothing is counted in this process");
     }
     return new RungCounts(
-        Library.read(Library.DOUBTFUL_DECISIONS),
-        Library.read(Library.EXACT_DECISIONS),
-        Library.read(Library.ROOTS),
-        Library.read(Library.EXACT_TIMES),
-        Library.read(Library.PAIR_TESTS));
+        Rungs.COUNT.doubtfulDecisions,
+        Rungs.COUNT.exactDecisions,
+        Rungs.COUNT.roots,
+        Rungs.COUNT.exactTimes,
+        Rungs.COUNT.pairTests);
   }
 
   /**

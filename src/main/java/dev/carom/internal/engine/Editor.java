@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.engine;
+
+import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.Limits;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.SceneData;
+import dev.carom.internal.state.Traits;
+import dev.carom.internal.util.Check;
+import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.RefusedException;
+
+/**
+ * Changes a world between steps. Everything is checked before anything is changed, so that a
+ * refused edit leaves the world as it was.
+ *
+ * <p>An edited circle begins a new flight now, and is searched for when the next step needs it: any
+ * number of edits between two steps cost one search.
+ */
+public final class Editor {
+
+  private static final double INFINITE = Double.POSITIVE_INFINITY;
+
+  private final boolean collide;
+  private final Engine engine;
+  private final Circles circles;
+  private final Roster roster;
+  private final Obstacles obstacles;
+  private final Mover mover = new Mover();
+
+  private final Limits limits = new Limits();
+
+  public Editor(SceneData scene, Engine engine, Roster roster) {
+    collide = scene.collide;
+    this.engine = engine;
+    this.roster = roster;
+    circles = engine.circles;
+    obstacles = engine.surroundings.obstacles;
+    limits.keepPlace(obstacles.extent(), 0);
+    if (obstacles.walls != null) {
+      limits.keepPlace(obstacles.walls[Obstacles.LEFT], obstacles.walls[Obstacles.BOTTOM]);
+      limits.keepPlace(obstacles.walls[Obstacles.RIGHT], obstacles.walls[Obstacles.TOP]);
+    }
+    for (int i = 0; i < scene.circleCount(); i++) {
+      limits.keepPlace(scene.x(i), scene.y(i));
+      limits.keepRadius(scene.radius(i));
+    }
+  }
+
+  /** A copy of what rounding allows. */
+  public Limits limits() {
+    return new Limits(limits.largest(), limits.least());
+  }
+
+  public void restore(Limits other) {
+    limits.set(other);
+  }
+
+  // Circles.
+
+  public void setVelocity(int slot, double vx, double vy, double now) {
+    try {
+      checkVelocity(vx, vy);
+    } catch (RefusedException e) {
+      throw named(e, Obstacles.CIRCLES + slot);
+    }
+    Mover m = restarted(slot, now);
+    m.vx = vx;
+    m.vy = vy;
+    m.forget();
+    engine.fly(m);
+  }
+
+  public void setPosition(int slot, double x, double y, double now) {
+    try {
+      checkPlace(x, y);
+    } catch (RefusedException e) {
+      throw named(e, Obstacles.CIRCLES + slot);
+    }
+    Mover m = restarted(slot, now);
+    m.x = x;
+    m.y = y;
+    m.forget();
+    engine.fly(m);
+    limits.keepPlace(x, y);
+  }
+
+  public void setRadius(int slot, double radius, double now) {
+    try {
+      limits.checkRadius(radius, 0, 0);
+    } catch (RefusedException e) {
+      throw named(e, Obstacles.CIRCLES + slot);
+    }
+    Mover m = restarted(slot, now);
+    m.radius = radius;
+    engine.fly(m);
+    limits.keepRadius(radius);
+  }
+
+  public int addCircle(double x, double y, double radius, double vx, double vy, double now) {
+    checkId(Kind.CIRCLE, roster.idEnd(), Roster.ID_LIMIT);
+    try {
+      checkPlace(x, y);
+      limits.checkRadius(radius, x, y);
+      checkVelocity(vx, vy);
+    } catch (RefusedException e) {
+      throw named(e, Kind.CIRCLE, roster.idEnd());
+    }
+    int slot = roster.add();
+    mover.start(slot, x, y, radius, vx, vy, 1);
+    mover.t = now;
+    mover.tl = engine.tailOfEdit(mover, now);
+    engine.fly(mover);
+    limits.keepPlace(x, y);
+    limits.keepRadius(radius);
+    return roster.id(slot);
+  }
+
+  public void setMass(int slot, double m, double now) {
+    try {
+      Check.mass("mass", m);
+    } catch (RefusedException e) {
+      throw named(e, Obstacles.CIRCLES + slot);
+    }
+    boolean passes = (roster.mass(slot) == INFINITE) != (m == INFINITE);
+    roster.setMass(slot, m);
+    if (collide && passes) {
+      restarted(slot, now).forget();
+      engine.fly(mover);
+    }
+  }
+
+  /** Refuses to add a thing when all ids of its kind were given. */
+  private static void checkId(int kind, int id, int limit) {
+    if (id >= limit) {
+      throw new IllegalStateException(
+          "%s cannot be added: expected an id below %d, and none is used twice"
+              .formatted(Kind.nameOf(kind, id), limit));
+    }
+  }
+
+  private void checkPlace(double x, double y) {
+    limits.checkCoordinate("x", x);
+    limits.checkCoordinate("y", y);
+  }
+
+  private static void checkVelocity(double vx, double vy) {
+    Check.finite("vx", vx);
+    Check.finite("vy", vy);
+  }
+
+  /** A refusal, led by the name of the thing: of one to be added, the id that it would get. */
+  private static RefusedException named(RefusedException e, int kind, int id) {
+    return e.of(kind == Kind.WALL ? "bounds" : Kind.nameOf(kind, id));
+  }
+
+  private RefusedException named(RefusedException e, int code) {
+    return code >= Obstacles.CIRCLES
+        ? named(e, Kind.CIRCLE, roster.id(code - Obstacles.CIRCLES))
+        : named(e, obstacles.kind(code), obstacles.index(code));
+  }
+
+  /** A circle at the start of a new flight, now. */
+  private Mover restarted(int slot, double now) {
+    circles.load(slot, mover);
+    mover.restart(now, engine.tailOfEdit(mover, now), obstacles.walls);
+    return mover;
+  }
+
+  // Lines and pegs.
+
+  public int addLine(double ax, double ay, double bx, double by, double now) {
+    checkId(Kind.LINE, obstacles.endOfLines - Obstacles.WALLS, Obstacles.LINE_LIMIT);
+    checkLine(obstacles.endOfLines, ax, ay, bx, by);
+    int code = obstacles.addLine(ax, ay, bx, by);
+    limits.keepPlace(ax, ay);
+    limits.keepPlace(bx, by);
+    engine.appeared(code, now);
+    return obstacles.index(code);
+  }
+
+  public void moveLine(int code, double ax, double ay, double bx, double by, double now) {
+    checkLine(code, ax, ay, bx, by);
+    engine.forget(code);
+    obstacles.moveLine(code, ax, ay, bx, by);
+    limits.keepPlace(ax, ay);
+    limits.keepPlace(bx, by);
+    engine.appeared(code, now);
+  }
+
+  private void checkLine(int code, double ax, double ay, double bx, double by) {
+    try {
+      limits.checkCoordinate("ax", ax);
+      limits.checkCoordinate("ay", ay);
+      limits.checkCoordinate("bx", bx);
+      limits.checkCoordinate("by", by);
+    } catch (RefusedException e) {
+      throw named(e, code);
+    }
+  }
+
+  public int addPeg(double x, double y, double radius, double now) {
+    checkId(Kind.PEG, obstacles.endOfPegs - Obstacles.PEGS, Obstacles.PEG_LIMIT);
+    checkPeg(obstacles.endOfPegs, x, y, radius);
+    int code = obstacles.addPeg(x, y, radius);
+    limits.keepPlace(x, y);
+    engine.appeared(code, now);
+    return obstacles.index(code);
+  }
+
+  public void movePeg(int code, double x, double y, double radius, double now) {
+    checkPeg(code, x, y, radius);
+    engine.forget(code);
+    obstacles.movePeg(code, x, y, radius);
+    limits.keepPlace(x, y);
+    engine.appeared(code, now);
+  }
+
+  private void checkPeg(int code, double x, double y, double radius) {
+    try {
+      checkPlace(x, y);
+      Check.notNegative("radius", radius);
+    } catch (RefusedException e) {
+      throw named(e, code);
+    }
+  }
+
+  // Anything.
+
+  public void remove(int code, double now) {
+    if (code >= Obstacles.CIRCLES) {
+      roster.remove(code - Obstacles.CIRCLES);
+      engine.remove(code - Obstacles.CIRCLES);
+    } else {
+      engine.forget(code);
+      obstacles.remove(code);
+      engine.disappeared(code, now);
+    }
+  }
+
+  public void setRestitution(int code, double e) {
+    try {
+      Check.notNegative("restitution", e);
+    } catch (RefusedException refused) {
+      throw named(refused, code);
+    }
+    if (code >= Obstacles.CIRCLES) {
+      circles.setRestitution(code - Obstacles.CIRCLES, e);
+    } else {
+      obstacles.setRestitution(code, e);
+    }
+  }
+
+  public void setResponse(int code, int response, double now) {
+    if (code >= Obstacles.CIRCLES) {
+      int slot = code - Obstacles.CIRCLES;
+      roster.setTraits(slot, Traits.with(roster.traits(slot), response));
+      engine.fly(restarted(slot, now));
+    } else if (code < Obstacles.WALLS) {
+      if (response == Traits.SENSOR) {
+        throw Check.refused("response", "SENSOR", "BOUNCE or HALT: bounds keep circles inside")
+            .of("bounds");
+      }
+      obstacles.setTraits(code, Traits.with(obstacles.boundsTraits, response));
+    } else {
+      setTraits(code, Traits.with(obstacles.traits(code), response), now);
+    }
+  }
+
+  public void setOneWay(int code, boolean oneWay, double now) {
+    setTraits(code, Traits.withOneWay(obstacles.traits(code), oneWay), now);
+  }
+
+  private void setTraits(int code, int traits, double now) {
+    if (traits != obstacles.traits(code)) {
+      engine.forget(code);
+      obstacles.setTraits(code, traits);
+      engine.appeared(code, now);
+    }
+  }
+}

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.engine;
+
+import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.FlightRecorder;
+import dev.carom.internal.state.FlightStates;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.PresentCodes;
+import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.SceneData;
+
+/**
+ * What moves the circles of a world: one way if they ignore each other, another if they collide.
+ * Between steps a world may edit them; what it asks for is checked.
+ */
+public abstract class Engine {
+
+  final Roster roster;
+  public final Circles circles;
+  public final Surroundings surroundings;
+  final ObstacleResponse response;
+  final ImpactRows log;
+
+  /** Whether the budget was spent in the last {@link #advance}. */
+  public boolean unfinished;
+
+  /** Null unless flights are recorded. */
+  FlightRecorder recorder;
+
+  Engine(SceneData scene, Roster roster, Circles circles, Machinery machinery, ImpactRows log) {
+    this.roster = roster;
+    this.circles = circles;
+    this.log = log;
+    surroundings = new Surroundings(scene, machinery);
+    circles.walls = surroundings.obstacles.walls;
+    response = new ObstacleResponse(surroundings.obstacles);
+  }
+
+  /**
+   * Advances all circles to the given time, or, if the budget of work is spent first, to an earlier
+   * one.
+   *
+   * @return the time reached
+   */
+  public abstract double advance(double end);
+
+  /** What is used, in words. */
+  public abstract String model();
+
+  /**
+   * Begins a new flight of a circle, whose id may be the next one, with what a mover holds.
+   *
+   * @param m a mover at the start of a flight, now
+   */
+  abstract void fly(Mover m);
+
+  /**
+   * An edit comes after all that happened by now, some of it later than now by what rounding took.
+   *
+   * @return the tail of the time of an edit of this circle now
+   */
+  abstract double tailOfEdit(Mover m, double now);
+
+  /** Takes a circle out. */
+  abstract void remove(int i);
+
+  /** Stores a circle of which less is known ahead than before. */
+  abstract void keep(int i, Mover m);
+
+  /** Makes grids anew where edits made them poor. */
+  final void prepare() {
+    surroundings.prepare(circles, roster);
+  }
+
+  // Lines and pegs.
+
+  /** Forgets a line or a peg that is to be elsewhere, otherwise there, or gone. */
+  final void forget(int code) {
+    int sensed = surroundings.sensedBefore(code);
+    PresentCodes present = roster.present();
+    for (int k = 0; k < present.size(); k++) {
+      int i = present.get(k);
+      circles.load(i);
+      if (roster.contains(i) && circles.mover.forget(code, sensed)) {
+        keep(i, circles.mover);
+      }
+    }
+  }
+
+  /**
+   * Takes notice that a line or a peg is new, elsewhere, or otherwise there than before: circles
+   * whose flight meets it begin a new one now.
+   */
+  final void appeared(int code, double now) {
+    changed(code, now);
+    Mover m = circles.mover;
+    PresentCodes present = roster.present();
+    for (int k = 0; k < present.size(); k++) {
+      int i = present.get(k);
+      if (roster.contains(i)) {
+        circles.load(i);
+        if (surroundings.meets(m, code)) {
+          m.restart(now, tailOfEdit(m, now), circles.walls);
+          fly(m);
+        }
+      }
+    }
+  }
+
+  /** Takes notice that a line or a peg is gone, after it was forgotten. */
+  final void disappeared(int code, double now) {
+    changed(code, now);
+  }
+
+  private void changed(int code, double now) {
+    surroundings.changed(code);
+    if (recorder != null) {
+      recorder.noteObstacle(code, surroundings.obstacles, now);
+    }
+  }
+
+  // Time.
+
+  /** Records new flights, or none for null; those of now first. */
+  public final void record(FlightRecorder recorder) {
+    this.recorder = recorder;
+    if (recorder != null) {
+      for (int i : roster.slots()) {
+        circles.load(i);
+        recorder.add(circles.mover);
+      }
+    }
+  }
+
+  /** The flights of all circles. */
+  public FlightStates save(double now) {
+    if (surroundings.obstacles.haveSensors()) {
+      surroundings.prepare(circles, roster); // to search for those that were met
+    }
+    FlightStates states = new FlightStates(roster.ids());
+    int[] slots = roster.slots();
+    for (int k = 0; k < slots.length; k++) {
+      circles.load(slots[k]);
+      roster.toIds(circles.mover);
+      surroundings.save(k, circles.mover, now, states);
+    }
+    return states;
+  }
+
+  /** Takes over other flights: those of all circles that are in the roster by now. */
+  public void restore(FlightStates flights, double now) {
+    circles.clear();
+    Mover m = circles.mover;
+    for (int i = 0; i < flights.count(); i++) {
+      circles.add();
+      flights.get(i, m);
+      m.id = i;
+      roster.toSlots(m);
+      surroundings.setRadius(i, m.radius);
+      keep(i, m);
+    }
+  }
+
+  /** Makes arrays dense anew in which most slots are of circles that were removed. */
+  public void compact(double now) {
+    FlightStates flights = save(now);
+    roster.set(roster);
+    restore(flights, now);
+  }
+}

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.exact;
+
+import java.math.BigInteger;
+
+/**
+ * An exact number {@code m 2^e}. Every finite double is one, and sums, differences and products of
+ * them are again: the signs of polynomials in doubles are decided here without rounding.
+ */
+public final class Dyadic {
+
+  public static final Dyadic ZERO = new Dyadic(BigInteger.ZERO, 0);
+
+  private final BigInteger m;
+  private final int e;
+
+  private Dyadic(BigInteger m, int e) {
+    this.m = m;
+    this.e = e;
+    ExactWork.add(m.bitLength());
+  }
+
+  /** The value of a finite double. */
+  public static Dyadic of(double x) {
+    if (x == 0) {
+      return ZERO;
+    }
+    int exponent = Math.max(Math.getExponent(x), Double.MIN_EXPONENT) - 52;
+    long bits = Double.doubleToRawLongBits(x);
+    long fraction = bits & 0xfffffffffffffL;
+    long integer = Math.getExponent(x) < Double.MIN_EXPONENT ? fraction : fraction | 1L << 52;
+    int zeros = Long.numberOfTrailingZeros(integer);
+    integer >>= zeros;
+    return new Dyadic(BigInteger.valueOf(x < 0 ? -integer : integer), exponent + zeros);
+  }
+
+  /** a - b, without rounding. */
+  static Dyadic difference(double a, double b) {
+    return of(a).minus(of(b));
+  }
+
+  Dyadic plus(Dyadic that) {
+    if (e <= that.e) {
+      return new Dyadic(m.add(that.m.shiftLeft(that.e - e)), e);
+    }
+    return that.plus(this);
+  }
+
+  public Dyadic minus(Dyadic that) {
+    return plus(that.negate());
+  }
+
+  Dyadic times(Dyadic that) {
+    return new Dyadic(m.multiply(that.m), e + that.e);
+  }
+
+  Dyadic square() {
+    return times(this);
+  }
+
+  Dyadic negate() {
+    return new Dyadic(m.negate(), e);
+  }
+
+  public Dyadic abs() {
+    return m.signum() < 0 ? negate() : this;
+  }
+
+  /** x |x|: monotone like x, and turns a comparison of roots into one of squares. */
+  Dyadic signedSquare() {
+    return times(abs());
+  }
+
+  Dyadic half() {
+    return new Dyadic(m, e - 1);
+  }
+
+  public int sign() {
+    return m.signum();
+  }
+
+  /** floor(log2 |this|) of a number other than zero. */
+  int magnitude() {
+    return m.abs().bitLength() - 1 + e;
+  }
+
+  /** The square root of a number at or above zero, rounded down, to at least {@code bits} bits. */
+  Dyadic sqrt(int bits) {
+    int shift = Math.max(0, 2 * bits - m.bitLength());
+    if ((e - shift & 1) != 0) {
+      shift++;
+    }
+    BigInteger shifted = m.shiftLeft(shift);
+    ExactWork.addSquared(shifted.bitLength());
+    return new Dyadic(shifted.sqrt(), (e - shift) / 2);
+  }
+
+  /** this / that for positive numbers, rounded down, to at least {@code bits} bits. */
+  Dyadic over(Dyadic that, int bits) {
+    int shift = Math.max(0, bits + 1 + that.m.bitLength() - m.bitLength());
+    BigInteger shifted = m.shiftLeft(shift);
+    ExactWork.addSquared(shifted.bitLength());
+    return new Dyadic(shifted.divide(that.m), e - shift - that.e);
+  }
+
+  /**
+   * The largest double at or below this number, which must not be negative; {@link
+   * Double#MAX_VALUE} for everything beyond.
+   */
+  double floor() {
+    if (m.signum() == 0) {
+      return 0;
+    }
+    int top = magnitude();
+    if (top > Double.MAX_EXPONENT) {
+      return Double.MAX_VALUE;
+    }
+    int unit = Math.max(top, Double.MIN_EXPONENT) - 52;
+    long integer = m.shiftLeft(e - unit).longValueExact();
+    // At most 53 bits times a power of two in range: exact, in two steps since 2^unit may
+    // underflow.
+    return Math.scalb((double) integer, unit);
+  }
+}

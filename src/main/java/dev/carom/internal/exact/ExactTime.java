@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.exact;
+
+/**
+ * An exact time of impact, {@code (p - sqrt(q)) / d} with {@code q >= 0} and {@code d > 0}: the
+ * form of the times at walls, lines, pegs and circles alike.
+ *
+ * <p>It decides which of two impacts is earlier when their rounded times are equal. Rounding is
+ * monotone, so different rounded times already tell; exact times are needed for equal ones only.
+ */
+public record ExactTime(Dyadic p, Dyadic q, Dyadic d) {
+
+  /** 0: the circle touches or overlaps at the start. */
+  public static final ExactTime NOW = of(0);
+
+  /** The value of a finite double. */
+  public static ExactTime of(double t) {
+    return new ExactTime(Dyadic.of(t), Dyadic.ZERO, Dyadic.of(1));
+  }
+
+  /**
+   * The sign of this time less another one.
+   *
+   * <p>Multiplied by both denominators the difference is {@code x + (sqrt(b) - sqrt(a))}. If its
+   * two terms disagree in sign, their squares tell which is larger: {@code x^2 - (sqrt(b) -
+   * sqrt(a))^2 = y + 2 sqrt(a b)} with {@code y = x^2 - a - b}, whose sign is found by squaring
+   * once more.
+   */
+  public int compare(ExactTime that) {
+    Rungs.exactDecision();
+    Dyadic x = p.times(that.d).minus(that.p.times(d));
+    Dyadic a = q.times(that.d.square());
+    Dyadic b = that.q.times(d.square());
+    int rational = x.sign();
+    int roots = b.minus(a).sign();
+    if (rational * roots >= 0) {
+      return rational != 0 ? rational : roots;
+    }
+    Dyadic y = x.square().minus(a.plus(b));
+    return y.sign() > 0 ? rational : rational * a.times(b).minus(y.half().square()).sign();
+  }
+}

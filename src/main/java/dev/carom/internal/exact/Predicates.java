@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.exact;
+
+import static dev.carom.internal.exact.DoubleDouble.crossTail;
+import static dev.carom.internal.exact.DoubleDouble.differenceTail;
+import static dev.carom.internal.exact.DoubleDouble.productTail;
+import static dev.carom.internal.exact.DoubleDouble.sumTail;
+
+import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.SegmentSweep;
+
+/**
+ * The signs of the five polynomials on which every decision of a sweep rests: the door through
+ * which a doubtful decision of {@code SegmentSweep} and {@code DiskSweep} goes to more precision.
+ *
+ * <p>Each is asked only after plain doubles left it open. It is evaluated in double-double, with a
+ * bound; if that leaves it open too, exactly ({@link Dyadic}). Vectors are given as two points,
+ * head and tail, whose difference they are: {@code (ax - bx, ay - by)} is exact as a double-double.
+ *
+ * <p>The bound. Let {@code u = 2^-53} and let M be the sum of the absolute values of a polynomial's
+ * terms. Differences are exact as head and tail. A cross or dot product errs by at most 64 u^2 M
+ * ({@link DoubleDouble#crossTail}), a product of two double-doubles by 32 u^2 of itself (tails up
+ * to 4u here), a sum of two by 4 u^2 of its terms. So a square of a cross product errs by 2 x 64 +
+ * 32 = 160 u^2 M^2, its product with a squared length by 64 + 32 more, and each polynomial by less
+ * than 400 u^2 M in all: {@link #BOUND} is 512 u^2.
+ *
+ * <p>Underflow takes at most 2^-1074 from each of fewer than 64 operations; no factor that
+ * multiplies such an error exceeds {@link #LARGE}, so all of it stays below 2^-1074 2^6 2^300 =
+ * 2^-768, beneath the bound for {@code M >= TINY}. Overflow makes M infinite or NaN and leaves the
+ * sign open.
+ */
+public final class Predicates {
+
+  /** 512 u^2 = 2^9 2^-106. */
+  private static final double BOUND = 0x1p-97;
+
+  /** Least sum of terms beneath whose bound underflow stays: 2^-97 2^-600 > 2^-768. */
+  private static final double TINY = 0x1p-600;
+
+  /** Largest factor of a term. */
+  private static final double LARGE = 0x1p300;
+
+  static final int UNDECIDED = 2;
+
+  private Predicates() {}
+
+  /**
+   * The sign of cross(a - b, c - d), where cross(a, b) = ax by - ay bx: on which side of the first
+   * vector the second one points.
+   */
+  public static int cross(
+      double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
+    double px = ax - bx;
+    double py = ay - by;
+    double qx = cx - dx;
+    double qy = cy - dy;
+    // What is at rest, or moves as the other does: a difference is 0 only if it is so exactly.
+    if ((px == 0 && py == 0) || (qx == 0 && qy == 0)) {
+      return 0;
+    }
+    double s = px * qy;
+    double t = py * qx;
+    double c = s - t;
+    double value =
+        c
+            + crossTail(
+                px,
+                differenceTail(ax, bx, px),
+                py,
+                differenceTail(ay, by, py),
+                qx,
+                differenceTail(cx, dx, qx),
+                qy,
+                differenceTail(cy, dy, qy),
+                c);
+    int sign = decided(value, Math.abs(s) + Math.abs(t), 1);
+    return sign != UNDECIDED ? sign : Exact.cross(ax, ay, bx, by, cx, cy, dx, dy).sign();
+  }
+
+  /** The sign of (a - b).(c - d): dot(p, q) = cross(p, (-qy, qx)). */
+  public static int dot(
+      double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
+    return cross(ax, ay, bx, by, dy, cx, cy, dx);
+  }
+
+  /** The sign of |a - b|^2 - (r + s)^2: whether two disks are apart. */
+  public static int gap(double ax, double ay, double bx, double by, double r, double s) {
+    double x = ax - bx;
+    double y = ay - by;
+    double z = r + s;
+    double xx = x * x;
+    double yy = y * y;
+    double zz = z * z;
+    double xl = differenceTail(ax, bx, x);
+    double yl = differenceTail(ay, by, y);
+    double zl = sumTail(r, s, z);
+    double sum = xx + yy;
+    double value = sum - zz;
+    double tail =
+        (sumTail(xx, yy, sum) + differenceTail(sum, zz, value))
+            + ((productTail(x, xl, x, xl, xx) + productTail(y, yl, y, yl, yy))
+                - productTail(z, zl, z, zl, zz));
+    int sign = decided(value + tail, sum + zz, 1);
+    return sign != UNDECIDED ? sign : Exact.gap(ax, ay, bx, by, r, s).sign();
+  }
+
+  /**
+   * The sign of |p|^2 (r + s)^2 - cross(p, q)^2 for p = a - b, q = c - d: positive if the line
+   * through q along p passes the origin within r + s.
+   */
+  public static int reach(
+      double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy,
+      double r, double s) {
+    double px = ax - bx;
+    double py = ay - by;
+    double pxl = differenceTail(ax, bx, px);
+    double pyl = differenceTail(ay, by, py);
+    double qx = cx - dx;
+    double qy = cy - dy;
+    double k0 = px * qy - py * qx;
+    double k1 =
+        crossTail(
+            px, pxl, py, pyl, qx, differenceTail(cx, dx, qx), qy, differenceTail(cy, dy, qy), k0);
+    double k = k0 + k1;
+    double kl = sumTail(k0, k1, k);
+    double a0 = px * px + py * py;
+    double a1 = dotTail(px, pxl, py, pyl, a0);
+    double z = r + s;
+    double zl = sumTail(r, s, z);
+    double zz = z * z;
+    double zzl = productTail(z, zl, z, zl, zz);
+    double f = a0 * zz;
+    double fl = productTail(a0, a1, zz, zzl, f);
+    double g = k * k;
+    double gl = productTail(k, kl, k, kl, g);
+    double value = f - g;
+    double terms = Math.abs(px * qy) + Math.abs(py * qx);
+    int sign =
+        decided(
+            value + (differenceTail(f, g, value) + (fl - gl)),
+            f + terms * terms,
+            Math.max(Math.max(a0, zz), terms));
+    return sign != UNDECIDED ? sign : Exact.reach(ax, ay, bx, by, cx, cy, dx, dy, r, s).sign();
+  }
+
+  /**
+   * The sign of -side cross(d, v) |w| - r (v.w) for d = p - a, w = b - c: on which side of the
+   * corner {@code a + side r n}, n the unit left normal of w, the path from p along v passes. Both
+   * terms are squared with their signs, x |x|, which keeps their order and needs no root.
+   */
+  public static int corner(
+      int side, double px, double py, double ax, double ay, double vx, double vy, double bx,
+      double by, double cx, double cy, double r) {
+    double dx = px - ax;
+    double dy = py - ay;
+    double wx = bx - cx;
+    double wy = by - cy;
+    double wxl = differenceTail(bx, cx, wx);
+    double wyl = differenceTail(by, cy, wy);
+    // x = -side cross(d, v)
+    double x0 = dx * vy - dy * vx;
+    double x1 =
+        crossTail(dx, differenceTail(px, ax, dx), dy, differenceTail(py, ay, dy), vx, 0, vy, 0, x0);
+    double x = x0 + x1;
+    double xl = sumTail(x0, x1, x);
+    // y = v.w = cross(v, (-wy, wx))
+    double y0 = vx * wx - vy * -wy;
+    double y1 = crossTail(vx, 0, vy, 0, -wy, -wyl, wx, wxl, y0);
+    double y = y0 + y1;
+    double yl = sumTail(y0, y1, y);
+    // f = x |x| |w|^2, g = r^2 y |y|
+    double ww = wx * wx + wy * wy;
+    double wwl = dotTail(wx, wxl, wy, wyl, ww);
+    double xx = x * x;
+    double xxl = productTail(x, xl, x, xl, xx);
+    double f = xx * ww;
+    double fl = productTail(xx, xxl, ww, wwl, f);
+    double rr = r * r;
+    double rrl = productTail(r, r, rr);
+    double yy = y * y;
+    double yyl = productTail(y, yl, y, yl, yy);
+    double g = rr * yy;
+    double gl = productTail(rr, rrl, yy, yyl, g);
+    double sf = -side * Math.signum(x);
+    double sg = -Math.signum(y);
+    double value = sf * f + sg * g;
+    double mx = Math.abs(dx * vy) + Math.abs(dy * vx);
+    double my = Math.abs(vx * wx) + Math.abs(vy * wy);
+    int sign =
+        decided(
+            value + (sumTail(sf * f, sg * g, value) + (sf * fl + sg * gl)),
+            mx * mx * ww + rr * (my * my),
+            Math.max(Math.max(mx * mx, ww), Math.max(rr, my * my)));
+    return sign != UNDECIDED
+        ? sign
+        : Exact.corner(side, px, py, ax, ay, vx, vy, bx, by, cx, cy, r).sign();
+  }
+
+  /** The tail of |p|^2 for its head h = fl(fl(px px) + fl(py py)). */
+  private static double dotTail(double px, double pxl, double py, double pyl, double h) {
+    double xx = px * px;
+    double yy = py * py;
+    return sumTail(xx, yy, h)
+        + (productTail(px, pxl, px, pxl, xx) + productTail(py, pyl, py, pyl, yy));
+  }
+
+  /** The sign of a value with terms of the given sum; UNDECIDED if the bound does not allow it. */
+  static int decided(double value, double terms, double factor) {
+    boolean certain = terms >= TINY && factor <= LARGE && Math.abs(value) > BOUND * terms;
+    if (Rungs.COUNT != null) {
+      Rungs.COUNT.decision(certain);
+    }
+    return certain ? (value > 0 ? 1 : -1) : UNDECIDED;
+  }
+}

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.exact;
+
+/**
+ * A vector of length 1.
+ *
+ * @param x the first component
+ * @param y the second component
+ */
+public record UnitVector(double x, double y) {}

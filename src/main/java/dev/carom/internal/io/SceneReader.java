@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.io;
+
+import dev.carom.internal.state.SceneData;
+import dev.carom.internal.state.SceneDataBuilder;
+import dev.carom.internal.util.RefusedException;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.Reader;
+import java.util.Arrays;
+
+/** Reads the rows of a scene file into a builder. */
+final class SceneReader {
+
+  private static final int RADIUS = SceneRowKind.CIRCLE.names().indexOf("radius");
+  private static final int MASS = SceneRowKind.CIRCLE.names().indexOf("mass");
+
+  private final SceneDataBuilder builder = new SceneDataBuilder();
+
+  /** Line and column of each circle's radius: what is wrong with it may show at the end only. */
+  private int[] radiusPlaces = new int[32];
+
+  private int circles;
+  private int wallLine;
+  private int collideLine;
+
+  SceneData read(Reader in) throws IOException {
+    BufferedReader lines = new BufferedReader(in);
+    String text = lines.readLine();
+    if (text != null && text.startsWith("\ufeff")) {
+      text = text.substring(1);
+    }
+    for (int line = 1; text != null; line++) {
+      SceneRow row = SceneRow.of(line, text);
+      if (row != null) {
+        read(row);
+      }
+      text = lines.readLine();
+    }
+    return build();
+  }
+
+  private void read(SceneRow row) throws RowException {
+    try {
+      switch (row.kind()) {
+        case WALL -> wall(row);
+        case LINE -> builder.line(row.number(1), row.number(2), row.number(3), row.number(4));
+        case PEG -> builder.peg(row.number(1), row.number(2), row.number(3));
+        case CIRCLE -> circle(row);
+        case COLLIDE -> collide(row);
+      }
+      options(row);
+    } catch (RefusedException e) {
+      throw row.error(e);
+    }
+  }
+
+  private void wall(SceneRow row) throws RowException {
+    wallLine = only(row, wallLine);
+    builder.bounds(row.number(1), row.number(2), row.number(3), row.number(4));
+  }
+
+  private void circle(SceneRow row) throws RowException {
+    builder.circle(row.number(1), row.number(2), row.number(3), row.number(4), row.number(5));
+    if (row.plain() > MASS) {
+      builder.mass(mass(row));
+    }
+    keepPlace(row);
+  }
+
+  private static double mass(SceneRow row) throws RowException {
+    String mass = row.field(MASS);
+    if (mass.equals("inf") || mass.equals("Infinity")) {
+      return Double.POSITIVE_INFINITY;
+    }
+    double number = SceneText.finite(mass);
+    if (Double.isNaN(number)) {
+      String reason = "mass is " + SceneText.quoted(mass) + ": expected ";
+      throw row.error(MASS, reason + "a number from 2^-500 to 2^500, or inf");
+    }
+    return number;
+  }
+
+  private void keepPlace(SceneRow row) {
+    if (2 * circles == radiusPlaces.length) {
+      radiusPlaces = Arrays.copyOf(radiusPlaces, 4 * circles);
+    }
+    radiusPlaces[2 * circles] = row.line();
+    radiusPlaces[2 * circles + 1] = row.column(RADIUS);
+    circles++;
+  }
+
+  private void collide(SceneRow row) throws RowException {
+    collideLine = only(row, collideLine);
+    builder.collide = flag(row, 1, "collide", row.field(1));
+  }
+
+  /** Refuses a second row of a kind; the line of the first one is 0 as long as there is none. */
+  private static int only(SceneRow row, int first) throws RowException {
+    if (first > 0) {
+      throw row.error(
+          0, "a second " + row.field(0) + " row, after line " + first + ": expected one only");
+    }
+    return row.line();
+  }
+
+  private void options(SceneRow row) throws RowException {
+    for (int i = row.plain(); i < row.size(); i++) {
+      if (row.kind() == SceneRowKind.COLLIDE) {
+        throw row.error(i, SceneText.quoted(row.field(i)) + " is out of place: expected no more");
+      }
+      for (int k = row.plain(); k < i; k++) {
+        if (row.key(k).equals(row.key(i))) {
+          throw row.error(i, row.key(i) + " is given twice: expected once");
+        }
+      }
+      option(row, i);
+    }
+  }
+
+  private void option(SceneRow row, int i) throws RowException {
+    String key = row.key(i);
+    if (key.equals("restitution")) {
+      builder.restitution(row.option(i));
+    } else if (key.equals("response")) {
+      builder.response(response(row, i));
+    } else if (key.equals("oneway") && row.kind() == SceneRowKind.LINE) {
+      if (flag(row, i, "oneway", row.value(i))) {
+        builder.oneWay();
+      }
+    } else {
+      String more =
+          row.kind() == SceneRowKind.LINE ? ", response=WORD or oneway=0|1" : " or response=WORD";
+      throw row.error(
+          i, "key " + SceneText.quoted(key) + " is unknown: expected restitution=NUMBER" + more);
+    }
+  }
+
+  private static int response(SceneRow row, int i) throws RowException {
+    int response = SceneRowKind.RESPONSES.indexOf(row.value(i));
+    if (response < 0) {
+      throw row.error(
+          i, "response is " + SceneText.quoted(row.value(i)) + ": expected bounce, halt or sensor");
+    }
+    return response;
+  }
+
+  /** The truth in a text of 0 or 1, which field i holds. */
+  private static boolean flag(SceneRow row, int i, String name, String text) throws RowException {
+    if (!text.equals("0") && !text.equals("1")) {
+      throw row.error(i, name + " is " + SceneText.quoted(text) + ": expected 0 or 1");
+    }
+    return text.equals("1");
+  }
+
+  private SceneData build() throws RowException {
+    try {
+      return builder.build();
+    } catch (RefusedException e) {
+      int place = 2 * builder.firstTooSmall();
+      throw new RowException(radiusPlaces[place], radiusPlaces[place + 1], e.reason());
+    }
+  }
+}

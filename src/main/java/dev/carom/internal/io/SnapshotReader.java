@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.io;
+
+import dev.carom.internal.state.FlightStates;
+import dev.carom.internal.state.Jam;
+import dev.carom.internal.state.Limits;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.WorldState;
+import dev.carom.internal.util.Check;
+import dev.carom.internal.util.DoubleList;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import java.util.stream.IntStream;
+import java.util.zip.CRC32;
+import java.util.zip.CheckedInputStream;
+
+/**
+ * Reads a snapshot, and trusts nothing: beside the check sum, each number is held to what a world
+ * can have.
+ */
+public final class SnapshotReader {
+
+  private final CRC32 sum = new CRC32();
+  private final DataInputStream in;
+  private int lines;
+  private int pegs;
+
+  /** What was said of circles, before all of them were read. */
+  private final IntStream.Builder codesOfCircles = IntStream.builder();
+
+  public SnapshotReader(InputStream in) {
+    this.in = new DataInputStream(new CheckedInputStream(in, sum));
+  }
+
+  public WorldState read() throws IOException {
+    try {
+      return readWhole();
+    } catch (EOFException e) {
+      throw new IOException("snapshot ends early: expected more after what was read", e);
+    } catch (IllegalArgumentException e) {
+      throw corrupt(e.getMessage(), e);
+    }
+  }
+
+  private WorldState readWhole() throws IOException {
+    long mark = in.readLong();
+    expect(mark == SnapshotWriter.MARK, "it does not begin as one");
+    int version = in.readInt();
+    expect(
+        version == SnapshotWriter.VERSION,
+        "its version is " + version + ": expected " + SnapshotWriter.VERSION);
+    double now = in.readDouble();
+    Check.notNegative("now", now);
+    boolean collide = in.readBoolean();
+    Limits limits = limits();
+    Obstacles obstacles = obstacles();
+    expect(
+        obstacles.extent() <= limits.largest(),
+        "a coordinate is " + obstacles.extent() + ", the largest one " + limits.largest());
+    WorldState state = circles(now, collide, obstacles, limits);
+    state.flights().tailOfEdit = tailOfEdit(now);
+    long expected = sum.getValue();
+    expect(in.readLong() == expected, "its check sum differs from what it holds");
+    return state;
+  }
+
+  private Limits limits() throws IOException {
+    double largest = in.readDouble();
+    double least = in.readDouble();
+    Check.notNegative("largest coordinate", largest);
+    expect(
+        Limits.leastRadius(largest) <= least,
+        "least radius is " + least + " beside a coordinate of " + largest);
+    return new Limits(largest, least);
+  }
+
+  private Obstacles obstacles() throws IOException {
+    double[] walls = in.readBoolean() ? walls() : null;
+    double restitution = in.readDouble();
+    Check.notNegative("restitution", restitution);
+    int traits = traits(1);
+    lines = count(Obstacles.LINE_LIMIT);
+    ByteArrayOutputStream lineTraits = new ByteArrayOutputStream();
+    DoubleList lineNumbers = numbers(lines, Obstacles.LINE_ROW, lineTraits);
+    pegs = count(Obstacles.PEG_LIMIT);
+    ByteArrayOutputStream pegTraits = new ByteArrayOutputStream();
+    DoubleList pegNumbers = numbers(pegs, Obstacles.PEG_ROW, pegTraits);
+    return Obstacles.of(
+        walls,
+        restitution,
+        traits,
+        lineNumbers.toArray(),
+        lineTraits.toByteArray(),
+        pegNumbers.toArray(),
+        pegTraits.toByteArray());
+  }
+
+  private double[] walls() throws IOException {
+    double xmin = in.readDouble();
+    double ymin = in.readDouble();
+    double xmax = in.readDouble();
+    double ymax = in.readDouble();
+    Check.bounds(xmin, ymin, xmax, ymax);
+    return Obstacles.walls(xmin, ymin, xmax, ymax);
+  }
+
+  /** Rows of finite numbers that end in a restitution, all NaN for what was removed; and traits. */
+  private DoubleList numbers(int count, int width, ByteArrayOutputStream traits)
+      throws IOException {
+    DoubleList numbers = new DoubleList();
+    double[] row = new double[width];
+    for (int i = 0; i < count; i++) {
+      int its = traitsOrGone(width == Obstacles.LINE_ROW ? 7 : 3);
+      if (its == SnapshotWriter.GONE) {
+        Arrays.fill(row, Double.NaN);
+        its = 0;
+      } else {
+        obstacle(i, row);
+      }
+      numbers.add(row);
+      traits.write(its);
+    }
+    return numbers;
+  }
+
+  private void obstacle(int i, double[] row) throws IOException {
+    for (int k = 0; k < row.length; k++) {
+      row[k] = in.readDouble();
+      Check.finite("a number of line or peg " + i, row[k]);
+    }
+    Check.notNegative("restitution", row[row.length - 1]);
+    Check.notNegative("radius", row.length == Obstacles.PEG_ROW ? row[2] : 0);
+  }
+
+  private WorldState circles(double now, boolean collide, Obstacles obstacles, Limits limits)
+      throws IOException {
+    int idEnd = in.readInt();
+    expect(
+        idEnd >= 0 && idEnd <= Roster.ID_LIMIT,
+        "ids of circles end at " + idEnd + ": expected 0 to " + Roster.ID_LIMIT);
+    int count = count(idEnd);
+    IntStream.Builder ids = IntStream.builder();
+    DoubleList masses = new DoubleList();
+    ByteArrayOutputStream traits = new ByteArrayOutputStream();
+    DoubleList numbers = new DoubleList();
+    IntStream.Builder codes = IntStream.builder();
+    List<Jam> jams = new ArrayList<>();
+    int least = 0;
+    for (int i = 0; i < count; i++) {
+      int id = in.readInt();
+      expect(
+          id >= least && id < idEnd,
+          "circle " + id + " is none of " + least + " to " + (idEnd - 1));
+      least = id + 1;
+      ids.add(id);
+      traits.write(traits(3));
+      masses.add(mass());
+      flight(now, limits, numbers, codes);
+      jams.add(jam());
+    }
+    int[] present = ids.build().toArray();
+    for (int code : codesOfCircles.build().toArray()) {
+      expectCode(Arrays.binarySearch(present, code - Obstacles.CIRCLES) >= 0, code);
+    }
+    FlightStates flights =
+        new FlightStates(
+            present,
+            numbers.toArray(),
+            codes.build().toArray(),
+            jams.stream().anyMatch(Objects::nonNull) ? jams.toArray(Jam[]::new) : null);
+    Roster roster = new Roster(masses.toArray(), traits.toByteArray(), present, idEnd);
+    return new WorldState(now, collide, obstacles, roster, limits, flights);
+  }
+
+  private double tailOfEdit(double now) throws IOException {
+    double tail = in.readDouble();
+    expect(tail >= 0 && tail <= Math.ulp(now), "the tail of the time of an edit is " + tail);
+    return tail;
+  }
+
+  private double mass() throws IOException {
+    double mass = in.readDouble();
+    Check.mass("mass", mass);
+    return mass;
+  }
+
+  private void flight(double now, Limits limits, DoubleList numbers, IntStream.Builder codes)
+      throws IOException {
+    double[] n = new double[FlightStates.NUMBERS];
+    for (int k = 0; k < n.length; k++) {
+      n[k] = in.readDouble();
+      expect(!Double.isNaN(n[k]), "a number of a circle is NaN");
+    }
+    Check.finite("vx", n[2]);
+    Check.finite("vy", n[3]);
+    expect(n[4] >= 0 && n[4] <= now, "a flight starts at " + n[4]);
+    expect(Math.abs(n[5]) <= Math.ulp(n[4]), "the tail of a time is " + n[5]);
+    Check.positive("radius", n[6]);
+    expect(n[6] >= limits.least(), "a radius is " + n[6] + ", the least one " + limits.least());
+    Check.notNegative("restitution", n[7]);
+    expect(n[8] >= 0, "a flight is known for " + n[8]);
+    numbers.add(n);
+    int last = in.readInt();
+    if (last != Mover.NOTHING) {
+      checkCode(last);
+    }
+    int stuck = in.readInt();
+    expect(Mover.isStuckWeight(stuck), "the weight of impacts at one place is " + stuck);
+    int sensed = in.readInt();
+    expect(sensed >= 0, "codes sensed end with " + sensed);
+    int partner = in.readInt();
+    expect(partner >= Mover.NOTHING, "a partner is circle " + partner);
+    codes.add(last).add(stuck).add(sensed).add(partner);
+    int marks = in.readInt();
+    expect(Mover.areMarks(marks), "the marks of a circle are " + marks);
+    codes.add(marks);
+  }
+
+  private Jam jam() throws IOException {
+    int count = count(Obstacles.PEGS);
+    Jam jam = null;
+    for (int k = 0; k < count; k++) {
+      int code = in.readInt();
+      boolean crushes = ~code >= Obstacles.CIRCLES;
+      checkCode(crushes ? ~code : code);
+      jam = crushes ? Jam.crushedBy(jam, ~code) : Jam.with(jam, code);
+    }
+    return jam;
+  }
+
+  /** A code of a circle is checked when all circles are read. */
+  private void checkCode(int code) throws IOException {
+    if (code >= Obstacles.CIRCLES) {
+      codesOfCircles.add(code);
+    } else if (code >= Obstacles.PEGS) {
+      expectCode(code < Obstacles.PEGS + pegs, code);
+    } else {
+      expectCode(code >= 0 && code < Obstacles.WALLS + lines, code);
+    }
+  }
+
+  private static void expectCode(boolean exists, int code) throws IOException {
+    expect(exists, "code " + code + " does not exist");
+  }
+
+  private int count(int most) throws IOException {
+    int count = in.readInt();
+    expect(count >= 0 && count <= most, "it holds " + count + " of a kind: expected 0 to " + most);
+    return count;
+  }
+
+  private int traits(int most) throws IOException {
+    int traits = traitsOrGone(most);
+    expect(traits != SnapshotWriter.GONE, "traits are " + traits);
+    return traits;
+  }
+
+  private int traitsOrGone(int most) throws IOException {
+    int traits = in.readByte();
+    boolean known = traits >= 0 && traits <= most && (traits & 3) != 3;
+    expect(known || traits == SnapshotWriter.GONE, "traits are " + traits);
+    return traits;
+  }
+
+  private static void expect(boolean good, String otherwise) throws IOException {
+    if (!good) {
+      throw corrupt(otherwise, null);
+    }
+  }
+
+  private static IOException corrupt(String reason, Exception cause) {
+    return new IOException("snapshot cannot be read: " + reason, cause);
+  }
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.io;
+
+import dev.carom.internal.state.FlightStates;
+import dev.carom.internal.state.Jam;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.WorldState;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.zip.CRC32;
+import java.util.zip.CheckedOutputStream;
+
+/** Writes a snapshot: a mark, a version, its numbers in one order, and a check sum of all that. */
+public final class SnapshotWriter {
+
+  /** "CAROM" and a byte that text does not hold. */
+  static final long MARK = 0x4341524F4D00L;
+
+  static final int VERSION = 4;
+
+  /** Instead of the traits of what was removed, of which nothing else is written. */
+  static final int GONE = -1;
+
+  private final CRC32 sum = new CRC32();
+  private final DataOutputStream out;
+
+  public SnapshotWriter(OutputStream out) {
+    this.out = new DataOutputStream(new CheckedOutputStream(out, sum));
+  }
+
+  public void write(WorldState s) throws IOException {
+    out.writeLong(MARK);
+    out.writeInt(VERSION);
+    out.writeDouble(s.now());
+    out.writeBoolean(s.collide());
+    out.writeDouble(s.limits().largest());
+    out.writeDouble(s.limits().least());
+    bounds(s.obstacles());
+    obstacles(s.obstacles());
+    circles(s);
+    out.writeDouble(s.flights().tailOfEdit);
+    out.writeLong(sum.getValue());
+  }
+
+  private void bounds(Obstacles o) throws IOException {
+    double[] w = o.walls;
+    out.writeBoolean(w != null);
+    if (w != null) {
+      numbers(w[Obstacles.LEFT], w[Obstacles.BOTTOM], w[Obstacles.RIGHT], w[Obstacles.TOP]);
+    }
+    out.writeDouble(o.boundsRestitution);
+    out.writeByte(o.boundsTraits);
+  }
+
+  private void obstacles(Obstacles o) throws IOException {
+    out.writeInt(o.endOfLines - Obstacles.WALLS);
+    for (int code = Obstacles.WALLS; code < o.endOfLines; code++) {
+      obstacle(o, code, o.lines, Obstacles.LINE_ROW);
+    }
+    out.writeInt(o.endOfPegs - Obstacles.PEGS);
+    for (int code = Obstacles.PEGS; code < o.endOfPegs; code++) {
+      obstacle(o, code, o.pegs, Obstacles.PEG_ROW);
+    }
+  }
+
+  private void obstacle(Obstacles o, int code, double[] numbers, int each) throws IOException {
+    if (o.isGone(code)) {
+      out.writeByte(GONE);
+      return;
+    }
+    out.writeByte(o.traits(code));
+    for (int i = 0; i < each; i++) {
+      out.writeDouble(numbers[o.offset(code) + i]);
+    }
+  }
+
+  private void circles(WorldState s) throws IOException {
+    out.writeInt(s.roster().idEnd());
+    out.writeInt(s.roster().count());
+    for (int i = 0; i < s.roster().count(); i++) { // a snapshot's roster is dense
+      out.writeInt(s.roster().id(i));
+      out.writeByte(s.roster().traits(i));
+      out.writeDouble(s.roster().mass(i));
+      flight(s.flights(), i);
+    }
+  }
+
+  private void flight(FlightStates flights, int k) throws IOException {
+    for (int i = 0; i < FlightStates.NUMBERS; i++) {
+      out.writeDouble(flights.numbers[k * FlightStates.NUMBERS + i]);
+    }
+    for (int i = 0; i < FlightStates.CODES; i++) {
+      out.writeInt(flights.codes[k * FlightStates.CODES + i]);
+    }
+    jam(flights.jams == null ? null : flights.jams[k]);
+  }
+
+  private void jam(Jam jam) throws IOException {
+    int[] codes = jam == null ? new int[0] : jam.codes();
+    out.writeInt(codes.length);
+    for (int code : codes) {
+      out.writeInt(code);
+    }
+  }
+
+  private void numbers(double... numbers) throws IOException {
+    for (double number : numbers) {
+      out.writeDouble(number);
+    }
+  }
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.query;
+
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.sweep.Hit;
+import java.util.function.Supplier;
+
+/**
+ * An impact that may be the first one of a cast. Only its rounded time is computed at once.
+ *
+ * @param code what is hit, see {@link Obstacles}; of a moving circle its slot counts
+ * @param contact how the detector names the contact
+ * @param time the correctly rounded time of impact
+ * @param exactTime the exact one, asked for where the rounded one leaves the order open
+ * @param hit where it is, asked for if it is the first one
+ */
+public record Candidate(
+    int code, int contact, double time, Supplier<ExactTime> exactTime, Supplier<Hit> hit) {
+
+  /** Whether it is exactly earlier than another one. */
+  boolean isBefore(Candidate that) {
+    return time < that.time
+        || (time == that.time && exactTime.get().compare(that.exactTime.get()) < 0);
+  }
+
+  /** Whether it is exactly no later than the end T of the window. */
+  public boolean isWithin(double T) {
+    return time < T || (time == T && exactTime.get().compare(ExactTime.of(T)) <= 0);
+  }
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.query;
+
+import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.PresentCodes;
+import dev.carom.internal.state.Roster;
+import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.Hit;
+import dev.carom.internal.util.Index;
+import java.util.stream.IntStream;
+
+/** What can be asked of the circles of a world, by their slots. */
+public final class CircleQueries {
+
+  private final Circles circles;
+  private final Roster roster;
+
+  public CircleQueries(Circles circles, Roster roster) {
+    this.circles = circles;
+    this.roster = roster;
+  }
+
+  /**
+   * The first contact of a cast with any circle that is no sensor, or with what was found before:
+   * of exactly simultaneous ones circles come last.
+   *
+   * @param m the circle that is cast, at the start
+   * @param before a contact with something else, null for none
+   * @param T the end of the window, counted from now
+   * @return the contact, which may be later than T by rounding; null for none
+   */
+  public Candidate first(Mover m, Candidate before, double T, double now) {
+    Candidate first = before;
+    PresentCodes present = roster.present();
+    for (int i = 0; i < present.size(); i++) {
+      int slot = present.get(i);
+      if (isThere(slot, now) && !roster.isSensor(slot)) {
+        Candidate other = candidate(m, slot, first == null ? T : first.time(), now);
+        if (other != null && (first == null || other.isBefore(first))) {
+          first = other;
+        }
+      }
+    }
+    return first;
+  }
+
+  /** The contact with a circle, null for none whose rounded time is at most a limit. */
+  private Candidate candidate(Mover m, int slot, double limit, double now) {
+    double x = circles.x(slot, now);
+    double y = circles.y(slot, now);
+    double r = circles.radius(slot);
+    double vx = circles.vx(slot);
+    double vy = circles.vy(slot);
+    int contact = DiskSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy);
+    // What rounds to the limit is exactly before the next double.
+    double end = Math.nextUp(limit);
+    double t = DiskSweep.time(contact, m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy, end);
+    if (t > limit || t == Double.POSITIVE_INFINITY) {
+      return null;
+    }
+    return new Candidate(
+        Obstacles.CIRCLES + slot,
+        contact,
+        t,
+        () -> DiskSweep.exactTime(contact, m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy),
+        () -> Hit.ofDisks(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy, contact, t));
+  }
+
+  /** The slot of the circle nearest to a point, of equally near ones the first; or NONE. */
+  public int nearest(double x, double y, double now) {
+    double least = Double.POSITIVE_INFINITY;
+    int nearest = Index.NONE;
+    for (int slot : slots(now).toArray()) {
+      double distance =
+          Proximity.distance(
+              circles.x(slot, now), circles.y(slot, now), circles.radius(slot), x, y);
+      if (nearest == Index.NONE || distance < least) {
+        least = distance;
+        nearest = slot;
+      }
+    }
+    return nearest;
+  }
+
+  /** The slots of circles that overlap a disk. */
+  public IntStream overlapping(double x, double y, double r, double now) {
+    return slots(now)
+        .filter(
+            slot ->
+                Proximity.overlap(
+                    circles.x(slot, now), circles.y(slot, now), circles.radius(slot), x, y, r));
+  }
+
+  /** The slots of circles that overlap a box. */
+  public IntStream overlapping(double[] box, double now) {
+    return slots(now)
+        .filter(
+            slot ->
+                Proximity.overlap(
+                    circles.x(slot, now), circles.y(slot, now), circles.radius(slot), box));
+  }
+
+  private IntStream slots(double now) {
+    return roster.present().stream(slot -> !isThere(slot, now));
+  }
+
+  /** Whether a circle is there, and not beyond the range of doubles. */
+  private boolean isThere(int slot, double now) {
+    return roster.contains(slot)
+        && Math.abs(circles.x(slot, now)) <= Double.MAX_VALUE
+        && Math.abs(circles.y(slot, now)) <= Double.MAX_VALUE;
+  }
+}

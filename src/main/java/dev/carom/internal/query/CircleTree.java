@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.query;
+
+import dev.carom.internal.state.SceneData;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.function.IntConsumer;
+
+/**
+ * Finds which circles of a scene are near a segment or a point: a binary tree of boxes. The circles
+ * stand in vertical strips, from the bottom of each to its top, and each box is that of a run of
+ * them. So neither a circle far off nor a large one spoils it.
+ */
+final class CircleTree {
+
+  /** Circles that have no boxes between them: at most as many. */
+  private static final int FEW = 8;
+
+  /** In units of the terms of a cross product: far more than its rounding. */
+  private static final double ROUNDING = 0x1p-45;
+
+  // Of a box: left, bottom, right, top.
+  private static final int BOX = 4;
+
+  private final double[] circles;
+  private final int[] order;
+
+  /** The box of node k, whose halves are nodes 2k + 1 and 2k + 2. */
+  private final double[] boxes;
+
+  // What is asked for: a segment, and its box, grown.
+  private double ax;
+  private double ay;
+  private double wx;
+  private double wy;
+  private double left;
+  private double bottom;
+  private double right;
+  private double top;
+
+  /** Of some circles of a scene: their rows, and which of them. */
+  CircleTree(double[] circles, int from, int to) {
+    this.circles = circles;
+    order = inStrips(circles, from, to);
+    int nodes = 1;
+    for (int runs = (order.length + FEW - 1) / FEW; runs > 1; runs = (runs + 1) / 2) {
+      nodes = 2 * nodes + 1;
+    }
+    boxes = new double[(nodes + 1) * BOX];
+    if (order.length > 0) {
+      build(0, 0, order.length);
+    }
+  }
+
+  private static int[] inStrips(double[] circles, int from, int to) {
+    Integer[] byX = new Integer[to - from];
+    Arrays.setAll(byX, k -> from + k);
+    Arrays.sort(
+        byX, Comparator.comparingDouble(i -> circles[i * SceneData.CIRCLE_ROW + SceneData.X]));
+    int strip = FEW * (int) Math.ceil(Math.sqrt(byX.length / (double) FEW));
+    for (int k = 0; k < byX.length; k += strip) {
+      int end = Math.min(byX.length, k + strip);
+      Arrays.sort(
+          byX,
+          k,
+          end,
+          Comparator.comparingDouble(i -> circles[i * SceneData.CIRCLE_ROW + SceneData.Y]));
+    }
+    return Arrays.stream(byX).mapToInt(i -> i).toArray();
+  }
+
+  /** Finds the boxes of a run of circles, and of its halves. */
+  private void build(int node, int from, int to) {
+    int k = node * BOX;
+    if (to - from <= FEW) {
+      boxOf(order[from], k);
+      for (int i = from + 1; i < to; i++) {
+        boxOf(order[i], boxes.length - BOX);
+        include(k, boxes.length - BOX);
+      }
+      return;
+    }
+    int middle = (from + to) >>> 1;
+    build(2 * node + 1, from, middle);
+    build(2 * node + 2, middle, to);
+    System.arraycopy(boxes, (2 * node + 1) * BOX, boxes, k, BOX);
+    include(k, (2 * node + 2) * BOX);
+  }
+
+  /** Puts the box of a circle in a place; none of it is outside, whatever rounding takes. */
+  private void boxOf(int circle, int k) {
+    int row = circle * SceneData.CIRCLE_ROW;
+    double x = circles[row + SceneData.X];
+    double y = circles[row + SceneData.Y];
+    double r = circles[row + SceneData.RADIUS];
+    boxes[k] = Math.nextDown(x - r);
+    boxes[k + 1] = Math.nextDown(y - r);
+    boxes[k + 2] = Math.nextUp(x + r);
+    boxes[k + 3] = Math.nextUp(y + r);
+  }
+
+  private void include(int k, int other) {
+    boxes[k] = Math.min(boxes[k], boxes[other]);
+    boxes[k + 1] = Math.min(boxes[k + 1], boxes[other + 1]);
+    boxes[k + 2] = Math.max(boxes[k + 2], boxes[other + 2]);
+    boxes[k + 3] = Math.max(boxes[k + 3], boxes[other + 3]);
+  }
+
+  /** Finds all circles that overlap a line, and some more. */
+  void nearLine(double fromX, double fromY, double toX, double toY, IntConsumer found) {
+    ax = fromX;
+    ay = fromY;
+    wx = toX - ax;
+    wy = toY - ay;
+    left = Math.min(ax, toX);
+    bottom = Math.min(ay, toY);
+    right = Math.max(ax, toX);
+    top = Math.max(ay, toY);
+    find(0, 0, order.length, found);
+  }
+
+  /** Finds all circles that overlap a disk, and some more. */
+  void nearDisk(double x, double y, double r, IntConsumer found) {
+    ax = x;
+    ay = y;
+    wx = 0;
+    wy = 0;
+    left = Math.nextDown(ax - r);
+    bottom = Math.nextDown(ay - r);
+    right = Math.nextUp(ax + r);
+    top = Math.nextUp(ay + r);
+    find(0, 0, order.length, found);
+  }
+
+  private void find(int node, int from, int to, IntConsumer found) {
+    if (isApart(node * BOX)) {
+      return;
+    }
+    if (to - from > FEW) {
+      int middle = (from + to) >>> 1;
+      find(2 * node + 1, from, middle, found);
+      find(2 * node + 2, middle, to, found);
+      return;
+    }
+    for (int i = from; i < to; i++) {
+      boxOf(order[i], boxes.length - BOX);
+      if (!isApart(boxes.length - BOX)) {
+        found.accept(order[i]);
+      }
+    }
+  }
+
+  /**
+   * Whether a box is certainly apart from what is asked for: from its box, or, c its centre and h
+   * half of its size, {@code |cross(w, c - a)| > |wx| hy + |wy| hx}. NaN tells nothing.
+   */
+  private boolean isApart(int k) {
+    double x0 = boxes[k];
+    double y0 = boxes[k + 1];
+    double x1 = boxes[k + 2];
+    double y1 = boxes[k + 3];
+    if (x0 > right || x1 < left || y0 > top || y1 < bottom) {
+      return true;
+    }
+    double cx = x0 / 2 + x1 / 2;
+    double cy = y0 / 2 + y1 / 2;
+    double hx = x1 / 2 - x0 / 2;
+    double hy = y1 / 2 - y0 / 2;
+    double ofX = Math.abs(wx);
+    double ofY = Math.abs(wy);
+    double reach = ofX * hy + ofY * hx;
+    double terms =
+        ofX * (Math.abs(cy) + Math.abs(ay) + hy) + ofY * (Math.abs(cx) + Math.abs(ax) + hx);
+    double cross = Math.abs(wx * (cy - ay) - wy * (cx - ax));
+    return cross > reach + (ROUNDING * terms + Double.MIN_NORMAL);
+  }
+}

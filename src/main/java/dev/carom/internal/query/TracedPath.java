@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.query;
+
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.util.DoubleList;
+
+/**
+ * The way of one circle among things that stand still.
+ *
+ * @param flights {@link #FLIGHT} numbers of each flight, one more than there are impacts
+ * @param impacts in the order of time
+ * @param duration the time covered
+ * @param complete whether that is all that was asked for
+ */
+public record TracedPath(
+    DoubleList flights, ImpactRows impacts, double duration, boolean complete) {
+
+  /** Doubles of one flight: t, x, y, vx, vy. */
+  public static final int FLIGHT = 5;
+}

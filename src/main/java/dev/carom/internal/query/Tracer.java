@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.query;
+
+import dev.carom.internal.exact.ExactWork;
+import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.search.BroadSearch;
+import dev.carom.internal.search.Grid;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.sweep.Hit;
+import dev.carom.internal.util.DoubleList;
+
+/** Follows one circle among things that stand still, with all its bounces. */
+public final class Tracer {
+
+  private final Obstacles obstacles;
+  private final BroadSearch search;
+  private final ObstacleResponse response;
+
+  /** What is written where sensors are passed over. */
+  private final ImpactRows passed = new ImpactRows(1);
+
+  /** Where the circle's obstacles are listed, or null to ask them all. */
+  private final Grid grid;
+
+  public Tracer(Obstacles obstacles, BroadSearch search, Grid grid) {
+    this.obstacles = obstacles;
+    this.search = search;
+    this.grid = grid;
+    response = new ObstacleResponse(obstacles);
+  }
+
+  /**
+   * The first contact until a given time, or later by less than rounding: exactly the earliest one,
+   * sensors passed over. Null if there is none.
+   *
+   * @param mover at the start; it must stay as it is found
+   */
+  public Candidate first(Mover mover, double T) {
+    if (!search.cast(mover, grid, T)) {
+      return null;
+    }
+    return new Candidate(
+        mover.next,
+        mover.contact,
+        mover.cleared,
+        () -> search.exactTime(mover),
+        () -> hit(mover, mover.next, mover.cleared));
+  }
+
+  /** Where a search found an impact. */
+  private Hit hit(Mover m, int code, double t) {
+    if (code < Obstacles.WALLS) {
+      return Hit.ofWall(m.x, m.y, m.vx, m.vy, code, obstacles.walls[code], t);
+    }
+    int k = obstacles.offset(code);
+    if (code < Obstacles.PEGS) {
+      double[] l = obstacles.lines;
+      return Hit.ofLine(
+          m.x,
+          m.y,
+          m.radius,
+          m.vx,
+          m.vy,
+          l[k + Obstacles.AX],
+          l[k + Obstacles.AY],
+          l[k + Obstacles.BX],
+          l[k + Obstacles.BY],
+          m.contact,
+          t);
+    }
+    double[] p = obstacles.pegs;
+    return Hit.ofDisks(
+        m.x,
+        m.y,
+        m.radius,
+        m.vx,
+        m.vy,
+        p[k + Obstacles.X],
+        p[k + Obstacles.Y],
+        p[k + Obstacles.RADIUS],
+        0,
+        0,
+        m.contact,
+        t);
+  }
+
+  /**
+   * The way until the given time, or until the impact after the last bounce that is asked for.
+   *
+   * @param most impacts at which the way ends unfinished
+   */
+  public TracedPath trace(Mover mover, double duration, int bounces, int most) {
+    DoubleList flights = new DoubleList();
+    ImpactRows impacts = new ImpactRows(1);
+    add(mover, flights);
+    ExactWork work = ExactWork.ofThread();
+    long before = work.bits();
+    while (next(mover, duration)) {
+      int count = impacts.size();
+      if (count == bounces) {
+        return new TracedPath(flights, impacts, mover.due(), true);
+      }
+      if (count > 0 && count + work.impactsSince(before) >= most) {
+        return new TracedPath(flights, impacts, mover.t, false);
+      }
+      response.resolve(mover, impacts);
+      add(mover, flights);
+    }
+    return new TracedPath(flights, impacts, duration, true);
+  }
+
+  /** Looks for the next impact, past sensors; false if there is none until the given time. */
+  private boolean next(Mover mover, double end) {
+    search.extend(mover, grid, end - mover.t);
+    while (mover.due() <= end && mover.cleared < Double.POSITIVE_INFINITY) {
+      if (mover.next != Mover.NOTHING && !obstacles.isSensor(mover.next)) {
+        return true;
+      }
+      if (mover.next != Mover.NOTHING) {
+        passed.clear();
+        response.resolve(mover, passed);
+      }
+      search.extend(mover, grid, end - mover.t);
+    }
+    return false;
+  }
+
+  private static void add(Mover m, DoubleList flights) {
+    flights.add(m.t, m.x, m.y, m.vx, m.vy);
+  }
+}

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.query;
+
+import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.SceneData;
+import dev.carom.internal.state.Traits;
+import dev.carom.internal.util.Kind;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.stream.LongStream;
+
+/**
+ * What a scene warns of: see {@code Scene.warnings}. The circles are taken in blocks, each twice as
+ * large as the one before: where most overlap most, the first blocks have as many as are listed.
+ */
+public final class Warnings {
+
+  /** So many are listed. */
+  static final int MOST = 10_000;
+
+  private static final int FIRST_BLOCK = 64;
+
+  private static final List<String> WALLS = List.of("left", "right", "bottom", "top");
+
+  private final SceneData scene;
+  private final Obstacles obstacles;
+  private final Proximity proximity;
+  private final List<String> texts = new ArrayList<>();
+
+  /** Of the block in hand, each a circle and, below it, the code of what it overlaps. */
+  private LongStream.Builder found;
+
+  private Warnings(SceneData scene) {
+    this.scene = scene;
+    obstacles = Obstacles.of(scene);
+    proximity = new Proximity(obstacles);
+  }
+
+  public static List<String> of(SceneData scene) {
+    Warnings warnings = new Warnings(scene);
+    int count = scene.circleCount();
+    int to = 0;
+    for (int from = 0; from < count && warnings.texts.size() < MOST; from = to) {
+      to = Math.min(count, from + Math.max(FIRST_BLOCK, from));
+      warnings.look(from, to);
+    }
+    return Collections.unmodifiableList(warnings.texts);
+  }
+
+  private void look(int from, int to) {
+    found = LongStream.builder();
+    for (int i = from; i < to; i++) {
+      lookAtWalls(i);
+    }
+    CircleTree tree = new CircleTree(scene.circles, from, to);
+    for (int code = Obstacles.WALLS; code < obstacles.endOfLines; code++) {
+      lookAtLine(code, tree);
+    }
+    for (int code = Obstacles.PEGS; code < obstacles.endOfPegs; code++) {
+      lookAtPeg(code, tree);
+    }
+    for (int j = from; scene.collide && j < scene.circleCount(); j++) {
+      lookAtCircle(j, tree);
+    }
+    long[] sorted = found.build().sorted().toArray();
+    for (int k = 0; k < sorted.length && texts.size() < MOST; k++) {
+      texts.add(text(scene, (int) (sorted[k] >>> Integer.SIZE), (int) sorted[k]));
+    }
+  }
+
+  private void keep(int i, int code) {
+    found.add((long) i << Integer.SIZE | code);
+  }
+
+  private void lookAtWalls(int i) {
+    if (scene.walls == null || isInside(i)) {
+      return;
+    }
+    for (int wall = 0; wall < Obstacles.WALLS; wall++) {
+      if (proximity.overlaps(wall, scene.x(i), scene.y(i), scene.radius(i))) {
+        keep(i, wall);
+      }
+    }
+  }
+
+  /** Whether a circle is within the bounds for certain: what rounding left apart is apart. */
+  private boolean isInside(int i) {
+    double x = scene.x(i);
+    double y = scene.y(i);
+    double r = scene.radius(i);
+    double[] w = scene.walls;
+    return x - r > w[Obstacles.LEFT]
+        && x + r < w[Obstacles.RIGHT]
+        && y - r > w[Obstacles.BOTTOM]
+        && y + r < w[Obstacles.TOP];
+  }
+
+  private void lookAtLine(int code, CircleTree tree) {
+    if (obstacles.isSensor(code)) {
+      return;
+    }
+    int k = obstacles.offset(code);
+    double ax = scene.lines[k + Obstacles.AX];
+    double ay = scene.lines[k + Obstacles.AY];
+    double bx = scene.lines[k + Obstacles.BX];
+    double by = scene.lines[k + Obstacles.BY];
+    boolean oneWay = obstacles.isOneWay(code);
+    tree.nearLine(
+        ax,
+        ay,
+        bx,
+        by,
+        i -> {
+          double x = scene.x(i);
+          double y = scene.y(i);
+          if (proximity.overlaps(code, x, y, scene.radius(i))
+              && !(oneWay && Predicates.cross(bx, by, ax, ay, x, y, ax, ay) <= 0)) {
+            keep(i, code); // a one-way line is there only for a centre strictly left of it
+          }
+        });
+  }
+
+  private void lookAtPeg(int code, CircleTree tree) {
+    if (!obstacles.isSensor(code)) {
+      int k = obstacles.offset(code);
+      double x = scene.pegs[k + Obstacles.X];
+      double y = scene.pegs[k + Obstacles.Y];
+      double r = scene.pegs[k + Obstacles.RADIUS];
+      tree.nearDisk(
+          x,
+          y,
+          r,
+          i -> {
+            if (overlaps(x, y, r, i)) {
+              keep(i, code);
+            }
+          });
+    }
+  }
+
+  private void lookAtCircle(int j, CircleTree tree) {
+    if (!isSensor(j)) {
+      double x = scene.x(j);
+      double y = scene.y(j);
+      double r = scene.radius(j);
+      tree.nearDisk(
+          x,
+          y,
+          r,
+          i -> {
+            if (i < j && !passes(i, j) && overlaps(x, y, r, i)) {
+              keep(i, Obstacles.CIRCLES + j);
+            }
+          });
+    }
+  }
+
+  /** Whether a disk overlaps circle i. */
+  private boolean overlaps(double x, double y, double r, int i) {
+    return Proximity.overlap(x, y, r, scene.x(i), scene.y(i), scene.radius(i));
+  }
+
+  private boolean isSensor(int i) {
+    return Traits.isSensor(Traits.of(scene.circleTraits, i));
+  }
+
+  /** Whether two circles go through each other. */
+  private boolean passes(int i, int j) {
+    return isSensor(i) || Math.min(scene.masses[i], scene.masses[j]) == Double.POSITIVE_INFINITY;
+  }
+
+  /** What is told of a circle and what it overlaps. */
+  public static String text(SceneData scene, int i, int code) {
+    double r = scene.radius(i);
+    if (code < Obstacles.WALLS) {
+      String wall = "the " + WALLS.get(code) + " wall";
+      return text(i, wall, distanceFromWall(scene, i, code), r, "its radius");
+    }
+    if (code < Obstacles.PEGS) {
+      String line = Kind.nameOf(Kind.LINE, code - Obstacles.WALLS);
+      int k = code * Obstacles.LINE_ROW;
+      double distance = Proximity.distanceFromLine(scene.lines, k, scene.x(i), scene.y(i));
+      return text(i, line, distance, r, "its radius");
+    }
+    if (code < Obstacles.CIRCLES) {
+      int id = code - Obstacles.PEGS;
+      int k = id * Obstacles.PEG_ROW;
+      double distance =
+          distance(scene, i, scene.pegs[k + Obstacles.X], scene.pegs[k + Obstacles.Y]);
+      double sum = r + scene.pegs[k + Obstacles.RADIUS];
+      return text(i, Kind.nameOf(Kind.PEG, id), distance, sum, "the sum of both radii");
+    }
+    int j = code - Obstacles.CIRCLES;
+    double distance = distance(scene, i, scene.x(j), scene.y(j));
+    double sum = r + scene.radius(j);
+    return text(i, Kind.nameOf(Kind.CIRCLE, j), distance, sum, "the sum of both radii");
+  }
+
+  private static double distance(SceneData scene, int i, double x, double y) {
+    return StrictMath.hypot(scene.x(i) - x, scene.y(i) - y);
+  }
+
+  private static double distanceFromWall(SceneData scene, int i, int wall) {
+    double p = wall <= Obstacles.RIGHT ? scene.x(i) : scene.y(i);
+    boolean isLower = (wall & 1) == 0;
+    return isLower ? p - scene.walls[wall] : scene.walls[wall] - p;
+  }
+
+  /**
+   * A distance that rounding took to what is expected, or beyond, is told as the next one below.
+   */
+  private static String text(int i, String thing, double distance, double least, String what) {
+    return "%s: distance from %s is %s: expected at least %s, %s"
+        .formatted(
+            Kind.nameOf(Kind.CIRCLE, i),
+            thing,
+            Math.min(distance, Math.nextDown(least)),
+            least,
+            what);
+  }
+}

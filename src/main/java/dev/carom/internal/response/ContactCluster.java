@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.response;
+
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.Jam;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.Roster;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.IntStream;
+
+/**
+ * Circles in contact, one of which is {@linkplain StuckRule stuck}: all their contacts act at once
+ * and without bounce.
+ *
+ * <p>The {@linkplain InelasticShock inelastic shock} tells their new velocities: it is the limit of
+ * what impacts of restitution 0 would come to, one after the other. Energy never grows; momentum is
+ * kept unless an obstacle takes it up. Contacts that approach by no more than rounding afterwards
+ * are inert, until an impact makes the two approach or part by more.
+ *
+ * <p>Two things have no such answer, or take too long to have one:
+ *
+ * <ul>
+ *   <li>Infinite masses close on a circle, or press it against an obstacle. The circle is
+ *       <i>crushed</i>: it stops, and those masses are inert for it, so that they pass over it.
+ *   <li>Masses are so different that the relaxation does not end. Then all circles go on as one,
+ *       with the velocity of their common momentum, or stop if one of them touches an obstacle.
+ * </ul>
+ */
+public final class ContactCluster {
+
+  /** What may touch the circles of an engine. */
+  public interface Vicinity {
+
+    /** A superset of the circles that touch circle i, in any order. */
+    int[] circlesNear(int i);
+
+    /** A circle in flight, a copy. */
+    Mover copyOf(int i);
+
+    /** A superset of the codes of the obstacles that touch a circle where it is, in any order. */
+    int[] obstaclesNear(Mover m);
+  }
+
+  private static final double INFINITE = Double.POSITIVE_INFINITY;
+
+  /** A touch of member a, with member b or an obstacle. */
+  private record Contact(int a, int b, Touch touch) {}
+
+  private final Roster roster;
+  private final PairResponse pairs;
+  private final ObstacleResponse response;
+  private final Obstacles obstacles;
+  private final Vicinity vicinity;
+
+  /** Circles of finite mass that touch each other, and those of infinite mass that touch them. */
+  private final List<Mover> members = new ArrayList<>();
+
+  private final List<Contact> contacts = new ArrayList<>();
+
+  public ContactCluster(
+      Roster roster,
+      PairResponse pairs,
+      ObstacleResponse response,
+      Obstacles obstacles,
+      Vicinity vicinity) {
+    this.roster = roster;
+    this.pairs = pairs;
+    this.response = response;
+    this.obstacles = obstacles;
+    this.vicinity = vicinity;
+  }
+
+  /**
+   * Gives new velocities to the circles that touch one or two, touch these, and so on, and writes
+   * into the log which contacts acted.
+   *
+   * @param hit one circle that has just hit an obstacle, or two that have just hit each other, at
+   *     the start of their new flights
+   * @return those that were hit and those that changed, at the start of their new flights
+   */
+  public Collection<Mover> resolve(ImpactRows log, Mover... hit) {
+    gather(hit);
+    Set<Mover> changed = new LinkedHashSet<>(List.of(hit));
+    if (members.size() == 1) {
+      return changed; // the impact itself was all
+    }
+    InelasticShock shock = shock();
+    boolean resolved = shock.resolve();
+    if (!resolved && crush(changed, log, hit)) {
+      shock = shock();
+      resolved = shock.resolve();
+    }
+    for (int k = 0; k < contacts.size(); k++) {
+      if ((!resolved || shock.acted(k)) && !isHit(contacts.get(k), hit)) {
+        report(contacts.get(k), log);
+      }
+    }
+    if (resolved) {
+      change(shock, changed);
+    } else {
+      joinAll(changed);
+    }
+    return changed;
+  }
+
+  /** Whether one that infinite masses crushed is still overlapped by any of them. */
+  public boolean isCrushed(Mover m) {
+    if (m.jam == null) {
+      return false;
+    }
+    for (int code : m.jam.codes()) {
+      int id = ~code - Obstacles.CIRCLES;
+      if (id >= 0 && Touch.of(m, broughtTo(m, vicinity.copyOf(id))) != null) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean isInfinite(int id) {
+    return roster.mass(id) == INFINITE;
+  }
+
+  /** A circle where it is at the time of another one. */
+  private Mover broughtTo(Mover time, Mover m) {
+    double dt = (time.t - m.t) + (time.tl - m.tl);
+    m.fly(dt, 0, time.t, time.tl, dt == 0, obstacles.walls);
+    m.newFlight();
+    return m;
+  }
+
+  private void gather(Mover... hit) {
+    members.clear();
+    contacts.clear();
+    Map<Integer, Integer> numbers = new HashMap<>();
+    for (Mover m : hit) {
+      m.crushed = isCrushed(m);
+      numbers.put(m.id, members.size());
+      members.add(m);
+    }
+    for (int k = 0; k < members.size(); k++) { // the list grows
+      if (pairs.mass(members.get(k)) < INFINITE) {
+        addObstacles(k);
+        addCircles(k, numbers);
+      }
+    }
+  }
+
+  private void addObstacles(int k) {
+    Mover m = members.get(k);
+    for (int code : vicinity.obstaclesNear(m)) {
+      Touch touch = obstacles.isSensor(code) ? null : Touch.of(m, obstacles, code);
+      if (touch != null) {
+        contacts.add(new Contact(k, InelasticShock.OBSTACLE, touch));
+      }
+    }
+  }
+
+  private void addCircles(int k, Map<Integer, Integer> numbers) {
+    Mover m = members.get(k);
+    int[] near = IntStream.of(vicinity.circlesNear(m.id)).sorted().distinct().toArray();
+    for (int id : near) {
+      boolean passesOver = m.jam != null && m.jam.isCrushedBy(Obstacles.CIRCLES + id);
+      if (id != m.id && !pairs.isSensor(id, m.id) && !passesOver) {
+        addCircle(k, id, numbers);
+      }
+    }
+  }
+
+  private void addCircle(int k, int id, Map<Integer, Integer> numbers) {
+    Mover m = members.get(k);
+    Integer known = numbers.get(id);
+    Mover other = known != null ? members.get(known) : broughtTo(m, vicinity.copyOf(id));
+    if (known == null) {
+      other.crushed = isCrushed(other);
+    } else if (known < k && pairs.mass(other) < INFINITE) {
+      return; // found from the other side
+    }
+    Touch touch = Touch.of(m, other);
+    if (touch != null) {
+      if (known == null) {
+        numbers.put(id, members.size());
+        members.add(other);
+      }
+      contacts.add(new Contact(k, numbers.get(id), touch));
+    }
+  }
+
+  private InelasticShock shock() {
+    InelasticShock shock = new InelasticShock(members.size(), contacts.size());
+    for (int i = 0; i < members.size(); i++) {
+      Mover m = members.get(i);
+      shock.setCircle(i, m.vx, m.vy, pairs.mass(m));
+    }
+    for (Contact c : contacts) {
+      shock.addContact(c.a, c.b, c.touch.nx(), c.touch.ny());
+    }
+    return shock;
+  }
+
+  /** Stops the circles that infinite masses touch, and lets those pass over them. */
+  private boolean crush(Set<Mover> changed, ImpactRows log, Mover... hit) {
+    List<Contact> ofInfinite =
+        contacts.stream()
+            .filter(c -> c.b != InelasticShock.OBSTACLE && isInfinite(members.get(c.b).id))
+            .toList();
+    for (Contact c : ofInfinite) {
+      if (!isHit(c, hit)) {
+        report(c, log);
+      }
+    }
+    for (Contact c : ofInfinite) {
+      Mover m = members.get(c.a);
+      m.vx = 0;
+      m.vy = 0;
+      m.last = Mover.NOTHING;
+      m.jam = Jam.crushedBy(m.jam, c.touch.code());
+      m.crushed = true;
+      changed.add(m);
+    }
+    return contacts.removeAll(ofInfinite);
+  }
+
+  /** Whether a contact is the impact in hand, which the log has by now. */
+  private boolean isHit(Contact c, Mover... hit) {
+    boolean isFirst = members.get(c.a) == hit[0];
+    return isFirst && (hit.length == 1 ? c.touch.code() == hit[0].last : c.b == 1);
+  }
+
+  private void report(Contact c, ImpactRows log) {
+    Mover a = members.get(c.a);
+    if (c.b == InelasticShock.OBSTACLE) {
+      response.report(a, c.touch, log);
+    } else {
+      Mover b = members.get(c.b);
+      pairs.report(a.id < b.id ? a : b, a.id < b.id ? b : a, log);
+    }
+    log.setOutcome(ImpactRows.JAMMED);
+  }
+
+  private void change(InelasticShock shock, Set<Mover> changed) {
+    for (int i = 0; i < members.size(); i++) {
+      Mover m = members.get(i);
+      if (pairs.mass(m) < INFINITE && (m.vx != shock.vx(i) || m.vy != shock.vy(i))) {
+        m.vx = shock.vx(i);
+        m.vy = shock.vy(i);
+        ObstacleResponse.stopsBeyondRange(m);
+        m.last = Mover.NOTHING;
+        changed.add(m);
+      }
+    }
+    for (Mover m : changed) {
+      StuckRule.notePace(m, shock.speed());
+      m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
+    }
+    for (int k = 0; k < contacts.size(); k++) {
+      if (shock.isFaint(k)) {
+        makeInert(contacts.get(k), changed);
+      }
+    }
+  }
+
+  private void makeInert(Contact c, Set<Mover> changed) {
+    Mover a = members.get(c.a);
+    a.jam = Jam.with(a.jam, c.touch.code());
+    changed.add(a);
+    if (c.touch.code() < Obstacles.WALLS) {
+      stopAtWall(a, c.touch);
+    }
+    if (c.b != InelasticShock.OBSTACLE) {
+      Mover b = members.get(c.b);
+      b.jam = Jam.with(b.jam, Obstacles.CIRCLES + a.id);
+      changed.add(b);
+    }
+  }
+
+  /** What little approach is left would add up, for the wall is inert from now on. */
+  private static void stopAtWall(Mover m, Touch wall) {
+    if (m.vx * wall.nx() < 0) {
+      m.vx = 0;
+    }
+    if (m.vy * wall.ny() < 0) {
+      m.vy = 0;
+    }
+  }
+
+  /** Lets all go on with the velocity of their common momentum, or stop where any is held. */
+  private void joinAll(Set<Mover> changed) {
+    boolean held = contacts.stream().anyMatch(c -> c.b == InelasticShock.OBSTACLE);
+    double mass = 0;
+    double vx = 0;
+    double vy = 0;
+    for (Mover m : members) {
+      double own = pairs.mass(m);
+      held |= own == INFINITE;
+      mass += own;
+      // So much of the mean is its own.
+      vx = (1 - own / mass) * vx + own / mass * m.vx;
+      vy = (1 - own / mass) * vy + own / mass * m.vy;
+    }
+    for (Mover m : members) {
+      if (pairs.mass(m) < INFINITE) {
+        m.vx = held ? 0 : vx;
+        m.vy = held ? 0 : vy;
+        m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
+        m.last = Mover.NOTHING;
+        changed.add(m);
+      }
+    }
+  }
+}

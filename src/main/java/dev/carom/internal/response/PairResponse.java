@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.response;
+
+import static dev.carom.internal.exact.DoubleDouble.sumTail;
+
+import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.Jam;
+import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.Roster;
+import dev.carom.internal.sweep.Coordinates;
+
+/**
+ * What a collision does to two velocities: with the offset {@code n = x1 - x2}, of any length, and
+ * {@code u = v1 - v2}, the part of u along n is turned round and scaled by e, and shared out by the
+ * masses: {@code v1 -= m2 / (m1 + m2) J n}, {@code v2 += m1 / (m1 + m2) J n} with {@code J = (1 +
+ * e) (u.n) / (n.n)}. A circle of infinite mass goes on as it was; two of them pass through each
+ * other, which is reported. Where one halts, both lose what motion they have along n.
+ */
+public final class PairResponse {
+
+  /** Of speeds below this, the sum of two of each component is a double. */
+  private static final double FAST = 0x1p1020;
+
+  /** The sum of two masses up to this is a double. */
+  private static final double LARGE = 0x1p1000;
+
+  private static final double INFINITE = Double.POSITIVE_INFINITY;
+
+  private final Roster roster;
+  private final Impulse impulse = new Impulse();
+
+  // The two in hand: 2^fast u, n, and u.n.
+  private int fast;
+  private double ux;
+  private double uy;
+  private double nx;
+  private double ny;
+  private double un;
+
+  public PairResponse(Roster roster) {
+    this.roster = roster;
+  }
+
+  /** Whether two circles just hit each other and neither changed since, or are jammed together. */
+  public boolean skips(Circles circles, int i, int j) {
+    if (circles.codes[Circles.collidingCodesAt(i) + Circles.LAST] == Obstacles.CIRCLES + j
+        && circles.codes[Circles.collidingCodesAt(j) + Circles.LAST] == Obstacles.CIRCLES + i) {
+      return true;
+    }
+    if (circles.jams == null) {
+      return false;
+    }
+    return isInert(i, circles.jam(i), j, circles.jam(j));
+  }
+
+  /**
+   * Whether two circles are not there for each other: both are jammed to the other, or one of them
+   * has infinite mass, crushed the other, and passes over it.
+   */
+  public boolean isInert(int i, Jam ofI, int j, Jam ofJ) {
+    int codeI = Obstacles.CIRCLES + i;
+    int codeJ = Obstacles.CIRCLES + j;
+    return (ofI != null && ofI.isCrushedBy(codeJ))
+        || (ofJ != null && ofJ.isCrushedBy(codeI))
+        || (ofI != null && ofJ != null && ofI.makesInert(codeJ) && ofJ.makesInert(codeI));
+  }
+
+  /**
+   * Whether a circle that jammed with another, and has just been set on a new flight, approaches or
+   * leaves it by more than rounding: then the two are there for each other again.
+   */
+  public boolean part(Mover m, Mover other) {
+    double later = (m.t - other.t) + (m.tl - other.tl);
+    double nx = m.x - Math.fma(other.vx, later, other.x);
+    double ny = m.y - Math.fma(other.vy, later, other.y);
+    double un = (m.vx - other.vx) * nx + (m.vy - other.vy) * ny;
+    double approach = un / (Math.abs(nx) + Math.abs(ny));
+    return !StuckRule.isFaint(m, approach) && !StuckRule.isFaint(other, approach);
+  }
+
+  private static double speeds(Mover a, Mover b) {
+    return Math.abs(a.vx) + Math.abs(a.vy) + Math.abs(b.vx) + Math.abs(b.vy);
+  }
+
+  /**
+   * The rank of a meeting among events of the same time, the lower number first: after what circles
+   * meet that stands still. Sensors come first of all, since they change nothing.
+   */
+  public long rank(int i, int j) {
+    long rank = (long) (Obstacles.CIRCLES + i) << 31 | j;
+    return isSilent(i, j) ? rank - Long.MAX_VALUE : rank;
+  }
+
+  /** Whether there may be circles that only report that they meet. */
+  public boolean haveSilent() {
+    return roster.hasTraits() || roster.hasInfinite();
+  }
+
+  /** Whether the meeting of circles i and j is reported and changes nothing. */
+  public boolean isSilent(int i, int j) {
+    return isSensor(i, j) || pass(i, j);
+  }
+
+  /** Whether one of circles i and j is a sensor. */
+  public boolean isSensor(int i, int j) {
+    return roster.isSensor(i) || roster.isSensor(j);
+  }
+
+  /** Whether circles i and j, of infinite mass, pass through each other. */
+  boolean pass(int i, int j) {
+    return roster.mass(i) == INFINITE && roster.mass(j) == INFINITE;
+  }
+
+  /**
+   * Changes the velocities of two circles in contact, the lower number first, and writes the log.
+   * Where one is a sensor, or both have infinite mass, it only writes. A {@linkplain Mover#crushed
+   * crushed} circle stands like one of infinite mass.
+   *
+   * @return what it leads to, as {@link ObstacleResponse#resolve} tells
+   */
+  public int resolve(Mover a, Mover b, ImpactRows log) {
+    report(a, b, log);
+    if (isSilent(a.id, b.id)) {
+      log.setOutcome(isSensor(a.id, b.id) ? ImpactRows.SENSED : ImpactRows.PASSED);
+      return ObstacleResponse.SENSED;
+    }
+    if (mass(a) == INFINITE && mass(b) == INFINITE) {
+      passOverCrushed(a, b);
+      passOverCrushed(b, a);
+      log.setOutcome(ImpactRows.JAMMED);
+      return ObstacleResponse.NEW_FLIGHT;
+    }
+    boolean halt = roster.halts(a.id) || roster.halts(b.id);
+    double e = halt ? 0 : a.restitution * b.restitution;
+    double approach = un / (Math.abs(nx) + Math.abs(ny));
+    count(a, b, e, approach);
+    count(b, a, e, approach);
+    a.driven |= mass(b) == INFINITE && b.vx * nx + b.vy * ny > 0;
+    b.driven |= mass(a) == INFINITE && a.vx * nx + a.vy * ny < 0;
+    boolean stuck = isStuck(a) || isStuck(b);
+    boolean faint = stuck && (isFaint(a, approach) || isFaint(b, approach));
+    if (un < 0) {
+      change(a, b, stuck ? 0 : e, halt, log);
+    }
+    if (stuck) {
+      log.setOutcome(ImpactRows.JAMMED);
+    }
+    if (faint) {
+      a.jam = Jam.with(a.jam, Obstacles.CIRCLES + b.id);
+      b.jam = Jam.with(b.jam, Obstacles.CIRCLES + a.id);
+    }
+    beginFlight(a, b);
+    beginFlight(b, a);
+    return stuck && !faint ? ObstacleResponse.STUCK : ObstacleResponse.NEW_FLIGHT;
+  }
+
+  /** Another infinite mass comes to a circle that one crushed. */
+  private static void passOverCrushed(Mover m, Mover other) {
+    if (m.crushed) {
+      m.jam = Jam.crushedBy(m.jam, Obstacles.CIRCLES + other.id);
+    }
+    beginFlight(m, other);
+  }
+
+  /** The mass with which a circle is hit. */
+  double mass(Mover m) {
+    return m.crushed ? INFINITE : roster.mass(m.id);
+  }
+
+  private static boolean isStuck(Mover m) {
+    return !m.crushed && StuckRule.isStuck(m);
+  }
+
+  private static boolean isFaint(Mover m, double approach) {
+    return !m.crushed && StuckRule.isFaint(m, approach);
+  }
+
+  private void count(Mover m, Mover other, double e, double approach) {
+    if (!m.crushed) {
+      double speed = scaled(Math.abs(ux) + Math.abs(uy), fast);
+      int elastic = mass(other) == INFINITE ? StuckRule.ELASTIC : StuckRule.ELASTIC_PAIR;
+      StuckRule.count(m, m.flown * speed, speeds(m, other), approach, e, elastic);
+    }
+  }
+
+  private void change(Mover a, Mover b, double e, boolean halt, ImpactRows log) {
+    double massA = mass(a);
+    double massB = mass(b);
+    if (halt && massA + massB < INFINITE) {
+      stop(a, nx, ny);
+      stop(b, nx, ny);
+    } else {
+      impulse.of(1 + e, ux, uy, nx, ny);
+      impulse.scale(fast);
+      push(a, -1, massB, massA, nx, ny);
+      push(b, 1, massA, massB, nx, ny);
+    }
+    boolean aStops = ObstacleResponse.stopsBeyondRange(a);
+    boolean bStops = ObstacleResponse.stopsBeyondRange(b);
+    if (aStops || bStops) {
+      log.setOutcome(ImpactRows.STOPPED);
+    } else if (halt) {
+      log.setOutcome(ImpactRows.HALTED);
+    }
+  }
+
+  private static void beginFlight(Mover m, Mover other) {
+    m.turn = 0;
+    m.last = Obstacles.CIRCLES + other.id;
+    m.newFlight();
+  }
+
+  /** Writes that two circles are in contact, the lower number first, and how they approach. */
+  void report(Mover a, Mover b, ImpactRows log) {
+    fast = exponent(a, b);
+    ux = ObstacleResponse.difference(a.vx, b.vx, fast);
+    uy = ObstacleResponse.difference(a.vy, b.vy, fast);
+    int large = ObstacleResponse.exponent(a.x, a.y, b.x, b.y, Math.max(Math.abs(ux), Math.abs(uy)));
+    nx = ObstacleResponse.difference(a.x, b.x, large);
+    ny = ObstacleResponse.difference(a.y, b.y, large);
+    un = scaled(ObstacleResponse.dot(ux, uy, nx, ny), fast);
+    double share = Coordinates.share(b.radius, a.radius);
+    log.addPair(a.t, a.id, b.id);
+    log.set(Coordinates.between(share, b.x, a.x), Coordinates.between(share, b.y, a.y), nx, ny, un);
+  }
+
+  /**
+   * By which power of two velocities are to be divided, lest their difference overflow: as a rule
+   * 0.
+   */
+  private static int exponent(Mover a, Mover b) {
+    boolean ordinary =
+        Math.abs(a.vx) < FAST
+            && Math.abs(a.vy) < FAST
+            && Math.abs(b.vx) < FAST
+            && Math.abs(b.vy) < FAST;
+    return ordinary ? 0 : 2;
+  }
+
+  /** x 2^exponent. */
+  private static double scaled(double x, int exponent) {
+    return exponent == 0 ? x : Math.scalb(x, exponent);
+  }
+
+  /** Takes away a circle's motion along the normal. */
+  private void stop(Mover m, double nx, double ny) {
+    m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
+    impulse.of(1, m.vx, m.vy, nx, ny);
+    m.vx = impulse.less(m.vx, nx);
+    m.vy = impulse.less(m.vy, ny);
+  }
+
+  /**
+   * Gives a circle its share of the impulse, the other's mass over the sum of both, which is kept
+   * as head and tail: rounded alike at each impact of two masses, it would let the energy drift. A
+   * line along which a jammed circle slid is there for it again.
+   */
+  private void push(Mover m, int sign, double other, double own, double nx, double ny) {
+    if (own == INFINITE) {
+      return;
+    }
+    m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
+    double share = 0.5;
+    double tail = 0;
+    if (own != other || own > LARGE) {
+      boolean all = other == INFINITE;
+      double sum = other + own;
+      share = all ? 1 : other / sum;
+      double rest = Math.fma(-share, sum, other) - share * sumTail(other, own, sum);
+      tail = all ? 0 : rest / sum;
+    }
+    m.vx = impulse.change(m.vx, sign * share, sign * tail, nx);
+    m.vy = impulse.change(m.vy, sign * share, sign * tail, ny);
+  }
+}

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.response;
+
+import dev.carom.internal.state.Mover;
+
+/**
+ * Counts the impacts that a circle makes at one place, and tells when it is stuck.
+ *
+ * <p>Restitution other than 1, or clearance below rounding, can make infinitely many impacts in
+ * finite time. Two successive impacts are at one place if a circle, and what it hits, moved next to
+ * nothing between them. A circle is <i>stuck</i> when the weights of its successive impacts at one
+ * place exceed {@link #LIMIT}; from then on its impacts there have restitution 0.
+ *
+ * <ul>
+ *   <li><b>Elastic impacts.</b> A place is 2^-39 of the coordinates wide: doubles hold so small a
+ *       clearance to four digits only. 1,024 impacts with obstacles make a circle stuck, or 16,384
+ *       with circles: long elastic rows need that many.
+ *   <li><b>Other impacts.</b> A place is at least 2^-16 of the radius wide. An impact weighs by
+ *       what it does to the energy: a circle is stuck when the product of the restitutions is below
+ *       2^-16, or above 2^16, but not by fewer than 4 impacts. Then next to nothing is left of the
+ *       motion, or next to all of it was made there.
+ *   <li><b>Faint impacts</b>, which approach by no more than the rounding of the speeds met at that
+ *       place, weigh 1/32 of the limit.
+ *   <li><b>Driven circles.</b> A circle between something and an infinite mass that moves towards
+ *       it gets less room with each impact, and makes infinitely many at restitution 1. For it
+ *       2^-10 of the radius is one place.
+ * </ul>
+ */
+public final class StuckRule {
+
+  /** The sum of weights beyond which a circle is stuck. */
+  public static final int LIMIT = Mover.STUCK_LIMIT;
+
+  /** The weight of an elastic impact with an obstacle. */
+  public static final int ELASTIC = LIMIT / 1024;
+
+  /** The weight of an elastic impact with a circle of finite mass. */
+  public static final int ELASTIC_PAIR = LIMIT / 16_384;
+
+  /** The weight of an impact that halves or doubles the speed along the normal. */
+  private static final int HALVING = LIMIT / 16;
+
+  /** The most that an impact weighs. */
+  private static final int MOST = LIMIT / 4;
+
+  /** The weight of an impact that approaches by no more than rounding. */
+  private static final int FAINT = LIMIT / 32;
+
+  private static final double LN_2 = 0.6931471805599453;
+
+  /** The part of its coordinates that is one place for a circle. */
+  private static final double PLACE = 0x1p-39;
+
+  /** The part of its radius that is one place for a circle whose impacts are not elastic. */
+  static final double INELASTIC_PLACE = 0x1p-16;
+
+  /** The part of its radius that is one place for a driven circle. */
+  private static final double DRIVEN_PLACE = 0x1p-10;
+
+  /** The part of its coordinates by which rounding moves a circle: 4 ulps of 1..2 are 2^-50. */
+  private static final double ROUNDED = 0x1p-51;
+
+  /** Approach, relative to the speed, that is no more than rounding: some ulps of the velocity. */
+  private static final double ROUNDED_SPEED = 0x1p-48;
+
+  private StuckRule() {}
+
+  /**
+   * Counts an impact.
+   *
+   * @param way how far the two moved against each other since the circle's last impact
+   * @param speed the sum of the components of what moves
+   * @param approach along the normal
+   * @param e the restitution
+   * @param elastic the weight if that is 1
+   */
+  static void count(Mover m, double way, double speed, double approach, double e, int elastic) {
+    int exponent = exponent(speed);
+    if (m.standsStill || way <= place(m, e) || slides(m, approach, exponent)) {
+      m.pace = Math.max(m.pace, exponent);
+      add(m, isFaint(m, approach) ? FAINT : weight(e, elastic));
+    } else if (m.driven && way <= DRIVEN_PLACE * m.radius) {
+      m.pace = Math.max(m.pace, exponent);
+      add(m, weight(e, elastic));
+    } else {
+      m.leavePlace();
+      m.pace = exponent;
+    }
+  }
+
+  /** Whether a circle slid along what it hit: neither moved nearer by more than rounding. */
+  private static boolean slides(Mover m, double approach, int exponent) {
+    return isFaint(approach, exponent)
+        && (isStuck(m) || m.flown * Math.abs(approach) <= ROUNDED * size(m));
+  }
+
+  private static void add(Mover m, int weight) {
+    m.stuck = Math.min(m.stuck + weight, LIMIT + 1);
+  }
+
+  /** The weight of an impact: if it is not elastic, by what it does to the speed. */
+  private static int weight(double e, int elastic) {
+    double halvings = e == 1 ? 0 : Math.abs(StrictMath.log(e)) / LN_2;
+    return (int) Math.max(elastic, Math.min(MOST, halvings * HALVING));
+  }
+
+  /** The width of a place. */
+  private static double place(Mover m, double e) {
+    double place = PLACE * size(m);
+    return e == 1 ? place : Math.max(place, INELASTIC_PLACE * m.radius);
+  }
+
+  private static double size(Mover m) {
+    return Math.max(Math.max(Math.abs(m.x), Math.abs(m.y)), m.radius);
+  }
+
+  /** How far a circle moves at most from what it just hit to still be at the same place. */
+  static double reach(Mover m) {
+    return isStuck(m) ? place(m, 0) : ROUNDED * size(m);
+  }
+
+  /** Whether a circle made so many impacts at one place that they would not end. */
+  static boolean isStuck(Mover m) {
+    return m.stuck > LIMIT;
+  }
+
+  /** Notes that a circle took part in what happened at a speed. */
+  static void notePace(Mover m, double speed) {
+    m.pace = Math.max(m.pace, exponent(speed));
+  }
+
+  /** Whether an approach is no more than rounding of the speeds that a circle met at its place. */
+  static boolean isFaint(Mover m, double approach) {
+    return isFaint(approach, m.pace);
+  }
+
+  private static boolean isFaint(double approach, int exponent) {
+    return Math.abs(approach) <= ROUNDED_SPEED * powerOfTwo(exponent);
+  }
+
+  /** The binary exponent of a speed. */
+  private static int exponent(double speed) {
+    return Math.min(Math.getExponent(speed), Double.MAX_EXPONENT);
+  }
+
+  /** 2^k, for the exponent of a double: 0 and subnormal ones have that of 2^-1023. */
+  private static double powerOfTwo(int k) {
+    return k < Double.MIN_EXPONENT
+        ? Double.MIN_NORMAL / 2
+        : Double.longBitsToDouble((long) (k + Double.MAX_EXPONENT) << 52);
+  }
+}

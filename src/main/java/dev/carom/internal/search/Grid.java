@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.search;
+
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.PresentCodes;
+import java.util.Arrays;
+import java.util.stream.IntStream;
+
+/**
+ * Square cells over the lines and pegs of a scene; each cell lists every one that a circle of at
+ * most a given radius could touch while its centre is in the cell.
+ *
+ * <p>Lists are made for cells grown by a margin of 2^-8 of their size. A path of at most 2^14 cells
+ * inside the grid is followed with an error below 2^-11 cells, so rounding can put it into a
+ * neighbour of the true cell only where both lists hold what matters.
+ */
+public final class Grid {
+
+  /** Cells an axis at most. */
+  private static final int MOST = 1 << 13;
+
+  private static final double MARGIN = 0x1p-8;
+
+  /** In place of a list: outside of the grid, which one ring of such cells surrounds. */
+  static final long OUTSIDE = Long.MIN_VALUE;
+
+  private static final long MORE = Long.MIN_VALUE;
+
+  /** Cells a unit of time, and its inverse, within which times and cells convert. */
+  private static final double MOST_PACE = 0x1p500;
+
+  private static final double LEAST_SPEED = 0x1p-900;
+
+  private static final double CELLS_EACH = 3;
+
+  final double cell;
+  public final int columns;
+  public final int rows;
+
+  /** What one row further means for the number of a cell. */
+  final int stride;
+
+  /**
+   * What each cell lists, by its number: a pair of lines, as {@link #first} and {@link #second}
+   * tell; one alone stands twice, and none is 0, twice the code of a wall. Below 0, a pair of
+   * pegs, as {@link #arePegs} tells; or the place of more in {@link #pairs}, as an int.
+   */
+  public final long[] lists;
+
+  /** Pairs of lines, or of pegs, each with the bit of the sign if another one follows. */
+  public final long[] pairs;
+
+  /** Places so far from the origin are not resolved, nor speeds outside of this range. */
+  private final double farthest;
+
+  private final double slowest;
+  private final double fastest;
+
+  private final double xmin;
+  private final double ymin;
+  private final double xmax;
+  private final double ymax;
+
+  /** 1 / {@link #cell}, which multiplies where the walk cannot afford a division. */
+  final double perCell;
+
+  private final Obstacles obstacles;
+
+  /** The largest radius of a circle that it serves. */
+  public final double radius;
+
+  /**
+   * Lists all obstacles for circles of up to the given radius.
+   *
+   * @param cell the size of a cell, or 0 to have it chosen
+   */
+  public Grid(Obstacles obstacles, double radius, double cell) {
+    this.obstacles = obstacles;
+    this.radius = radius;
+    double[] box = box();
+    double width = box[2] - box[0];
+    double height = box[3] - box[1];
+    this.cell = cell > 0 ? cell : chosen(width, height);
+    xmin = box[0] - this.cell;
+    ymin = box[1] - this.cell;
+    columns = (int) Math.ceil(width / this.cell) + 2;
+    rows = (int) Math.ceil(height / this.cell) + 2;
+    xmax = xmin + columns * this.cell;
+    ymax = ymin + rows * this.cell;
+    perCell = 1 / this.cell;
+    stride = columns + 2;
+    farthest = this.cell * 0x1p40 - (Math.abs(xmin) + Math.abs(ymin));
+    slowest = Math.max(LEAST_SPEED, this.cell / MOST_PACE);
+    fastest = this.cell * MOST_PACE;
+    int[] starts = new int[columns * rows + 1];
+    int[] listed = list(starts);
+    lists = new long[stride * (rows + 2)];
+    pairs = new long[1 + room(starts, listed)]; // a list at 0 would be OUTSIDE
+    pack(starts, listed);
+  }
+
+  /** The pairs that longer lists take. */
+  private static int room(int[] starts, int[] listed) {
+    int room = 0;
+    for (int i = 1; i < starts.length; i++) {
+      int lines = firstPeg(listed, starts[i - 1], starts[i]) - starts[i - 1];
+      int pegs = starts[i] - starts[i - 1] - lines;
+      room += isLong(lines, pegs) ? (lines + 1) / 2 + (pegs + 1) / 2 : 0;
+    }
+    return room;
+  }
+
+  private static boolean isLong(int lines, int pegs) {
+    return lines + pegs > 2 || (lines > 0 && pegs > 0);
+  }
+
+  private void pack(int[] starts, int[] listed) {
+    Arrays.fill(lists, OUTSIDE);
+    int end = 1;
+    for (int i = 0; i < columns * rows; i++) {
+      int from = starts[i];
+      int to = starts[i + 1];
+      int pegs = firstPeg(listed, from, to);
+      long list = 0;
+      if (isLong(pegs - from, to - pegs)) {
+        list = MORE | end;
+        end = packPairs(listed, from, pegs, end);
+        end = packPairs(listed, pegs, to, end);
+        pairs[end - 1] &= ~MORE;
+      } else if (from < to) {
+        list = (pegs < to ? MORE : 0) | pair(listed[from], listed[to - 1]);
+      }
+      lists[number(i % columns, i / columns)] = list;
+    }
+  }
+
+  private static int firstPeg(int[] listed, int from, int to) {
+    int k = from;
+    while (k < to && listed[k] < Obstacles.PEGS) {
+      k++;
+    }
+    return k;
+  }
+
+  /** Appends codes in pairs, and returns the end. */
+  private int packPairs(int[] listed, int from, int to, int end) {
+    int k = end;
+    for (int i = from; i < to; i += 2) {
+      pairs[k++] = MORE | pair(listed[i], listed[Math.min(i + 1, to - 1)]);
+    }
+    return k;
+  }
+
+  /** Two codes, the first one lowest. */
+  static long pair(int first, int second) {
+    return ((long) second << Integer.SIZE) | first;
+  }
+
+  /** The code that is number 0 or 1 of a pair of lines, without a branch. */
+  static int code(long pair, int number) {
+    return (int) (pair >>> (number * Integer.SIZE));
+  }
+
+  public static int first(long pair) {
+    return (int) pair;
+  }
+
+  public static int second(long pair) {
+    return (int) (pair >>> Integer.SIZE) & Integer.MAX_VALUE;
+  }
+
+  /** Whether a pair, or a list below 0, is of pegs: beside a place in {@link #pairs} stands 0. */
+  public static boolean arePegs(long pair) {
+    return second(pair) >= Obstacles.PEGS;
+  }
+
+  /** The number of a cell. */
+  public int number(int column, int row) {
+    return (row + 1) * stride + column + 1;
+  }
+
+  /** {@link #CELLS_EACH} an obstacle, none smaller than the radius: measured, it is flat there. */
+  private double chosen(double width, double height) {
+    double fair = Math.sqrt(width * height / (CELLS_EACH * obstacles.size()));
+    double least = Math.max(width, height) / MOST;
+    return Math.max(Math.max(fair, radius), least);
+  }
+
+  /** The box around all obstacles, grown by the radius: outside of it none can be hit. */
+  private double[] box() {
+    double[] box = {
+      Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
+      Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
+    };
+    PresentCodes lines = obstacles.presentLines();
+    for (int i = 0; i < lines.size(); i++) {
+      if (!obstacles.isGone(lines.get(i))) {
+        int k = obstacles.offset(lines.get(i));
+        double[] l = obstacles.lines;
+        include(box, l[k + Obstacles.AX], l[k + Obstacles.AY], radius);
+        include(box, l[k + Obstacles.BX], l[k + Obstacles.BY], radius);
+      }
+    }
+    PresentCodes pegs = obstacles.presentPegs();
+    for (int i = 0; i < pegs.size(); i++) {
+      if (!obstacles.isGone(pegs.get(i))) {
+        int k = obstacles.offset(pegs.get(i));
+        double[] p = obstacles.pegs;
+        double r = p[k + Obstacles.RADIUS];
+        include(box, p[k + Obstacles.X], p[k + Obstacles.Y], radius + r);
+      }
+    }
+    return box;
+  }
+
+  private static void include(double[] box, double x, double y, double radius) {
+    box[0] = Math.min(box[0], x - radius);
+    box[1] = Math.min(box[1], y - radius);
+    box[2] = Math.max(box[2], x + radius);
+    box[3] = Math.max(box[3], y + radius);
+  }
+
+  /** The codes of what a circle could touch whose centre is at a place; none beyond the grid. */
+  IntStream listedAt(double x, double y) {
+    IntStream.Builder codes = IntStream.builder();
+    if (contains(x, y)) {
+      long list = lists[number(column(columns(x)), row(rows(y)))];
+      if (list >= 0 || arePegs(list)) {
+        addPair(list, codes);
+      } else {
+        int k = (int) list;
+        do {
+          addPair(pairs[k], codes);
+        } while (pairs[k++] < 0);
+      }
+    }
+    return codes.build().filter(code -> code >= Obstacles.WALLS);
+  }
+
+  private static void addPair(long pair, IntStream.Builder codes) {
+    codes.add(first(pair)).add(second(pair));
+  }
+
+  /** Reads what the cells around a place list, to have it in the cache. */
+  public long around(double x, double y) {
+    int cell = number(column(columns(x)), row(rows(y)));
+    return (lists[cell - stride - 1] + lists[cell - stride + 1])
+        + (lists[cell - 1] + lists[cell + 1])
+        + (lists[cell + stride - 1] + lists[cell + stride + 1]);
+  }
+
+  public int cells() {
+    return columns * rows;
+  }
+
+  /**
+   * Whether a path from this place can be followed to within the margin: 2^-40 of its size is; and
+   * whether cells that are passed at this speed can be counted by time, on both axes: 1 / |v| is
+   * beyond the doubles only where an axis is slower than that by far.
+   */
+  public boolean resolves(double x, double y, double speed) {
+    return Math.abs(x) + Math.abs(y) < farthest && speed > slowest && speed < fastest;
+  }
+
+  public boolean contains(double x, double y) {
+    return x >= xmin && x <= xmax && y >= ymin && y <= ymax;
+  }
+
+  /**
+   * When a path from (x, y) along (vx, vy) is first inside, at {@code from} or later; {@code
+   * +infinity} if it never is.
+   */
+  public double entry(double x, double y, double vx, double vy, double from) {
+    double enter = Math.max(enter(x, vx, xmin, xmax, from), enter(y, vy, ymin, ymax, from));
+    double leave = Math.min(leave(x, vx, xmin, xmax), leave(y, vy, ymin, ymax));
+    return enter <= leave ? enter : Double.POSITIVE_INFINITY;
+  }
+
+  private static double enter(double p, double v, double low, double high, double from) {
+    if (v == 0) {
+      return p >= low && p <= high ? from : Double.POSITIVE_INFINITY;
+    }
+    return Math.max(from, ((v < 0 ? high : low) - p) / v);
+  }
+
+  private static double leave(double p, double v, double low, double high) {
+    return v == 0 ? Double.POSITIVE_INFINITY : ((v < 0 ? low : high) - p) / v;
+  }
+
+  /** How many columns lie between the edge of the grid and x. */
+  public double columns(double x) {
+    return (x - xmin) * perCell;
+  }
+
+  public double rows(double y) {
+    return (y - ymin) * perCell;
+  }
+
+  /** The column where so many lie before, the nearest one outside of the grid. */
+  public int column(double columnsBefore) {
+    return Math.max(0, Math.min(columns - 1, (int) columnsBefore));
+  }
+
+  public int row(double rowsBefore) {
+    return Math.max(0, Math.min(rows - 1, (int) rowsBefore));
+  }
+
+  /** Counts, then fills: two passes over the obstacles. */
+  private int[] list(int[] starts) {
+    int cells = columns * rows;
+    int[] counts = new int[cells + 1];
+    visitAll(counts, null);
+    for (int i = 0; i < cells; i++) {
+      starts[i + 1] = starts[i] + counts[i];
+      counts[i] = starts[i];
+    }
+    int[] listed = new int[starts[cells]];
+    visitAll(counts, listed);
+    return listed;
+  }
+
+  private void visitAll(int[] counts, int[] listed) {
+    PresentCodes lines = obstacles.presentLines();
+    for (int i = 0; i < lines.size(); i++) {
+      visit(lines.get(i), counts, listed);
+    }
+    PresentCodes pegs = obstacles.presentPegs();
+    for (int i = 0; i < pegs.size(); i++) {
+      visit(pegs.get(i), counts, listed);
+    }
+  }
+
+  /** Puts a code into the list of every cell that it can reach into, or only counts it. */
+  private void visit(int code, int[] counts, int[] listed) {
+    if (obstacles.isGone(code)) {
+      return;
+    }
+    int k = obstacles.offset(code);
+    if (code < Obstacles.PEGS) {
+      double[] l = obstacles.lines;
+      visit(code, l[k], l[k + 1], l[k + 2], l[k + 3], radius, counts, listed);
+    } else {
+      double[] p = obstacles.pegs;
+      visit(code, p[k], p[k + 1], p[k], p[k + 1], radius + p[k + 2], counts, listed);
+    }
+  }
+
+  private void visit(
+      int code, double ax, double ay, double bx, double by, double reach, int[] counts,
+      int[] listed) {
+    double grown = reach + MARGIN * cell;
+    int left = column(columns(Math.min(ax, bx) - grown));
+    int right = column(columns(Math.max(ax, bx) + grown));
+    int bottom = row(rows(Math.min(ay, by) - grown));
+    int top = row(rows(Math.max(ay, by) + grown));
+    // Only the direction counts: in units of its size squares do not underflow.
+    int size = Math.getExponent(Math.max(Math.abs(bx - ax), Math.abs(by - ay)));
+    double wx = Math.scalb(bx - ax, -size);
+    double wy = Math.scalb(by - ay, -size);
+    // A cell's centre c is out of reach if |cross(w, c - a)| > grown |w| + (|wx| + |wy|) cell / 2.
+    double strip =
+        (grown * Math.sqrt(wx * wx + wy * wy) + (Math.abs(wx) + Math.abs(wy)) * cell / 2)
+            * (1 + 0x1p-20);
+    for (int row = bottom; row <= top; row++) {
+      double dy = ymin + (row + 0.5) * cell - ay;
+      for (int column = left; column <= right; column++) {
+        double dx = xmin + (column + 0.5) * cell - ax;
+        if (!(Math.abs(wx * dy - wy * dx) > strip)) {
+          int i = row * columns + column;
+          if (listed != null) {
+            listed[counts[i]] = code;
+          }
+          counts[i]++;
+        }
+      }
+    }
+  }
+}

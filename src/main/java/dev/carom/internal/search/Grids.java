@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.search;
+
+import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.CodeList;
+import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.Model;
+import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.SceneData;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * The grids of a world: one for each power of two among its circles' radii, made for the largest
+ * radius in it, so that small circles do not search through what only large ones can touch.
+ *
+ * <p>What is added or moved later is loose at first: looked at beside the grids, until there is so
+ * much of it that making them anew pays.
+ */
+public final class Grids {
+
+  /** Up to this many lines and pegs are looked at one by one: measured, a grid gains nothing. */
+  private static final int FEW = 8;
+
+  /** Beyond these sizes of coordinates, what is computed of cells could overflow or underflow. */
+  private static final double LARGEST = 0x1p400;
+
+  private static final double SMALLEST = 0x1p-400;
+
+  private final Obstacles obstacles;
+  private final Machinery machinery;
+  private final Map<Integer, Grid> byExponent = new TreeMap<>();
+  private final CodeList loose = new CodeList();
+  private boolean isDirty;
+
+  /** Whether something is neither in the grids nor kept among what is loose. */
+  private boolean isIncomplete;
+
+  public Grids(SceneData scene, Obstacles obstacles, Machinery machinery) {
+    this.obstacles = obstacles;
+    this.machinery = machinery;
+    if (wanted()) {
+      largestRadii(scene).forEach(this::make);
+    }
+  }
+
+  private boolean wanted() {
+    int size = obstacles.size();
+    boolean chosen = machinery.cell() == 0;
+    return machinery.grid() && size > 0 && isOrdinary() && !(chosen && size <= FEW);
+  }
+
+  private boolean isOrdinary() {
+    double extent = obstacles.extent();
+    return extent > SMALLEST && extent < LARGEST;
+  }
+
+  private void make(int exponent, double radius) {
+    byExponent.put(exponent, new Grid(obstacles, radius, machinery.cell()));
+  }
+
+  private static Map<Integer, Double> largestRadii(SceneData scene) {
+    Map<Integer, Double> largest = new TreeMap<>();
+    for (int i = 0; i < scene.circleCount(); i++) {
+      double radius = scene.radius(i);
+      largest.merge(Math.getExponent(radius), radius, Math::max);
+    }
+    return largest;
+  }
+
+  /** The grid for circles of a given radius, null if none is used. */
+  public Grid of(double radius) {
+    return byExponent.get(Math.getExponent(radius));
+  }
+
+  /** A grid that serves circles of a given radius, null if there is none now. */
+  public Grid atLeast(double radius) {
+    for (Grid grid : byExponent.values()) {
+      if (grid.radius >= radius && !areTooLoose()) {
+        return grid;
+      }
+    }
+    return null;
+  }
+
+  /** Whether a grid that a circle had, made since {@link #forget}, or none, serves its radius. */
+  public boolean serve(Grid grid, double radius) {
+    return grid == null
+        ? byExponent.isEmpty() && !wanted()
+        : !byExponent.isEmpty()
+            && radius <= grid.radius
+            && Math.getExponent(radius) == Math.getExponent(grid.radius);
+  }
+
+  /** The grid for circles of a radius that may be new; one is made if need be, null for none. */
+  public Grid ofNew(double radius) {
+    Grid grid = of(radius);
+    if (grid != null && radius <= grid.radius) {
+      return grid;
+    }
+    if (!wanted()) {
+      return null; // even if there is one for smaller circles
+    }
+    // For all of the class: the next one will find it made.
+    make(Math.getExponent(radius), Math.scalb(1.0, Math.getExponent(radius) + 1));
+    return of(radius);
+  }
+
+  /** What has to be looked at beside a grid. */
+  public CodeList loose() {
+    return loose;
+  }
+
+  /** Notes that a line or a peg is new, or elsewhere than before. */
+  public void changed(int code) {
+    isDirty = true;
+    if (!areTooLoose()) {
+      loose.add(code);
+    } else {
+      isIncomplete = true;
+    }
+  }
+
+  /**
+   * Whether so much is loose that the grids have to be made anew, and what is loose is not kept.
+   */
+  private boolean areTooLoose() {
+    return loose.size > FEW + Math.sqrt(obstacles.size());
+  }
+
+  /** Drops all grids: the next search needs new ones. */
+  public void forget() {
+    byExponent.clear();
+    loose.clear();
+    isIncomplete = false;
+    isDirty = true;
+  }
+
+  /** Whether the grids have to be made anew before the next search. */
+  public boolean areStale() {
+    boolean stale = isDirty && (byExponent.isEmpty() ? wanted() : isIncomplete || areTooLoose());
+    isDirty = false;
+    return stale;
+  }
+
+  /** Makes the grids anew, for the radii of these circles. */
+  public void remake(Circles circles, int[] ids) {
+    loose.clear();
+    isIncomplete = false;
+    byExponent.clear();
+    for (int i : ids) {
+      ofNew(circles.radius(i));
+    }
+  }
+
+  public Model model(boolean collide) {
+    int cells = byExponent.values().stream().mapToInt(Grid::cells).sum();
+    return new Model(collide, obstacles.size(), byExponent.size(), cells);
+  }
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+/**
+ * Keeps circles within the bounds where the clock cannot: a circle so fast that it flies far
+ * between two doubles of time would seem to be beyond the wall that it hits between them.
+ *
+ * <p>A place beyond a wall by more than rounding, in a flight that began inside of that wall, is
+ * that of contact with it. All other places stay as they are, to the bit.
+ */
+final class Confinement {
+
+  /** So many ulps of the largest coordinate may be mere rounding. */
+  private static final int ULPS = 4;
+
+  private Confinement() {}
+
+  /**
+   * The x coordinate of a centre.
+   *
+   * @param walls as {@link Obstacles#walls}, may be null
+   * @param start where the flight began
+   * @param x where it is, as computed
+   * @param r the radius
+   */
+  static double x(double[] walls, double start, double x, double r) {
+    return walls == null ? x : between(walls[Obstacles.LEFT], walls[Obstacles.RIGHT], start, x, r);
+  }
+
+  /** The y coordinate of a centre. */
+  static double y(double[] walls, double start, double y, double r) {
+    return walls == null ? y : between(walls[Obstacles.BOTTOM], walls[Obstacles.TOP], start, y, r);
+  }
+
+  private static double between(double low, double high, double start, double p, double r) {
+    if (p - r >= low && p + r <= high) {
+      return p;
+    }
+    double rounding = ULPS * Math.ulp(Math.max(Math.max(Math.abs(low), Math.abs(high)), r));
+    if (p + r > high + rounding && start + r <= high + rounding) {
+      return high - r;
+    }
+    if (p - r < low - rounding && start - r >= low - rounding) {
+      return low + r;
+    }
+    return p;
+  }
+}

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+import dev.carom.internal.sweep.Coordinates;
+import dev.carom.internal.util.Kind;
+import java.util.Arrays;
+
+/**
+ * The impacts of a step, one row each, in the order of time once sorted. Circles are named by their
+ * slots.
+ */
+public final class ImpactRows {
+
+  // Features: the ordinals of the public ones.
+  public static final int SIDE = 0;
+  public static final int START = 1;
+  public static final int END = 2;
+  public static final int CIRCLE = 3;
+
+  // Outcomes: the ordinals of the public ones.
+  public static final int BOUNCED = 0;
+  public static final int HALTED = 1;
+  public static final int SENSED = 2;
+  public static final int PASSED = 3;
+  public static final int JAMMED = 4;
+  public static final int STOPPED = 5;
+
+  /**
+   * Doubles of one row: time, contact x and y, normal n of any length, and v.n before the impact.
+   * The root that makes n a unit vector is taken by who reads it.
+   */
+  private static final int ROW = 6;
+
+  /** Ints of one row: circle, obstacle, and what is packed, see {@link #WHAT}. */
+  private static final int INTS = 3;
+
+  private static final int OBSTACLE = 1;
+
+  /** The ordinals of the kind, of the feature and of the outcome, a byte each. */
+  private static final int WHAT = 2;
+
+  private static final int FEATURE = 8;
+  private static final int OUTCOME = 16;
+  private static final int ORDINAL = (1 << FEATURE) - 1;
+
+  private int size;
+  private double[] numbers;
+  private int[] ints;
+
+  private final TimeOrder order;
+
+  /** Below 0 if a row arrived that is earlier than the one before it: told without a branch. */
+  private long disorder;
+
+  /** The time of the row that arrived last. */
+  private double latest;
+
+  /** With room for some rows; it grows as needed. */
+  public ImpactRows(int rows) {
+    numbers = new double[rows * ROW];
+    ints = new int[rows * INTS];
+    order = new TimeOrder(numbers, ROW);
+  }
+
+  public int size() {
+    return size;
+  }
+
+  // A row's numbers, in the order of time.
+
+  public double time(int row) {
+    return numbers[at(row) * ROW];
+  }
+
+  public int circle(int row) {
+    return ints[at(row) * INTS];
+  }
+
+  public int obstacle(int row) {
+    return ints[at(row) * INTS + OBSTACLE];
+  }
+
+  public int kind(int row) {
+    return what(row) & ORDINAL;
+  }
+
+  public int feature(int row) {
+    return what(row) >> FEATURE & ORDINAL;
+  }
+
+  public int outcome(int row) {
+    return what(row) >> OUTCOME;
+  }
+
+  private int what(int row) {
+    return ints[at(row) * INTS + WHAT];
+  }
+
+  public double x(int row) {
+    return numbers[at(row) * ROW + 1];
+  }
+
+  public double y(int row) {
+    return numbers[at(row) * ROW + 2];
+  }
+
+  public double nx(int row) {
+    int k = at(row) * ROW;
+    return numbers[k + 3] / length(k);
+  }
+
+  public double ny(int row) {
+    int k = at(row) * ROW;
+    return numbers[k + 4] / length(k);
+  }
+
+  public double approachSpeed(int row) {
+    int k = at(row) * ROW;
+    return Math.max(0, -numbers[k + 5] / length(k));
+  }
+
+  private double length(int k) {
+    double nx = numbers[k + 3];
+    double ny = numbers[k + 4];
+    return Math.sqrt(nx * nx + ny * ny);
+  }
+
+  public void clear() {
+    size = 0;
+    disorder = 0;
+    latest = 0;
+  }
+
+  /**
+   * Adds a row, to be completed by {@link #set}.
+   *
+   * @param kind the {@link Kind} of the obstacle
+   * @param feature the feature of the obstacle
+   */
+  public void add(double time, int circle, int kind, int obstacle, int feature) {
+    int row = size;
+    int k = row * ROW;
+    if (k == numbers.length) {
+      grow();
+    }
+    disorder |= Double.doubleToRawLongBits(time - latest);
+    latest = time;
+    numbers[k] = time;
+    int c = row * INTS;
+    ints[c] = circle;
+    ints[c + WHAT] = kind | feature << FEATURE;
+    ints[c + OBSTACLE] = obstacle;
+    order.rows[row] = row;
+    size = row + 1;
+  }
+
+  /** Adds a row of two circles, to be completed by {@link #set}. */
+  public void addPair(double time, int circle, int other) {
+    add(time, circle, Kind.CIRCLE, other, CIRCLE);
+  }
+
+  /** Completes the row added last, with a normal of any length and v.n. */
+  public void set(double x, double y, double nx, double ny, double vn) {
+    int k = (size - 1) * ROW;
+    // The first and the last one first: then compilers need not ask whether the rest is in range.
+    numbers[k + 1] = Coordinates.within(x);
+    numbers[k + 5] = vn;
+    numbers[k + 2] = Coordinates.within(y);
+    numbers[k + 3] = nx;
+    numbers[k + 4] = ny;
+  }
+
+  /** Sets the outcome of the row added last, which else is that the circle bounced. */
+  public void setOutcome(int outcome) {
+    int k = (size - 1) * INTS + WHAT;
+    ints[k] = (ints[k] & (1 << OUTCOME) - 1) | outcome << OUTCOME;
+  }
+
+  /**
+   * Puts the rows into the order of time. Stable: rows arrive circle by circle, and those of one
+   * circle as they happened.
+   */
+  public void sort() {
+    if (disorder < 0) {
+      order.sort(size);
+    }
+  }
+
+  private void grow() {
+    int capacity = 2 * size;
+    numbers = Arrays.copyOf(numbers, capacity * ROW);
+    ints = Arrays.copyOf(ints, capacity * INTS);
+    order.extend(numbers);
+  }
+
+  private int at(int row) {
+    if (row < 0 || row >= size) {
+      throw new IndexOutOfBoundsException(
+          "row " + row + " does not exist: the log has " + size + " of them, from 0");
+    }
+    return order.rows[row];
+  }
+}

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+import java.util.Arrays;
+
+/**
+ * The rows of a log in the order of time, found by a stable sort. Times within a step are spread
+ * about evenly, so each row is first thrown into one of as many slots of time as there are rows;
+ * insertion then has little to move, and where it has (times in heaps), rows are merged instead. A
+ * few rows are ranked.
+ */
+final class TimeOrder {
+
+  /** Up to so many rows each is compared with each; merging starts from as many. */
+  private static final int FEW = 16;
+
+  /** Moves a row of an insertion that is given up: what merging takes, for a million rows. */
+  private static final int MOVES = 20;
+
+  /** The rows in order; before {@link #sort}, as they arrived. */
+  int[] rows;
+
+  private int[] merged;
+
+  /** For each slot, where the next of its rows goes; of a few rows, where each goes. */
+  private int[] ends;
+
+  private double[] numbers;
+  private final int stride;
+
+  /** Of the rows of an array that is to be filled: so many doubles each, the time first. */
+  TimeOrder(double[] numbers, int stride) {
+    this.stride = stride;
+    rows = new int[0];
+    extend(numbers);
+  }
+
+  /** Takes a longer array, which begins with the same rows. */
+  final void extend(double[] numbers) {
+    this.numbers = numbers;
+    int capacity = numbers.length / stride;
+    rows = Arrays.copyOf(rows, capacity);
+    merged = new int[capacity];
+    ends = new int[capacity];
+  }
+
+  /** Sorts the first rows, which stand as they arrived. */
+  void sort(int size) {
+    if (size <= FEW) {
+      rank(size);
+      return;
+    }
+    distribute(size);
+    if (!insert(0, size, (long) MOVES * size)) {
+      merge(size);
+    }
+  }
+
+  /** Counts for each of a few rows how many come before it: without a branch on times. */
+  private void rank(int size) {
+    int[] before = ends;
+    for (int i = 0; i < size; i++) {
+      double time = time(i);
+      int earlier = i;
+      for (int k = 0; k < i; k++) {
+        int isLater = (int) (Double.doubleToRawLongBits(time - time(k)) >>> 63);
+        earlier -= isLater;
+        before[k] += isLater;
+      }
+      before[i] = earlier;
+    }
+    for (int i = 0; i < size; i++) {
+      rows[before[i]] = i;
+    }
+  }
+
+  private double time(int row) {
+    return numbers[row * stride];
+  }
+
+  private void distribute(int size) {
+    double low = time(0);
+    double high = low;
+    for (int row = 1; row < size; row++) {
+      low = Math.min(low, time(row));
+      high = Math.max(high, time(row));
+    }
+    double perTime = size / (high - low);
+    Arrays.fill(ends, 0, size, 0);
+    for (int row = 0; row < size; row++) {
+      ends[slot(row, low, perTime, size)]++;
+    }
+    int end = 0;
+    for (int slot = 0; slot < size; slot++) {
+      int count = ends[slot];
+      ends[slot] = end;
+      end += count;
+    }
+    for (int row = 0; row < size; row++) {
+      rows[ends[slot(row, low, perTime, size)]++] = row;
+    }
+  }
+
+  /** Later times have no lower slots; what is not a number, 0 / 0, counts as slot 0. */
+  private int slot(int row, double low, double perTime, int size) {
+    return Math.min((int) ((time(row) - low) * perTime), size - 1);
+  }
+
+  /** Sorts a part, unless that takes more moves than allowed. */
+  private boolean insert(int from, int to, long most) {
+    long left = most;
+    for (int i = from + 1; i < to && left >= 0; i++) {
+      int row = rows[i];
+      double time = time(row);
+      int k = i - 1;
+      while (k >= from && time(rows[k]) > time) {
+        rows[k + 1] = rows[k];
+        k--;
+      }
+      rows[k + 1] = row;
+      left -= i - 1 - k;
+    }
+    return left >= 0;
+  }
+
+  private void merge(int size) {
+    for (int i = 0; i < size; i += FEW) {
+      insert(i, Math.min(i + FEW, size), Long.MAX_VALUE);
+    }
+    for (int width = FEW; width < size; width *= 2) {
+      for (int i = 0; i < size; i += 2 * width) {
+        merge(i, Math.min(i + width, size), Math.min(i + 2 * width, size));
+      }
+      int[] before = rows;
+      rows = merged;
+      merged = before;
+    }
+  }
+
+  private void merge(int from, int middle, int to) {
+    int i = from;
+    int k = middle;
+    for (int out = from; out < to; out++) {
+      boolean second = i == middle || (k < to && time(rows[k]) < time(rows[i]));
+      merged[out] = second ? rows[k++] : rows[i++];
+    }
+  }
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+/**
+ * Everything that determines the future of a world. Two are equal if they hold the same, to the
+ * bit.
+ *
+ * @param now the time of the world
+ * @param collide whether circles collide with each other
+ * @param obstacles the walls, lines and pegs
+ * @param roster the circles
+ * @param limits the largest coordinate and the least radius that were ever in the world
+ * @param flights the flights of the circles
+ */
+public record WorldState(
+    double now,
+    boolean collide,
+    Obstacles obstacles,
+    Roster roster,
+    Limits limits,
+    FlightStates flights) {}

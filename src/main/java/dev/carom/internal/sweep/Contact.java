@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+/** The codes of contacts: which part of a line or a disk is hit first, and if at once. */
+public final class Contact {
+
+  /** In place of a contact: plain doubles do not tell, so the detector is to be asked. */
+  public static final int DOUBT = -1;
+
+  /** No impact. */
+  public static final int MISS = 0;
+
+  /** On the side of a line, the disk left of it; it may have {@link #NOW} added. */
+  public static final int LEFT = 1;
+
+  /** On the side of a line, the disk right of it; it may have {@link #NOW} added. */
+  public static final int RIGHT = 2;
+
+  /** On the start of a line; it may have {@link #NOW} added. */
+  public static final int START = 3;
+
+  /** On the end of a line; it may have {@link #NOW} added. */
+  public static final int END = 4;
+
+  /** On a disk, at a time above 0. */
+  public static final int LATER = 5;
+
+  /** On a disk at time 0; added to the part of a line where the impact is at time 0. */
+  public static final int NOW = 8;
+
+  private Contact() {}
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+/** Arithmetic on coordinates, also where their differences overflow. */
+public final class Coordinates {
+
+  private Coordinates() {}
+
+  /** A coordinate; of one beyond the range of doubles, the largest one. */
+  public static double within(double x) {
+    return Math.abs(x) <= Double.MAX_VALUE
+        ? x
+        : Math.max(-Double.MAX_VALUE, Math.min(x, Double.MAX_VALUE));
+  }
+
+  /** a / (a + b) for two radii; 0 if both are. */
+  public static double share(double a, double b) {
+    double sum = a + b;
+    return sum == 0 ? 0 : sum <= Double.MAX_VALUE ? a / sum : a / 2 / (a / 2 + b / 2);
+  }
+
+  /** a + s (b - a), also where b - a overflows. */
+  public static double between(double s, double a, double b) {
+    double w = b - a;
+    return Double.isInfinite(w) ? (1 - s) * a + s * b : Math.fma(s, w, a);
+  }
+
+  /** The same with s held within 0..1: an end itself where it leaves that, a where it is NaN. */
+  public static double onSegment(double s, double a, double b) {
+    return !(s > 0) ? a : s >= 1 ? b : between(s, a, b);
+  }
+
+  /**
+   * Where p projects on the line from a to b: s = (p - a).w / w.w with w = b - a, as cosine times
+   * lengths; NaN for zero length.
+   */
+  public static double fraction(double ax, double ay, double bx, double by, double px, double py) {
+    double half = Double.isInfinite(bx - ax) || Double.isInfinite(by - ay) ? 0.5 : 1;
+    double wx = half * bx - half * ax;
+    double wy = half * by - half * ay;
+    double dx = half * px - half * ax;
+    double dy = half * py - half * ay;
+    double w = Math.max(Math.abs(wx), Math.abs(wy));
+    double d = Math.max(Math.abs(dx), Math.abs(dy));
+    double ux = wx / w;
+    double uy = wy / w;
+    double along = d == 0 ? 0 : (dx / d) * ux + (dy / d) * uy;
+    // Lengths last: their quotient may be infinite.
+    return along == 0 ? 0 * ux : along / (ux * ux + uy * uy) * (d / w);
+  }
+}

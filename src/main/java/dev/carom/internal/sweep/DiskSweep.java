@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import static dev.carom.internal.exact.DoubleDouble.differenceTail;
+import static dev.carom.internal.exact.DoubleDouble.productTail;
+import static dev.carom.internal.exact.DoubleDouble.sumTail;
+
+import dev.carom.internal.exact.Exact;
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.exact.Rungs;
+import dev.carom.internal.exact.UnitVector;
+
+/**
+ * A disk that moves against another that may move too; endpoints are disks of radius zero that
+ * rest.
+ *
+ * <p>Seen from the second disk, the first one's centre starts at the offset {@code d = c1 - c2} and
+ * moves with {@code u = v1 - v2}; they touch where it comes to the distance {@code r = r1 + r2}: a
+ * {@link FirstRoot}, with cross(u, d) a single number.
+ */
+public final class DiskSweep {
+
+  private DiskSweep() {}
+
+  /** Whether two disks touch while approaching, now or later. */
+  public static int contact(
+      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
+      double vx2, double vy2) {
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double ux = vx1 - vx2;
+    double uy = vy1 - vy2;
+    // b = u.d
+    double bx = ux * dx;
+    double by = uy * dy;
+    double b = bx + by;
+    if (!(Math.abs(b) > FirstRoot.dotBound(Math.abs(bx) + Math.abs(by)))) {
+      b = Predicates.dot(vx1, vy1, vx2, vy2, x1, y1, x2, y2);
+    }
+    if (b >= 0) {
+      return Contact.MISS;
+    }
+    // g = d.d - r^2
+    double r = r1 + r2;
+    double rr = r * r;
+    double dd = dx * dx + dy * dy;
+    double w = dd + rr;
+    double g = dd - rr;
+    if (!(Math.abs(g) > FirstRoot.gapBound(w))) {
+      g = Predicates.gap(x1, y1, x2, y2, r1, r2);
+    }
+    if (g <= 0) {
+      return Contact.NOW;
+    }
+    // reach = a r^2 - cross(u, d)^2
+    double a = ux * ux + uy * uy;
+    double k = ux * dy - uy * dx;
+    double reach = a * rr - k * k;
+    if (!(Math.abs(reach) > FirstRoot.reachBound(a, w))) {
+      reach = Predicates.reach(vx1, vy1, vx2, vy2, x1, y1, x2, y2, r1, r2);
+    }
+    return reach > 0 || (reach == 0 && r == 0) ? Contact.LATER : Contact.MISS;
+  }
+
+  /** Whether the distance of the centres is less than r1 + r2. */
+  public static boolean overlap(double x1, double y1, double r1, double x2, double y2, double r2) {
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double r = r1 + r2;
+    double dd = dx * dx + dy * dy;
+    double g = dd - r * r;
+    if (!(Math.abs(g) > FirstRoot.gapBound(dd + r * r))) {
+      g = Predicates.gap(x1, y1, x2, y2, r1, r2);
+    }
+    return g < 0;
+  }
+
+  /**
+   * The correctly rounded time of a contact, {@code +infinity} if it is a MISS or later than the
+   * window's end T.
+   *
+   * <p>It is the plain root {@code t = g / (-b + sqrt(reach))}, in which nothing cancels but g and,
+   * near a graze, reach, corrected by a step. Where that leaves the rounding open, or the end of
+   * the window is the answer, more steps follow, and exact numbers.
+   */
+  public static double time(
+      int contact, double x1, double y1, double r1, double vx1, double vy1, double x2, double y2,
+      double r2, double vx2, double vy2, double T) {
+    if (contact != Contact.LATER) {
+      return contact == Contact.NOW ? 0 : Double.POSITIVE_INFINITY;
+    }
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double ux = vx1 - vx2;
+    double uy = vy1 - vy2;
+    double r = r1 + r2;
+    double rr = r * r;
+    double dd = dx * dx + dy * dy;
+    double b = ux * dx + uy * dy;
+    double a = ux * ux + uy * uy;
+    double k = ux * dy - uy * dx;
+    double s = Math.sqrt(a * rr - k * k);
+    double t = (dd - rr) / (s - b);
+    Rungs.root();
+    if (t > T && compareTime(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T) > 0) {
+      return Double.POSITIVE_INFINITY;
+    }
+    double half = 0.5 / s;
+    double c = residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) * half;
+    double w = dd + rr;
+    double error = FirstRoot.stepError(w, a, half, FirstRoot.firstLean(a, w, half), c);
+    double time = FirstRoot.rounded(t, c, error);
+    if (time < T) {
+      return time;
+    }
+    return time > T
+        ? Double.POSITIVE_INFINITY
+        : refined(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T, t + c);
+  }
+
+  /** The exact time of a contact that is no MISS. */
+  public static ExactTime exactTime(
+      int contact, double x1, double y1, double r1, double vx1, double vy1, double x2, double y2,
+      double r2, double vx2, double vy2) {
+    return contact == Contact.NOW
+        ? ExactTime.NOW
+        : Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).exactTime();
+  }
+
+  /** The time by more steps, from t on, and by exact numbers if none of them tells. */
+  private static double refined(
+      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
+      double vx2, double vy2, double T, double start) {
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double ux = vx1 - vx2;
+    double uy = vy1 - vy2;
+    double r = r1 + r2;
+    double w = dx * dx + dy * dy + r * r;
+    double a = ux * ux + uy * uy;
+    double bx = ux * dx;
+    double by = uy * dy;
+    double t = start;
+    for (int i = 0; i < FirstRoot.STEPS && t > 0; i++) {
+      Rungs.step();
+      double half = -0.5 / (bx + by + a * t);
+      double c = residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) * half;
+      double lean = FirstRoot.lean(half, Math.abs(bx) + Math.abs(by) + a * t, t);
+      double time = FirstRoot.rounded(t, c, FirstRoot.stepError(w, a, half, lean, c));
+      if (time < T) {
+        return time;
+      }
+      if (time > T) {
+        return Double.POSITIVE_INFINITY;
+      }
+      t += c;
+    }
+    return Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).time(T);
+  }
+
+  /** {@code f(t) = e.e - r^2} at {@code e = d + u t}. What cancels is kept as head and tail. */
+  private static double residue(
+      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
+      double vx2, double vy2, double t) {
+    double x = (x1 - x2) + (vx1 - vx2) * t;
+    double y = (y1 - y2) + (vy1 - vy2) * t;
+    double r = r1 + r2;
+    double xl = terms(x1, x2, vx1, vx2, t);
+    double yl = terms(y1, y2, vy1, vy2, t);
+    double rl = sumTail(r1, r2, r);
+    double xx = x * x;
+    double yy = y * y;
+    double rr = r * r;
+    double ee = xx + yy;
+    double f = ee - rr;
+    return f
+        + ((sumTail(xx, yy, ee) + differenceTail(ee, rr, f))
+            + ((productTail(x, x, xx) + productTail(y, y, yy)) - productTail(r, r, rr))
+            + 2 * (x * xl + y * yl - r * rl));
+  }
+
+  /** What d + u t on one axis leaves behind when it is rounded, below 4 u of its terms. */
+  static double terms(double x1, double x2, double v1, double v2, double t) {
+    double d = x1 - x2;
+    double u = v1 - v2;
+    double m = u * t;
+    double ml = Math.fma(differenceTail(v1, v2, u), t, productTail(u, t, m));
+    return sumTail(d, m, d + m) + (differenceTail(x1, x2, d) + ml);
+  }
+
+  /**
+   * The sign of the time of an impact that comes LATER, less the end T of a window, as far as plain
+   * doubles tell: +1 later, -1 earlier, 0 in doubt.
+   */
+  public static int compareTime(
+      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
+      double vx2, double vy2, double T) {
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double ux = vx1 - vx2;
+    double uy = vy1 - vy2;
+    double mx = ux * T;
+    double my = uy * T;
+    double ex = dx + mx;
+    double ey = dy + my;
+    double x = Math.abs(dx) + Math.abs(mx);
+    double y = Math.abs(dy) + Math.abs(my);
+    double r = r1 + r2;
+    double rr = r * r;
+    return FirstRoot.order(
+        ux * ex + uy * ey,
+        Math.abs(ux) * x + Math.abs(uy) * y,
+        (ex * ex + ey * ey) - rr,
+        x * x + y * y + rr,
+        x + y,
+        T);
+  }
+
+  /**
+   * The unit normal at contact, from the second disk to the first, each component within 1e-15.
+   *
+   * @param t the time of impact, or 0 for an impact {@link Contact#NOW}
+   */
+  public static UnitVector normal(
+      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
+      double vx2, double vy2, double t) {
+    if (t == 0) {
+      return Directions.unit(x1, y1, x2, y2);
+    }
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double ux = vx1 - vx2;
+    double uy = vy1 - vy2;
+    double r = r1 + r2;
+    double w = dx * dx + dy * dy + r * r;
+    double a = ux * ux + uy * uy;
+    double bx = ux * dx;
+    double by = uy * dy;
+    double half = -0.5 / (bx + by + a * t);
+    double c = residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) * half;
+    double lean = FirstRoot.lean(half, Math.abs(bx) + Math.abs(by) + a * t, t);
+    double error = FirstRoot.stepError(w, a, half, lean, c);
+    if (!(error * (Math.abs(ux) + Math.abs(uy)) < 0x1p-54 * r)) {
+      Rungs.exactNormal();
+      return Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).normal();
+    }
+    return Directions.unit(
+        place(x1, x2, vx1, vx2, t, c), place(y1, y2, vy1, vy2, t, c), 0, 0);
+  }
+
+  /** d + u (t + c) on one axis. */
+  private static double place(double x1, double x2, double v1, double v2, double t, double c) {
+    return ((x1 - x2) + (v1 - v2) * t) + (terms(x1, x2, v1, v2, t) + (v1 - v2) * c);
+  }
+}

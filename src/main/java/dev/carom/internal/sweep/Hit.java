@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.exact.UnitVector;
+
+/**
+ * Where a moving disk meets something, of which the detector told the contact and the time.
+ *
+ * @param x the x coordinate of the contact point; of one beyond the range of doubles, the largest
+ * @param y its y coordinate
+ * @param nx the x component of the unit normal, from what is hit to the disk
+ * @param ny its y component
+ * @param approachSpeed the speed along the normal at which the distance falls; it may be infinite
+ */
+public record Hit(double x, double y, double nx, double ny, double approachSpeed) {
+
+  /** That of a line, by a contact and a time of {@link SegmentSweep}. */
+  public static Hit ofLine(
+      double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
+      double by, int contact, double t) {
+    return switch (contact & ~Contact.NOW) {
+      case Contact.START -> ofEnd(px, py, r, vx, vy, ax, ay, bx, by, t);
+      case Contact.END -> ofEnd(px, py, r, vx, vy, bx, by, ax, ay, t);
+      case Contact.LEFT -> ofSide(1, px, py, vx, vy, ax, ay, bx, by, t);
+      default -> ofSide(-1, px, py, vx, vy, ax, ay, bx, by, t);
+    };
+  }
+
+  /** That of an end (x, y), the other one being o. */
+  private static Hit ofEnd(
+      double px, double py, double r, double vx, double vy, double x, double y, double ox,
+      double oy, double t) {
+    UnitVector n =
+        r == 0 && t > 0 && slides(vx, vy, x, y, ox, oy)
+            ? slideNormal(vx, vy, x, y, ox, oy)
+            : DiskSweep.normal(px, py, r, vx, vy, x, y, 0, 0, 0, t);
+    return of(x, y, n, vx, vy, 0, 0);
+  }
+
+  /** Whether a point particle comes to an end over the line's side, not from beyond the end. */
+  private static boolean slides(
+      double vx, double vy, double x, double y, double ox, double oy) {
+    return Predicates.dot(vx, vy, 0, 0, ox, oy, x, y) < 0;
+  }
+
+  /** The side's normal, against the velocity: the limit of the normals from before. */
+  private static UnitVector slideNormal(
+      double vx, double vy, double x, double y, double ox, double oy) {
+    int drift = Predicates.cross(ox, oy, x, y, vx, vy, 0, 0);
+    return Directions.normal(-drift, x, y, ox, oy);
+  }
+
+  private static Hit ofSide(
+      int side, double px, double py, double vx, double vy, double ax, double ay, double bx,
+      double by, double t) {
+    UnitVector n = Directions.normal(side, ax, ay, bx, by);
+    double s = Coordinates.fraction(ax, ay, bx, by, place(px, vx, t), place(py, vy, t));
+    double x = Coordinates.onSegment(s, ax, bx);
+    double y = Coordinates.onSegment(s, ay, by);
+    return of(x, y, n, vx, vy, 0, 0);
+  }
+
+  /** That of the wall with a given code, at the given coordinate. */
+  public static Hit ofWall(
+      double px, double py, double vx, double vy, int code, double wall, double t) {
+    if (code <= WallSweep.RIGHT) {
+      return new Hit(wall, place(py, vy, t), vx < 0 ? 1 : -1, 0, Math.abs(vx));
+    }
+    return new Hit(place(px, vx, t), wall, 0, vy < 0 ? 1 : -1, Math.abs(vy));
+  }
+
+  /** That of disk 1 and disk 2, by a contact and a time of {@link DiskSweep}. */
+  public static Hit ofDisks(
+      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
+      double vx2, double vy2, int contact, double t) {
+    UnitVector n = DiskSweep.normal(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t);
+    double x;
+    double y;
+    if (contact == Contact.NOW) { // their distance is divided as their radii
+      double share = Coordinates.share(r2, r1);
+      x = Coordinates.between(share, x2, x1);
+      y = Coordinates.between(share, y2, y1);
+    } else {
+      x = Coordinates.within(Math.fma(r2, n.x(), place(x2, vx2, t)));
+      y = Coordinates.within(Math.fma(r2, n.y(), place(y2, vy2, t)));
+    }
+    return of(x, y, n, vx1, vy1, vx2, vy2);
+  }
+
+  private static Hit of(
+      double x, double y, UnitVector n, double vx1, double vy1, double vx2, double vy2) {
+    return new Hit(x, y, n.x(), n.y(), approach(vx1, vy1, vx2, vy2, n));
+  }
+
+  private static double place(double p, double v, double t) {
+    return Coordinates.within(Math.fma(v, t, p));
+  }
+
+  /** The speed along the normal at which the distance falls: -(v1 - v2).n; it may be infinite. */
+  private static double approach(
+      double vx1, double vy1, double vx2, double vy2, UnitVector n) {
+    double speed = -((vx1 - vx2) * n.x() + (vy1 - vy2) * n.y());
+    if (!(Math.abs(speed) <= Double.MAX_VALUE)) {
+      double ux = vx1 / 4 - vx2 / 4;
+      double uy = vy1 / 4 - vy2 / 4;
+      speed = 4 * -(ux * n.x() + uy * n.y());
+    }
+    return Math.max(0, speed);
+  }
+}

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import dev.carom.internal.exact.Exact;
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.Predicates;
+
+/**
+ * A disk that moves against a resting line: the mathematics of a swept circle against a segment.
+ *
+ * <p>The disk touches the line a-b when its centre enters the capsule of radius r around it: a
+ * strip of width 2 r along {@code w = b - a}, closed by a disk around each end. With {@code d = p -
+ * a}, the centre's distance from the infinite line is {@code |cross(w, d)| / |w|}. The capsule is
+ * convex, so the first contact is found without comparing times:
+ *
+ * <ol>
+ *   <li>Inside the strip, {@code cross(w, d)^2 <= r^2 w.w}, the centre cannot come to the flat side
+ *       from outside any more. Beyond an end only that end's disk can be entered; between the ends
+ *       the line is overlapped, which is an impact now if the distance falls.
+ *   <li>Outside, it must first cross the strip's edge on its side (+1 left, -1 right of w). If it
+ *       does not approach, it misses. If it does, it meets the edge at {@code t = (|cross(w, d)| -
+ *       r |w|) / |cross(w, v)|}, and there its projection on w says which part it enters: the side,
+ *       or the disk of the end which it is beyond. Scaled by {@code |cross(w, v)| / |w|}, that
+ *       projection is {@code -side cross(d, v) |w| - r (v.w)}: on which side of the corner {@code a
+ *       + side r n} the path passes. It is compared by its signed squares ({@link
+ *       Predicates#corner}).
+ * </ol>
+ *
+ * Decisions are signs of polynomials, first in plain doubles against a bound of their rounding
+ * errors (counted as in {@link FirstRoot}), in doubt by {@link Predicates}. None takes a root.
+ */
+public final class SegmentSweep {
+
+  /** cross(w, d), d.w: differences 1 + 1, product 1, sum 1: 4 u, and one more. */
+  private static final double PLACE_BOUND = 5 * 0x1p-53;
+
+  /** cross(w, v): difference 1, product 1, sum 1: 3 u, and one more. */
+  private static final double SPEED_BOUND = 4 * 0x1p-53;
+
+  /**
+   * cross^2 - r^2 w.w: the square has 2 x 4 + 1, the other term 1 + (2 + 1 + 1) + 1, the difference
+   * 1: 10 u, and two more.
+   */
+  private static final double STRIP_BOUND = 12 * 0x1p-53;
+
+  /**
+   * x |x| w.w - y |y|, x = cross(d, v), y = r v.w: x has 3, its square 7, times w.w 7 + 4 + 1; y
+   * has 3 + 1, its square 9; the difference 1: 13 u, and two more.
+   */
+  private static final double CORNER_BOUND = 15 * 0x1p-53;
+
+  private static final double TINY = FirstRoot.TINY;
+
+  private SegmentSweep() {}
+
+  /** What is hit first, at any time from 0 on: a feature, with NOW where it is hit at once. */
+  public static int contact(
+      double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
+      double by) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double dx = px - ax;
+    double dy = py - ay;
+    // strip = cross(w, d)^2 - r^2 w.w
+    double c0 = wx * dy;
+    double c1 = wy * dx;
+    double c = c0 - c1;
+    double m = Math.abs(c0) + Math.abs(c1);
+    double ww = wx * wx + wy * wy;
+    double rr = r * r;
+    double reach = rr * ww;
+    double strip = c * c - reach;
+    double bound = Math.fma(STRIP_BOUND, m * m + reach, TINY * (m + rr + ww + 1));
+    if (strip > bound) {
+      return outside(Directions.sign(c), px, py, r, vx, vy, ax, ay, bx, by);
+    }
+    if (!(strip < -bound) && Predicates.reach(bx, by, ax, ay, px, py, ax, ay, r, 0) < 0) {
+      int side = Predicates.cross(bx, by, ax, ay, px, py, ax, ay);
+      return outside(side, px, py, r, vx, vy, ax, ay, bx, by);
+    }
+    return inside(px, py, r, vx, vy, ax, ay, bx, by);
+  }
+
+  /** Whether the distance of the centre from the line is less than the radius, exactly. */
+  public static boolean overlap(
+      double px, double py, double r, double ax, double ay, double bx, double by) {
+    if (Predicates.dot(px, py, ax, ay, bx, by, ax, ay) <= 0) {
+      return DiskSweep.overlap(px, py, r, ax, ay, 0);
+    }
+    if (Predicates.dot(px, py, bx, by, bx, by, ax, ay) >= 0) {
+      return DiskSweep.overlap(px, py, r, bx, by, 0);
+    }
+    return Predicates.reach(bx, by, ax, ay, px, py, ax, ay, r, 0) > 0;
+  }
+
+  /**
+   * The correctly rounded time of a contact, {@code +infinity} if it is a MISS or later than the
+   * window's end T.
+   */
+  public static double time(
+      int contact, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by, double T) {
+    if (contact == Contact.MISS) {
+      return Double.POSITIVE_INFINITY;
+    }
+    if ((contact & Contact.NOW) != 0) {
+      return 0;
+    }
+    if (contact == Contact.START) {
+      return timeOfEnd(px, py, r, vx, vy, ax, ay, T);
+    }
+    if (contact == Contact.END) {
+      return timeOfEnd(px, py, r, vx, vy, bx, by, T);
+    }
+    return SideSweep.time(contact == Contact.LEFT ? 1 : -1, px, py, r, vx, vy, ax, ay, bx, by, T);
+  }
+
+  /** The exact time of a contact that is no MISS. */
+  public static ExactTime exactTime(
+      int contact, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by) {
+    return switch (contact) {
+      case Contact.START -> DiskSweep.exactTime(Contact.LATER, px, py, r, vx, vy, ax, ay, 0, 0, 0);
+      case Contact.END -> DiskSweep.exactTime(Contact.LATER, px, py, r, vx, vy, bx, by, 0, 0, 0);
+      case Contact.LEFT, Contact.RIGHT ->
+          Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by).exactTime();
+      default -> ExactTime.NOW;
+    };
+  }
+
+  private static double timeOfEnd(
+      double px, double py, double r, double vx, double vy, double x, double y, double T) {
+    return T == Double.POSITIVE_INFINITY
+        ? EndSweep.time(px, py, r, vx, vy, x, y)
+        : DiskSweep.time(Contact.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, T);
+  }
+
+  /** The centre starts inside the strip. */
+  private static int inside(
+      double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
+      double by) {
+    if (along(px, py, ax, ay, ax, ay, bx, by) <= 0) {
+      return endpoint(Contact.START, px, py, r, vx, vy, ax, ay);
+    }
+    if (along(px, py, bx, by, ax, ay, bx, by) >= 0) {
+      return endpoint(Contact.END, px, py, r, vx, vy, bx, by);
+    }
+    int side = Predicates.cross(bx, by, ax, ay, px, py, ax, ay);
+    return side * drift(vx, vy, ax, ay, bx, by) < 0 ? Contact.NOW | sideOf(side) : Contact.MISS;
+  }
+
+  /** The centre starts outside the strip, on the given side. */
+  private static int outside(
+      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by) {
+    if (side * drift(vx, vy, ax, ay, bx, by) >= 0) {
+      return Contact.MISS;
+    }
+    if (corner(side, px, py, ax, ay, vx, vy, ax, ay, bx, by, r) <= 0) {
+      return endpoint(Contact.START, px, py, r, vx, vy, ax, ay);
+    }
+    if (corner(side, px, py, bx, by, vx, vy, ax, ay, bx, by, r) >= 0) {
+      return endpoint(Contact.END, px, py, r, vx, vy, bx, by);
+    }
+    return sideOf(side);
+  }
+
+  private static int sideOf(int side) {
+    return side > 0 ? Contact.LEFT : Contact.RIGHT;
+  }
+
+  private static int endpoint(
+      int end, double px, double py, double r, double vx, double vy, double x, double y) {
+    return switch (DiskSweep.contact(px, py, r, vx, vy, x, y, 0, 0, 0)) {
+      case Contact.MISS -> Contact.MISS;
+      case Contact.NOW -> Contact.NOW | end;
+      default -> end;
+    };
+  }
+
+  /** The sign of cross(w, v): towards which side of the line the centre drifts. */
+  private static int drift(double vx, double vy, double ax, double ay, double bx, double by) {
+    double c0 = (bx - ax) * vy;
+    double c1 = (by - ay) * vx;
+    double c = c0 - c1;
+    double bound = Math.fma(SPEED_BOUND, Math.abs(c0) + Math.abs(c1), TINY);
+    if (Math.abs(c) > bound) {
+      return Directions.sign(c);
+    }
+    return Predicates.cross(bx, by, ax, ay, vx, vy, 0, 0);
+  }
+
+  /** The sign of (p - q).w: whether p projects beyond q. */
+  private static int along(
+      double px, double py, double qx, double qy, double ax, double ay, double bx, double by) {
+    double c0 = (px - qx) * (bx - ax);
+    double c1 = (py - qy) * (by - ay);
+    double c = c0 + c1;
+    double bound = Math.fma(PLACE_BOUND, Math.abs(c0) + Math.abs(c1), TINY);
+    if (Math.abs(c) > bound) {
+      return Directions.sign(c);
+    }
+    return Predicates.dot(px, py, qx, qy, bx, by, ax, ay);
+  }
+
+  /** The sign of the projection beyond q, an end of the line, at the edge of the strip. */
+  private static int corner(
+      int side, double px, double py, double qx, double qy, double vx, double vy, double ax,
+      double ay, double bx, double by, double r) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    // x = -side cross(p - q, v), y = r v.w
+    double x0 = (px - qx) * vy;
+    double x1 = (py - qy) * vx;
+    double y0 = vx * wx;
+    double y1 = vy * wy;
+    double x = -side * (x0 - x1);
+    double y = r * (y0 + y1);
+    double mx = Math.abs(x0) + Math.abs(x1);
+    double my = r * (Math.abs(y0) + Math.abs(y1));
+    double ww = wx * wx + wy * wy;
+    double s = x * Math.abs(x) * ww - y * Math.abs(y);
+    double bound =
+        Math.fma(
+            CORNER_BOUND,
+            mx * mx * ww + my * my,
+            TINY * ((1 + mx) * (1 + mx + ww) + (1 + r) * (1 + my)));
+    if (Math.abs(s) > bound) {
+      return Directions.sign(s);
+    }
+    return Predicates.corner(side, px, py, qx, qy, vx, vy, bx, by, ax, ay, r);
+  }
+}

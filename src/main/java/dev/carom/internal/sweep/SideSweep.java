@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import static dev.carom.internal.exact.DoubleDouble.crossTail;
+import static dev.carom.internal.exact.DoubleDouble.differenceTail;
+import static dev.carom.internal.exact.DoubleDouble.productTail;
+import static dev.carom.internal.exact.DoubleDouble.sumTail;
+
+import dev.carom.internal.exact.Dyadic;
+import dev.carom.internal.exact.Exact;
+import dev.carom.internal.exact.Rungs;
+
+/**
+ * When a moving disk meets the flat side of a line that {@link SegmentSweep#contact} found it to
+ * meet: {@code |cross(w, d)| - |cross(w, v)| t = r |w|}, with {@code w = b - a}, {@code d = p - a}.
+ */
+public final class SideSweep {
+
+  /** Corrections before exact numbers take over. */
+  private static final int STEPS = 3;
+
+  /** Range within which underflow stays far below the bounds of a step. */
+  private static final double LEAST = 0x1p-250;
+
+  private static final double MOST = 0x1p250;
+
+  /** Above this the square of a radius or of a length, and its tail, do not underflow. */
+  private static final double LEAST_LENGTH = 0x1p-450;
+
+  /**
+   * Of the window's polynomial: cross(w, d) has 4, cross(w, v) T has 3 + 1, their difference 1; the
+   * square 2 x 5 + 1; r^2 w.w has 6; the difference 1: 12 u, and two more.
+   */
+  private static final double WINDOW_BOUND = 14 * 0x1p-53;
+
+  private SideSweep() {}
+
+  /** The time of impact, {@code +infinity} if it is later than the window's end T. */
+  static double time(
+      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by, double T) {
+    if (T < Double.POSITIVE_INFINITY) {
+      int order = compareTime(side, px, py, r, vx, vy, ax, ay, bx, by, T);
+      if (order == 0) {
+        Rungs.exactDecision();
+        Exact.Side exact = Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by);
+        order = exact.compareTime(Dyadic.of(T));
+      }
+      if (order > 0) {
+        return Double.POSITIVE_INFINITY;
+      }
+    }
+    return time(side, px, py, r, vx, vy, ax, ay, bx, by);
+  }
+
+  /**
+   * The correctly rounded time of impact: the plain quotient, refined.
+   *
+   * @param side +1 if the disk is left of the line, -1 if right
+   */
+  static double time(
+      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double reach = r * Math.sqrt(wx * wx + wy * wy);
+    double c = side * (wx * (py - ay) - wy * (px - ax));
+    double speed = -side * (wx * vy - wy * vx);
+    double t = Math.max(0, (c - reach) / speed);
+    return refined(side, px, py, r, vx, vy, ax, ay, bx, by, t);
+  }
+
+  /**
+   * The correctly rounded time of impact: a rough one, corrected by {@link #step} until the
+   * correction is known well enough to round; if it never is (a gap lost to cancellation), exact
+   * numbers decide.
+   *
+   * @param rough any time from 0 on; the nearer to the impact, the sooner it is known
+   */
+  public static double refined(
+      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by, double rough) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double reach = r * Math.sqrt(wx * wx + wy * wy);
+    double speed = -side * (wx * vy - wy * vx);
+    double t = rough;
+    if (Rungs.COUNT != null) {
+      Rungs.COUNT.roots++;
+    }
+    for (int i = 0; i < STEPS; i++) {
+      double step = step(side, px, py, r, vx, vy, ax, ay, bx, by, t, reach, speed);
+      double error = stepError(px - ax, py - ay, r, vx, vy, wx, wy, reach, speed, t, step);
+      double low = t + (step - error);
+      if (low == t + (step + error) && low > LEAST) {
+        return low;
+      }
+      t = Math.max(0, t + step);
+      Rungs.step();
+    }
+    if (Rungs.COUNT != null) {
+      Rungs.COUNT.exactTimes++;
+    }
+    return Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by).time();
+  }
+
+  /**
+   * What is left of the gap at time t, over the speed, both times |w|: {@code h - r |w| = (h^2 -
+   * r^2 w.w) / (h + r |w|)}, {@code h = side cross(w, e)}, {@code e = d + v t}. All that cancels is
+   * kept as head and tail; one division does for two. Its divisor stays within the doubles: h and r
+   * |w| are below {@link #MOST}, the speed below MOST over a time from {@link #LEAST} on, and where
+   * it underflows, the squares have done so before, to nothing left.
+   *
+   * @param reach fl(r |w|)
+   */
+  private static double step(
+      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by, double t, double reach, double speed) {
+    // e = d + v t
+    double dx = px - ax;
+    double dy = py - ay;
+    double mx = vx * t;
+    double my = vy * t;
+    double ex = dx + mx;
+    double ey = dy + my;
+    double exl = sumTail(dx, mx, ex) + (differenceTail(px, ax, dx) + productTail(vx, t, mx));
+    double eyl = sumTail(dy, my, ey) + (differenceTail(py, ay, dy) + productTail(vy, t, my));
+    // h = side cross(w, e)
+    double wx = bx - ax;
+    double wy = by - ay;
+    double wxl = differenceTail(bx, ax, wx);
+    double wyl = differenceTail(by, ay, wy);
+    double h0 = wx * ey - wy * ex;
+    double h1 = crossTail(wx, wxl, wy, wyl, ex, exl, ey, eyl, h0);
+    double h = side * (h0 + h1);
+    if (r == 0) {
+      return h / speed;
+    }
+    double hl = sumTail(side * h0, side * h1, h);
+    return gap(h, hl, wx, wxl, wy, wyl, r) / ((h + reach) * speed);
+  }
+
+  /** h^2 - r^2 w.w. */
+  private static double gap(
+      double h, double hl, double wx, double wxl, double wy, double wyl, double r) {
+    double xx = wx * wx;
+    double yy = wy * wy;
+    double ww = xx + yy;
+    double wwl =
+        sumTail(xx, yy, ww)
+            + (productTail(wx, wxl, wx, wxl, xx) + productTail(wy, wyl, wy, wyl, yy));
+    double rr = r * r;
+    double f = rr * ww;
+    double fl = productTail(rr, productTail(r, r, rr), ww, wwl, f);
+    double hh = h * h;
+    double residue = hh - f;
+    return residue + (differenceTail(hh, f, residue) + (productTail(h, hl, h, hl, hh) - fl));
+  }
+
+  /**
+   * A bound of the error of a step in time; NaN where none is known.
+   *
+   * <p>With {@code X = |dx| + |vx t|}, Y likewise: e loses 6 u^2 X, 6 u^2 Y in its tails; so h
+   * loses D = 6 + 64 u^2 of {@code M = |wx| Y + |wy| X}. {@code h^2 - r^2 w.w} loses 2 h D and 2 x
+   * 32 u^2 of h^2 <= h M, divided by {@code h + r |w|} >= h; and that sum, D itself, in proportion
+   * to the quotient, which is below h: 3 D + 32 u^2 M, less than 256 u^2 M. The divisions by {@code
+   * h + r |w|} (6 u) and by the speed (3 u of its terms, and 2 more) err in proportion to the step;
+   * the least that the speed can be divides.
+   */
+  private static double stepError(
+      double dx, double dy, double r, double vx, double vy, double wx, double wy, double reach,
+      double speed, double t, double step) {
+    double x = Math.abs(dx) + Math.abs(vx * t);
+    double y = Math.abs(dy) + Math.abs(vy * t);
+    double m = Math.abs(wx) * y + Math.abs(wy) * x;
+    double lean = 16 * 0x1p-53 * (Math.abs(wx * vy) + Math.abs(wy * vx));
+    double least = speed - lean;
+    if (!(m > LEAST && m < MOST && least > LEAST && t < MOST && reach < MOST)) {
+      return Double.NaN;
+    }
+    if (r != 0 && !(r > LEAST_LENGTH && Math.max(Math.abs(wx), Math.abs(wy)) > LEAST_LENGTH)) {
+      return Double.NaN;
+    }
+    return (256 * 0x1p-106 * m + Math.abs(step) * lean) / least;
+  }
+
+  /**
+   * The sign of the time of impact less the end T of the window, as far as plain doubles tell: +1
+   * later, -1 earlier, 0 in doubt. It is that of {@code c |c| - r^2 w.w}, {@code c = |cross(w, d)|
+   * - |cross(w, v)| T}.
+   */
+  public static int compareTime(
+      int side, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by, double T) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double dx = px - ax;
+    double dy = py - ay;
+    double c = side * ((wx * dy - wy * dx) + (wx * vy - wy * vx) * T);
+    double m = Math.abs(wx * dy) + Math.abs(wy * dx) + (Math.abs(wx * vy) + Math.abs(wy * vx)) * T;
+    double rr = r * r;
+    double ww = wx * wx + wy * wy;
+    double s = c * Math.abs(c) - rr * ww;
+    double bound =
+        Math.fma(WINDOW_BOUND, m * m + rr * ww, 0x1p-1000 * ((1 + m) * (1 + T) + rr + ww));
+    return s > bound ? 1 : s < -bound ? -1 : 0;
+  }
+}

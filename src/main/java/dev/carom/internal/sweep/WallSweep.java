@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import static dev.carom.internal.exact.DoubleDouble.differenceTail;
+
+import dev.carom.internal.exact.Dyadic;
+import dev.carom.internal.exact.Exact;
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.Rungs;
+
+/**
+ * A disk that moves against a wall, on one axis: from above ({@code v < 0}) against everything at
+ * or below the wall, from below ({@code v > 0}) against everything at or above it. A disk at rest
+ * on that axis hits neither.
+ *
+ * <p>With the signed distance s of the centre in front of the wall, {@code s = p - wall} or {@code
+ * wall - p}, the contact is at {@code t = (s - r) / |v|}, or at 0 if {@code s <= r} already.
+ */
+public final class WallSweep {
+
+  /** The ids of the walls; that of the upper wall of an axis follows that of the lower one. */
+  public static final int LEFT = 0;
+
+  public static final int RIGHT = 1;
+  public static final int BOTTOM = 2;
+  public static final int TOP = 3;
+
+  private static final double LEAST = 0x1p-500;
+
+  private static final double MOST = 0x1p500;
+
+  private WallSweep() {}
+
+  /**
+   * The correctly rounded time of impact, {@code +infinity} for a disk at rest.
+   *
+   * @param wall the wall that the disk moves towards
+   */
+  public static double time(double p, double r, double v, double wall) {
+    if (v == 0) {
+      return Double.POSITIVE_INFINITY;
+    }
+    // s = h + l, exactly; h is the nearest double, so h > r or h < r tells of s too. Signs by
+    // multiplication: which of two walls is ahead, no processor can foretell.
+    double sign = Math.copySign(1, v);
+    double ahead = wall - p;
+    double h = sign * ahead;
+    double l = sign * differenceTail(wall, p, ahead);
+    if (h < r || (h == r && l <= 0)) {
+      return 0;
+    }
+    double speed = Math.abs(v);
+    double g = h - r;
+    double gl = differenceTail(h, r, g) + l;
+    double gap = g + gl;
+    double t = gap / speed;
+    // The quotient's remainder is exact; gl is rounded, by u^2 of h at most. The reciprocal does
+    // not wait for it, as a division would.
+    double rest = (Math.fma(-t, speed, g) + gl) * (1 / speed);
+    double error = 0x1p-50 * Math.abs(rest) + 0x1p-104 * (h / speed);
+    double low = t + (rest - error);
+    if (low == t + (rest + error) && low > LEAST && low < MOST && g > LEAST && h < MOST) {
+      return low;
+    }
+    if (Rungs.COUNT != null) {
+      Rungs.COUNT.exactTimes++;
+    }
+    return Exact.wallTime(p, r, v, wall);
+  }
+
+  /** The same within a window: {@code +infinity} if it is later than the window's end T. */
+  public static double time(double p, double r, double v, double wall, double T) {
+    double t = time(p, r, v, wall);
+    return t > T || (t == T && roundedDown(p, r, v, wall, t)) ? Double.POSITIVE_INFINITY : t;
+  }
+
+  /** The exact time of impact of a disk that moves towards a wall. */
+  public static ExactTime exactTime(double p, double r, double v, double wall) {
+    Dyadic gap = Exact.wallGap(p, r, v, wall);
+    return gap.sign() > 0 ? new ExactTime(gap, Dyadic.ZERO, Dyadic.of(v).abs()) : ExactTime.NOW;
+  }
+
+  /** Whether the true time of impact is later than its rounding t. */
+  private static boolean roundedDown(double p, double r, double v, double wall, double t) {
+    return t < Double.POSITIVE_INFINITY && Exact.compareWallTime(p, r, v, wall, t) > 0;
+  }
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.util;
+
+/**
+ * Checks of what comes from outside. Each message names the thing, its value and what was expected;
+ * each condition is written so that NaN fails it.
+ */
+public final class Check {
+
+  private Check() {}
+
+  /** Refuses null by a {@link NullPointerException} that names the argument; returns the others. */
+  public static <T> T notNull(String name, T value) {
+    if (value == null) {
+      throw isNull(name);
+    }
+    return value;
+  }
+
+  public static NullPointerException isNull(String name) {
+    return new NullPointerException(name + " is null");
+  }
+
+  public static void finite(String name, double value) {
+    if (!(Math.abs(value) <= Double.MAX_VALUE)) {
+      throw refused(name, value, "a finite number");
+    }
+  }
+
+  public static void notNegative(String name, double value) {
+    if (!(value >= 0 && value <= Double.MAX_VALUE)) {
+      throw refused(name, value, "a finite number, at least 0");
+    }
+  }
+
+  public static void notNegative(String name, int value) {
+    if (value < 0) {
+      throw refused(name, value, "at least 0");
+    }
+  }
+
+  public static void positive(String name, double value) {
+    if (!(value > 0 && value <= Double.MAX_VALUE)) {
+      throw refused(name, value, "a finite number, more than 0");
+    }
+  }
+
+  /** A mass: sums and quotients of two within these limits neither overflow nor underflow. */
+  public static void mass(String name, double value) {
+    if (!((value >= 0x1p-500 && value <= 0x1p500) || value == Double.POSITIVE_INFINITY)) {
+      throw refused(name, value, "a number from 2^-500 to 2^500, or infinity");
+    }
+  }
+
+  /** The sides of a rectangle that is wider and higher than 0. */
+  public static void bounds(double xmin, double ymin, double xmax, double ymax) {
+    finite("xmin", xmin);
+    finite("ymin", ymin);
+    finite("xmax", xmax);
+    finite("ymax", ymax);
+    if (!(xmax > xmin)) {
+      throw refused("xmax", xmax, "more than xmin, " + xmin);
+    }
+    if (!(ymax > ymin)) {
+      throw refused("ymax", ymax, "more than ymin, " + ymin);
+    }
+  }
+
+  /** A length of time: 0 or more, {@code +infinity} included. */
+  public static void duration(String name, double value) {
+    if (!(value >= 0)) {
+      throw refused(name, value, "at least 0 (infinity is allowed)");
+    }
+  }
+
+  public static RefusedException refused(String name, Object value, String expected) {
+    return new RefusedException(name, value, expected);
+  }
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.carom.SweptCircle;
+import dev.carom.internal.exact.Exact;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The time of a side does not depend on where its refinement begins. */
+class SideSweepTest {
+
+  @Test
+  void isTheSameFromAnyRoughTime() {
+    SplittableRandom random = new SplittableRandom(8);
+    int met = 0;
+    for (int i = 0; i < 5_000; i++) {
+      double scale = Math.scalb(1.0, random.nextInt(-20, 20));
+      double[] n = random.doubles(8, -scale, scale).toArray();
+      double r = scale * random.nextDouble() / 10;
+      int contact = SegmentSweep.contact(n[0], n[1], r, n[2], n[3], n[4], n[5], n[6], n[7]);
+      if (contact == Contact.LEFT || contact == Contact.RIGHT) {
+        met++;
+        int side = contact == Contact.LEFT ? 1 : -1;
+        double time = SideSweep.time(side, n[0], n[1], r, n[2], n[3], n[4], n[5], n[6], n[7]);
+        for (double error : new double[] {0, 0x1p-52, -0x1p-40, 0x1p-28, -0x1p-10, 1, -1}) {
+          double rough = time * (1 + error);
+          assertThat(
+                  SideSweep.refined(side, n[0], n[1], r, n[2], n[3], n[4], n[5], n[6], n[7], rough))
+              .as("query %d from %s", i, rough)
+              .isEqualTo(time);
+        }
+      }
+    }
+    assertThat(met).isGreaterThan(200);
+  }
+
+  /** The square of a radius, or of a length, underflows, and what it is to take away does not. */
+  @ParameterizedTest
+  @CsvSource({
+    "3e-160, 1.3e-160, -1e-160, -1e90, 0, 1e90, 0",
+    "3e90, 1.3e90, -1e90, -1.3e-160, 0, 1.7e-160, 0",
+    "3e90, 1.3e90, -1e90, -1.3e-163, 0, 1.7e-163, 0",
+    "3, 1.3, -1, -1e-200, 0, 1e-200, 0",
+    "3, 1.3, -1, -1e-320, 0, 1e-320, 0"
+  })
+  void squaresThatUnderflowAreNotTrusted(
+      double py, double r, double vy, double ax, double ay, double bx, double by) {
+    double time = Exact.Side.of(0, py, r, 0, vy, ax, ay, bx, by).time();
+    assertThat(time).isCloseTo(1.7, within(1e-15));
+    assertThat(SweptCircle.line(0, py, r, 0, vy, ax, ay, bx, by, 9)).isEqualTo(time);
+    assertThat(SweptCircle.line(0, py, r, 0, vy, ax, ay, bx, by, 1.71)).isEqualTo(time);
+  }
+}
