@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static com.tngtech.archunit.base.DescribedPredicate.not;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaCodeUnit;
+import com.tngtech.archunit.core.domain.JavaField;
+import com.tngtech.archunit.core.domain.JavaModifier;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Which packages there are, and which of the others each of them may use. */
+class ArchitectureTest {
+
+  private static final String API = "dev.carom";
+
+  private static final String INTERNAL = "dev.carom.internal.";
+
+  private static final JavaClasses CLASSES =
+      new ClassFileImporter().importPath(Path.of("target/classes"));
+
+  /** From below upwards; none may use what stands after it. */
+  private static final List<String> PACKAGES =
+      List.of(
+          "util",
+          "exact",
+          "sweep",
+          "state",
+          "search",
+          "response",
+          "queue",
+          "engine",
+          "query",
+          "io");
+
+  @Test
+  void thereAreNoOthers() {
+    assertThat(CLASSES.stream().map(JavaClass::getPackageName).distinct())
+        .containsExactlyInAnyOrderElementsOf(
+            Stream.concat(PACKAGES.stream().map(INTERNAL::concat), Stream.of(API))
+                .collect(Collectors.toList()));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "util     |",
+        "exact    | util",
+        "sweep    | exact util",
+        "state    | sweep exact util",
+        "search   | state sweep exact util",
+        "response | state sweep exact util",
+        "queue    | state util",
+        "engine   | queue response search state sweep exact util",
+        "query    | engine response search state sweep exact util",
+        "io       | engine state util",
+      })
+  void eachUsesThoseBelow(String name, String others) {
+    String[] allowed =
+        Stream.concat(
+                Stream.of(name), Arrays.stream(others == null ? new String[0] : others.split(" ")))
+            .map(INTERNAL::concat)
+            .toArray(String[]::new);
+    noClasses()
+        .that()
+        .resideInAPackage(INTERNAL + name)
+        .should()
+        .dependOnClassesThat(resideInAPackage(API + "..").and(not(resideInAnyPackage(allowed))))
+        .check(CLASSES);
+  }
+
+  @Test
+  void noneUseEachOther() {
+    slices().matching("dev.carom.(**)").should().beFreeOfCycles().check(CLASSES);
+  }
+
+  @Test
+  void theLibraryNeedsNothingButJava() {
+    classes()
+        .should()
+        .onlyDependOnClassesThat()
+        .resideInAnyPackage(API + "..", "java..")
+        .check(CLASSES);
+  }
+
+  /** A public signature names public types only. */
+  @Test
+  void nothingInternalIsSeenFromOutside() {
+    List<JavaClass> api =
+        CLASSES.stream()
+            .filter(c -> c.getPackageName().equals(API))
+            .filter(c -> c.getModifiers().contains(JavaModifier.PUBLIC))
+            .toList();
+    assertThat(api).hasSizeGreaterThan(20);
+    for (JavaClass type : api) {
+      assertThat(seen(type)).as(type.getName()).noneMatch(name -> name.startsWith(INTERNAL));
+    }
+  }
+
+  private static List<String> seen(JavaClass type) {
+    Stream<JavaClass> ofMethods =
+        type.getCodeUnits().stream()
+            .filter(unit -> isSeen(unit.getModifiers()))
+            .flatMap(ArchitectureTest::types);
+    Stream<JavaClass> ofFields =
+        type.getFields().stream()
+            .filter(field -> isSeen(field.getModifiers()))
+            .map(JavaField::getRawType);
+    Stream<JavaClass> parents =
+        Stream.concat(type.getRawSuperclass().stream(), type.getRawInterfaces().stream());
+    return Stream.of(ofMethods, ofFields, parents)
+        .flatMap(types -> types)
+        .map(c -> c.getBaseComponentType().getName())
+        .toList();
+  }
+
+  private static Stream<JavaClass> types(JavaCodeUnit unit) {
+    Collection<JavaClass> thrown =
+        unit.getThrowsClause().getTypes().stream().map(t -> t.toErasure()).toList();
+    return Stream.of(
+            Stream.of(unit.getRawReturnType()),
+            unit.getRawParameterTypes().stream(),
+            thrown.stream())
+        .flatMap(types -> types);
+  }
+
+  private static boolean isSeen(Collection<JavaModifier> modifiers) {
+    return modifiers.contains(JavaModifier.PUBLIC) || modifiers.contains(JavaModifier.PROTECTED);
+  }
+}
