@@ -59,7 +59,7 @@ final class MassCheck {
   /** Whether two circles may overlap in a part of their flights: one crushed the other. */
   boolean mayOverlap(Flight f, Flight g) {
     Flight finite = isInfinite(f.circle()) ? g : f;
-    Flight infinite = finite == f ? g : f;
+    Flight infinite = isInfinite(f.circle()) ? f : g;
     Double since = crushed.get(new Pair(finite.circle(), infinite.circle()));
     return since != null && since <= finite.from() && finite.vx() == 0 && finite.vy() == 0;
   }

@@ -240,7 +240,7 @@ public final class Exact {
     }
 
     /** Of a vector in the plane. */
-    public UnitVector unit() {
+    UnitVector unit() {
       Dyadic length = square().sqrt(BITS);
       return new UnitVector(quotient(x, length), quotient(y, length));
     }
