@@ -72,7 +72,12 @@ class ConsumerIT {
   void exportsOnePackageAndRequiresTheBaseOnly() throws Exception {
     String described = run("jar", "--describe-module", "--file", jar(""));
 
-    assertThat(described.lines().skip(1).filter(line -> !line.isBlank()))
+    assertThat(
+            described
+                .lines()
+                .skip(1)
+                .filter(line -> !line.isBlank())
+                .filter(line -> !line.startsWith("contains dev.carom.internal.")))
         .containsExactlyInAnyOrder("exports dev.carom", "requires java.base mandated");
   }
 
