@@ -8,10 +8,10 @@ import dev.carom.internal.query.TracedPath;
 import dev.carom.internal.query.Tracer;
 import dev.carom.internal.response.Impulse;
 import dev.carom.internal.response.SphereResponse;
-import dev.carom.internal.search.BroadSearch;
-import dev.carom.internal.state.CodeList;
-import dev.carom.internal.state.Mover;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.search.BroadPhase;
+import dev.carom.internal.state.CodeSet;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
@@ -45,14 +45,14 @@ public final class Resolver {
   /** Impacts in one trace, exact arithmetic counted as {@link World} describes. */
   static final int IMPACTS_PER_TRACE = 100_000;
 
-  private final Obstacles obstacles;
+  private final ObstacleTable obstacles;
 
   private final List<Line> lines;
 
   /** Circles and endpoints. */
   private final List<Obstacle> pegs;
 
-  private Resolver(Obstacles obstacles, List<Line> lines, List<Obstacle> pegs) {
+  private Resolver(ObstacleTable obstacles, List<Line> lines, List<Obstacle> pegs) {
     this.obstacles = obstacles;
     this.lines = List.copyOf(lines);
     this.pegs = List.copyOf(pegs);
@@ -78,12 +78,12 @@ public final class Resolver {
       } else if (obstacle instanceof Bounds bounds) {
         add(builder, bounds);
       } else {
-        Circle peg = Casts.peg(obstacle);
+        Circle peg = CircleCast.peg(obstacle);
         builder.peg(peg.x(), peg.y(), peg.radius());
         pegs.add(obstacle);
       }
     }
-    return new Resolver(Obstacles.of(builder.build().data), lines, pegs);
+    return new Resolver(ObstacleTable.of(builder.build().data), lines, pegs);
   }
 
   private static void add(SceneBuilder builder, Bounds bounds) {
@@ -113,7 +113,7 @@ public final class Resolver {
     for (int i = 0; i < scene.pegCount(); i++) {
       pegs.add(scene.peg(i));
     }
-    return new Resolver(Obstacles.of(scene.data), lines, pegs);
+    return new Resolver(ObstacleTable.of(scene.data), lines, pegs);
   }
 
   /**
@@ -151,9 +151,9 @@ public final class Resolver {
     Check.notNegative("restitution", restitution);
     Check.notNegative("duration", duration);
     Check.notNegative("bounces", bounces);
-    Mover mover = Casts.mover(circle, velocity, restitution);
+    MovingCircle mover = CircleCast.mover(circle, velocity, restitution);
     TracedPath path = tracer().trace(mover, duration, bounces, IMPACTS_PER_TRACE);
-    return Casts.trajectory(path, this::thing);
+    return CircleCast.trajectory(path, this::thing);
   }
 
   /**
@@ -171,13 +171,13 @@ public final class Resolver {
     Check.notNull("circle", circle);
     Check.notNull("velocity", velocity);
     Check.duration("T", T);
-    Candidate first = tracer().first(Casts.mover(circle, velocity, 1), T);
+    Candidate first = tracer().first(CircleCast.mover(circle, velocity, 1), T);
     if (first == null || !first.isWithin(T)) {
       return Optional.empty();
     }
     int code = first.code();
     return Optional.of(
-        Casts.impact(
+        CircleCast.impact(
             first, ObstacleKind.of(obstacles.kind(code)), obstacles.index(code), thing(code)));
   }
 
@@ -215,14 +215,14 @@ public final class Resolver {
    */
   public List<Obstacle> overlapping(Bounds box) {
     Check.notNull("box", box);
-    return things(new Proximity(obstacles).overlapping(Records.walls(box)));
+    return things(new Proximity(obstacles).overlapping(PublicRecords.walls(box)));
   }
 
   /** What codes stand for. Walls come first: those after the first one are the same bounds. */
   private List<Obstacle> things(IntStream codes) {
     List<Obstacle> things = new ArrayList<>();
     for (int code : codes.toArray()) {
-      if (code >= Obstacles.WALLS || things.isEmpty()) {
+      if (code >= ObstacleTable.WALLS || things.isEmpty()) {
         things.add(thing(code));
       }
     }
@@ -230,14 +230,14 @@ public final class Resolver {
   }
 
   private Tracer tracer() {
-    BroadSearch search = new BroadSearch(obstacles, new CodeList());
+    BroadPhase search = new BroadPhase(obstacles, new CodeSet());
     return new Tracer(obstacles, search, null);
   }
 
   /** What a code stands for: of a wall, the bounds. */
   private Obstacle thing(int code) {
     return switch (obstacles.kind(code)) {
-      case Kind.WALL -> Records.bounds(obstacles.walls);
+      case Kind.WALL -> PublicRecords.bounds(obstacles.walls);
       case Kind.LINE -> lines.get(obstacles.index(code));
       default -> pegs.get(obstacles.index(code));
     };
@@ -291,7 +291,7 @@ public final class Resolver {
    * exact arithmetic has to decide whether they approach.
    *
    * <pre>{@code
-   * // Circles of radius 5: the first comes at 4 a second, the second rests 20 to the right.
+   * // CircleTable of radius 5: the first comes at 4 a second, the second rests 20 to the right.
    * double[] v = {4, 0, 0, 0};
    * double t = SweptCircle.pair(0, 0, 5, v[0], v[1], 20, 0, 5, v[2], v[3], 10);
    * double x1 = 0 + v[0] * t;

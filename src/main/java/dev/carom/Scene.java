@@ -4,9 +4,9 @@ package dev.carom;
 import dev.carom.internal.io.RowException;
 import dev.carom.internal.io.SceneFile;
 import dev.carom.internal.query.Warnings;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
-import dev.carom.internal.state.Traits;
 import dev.carom.internal.util.Check;
 import java.io.IOException;
 import java.io.Reader;
@@ -212,7 +212,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int i) {
-    return Records.line(data.lines, SceneData.lineAt(at(ObstacleKind.LINE, i)));
+    return PublicRecords.line(data.lines, SceneData.lineAt(at(ObstacleKind.LINE, i)));
   }
 
   /**
@@ -223,7 +223,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such peg
    */
   public Circle peg(int i) {
-    return Records.peg(data.pegs, SceneData.pegAt(at(ObstacleKind.PEG, i)));
+    return PublicRecords.peg(data.pegs, SceneData.pegAt(at(ObstacleKind.PEG, i)));
   }
 
   /**
@@ -255,7 +255,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public Response response(ObstacleKind kind, int i) {
-    return Response.of(Traits.response(traits(kind, at(kind, i))));
+    return Response.of(ContactFlags.response(traits(kind, at(kind, i))));
   }
 
   /**
@@ -267,7 +267,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public boolean oneWay(int i) {
-    return Traits.isOneWay(traits(ObstacleKind.LINE, at(ObstacleKind.LINE, i)));
+    return ContactFlags.isOneWay(traits(ObstacleKind.LINE, at(ObstacleKind.LINE, i)));
   }
 
   /**
@@ -276,7 +276,7 @@ public final class Scene {
    * @return the rectangle that keeps circles inside, empty if the scene is open
    */
   public Optional<Bounds> bounds() {
-    return Optional.ofNullable(Records.bounds(data.walls));
+    return Optional.ofNullable(PublicRecords.bounds(data.walls));
   }
 
   /**
@@ -327,22 +327,22 @@ public final class Scene {
   @Override
   public String toString() {
     return "Scene[circles=%d, lines=%d, pegs=%d, bounds=%s]"
-        .formatted(circleCount(), lineCount(), pegCount(), Records.told(data.walls));
+        .formatted(circleCount(), lineCount(), pegCount(), PublicRecords.told(data.walls));
   }
 
-  /** The {@link Traits} of a thing that is there. */
+  /** The {@link ContactFlags} of a thing that is there. */
   private int traits(ObstacleKind kind, int i) {
     return switch (kind) {
       case WALL -> data.boundsTraits;
-      case LINE -> Traits.of(data.lineTraits, i);
-      case PEG -> Traits.of(data.pegTraits, i);
-      case CIRCLE -> Traits.of(data.circleTraits, i);
+      case LINE -> ContactFlags.of(data.lineTraits, i);
+      case PEG -> ContactFlags.of(data.pegTraits, i);
+      case CIRCLE -> ContactFlags.of(data.circleTraits, i);
     };
   }
 
   private int count(ObstacleKind kind) {
     return switch (kind) {
-      case WALL -> data.walls == null ? 0 : Obstacles.WALLS;
+      case WALL -> data.walls == null ? 0 : ObstacleTable.WALLS;
       case LINE -> lineCount();
       case PEG -> pegCount();
       case CIRCLE -> circleCount();

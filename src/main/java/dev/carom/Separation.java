@@ -3,9 +3,9 @@ package dev.carom;
 
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.UnitVector;
-import dev.carom.internal.sweep.Directions;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.internal.sweep.UnitVectors;
 import dev.carom.internal.util.Check;
 
 /**
@@ -39,7 +39,7 @@ record Separation(double x, double y) {
     }
     double dx = x - cx;
     double dy = y - cy;
-    UnitVector n = dx == 0 && dy == 0 ? ALONG_X : Directions.unit(x, y, cx, cy);
+    UnitVector n = dx == 0 && dy == 0 ? ALONG_X : UnitVectors.unit(x, y, cx, cy);
     double distance = dx * n.x() + dy * n.y();
     double reach = r + radius;
     double size = Math.max(size(x, y), size(cx, cy));
@@ -58,7 +58,7 @@ record Separation(double x, double y) {
     double nearX = atEnd ? bx : ax;
     double nearY = atEnd ? by : ay;
     boolean ofSide = beside || (x == nearX && y == nearY);
-    UnitVector n = ofSide ? sideNormal(x, y, ax, ay, bx, by) : Directions.unit(x, y, nearX, nearY);
+    UnitVector n = ofSide ? sideNormal(x, y, ax, ay, bx, by) : UnitVectors.unit(x, y, nearX, nearY);
     double distance = (x - nearX) * n.x() + (y - nearY) * n.y();
     double size = Math.max(size(x, y), Math.max(size(ax, ay), size(bx, by)));
     return out(x, y, overlap, n, r - distance, size + r);
@@ -71,7 +71,7 @@ record Separation(double x, double y) {
       return ALONG_X;
     }
     int side = Predicates.cross(bx, by, ax, ay, x, y, ax, ay);
-    return Directions.normal(side < 0 ? -1 : 1, ax, ay, bx, by);
+    return UnitVectors.normal(side < 0 ? -1 : 1, ax, ay, bx, by);
   }
 
   private static double size(double x, double y) {

@@ -200,13 +200,13 @@ public final class SweptCircle {
     Check.notNull("obstacle", obstacle);
     Check.duration("T", T);
     if (obstacle instanceof Line line) {
-      return Casts.line(circle, velocity, line, T);
+      return CircleCast.line(circle, velocity, line, T);
     }
     if (obstacle instanceof Bounds bounds) {
-      return Casts.bounds(circle, velocity, bounds, T);
+      return CircleCast.bounds(circle, velocity, bounds, T);
     }
-    Circle peg = Casts.peg(obstacle);
-    return Casts.disk(circle, velocity, peg, Vec2.ZERO, ObstacleKind.PEG, obstacle, T);
+    Circle peg = CircleCast.peg(obstacle);
+    return CircleCast.disk(circle, velocity, peg, Vec2.ZERO, ObstacleKind.PEG, obstacle, T);
   }
 
   /**
@@ -226,7 +226,7 @@ public final class SweptCircle {
     Check.notNull("second", second);
     Check.notNull("v2", v2);
     Check.duration("T", T);
-    return Casts.disk(first, v1, second, v2, ObstacleKind.CIRCLE, second, T);
+    return CircleCast.disk(first, v1, second, v2, ObstacleKind.CIRCLE, second, T);
   }
 
   /**

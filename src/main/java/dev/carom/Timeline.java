@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.state.FlightHistory;
 import dev.carom.internal.state.FlightRecorder;
-import dev.carom.internal.state.Obstacles;
-import dev.carom.internal.state.Track;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Check;
 import java.util.Optional;
 
@@ -73,7 +73,7 @@ public final class Timeline {
    * @throws IllegalArgumentException if the circle was not there then, or is not recorded
    */
   public double x(int id, double t) {
-    Track track = track(id, t);
+    FlightHistory track = track(id, t);
     return track.x(track.find(t), t, recorder.walls());
   }
 
@@ -86,7 +86,7 @@ public final class Timeline {
    * @throws IllegalArgumentException if the circle was not there then, or is not recorded
    */
   public double y(int id, double t) {
-    Track track = track(id, t);
+    FlightHistory track = track(id, t);
     return track.y(track.find(t), t, recorder.walls());
   }
 
@@ -99,7 +99,7 @@ public final class Timeline {
    * @throws IllegalArgumentException if the circle was not there then, or is not recorded
    */
   public double vx(int id, double t) {
-    Track track = track(id, t);
+    FlightHistory track = track(id, t);
     return track.vx(track.find(t));
   }
 
@@ -112,7 +112,7 @@ public final class Timeline {
    * @throws IllegalArgumentException if the circle was not there then, or is not recorded
    */
   public double vy(int id, double t) {
-    Track track = track(id, t);
+    FlightHistory track = track(id, t);
     return track.vy(track.find(t));
   }
 
@@ -125,7 +125,7 @@ public final class Timeline {
    * @throws IllegalArgumentException if the circle was not there then, or is not recorded
    */
   public double radius(int id, double t) {
-    Track track = track(id, t);
+    FlightHistory track = track(id, t);
     return track.radius(track.find(t));
   }
 
@@ -141,8 +141,8 @@ public final class Timeline {
     double time = checked(t);
     return !isId(id)
         ? Optional.empty()
-        : Optional.ofNullable(recorder.obstacle(Obstacles.WALLS + id, time))
-            .map(row -> Records.line(row, 0));
+        : Optional.ofNullable(recorder.obstacle(ObstacleTable.WALLS + id, time))
+            .map(row -> PublicRecords.line(row, 0));
   }
 
   /**
@@ -157,12 +157,12 @@ public final class Timeline {
     double time = checked(t);
     return !isId(id)
         ? Optional.empty()
-        : Optional.ofNullable(recorder.obstacle(Obstacles.PEGS + id, time))
-            .map(row -> Records.peg(row, 0));
+        : Optional.ofNullable(recorder.obstacle(ObstacleTable.PEGS + id, time))
+            .map(row -> PublicRecords.peg(row, 0));
   }
 
   private static boolean isId(int id) {
-    return id >= 0 && id < Obstacles.PEGS - Obstacles.WALLS;
+    return id >= 0 && id < ObstacleTable.PEGS - ObstacleTable.WALLS;
   }
 
   private double checked(double t) {
@@ -172,8 +172,8 @@ public final class Timeline {
     return t;
   }
 
-  private Track track(int id, double t) {
-    Track track = recorder.track(id, t);
+  private FlightHistory track(int id, double t) {
+    FlightHistory track = recorder.track(id, t);
     if (track == null) {
       checked(t);
       throw Check.refused("circle " + id, "unknown at " + t, "one that was there then");

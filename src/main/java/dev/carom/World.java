@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import dev.carom.internal.engine.Collisions;
+import dev.carom.internal.engine.CollidingEngine;
 import dev.carom.internal.engine.Editor;
 import dev.carom.internal.engine.Engine;
-import dev.carom.internal.engine.Flights;
-import dev.carom.internal.engine.Ids;
-import dev.carom.internal.state.Circles;
+import dev.carom.internal.engine.Handles;
+import dev.carom.internal.engine.IndependentEngine;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.FlightRecorder;
 import dev.carom.internal.state.ImpactRows;
-import dev.carom.internal.state.Machinery;
-import dev.carom.internal.state.Obstacles;
-import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Check;
@@ -105,13 +105,13 @@ public final class World {
   private final Scene scene;
   private final ImpactRows rows;
   private final ImpactLog log;
-  private final Roster roster;
-  private final Ids ids;
+  private final CircleRegistry roster;
+  private final Handles ids;
   private final Engine engine;
-  final Circles circles;
-  private final Obstacles obstacles;
+  final CircleTable circles;
+  private final ObstacleTable obstacles;
   private final Editor editor;
-  private final Questions questions;
+  private final WorldQueries questions;
   private double now;
 
   /** Null unless flights are recorded. */
@@ -123,24 +123,24 @@ public final class World {
    * @param scene what is there
    */
   public World(Scene scene) {
-    this(scene, Machinery.CHOSEN);
+    this(scene, EngineOptions.CHOSEN);
   }
 
-  World(Scene scene, Machinery machinery) {
+  World(Scene scene, EngineOptions machinery) {
     this.scene = Check.notNull("scene", scene);
     SceneData data = scene.data;
-    roster = new Roster(data, machinery.slack());
+    roster = new CircleRegistry(data, machinery.slack());
     rows = new ImpactRows(Math.max(LOG_LEAST, Math.min(LOG_MOST, data.circleCount())));
     log = new ImpactLog(rows, roster::id);
     engine =
         data.collide
-            ? new Collisions(data, roster, machinery, rows)
-            : new Flights(data, roster, machinery, rows);
+            ? new CollidingEngine(data, roster, machinery, rows)
+            : new IndependentEngine(data, roster, machinery, rows);
     circles = engine.circles;
     obstacles = engine.surroundings.obstacles;
-    ids = new Ids(roster, obstacles);
+    ids = new Handles(roster, obstacles);
     editor = new Editor(data, engine, roster);
-    questions = new Questions(engine, roster, data.collide);
+    questions = new WorldQueries(engine, roster, data.collide);
   }
 
   /**
@@ -302,7 +302,7 @@ public final class World {
    */
   public Line line(int id) {
     int code = code(ObstacleKind.LINE, id);
-    return Records.line(obstacles.lines, obstacles.offset(code));
+    return PublicRecords.line(obstacles.lines, obstacles.offset(code));
   }
 
   /**
@@ -314,7 +314,7 @@ public final class World {
    */
   public Circle peg(int id) {
     int code = code(ObstacleKind.PEG, id);
-    return Records.peg(obstacles.pegs, obstacles.offset(code));
+    return PublicRecords.peg(obstacles.pegs, obstacles.offset(code));
   }
 
   /**
@@ -742,8 +742,8 @@ public final class World {
     if (!Arrays.equals(state.obstacles().walls, scene.data.walls)) {
       throw Check.refused(
           "bounds of the snapshot",
-          Records.told(state.obstacles().walls),
-          "this world's, " + Records.told(scene.data.walls));
+          PublicRecords.told(state.obstacles().walls),
+          "this world's, " + PublicRecords.told(scene.data.walls));
     }
     if (state.collide() != scene.collide()) {
       throw Check.refused(
@@ -809,7 +809,7 @@ public final class World {
         scene.collide() ? "collide" : "ignore each other",
         obstacles.presentLines().count(),
         obstacles.presentPegs().count(),
-        Records.told(scene.data.walls),
+        PublicRecords.told(scene.data.walls),
         log.size());
   }
 }

@@ -3,13 +3,13 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.exact.ExactWork;
+import dev.carom.internal.exact.ExactBudget;
 import dev.carom.internal.query.TracedPath;
 import dev.carom.internal.query.Tracer;
-import dev.carom.internal.search.BroadSearch;
-import dev.carom.internal.state.CodeList;
-import dev.carom.internal.state.Machinery;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.search.BroadPhase;
+import dev.carom.internal.state.CodeSet;
+import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.ObstacleTable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class BudgetTest {
 
   /** A cell holds the whole room: then every event is an impact. */
-  private static final Machinery ONE_CELL = new Machinery(true, 0, 1000, 1, 1);
+  private static final EngineOptions ONE_CELL = new EngineOptions(true, 0, 1000, 1, 1);
 
   /**
    * They turn each other round at a half, 2.5 and so on, and a unit of time later each is turned
@@ -102,11 +102,11 @@ class BudgetTest {
   }
 
   private static long bits() {
-    return ExactWork.ofThread().bits();
+    return ExactBudget.ofThread().bits();
   }
 
   private static long workSince(long before) {
-    return ExactWork.ofThread().impactsSince(before);
+    return ExactBudget.ofThread().impactsSince(before);
   }
 
   /** One search makes no more than 100 impacts of work. */
@@ -123,7 +123,7 @@ class BudgetTest {
   /** The same, but all is done twice: for where the first circle spends its own, nobody knows. */
   @Test
   void exactWorkAndImpactsOfOneCircleSpendItsBudgetTogether() {
-    World world = new World(nearTies(false), Machinery.budget(1.0 / 200));
+    World world = new World(nearTies(false), EngineOptions.budget(1.0 / 200));
     long before = bits();
     assertThat(world.advanceTo(1e9)).isFalse();
     long work = workSince(before) / 2;
@@ -132,10 +132,10 @@ class BudgetTest {
   }
 
   private static TracedPath trace(int bounces, int most) {
-    Obstacles obstacles = Obstacles.of(nearTies(true).data);
-    BroadSearch search = new BroadSearch(obstacles, new CodeList());
+    ObstacleTable obstacles = ObstacleTable.of(nearTies(true).data);
+    BroadPhase search = new BroadPhase(obstacles, new CodeSet());
     Tracer tracer = new Tracer(obstacles, search, null);
-    return tracer.trace(Casts.mover(LEAVING, new Vec2(-UNIT, 0), 1), 1e3, bounces, most);
+    return tracer.trace(CircleCast.mover(LEAVING, new Vec2(-UNIT, 0), 1), 1e3, bounces, most);
   }
 
   /** What it takes to know the impact that comes after so many. */
@@ -154,7 +154,7 @@ class BudgetTest {
       while (impacts + workAfter(impacts) < most) {
         impacts++;
       }
-      ExactWork.add(1_000 * most);
+      ExactBudget.add(1_000 * most);
       TracedPath trace = trace(1_000_000, most);
       assertThat(trace.impacts().size()).as("of %s", most).isEqualTo(impacts);
       assertThat(trace.complete()).isFalse();
@@ -175,7 +175,7 @@ class BudgetTest {
     for (int i = 0; i < 401; i++) {
       scene.circle(20 * UNIT, 1.5 * UNIT, 1.5 * UNIT, 0, 0);
     }
-    World world = new World(scene.build(), Machinery.EACH);
+    World world = new World(scene.build(), EngineOptions.EACH);
     world.setVelocity(0, 16 * UNIT, Double.MIN_VALUE);
     long before = bits();
     world.step(1e9);
@@ -193,7 +193,7 @@ class BudgetTest {
     for (int i = 0; i < 11_000; i++) {
       scene.peg(10 + i * 0.5, 0, 0.1).response(Response.SENSOR);
     }
-    World world = new World(scene.build(), Machinery.budget(1.0 / 200));
+    World world = new World(scene.build(), EngineOptions.budget(1.0 / 200));
     assertThat(world.advanceTo(5)).isTrue();
     assertThat(world.advanceTo(8000)).isFalse();
     assertThat(world.impacts().size()).isEqualTo(10_000);
@@ -215,7 +215,7 @@ class BudgetTest {
     for (int i = 0; i < 11_000; i++) {
       scene.line(10, -5, 10, 5).response(Response.SENSOR);
     }
-    World world = new World(scene.build(), Machinery.budget(1.0 / 200));
+    World world = new World(scene.build(), EngineOptions.budget(1.0 / 200));
     assertThat(world.advanceTo(9)).isFalse();
     assertThat(world.impacts().size()).isEqualTo(10_000);
     assertThat(world.now()).isEqualTo(9);

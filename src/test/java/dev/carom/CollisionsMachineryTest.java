@@ -3,7 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -104,8 +104,10 @@ class CollisionsMachineryTest {
       Scene scene = draw(recipe, 60, seed);
       Run chosen = Run.advance(new World(scene), 0.5, 10, 25);
       for (double diameters : PAIR_CELLS) {
-        for (Machinery grid : List.of(Machinery.EACH, Machinery.cells(17), Machinery.cells(200))) {
-          World world = new World(scene, new Machinery(grid.grid(), grid.cell(), diameters, 1, 1));
+        for (EngineOptions grid :
+            List.of(EngineOptions.EACH, EngineOptions.cells(17), EngineOptions.cells(200))) {
+          World world =
+              new World(scene, new EngineOptions(grid.grid(), grid.cell(), diameters, 1, 1));
           assertThat(Run.advance(world, 0.5, 10, 25)).as("cells %s", diameters).isEqualTo(chosen);
         }
       }

@@ -4,7 +4,7 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -19,7 +19,7 @@ class EndsTest {
   private static final int PATIENCE = 1_024;
 
   /** For a call to have work for some thousand impacts only. */
-  private static final Machinery SMALL_BUDGET = Machinery.budget(1.0 / 200);
+  private static final EngineOptions SMALL_BUDGET = EngineOptions.budget(1.0 / 200);
 
   private static long jammed(Run run) {
     return run.impacts().stream().filter(row -> row.outcome() == Outcome.JAMMED).count();

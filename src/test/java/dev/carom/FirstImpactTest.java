@@ -4,8 +4,8 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.NearlyAtOnce.Truth;
-import dev.carom.internal.state.Machinery;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.ObstacleTable;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -35,13 +35,13 @@ class FirstImpactTest {
   /** Hit at {@link #THIRD} itself. */
   private static final Line EARLIER = new Line(-9, THIRD, 9, THIRD);
 
-  private static final List<Machinery> MACHINERY =
+  private static final List<EngineOptions> MACHINERY =
       List.of(
-          Machinery.CHOSEN,
-          Machinery.EACH,
-          Machinery.cells(0.5),
-          Machinery.cells(3),
-          Machinery.cells(40));
+          EngineOptions.CHOSEN,
+          EngineOptions.EACH,
+          EngineOptions.cells(0.5),
+          EngineOptions.cells(3),
+          EngineOptions.cells(40));
 
   // Two of one rounded time.
 
@@ -57,7 +57,7 @@ class FirstImpactTest {
 
   private static Impact alone(Line line, int id) {
     Impact impact = SweptCircle.cast(POINT, V, line, NEVER).orElseThrow();
-    return QuestionsTest.named(impact, ObstacleKind.LINE, id);
+    return WorldQueriesTest.named(impact, ObstacleKind.LINE, id);
   }
 
   @ParameterizedTest
@@ -69,7 +69,7 @@ class FirstImpactTest {
       for (int i = 0; i < more; i++) {
         scene.line(20 + i, 20, 20 + i, 30);
       }
-      for (Machinery machinery : MACHINERY) {
+      for (EngineOptions machinery : MACHINERY) {
         World world = new World(scene.build(), machinery);
         Impact first = world.cast(POINT, V, NEVER).orElseThrow();
         assertThat(first).isEqualTo(alone(EARLIER, both.indexOf(EARLIER)));
@@ -82,19 +82,19 @@ class FirstImpactTest {
   @Test
   void boundsTellTheEarlierWall() {
     Impact top = SweptCircle.cast(POINT, V, new Bounds(-9, -9, 1, THIRD), NEVER).orElseThrow();
-    assertThat(top.id()).isEqualTo(Obstacles.TOP);
+    assertThat(top.id()).isEqualTo(ObstacleTable.TOP);
     assertThat(top.point().y()).isEqualTo(THIRD);
     Vec2 exchanged = new Vec2(1, 3);
     Bounds other = new Bounds(-9, -9, THIRD, 1);
     assertThat(SweptCircle.cast(POINT, exchanged, other, NEVER).orElseThrow().id())
-        .isEqualTo(Obstacles.RIGHT);
+        .isEqualTo(ObstacleTable.RIGHT);
   }
 
   @Test
   void twoWallsThatAreHitAtOnceAreTheVerticalOne() {
     Impact impact =
         SweptCircle.cast(POINT, new Vec2(3, 3), new Bounds(-9, -9, 1, 1), NEVER).orElseThrow();
-    assertThat(impact.id()).isEqualTo(Obstacles.RIGHT);
+    assertThat(impact.id()).isEqualTo(ObstacleTable.RIGHT);
   }
 
   /** Of a kind that comes later in order, but earlier in time. */
@@ -199,13 +199,13 @@ class FirstImpactTest {
         assertThat(Resolver.of(obstacles(scene)).cast(scene.circle, scene.v, T))
             .as("seed %s", seed)
             .isEqualTo(Optional.ofNullable(expected));
-        Machinery machinery = MACHINERY.get(seed % MACHINERY.size());
+        EngineOptions machinery = MACHINERY.get(seed % MACHINERY.size());
         assertThat(world(scene, false, machinery).cast(scene.circle, scene.v, T))
             .as("seed %s, %s", seed, machinery)
             .isEqualTo(Optional.ofNullable(expected));
       }
       for (double T : windows(moving)) {
-        Machinery machinery = MACHINERY.get(seed / 2 % MACHINERY.size());
+        EngineOptions machinery = MACHINERY.get(seed / 2 % MACHINERY.size());
         assertThat(world(scene, true, machinery).cast(scene.circle, scene.v, T))
             .as("seed %s, %s, circles collide", seed, machinery)
             .isEqualTo(Optional.ofNullable(impact(scene, moving, T)));
@@ -239,7 +239,7 @@ class FirstImpactTest {
                   scene.circle, scene.v, scene.circles.get(id), scene.velocities.get(id), NEVER);
         };
     assertThat(impact.orElseThrow().time()).isEqualTo(first.contact().time());
-    return QuestionsTest.named(impact.get(), first.kind(), id);
+    return WorldQueriesTest.named(impact.get(), first.kind(), id);
   }
 
   private static List<Obstacle> obstacles(NearlyAtOnce scene) {
@@ -252,7 +252,7 @@ class FirstImpactTest {
   }
 
   /** A circle of radius 5 stands aside where circles do not count: grids are made for it. */
-  private static World world(NearlyAtOnce scene, boolean collide, Machinery machinery) {
+  private static World world(NearlyAtOnce scene, boolean collide, EngineOptions machinery) {
     SceneBuilder builder = Scene.builder().collide(collide);
     Bounds b = scene.bounds;
     if (b != null) {
@@ -275,7 +275,7 @@ class FirstImpactTest {
     int next = 0;
     for (int seed = 0; seed < 1_000; seed++) {
       NearlyAtOnce scene = new NearlyAtOnce(new Random(seed));
-      Machinery machinery = MACHINERY.get(seed % MACHINERY.size());
+      EngineOptions machinery = MACHINERY.get(seed % MACHINERY.size());
       World world = world(scene, seed % 2 == 0, machinery);
       for (Truth first : scene.inOrder(seed % 2 == 0)) {
         Impact impact = world.cast(scene.circle, scene.v, NEVER).orElseThrow();

@@ -4,7 +4,7 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.search.Grid;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.ObstacleTable;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -17,11 +17,11 @@ class GridTest {
   /** The obstacles span (0, 0) to (80, 40); the grid has the radius and a ring of cells more. */
   private static Grid grid() {
     return new Grid(
-        Obstacles.of(Scene.builder().line(0, 0, 80, 0).line(0, 40, 80, 40).build().data), 4, 8);
+        ObstacleTable.of(Scene.builder().line(0, 0, 80, 0).line(0, 40, 80, 40).build().data), 4, 8);
   }
 
   private static Grid gridOf(SceneBuilder scene) {
-    return new Grid(Obstacles.of(scene.build().data), 4, 8);
+    return new Grid(ObstacleTable.of(scene.build().data), 4, 8);
   }
 
   @Test
@@ -102,7 +102,7 @@ class GridTest {
     double margin = 0x1p-8 * 8;
     Grid near = gridOf(Scene.builder().peg(0, 0, 0).peg(40 - 0.9 * margin, 0, 0));
     Grid far = gridOf(Scene.builder().peg(0, 0, 0).peg(40 - 1.1 * margin, 0, 0));
-    int second = Obstacles.PEGS + 1;
+    int second = ObstacleTable.PEGS + 1;
     assertThat((int) near.lists[near.number(7, 1)]).isEqualTo(second);
     assertThat(far.lists[far.number(7, 1)]).isZero();
     assertThat((int) far.lists[far.number(6, 1)]).isEqualTo(second);
@@ -112,7 +112,7 @@ class GridTest {
   @Test
   void cellsBesideALineDoNotListIt() {
     Grid grid = gridOf(Scene.builder().line(0, 0, 80, 80));
-    int line = Obstacles.WALLS;
+    int line = ObstacleTable.WALLS;
     for (int row = 1; row < 12; row++) {
       for (int column = 1; column < 12; column++) {
         int apart = Math.abs(column - row);
@@ -145,11 +145,11 @@ class GridTest {
     List<Integer> there = new ArrayList<>();
     for (int i = 0; i < lines; i++) {
       scene.line(0, 0, 1, i + 1);
-      there.add(Obstacles.WALLS + i);
+      there.add(ObstacleTable.WALLS + i);
     }
     for (int i = 0; i < pegs; i++) {
       scene.peg(1, i, 1);
-      there.add(Obstacles.PEGS + 2 + i);
+      there.add(ObstacleTable.PEGS + 2 + i);
     }
     Grid grid = gridOf(scene);
     int cell = grid.number(grid.column(grid.columns(1)), grid.row(grid.rows(1)));
@@ -177,6 +177,6 @@ class GridTest {
     if (Grid.second(pair) != Grid.first(pair)) {
       codes.add(Grid.second(pair));
     }
-    assertThat(Grid.arePegs(pair)).isEqualTo(Grid.second(pair) >= Obstacles.PEGS);
+    assertThat(Grid.arePegs(pair)).isEqualTo(Grid.second(pair) >= ObstacleTable.PEGS);
   }
 }

@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.search.Grids;
-import dev.carom.internal.state.Circles;
-import dev.carom.internal.state.Machinery;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.ObstacleTable;
 import org.junit.jupiter.api.Test;
 
 /** Which grids there are, whom they serve, and when they are made anew. */
@@ -27,7 +27,7 @@ class GridsTest {
   }
 
   private static Grids grids(Scene scene) {
-    return new Grids(scene.data, Obstacles.of(scene.data), Machinery.CHOSEN);
+    return new Grids(scene.data, ObstacleTable.of(scene.data), EngineOptions.CHOSEN);
   }
 
   @Test
@@ -89,7 +89,7 @@ class GridsTest {
   /** Notes changes of pegs from the first one on. */
   private static void change(Grids grids, int pegs) {
     for (int i = 0; i < pegs; i++) {
-      grids.changed(Obstacles.PEGS + i);
+      grids.changed(ObstacleTable.PEGS + i);
     }
   }
 
@@ -130,7 +130,7 @@ class GridsTest {
     Grids grids = grids(scene);
     change(grids, LOOSE + 1);
     Grid old = grids.of(3);
-    Circles circles = new Circles(1);
+    CircleTable circles = new CircleTable(1);
     circles.start(scene.data, 0);
     circles.store(0);
     grids.remake(circles, new int[] {0});

@@ -3,12 +3,12 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.engine.Surroundings;
+import dev.carom.internal.engine.StaticScene;
 import dev.carom.internal.search.Grid;
-import dev.carom.internal.state.Circles;
-import dev.carom.internal.state.Machinery;
-import dev.carom.internal.state.Obstacles;
-import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.ObstacleTable;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -44,12 +44,12 @@ class GrownCircleTest {
   void whateverIsEditedEachGridServesTheRadiusOfItsCircle(RepetitionInfo info) {
     Random random = new Random(info.getCurrentRepetition());
     Scene scene = scene(random);
-    Circles circles = circles(scene);
-    Roster roster = new Roster(scene.data, 1);
-    Surroundings surroundings = new Surroundings(scene.data, Machinery.CHOSEN);
+    CircleTable circles = circles(scene);
+    CircleRegistry roster = new CircleRegistry(scene.data, 1);
+    StaticScene surroundings = new StaticScene(scene.data, EngineOptions.CHOSEN);
     List<Integer> lines = new ArrayList<>();
     for (int i = 0; i < LINES; i++) {
-      lines.add(Obstacles.WALLS + i);
+      lines.add(ObstacleTable.WALLS + i);
     }
     for (int edit = 0; edit < 40; edit++) {
       int i = random.nextInt(CIRCLES);
@@ -86,8 +86,8 @@ class GrownCircleTest {
     return scene.build();
   }
 
-  private static Circles circles(Scene scene) {
-    Circles circles = new Circles(CIRCLES);
+  private static CircleTable circles(Scene scene) {
+    CircleTable circles = new CircleTable(CIRCLES);
     for (int i = 0; i < CIRCLES; i++) {
       circles.start(scene.data, i);
       circles.store(i);
@@ -95,20 +95,20 @@ class GrownCircleTest {
     return circles;
   }
 
-  private static void resize(Circles circles, Surroundings surroundings, int i, double radius) {
+  private static void resize(CircleTable circles, StaticScene surroundings, int i, double radius) {
     circles.load(i);
     circles.mover.radius = radius;
     circles.store(i);
     surroundings.setRadius(i, radius);
   }
 
-  private static void addLine(Surroundings surroundings, List<Integer> lines, int x) {
+  private static void addLine(StaticScene surroundings, List<Integer> lines, int x) {
     int line = surroundings.obstacles.addLine(x, 10, x, 11);
     lines.add(line);
     surroundings.changed(line);
   }
 
-  private static void removeLine(Surroundings surroundings, List<Integer> lines, Random random) {
+  private static void removeLine(StaticScene surroundings, List<Integer> lines, Random random) {
     if (!lines.isEmpty()) {
       int line = lines.remove(random.nextInt(lines.size()));
       surroundings.obstacles.remove(line);

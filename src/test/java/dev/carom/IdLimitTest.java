@@ -7,12 +7,12 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.carom.internal.engine.Editor;
 import dev.carom.internal.engine.Engine;
-import dev.carom.internal.engine.Flights;
-import dev.carom.internal.state.FlightStates;
+import dev.carom.internal.engine.IndependentEngine;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.ImpactRows;
-import dev.carom.internal.state.Machinery;
-import dev.carom.internal.state.Obstacles;
-import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.WorldState;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -34,10 +34,10 @@ class IdLimitTest {
     scene.circle(20, 50, 3, 4, 0).circle(50, 50, 3, 0, 0).circle(80, 50, 3, -4, 1);
     World world = new World(scene.build());
     WorldState s = world.snapshot().state;
-    Roster roster =
-        new Roster(new double[] {1, 2, 3}, new byte[3], new int[] {0, 7, idEnd - 1}, idEnd);
-    FlightStates flights =
-        new FlightStates(
+    CircleRegistry roster =
+        new CircleRegistry(new double[] {1, 2, 3}, new byte[3], new int[] {0, 7, idEnd - 1}, idEnd);
+    SavedFlights flights =
+        new SavedFlights(
             new int[] {0, 7, idEnd - 1}, s.flights().numbers, s.flights().codes, s.flights().jams);
     world.restore(
         new Snapshot(new WorldState(s.now(), collide, s.obstacles(), roster, s.limits(), flights)));
@@ -93,12 +93,13 @@ class IdLimitTest {
   @Test
   void noMoreLinesAndPegsThanIdsAreAdded() {
     Scene scene = Scene.builder().line(1, 2, 3, 4).peg(5, 6, 7).build();
-    Roster roster = new Roster(scene.data, 1);
-    Engine engine = new Flights(scene.data, roster, Machinery.CHOSEN, new ImpactRows(1));
+    CircleRegistry roster = new CircleRegistry(scene.data, 1);
+    Engine engine =
+        new IndependentEngine(scene.data, roster, EngineOptions.CHOSEN, new ImpactRows(1));
     Editor editor = new Editor(scene.data, engine, roster);
-    Obstacles obstacles = engine.surroundings.obstacles;
-    obstacles.endOfLines = Obstacles.WALLS + LINES;
-    obstacles.endOfPegs = Obstacles.PEGS + PEGS;
+    ObstacleTable obstacles = engine.surroundings.obstacles;
+    obstacles.endOfLines = ObstacleTable.WALLS + LINES;
+    obstacles.endOfPegs = ObstacleTable.PEGS + PEGS;
     assertThatThrownBy(() -> editor.addLine(1, 2, 3, 4, 0))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage(

@@ -6,7 +6,7 @@ import static dev.carom.ObstacleKind.LINE;
 import static dev.carom.ObstacleKind.PEG;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.EngineOptions;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Consumer;
@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class LockstepTest {
 
   private static void assertSame(World world, Consumer<World> edit) {
-    RestoredTwin twin = new RestoredTwin(world.scene(), Machinery.CHOSEN, new Random(1));
+    RestoredTwin twin = new RestoredTwin(world.scene(), EngineOptions.CHOSEN, new Random(1));
     twin.follow(world);
     edit.accept(world);
     edit.accept(twin.world());
@@ -142,7 +142,7 @@ class LockstepTest {
     for (int i = 0; i < 5; i++) {
       Scene scene = RandomScenes.responses(random).collide(collide).build();
       World world = new World(scene);
-      RestoredTwin twin = new RestoredTwin(scene, Machinery.cells(3), random);
+      RestoredTwin twin = new RestoredTwin(scene, EngineOptions.cells(3), random);
       for (int k = 0; k < 30; k++) {
         twin.maybeFollow(world);
         Consumer<World> edit = edit(world, random);

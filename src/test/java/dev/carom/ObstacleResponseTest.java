@@ -7,8 +7,8 @@ import static org.assertj.core.api.Assertions.within;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.StuckRule;
 import dev.carom.internal.state.ImpactRows;
-import dev.carom.internal.state.Mover;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Coordinates;
 import org.junit.jupiter.api.Test;
@@ -22,16 +22,16 @@ class ObstacleResponseTest {
   private static final int NEARLY = StuckRule.LIMIT - StuckRule.ELASTIC;
 
   private final ObstacleResponse response =
-      new ObstacleResponse(Obstacles.of(Scene.builder().line(0, 0, 10, 10).build().data));
+      new ObstacleResponse(ObstacleTable.of(Scene.builder().line(0, 0, 10, 10).build().data));
   private final ImpactRows rows = new ImpactRows(1);
   private final ImpactLog log = new ImpactLog(rows);
-  private final Mover m = new Mover();
+  private final MovingCircle m = new MovingCircle();
 
   /** On the upper side, in no time, after impacts of that weight. */
   private int hit(double vx, double vy, int stuck) {
     m.start(0, 4, 6, 1, vx, vy, 1);
     m.stuck = stuck;
-    m.next = Obstacles.WALLS;
+    m.next = ObstacleTable.WALLS;
     m.contact = Contact.LEFT;
     rows.clear();
     return response.resolve(m, rows);
@@ -64,7 +64,7 @@ class ObstacleResponseTest {
     assertThat(log.outcome(0)).isEqualTo(Outcome.JAMMED);
     assertThat(m.vx).isBetween(1 - 0x1p-49, 1.0);
     assertThat(m.vy).isEqualTo(m.vx);
-    assertThat(m.jam.makesInert(Obstacles.WALLS)).isTrue();
+    assertThat(m.jam.makesInert(ObstacleTable.WALLS)).isTrue();
   }
 
   /** Two lines that meet below it in a narrow wedge; it hits one of them, then the other. */
@@ -78,7 +78,7 @@ class ObstacleResponseTest {
   }
 
   private void hitInWedge(ObstacleResponse wedge, int line, int contact) {
-    m.next = Obstacles.WALLS + line;
+    m.next = ObstacleTable.WALLS + line;
     m.contact = contact;
     m.cleared = 0;
     rows.clear();
@@ -88,7 +88,7 @@ class ObstacleResponseTest {
   /** The first line turns it to the left, the second to the right: it would never end. */
   @Test
   void withoutBounceItStopsWhenItIsTurnedBack() {
-    ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wedge(0).data));
+    ObstacleResponse wedge = new ObstacleResponse(ObstacleTable.of(wedge(0).data));
     m.start(0, 0, 5, 1, 0, -1, 1);
     hitInWedge(wedge, 0, Contact.LEFT);
     assertThat(m.vy).isEqualTo(-0.8);
@@ -101,10 +101,10 @@ class ObstacleResponseTest {
 
   @Test
   void itGoesOnIfItCameFromElsewhere() {
-    ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wedge(0).data));
+    ObstacleResponse wedge = new ObstacleResponse(ObstacleTable.of(wedge(0).data));
     m.start(0, 0, 5, 1, 0, -1, 1);
     hitInWedge(wedge, 0, Contact.LEFT);
-    m.next = Obstacles.WALLS + 1;
+    m.next = ObstacleTable.WALLS + 1;
     m.contact = Contact.RIGHT;
     m.cleared = 0x1p-40;
     rows.clear();
@@ -123,7 +123,7 @@ class ObstacleResponseTest {
             .line(0, 0, -20, 10)
             .restitution(0)
             .build();
-    ObstacleResponse wedge = new ObstacleResponse(Obstacles.of(wide.data));
+    ObstacleResponse wedge = new ObstacleResponse(ObstacleTable.of(wide.data));
     m.start(0, 0, 5, 1, 0, -1, 1);
     hitInWedge(wedge, 0, Contact.LEFT);
     hitInWedge(wedge, 1, Contact.RIGHT);
@@ -144,7 +144,7 @@ class ObstacleResponseTest {
   private void slide(ObstacleResponse response, double vx, double vy) {
     m.start(0, 4, 1, 1, vx, vy, 1);
     m.stuck = StuckRule.LIMIT;
-    m.next = Obstacles.WALLS;
+    m.next = ObstacleTable.WALLS;
     m.contact = Contact.LEFT;
     rows.clear();
     response.resolve(m, rows);
@@ -154,9 +154,9 @@ class ObstacleResponseTest {
   @Test
   void slidingIsToApproachByRoundingOfTheSpeedAtMost() {
     ObstacleResponse level =
-        new ObstacleResponse(Obstacles.of(Scene.builder().line(0, 0, 8, 0).build().data));
+        new ObstacleResponse(ObstacleTable.of(Scene.builder().line(0, 0, 8, 0).build().data));
     slide(level, 0x1p48, -1);
-    assertThat(m.jam.makesInert(Obstacles.WALLS)).isTrue();
+    assertThat(m.jam.makesInert(ObstacleTable.WALLS)).isTrue();
     slide(level, 0x1p48, -1.0001);
     assertThat(m.jam).isNull();
   }
@@ -164,9 +164,9 @@ class ObstacleResponseTest {
   @Test
   void soItIsAlongAnUprightLine() {
     ObstacleResponse upright =
-        new ObstacleResponse(Obstacles.of(Scene.builder().line(5, 5, 5, -3).build().data));
+        new ObstacleResponse(ObstacleTable.of(Scene.builder().line(5, 5, 5, -3).build().data));
     slide(upright, -1, 0x1p48);
-    assertThat(m.jam.makesInert(Obstacles.WALLS)).isTrue();
+    assertThat(m.jam.makesInert(ObstacleTable.WALLS)).isTrue();
     slide(upright, -1.0001, 0x1p48);
     assertThat(m.jam).isNull();
   }

@@ -4,8 +4,8 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.io.SceneRowKind;
+import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.ImpactRows;
-import dev.carom.internal.state.Traits;
 import dev.carom.internal.util.Kind;
 import org.junit.jupiter.api.Test;
 
@@ -14,9 +14,9 @@ class OrdinalsTest {
 
   @Test
   void responses() {
-    assertThat(Traits.BOUNCE).isEqualTo(Response.BOUNCE.ordinal());
-    assertThat(Traits.HALT).isEqualTo(Response.HALT.ordinal());
-    assertThat(Traits.SENSOR).isEqualTo(Response.SENSOR.ordinal());
+    assertThat(ContactFlags.BOUNCE).isEqualTo(Response.BOUNCE.ordinal());
+    assertThat(ContactFlags.HALT).isEqualTo(Response.HALT.ordinal());
+    assertThat(ContactFlags.SENSOR).isEqualTo(Response.SENSOR.ordinal());
     for (Response response : Response.values()) {
       assertThat(SceneRowKind.RESPONSES.get(response.ordinal()))
           .isEqualToIgnoringCase(response.name());

@@ -7,11 +7,11 @@ import static org.assertj.core.api.Assertions.within;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.response.StuckRule;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
-import dev.carom.internal.state.Jam;
-import dev.carom.internal.state.Mover;
-import dev.carom.internal.state.Obstacles;
-import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -26,15 +26,15 @@ class PairResponseTest {
 
   private final ImpactRows rows = new ImpactRows(16);
   private final ImpactLog log = new ImpactLog(rows);
-  private final Mover a = new Mover();
-  private final Mover b = new Mover();
+  private final MovingCircle a = new MovingCircle();
+  private final MovingCircle b = new MovingCircle();
 
   private static PairResponse masses(double... masses) {
     SceneBuilder scene = Scene.builder();
     for (double mass : masses) {
       scene.circle(0, 0, 1, 0, 0).mass(mass);
     }
-    return new PairResponse(new Roster(scene.build().data, 1));
+    return new PairResponse(new CircleRegistry(scene.build().data, 1));
   }
 
   /** The first circle at the origin, the second where the angle says, both of radius 1. */
@@ -50,7 +50,7 @@ class PairResponseTest {
   private int jam(int stuck, double vx, double vy) {
     a.start(0, 0, 0, 1, vx, vy, 1);
     b.start(1, 7, 7, 1, 1, 1, 1);
-    for (Mover m : new Mover[] {a, b}) {
+    for (MovingCircle m : new MovingCircle[] {a, b}) {
       m.stuck = stuck;
       m.standsStill = true;
     }
@@ -77,8 +77,8 @@ class PairResponseTest {
   void whoApproachesByRoundingIsInert() {
     assertThat(jam(StuckRule.LIMIT, 1 + 0x1p-49, 1)).isEqualTo(ObstacleResponse.NEW_FLIGHT);
     assertThat(log.outcome(0)).isEqualTo(Outcome.JAMMED);
-    assertThat(a.jam.makesInert(Obstacles.CIRCLES + 1)).isTrue();
-    assertThat(b.jam.makesInert(Obstacles.CIRCLES)).isTrue();
+    assertThat(a.jam.makesInert(ObstacleTable.CIRCLES + 1)).isTrue();
+    assertThat(b.jam.makesInert(ObstacleTable.CIRCLES)).isTrue();
     PairResponse response = masses(1, 1);
     assertThat(response.isInert(0, a.jam, 1, b.jam)).isTrue();
     assertThat(response.isInert(0, null, 1, b.jam)).isFalse();
@@ -88,11 +88,12 @@ class PairResponseTest {
   @Test
   void anInfiniteMassPassesOverWhatItCrushed() {
     PairResponse response = masses(1, INFINITE);
-    Jam jam = Jam.crushedBy(null, Obstacles.CIRCLES + 1);
+    IgnoreList jam = IgnoreList.crushedBy(null, ObstacleTable.CIRCLES + 1);
     assertThat(response.isInert(0, jam, 1, null)).isTrue();
     assertThat(response.isInert(1, null, 0, jam)).isTrue();
     assertThat(response.isInert(0, null, 1, null)).isFalse();
-    assertThat(response.isInert(0, null, 1, Jam.with(null, Obstacles.CIRCLES))).isFalse();
+    assertThat(response.isInert(0, null, 1, IgnoreList.with(null, ObstacleTable.CIRCLES)))
+        .isFalse();
   }
 
   @Test
@@ -101,7 +102,7 @@ class PairResponseTest {
     b.start(1, 2, 0, 1, 0, 0, 1);
     assertThat(masses(INFINITE, INFINITE).resolve(a, b, rows)).isEqualTo(ObstacleResponse.SENSED);
     assertThat(log.outcome(0)).isEqualTo(Outcome.PASSED);
-    assertThat(a.last).isEqualTo(Mover.NOTHING);
+    assertThat(a.last).isEqualTo(MovingCircle.NOTHING);
   }
 
   /** A crushed circle stands like a rock. */
@@ -320,7 +321,7 @@ class PairResponseTest {
   void whoHaltsGoesOnAlongsideWhatItDoesNotApproach() {
     Scene scene =
         Scene.builder().circle(0, 0, 1, 0, 0).response(Response.HALT).circle(2, 0, 1, 0, 0).build();
-    collide(new PairResponse(new Roster(scene.data, 1)), 0, 3, 1, 3, 0);
+    collide(new PairResponse(new CircleRegistry(scene.data, 1)), 0, 3, 1, 3, 0);
     assertThat(a.vx).isEqualTo(3);
     assertThat(b.vx).isEqualTo(3);
   }

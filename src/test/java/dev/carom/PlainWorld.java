@@ -7,12 +7,12 @@ import dev.carom.internal.exact.Exact;
 import dev.carom.internal.response.ContactCluster;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.PairResponse;
-import dev.carom.internal.state.FlightStates;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.ImpactRows;
-import dev.carom.internal.state.Mover;
-import dev.carom.internal.state.Obstacles;
-import dev.carom.internal.state.Roster;
-import dev.carom.internal.state.Traits;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.WallSweep;
 import java.util.ArrayList;
@@ -33,12 +33,12 @@ public final class PlainWorld {
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   private final boolean collide;
-  private Obstacles obstacles;
-  private Roster roster;
+  private ObstacleTable obstacles;
+  private CircleRegistry roster;
   private ObstacleResponse response;
   private PairResponse pairs;
   private ContactCluster cluster;
-  private List<Mover> movers = new ArrayList<>();
+  private List<MovingCircle> movers = new ArrayList<>();
 
   /** The sensors that each circle's flight met: codes of obstacles. */
   private List<Set<Integer>> met = new ArrayList<>();
@@ -65,13 +65,13 @@ public final class PlainWorld {
 
   public PlainWorld(Scene scene) {
     collide = scene.collide();
-    obstacles = Obstacles.of(scene.data);
-    roster = new Roster(scene.data, 1);
+    obstacles = ObstacleTable.of(scene.data);
+    roster = new CircleRegistry(scene.data, 1);
     respond();
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
       Vec2 v = scene.velocity(i);
-      Mover m = new Mover();
+      MovingCircle m = new MovingCircle();
       m.start(i, c.x(), c.y(), c.radius(), v.x(), v.y(), scene.restitution(ObstacleKind.CIRCLE, i));
       movers.add(m);
       met.add(new HashSet<>());
@@ -93,13 +93,13 @@ public final class PlainWorld {
     }
 
     @Override
-    public Mover copyOf(int i) {
+    public MovingCircle copyOf(int i) {
       return copy(movers.get(i));
     }
 
     @Override
-    public int[] obstaclesNear(Mover m) {
-      int first = obstacles.walls == null ? Obstacles.WALLS : 0;
+    public int[] obstaclesNear(MovingCircle m) {
+      int first = obstacles.walls == null ? ObstacleTable.WALLS : 0;
       return IntStream.of(codes()).filter(code -> code >= first).toArray();
     }
   }
@@ -128,21 +128,22 @@ public final class PlainWorld {
   }
 
   /** Here each circle has its id for a slot, whatever was removed. */
-  private static Roster copy(Roster roster, int end) {
+  private static CircleRegistry copy(CircleRegistry roster, int end) {
     double[] masses = IntStream.range(0, end).mapToDouble(roster::mass).toArray();
     byte[] traits = new byte[end];
     for (int i = 0; i < end; i++) {
       traits[i] = (byte) roster.traits(i);
     }
-    Roster copy = new Roster(masses, traits, IntStream.range(0, end).toArray(), end);
+    CircleRegistry copy =
+        new CircleRegistry(masses, traits, IntStream.range(0, end).toArray(), end);
     IntStream.range(0, end).filter(i -> !roster.contains(i)).forEach(copy::remove);
     return copy;
   }
 
-  private static Mover copy(Mover m) {
-    FlightStates one = new FlightStates(new int[] {m.id});
+  private static MovingCircle copy(MovingCircle m) {
+    SavedFlights one = new SavedFlights(new int[] {m.id});
     one.put(0, m, 0, 0);
-    Mover copy = new Mover();
+    MovingCircle copy = new MovingCircle();
     one.get(0, copy);
     copy.id = m.id;
     copy.flown = m.flown;
@@ -160,7 +161,7 @@ public final class PlainWorld {
         happen();
       }
     } else {
-      for (Mover m : movers) {
+      for (MovingCircle m : movers) {
         while (log.size() < most && find(List.of(m)) <= end) {
           happen();
         }
@@ -172,7 +173,7 @@ public final class PlainWorld {
   }
 
   private void happen() {
-    Mover m = movers.get(low);
+    MovingCircle m = movers.get(low);
     if (high >= 0) {
       happened();
       meet(m, movers.get(high));
@@ -196,17 +197,17 @@ public final class PlainWorld {
   }
 
   /** A flight begins: what it meets is new to it. */
-  private void begin(Mover m) {
+  private void begin(MovingCircle m) {
     met.get(m.id).clear();
     metPairs.removeIf(pair -> pair >> 32 == m.id || pair.intValue() == m.id);
   }
 
-  private void meet(Mover a, Mover b) {
-    Mover one = copy(a);
-    Mover two = copy(b);
+  private void meet(MovingCircle a, MovingCircle b) {
+    MovingCircle one = copy(a);
+    MovingCircle two = copy(b);
     one.flown = a.flown;
     two.flown = b.flown;
-    Mover early = bringTogether(one, two);
+    MovingCircle early = bringTogether(one, two);
     double before = early.flown;
     one.fly(wait);
     two.fly(wait);
@@ -227,11 +228,11 @@ public final class PlainWorld {
   }
 
   /** What the new flights do to jams. */
-  private void settle(int result, Mover... hit) {
-    Collection<Mover> changed = List.of(hit);
+  private void settle(int result, MovingCircle... hit) {
+    Collection<MovingCircle> changed = List.of(hit);
     if (collide && result == ObstacleResponse.STUCK) {
       changed = cluster.resolve(rows, hit);
-      for (Mover m : changed) {
+      for (MovingCircle m : changed) {
         movers.set(m.id, m);
         begin(m);
       }
@@ -240,9 +241,9 @@ public final class PlainWorld {
   }
 
   /** An infinite mass that changed its way is there again for circles that it crushed. */
-  private void leaveJamsOfInfinite(Mover m) {
+  private void leaveJamsOfInfinite(MovingCircle m) {
     if (roster.mass(m.id) == NEVER) {
-      leaveJams(Obstacles.CIRCLES + m.id);
+      leaveJams(ObstacleTable.CIRCLES + m.id);
     }
   }
 
@@ -252,9 +253,9 @@ public final class PlainWorld {
         .forEach(other -> other.forget(code, 0));
   }
 
-  private void revive(Mover m) {
-    for (Mover other : movers) {
-      int code = Obstacles.CIRCLES + other.id;
+  private void revive(MovingCircle m) {
+    for (MovingCircle other : movers) {
+      int code = ObstacleTable.CIRCLES + other.id;
       boolean inert = m.jam != null && m.jam.makesInert(code);
       if (inert && pairs.part(m, other)) {
         m.jam = m.jam.without(code);
@@ -262,15 +263,15 @@ public final class PlainWorld {
     }
   }
 
-  private static long pair(Mover a, Mover b) {
+  private static long pair(MovingCircle a, MovingCircle b) {
     return (long) a.id << 32 | b.id;
   }
 
   /** The earlier flight is taken to the start of the later one. */
-  private static Mover bringTogether(Mover a, Mover b) {
+  private static MovingCircle bringTogether(MovingCircle a, MovingCircle b) {
     double later = later(a, b);
-    Mover early = later > 0 ? a : b;
-    Mover late = later > 0 ? b : a;
+    MovingCircle early = later > 0 ? a : b;
+    MovingCircle late = later > 0 ? b : a;
     early.x = Math.fma(early.vx, Math.abs(later), early.x);
     early.y = Math.fma(early.vy, Math.abs(later), early.y);
     early.flown += Math.abs(later);
@@ -279,15 +280,15 @@ public final class PlainWorld {
     return early;
   }
 
-  private static double later(Mover a, Mover b) {
+  private static double later(MovingCircle a, MovingCircle b) {
     return (b.t - a.t) + (b.tl - a.tl);
   }
 
-  private double find(List<Mover> some) {
+  private double find(List<MovingCircle> some) {
     time = NEVER;
     tail = 0;
     rank = Long.MAX_VALUE;
-    for (Mover m : some) {
+    for (MovingCircle m : some) {
       if (roster.contains(m.id)) {
         lookAtObstacles(m);
         for (int j = m.id + 1; collide && j < movers.size(); j++) {
@@ -313,9 +314,9 @@ public final class PlainWorld {
     }
   }
 
-  private void lookAtObstacles(Mover m) {
+  private void lookAtObstacles(MovingCircle m) {
     double best = NEVER;
-    int code = Mover.NOTHING;
+    int code = MovingCircle.NOTHING;
     for (int k : codes()) {
       boolean there = k != m.last && (m.jam == null || !m.jam.makesInert(k));
       double t = there ? sweep(m, k) : NEVER;
@@ -331,10 +332,10 @@ public final class PlainWorld {
     }
     m.cleared = best;
     m.next = code;
-    if (code == Mover.NOTHING) {
+    if (code == MovingCircle.NOTHING) {
       return;
     }
-    if (code >= Obstacles.WALLS && code < Obstacles.PEGS) {
+    if (code >= ObstacleTable.WALLS && code < ObstacleTable.PEGS) {
       int k = obstacles.offset(code);
       double[] l = obstacles.lines;
       m.contact =
@@ -347,17 +348,17 @@ public final class PlainWorld {
   private int[] codes() {
     return IntStream.concat(
             IntStream.range(0, obstacles.endOfLines),
-            IntStream.range(Obstacles.PEGS, obstacles.endOfPegs))
-        .filter(code -> code < Obstacles.WALLS || !obstacles.isGone(code))
+            IntStream.range(ObstacleTable.PEGS, obstacles.endOfPegs))
+        .filter(code -> code < ObstacleTable.WALLS || !obstacles.isGone(code))
         .toArray();
   }
 
-  private double sweep(Mover m, int code) {
-    if (code < Obstacles.WALLS) {
+  private double sweep(MovingCircle m, int code) {
+    if (code < ObstacleTable.WALLS) {
       return sweepWall(m, code);
     }
     int k = obstacles.offset(code);
-    if (code < Obstacles.PEGS) {
+    if (code < ObstacleTable.PEGS) {
       double[] l = obstacles.lines;
       if (obstacles.isOneWay(code) && !isStopped(m, l[k], l[k + 1], l[k + 2], l[k + 3])) {
         return NEVER;
@@ -370,38 +371,38 @@ public final class PlainWorld {
   }
 
   /** Whether the centre is left of a line and goes to its right: a point's path from there on. */
-  private static boolean isStopped(Mover m, double ax, double ay, double bx, double by) {
+  private static boolean isStopped(MovingCircle m, double ax, double ay, double bx, double by) {
     int side = Exact.cross(bx, by, ax, ay, m.x, m.y, ax, ay).sign();
     int drift = Exact.cross(bx, by, ax, ay, m.vx, m.vy, 0, 0).sign();
     return side > 0 && drift < 0;
   }
 
   /** A wall is met only on the way to it. */
-  private double sweepWall(Mover m, int code) {
+  private double sweepWall(MovingCircle m, int code) {
     if (obstacles.walls == null) {
       return NEVER;
     }
-    boolean vertical = code <= Obstacles.RIGHT;
-    boolean up = code == Obstacles.RIGHT || code == Obstacles.TOP;
+    boolean vertical = code <= ObstacleTable.RIGHT;
+    boolean up = code == ObstacleTable.RIGHT || code == ObstacleTable.TOP;
     double v = vertical ? m.vx : m.vy;
     if (up ? !(v > 0) : !(v < 0)) {
       return NEVER;
     }
-    Bounds b = Records.bounds(obstacles.walls);
+    Bounds b = PublicRecords.bounds(obstacles.walls);
     double wall = vertical ? (up ? b.xmax() : b.xmin()) : (up ? b.ymax() : b.ymin());
     return WallSweep.time(vertical ? m.x : m.y, m.radius, v, wall, NEVER);
   }
 
-  private void lookAtPair(Mover a, Mover b) {
-    int ofA = Obstacles.CIRCLES + a.id;
-    int ofB = Obstacles.CIRCLES + b.id;
+  private void lookAtPair(MovingCircle a, MovingCircle b) {
+    int ofA = ObstacleTable.CIRCLES + a.id;
+    int ofB = ObstacleTable.CIRCLES + b.id;
     boolean justHit = a.last == ofB && b.last == ofA;
     if (justHit || pairs.isInert(a.id, a.jam, b.id, b.jam)) {
       return;
     }
     double later = later(a, b);
-    Mover early = later > 0 ? a : b;
-    Mover late = later > 0 ? b : a;
+    MovingCircle early = later > 0 ? a : b;
+    MovingCircle late = later > 0 ? b : a;
     double x = Math.fma(early.vx, Math.abs(later), early.x);
     double y = Math.fma(early.vy, Math.abs(later), early.y);
     double tau =
@@ -432,14 +433,14 @@ public final class PlainWorld {
 
   /** When a circle that is not there would first hit something but a sensor. */
   double cast(Circle circle, Vec2 v) {
-    Mover m = Casts.mover(circle, v, 1);
+    MovingCircle m = CircleCast.mover(circle, v, 1);
     double first = NEVER;
     for (int code : codes()) {
       first = Math.min(first, obstacles.isSensor(code) ? NEVER : sweep(m, code));
     }
-    for (Mover other : movers) {
+    for (MovingCircle other : movers) {
       boolean there = collide && roster.contains(other.id) && !roster.isSensor(other.id);
-      double dt = Mover.since(other.t, other.tl, now);
+      double dt = MovingCircle.since(other.t, other.tl, now);
       double x = Math.fma(other.vx, dt, other.x);
       double y = Math.fma(other.vy, dt, other.y);
       if (there && Math.abs(x) + Math.abs(y) < NEVER) {
@@ -456,14 +457,14 @@ public final class PlainWorld {
   // Edits.
 
   void setVelocity(int id, double vx, double vy) {
-    Mover m = restarted(id);
+    MovingCircle m = restarted(id);
     m.vx = vx;
     m.vy = vy;
     m.forget();
   }
 
   void setPosition(int id, double x, double y) {
-    Mover m = restarted(id);
+    MovingCircle m = restarted(id);
     m.x = x;
     m.y = y;
     m.forget();
@@ -473,8 +474,8 @@ public final class PlainWorld {
     restarted(id).radius = radius;
   }
 
-  private Mover restarted(int id) {
-    Mover m = movers.get(id);
+  private MovingCircle restarted(int id) {
+    MovingCircle m = movers.get(id);
     m.restart(now, tailOfEdit(m), obstacles.walls);
     begin(m);
     leaveJamsOfInfinite(m);
@@ -482,7 +483,7 @@ public final class PlainWorld {
   }
 
   /** An edit comes after all that happened: to the circle, if it is alone. */
-  private double tailOfEdit(Mover m) {
+  private double tailOfEdit(MovingCircle m) {
     double head = collide ? last : m.t;
     double tail = collide ? lastTail : m.tl;
     return head == now ? Math.max(0, tail) : 0;
@@ -498,7 +499,7 @@ public final class PlainWorld {
   }
 
   void addCircle(double x, double y, double radius, double vx, double vy) {
-    Mover m = new Mover();
+    MovingCircle m = new MovingCircle();
     m.start(roster.add(), x, y, radius, vx, vy, 1);
     m.t = now;
     m.tl = tailOfEdit(m);
@@ -515,25 +516,25 @@ public final class PlainWorld {
   }
 
   void moveLine(int id, double ax, double ay, double bx, double by) {
-    obstacles.moveLine(Obstacles.WALLS + id, ax, ay, bx, by);
-    appear(Obstacles.WALLS + id);
+    obstacles.moveLine(ObstacleTable.WALLS + id, ax, ay, bx, by);
+    appear(ObstacleTable.WALLS + id);
   }
 
   void movePeg(int id, double x, double y, double radius) {
-    obstacles.movePeg(Obstacles.PEGS + id, x, y, radius);
-    appear(Obstacles.PEGS + id);
+    obstacles.movePeg(ObstacleTable.PEGS + id, x, y, radius);
+    appear(ObstacleTable.PEGS + id);
   }
 
   void remove(ObstacleKind kind, int id) {
     switch (kind) {
-      case LINE -> removeObstacle(Obstacles.WALLS + id);
-      case PEG -> removeObstacle(Obstacles.PEGS + id);
+      case LINE -> removeObstacle(ObstacleTable.WALLS + id);
+      case PEG -> removeObstacle(ObstacleTable.PEGS + id);
       default -> removeCircle(id);
     }
   }
 
   private void removeCircle(int id) {
-    int code = Obstacles.CIRCLES + id;
+    int code = ObstacleTable.CIRCLES + id;
     roster.remove(id);
     leaveJams(code);
   }
@@ -545,8 +546,8 @@ public final class PlainWorld {
 
   void setRestitution(ObstacleKind kind, int id, double e) {
     switch (kind) {
-      case LINE -> obstacles.setRestitution(Obstacles.WALLS + id, e);
-      case PEG -> obstacles.setRestitution(Obstacles.PEGS + id, e);
+      case LINE -> obstacles.setRestitution(ObstacleTable.WALLS + id, e);
+      case PEG -> obstacles.setRestitution(ObstacleTable.PEGS + id, e);
       case WALL -> obstacles.setRestitution(id, e);
       case CIRCLE -> movers.get(id).restitution = e;
     }
@@ -555,20 +556,21 @@ public final class PlainWorld {
   void setResponse(ObstacleKind kind, int id, Response response) {
     switch (kind) {
       case LINE, PEG -> {
-        int code = (kind == ObstacleKind.LINE ? Obstacles.WALLS : Obstacles.PEGS) + id;
-        setTraits(code, Traits.with(obstacles.traits(code), response.ordinal()));
+        int code = (kind == ObstacleKind.LINE ? ObstacleTable.WALLS : ObstacleTable.PEGS) + id;
+        setTraits(code, ContactFlags.with(obstacles.traits(code), response.ordinal()));
       }
-      case WALL -> obstacles.setTraits(id, Traits.with(obstacles.boundsTraits, response.ordinal()));
+      case WALL ->
+          obstacles.setTraits(id, ContactFlags.with(obstacles.boundsTraits, response.ordinal()));
       case CIRCLE -> {
-        roster.setTraits(id, Traits.with(roster.traits(id), response.ordinal()));
+        roster.setTraits(id, ContactFlags.with(roster.traits(id), response.ordinal()));
         restarted(id);
       }
     }
   }
 
   void setOneWay(int id, boolean oneWay) {
-    int code = Obstacles.WALLS + id;
-    setTraits(code, Traits.withOneWay(obstacles.traits(code), oneWay));
+    int code = ObstacleTable.WALLS + id;
+    setTraits(code, ContactFlags.withOneWay(obstacles.traits(code), oneWay));
   }
 
   private void setTraits(int code, int traits) {
@@ -580,7 +582,7 @@ public final class PlainWorld {
 
   /** Flights that would meet a thing that was not there begin anew. */
   private void appear(int code) {
-    for (Mover m : movers) {
+    for (MovingCircle m : movers) {
       if (roster.contains(m.id)) {
         m.forget(code, 0);
         if (sweep(m, code) < NEVER) {

@@ -3,7 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.EngineOptions;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -18,11 +18,11 @@ import java.util.Random;
 final class RestoredTwin {
 
   private final Scene scene;
-  private final Machinery machinery;
+  private final EngineOptions machinery;
   private final Random random;
   private World twin;
 
-  RestoredTwin(Scene scene, Machinery machinery, Random random) {
+  RestoredTwin(Scene scene, EngineOptions machinery, Random random) {
     this.scene = scene;
     this.machinery = machinery;
     this.random = random;

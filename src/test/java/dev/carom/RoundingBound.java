@@ -2,9 +2,9 @@
 package dev.carom;
 
 import dev.carom.internal.exact.Predicates;
-import dev.carom.internal.sweep.FirstRoot;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.SideSweep;
+import dev.carom.internal.sweep.TimeOfImpact;
 import dev.carom.internal.sweep.WallSweep;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.Query;
@@ -18,18 +18,18 @@ import java.util.Arrays;
  * the range in which those hold.
  *
  * <p>Two are not here. {@code MOST}, an upper limit of two sweeps: what overflows is infinite or
- * not a number, and leaves the answer open by itself. And the condition of {@link FirstRoot} that
- * the errors of a step be a quarter of it, at most, in all: where they are not, they are more than
- * an ulp of the time already.
+ * not a number, and leaves the answer open by itself. And the condition of {@link TimeOfImpact}
+ * that the errors of a step be a quarter of it, at most, in all: where they are not, they are more
+ * than an ulp of the time already.
  */
 enum RoundingBound {
-  ROOT_DOT(FirstRoot.class, "DOT_BOUND"),
-  ROOT_GAP(FirstRoot.class, "GAP_BOUND"),
-  ROOT_REACH(FirstRoot.class, "REACH_BOUND"),
-  ROOT_WINDOW(FirstRoot.class, "WINDOW_BOUND"),
+  ROOT_DOT(TimeOfImpact.class, "DOT_BOUND"),
+  ROOT_GAP(TimeOfImpact.class, "GAP_BOUND"),
+  ROOT_REACH(TimeOfImpact.class, "REACH_BOUND"),
+  ROOT_WINDOW(TimeOfImpact.class, "WINDOW_BOUND"),
   /** What a place loses, in the error of a step, and so the whole of f's share. */
-  ROOT_PLACE(FirstRoot.class, "PLACE_BOUND"),
-  ROOT_TINY(FirstRoot.class, "TINY"),
+  ROOT_PLACE(TimeOfImpact.class, "PLACE_BOUND"),
+  ROOT_TINY(TimeOfImpact.class, "TINY"),
   SEGMENT_PLACE(SegmentSweep.class, "PLACE_BOUND"),
   SEGMENT_SPEED(SegmentSweep.class, "SPEED_BOUND"),
   SEGMENT_STRIP(SegmentSweep.class, "STRIP_BOUND"),
@@ -110,7 +110,7 @@ enum RoundingBound {
     }
     return query instanceof SegmentQuery
         ? owner != WallSweep.class
-        : query instanceof PairQuery ? owner == FirstRoot.class : owner == WallSweep.class;
+        : query instanceof PairQuery ? owner == TimeOfImpact.class : owner == WallSweep.class;
   }
 
   /** Weakens this bound in a class file of its class: by a factor, 0 to remove it. */

@@ -8,9 +8,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.carom.PatchedDetector.Reply;
 import dev.carom.internal.exact.Predicates;
-import dev.carom.internal.sweep.FirstRoot;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.SideSweep;
+import dev.carom.internal.sweep.TimeOfImpact;
 import dev.carom.internal.sweep.WallSweep;
 import dev.carom.oracle.Brinks;
 import dev.carom.oracle.Contact;
@@ -100,7 +100,11 @@ class RoundingBoundsTest {
   @Test
   void noBoundIsLeftOut() {
     Stream.of(
-            FirstRoot.class, SegmentSweep.class, SideSweep.class, WallSweep.class, Predicates.class)
+            TimeOfImpact.class,
+            SegmentSweep.class,
+            SideSweep.class,
+            WallSweep.class,
+            Predicates.class)
         .flatMap(owner -> Arrays.stream(owner.getDeclaredFields()))
         .filter(field -> Modifier.isStatic(field.getModifiers()) && field.getType() == double.class)
         .filter(field -> !field.getName().equals("MOST"))

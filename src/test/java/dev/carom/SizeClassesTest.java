@@ -4,9 +4,9 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.engine.SizeClasses;
-import dev.carom.internal.state.Circles;
-import dev.carom.internal.state.Extent;
-import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.BoundingBox;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.CircleTable;
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
@@ -15,27 +15,27 @@ class SizeClassesTest {
   /** A cell is so much wider than a diameter. */
   private static final double SLACK = 1 + 0x1p-20;
 
-  private static SizeClasses classes(Extent extent, double... radii) {
+  private static SizeClasses classes(BoundingBox extent, double... radii) {
     SceneBuilder builder = Scene.builder();
     for (double radius : radii) {
       builder.circle(0, 0, radius, 0, 0);
     }
     Scene scene = builder.build();
-    Circles circles = new Circles(scene.circleCount());
+    CircleTable circles = new CircleTable(scene.circleCount());
     for (int i = 0; i < circles.count; i++) {
       circles.start(scene.data, i);
       circles.store(i);
     }
-    return new SizeClasses(circles, new Roster(scene.data, 1).slots(), extent, 1);
+    return new SizeClasses(circles, new CircleRegistry(scene.data, 1).slots(), extent, 1);
   }
 
-  private static Extent square(double side) {
-    return new Extent(0, 0, side, side);
+  private static BoundingBox square(double side) {
+    return new BoundingBox(0, 0, side, side);
   }
 
   @Test
   void cellsAreWiderThanADiameterAndMoreSoFarAway() {
-    SizeClasses far = classes(new Extent(0x1p40 - 10, 0, 0x1p40, 10), 1, 1, 1, 1);
+    SizeClasses far = classes(new BoundingBox(0x1p40 - 10, 0, 0x1p40, 10), 1, 1, 1, 1);
     assertThat(far.slack()).isEqualTo(0x1p-8);
     assertThat(far.widths).containsExactly(2 * SLACK + 0x1p-8);
     assertThat(far.radii).containsExactly(1);
@@ -69,7 +69,7 @@ class SizeClassesTest {
   @Test
   void fullIsNotCrowdedYet() {
     double width = 16 * SLACK + 0x1p-38;
-    Extent extent = new Extent(-1024, 0, -1023, 2 * width * width);
+    BoundingBox extent = new BoundingBox(-1024, 0, -1023, 2 * width * width);
     assertThat(2 * extent.area() / (width * width)).isEqualTo(4);
     assertThat(classes(extent, 8, 8, 8, 4).radii).containsExactly(8);
     assertThat(classes(extent, 8, 8, 8, 4, 4).radii).containsExactly(4, 8);

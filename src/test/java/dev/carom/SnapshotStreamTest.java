@@ -4,9 +4,9 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import dev.carom.internal.state.Jam;
-import dev.carom.internal.state.Limits;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.IgnoreList;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.SizeLimits;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -201,7 +201,8 @@ class SnapshotStreamTest {
   @Test
   void aJamIsKept() throws IOException {
     Snapshot snapshot = read(small());
-    snapshot.state.flights().jams = new Jam[] {null, Jam.with(Jam.with(null, 3), Obstacles.PEGS)};
+    snapshot.state.flights().jams =
+        new IgnoreList[] {null, IgnoreList.with(IgnoreList.with(null, 3), ObstacleTable.PEGS)};
     assertThat(snapshot).isNotEqualTo(read(small()));
     assertThat(read(bytes(snapshot))).isEqualTo(snapshot);
   }
@@ -239,7 +240,7 @@ class SnapshotStreamTest {
   @ValueSource(ints = {LINES, PEGS, CIRCLES + 4})
   void aLargeNumberOfThingsAloneTakesNothing(int at) throws IOException {
     byte[] bytes = small();
-    ByteBuffer.wrap(bytes).putInt(at, Obstacles.PEGS - 1);
+    ByteBuffer.wrap(bytes).putInt(at, ObstacleTable.PEGS - 1);
     Assertions.assertTimeoutPreemptively(
         Duration.ofSeconds(20),
         () -> assertThatThrownBy(() -> read(bytes)).isInstanceOf(IOException.class));
@@ -357,7 +358,7 @@ class SnapshotStreamTest {
   void numbersAtTheirLimitsAreTaken() throws IOException {
     byte[] bytes = small();
     ByteBuffer numbers = ByteBuffer.wrap(bytes);
-    numbers.putDouble(LEAST, Limits.leastRadius(numbers.getDouble(LARGEST)));
+    numbers.putDouble(LEAST, SizeLimits.leastRadius(numbers.getDouble(LARGEST)));
     numbers.putDouble(FLIGHT + 40, Math.ulp(numbers.getDouble(FLIGHT + 32)));
     numbers.putDouble(TAIL_OF_EDIT, Math.ulp(numbers.getDouble(NOW)));
     for (int pace : new int[] {Double.MIN_EXPONENT - 1, Double.MAX_EXPONENT + 1}) {
@@ -377,7 +378,7 @@ class SnapshotStreamTest {
   @Test
   void aJamWithNothingIsRefused() throws IOException {
     Snapshot snapshot = read(small());
-    snapshot.state.flights().jams = new Jam[] {null, Jam.with(null, 77)};
+    snapshot.state.flights().jams = new IgnoreList[] {null, IgnoreList.with(null, 77)};
     assertRefused(bytes(snapshot), "code 77 does not exist");
   }
 

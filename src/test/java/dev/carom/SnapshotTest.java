@@ -8,7 +8,7 @@ import static dev.carom.ObstacleKind.WALL;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -116,8 +116,8 @@ class SnapshotTest {
             .response(Response.SENSOR)
             .build();
     // Cells so small that a search goes only as far as a step needs.
-    World one = new World(scene, Machinery.cells(0.25));
-    World two = new World(scene, Machinery.cells(0.25));
+    World one = new World(scene, EngineOptions.cells(0.25));
+    World two = new World(scene, EngineOptions.cells(0.25));
     for (int i = 10; i <= 100; i += 10) {
       one.advanceTo(i);
       for (int k = 99; k >= 0; k--) {

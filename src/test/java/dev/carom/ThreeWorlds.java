@@ -3,7 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -19,12 +19,12 @@ import java.util.function.Consumer;
  */
 final class ThreeWorlds {
 
-  private static final Machinery[] OTHERS = {
-    Machinery.EACH,
-    Machinery.CHOSEN,
-    new Machinery(true, 0, 4, 1, 1),
-    new Machinery(true, 3, 1.7, 1, 1),
-    new Machinery(true, 23, 2, 1, 1)
+  private static final EngineOptions[] OTHERS = {
+    EngineOptions.EACH,
+    EngineOptions.CHOSEN,
+    new EngineOptions(true, 0, 4, 1, 1),
+    new EngineOptions(true, 3, 1.7, 1, 1),
+    new EngineOptions(true, 23, 2, 1, 1)
   };
 
   private static final int BOUNCES = 5;
@@ -33,7 +33,7 @@ final class ThreeWorlds {
   private final Random random;
 
   private final Scene scene;
-  private final Machinery machinery;
+  private final EngineOptions machinery;
   private World world;
   private World twin;
   private PastCheck past;
@@ -49,9 +49,9 @@ final class ThreeWorlds {
   ThreeWorlds(Scene scene, double unit, long seed) {
     this.scene = scene;
     random = new Random(seed);
-    Machinery other = OTHERS[random.nextInt(OTHERS.length)];
+    EngineOptions other = OTHERS[random.nextInt(OTHERS.length)];
     int slack = random.nextInt(2); // 0: its arrays are dense after each removal
-    machinery = new Machinery(other.grid(), other.cell() * unit, other.pairCells(), slack, 1);
+    machinery = new EngineOptions(other.grid(), other.cell() * unit, other.pairCells(), slack, 1);
     plain = new PlainWorld(scene);
     restored = new RestoredTwin(scene, machinery, new Random(seed + 1));
     begin();

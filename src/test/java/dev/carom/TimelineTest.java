@@ -5,7 +5,7 @@ import static dev.carom.ObstacleKind.CIRCLE;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.ObstacleTable;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -270,7 +270,9 @@ class TimelineTest {
     assertThat(timeline.line(2, 4)).isEmpty();
     assertThat(timeline.line(-1, 4)).isEmpty();
     assertThat(timeline.line(Integer.MAX_VALUE, 4)).isEmpty();
-    assertThat(timeline.line(Obstacles.PEGS - Obstacles.WALLS, 4)).as("a peg's code").isEmpty();
+    assertThat(timeline.line(ObstacleTable.PEGS - ObstacleTable.WALLS, 4))
+        .as("a peg's code")
+        .isEmpty();
     assertThat(timeline.peg(0, 2)).contains(new Circle(5, 5, 1));
     assertThat(timeline.peg(0, 4)).contains(new Circle(6, 6, 2));
     assertThat(timeline.peg(1, 4)).isEmpty();
@@ -319,7 +321,7 @@ class TimelineTest {
     Timeline timeline = world.record(9);
     world.step(1);
     assertThat(timeline.peg(1, 0.5)).contains(new Circle(7, 7, 2));
-    assertThat(timeline.line(Obstacles.PEGS - Obstacles.WALLS, 0.5)).isEmpty();
+    assertThat(timeline.line(ObstacleTable.PEGS - ObstacleTable.WALLS, 0.5)).isEmpty();
     assertThat(timeline.line(-1, 0.5)).isEmpty();
     assertThat(timeline.peg(-1, 0.5)).isEmpty();
   }

@@ -8,7 +8,7 @@ import static dev.carom.ObstacleKind.WALL;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import dev.carom.internal.state.Machinery;
+import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
@@ -40,8 +40,8 @@ class TurnoverTest {
         scene.response(Response.SENSOR);
       }
     }
-    world = new World(scene.build(), new Machinery(true, 0, 1, slack, 1));
-    beside = new World(scene.build(), new Machinery(true, 0, 1, Double.MAX_VALUE, 1));
+    world = new World(scene.build(), new EngineOptions(true, 0, 1, slack, 1));
+    beside = new World(scene.build(), new EngineOptions(true, 0, 1, Double.MAX_VALUE, 1));
     for (int i = 0; i < LIVE; i++) {
       come();
     }

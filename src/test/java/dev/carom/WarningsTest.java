@@ -7,7 +7,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.query.Proximity;
 import dev.carom.internal.query.Warnings;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.ObstacleTable;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -205,14 +205,14 @@ class WarningsTest {
   /** The rule in its own words, without an index. */
   private static List<String> ofEachPair(Scene scene) {
     List<String> warnings = new ArrayList<>();
-    Proximity proximity = new Proximity(Obstacles.of(scene.data));
+    Proximity proximity = new Proximity(ObstacleTable.of(scene.data));
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle circle = scene.circle(i);
-      Obstacles obstacles = Obstacles.of(scene.data);
+      ObstacleTable obstacles = ObstacleTable.of(scene.data);
       for (int code : proximity.overlapping(circle.x(), circle.y(), circle.radius()).toArray()) {
-        boolean isLeft = code >= Obstacles.PEGS || !obstacles.isOneWay(code);
+        boolean isLeft = code >= ObstacleTable.PEGS || !obstacles.isOneWay(code);
         if (!isLeft) {
-          Line l = (Line) Records.of(obstacles, code);
+          Line l = (Line) PublicRecords.of(obstacles, code);
           isLeft =
               Predicates.cross(
                       l.bx(), l.by(), l.ax(), l.ay(), circle.x(), circle.y(), l.ax(), l.ay())
@@ -230,7 +230,7 @@ class WarningsTest {
         if (!sensor
             && SweptCircle.overlap(
                 circle.x(), circle.y(), circle.radius(), o.x(), o.y(), o.radius())) {
-          warnings.add(Warnings.text(scene.data, i, Obstacles.CIRCLES + j));
+          warnings.add(Warnings.text(scene.data, i, ObstacleTable.CIRCLES + j));
         }
       }
     }

@@ -8,8 +8,8 @@ import static org.assertj.core.api.Assertions.tuple;
 import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
+import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.ImpactRows;
-import dev.carom.internal.state.Machinery;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -196,7 +196,7 @@ class WorldTest {
     for (int i = 1; i < 400; i++) {
       scene.circle(5, 5, 1, 0, 0);
     }
-    World world = new World(scene.build(), Machinery.budget(1.0 / 200));
+    World world = new World(scene.build(), EngineOptions.budget(1.0 / 200));
     double end = Math.nextUp(20_000.0);
     int calls = 0;
     while (!world.step(end - world.now())) {
@@ -315,7 +315,7 @@ class WorldTest {
   @MethodSource("simultaneous")
   void simultaneousImpactsAreTakenByKindThenByNumber(SceneBuilder builder, String expected) {
     Scene scene = builder.circle(12, 12, 5, -1, -1).build();
-    for (Machinery machinery : List.of(Machinery.EACH, Machinery.cells(7))) {
+    for (EngineOptions machinery : List.of(EngineOptions.EACH, EngineOptions.cells(7))) {
       World world = new World(scene, machinery);
       world.advanceTo(2);
       List<Run.Row> rows = Run.rows(world.impacts());
@@ -469,7 +469,7 @@ class WorldTest {
     assertThat(world(floor()).model()).contains("each of 1 lines and pegs");
     assertThat(new World(TestScenes.read("base-1.csv")).model())
         .contains("100 lines and pegs in 1 grid of");
-    assertThat(new World(TestScenes.read("base-1.csv"), Machinery.EACH).model())
+    assertThat(new World(TestScenes.read("base-1.csv"), EngineOptions.EACH).model())
         .contains("each of 100 lines and pegs");
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
-import dev.carom.internal.exact.Rungs;
+import dev.carom.internal.exact.PrecisionCounters;
 
 /**
  * The library's counts of its rungs of precision. They are in a package that the library does not
@@ -39,7 +39,7 @@ public record RungCounts(
    * @return false unless counts are enabled
    */
   public static boolean areEnabled() {
-    return Rungs.COUNT != null;
+    return PrecisionCounters.COUNT != null;
   }
 
   /**
@@ -53,11 +53,11 @@ public record RungCounts(
       throw new IllegalStateException("nothing is counted in this process");
     }
     return new RungCounts(
-        Rungs.COUNT.doubtfulDecisions,
-        Rungs.COUNT.exactDecisions,
-        Rungs.COUNT.roots,
-        Rungs.COUNT.exactTimes,
-        Rungs.COUNT.pairTests);
+        PrecisionCounters.COUNT.doubtfulDecisions,
+        PrecisionCounters.COUNT.exactDecisions,
+        PrecisionCounters.COUNT.roots,
+        PrecisionCounters.COUNT.exactTimes,
+        PrecisionCounters.COUNT.pairTests);
   }
 
   /**

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.engine;
 
-import dev.carom.internal.state.Circles;
-import dev.carom.internal.state.Limits;
-import dev.carom.internal.state.Mover;
-import dev.carom.internal.state.Obstacles;
-import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
-import dev.carom.internal.state.Traits;
+import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Kind;
 import dev.carom.internal.util.RefusedException;
@@ -25,14 +25,14 @@ public final class Editor {
 
   private final boolean collide;
   private final Engine engine;
-  private final Circles circles;
-  private final Roster roster;
-  private final Obstacles obstacles;
-  private final Mover mover = new Mover();
+  private final CircleTable circles;
+  private final CircleRegistry roster;
+  private final ObstacleTable obstacles;
+  private final MovingCircle mover = new MovingCircle();
 
-  private final Limits limits = new Limits();
+  private final SizeLimits limits = new SizeLimits();
 
-  public Editor(SceneData scene, Engine engine, Roster roster) {
+  public Editor(SceneData scene, Engine engine, CircleRegistry roster) {
     collide = scene.collide;
     this.engine = engine;
     this.roster = roster;
@@ -40,8 +40,8 @@ public final class Editor {
     obstacles = engine.surroundings.obstacles;
     limits.keepPlace(obstacles.extent(), 0);
     if (obstacles.walls != null) {
-      limits.keepPlace(obstacles.walls[Obstacles.LEFT], obstacles.walls[Obstacles.BOTTOM]);
-      limits.keepPlace(obstacles.walls[Obstacles.RIGHT], obstacles.walls[Obstacles.TOP]);
+      limits.keepPlace(obstacles.walls[ObstacleTable.LEFT], obstacles.walls[ObstacleTable.BOTTOM]);
+      limits.keepPlace(obstacles.walls[ObstacleTable.RIGHT], obstacles.walls[ObstacleTable.TOP]);
     }
     for (int i = 0; i < scene.circleCount(); i++) {
       limits.keepPlace(scene.x(i), scene.y(i));
@@ -50,11 +50,11 @@ public final class Editor {
   }
 
   /** A copy of what rounding allows. */
-  public Limits limits() {
-    return new Limits(limits.largest(), limits.least());
+  public SizeLimits limits() {
+    return new SizeLimits(limits.largest(), limits.least());
   }
 
-  public void restore(Limits other) {
+  public void restore(SizeLimits other) {
     limits.set(other);
   }
 
@@ -64,9 +64,9 @@ public final class Editor {
     try {
       checkVelocity(vx, vy);
     } catch (RefusedException e) {
-      throw named(e, Obstacles.CIRCLES + slot);
+      throw named(e, ObstacleTable.CIRCLES + slot);
     }
-    Mover m = restarted(slot, now);
+    MovingCircle m = restarted(slot, now);
     m.vx = vx;
     m.vy = vy;
     m.forget();
@@ -77,9 +77,9 @@ public final class Editor {
     try {
       checkPlace(x, y);
     } catch (RefusedException e) {
-      throw named(e, Obstacles.CIRCLES + slot);
+      throw named(e, ObstacleTable.CIRCLES + slot);
     }
-    Mover m = restarted(slot, now);
+    MovingCircle m = restarted(slot, now);
     m.x = x;
     m.y = y;
     m.forget();
@@ -91,16 +91,16 @@ public final class Editor {
     try {
       limits.checkRadius(radius, 0, 0);
     } catch (RefusedException e) {
-      throw named(e, Obstacles.CIRCLES + slot);
+      throw named(e, ObstacleTable.CIRCLES + slot);
     }
-    Mover m = restarted(slot, now);
+    MovingCircle m = restarted(slot, now);
     m.radius = radius;
     engine.fly(m);
     limits.keepRadius(radius);
   }
 
   public int addCircle(double x, double y, double radius, double vx, double vy, double now) {
-    checkId(Kind.CIRCLE, roster.idEnd(), Roster.ID_LIMIT);
+    checkId(Kind.CIRCLE, roster.idEnd(), CircleRegistry.ID_LIMIT);
     try {
       checkPlace(x, y);
       limits.checkRadius(radius, x, y);
@@ -122,7 +122,7 @@ public final class Editor {
     try {
       Check.mass("mass", m);
     } catch (RefusedException e) {
-      throw named(e, Obstacles.CIRCLES + slot);
+      throw named(e, ObstacleTable.CIRCLES + slot);
     }
     boolean passes = (roster.mass(slot) == INFINITE) != (m == INFINITE);
     roster.setMass(slot, m);
@@ -157,13 +157,13 @@ public final class Editor {
   }
 
   private RefusedException named(RefusedException e, int code) {
-    return code >= Obstacles.CIRCLES
-        ? named(e, Kind.CIRCLE, roster.id(code - Obstacles.CIRCLES))
+    return code >= ObstacleTable.CIRCLES
+        ? named(e, Kind.CIRCLE, roster.id(code - ObstacleTable.CIRCLES))
         : named(e, obstacles.kind(code), obstacles.index(code));
   }
 
   /** A circle at the start of a new flight, now. */
-  private Mover restarted(int slot, double now) {
+  private MovingCircle restarted(int slot, double now) {
     circles.load(slot, mover);
     mover.restart(now, engine.tailOfEdit(mover, now), obstacles.walls);
     return mover;
@@ -172,7 +172,7 @@ public final class Editor {
   // Lines and pegs.
 
   public int addLine(double ax, double ay, double bx, double by, double now) {
-    checkId(Kind.LINE, obstacles.endOfLines - Obstacles.WALLS, Obstacles.LINE_LIMIT);
+    checkId(Kind.LINE, obstacles.endOfLines - ObstacleTable.WALLS, ObstacleTable.LINE_LIMIT);
     checkLine(obstacles.endOfLines, ax, ay, bx, by);
     int code = obstacles.addLine(ax, ay, bx, by);
     limits.keepPlace(ax, ay);
@@ -202,7 +202,7 @@ public final class Editor {
   }
 
   public int addPeg(double x, double y, double radius, double now) {
-    checkId(Kind.PEG, obstacles.endOfPegs - Obstacles.PEGS, Obstacles.PEG_LIMIT);
+    checkId(Kind.PEG, obstacles.endOfPegs - ObstacleTable.PEGS, ObstacleTable.PEG_LIMIT);
     checkPeg(obstacles.endOfPegs, x, y, radius);
     int code = obstacles.addPeg(x, y, radius);
     limits.keepPlace(x, y);
@@ -230,9 +230,9 @@ public final class Editor {
   // Anything.
 
   public void remove(int code, double now) {
-    if (code >= Obstacles.CIRCLES) {
-      roster.remove(code - Obstacles.CIRCLES);
-      engine.remove(code - Obstacles.CIRCLES);
+    if (code >= ObstacleTable.CIRCLES) {
+      roster.remove(code - ObstacleTable.CIRCLES);
+      engine.remove(code - ObstacleTable.CIRCLES);
     } else {
       engine.forget(code);
       obstacles.remove(code);
@@ -246,31 +246,31 @@ public final class Editor {
     } catch (RefusedException refused) {
       throw named(refused, code);
     }
-    if (code >= Obstacles.CIRCLES) {
-      circles.setRestitution(code - Obstacles.CIRCLES, e);
+    if (code >= ObstacleTable.CIRCLES) {
+      circles.setRestitution(code - ObstacleTable.CIRCLES, e);
     } else {
       obstacles.setRestitution(code, e);
     }
   }
 
   public void setResponse(int code, int response, double now) {
-    if (code >= Obstacles.CIRCLES) {
-      int slot = code - Obstacles.CIRCLES;
-      roster.setTraits(slot, Traits.with(roster.traits(slot), response));
+    if (code >= ObstacleTable.CIRCLES) {
+      int slot = code - ObstacleTable.CIRCLES;
+      roster.setTraits(slot, ContactFlags.with(roster.traits(slot), response));
       engine.fly(restarted(slot, now));
-    } else if (code < Obstacles.WALLS) {
-      if (response == Traits.SENSOR) {
+    } else if (code < ObstacleTable.WALLS) {
+      if (response == ContactFlags.SENSOR) {
         throw Check.refused("response", "SENSOR", "BOUNCE or HALT: bounds keep circles inside")
             .of("bounds");
       }
-      obstacles.setTraits(code, Traits.with(obstacles.boundsTraits, response));
+      obstacles.setTraits(code, ContactFlags.with(obstacles.boundsTraits, response));
     } else {
-      setTraits(code, Traits.with(obstacles.traits(code), response), now);
+      setTraits(code, ContactFlags.with(obstacles.traits(code), response), now);
     }
   }
 
   public void setOneWay(int code, boolean oneWay, double now) {
-    setTraits(code, Traits.withOneWay(obstacles.traits(code), oneWay), now);
+    setTraits(code, ContactFlags.withOneWay(obstacles.traits(code), oneWay), now);
   }
 
   private void setTraits(int code, int traits, double now) {

@@ -2,14 +2,14 @@
 package dev.carom.internal.engine;
 
 import dev.carom.internal.response.ObstacleResponse;
-import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.FlightRecorder;
-import dev.carom.internal.state.FlightStates;
 import dev.carom.internal.state.ImpactRows;
-import dev.carom.internal.state.Machinery;
-import dev.carom.internal.state.Mover;
-import dev.carom.internal.state.PresentCodes;
-import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.LiveCodes;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.SceneData;
 
 /**
@@ -18,9 +18,9 @@ import dev.carom.internal.state.SceneData;
  */
 public abstract class Engine {
 
-  final Roster roster;
-  public final Circles circles;
-  public final Surroundings surroundings;
+  final CircleRegistry roster;
+  public final CircleTable circles;
+  public final StaticScene surroundings;
   final ObstacleResponse response;
   final ImpactRows log;
 
@@ -30,11 +30,16 @@ public abstract class Engine {
   /** Null unless flights are recorded. */
   FlightRecorder recorder;
 
-  Engine(SceneData scene, Roster roster, Circles circles, Machinery machinery, ImpactRows log) {
+  Engine(
+      SceneData scene,
+      CircleRegistry roster,
+      CircleTable circles,
+      EngineOptions machinery,
+      ImpactRows log) {
     this.roster = roster;
     this.circles = circles;
     this.log = log;
-    surroundings = new Surroundings(scene, machinery);
+    surroundings = new StaticScene(scene, machinery);
     circles.walls = surroundings.obstacles.walls;
     response = new ObstacleResponse(surroundings.obstacles);
   }
@@ -55,20 +60,20 @@ public abstract class Engine {
    *
    * @param m a mover at the start of a flight, now
    */
-  abstract void fly(Mover m);
+  abstract void fly(MovingCircle m);
 
   /**
    * An edit comes after all that happened by now, some of it later than now by what rounding took.
    *
    * @return the tail of the time of an edit of this circle now
    */
-  abstract double tailOfEdit(Mover m, double now);
+  abstract double tailOfEdit(MovingCircle m, double now);
 
   /** Takes a circle out. */
   abstract void remove(int i);
 
   /** Stores a circle of which less is known ahead than before. */
-  abstract void keep(int i, Mover m);
+  abstract void keep(int i, MovingCircle m);
 
   /** Makes grids anew where edits made them poor. */
   final void prepare() {
@@ -80,7 +85,7 @@ public abstract class Engine {
   /** Forgets a line or a peg that is to be elsewhere, otherwise there, or gone. */
   final void forget(int code) {
     int sensed = surroundings.sensedBefore(code);
-    PresentCodes present = roster.present();
+    LiveCodes present = roster.present();
     for (int k = 0; k < present.size(); k++) {
       int i = present.get(k);
       circles.load(i);
@@ -96,8 +101,8 @@ public abstract class Engine {
    */
   final void appeared(int code, double now) {
     changed(code, now);
-    Mover m = circles.mover;
-    PresentCodes present = roster.present();
+    MovingCircle m = circles.mover;
+    LiveCodes present = roster.present();
     for (int k = 0; k < present.size(); k++) {
       int i = present.get(k);
       if (roster.contains(i)) {
@@ -136,11 +141,11 @@ public abstract class Engine {
   }
 
   /** The flights of all circles. */
-  public FlightStates save(double now) {
+  public SavedFlights save(double now) {
     if (surroundings.obstacles.haveSensors()) {
       surroundings.prepare(circles, roster); // to search for those that were met
     }
-    FlightStates states = new FlightStates(roster.ids());
+    SavedFlights states = new SavedFlights(roster.ids());
     int[] slots = roster.slots();
     for (int k = 0; k < slots.length; k++) {
       circles.load(slots[k]);
@@ -151,9 +156,9 @@ public abstract class Engine {
   }
 
   /** Takes over other flights: those of all circles that are in the roster by now. */
-  public void restore(FlightStates flights, double now) {
+  public void restore(SavedFlights flights, double now) {
     circles.clear();
-    Mover m = circles.mover;
+    MovingCircle m = circles.mover;
     for (int i = 0; i < flights.count(); i++) {
       circles.add();
       flights.get(i, m);
@@ -166,7 +171,7 @@ public abstract class Engine {
 
   /** Makes arrays dense anew in which most slots are of circles that were removed. */
   public void compact(double now) {
-    FlightStates flights = save(now);
+    SavedFlights flights = save(now);
     roster.set(roster);
     restore(flights, now);
   }

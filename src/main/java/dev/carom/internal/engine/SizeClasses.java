@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.engine;
 
-import dev.carom.internal.state.Circles;
-import dev.carom.internal.state.Extent;
+import dev.carom.internal.state.BoundingBox;
+import dev.carom.internal.state.CircleTable;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
@@ -63,7 +63,7 @@ public final class SizeClasses {
    * @param ids of the circles
    * @param diameters how many of the largest diameters a cell is wide, at least 1
    */
-  public SizeClasses(Circles circles, int[] ids, Extent extent, double diameters) {
+  public SizeClasses(CircleTable circles, int[] ids, BoundingBox extent, double diameters) {
     area = extent.area();
     slack = ROUNDING * extent.farthest();
     this.diameters = diameters;

@@ -17,7 +17,7 @@ public final class Dyadic {
   private Dyadic(BigInteger m, int e) {
     this.m = m;
     this.e = e;
-    ExactWork.add(m.bitLength());
+    ExactBudget.add(m.bitLength());
   }
 
   /** The value of a finite double. */
@@ -91,7 +91,7 @@ public final class Dyadic {
       shift++;
     }
     BigInteger shifted = m.shiftLeft(shift);
-    ExactWork.addSquared(shifted.bitLength());
+    ExactBudget.addSquared(shifted.bitLength());
     return new Dyadic(shifted.sqrt(), (e - shift) / 2);
   }
 
@@ -99,7 +99,7 @@ public final class Dyadic {
   Dyadic over(Dyadic that, int bits) {
     int shift = Math.max(0, bits + 1 + that.m.bitLength() - m.bitLength());
     BigInteger shifted = m.shiftLeft(shift);
-    ExactWork.addSquared(shifted.bitLength());
+    ExactBudget.addSquared(shifted.bitLength());
     return new Dyadic(shifted.divide(that.m), e - shift - that.e);
   }
 

@@ -103,7 +103,7 @@ public final class Exact {
      * +infinity} if that is later than the window's end T.
      */
     public double time(double T) {
-      Rungs.exactTime();
+      PrecisionCounters.exactTime();
       double t = time();
       return t < T || T == Double.POSITIVE_INFINITY || (t == T && compareTime(Dyadic.of(T)) <= 0)
           ? t

@@ -27,7 +27,7 @@ public record ExactTime(Dyadic p, Dyadic q, Dyadic d) {
    * once more.
    */
   public int compare(ExactTime that) {
-    Rungs.exactDecision();
+    PrecisionCounters.exactDecision();
     Dyadic x = p.times(that.d).minus(that.p.times(d));
     Dyadic a = q.times(that.d.square());
     Dyadic b = that.q.times(d.square());

@@ -207,8 +207,8 @@ public final class Predicates {
   /** The sign of a value with terms of the given sum; UNDECIDED if the bound does not allow it. */
   static int decided(double value, double terms, double factor) {
     boolean certain = terms >= TINY && factor <= LARGE && Math.abs(value) > BOUND * terms;
-    if (Rungs.COUNT != null) {
-      Rungs.COUNT.decision(certain);
+    if (PrecisionCounters.COUNT != null) {
+      PrecisionCounters.COUNT.decision(certain);
     }
     return certain ? (value > 0 ? 1 : -1) : UNDECIDED;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.io;
 
-import dev.carom.internal.state.Traits;
+import dev.carom.internal.state.ContactFlags;
 import java.util.List;
 import java.util.regex.Pattern;
 
@@ -13,7 +13,7 @@ public enum SceneRowKind {
   CIRCLE("circle,x,y,radius,vx,vy[,mass]"),
   COLLIDE("collide,0|1");
 
-  /** The words for the responses, by their numbers in {@link Traits}. */
+  /** The words for the responses, by their numbers in {@link ContactFlags}. */
   public static final List<String> RESPONSES = List.of("bounce", "halt", "sensor");
 
   private static final SceneRowKind[] KINDS = values();

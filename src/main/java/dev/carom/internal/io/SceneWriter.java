@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.io;
 
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
-import dev.carom.internal.state.Traits;
 import java.io.IOException;
 
 /** Writes the rows of a scene file. */
@@ -22,7 +22,12 @@ final class SceneWriter {
     }
     double[] w = scene.walls;
     if (w != null) {
-      begin("wall", w[Obstacles.LEFT], w[Obstacles.BOTTOM], w[Obstacles.RIGHT], w[Obstacles.TOP]);
+      begin(
+          "wall",
+          w[ObstacleTable.LEFT],
+          w[ObstacleTable.BOTTOM],
+          w[ObstacleTable.RIGHT],
+          w[ObstacleTable.TOP]);
       end(scene.boundsRestitution, scene.boundsTraits);
     }
     for (int i = 0; i < scene.lineCount(); i++) {
@@ -30,22 +35,22 @@ final class SceneWriter {
       double[] l = scene.lines;
       begin(
           "line",
-          l[k + Obstacles.AX],
-          l[k + Obstacles.AY],
-          l[k + Obstacles.BX],
-          l[k + Obstacles.BY]);
-      end(scene.lineRestitution(i), Traits.of(scene.lineTraits, i));
+          l[k + ObstacleTable.AX],
+          l[k + ObstacleTable.AY],
+          l[k + ObstacleTable.BX],
+          l[k + ObstacleTable.BY]);
+      end(scene.lineRestitution(i), ContactFlags.of(scene.lineTraits, i));
     }
     for (int i = 0; i < scene.pegCount(); i++) {
       int k = SceneData.pegAt(i);
       double[] p = scene.pegs;
-      begin("peg", p[k + Obstacles.X], p[k + Obstacles.Y], p[k + Obstacles.RADIUS]);
-      end(scene.pegRestitution(i), Traits.of(scene.pegTraits, i));
+      begin("peg", p[k + ObstacleTable.X], p[k + ObstacleTable.Y], p[k + ObstacleTable.RADIUS]);
+      end(scene.pegRestitution(i), ContactFlags.of(scene.pegTraits, i));
     }
     for (int i = 0; i < scene.circleCount(); i++) {
       begin("circle", scene.x(i), scene.y(i), scene.radius(i), scene.vx(i), scene.vy(i));
       mass(scene.masses[i]);
-      end(scene.restitution(i), Traits.of(scene.circleTraits, i));
+      end(scene.restitution(i), ContactFlags.of(scene.circleTraits, i));
     }
   }
 
@@ -69,11 +74,11 @@ final class SceneWriter {
     if (restitution != 1) {
       row.append(",restitution=").append(restitution);
     }
-    int response = Traits.response(traits);
-    if (response != Traits.BOUNCE) {
+    int response = ContactFlags.response(traits);
+    if (response != ContactFlags.BOUNCE) {
       row.append(",response=").append(SceneRowKind.RESPONSES.get(response));
     }
-    if (Traits.isOneWay(traits)) {
+    if (ContactFlags.isOneWay(traits)) {
       row.append(",oneway=1");
     }
     out.append(row.append('\n'));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.io;
 
-import dev.carom.internal.state.FlightStates;
-import dev.carom.internal.state.Jam;
-import dev.carom.internal.state.Limits;
-import dev.carom.internal.state.Mover;
-import dev.carom.internal.state.Obstacles;
-import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.IgnoreList;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.SavedFlights;
+import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.DoubleList;
@@ -61,8 +61,8 @@ public final class SnapshotReader {
     double now = in.readDouble();
     Check.notNegative("now", now);
     boolean collide = in.readBoolean();
-    Limits limits = limits();
-    Obstacles obstacles = obstacles();
+    SizeLimits limits = limits();
+    ObstacleTable obstacles = obstacles();
     expect(
         obstacles.extent() <= limits.largest(),
         "a coordinate is " + obstacles.extent() + ", the largest one " + limits.largest());
@@ -73,28 +73,28 @@ public final class SnapshotReader {
     return state;
   }
 
-  private Limits limits() throws IOException {
+  private SizeLimits limits() throws IOException {
     double largest = in.readDouble();
     double least = in.readDouble();
     Check.notNegative("largest coordinate", largest);
     expect(
-        Limits.leastRadius(largest) <= least,
+        SizeLimits.leastRadius(largest) <= least,
         "least radius is " + least + " beside a coordinate of " + largest);
-    return new Limits(largest, least);
+    return new SizeLimits(largest, least);
   }
 
-  private Obstacles obstacles() throws IOException {
+  private ObstacleTable obstacles() throws IOException {
     double[] walls = in.readBoolean() ? walls() : null;
     double restitution = in.readDouble();
     Check.notNegative("restitution", restitution);
     int traits = traits(1);
-    lines = count(Obstacles.LINE_LIMIT);
+    lines = count(ObstacleTable.LINE_LIMIT);
     ByteArrayOutputStream lineTraits = new ByteArrayOutputStream();
-    DoubleList lineNumbers = numbers(lines, Obstacles.LINE_ROW, lineTraits);
-    pegs = count(Obstacles.PEG_LIMIT);
+    DoubleList lineNumbers = numbers(lines, ObstacleTable.LINE_ROW, lineTraits);
+    pegs = count(ObstacleTable.PEG_LIMIT);
     ByteArrayOutputStream pegTraits = new ByteArrayOutputStream();
-    DoubleList pegNumbers = numbers(pegs, Obstacles.PEG_ROW, pegTraits);
-    return Obstacles.of(
+    DoubleList pegNumbers = numbers(pegs, ObstacleTable.PEG_ROW, pegTraits);
+    return ObstacleTable.of(
         walls,
         restitution,
         traits,
@@ -110,7 +110,7 @@ public final class SnapshotReader {
     double xmax = in.readDouble();
     double ymax = in.readDouble();
     Check.bounds(xmin, ymin, xmax, ymax);
-    return Obstacles.walls(xmin, ymin, xmax, ymax);
+    return ObstacleTable.walls(xmin, ymin, xmax, ymax);
   }
 
   /** Rows of finite numbers that end in a restitution, all NaN for what was removed; and traits. */
@@ -119,7 +119,7 @@ public final class SnapshotReader {
     DoubleList numbers = new DoubleList();
     double[] row = new double[width];
     for (int i = 0; i < count; i++) {
-      int its = traitsOrGone(width == Obstacles.LINE_ROW ? 7 : 3);
+      int its = traitsOrGone(width == ObstacleTable.LINE_ROW ? 7 : 3);
       if (its == SnapshotWriter.GONE) {
         Arrays.fill(row, Double.NaN);
         its = 0;
@@ -138,22 +138,22 @@ public final class SnapshotReader {
       Check.finite("a number of line or peg " + i, row[k]);
     }
     Check.notNegative("restitution", row[row.length - 1]);
-    Check.notNegative("radius", row.length == Obstacles.PEG_ROW ? row[2] : 0);
+    Check.notNegative("radius", row.length == ObstacleTable.PEG_ROW ? row[2] : 0);
   }
 
-  private WorldState circles(double now, boolean collide, Obstacles obstacles, Limits limits)
-      throws IOException {
+  private WorldState circles(
+      double now, boolean collide, ObstacleTable obstacles, SizeLimits limits) throws IOException {
     int idEnd = in.readInt();
     expect(
-        idEnd >= 0 && idEnd <= Roster.ID_LIMIT,
-        "ids of circles end at " + idEnd + ": expected 0 to " + Roster.ID_LIMIT);
+        idEnd >= 0 && idEnd <= CircleRegistry.ID_LIMIT,
+        "ids of circles end at " + idEnd + ": expected 0 to " + CircleRegistry.ID_LIMIT);
     int count = count(idEnd);
     IntStream.Builder ids = IntStream.builder();
     DoubleList masses = new DoubleList();
     ByteArrayOutputStream traits = new ByteArrayOutputStream();
     DoubleList numbers = new DoubleList();
     IntStream.Builder codes = IntStream.builder();
-    List<Jam> jams = new ArrayList<>();
+    List<IgnoreList> jams = new ArrayList<>();
     int least = 0;
     for (int i = 0; i < count; i++) {
       int id = in.readInt();
@@ -169,15 +169,16 @@ public final class SnapshotReader {
     }
     int[] present = ids.build().toArray();
     for (int code : codesOfCircles.build().toArray()) {
-      expectCode(Arrays.binarySearch(present, code - Obstacles.CIRCLES) >= 0, code);
+      expectCode(Arrays.binarySearch(present, code - ObstacleTable.CIRCLES) >= 0, code);
     }
-    FlightStates flights =
-        new FlightStates(
+    SavedFlights flights =
+        new SavedFlights(
             present,
             numbers.toArray(),
             codes.build().toArray(),
-            jams.stream().anyMatch(Objects::nonNull) ? jams.toArray(Jam[]::new) : null);
-    Roster roster = new Roster(masses.toArray(), traits.toByteArray(), present, idEnd);
+            jams.stream().anyMatch(Objects::nonNull) ? jams.toArray(IgnoreList[]::new) : null);
+    CircleRegistry roster =
+        new CircleRegistry(masses.toArray(), traits.toByteArray(), present, idEnd);
     return new WorldState(now, collide, obstacles, roster, limits, flights);
   }
 
@@ -193,9 +194,9 @@ public final class SnapshotReader {
     return mass;
   }
 
-  private void flight(double now, Limits limits, DoubleList numbers, IntStream.Builder codes)
+  private void flight(double now, SizeLimits limits, DoubleList numbers, IntStream.Builder codes)
       throws IOException {
-    double[] n = new double[FlightStates.NUMBERS];
+    double[] n = new double[SavedFlights.NUMBERS];
     for (int k = 0; k < n.length; k++) {
       n[k] = in.readDouble();
       expect(!Double.isNaN(n[k]), "a number of a circle is NaN");
@@ -210,41 +211,41 @@ public final class SnapshotReader {
     expect(n[8] >= 0, "a flight is known for " + n[8]);
     numbers.add(n);
     int last = in.readInt();
-    if (last != Mover.NOTHING) {
+    if (last != MovingCircle.NOTHING) {
       checkCode(last);
     }
     int stuck = in.readInt();
-    expect(Mover.isStuckWeight(stuck), "the weight of impacts at one place is " + stuck);
+    expect(MovingCircle.isStuckWeight(stuck), "the weight of impacts at one place is " + stuck);
     int sensed = in.readInt();
     expect(sensed >= 0, "codes sensed end with " + sensed);
     int partner = in.readInt();
-    expect(partner >= Mover.NOTHING, "a partner is circle " + partner);
+    expect(partner >= MovingCircle.NOTHING, "a partner is circle " + partner);
     codes.add(last).add(stuck).add(sensed).add(partner);
     int marks = in.readInt();
-    expect(Mover.areMarks(marks), "the marks of a circle are " + marks);
+    expect(MovingCircle.areMarks(marks), "the marks of a circle are " + marks);
     codes.add(marks);
   }
 
-  private Jam jam() throws IOException {
-    int count = count(Obstacles.PEGS);
-    Jam jam = null;
+  private IgnoreList jam() throws IOException {
+    int count = count(ObstacleTable.PEGS);
+    IgnoreList jam = null;
     for (int k = 0; k < count; k++) {
       int code = in.readInt();
-      boolean crushes = ~code >= Obstacles.CIRCLES;
+      boolean crushes = ~code >= ObstacleTable.CIRCLES;
       checkCode(crushes ? ~code : code);
-      jam = crushes ? Jam.crushedBy(jam, ~code) : Jam.with(jam, code);
+      jam = crushes ? IgnoreList.crushedBy(jam, ~code) : IgnoreList.with(jam, code);
     }
     return jam;
   }
 
   /** A code of a circle is checked when all circles are read. */
   private void checkCode(int code) throws IOException {
-    if (code >= Obstacles.CIRCLES) {
+    if (code >= ObstacleTable.CIRCLES) {
       codesOfCircles.add(code);
-    } else if (code >= Obstacles.PEGS) {
-      expectCode(code < Obstacles.PEGS + pegs, code);
+    } else if (code >= ObstacleTable.PEGS) {
+      expectCode(code < ObstacleTable.PEGS + pegs, code);
     } else {
-      expectCode(code >= 0 && code < Obstacles.WALLS + lines, code);
+      expectCode(code >= 0 && code < ObstacleTable.WALLS + lines, code);
     }
   }
 

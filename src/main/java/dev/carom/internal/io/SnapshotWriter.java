@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.io;
 
-import dev.carom.internal.state.FlightStates;
-import dev.carom.internal.state.Jam;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.IgnoreList;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.WorldState;
 import java.io.DataOutputStream;
 import java.io.IOException;
@@ -43,28 +43,32 @@ public final class SnapshotWriter {
     out.writeLong(sum.getValue());
   }
 
-  private void bounds(Obstacles o) throws IOException {
+  private void bounds(ObstacleTable o) throws IOException {
     double[] w = o.walls;
     out.writeBoolean(w != null);
     if (w != null) {
-      numbers(w[Obstacles.LEFT], w[Obstacles.BOTTOM], w[Obstacles.RIGHT], w[Obstacles.TOP]);
+      numbers(
+          w[ObstacleTable.LEFT],
+          w[ObstacleTable.BOTTOM],
+          w[ObstacleTable.RIGHT],
+          w[ObstacleTable.TOP]);
     }
     out.writeDouble(o.boundsRestitution);
     out.writeByte(o.boundsTraits);
   }
 
-  private void obstacles(Obstacles o) throws IOException {
-    out.writeInt(o.endOfLines - Obstacles.WALLS);
-    for (int code = Obstacles.WALLS; code < o.endOfLines; code++) {
-      obstacle(o, code, o.lines, Obstacles.LINE_ROW);
+  private void obstacles(ObstacleTable o) throws IOException {
+    out.writeInt(o.endOfLines - ObstacleTable.WALLS);
+    for (int code = ObstacleTable.WALLS; code < o.endOfLines; code++) {
+      obstacle(o, code, o.lines, ObstacleTable.LINE_ROW);
     }
-    out.writeInt(o.endOfPegs - Obstacles.PEGS);
-    for (int code = Obstacles.PEGS; code < o.endOfPegs; code++) {
-      obstacle(o, code, o.pegs, Obstacles.PEG_ROW);
+    out.writeInt(o.endOfPegs - ObstacleTable.PEGS);
+    for (int code = ObstacleTable.PEGS; code < o.endOfPegs; code++) {
+      obstacle(o, code, o.pegs, ObstacleTable.PEG_ROW);
     }
   }
 
-  private void obstacle(Obstacles o, int code, double[] numbers, int each) throws IOException {
+  private void obstacle(ObstacleTable o, int code, double[] numbers, int each) throws IOException {
     if (o.isGone(code)) {
       out.writeByte(GONE);
       return;
@@ -86,17 +90,17 @@ public final class SnapshotWriter {
     }
   }
 
-  private void flight(FlightStates flights, int k) throws IOException {
-    for (int i = 0; i < FlightStates.NUMBERS; i++) {
-      out.writeDouble(flights.numbers[k * FlightStates.NUMBERS + i]);
+  private void flight(SavedFlights flights, int k) throws IOException {
+    for (int i = 0; i < SavedFlights.NUMBERS; i++) {
+      out.writeDouble(flights.numbers[k * SavedFlights.NUMBERS + i]);
     }
-    for (int i = 0; i < FlightStates.CODES; i++) {
-      out.writeInt(flights.codes[k * FlightStates.CODES + i]);
+    for (int i = 0; i < SavedFlights.CODES; i++) {
+      out.writeInt(flights.codes[k * SavedFlights.CODES + i]);
     }
     jam(flights.jams == null ? null : flights.jams[k]);
   }
 
-  private void jam(Jam jam) throws IOException {
+  private void jam(IgnoreList jam) throws IOException {
     int[] codes = jam == null ? new int[0] : jam.codes();
     out.writeInt(codes.length);
     for (int code : codes) {

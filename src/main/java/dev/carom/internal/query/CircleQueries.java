@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.query;
 
-import dev.carom.internal.state.Circles;
-import dev.carom.internal.state.Mover;
-import dev.carom.internal.state.Obstacles;
-import dev.carom.internal.state.PresentCodes;
-import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.LiveCodes;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.Index;
@@ -14,10 +14,10 @@ import java.util.stream.IntStream;
 /** What can be asked of the circles of a world, by their slots. */
 public final class CircleQueries {
 
-  private final Circles circles;
-  private final Roster roster;
+  private final CircleTable circles;
+  private final CircleRegistry roster;
 
-  public CircleQueries(Circles circles, Roster roster) {
+  public CircleQueries(CircleTable circles, CircleRegistry roster) {
     this.circles = circles;
     this.roster = roster;
   }
@@ -31,9 +31,9 @@ public final class CircleQueries {
    * @param T the end of the window, counted from now
    * @return the contact, which may be later than T by rounding; null for none
    */
-  public Candidate first(Mover m, Candidate before, double T, double now) {
+  public Candidate first(MovingCircle m, Candidate before, double T, double now) {
     Candidate first = before;
-    PresentCodes present = roster.present();
+    LiveCodes present = roster.present();
     for (int i = 0; i < present.size(); i++) {
       int slot = present.get(i);
       if (isThere(slot, now) && !roster.isSensor(slot)) {
@@ -47,7 +47,7 @@ public final class CircleQueries {
   }
 
   /** The contact with a circle, null for none whose rounded time is at most a limit. */
-  private Candidate candidate(Mover m, int slot, double limit, double now) {
+  private Candidate candidate(MovingCircle m, int slot, double limit, double now) {
     double x = circles.x(slot, now);
     double y = circles.y(slot, now);
     double r = circles.radius(slot);
@@ -61,7 +61,7 @@ public final class CircleQueries {
       return null;
     }
     return new Candidate(
-        Obstacles.CIRCLES + slot,
+        ObstacleTable.CIRCLES + slot,
         contact,
         t,
         () -> DiskSweep.exactTime(contact, m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy),

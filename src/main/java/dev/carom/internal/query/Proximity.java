@@ -3,7 +3,7 @@ package dev.carom.internal.query;
 
 import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.Predicates;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.util.Kind;
@@ -19,9 +19,9 @@ public final class Proximity {
 
   public static final int NONE = -1;
 
-  private final Obstacles obstacles;
+  private final ObstacleTable obstacles;
 
-  public Proximity(Obstacles obstacles) {
+  public Proximity(ObstacleTable obstacles) {
     this.obstacles = obstacles;
   }
 
@@ -33,7 +33,7 @@ public final class Proximity {
   /** The codes of one {@link Kind} of what stands still. */
   public IntStream codes(int kind) {
     return switch (kind) {
-      case Kind.WALL -> IntStream.range(0, obstacles.walls == null ? 0 : Obstacles.WALLS);
+      case Kind.WALL -> IntStream.range(0, obstacles.walls == null ? 0 : ObstacleTable.WALLS);
       case Kind.LINE -> obstacles.presentLines().stream(obstacles::isGone);
       case Kind.PEG -> obstacles.presentPegs().stream(obstacles::isGone);
       default -> IntStream.empty();
@@ -60,23 +60,24 @@ public final class Proximity {
   }
 
   private double distance(int code, double x, double y) {
-    if (code < Obstacles.WALLS) {
-      return Math.abs((code <= Obstacles.RIGHT ? x : y) - obstacles.walls[code]);
+    if (code < ObstacleTable.WALLS) {
+      return Math.abs((code <= ObstacleTable.RIGHT ? x : y) - obstacles.walls[code]);
     }
     int k = obstacles.offset(code);
-    if (code < Obstacles.PEGS) {
+    if (code < ObstacleTable.PEGS) {
       return distanceFromLine(obstacles.lines, k, x, y);
     }
     double[] p = obstacles.pegs;
-    return distance(p[k + Obstacles.X], p[k + Obstacles.Y], p[k + Obstacles.RADIUS], x, y);
+    return distance(
+        p[k + ObstacleTable.X], p[k + ObstacleTable.Y], p[k + ObstacleTable.RADIUS], x, y);
   }
 
   /** The distance of a point from the line whose row begins at a place in an array. */
   static double distanceFromLine(double[] lines, int k, double x, double y) {
-    double ax = lines[k + Obstacles.AX];
-    double ay = lines[k + Obstacles.AY];
-    double bx = lines[k + Obstacles.BX];
-    double by = lines[k + Obstacles.BY];
+    double ax = lines[k + ObstacleTable.AX];
+    double ay = lines[k + ObstacleTable.AY];
+    double bx = lines[k + ObstacleTable.BX];
+    double by = lines[k + ObstacleTable.BY];
     double s = Coordinates.fraction(ax, ay, bx, by, x, y);
     double footX = Coordinates.onSegment(s, ax, bx);
     double footY = Coordinates.onSegment(s, ay, by);
@@ -95,18 +96,19 @@ public final class Proximity {
   }
 
   public boolean overlaps(int code, double x, double y, double r) {
-    if (code < Obstacles.WALLS) {
-      double p = code <= Obstacles.RIGHT ? x : y;
+    if (code < ObstacleTable.WALLS) {
+      double p = code <= ObstacleTable.RIGHT ? x : y;
       double wall = obstacles.walls[code];
       boolean isLower = (code & 1) == 0;
       return isLower ? isNearer(p, wall, r) : isNearer(wall, p, r);
     }
     int k = obstacles.offset(code);
-    if (code < Obstacles.PEGS) {
+    if (code < ObstacleTable.PEGS) {
       return overlapsLine(obstacles.lines, k, x, y, r);
     }
     double[] p = obstacles.pegs;
-    return overlap(p[k + Obstacles.X], p[k + Obstacles.Y], p[k + Obstacles.RADIUS], x, y, r);
+    return overlap(
+        p[k + ObstacleTable.X], p[k + ObstacleTable.Y], p[k + ObstacleTable.RADIUS], x, y, r);
   }
 
   /** Whether {@code p - q < r}, exactly. */
@@ -120,10 +122,10 @@ public final class Proximity {
   }
 
   private static boolean overlapsLine(double[] lines, int k, double x, double y, double r) {
-    double ax = lines[k + Obstacles.AX];
-    double ay = lines[k + Obstacles.AY];
-    double bx = lines[k + Obstacles.BX];
-    double by = lines[k + Obstacles.BY];
+    double ax = lines[k + ObstacleTable.AX];
+    double ay = lines[k + ObstacleTable.AY];
+    double bx = lines[k + ObstacleTable.BX];
+    double by = lines[k + ObstacleTable.BY];
     return SegmentSweep.overlap(x, y, r, ax, ay, bx, by);
   }
 
@@ -134,32 +136,33 @@ public final class Proximity {
   }
 
   public boolean overlaps(int code, double[] box) {
-    if (code < Obstacles.WALLS) {
+    if (code < ObstacleTable.WALLS) {
       double wall = obstacles.walls[code];
       boolean isLower = (code & 1) == 0;
       return isLower ? box[code] < wall : box[code] > wall;
     }
     int k = obstacles.offset(code);
-    if (code < Obstacles.PEGS) {
+    if (code < ObstacleTable.PEGS) {
       return overlapsLine(obstacles.lines, k, box);
     }
     double[] p = obstacles.pegs;
-    return overlap(p[k + Obstacles.X], p[k + Obstacles.Y], p[k + Obstacles.RADIUS], box);
+    return overlap(
+        p[k + ObstacleTable.X], p[k + ObstacleTable.Y], p[k + ObstacleTable.RADIUS], box);
   }
 
   /** A disk and a box: the box's point nearest to the centre is in the disk. */
   static boolean overlap(double cx, double cy, double r, double[] box) {
-    double x = Math.max(box[Obstacles.LEFT], Math.min(cx, box[Obstacles.RIGHT]));
-    double y = Math.max(box[Obstacles.BOTTOM], Math.min(cy, box[Obstacles.TOP]));
+    double x = Math.max(box[ObstacleTable.LEFT], Math.min(cx, box[ObstacleTable.RIGHT]));
+    double y = Math.max(box[ObstacleTable.BOTTOM], Math.min(cy, box[ObstacleTable.TOP]));
     boolean inside = x == cx && y == cy;
     return inside ? r > 0 || isInside(box, x, y) : Predicates.gap(cx, cy, x, y, r, 0) < 0;
   }
 
   private static boolean isInside(double[] box, double x, double y) {
-    return x > box[Obstacles.LEFT]
-        && x < box[Obstacles.RIGHT]
-        && y > box[Obstacles.BOTTOM]
-        && y < box[Obstacles.TOP];
+    return x > box[ObstacleTable.LEFT]
+        && x < box[ObstacleTable.RIGHT]
+        && y > box[ObstacleTable.BOTTOM]
+        && y < box[ObstacleTable.TOP];
   }
 
   /**
@@ -167,21 +170,21 @@ public final class Proximity {
    * the line itself, with all corners on one side of it.
    */
   private static boolean overlapsLine(double[] lines, int k, double[] box) {
-    double ax = lines[k + Obstacles.AX];
-    double ay = lines[k + Obstacles.AY];
-    double bx = lines[k + Obstacles.BX];
-    double by = lines[k + Obstacles.BY];
-    if (Math.max(ax, bx) <= box[Obstacles.LEFT]
-        || Math.min(ax, bx) >= box[Obstacles.RIGHT]
-        || Math.max(ay, by) <= box[Obstacles.BOTTOM]
-        || Math.min(ay, by) >= box[Obstacles.TOP]) {
+    double ax = lines[k + ObstacleTable.AX];
+    double ay = lines[k + ObstacleTable.AY];
+    double bx = lines[k + ObstacleTable.BX];
+    double by = lines[k + ObstacleTable.BY];
+    if (Math.max(ax, bx) <= box[ObstacleTable.LEFT]
+        || Math.min(ax, bx) >= box[ObstacleTable.RIGHT]
+        || Math.max(ay, by) <= box[ObstacleTable.BOTTOM]
+        || Math.min(ay, by) >= box[ObstacleTable.TOP]) {
       return false;
     }
     int left = 0;
     int right = 0;
     for (int corner = 0; corner < 4; corner++) {
-      double x = box[corner % 2 == 0 ? Obstacles.LEFT : Obstacles.RIGHT];
-      double y = box[corner / 2 == 0 ? Obstacles.BOTTOM : Obstacles.TOP];
+      double x = box[corner % 2 == 0 ? ObstacleTable.LEFT : ObstacleTable.RIGHT];
+      double y = box[corner / 2 == 0 ? ObstacleTable.BOTTOM : ObstacleTable.TOP];
       int side = Predicates.cross(bx, by, ax, ay, x, y, ax, ay);
       left += side > 0 ? 1 : 0;
       right += side < 0 ? 1 : 0;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.query;
 
-import dev.carom.internal.exact.ExactWork;
+import dev.carom.internal.exact.ExactBudget;
 import dev.carom.internal.response.ObstacleResponse;
-import dev.carom.internal.search.BroadSearch;
+import dev.carom.internal.search.BroadPhase;
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.state.ImpactRows;
-import dev.carom.internal.state.Mover;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.DoubleList;
 
 /** Follows one circle among things that stand still, with all its bounces. */
 public final class Tracer {
 
-  private final Obstacles obstacles;
-  private final BroadSearch search;
+  private final ObstacleTable obstacles;
+  private final BroadPhase search;
   private final ObstacleResponse response;
 
   /** What is written where sensors are passed over. */
@@ -24,7 +24,7 @@ public final class Tracer {
   /** Where the circle's obstacles are listed, or null to ask them all. */
   private final Grid grid;
 
-  public Tracer(Obstacles obstacles, BroadSearch search, Grid grid) {
+  public Tracer(ObstacleTable obstacles, BroadPhase search, Grid grid) {
     this.obstacles = obstacles;
     this.search = search;
     this.grid = grid;
@@ -37,7 +37,7 @@ public final class Tracer {
    *
    * @param mover at the start; it must stay as it is found
    */
-  public Candidate first(Mover mover, double T) {
+  public Candidate first(MovingCircle mover, double T) {
     if (!search.cast(mover, grid, T)) {
       return null;
     }
@@ -50,12 +50,12 @@ public final class Tracer {
   }
 
   /** Where a search found an impact. */
-  private Hit hit(Mover m, int code, double t) {
-    if (code < Obstacles.WALLS) {
+  private Hit hit(MovingCircle m, int code, double t) {
+    if (code < ObstacleTable.WALLS) {
       return Hit.ofWall(m.x, m.y, m.vx, m.vy, code, obstacles.walls[code], t);
     }
     int k = obstacles.offset(code);
-    if (code < Obstacles.PEGS) {
+    if (code < ObstacleTable.PEGS) {
       double[] l = obstacles.lines;
       return Hit.ofLine(
           m.x,
@@ -63,10 +63,10 @@ public final class Tracer {
           m.radius,
           m.vx,
           m.vy,
-          l[k + Obstacles.AX],
-          l[k + Obstacles.AY],
-          l[k + Obstacles.BX],
-          l[k + Obstacles.BY],
+          l[k + ObstacleTable.AX],
+          l[k + ObstacleTable.AY],
+          l[k + ObstacleTable.BX],
+          l[k + ObstacleTable.BY],
           m.contact,
           t);
     }
@@ -77,9 +77,9 @@ public final class Tracer {
         m.radius,
         m.vx,
         m.vy,
-        p[k + Obstacles.X],
-        p[k + Obstacles.Y],
-        p[k + Obstacles.RADIUS],
+        p[k + ObstacleTable.X],
+        p[k + ObstacleTable.Y],
+        p[k + ObstacleTable.RADIUS],
         0,
         0,
         m.contact,
@@ -91,11 +91,11 @@ public final class Tracer {
    *
    * @param most impacts at which the way ends unfinished
    */
-  public TracedPath trace(Mover mover, double duration, int bounces, int most) {
+  public TracedPath trace(MovingCircle mover, double duration, int bounces, int most) {
     DoubleList flights = new DoubleList();
     ImpactRows impacts = new ImpactRows(1);
     add(mover, flights);
-    ExactWork work = ExactWork.ofThread();
+    ExactBudget work = ExactBudget.ofThread();
     long before = work.bits();
     while (next(mover, duration)) {
       int count = impacts.size();
@@ -112,13 +112,13 @@ public final class Tracer {
   }
 
   /** Looks for the next impact, past sensors; false if there is none until the given time. */
-  private boolean next(Mover mover, double end) {
+  private boolean next(MovingCircle mover, double end) {
     search.extend(mover, grid, end - mover.t);
     while (mover.due() <= end && mover.cleared < Double.POSITIVE_INFINITY) {
-      if (mover.next != Mover.NOTHING && !obstacles.isSensor(mover.next)) {
+      if (mover.next != MovingCircle.NOTHING && !obstacles.isSensor(mover.next)) {
         return true;
       }
-      if (mover.next != Mover.NOTHING) {
+      if (mover.next != MovingCircle.NOTHING) {
         passed.clear();
         response.resolve(mover, passed);
       }
@@ -127,7 +127,7 @@ public final class Tracer {
     return false;
   }
 
-  private static void add(Mover m, DoubleList flights) {
+  private static void add(MovingCircle m, DoubleList flights) {
     flights.add(m.t, m.x, m.y, m.vx, m.vy);
   }
 }

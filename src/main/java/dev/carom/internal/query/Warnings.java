@@ -2,9 +2,9 @@
 package dev.carom.internal.query;
 
 import dev.carom.internal.exact.Predicates;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
-import dev.carom.internal.state.Traits;
 import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -25,7 +25,7 @@ public final class Warnings {
   private static final List<String> WALLS = List.of("left", "right", "bottom", "top");
 
   private final SceneData scene;
-  private final Obstacles obstacles;
+  private final ObstacleTable obstacles;
   private final Proximity proximity;
   private final List<String> texts = new ArrayList<>();
 
@@ -34,7 +34,7 @@ public final class Warnings {
 
   private Warnings(SceneData scene) {
     this.scene = scene;
-    obstacles = Obstacles.of(scene);
+    obstacles = ObstacleTable.of(scene);
     proximity = new Proximity(obstacles);
   }
 
@@ -55,10 +55,10 @@ public final class Warnings {
       lookAtWalls(i);
     }
     CircleTree tree = new CircleTree(scene.circles, from, to);
-    for (int code = Obstacles.WALLS; code < obstacles.endOfLines; code++) {
+    for (int code = ObstacleTable.WALLS; code < obstacles.endOfLines; code++) {
       lookAtLine(code, tree);
     }
-    for (int code = Obstacles.PEGS; code < obstacles.endOfPegs; code++) {
+    for (int code = ObstacleTable.PEGS; code < obstacles.endOfPegs; code++) {
       lookAtPeg(code, tree);
     }
     for (int j = from; scene.collide && j < scene.circleCount(); j++) {
@@ -78,7 +78,7 @@ public final class Warnings {
     if (scene.walls == null || isInside(i)) {
       return;
     }
-    for (int wall = 0; wall < Obstacles.WALLS; wall++) {
+    for (int wall = 0; wall < ObstacleTable.WALLS; wall++) {
       if (proximity.overlaps(wall, scene.x(i), scene.y(i), scene.radius(i))) {
         keep(i, wall);
       }
@@ -91,10 +91,10 @@ public final class Warnings {
     double y = scene.y(i);
     double r = scene.radius(i);
     double[] w = scene.walls;
-    return x - r > w[Obstacles.LEFT]
-        && x + r < w[Obstacles.RIGHT]
-        && y - r > w[Obstacles.BOTTOM]
-        && y + r < w[Obstacles.TOP];
+    return x - r > w[ObstacleTable.LEFT]
+        && x + r < w[ObstacleTable.RIGHT]
+        && y - r > w[ObstacleTable.BOTTOM]
+        && y + r < w[ObstacleTable.TOP];
   }
 
   private void lookAtLine(int code, CircleTree tree) {
@@ -102,10 +102,10 @@ public final class Warnings {
       return;
     }
     int k = obstacles.offset(code);
-    double ax = scene.lines[k + Obstacles.AX];
-    double ay = scene.lines[k + Obstacles.AY];
-    double bx = scene.lines[k + Obstacles.BX];
-    double by = scene.lines[k + Obstacles.BY];
+    double ax = scene.lines[k + ObstacleTable.AX];
+    double ay = scene.lines[k + ObstacleTable.AY];
+    double bx = scene.lines[k + ObstacleTable.BX];
+    double by = scene.lines[k + ObstacleTable.BY];
     boolean oneWay = obstacles.isOneWay(code);
     tree.nearLine(
         ax,
@@ -125,9 +125,9 @@ public final class Warnings {
   private void lookAtPeg(int code, CircleTree tree) {
     if (!obstacles.isSensor(code)) {
       int k = obstacles.offset(code);
-      double x = scene.pegs[k + Obstacles.X];
-      double y = scene.pegs[k + Obstacles.Y];
-      double r = scene.pegs[k + Obstacles.RADIUS];
+      double x = scene.pegs[k + ObstacleTable.X];
+      double y = scene.pegs[k + ObstacleTable.Y];
+      double r = scene.pegs[k + ObstacleTable.RADIUS];
       tree.nearDisk(
           x,
           y,
@@ -151,7 +151,7 @@ public final class Warnings {
           r,
           i -> {
             if (i < j && !passes(i, j) && overlaps(x, y, r, i)) {
-              keep(i, Obstacles.CIRCLES + j);
+              keep(i, ObstacleTable.CIRCLES + j);
             }
           });
     }
@@ -163,7 +163,7 @@ public final class Warnings {
   }
 
   private boolean isSensor(int i) {
-    return Traits.isSensor(Traits.of(scene.circleTraits, i));
+    return ContactFlags.isSensor(ContactFlags.of(scene.circleTraits, i));
   }
 
   /** Whether two circles go through each other. */
@@ -174,25 +174,25 @@ public final class Warnings {
   /** What is told of a circle and what it overlaps. */
   public static String text(SceneData scene, int i, int code) {
     double r = scene.radius(i);
-    if (code < Obstacles.WALLS) {
+    if (code < ObstacleTable.WALLS) {
       String wall = "the " + WALLS.get(code) + " wall";
       return text(i, wall, distanceFromWall(scene, i, code), r, "its radius");
     }
-    if (code < Obstacles.PEGS) {
-      String line = Kind.nameOf(Kind.LINE, code - Obstacles.WALLS);
-      int k = code * Obstacles.LINE_ROW;
+    if (code < ObstacleTable.PEGS) {
+      String line = Kind.nameOf(Kind.LINE, code - ObstacleTable.WALLS);
+      int k = code * ObstacleTable.LINE_ROW;
       double distance = Proximity.distanceFromLine(scene.lines, k, scene.x(i), scene.y(i));
       return text(i, line, distance, r, "its radius");
     }
-    if (code < Obstacles.CIRCLES) {
-      int id = code - Obstacles.PEGS;
-      int k = id * Obstacles.PEG_ROW;
+    if (code < ObstacleTable.CIRCLES) {
+      int id = code - ObstacleTable.PEGS;
+      int k = id * ObstacleTable.PEG_ROW;
       double distance =
-          distance(scene, i, scene.pegs[k + Obstacles.X], scene.pegs[k + Obstacles.Y]);
-      double sum = r + scene.pegs[k + Obstacles.RADIUS];
+          distance(scene, i, scene.pegs[k + ObstacleTable.X], scene.pegs[k + ObstacleTable.Y]);
+      double sum = r + scene.pegs[k + ObstacleTable.RADIUS];
       return text(i, Kind.nameOf(Kind.PEG, id), distance, sum, "the sum of both radii");
     }
-    int j = code - Obstacles.CIRCLES;
+    int j = code - ObstacleTable.CIRCLES;
     double distance = distance(scene, i, scene.x(j), scene.y(j));
     double sum = r + scene.radius(j);
     return text(i, Kind.nameOf(Kind.CIRCLE, j), distance, sum, "the sum of both radii");
@@ -203,7 +203,7 @@ public final class Warnings {
   }
 
   private static double distanceFromWall(SceneData scene, int i, int wall) {
-    double p = wall <= Obstacles.RIGHT ? scene.x(i) : scene.y(i);
+    double p = wall <= ObstacleTable.RIGHT ? scene.x(i) : scene.y(i);
     boolean isLower = (wall & 1) == 0;
     return isLower ? p - scene.walls[wall] : scene.walls[wall] - p;
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.queue;
 
-import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.util.Index;
 import java.util.Arrays;
 
 /**
- * The few events of an {@link EventQueue} that are next, as a heap: of each circle one at most,
+ * The few events of an {@link CalendarQueue} that are next, as a heap: of each circle one at most,
  * found by its place. What orders an event must not change while it is here.
  */
 final class EventHeap {
@@ -34,11 +34,11 @@ final class EventHeap {
   }
 
   private int place(int i) {
-    return codes[Circles.collidingCodesAt(i) + Circles.PLACE];
+    return codes[CircleTable.collidingCodesAt(i) + CircleTable.PLACE];
   }
 
   private void setPlace(int i, int place) {
-    codes[Circles.collidingCodesAt(i) + Circles.PLACE] = place;
+    codes[CircleTable.collidingCodesAt(i) + CircleTable.PLACE] = place;
   }
 
   boolean isEmpty() {

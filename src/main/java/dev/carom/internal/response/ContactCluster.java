@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.response;
 
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
-import dev.carom.internal.state.Jam;
-import dev.carom.internal.state.Mover;
-import dev.carom.internal.state.Obstacles;
-import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
@@ -42,10 +42,10 @@ public final class ContactCluster {
     int[] circlesNear(int i);
 
     /** A circle in flight, a copy. */
-    Mover copyOf(int i);
+    MovingCircle copyOf(int i);
 
     /** A superset of the codes of the obstacles that touch a circle where it is, in any order. */
-    int[] obstaclesNear(Mover m);
+    int[] obstaclesNear(MovingCircle m);
   }
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;
@@ -53,22 +53,22 @@ public final class ContactCluster {
   /** A touch of member a, with member b or an obstacle. */
   private record Contact(int a, int b, Touch touch) {}
 
-  private final Roster roster;
+  private final CircleRegistry roster;
   private final PairResponse pairs;
   private final ObstacleResponse response;
-  private final Obstacles obstacles;
+  private final ObstacleTable obstacles;
   private final Vicinity vicinity;
 
   /** Circles of finite mass that touch each other, and those of infinite mass that touch them. */
-  private final List<Mover> members = new ArrayList<>();
+  private final List<MovingCircle> members = new ArrayList<>();
 
   private final List<Contact> contacts = new ArrayList<>();
 
   public ContactCluster(
-      Roster roster,
+      CircleRegistry roster,
       PairResponse pairs,
       ObstacleResponse response,
-      Obstacles obstacles,
+      ObstacleTable obstacles,
       Vicinity vicinity) {
     this.roster = roster;
     this.pairs = pairs;
@@ -85,9 +85,9 @@ public final class ContactCluster {
    *     the start of their new flights
    * @return those that were hit and those that changed, at the start of their new flights
    */
-  public Collection<Mover> resolve(ImpactRows log, Mover... hit) {
+  public Collection<MovingCircle> resolve(ImpactRows log, MovingCircle... hit) {
     gather(hit);
-    Set<Mover> changed = new LinkedHashSet<>(List.of(hit));
+    Set<MovingCircle> changed = new LinkedHashSet<>(List.of(hit));
     if (members.size() == 1) {
       return changed; // the impact itself was all
     }
@@ -111,12 +111,12 @@ public final class ContactCluster {
   }
 
   /** Whether one that infinite masses crushed is still overlapped by any of them. */
-  public boolean isCrushed(Mover m) {
+  public boolean isCrushed(MovingCircle m) {
     if (m.jam == null) {
       return false;
     }
     for (int code : m.jam.codes()) {
-      int id = ~code - Obstacles.CIRCLES;
+      int id = ~code - ObstacleTable.CIRCLES;
       if (id >= 0 && Touch.of(m, broughtTo(m, vicinity.copyOf(id))) != null) {
         return true;
       }
@@ -129,18 +129,18 @@ public final class ContactCluster {
   }
 
   /** A circle where it is at the time of another one. */
-  private Mover broughtTo(Mover time, Mover m) {
+  private MovingCircle broughtTo(MovingCircle time, MovingCircle m) {
     double dt = (time.t - m.t) + (time.tl - m.tl);
     m.fly(dt, 0, time.t, time.tl, dt == 0, obstacles.walls);
     m.newFlight();
     return m;
   }
 
-  private void gather(Mover... hit) {
+  private void gather(MovingCircle... hit) {
     members.clear();
     contacts.clear();
     Map<Integer, Integer> numbers = new HashMap<>();
-    for (Mover m : hit) {
+    for (MovingCircle m : hit) {
       m.crushed = isCrushed(m);
       numbers.put(m.id, members.size());
       members.add(m);
@@ -154,7 +154,7 @@ public final class ContactCluster {
   }
 
   private void addObstacles(int k) {
-    Mover m = members.get(k);
+    MovingCircle m = members.get(k);
     for (int code : vicinity.obstaclesNear(m)) {
       Touch touch = obstacles.isSensor(code) ? null : Touch.of(m, obstacles, code);
       if (touch != null) {
@@ -164,10 +164,10 @@ public final class ContactCluster {
   }
 
   private void addCircles(int k, Map<Integer, Integer> numbers) {
-    Mover m = members.get(k);
+    MovingCircle m = members.get(k);
     int[] near = IntStream.of(vicinity.circlesNear(m.id)).sorted().distinct().toArray();
     for (int id : near) {
-      boolean passesOver = m.jam != null && m.jam.isCrushedBy(Obstacles.CIRCLES + id);
+      boolean passesOver = m.jam != null && m.jam.isCrushedBy(ObstacleTable.CIRCLES + id);
       if (id != m.id && !pairs.isSensor(id, m.id) && !passesOver) {
         addCircle(k, id, numbers);
       }
@@ -175,9 +175,9 @@ public final class ContactCluster {
   }
 
   private void addCircle(int k, int id, Map<Integer, Integer> numbers) {
-    Mover m = members.get(k);
+    MovingCircle m = members.get(k);
     Integer known = numbers.get(id);
-    Mover other = known != null ? members.get(known) : broughtTo(m, vicinity.copyOf(id));
+    MovingCircle other = known != null ? members.get(known) : broughtTo(m, vicinity.copyOf(id));
     if (known == null) {
       other.crushed = isCrushed(other);
     } else if (known < k && pairs.mass(other) < INFINITE) {
@@ -196,7 +196,7 @@ public final class ContactCluster {
   private InelasticShock shock() {
     InelasticShock shock = new InelasticShock(members.size(), contacts.size());
     for (int i = 0; i < members.size(); i++) {
-      Mover m = members.get(i);
+      MovingCircle m = members.get(i);
       shock.setCircle(i, m.vx, m.vy, pairs.mass(m));
     }
     for (Contact c : contacts) {
@@ -206,7 +206,7 @@ public final class ContactCluster {
   }
 
   /** Stops the circles that infinite masses touch, and lets those pass over them. */
-  private boolean crush(Set<Mover> changed, ImpactRows log, Mover... hit) {
+  private boolean crush(Set<MovingCircle> changed, ImpactRows log, MovingCircle... hit) {
     List<Contact> ofInfinite =
         contacts.stream()
             .filter(c -> c.b != InelasticShock.OBSTACLE && isInfinite(members.get(c.b).id))
@@ -217,11 +217,11 @@ public final class ContactCluster {
       }
     }
     for (Contact c : ofInfinite) {
-      Mover m = members.get(c.a);
+      MovingCircle m = members.get(c.a);
       m.vx = 0;
       m.vy = 0;
-      m.last = Mover.NOTHING;
-      m.jam = Jam.crushedBy(m.jam, c.touch.code());
+      m.last = MovingCircle.NOTHING;
+      m.jam = IgnoreList.crushedBy(m.jam, c.touch.code());
       m.crushed = true;
       changed.add(m);
     }
@@ -229,36 +229,36 @@ public final class ContactCluster {
   }
 
   /** Whether a contact is the impact in hand, which the log has by now. */
-  private boolean isHit(Contact c, Mover... hit) {
+  private boolean isHit(Contact c, MovingCircle... hit) {
     boolean isFirst = members.get(c.a) == hit[0];
     return isFirst && (hit.length == 1 ? c.touch.code() == hit[0].last : c.b == 1);
   }
 
   private void report(Contact c, ImpactRows log) {
-    Mover a = members.get(c.a);
+    MovingCircle a = members.get(c.a);
     if (c.b == InelasticShock.OBSTACLE) {
       response.report(a, c.touch, log);
     } else {
-      Mover b = members.get(c.b);
+      MovingCircle b = members.get(c.b);
       pairs.report(a.id < b.id ? a : b, a.id < b.id ? b : a, log);
     }
     log.setOutcome(ImpactRows.JAMMED);
   }
 
-  private void change(InelasticShock shock, Set<Mover> changed) {
+  private void change(InelasticShock shock, Set<MovingCircle> changed) {
     for (int i = 0; i < members.size(); i++) {
-      Mover m = members.get(i);
+      MovingCircle m = members.get(i);
       if (pairs.mass(m) < INFINITE && (m.vx != shock.vx(i) || m.vy != shock.vy(i))) {
         m.vx = shock.vx(i);
         m.vy = shock.vy(i);
         ObstacleResponse.stopsBeyondRange(m);
-        m.last = Mover.NOTHING;
+        m.last = MovingCircle.NOTHING;
         changed.add(m);
       }
     }
-    for (Mover m : changed) {
+    for (MovingCircle m : changed) {
       StuckRule.notePace(m, shock.speed());
-      m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
+      m.jam = IgnoreList.ofCircles(m.jam, ObstacleTable.CIRCLES);
     }
     for (int k = 0; k < contacts.size(); k++) {
       if (shock.isFaint(k)) {
@@ -267,22 +267,22 @@ public final class ContactCluster {
     }
   }
 
-  private void makeInert(Contact c, Set<Mover> changed) {
-    Mover a = members.get(c.a);
-    a.jam = Jam.with(a.jam, c.touch.code());
+  private void makeInert(Contact c, Set<MovingCircle> changed) {
+    MovingCircle a = members.get(c.a);
+    a.jam = IgnoreList.with(a.jam, c.touch.code());
     changed.add(a);
-    if (c.touch.code() < Obstacles.WALLS) {
+    if (c.touch.code() < ObstacleTable.WALLS) {
       stopAtWall(a, c.touch);
     }
     if (c.b != InelasticShock.OBSTACLE) {
-      Mover b = members.get(c.b);
-      b.jam = Jam.with(b.jam, Obstacles.CIRCLES + a.id);
+      MovingCircle b = members.get(c.b);
+      b.jam = IgnoreList.with(b.jam, ObstacleTable.CIRCLES + a.id);
       changed.add(b);
     }
   }
 
   /** What little approach is left would add up, for the wall is inert from now on. */
-  private static void stopAtWall(Mover m, Touch wall) {
+  private static void stopAtWall(MovingCircle m, Touch wall) {
     if (m.vx * wall.nx() < 0) {
       m.vx = 0;
     }
@@ -292,12 +292,12 @@ public final class ContactCluster {
   }
 
   /** Lets all go on with the velocity of their common momentum, or stop where any is held. */
-  private void joinAll(Set<Mover> changed) {
+  private void joinAll(Set<MovingCircle> changed) {
     boolean held = contacts.stream().anyMatch(c -> c.b == InelasticShock.OBSTACLE);
     double mass = 0;
     double vx = 0;
     double vy = 0;
-    for (Mover m : members) {
+    for (MovingCircle m : members) {
       double own = pairs.mass(m);
       held |= own == INFINITE;
       mass += own;
@@ -305,12 +305,12 @@ public final class ContactCluster {
       vx = (1 - own / mass) * vx + own / mass * m.vx;
       vy = (1 - own / mass) * vy + own / mass * m.vy;
     }
-    for (Mover m : members) {
+    for (MovingCircle m : members) {
       if (pairs.mass(m) < INFINITE) {
         m.vx = held ? 0 : vx;
         m.vy = held ? 0 : vy;
-        m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
-        m.last = Mover.NOTHING;
+        m.jam = IgnoreList.ofCircles(m.jam, ObstacleTable.CIRCLES);
+        m.last = MovingCircle.NOTHING;
         changed.add(m);
       }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.response;
 
-import dev.carom.internal.exact.ExactWork;
+import dev.carom.internal.exact.ExactBudget;
 import java.util.Arrays;
 
 /**
@@ -130,7 +130,7 @@ public final class InelasticShock {
         resolved = true;
         most = step + step / 4 + 4; // what comes to rest, does so to the last place
       }
-      ExactWork.addRelaxations(2 * contacts);
+      ExactBudget.addRelaxations(2 * contacts);
       if (isProportional(shortStep)) {
         descend(shortStep);
       } else {

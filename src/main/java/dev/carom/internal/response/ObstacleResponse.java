@@ -3,10 +3,10 @@ package dev.carom.internal.response;
 
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.UnitVector;
+import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
-import dev.carom.internal.state.Jam;
-import dev.carom.internal.state.Mover;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.DiskSweep;
@@ -55,7 +55,7 @@ public final class ObstacleResponse {
   /** A normal is so many binary places above 1 for slow motion, whose own places may be few. */
   private static final int SLOW = 60;
 
-  private final Obstacles obstacles;
+  private final ObstacleTable obstacles;
   private final Impulse impulse = new Impulse();
 
   /** Where the flight started that ends in the impact in hand. */
@@ -69,7 +69,7 @@ public final class ObstacleResponse {
   private double nx;
   private double ny;
 
-  public ObstacleResponse(Obstacles obstacles) {
+  public ObstacleResponse(ObstacleTable obstacles) {
     this.obstacles = obstacles;
   }
 
@@ -79,7 +79,7 @@ public final class ObstacleResponse {
    *
    * @return what it leads to: SENSED, NEW_FLIGHT or STUCK
    */
-  public int resolve(Mover m, ImpactRows log) {
+  public int resolve(MovingCircle m, ImpactRows log) {
     int code = m.next;
     if (obstacles.isSensor(code)) {
       sense(m, code, log);
@@ -96,7 +96,8 @@ public final class ObstacleResponse {
     StuckRule.count(m, way, speed, approach, e, StuckRule.ELASTIC);
     boolean stuck = StuckRule.isStuck(m);
     boolean faint = stuck && StuckRule.isFaint(m, approach);
-    m.jam = faint ? Jam.with(m.jam, code) : Jam.ofCircles(m.jam, Obstacles.CIRCLES);
+    m.jam =
+        faint ? IgnoreList.with(m.jam, code) : IgnoreList.ofCircles(m.jam, ObstacleTable.CIRCLES);
     if (stuck || e == 0) {
       boolean back = turnsBack(m, way, approach);
       change(m, code, vn, 0, log);
@@ -118,7 +119,7 @@ public final class ObstacleResponse {
   }
 
   /** Changes the velocity of a circle that approaches. */
-  private void change(Mover m, int code, double vn, double e, ImpactRows log) {
+  private void change(MovingCircle m, int code, double vn, double e, ImpactRows log) {
     if (vn < 0) {
       reflect(m, code, e);
       if (stopsBeyondRange(m)) {
@@ -133,7 +134,7 @@ public final class ObstacleResponse {
    * Whether an impact without bounce turns a velocity back, after another one at the same place
    * turned it the other way; keeps which way.
    */
-  private boolean turnsBack(Mover m, double way, double approach) {
+  private boolean turnsBack(MovingCircle m, double way, double approach) {
     if (StuckRule.isFaint(m, approach)) {
       return false;
     }
@@ -144,7 +145,7 @@ public final class ObstacleResponse {
   }
 
   /** Writes that a mover meets a sensor; the flight goes on, and is known up to there. */
-  private void sense(Mover m, int code, ImpactRows log) {
+  private void sense(MovingCircle m, int code, ImpactRows log) {
     startX = m.x;
     startY = m.y;
     m.x = Math.fma(m.vx, m.cleared, m.x);
@@ -153,12 +154,12 @@ public final class ObstacleResponse {
     log.setOutcome(ImpactRows.SENSED);
     m.x = startX;
     m.y = startY;
-    m.next = Mover.NOTHING;
+    m.next = MovingCircle.NOTHING;
     m.contact = code;
   }
 
   /** Writes that a mover is in contact with an obstacle. */
-  void report(Mover m, Touch touch, ImpactRows log) {
+  void report(MovingCircle m, Touch touch, ImpactRows log) {
     startX = m.x;
     startY = m.y;
     m.contact = touch.contact();
@@ -167,7 +168,7 @@ public final class ObstacleResponse {
   }
 
   /** Writes an impact of a mover that stands where it touches, and returns v.n. */
-  private double report(Mover m, int code, double time, ImpactRows log) {
+  private double report(MovingCircle m, int code, double time, ImpactRows log) {
     locate(m, code);
     double vn = dot(m.vx, m.vy, nx, ny);
     log.add(
@@ -180,12 +181,12 @@ public final class ObstacleResponse {
     return vn;
   }
 
-  private void reflect(Mover m, int code, double e) {
-    if (code >= Obstacles.WALLS) {
+  private void reflect(MovingCircle m, int code, double e) {
+    if (code >= ObstacleTable.WALLS) {
       impulse.of(1 + e, m.vx, m.vy, nx, ny);
       m.vx = impulse.less(m.vx, nx);
       m.vy = impulse.less(m.vy, ny);
-    } else if (code <= Obstacles.RIGHT) {
+    } else if (code <= ObstacleTable.RIGHT) {
       m.vx = -e * m.vx + 0.0; // + 0 turns -0 into 0
     } else {
       m.vy = -e * m.vy + 0.0;
@@ -193,7 +194,7 @@ public final class ObstacleResponse {
   }
 
   /** Stops a circle that an impact would make faster than doubles can tell. */
-  public static boolean stopsBeyondRange(Mover m) {
+  public static boolean stopsBeyondRange(MovingCircle m) {
     if (Math.abs(m.vx) <= Double.MAX_VALUE && Math.abs(m.vy) <= Double.MAX_VALUE) {
       return false;
     }
@@ -203,20 +204,20 @@ public final class ObstacleResponse {
   }
 
   /** Finds the contact point and the normal. */
-  private void locate(Mover m, int code) {
-    if (code < Obstacles.WALLS) {
+  private void locate(MovingCircle m, int code) {
+    if (code < ObstacleTable.WALLS) {
       locateOnWall(m, code);
-    } else if (code < Obstacles.PEGS) {
+    } else if (code < ObstacleTable.PEGS) {
       locateOnLine(m, obstacles.offset(code));
     } else {
       locateOnPeg(m, obstacles.offset(code));
     }
   }
 
-  private void locateOnWall(Mover m, int code) {
+  private void locateOnWall(MovingCircle m, int code) {
     double wall = obstacles.walls[code];
     int inwards = 1 - 2 * (code & 1); // the lower wall of an axis has the even code
-    if (code <= Obstacles.RIGHT) {
+    if (code <= ObstacleTable.RIGHT) {
       nx = inwards;
       ny = 0;
       contactX = wall;
@@ -229,20 +230,20 @@ public final class ObstacleResponse {
     }
   }
 
-  private void locateOnLine(Mover m, int k) {
+  private void locateOnLine(MovingCircle m, int k) {
     double[] lines = obstacles.lines;
     int contact = m.contact & ~Contact.NOW;
     if (contact >= Contact.START) {
       // Which end it is, no processor can foretell: its place is computed.
-      int end = (contact - Contact.START) * Obstacles.END;
-      int other = Obstacles.END - end;
+      int end = (contact - Contact.START) * ObstacleTable.END;
+      int other = ObstacleTable.END - end;
       locateOnEnd(m, lines[k + end], lines[k + end + 1], lines[k + other], lines[k + other + 1]);
       return;
     }
-    double ax = lines[k + Obstacles.AX];
-    double ay = lines[k + Obstacles.AY];
-    double bx = lines[k + Obstacles.BX];
-    double by = lines[k + Obstacles.BY];
+    double ax = lines[k + ObstacleTable.AX];
+    double ay = lines[k + ObstacleTable.AY];
+    double bx = lines[k + ObstacleTable.BX];
+    double by = lines[k + ObstacleTable.BY];
     if (contact == Contact.LEFT) {
       locateOnSide(m, ax, ay, bx, by, ay, bx, by, ax);
     } else {
@@ -254,7 +255,7 @@ public final class ObstacleResponse {
    * An end of a line, the other one being o. A point particle has no offset from it: its normal is
    * the limit from before, that of the side where it came along that.
    */
-  private void locateOnEnd(Mover m, double x, double y, double ox, double oy) {
+  private void locateOnEnd(MovingCircle m, double x, double y, double ox, double oy) {
     locateAt(m, x, y, 0);
     if (m.radius == 0 && Predicates.dot(m.vx, m.vy, 0, 0, ox, oy, x, y) < 0) {
       boolean left = Predicates.cross(m.vx, m.vy, 0, 0, ox, oy, x, y) > 0;
@@ -271,7 +272,7 @@ public final class ObstacleResponse {
    * (c - a).w / w.w.
    */
   private void locateOnSide(
-      Mover m,
+      MovingCircle m,
       double ax,
       double ay,
       double bx,
@@ -293,19 +294,19 @@ public final class ObstacleResponse {
     normal(m, px, py, qx, qy);
   }
 
-  private void locateOnPeg(Mover m, int k) {
+  private void locateOnPeg(MovingCircle m, int k) {
     locateAt(
         m,
-        obstacles.pegs[k + Obstacles.X],
-        obstacles.pegs[k + Obstacles.Y],
-        obstacles.pegs[k + Obstacles.RADIUS]);
+        obstacles.pegs[k + ObstacleTable.X],
+        obstacles.pegs[k + ObstacleTable.Y],
+        obstacles.pegs[k + ObstacleTable.RADIUS]);
   }
 
   /**
    * n is the offset from (cx, cy) to the centre; that of two points is the limit from before, -v;
    * where the offset is lost in the rounding of the centre, it is the detector's normal.
    */
-  private void locateAt(Mover m, double cx, double cy, double radius) {
+  private void locateAt(MovingCircle m, double cx, double cy, double radius) {
     double share = Coordinates.share(radius, m.radius);
     contactX = Coordinates.between(share, cx, Coordinates.within(m.x));
     contactY = Coordinates.between(share, cy, Coordinates.within(m.y));
@@ -330,15 +331,15 @@ public final class ObstacleResponse {
    * has places that the rounded centre lacks. Without them its direction would be wrong by a
    * rounding of the coordinates over the radius, and so would be the new velocity's.
    */
-  private void offset(Mover m, double cx, double cy) {
+  private void offset(MovingCircle m, double cx, double cy) {
     if (normal(m, m.x, m.y, cx, cy) == 0) {
-      nx += Mover.lack(startX, m.vx, m.cleared, m.x);
-      ny += Mover.lack(startY, m.vy, m.cleared, m.y);
+      nx += MovingCircle.lack(startX, m.vx, m.cleared, m.x);
+      ny += MovingCircle.lack(startY, m.vy, m.cleared, m.y);
     }
   }
 
   /** Keeps the normal p - q; returns by which power of two it was divided. */
-  private int normal(Mover m, double px, double py, double qx, double qy) {
+  private int normal(MovingCircle m, double px, double py, double qx, double qy) {
     double speed = Math.max(Math.abs(m.vx), Math.abs(m.vy));
     int exponent = exponent(px, py, qx, qy, speed);
     // + 0 turns -0 into 0.

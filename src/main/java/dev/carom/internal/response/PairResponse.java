@@ -3,12 +3,12 @@ package dev.carom.internal.response;
 
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
-import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
-import dev.carom.internal.state.Jam;
-import dev.carom.internal.state.Mover;
-import dev.carom.internal.state.Obstacles;
-import dev.carom.internal.state.Roster;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Coordinates;
 
 /**
@@ -28,7 +28,7 @@ public final class PairResponse {
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
-  private final Roster roster;
+  private final CircleRegistry roster;
   private final Impulse impulse = new Impulse();
 
   // The two in hand: 2^fast u, n, and u.n.
@@ -39,14 +39,16 @@ public final class PairResponse {
   private double ny;
   private double un;
 
-  public PairResponse(Roster roster) {
+  public PairResponse(CircleRegistry roster) {
     this.roster = roster;
   }
 
   /** Whether two circles just hit each other and neither changed since, or are jammed together. */
-  public boolean skips(Circles circles, int i, int j) {
-    if (circles.codes[Circles.collidingCodesAt(i) + Circles.LAST] == Obstacles.CIRCLES + j
-        && circles.codes[Circles.collidingCodesAt(j) + Circles.LAST] == Obstacles.CIRCLES + i) {
+  public boolean skips(CircleTable circles, int i, int j) {
+    if (circles.codes[CircleTable.collidingCodesAt(i) + CircleTable.LAST]
+            == ObstacleTable.CIRCLES + j
+        && circles.codes[CircleTable.collidingCodesAt(j) + CircleTable.LAST]
+            == ObstacleTable.CIRCLES + i) {
       return true;
     }
     if (circles.jams == null) {
@@ -59,9 +61,9 @@ public final class PairResponse {
    * Whether two circles are not there for each other: both are jammed to the other, or one of them
    * has infinite mass, crushed the other, and passes over it.
    */
-  public boolean isInert(int i, Jam ofI, int j, Jam ofJ) {
-    int codeI = Obstacles.CIRCLES + i;
-    int codeJ = Obstacles.CIRCLES + j;
+  public boolean isInert(int i, IgnoreList ofI, int j, IgnoreList ofJ) {
+    int codeI = ObstacleTable.CIRCLES + i;
+    int codeJ = ObstacleTable.CIRCLES + j;
     return (ofI != null && ofI.isCrushedBy(codeJ))
         || (ofJ != null && ofJ.isCrushedBy(codeI))
         || (ofI != null && ofJ != null && ofI.makesInert(codeJ) && ofJ.makesInert(codeI));
@@ -71,7 +73,7 @@ public final class PairResponse {
    * Whether a circle that jammed with another, and has just been set on a new flight, approaches or
    * leaves it by more than rounding: then the two are there for each other again.
    */
-  public boolean part(Mover m, Mover other) {
+  public boolean part(MovingCircle m, MovingCircle other) {
     double later = (m.t - other.t) + (m.tl - other.tl);
     double nx = m.x - Math.fma(other.vx, later, other.x);
     double ny = m.y - Math.fma(other.vy, later, other.y);
@@ -80,7 +82,7 @@ public final class PairResponse {
     return !StuckRule.isFaint(m, approach) && !StuckRule.isFaint(other, approach);
   }
 
-  private static double speeds(Mover a, Mover b) {
+  private static double speeds(MovingCircle a, MovingCircle b) {
     return Math.abs(a.vx) + Math.abs(a.vy) + Math.abs(b.vx) + Math.abs(b.vy);
   }
 
@@ -89,7 +91,7 @@ public final class PairResponse {
    * meet that stands still. Sensors come first of all, since they change nothing.
    */
   public long rank(int i, int j) {
-    long rank = (long) (Obstacles.CIRCLES + i) << 31 | j;
+    long rank = (long) (ObstacleTable.CIRCLES + i) << 31 | j;
     return isSilent(i, j) ? rank - Long.MAX_VALUE : rank;
   }
 
@@ -115,12 +117,12 @@ public final class PairResponse {
 
   /**
    * Changes the velocities of two circles in contact, the lower number first, and writes the log.
-   * Where one is a sensor, or both have infinite mass, it only writes. A {@linkplain Mover#crushed
-   * crushed} circle stands like one of infinite mass.
+   * Where one is a sensor, or both have infinite mass, it only writes. A {@linkplain
+   * MovingCircle#crushed crushed} circle stands like one of infinite mass.
    *
    * @return what it leads to, as {@link ObstacleResponse#resolve} tells
    */
-  public int resolve(Mover a, Mover b, ImpactRows log) {
+  public int resolve(MovingCircle a, MovingCircle b, ImpactRows log) {
     report(a, b, log);
     if (isSilent(a.id, b.id)) {
       log.setOutcome(isSensor(a.id, b.id) ? ImpactRows.SENSED : ImpactRows.PASSED);
@@ -148,8 +150,8 @@ public final class PairResponse {
       log.setOutcome(ImpactRows.JAMMED);
     }
     if (faint) {
-      a.jam = Jam.with(a.jam, Obstacles.CIRCLES + b.id);
-      b.jam = Jam.with(b.jam, Obstacles.CIRCLES + a.id);
+      a.jam = IgnoreList.with(a.jam, ObstacleTable.CIRCLES + b.id);
+      b.jam = IgnoreList.with(b.jam, ObstacleTable.CIRCLES + a.id);
     }
     beginFlight(a, b);
     beginFlight(b, a);
@@ -157,27 +159,27 @@ public final class PairResponse {
   }
 
   /** Another infinite mass comes to a circle that one crushed. */
-  private static void passOverCrushed(Mover m, Mover other) {
+  private static void passOverCrushed(MovingCircle m, MovingCircle other) {
     if (m.crushed) {
-      m.jam = Jam.crushedBy(m.jam, Obstacles.CIRCLES + other.id);
+      m.jam = IgnoreList.crushedBy(m.jam, ObstacleTable.CIRCLES + other.id);
     }
     beginFlight(m, other);
   }
 
   /** The mass with which a circle is hit. */
-  double mass(Mover m) {
+  double mass(MovingCircle m) {
     return m.crushed ? INFINITE : roster.mass(m.id);
   }
 
-  private static boolean isStuck(Mover m) {
+  private static boolean isStuck(MovingCircle m) {
     return !m.crushed && StuckRule.isStuck(m);
   }
 
-  private static boolean isFaint(Mover m, double approach) {
+  private static boolean isFaint(MovingCircle m, double approach) {
     return !m.crushed && StuckRule.isFaint(m, approach);
   }
 
-  private void count(Mover m, Mover other, double e, double approach) {
+  private void count(MovingCircle m, MovingCircle other, double e, double approach) {
     if (!m.crushed) {
       double speed = scaled(Math.abs(ux) + Math.abs(uy), fast);
       int elastic = mass(other) == INFINITE ? StuckRule.ELASTIC : StuckRule.ELASTIC_PAIR;
@@ -185,7 +187,7 @@ public final class PairResponse {
     }
   }
 
-  private void change(Mover a, Mover b, double e, boolean halt, ImpactRows log) {
+  private void change(MovingCircle a, MovingCircle b, double e, boolean halt, ImpactRows log) {
     double massA = mass(a);
     double massB = mass(b);
     if (halt && massA + massB < INFINITE) {
@@ -206,14 +208,14 @@ public final class PairResponse {
     }
   }
 
-  private static void beginFlight(Mover m, Mover other) {
+  private static void beginFlight(MovingCircle m, MovingCircle other) {
     m.turn = 0;
-    m.last = Obstacles.CIRCLES + other.id;
+    m.last = ObstacleTable.CIRCLES + other.id;
     m.newFlight();
   }
 
   /** Writes that two circles are in contact, the lower number first, and how they approach. */
-  void report(Mover a, Mover b, ImpactRows log) {
+  void report(MovingCircle a, MovingCircle b, ImpactRows log) {
     fast = exponent(a, b);
     ux = ObstacleResponse.difference(a.vx, b.vx, fast);
     uy = ObstacleResponse.difference(a.vy, b.vy, fast);
@@ -230,7 +232,7 @@ public final class PairResponse {
    * By which power of two velocities are to be divided, lest their difference overflow: as a rule
    * 0.
    */
-  private static int exponent(Mover a, Mover b) {
+  private static int exponent(MovingCircle a, MovingCircle b) {
     boolean ordinary =
         Math.abs(a.vx) < FAST
             && Math.abs(a.vy) < FAST
@@ -245,8 +247,8 @@ public final class PairResponse {
   }
 
   /** Takes away a circle's motion along the normal. */
-  private void stop(Mover m, double nx, double ny) {
-    m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
+  private void stop(MovingCircle m, double nx, double ny) {
+    m.jam = IgnoreList.ofCircles(m.jam, ObstacleTable.CIRCLES);
     impulse.of(1, m.vx, m.vy, nx, ny);
     m.vx = impulse.less(m.vx, nx);
     m.vy = impulse.less(m.vy, ny);
@@ -257,11 +259,11 @@ public final class PairResponse {
    * as head and tail: rounded alike at each impact of two masses, it would let the energy drift. A
    * line along which a jammed circle slid is there for it again.
    */
-  private void push(Mover m, int sign, double other, double own, double nx, double ny) {
+  private void push(MovingCircle m, int sign, double other, double own, double nx, double ny) {
     if (own == INFINITE) {
       return;
     }
-    m.jam = Jam.ofCircles(m.jam, Obstacles.CIRCLES);
+    m.jam = IgnoreList.ofCircles(m.jam, ObstacleTable.CIRCLES);
     double share = 0.5;
     double tail = 0;
     if (own != other || own > LARGE) {

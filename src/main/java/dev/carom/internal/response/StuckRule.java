@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.response;
 
-import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.MovingCircle;
 
 /**
  * Counts the impacts that a circle makes at one place, and tells when it is stuck.
@@ -29,7 +29,7 @@ import dev.carom.internal.state.Mover;
 public final class StuckRule {
 
   /** The sum of weights beyond which a circle is stuck. */
-  public static final int LIMIT = Mover.STUCK_LIMIT;
+  public static final int LIMIT = MovingCircle.STUCK_LIMIT;
 
   /** The weight of an elastic impact with an obstacle. */
   public static final int ELASTIC = LIMIT / 1024;
@@ -74,7 +74,8 @@ public final class StuckRule {
    * @param e the restitution
    * @param elastic the weight if that is 1
    */
-  static void count(Mover m, double way, double speed, double approach, double e, int elastic) {
+  static void count(
+      MovingCircle m, double way, double speed, double approach, double e, int elastic) {
     int exponent = exponent(speed);
     if (m.standsStill || way <= place(m, e) || slides(m, approach, exponent)) {
       m.pace = Math.max(m.pace, exponent);
@@ -89,12 +90,12 @@ public final class StuckRule {
   }
 
   /** Whether a circle slid along what it hit: neither moved nearer by more than rounding. */
-  private static boolean slides(Mover m, double approach, int exponent) {
+  private static boolean slides(MovingCircle m, double approach, int exponent) {
     return isFaint(approach, exponent)
         && (isStuck(m) || m.flown * Math.abs(approach) <= ROUNDED * size(m));
   }
 
-  private static void add(Mover m, int weight) {
+  private static void add(MovingCircle m, int weight) {
     m.stuck = Math.min(m.stuck + weight, LIMIT + 1);
   }
 
@@ -105,32 +106,32 @@ public final class StuckRule {
   }
 
   /** The width of a place. */
-  private static double place(Mover m, double e) {
+  private static double place(MovingCircle m, double e) {
     double place = PLACE * size(m);
     return e == 1 ? place : Math.max(place, INELASTIC_PLACE * m.radius);
   }
 
-  private static double size(Mover m) {
+  private static double size(MovingCircle m) {
     return Math.max(Math.max(Math.abs(m.x), Math.abs(m.y)), m.radius);
   }
 
   /** How far a circle moves at most from what it just hit to still be at the same place. */
-  static double reach(Mover m) {
+  static double reach(MovingCircle m) {
     return isStuck(m) ? place(m, 0) : ROUNDED * size(m);
   }
 
   /** Whether a circle made so many impacts at one place that they would not end. */
-  static boolean isStuck(Mover m) {
+  static boolean isStuck(MovingCircle m) {
     return m.stuck > LIMIT;
   }
 
   /** Notes that a circle took part in what happened at a speed. */
-  static void notePace(Mover m, double speed) {
+  static void notePace(MovingCircle m, double speed) {
     m.pace = Math.max(m.pace, exponent(speed));
   }
 
   /** Whether an approach is no more than rounding of the speeds that a circle met at its place. */
-  static boolean isFaint(Mover m, double approach) {
+  static boolean isFaint(MovingCircle m, double approach) {
     return isFaint(approach, m.pace);
   }
 

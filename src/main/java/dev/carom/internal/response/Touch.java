@@ -3,17 +3,17 @@ package dev.carom.internal.response;
 
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.UnitVector;
-import dev.carom.internal.state.Mover;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Coordinates;
-import dev.carom.internal.sweep.Directions;
+import dev.carom.internal.sweep.UnitVectors;
 
 /**
  * A contact of a stuck circle with something: no further apart than {@linkplain
  * StuckRule#INELASTIC_PLACE one place} or 64 ulps of the coordinates, or overlapping.
  *
- * @param code what it touches, see {@link Obstacles}
+ * @param code what it touches, see {@link ObstacleTable}
  * @param contact how the detector names that contact, see {@link Contact}; 0 but for lines
  * @param nx the x component of the unit normal, which points to the circle
  * @param ny the y component of the unit normal
@@ -24,33 +24,33 @@ record Touch(int code, int contact, double nx, double ny) {
   private static final double TOUCH = 0x1p-46;
 
   /** The contact of a circle with another one, null if they do not touch. */
-  static Touch of(Mover m, Mover other) {
+  static Touch of(MovingCircle m, MovingCircle other) {
     double size = Math.max(size(m), size(other));
     return offset(
-        m, Obstacles.CIRCLES + other.id, 0, other.x, other.y, m.radius + other.radius, size);
+        m, ObstacleTable.CIRCLES + other.id, 0, other.x, other.y, m.radius + other.radius, size);
   }
 
   /** The contact of a circle with an obstacle, null if it does not touch it. */
-  static Touch of(Mover m, Obstacles obstacles, int code) {
-    if (code < Obstacles.WALLS) {
+  static Touch of(MovingCircle m, ObstacleTable obstacles, int code) {
+    if (code < ObstacleTable.WALLS) {
       return ofWall(m, code, obstacles.walls[code]);
     }
     int k = obstacles.offset(code);
-    if (code >= Obstacles.PEGS) {
+    if (code >= ObstacleTable.PEGS) {
       double[] p = obstacles.pegs;
-      double reach = m.radius + p[k + Obstacles.RADIUS];
-      return offset(m, code, 0, p[k + Obstacles.X], p[k + Obstacles.Y], reach, size(m));
+      double reach = m.radius + p[k + ObstacleTable.RADIUS];
+      return offset(m, code, 0, p[k + ObstacleTable.X], p[k + ObstacleTable.Y], reach, size(m));
     }
     double[] l = obstacles.lines;
-    double ax = l[k + Obstacles.AX];
-    double ay = l[k + Obstacles.AY];
-    double bx = l[k + Obstacles.BX];
-    double by = l[k + Obstacles.BY];
+    double ax = l[k + ObstacleTable.AX];
+    double ay = l[k + ObstacleTable.AY];
+    double bx = l[k + ObstacleTable.BX];
+    double by = l[k + ObstacleTable.BY];
     return ofLine(m, code, ax, ay, bx, by, obstacles.isOneWay(code));
   }
 
-  private static Touch ofWall(Mover m, int code, double wall) {
-    boolean vertical = code <= Obstacles.RIGHT;
+  private static Touch ofWall(MovingCircle m, int code, double wall) {
+    boolean vertical = code <= ObstacleTable.RIGHT;
     int inwards = 1 - 2 * (code & 1); // the lower wall of an axis has the even code
     double gap = inwards * ((vertical ? m.x : m.y) - wall) - m.radius;
     return gap <= tolerance(m, size(m))
@@ -59,7 +59,7 @@ record Touch(int code, int contact, double nx, double ny) {
   }
 
   private static Touch ofLine(
-      Mover m, int code, double ax, double ay, double bx, double by, boolean oneWay) {
+      MovingCircle m, int code, double ax, double ay, double bx, double by, boolean oneWay) {
     int side = Predicates.cross(bx, by, ax, ay, m.x, m.y, ax, ay);
     if (oneWay && side <= 0) {
       return null;
@@ -76,13 +76,13 @@ record Touch(int code, int contact, double nx, double ny) {
     if (side == 0 || StrictMath.hypot(x, y) - m.radius > tolerance(m, size(m))) {
       return null;
     }
-    UnitVector n = Directions.normal(side, ax, ay, bx, by);
+    UnitVector n = UnitVectors.normal(side, ax, ay, bx, by);
     return new Touch(code, side > 0 ? Contact.LEFT : Contact.RIGHT, n.x(), n.y());
   }
 
   /** The contact with what is round; a circle exactly on its centre cannot come nearer. */
   private static Touch offset(
-      Mover m, int code, int contact, double cx, double cy, double reach, double size) {
+      MovingCircle m, int code, int contact, double cx, double cy, double reach, double size) {
     double x = m.x - cx;
     double y = m.y - cy;
     double distance = StrictMath.hypot(x, y);
@@ -91,11 +91,11 @@ record Touch(int code, int contact, double nx, double ny) {
         : null;
   }
 
-  private static double tolerance(Mover m, double size) {
+  private static double tolerance(MovingCircle m, double size) {
     return Math.max(TOUCH * size, StuckRule.INELASTIC_PLACE * m.radius);
   }
 
-  private static double size(Mover m) {
+  private static double size(MovingCircle m) {
     return Math.max(Math.max(Math.abs(m.x), Math.abs(m.y)), m.radius);
   }
 }

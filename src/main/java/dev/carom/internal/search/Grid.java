@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.search;
 
-import dev.carom.internal.state.Obstacles;
-import dev.carom.internal.state.PresentCodes;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.LiveCodes;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 
@@ -64,7 +64,7 @@ public final class Grid {
   /** 1 / {@link #cell}, which multiplies where the walk cannot afford a division. */
   final double perCell;
 
-  private final Obstacles obstacles;
+  private final ObstacleTable obstacles;
 
   /** The largest radius of a circle that it serves. */
   public final double radius;
@@ -74,7 +74,7 @@ public final class Grid {
    *
    * @param cell the size of a cell, or 0 to have it chosen
    */
-  public Grid(Obstacles obstacles, double radius, double cell) {
+  public Grid(ObstacleTable obstacles, double radius, double cell) {
     this.obstacles = obstacles;
     this.radius = radius;
     double[] box = box();
@@ -136,7 +136,7 @@ public final class Grid {
 
   private static int firstPeg(int[] listed, int from, int to) {
     int k = from;
-    while (k < to && listed[k] < Obstacles.PEGS) {
+    while (k < to && listed[k] < ObstacleTable.PEGS) {
       k++;
     }
     return k;
@@ -171,7 +171,7 @@ public final class Grid {
 
   /** Whether a pair, or a list below 0, is of pegs: beside a place in {@link #pairs} stands 0. */
   public static boolean arePegs(long pair) {
-    return second(pair) >= Obstacles.PEGS;
+    return second(pair) >= ObstacleTable.PEGS;
   }
 
   /** The number of a cell. */
@@ -192,22 +192,22 @@ public final class Grid {
       Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
       Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
     };
-    PresentCodes lines = obstacles.presentLines();
+    LiveCodes lines = obstacles.presentLines();
     for (int i = 0; i < lines.size(); i++) {
       if (!obstacles.isGone(lines.get(i))) {
         int k = obstacles.offset(lines.get(i));
         double[] l = obstacles.lines;
-        include(box, l[k + Obstacles.AX], l[k + Obstacles.AY], radius);
-        include(box, l[k + Obstacles.BX], l[k + Obstacles.BY], radius);
+        include(box, l[k + ObstacleTable.AX], l[k + ObstacleTable.AY], radius);
+        include(box, l[k + ObstacleTable.BX], l[k + ObstacleTable.BY], radius);
       }
     }
-    PresentCodes pegs = obstacles.presentPegs();
+    LiveCodes pegs = obstacles.presentPegs();
     for (int i = 0; i < pegs.size(); i++) {
       if (!obstacles.isGone(pegs.get(i))) {
         int k = obstacles.offset(pegs.get(i));
         double[] p = obstacles.pegs;
-        double r = p[k + Obstacles.RADIUS];
-        include(box, p[k + Obstacles.X], p[k + Obstacles.Y], radius + r);
+        double r = p[k + ObstacleTable.RADIUS];
+        include(box, p[k + ObstacleTable.X], p[k + ObstacleTable.Y], radius + r);
       }
     }
     return box;
@@ -234,7 +234,7 @@ public final class Grid {
         } while (pairs[k++] < 0);
       }
     }
-    return codes.build().filter(code -> code >= Obstacles.WALLS);
+    return codes.build().filter(code -> code >= ObstacleTable.WALLS);
   }
 
   private static void addPair(long pair, IntStream.Builder codes) {
@@ -320,11 +320,11 @@ public final class Grid {
   }
 
   private void visitAll(int[] counts, int[] listed) {
-    PresentCodes lines = obstacles.presentLines();
+    LiveCodes lines = obstacles.presentLines();
     for (int i = 0; i < lines.size(); i++) {
       visit(lines.get(i), counts, listed);
     }
-    PresentCodes pegs = obstacles.presentPegs();
+    LiveCodes pegs = obstacles.presentPegs();
     for (int i = 0; i < pegs.size(); i++) {
       visit(pegs.get(i), counts, listed);
     }
@@ -336,7 +336,7 @@ public final class Grid {
       return;
     }
     int k = obstacles.offset(code);
-    if (code < Obstacles.PEGS) {
+    if (code < ObstacleTable.PEGS) {
       double[] l = obstacles.lines;
       visit(code, l[k], l[k + 1], l[k + 2], l[k + 3], radius, counts, listed);
     } else {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.search;
 
-import dev.carom.internal.state.Circles;
-import dev.carom.internal.state.CodeList;
-import dev.carom.internal.state.Machinery;
-import dev.carom.internal.state.Model;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.CodeSet;
+import dev.carom.internal.state.EngineDescription;
+import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import java.util.Map;
 import java.util.TreeMap;
@@ -27,16 +27,16 @@ public final class Grids {
 
   private static final double SMALLEST = 0x1p-400;
 
-  private final Obstacles obstacles;
-  private final Machinery machinery;
+  private final ObstacleTable obstacles;
+  private final EngineOptions machinery;
   private final Map<Integer, Grid> byExponent = new TreeMap<>();
-  private final CodeList loose = new CodeList();
+  private final CodeSet loose = new CodeSet();
   private boolean isDirty;
 
   /** Whether something is neither in the grids nor kept among what is loose. */
   private boolean isIncomplete;
 
-  public Grids(SceneData scene, Obstacles obstacles, Machinery machinery) {
+  public Grids(SceneData scene, ObstacleTable obstacles, EngineOptions machinery) {
     this.obstacles = obstacles;
     this.machinery = machinery;
     if (wanted()) {
@@ -107,7 +107,7 @@ public final class Grids {
   }
 
   /** What has to be looked at beside a grid. */
-  public CodeList loose() {
+  public CodeSet loose() {
     return loose;
   }
 
@@ -144,7 +144,7 @@ public final class Grids {
   }
 
   /** Makes the grids anew, for the radii of these circles. */
-  public void remake(Circles circles, int[] ids) {
+  public void remake(CircleTable circles, int[] ids) {
     loose.clear();
     isIncomplete = false;
     byExponent.clear();
@@ -153,8 +153,8 @@ public final class Grids {
     }
   }
 
-  public Model model(boolean collide) {
+  public EngineDescription model(boolean collide) {
     int cells = byExponent.values().stream().mapToInt(Grid::cells).sum();
-    return new Model(collide, obstacles.size(), byExponent.size(), cells);
+    return new EngineDescription(collide, obstacles.size(), byExponent.size(), cells);
   }
 }

@@ -18,18 +18,22 @@ final class Confinement {
   /**
    * The x coordinate of a centre.
    *
-   * @param walls as {@link Obstacles#walls}, may be null
+   * @param walls as {@link ObstacleTable#walls}, may be null
    * @param start where the flight began
    * @param x where it is, as computed
    * @param r the radius
    */
   static double x(double[] walls, double start, double x, double r) {
-    return walls == null ? x : between(walls[Obstacles.LEFT], walls[Obstacles.RIGHT], start, x, r);
+    return walls == null
+        ? x
+        : between(walls[ObstacleTable.LEFT], walls[ObstacleTable.RIGHT], start, x, r);
   }
 
   /** The y coordinate of a centre. */
   static double y(double[] walls, double start, double y, double r) {
-    return walls == null ? y : between(walls[Obstacles.BOTTOM], walls[Obstacles.TOP], start, y, r);
+    return walls == null
+        ? y
+        : between(walls[ObstacleTable.BOTTOM], walls[ObstacleTable.TOP], start, y, r);
   }
 
   private static double between(double low, double high, double start, double p, double r) {

@@ -9,15 +9,15 @@ public final class FlightRecorder {
 
   private final int most;
   private final IntUnaryOperator ids;
-  private Tracks tracks;
-  private PastObstacles obstacles;
+  private FlightHistories tracks;
+  private ObstacleHistory obstacles;
   private double[] walls;
   private double begin;
   private double end;
 
   // Flights of a step that may still be rolled back: their circles, and their numbers.
   private int[] pendingIds = new int[16];
-  private double[] pending = new double[16 * Track.FLIGHT];
+  private double[] pending = new double[16 * FlightHistory.FLIGHT];
   private int pendings;
 
   /**
@@ -42,8 +42,8 @@ public final class FlightRecorder {
   }
 
   /** The track of a circle that was there at a given time, null if none is known. */
-  public Track track(int id, double t) {
-    Track track = tracks.get(id);
+  public FlightHistory track(int id, double t) {
+    FlightHistory track = tracks.get(id);
     boolean known = track != null && t >= track.start() && t < track.end() && t <= end;
     return known ? track : null;
   }
@@ -53,15 +53,15 @@ public final class FlightRecorder {
     return obstacles.at(code, t);
   }
 
-  /** The walls around all circles, as {@link Obstacles#walls}. */
+  /** The walls around all circles, as {@link ObstacleTable#walls}. */
   public double[] walls() {
     return walls;
   }
 
   /** Forgets all, and begins at a given time, with what stands still then. */
-  public void begin(double now, Obstacles here) {
-    tracks = new Tracks(most);
-    obstacles = new PastObstacles(here, most);
+  public void begin(double now, ObstacleTable here) {
+    tracks = new FlightHistories(most);
+    obstacles = new ObstacleHistory(here, most);
     walls = here.walls;
     begin = now;
     end = now;
@@ -69,13 +69,13 @@ public final class FlightRecorder {
   }
 
   /** Notes a flight of the step in hand. */
-  public void note(Mover m) {
+  public void note(MovingCircle m) {
     if (pendings == pendingIds.length) {
       pendingIds = Arrays.copyOf(pendingIds, 2 * pendings);
-      pending = Arrays.copyOf(pending, 2 * pendings * Track.FLIGHT);
+      pending = Arrays.copyOf(pending, 2 * pendings * FlightHistory.FLIGHT);
     }
     pendingIds[pendings] = ids.applyAsInt(m.id);
-    Track.put(m, pending, pendings * Track.FLIGHT);
+    FlightHistory.put(m, pending, pendings * FlightHistory.FLIGHT);
     pendings++;
   }
 
@@ -85,7 +85,7 @@ public final class FlightRecorder {
   }
 
   /** Adds a flight for good. */
-  public void add(Mover m) {
+  public void add(MovingCircle m) {
     note(m);
     keep();
   }
@@ -98,13 +98,13 @@ public final class FlightRecorder {
 
   private void keep() {
     for (int i = 0; i < pendings; i++) {
-      tracks.add(pendingIds[i], pending, i * Track.FLIGHT);
+      tracks.add(pendingIds[i], pending, i * FlightHistory.FLIGHT);
     }
     pendings = 0;
   }
 
   /** Notes that a line or a peg is new, elsewhere, or gone. */
-  public void noteObstacle(int code, Obstacles here, double now) {
+  public void noteObstacle(int code, ObstacleTable here, double now) {
     obstacles.note(code, here, now);
   }
 

@@ -6,7 +6,7 @@ import java.util.Objects;
 
 /**
  * What a scene holds, in flat arrays that no one changes. Circles stand in rows in the order of
- * their numbers; lines, pegs and walls as in {@link Obstacles}.
+ * their numbers; lines, pegs and walls as in {@link ObstacleTable}.
  */
 public final class SceneData {
 
@@ -35,7 +35,7 @@ public final class SceneData {
   public final double boundsRestitution;
   public final boolean collide;
 
-  /** See {@link Traits}. */
+  /** See {@link ContactFlags}. */
   public final byte[] circleTraits;
 
   public final byte[] lineTraits;
@@ -45,7 +45,7 @@ public final class SceneData {
   SceneData(SceneDataBuilder from) {
     circles = from.circles.toArray();
     masses = from.masses.toArray();
-    lines = Obstacles.byCode(from.lines.toArray());
+    lines = ObstacleTable.byCode(from.lines.toArray());
     pegs = from.pegs.toArray();
     circleTraits = from.circles.traits();
     lineTraits = from.lines.traits();
@@ -53,7 +53,7 @@ public final class SceneData {
     collide = from.collide;
     double[] b = from.bounds.toArray();
     boolean closed = b.length > 0;
-    walls = closed ? Obstacles.walls(b[0], b[1], b[2], b[3]) : null;
+    walls = closed ? ObstacleTable.walls(b[0], b[1], b[2], b[3]) : null;
     boundsRestitution = closed ? b[4] : 1;
     boundsTraits = closed ? from.bounds.lastTraits() : 0;
   }
@@ -63,11 +63,11 @@ public final class SceneData {
   }
 
   public int lineCount() {
-    return lines.length / Obstacles.LINE_ROW - Obstacles.WALLS;
+    return lines.length / ObstacleTable.LINE_ROW - ObstacleTable.WALLS;
   }
 
   public int pegCount() {
-    return pegs.length / Obstacles.PEG_ROW;
+    return pegs.length / ObstacleTable.PEG_ROW;
   }
 
   public double x(int circle) {
@@ -95,21 +95,21 @@ public final class SceneData {
   }
 
   public double lineRestitution(int line) {
-    return lines[lineAt(line) + Obstacles.LINE_RESTITUTION];
+    return lines[lineAt(line) + ObstacleTable.LINE_RESTITUTION];
   }
 
   public double pegRestitution(int peg) {
-    return pegs[pegAt(peg) + Obstacles.PEG_RESTITUTION];
+    return pegs[pegAt(peg) + ObstacleTable.PEG_RESTITUTION];
   }
 
   /** Where the row of a line begins. */
   public static int lineAt(int line) {
-    return (Obstacles.WALLS + line) * Obstacles.LINE_ROW;
+    return (ObstacleTable.WALLS + line) * ObstacleTable.LINE_ROW;
   }
 
   /** Where the row of a peg begins. */
   public static int pegAt(int peg) {
-    return peg * Obstacles.PEG_ROW;
+    return peg * ObstacleTable.PEG_ROW;
   }
 
   @Override

@@ -15,15 +15,15 @@ public final class SceneDataBuilder {
   /** Doubles of the bounds: xmin, ymin, xmax, ymax, restitution. */
   private static final int BOUNDS_ROW = 5;
 
-  final SceneThings circles = new SceneThings("circle", SceneData.CIRCLE_ROW, 2);
-  final SceneThings lines = new SceneThings("line", Obstacles.LINE_ROW, 4);
-  final SceneThings pegs = new SceneThings("peg", Obstacles.PEG_ROW, 2);
-  public final SceneThings bounds = new SceneThings("bounds", BOUNDS_ROW, 4);
+  final SceneRows circles = new SceneRows("circle", SceneData.CIRCLE_ROW, 2);
+  final SceneRows lines = new SceneRows("line", ObstacleTable.LINE_ROW, 4);
+  final SceneRows pegs = new SceneRows("peg", ObstacleTable.PEG_ROW, 2);
+  public final SceneRows bounds = new SceneRows("bounds", BOUNDS_ROW, 4);
   final DoubleList masses = new DoubleList();
   public boolean collide;
 
   /** The things whose last one is the thing added last; null before the first. */
-  private SceneThings last;
+  private SceneRows last;
 
   public void bounds(double xmin, double ymin, double xmax, double ymax) {
     if (bounds.count() > 0) {
@@ -77,23 +77,23 @@ public final class SceneDataBuilder {
     last.setLastRestitution(e);
   }
 
-  /** Sets a response, by its number in {@link Traits}. */
+  /** Sets a response, by its number in {@link ContactFlags}. */
   public void response(int response) {
     if (last == null) {
       throw new IllegalStateException("response belongs to the thing added last: add one first");
     }
-    if (last == bounds && response == Traits.SENSOR) {
+    if (last == bounds && response == ContactFlags.SENSOR) {
       throw Check.refused("response", "sensor", "bounce or halt: bounds keep circles inside")
           .of("bounds");
     }
-    last.setLastTraits(Traits.with(last.lastTraits(), response));
+    last.setLastTraits(ContactFlags.with(last.lastTraits(), response));
   }
 
   public void oneWay() {
     if (last != lines) {
       throw new IllegalStateException("one-way belongs to the line just added: add one first");
     }
-    lines.setLastTraits(Traits.withOneWay(lines.lastTraits(), true));
+    lines.setLastTraits(ContactFlags.withOneWay(lines.lastTraits(), true));
   }
 
   public void mass(double m) {
@@ -133,7 +133,7 @@ public final class SceneDataBuilder {
   }
 
   private double leastRadius() {
-    return Limits.leastRadius(largestCoordinate());
+    return SizeLimits.leastRadius(largestCoordinate());
   }
 
   private double largestCoordinate() {
@@ -142,14 +142,14 @@ public final class SceneDataBuilder {
         Math.max(pegs.largestCoordinate(), bounds.largestCoordinate()));
   }
 
-  private void add(SceneThings things, Runnable checks, double... row) {
+  private void add(SceneRows things, Runnable checks, double... row) {
     check(things, things.count(), checks);
     things.add(row);
     last = things;
   }
 
   /** Puts the name of thing i before what its checks have to say. */
-  private static void check(SceneThings things, int i, Runnable checks) {
+  private static void check(SceneRows things, int i, Runnable checks) {
     try {
       checks.run();
     } catch (RefusedException e) {

@@ -15,7 +15,7 @@ package dev.carom.internal.state;
 public record WorldState(
     double now,
     boolean collide,
-    Obstacles obstacles,
-    Roster roster,
-    Limits limits,
-    FlightStates flights) {}
+    ObstacleTable obstacles,
+    CircleRegistry roster,
+    SizeLimits limits,
+    SavedFlights flights) {}

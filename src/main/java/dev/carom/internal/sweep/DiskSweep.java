@@ -8,7 +8,7 @@ import static dev.carom.internal.exact.DoubleDouble.sumTail;
 import dev.carom.internal.exact.Exact;
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.Predicates;
-import dev.carom.internal.exact.Rungs;
+import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.exact.UnitVector;
 
 /**
@@ -17,7 +17,7 @@ import dev.carom.internal.exact.UnitVector;
  *
  * <p>Seen from the second disk, the first one's centre starts at the offset {@code d = c1 - c2} and
  * moves with {@code u = v1 - v2}; they touch where it comes to the distance {@code r = r1 + r2}: a
- * {@link FirstRoot}, with cross(u, d) a single number.
+ * {@link TimeOfImpact}, with cross(u, d) a single number.
  */
 public final class DiskSweep {
 
@@ -35,7 +35,7 @@ public final class DiskSweep {
     double bx = ux * dx;
     double by = uy * dy;
     double b = bx + by;
-    if (!(Math.abs(b) > FirstRoot.dotBound(Math.abs(bx) + Math.abs(by)))) {
+    if (!(Math.abs(b) > TimeOfImpact.dotBound(Math.abs(bx) + Math.abs(by)))) {
       b = Predicates.dot(vx1, vy1, vx2, vy2, x1, y1, x2, y2);
     }
     if (b >= 0) {
@@ -47,7 +47,7 @@ public final class DiskSweep {
     double dd = dx * dx + dy * dy;
     double w = dd + rr;
     double g = dd - rr;
-    if (!(Math.abs(g) > FirstRoot.gapBound(w))) {
+    if (!(Math.abs(g) > TimeOfImpact.gapBound(w))) {
       g = Predicates.gap(x1, y1, x2, y2, r1, r2);
     }
     if (g <= 0) {
@@ -57,7 +57,7 @@ public final class DiskSweep {
     double a = ux * ux + uy * uy;
     double k = ux * dy - uy * dx;
     double reach = a * rr - k * k;
-    if (!(Math.abs(reach) > FirstRoot.reachBound(a, w))) {
+    if (!(Math.abs(reach) > TimeOfImpact.reachBound(a, w))) {
       reach = Predicates.reach(vx1, vy1, vx2, vy2, x1, y1, x2, y2, r1, r2);
     }
     return reach > 0 || (reach == 0 && r == 0) ? Contact.LATER : Contact.MISS;
@@ -70,7 +70,7 @@ public final class DiskSweep {
     double r = r1 + r2;
     double dd = dx * dx + dy * dy;
     double g = dd - r * r;
-    if (!(Math.abs(g) > FirstRoot.gapBound(dd + r * r))) {
+    if (!(Math.abs(g) > TimeOfImpact.gapBound(dd + r * r))) {
       g = Predicates.gap(x1, y1, x2, y2, r1, r2);
     }
     return g < 0;
@@ -102,15 +102,15 @@ public final class DiskSweep {
     double k = ux * dy - uy * dx;
     double s = Math.sqrt(a * rr - k * k);
     double t = (dd - rr) / (s - b);
-    Rungs.root();
+    PrecisionCounters.root();
     if (t > T && compareTime(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T) > 0) {
       return Double.POSITIVE_INFINITY;
     }
     double half = 0.5 / s;
     double c = residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) * half;
     double w = dd + rr;
-    double error = FirstRoot.stepError(w, a, half, FirstRoot.firstLean(a, w, half), c);
-    double time = FirstRoot.rounded(t, c, error);
+    double error = TimeOfImpact.stepError(w, a, half, TimeOfImpact.firstLean(a, w, half), c);
+    double time = TimeOfImpact.rounded(t, c, error);
     if (time < T) {
       return time;
     }
@@ -142,12 +142,12 @@ public final class DiskSweep {
     double bx = ux * dx;
     double by = uy * dy;
     double t = start;
-    for (int i = 0; i < FirstRoot.STEPS && t > 0; i++) {
-      Rungs.step();
+    for (int i = 0; i < TimeOfImpact.STEPS && t > 0; i++) {
+      PrecisionCounters.step();
       double half = -0.5 / (bx + by + a * t);
       double c = residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) * half;
-      double lean = FirstRoot.lean(half, Math.abs(bx) + Math.abs(by) + a * t, t);
-      double time = FirstRoot.rounded(t, c, FirstRoot.stepError(w, a, half, lean, c));
+      double lean = TimeOfImpact.lean(half, Math.abs(bx) + Math.abs(by) + a * t, t);
+      double time = TimeOfImpact.rounded(t, c, TimeOfImpact.stepError(w, a, half, lean, c));
       if (time < T) {
         return time;
       }
@@ -208,7 +208,7 @@ public final class DiskSweep {
     double y = Math.abs(dy) + Math.abs(my);
     double r = r1 + r2;
     double rr = r * r;
-    return FirstRoot.order(
+    return TimeOfImpact.order(
         ux * ex + uy * ey,
         Math.abs(ux) * x + Math.abs(uy) * y,
         (ex * ex + ey * ey) - rr,
@@ -226,7 +226,7 @@ public final class DiskSweep {
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
       double vx2, double vy2, double t) {
     if (t == 0) {
-      return Directions.unit(x1, y1, x2, y2);
+      return UnitVectors.unit(x1, y1, x2, y2);
     }
     double dx = x1 - x2;
     double dy = y1 - y2;
@@ -239,13 +239,13 @@ public final class DiskSweep {
     double by = uy * dy;
     double half = -0.5 / (bx + by + a * t);
     double c = residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) * half;
-    double lean = FirstRoot.lean(half, Math.abs(bx) + Math.abs(by) + a * t, t);
-    double error = FirstRoot.stepError(w, a, half, lean, c);
+    double lean = TimeOfImpact.lean(half, Math.abs(bx) + Math.abs(by) + a * t, t);
+    double error = TimeOfImpact.stepError(w, a, half, lean, c);
     if (!(error * (Math.abs(ux) + Math.abs(uy)) < 0x1p-54 * r)) {
-      Rungs.exactNormal();
+      PrecisionCounters.exactNormal();
       return Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).normal();
     }
-    return Directions.unit(
+    return UnitVectors.unit(
         place(x1, x2, vx1, vx2, t, c), place(y1, y2, vy1, vy2, t, c), 0, 0);
   }
 

@@ -48,13 +48,13 @@ public record Hit(double x, double y, double nx, double ny, double approachSpeed
   private static UnitVector slideNormal(
       double vx, double vy, double x, double y, double ox, double oy) {
     int drift = Predicates.cross(ox, oy, x, y, vx, vy, 0, 0);
-    return Directions.normal(-drift, x, y, ox, oy);
+    return UnitVectors.normal(-drift, x, y, ox, oy);
   }
 
   private static Hit ofSide(
       int side, double px, double py, double vx, double vy, double ax, double ay, double bx,
       double by, double t) {
-    UnitVector n = Directions.normal(side, ax, ay, bx, by);
+    UnitVector n = UnitVectors.normal(side, ax, ay, bx, by);
     double s = Coordinates.fraction(ax, ay, bx, by, place(px, vx, t), place(py, vy, t));
     double x = Coordinates.onSegment(s, ax, bx);
     double y = Coordinates.onSegment(s, ay, by);

@@ -27,7 +27,7 @@ import dev.carom.internal.exact.Predicates;
  * </ol>
  *
  * Decisions are signs of polynomials, first in plain doubles against a bound of their rounding
- * errors (counted as in {@link FirstRoot}), in doubt by {@link Predicates}. None takes a root.
+ * errors (counted as in {@link TimeOfImpact}), in doubt by {@link Predicates}. None takes a root.
  */
 public final class SegmentSweep {
 
@@ -49,7 +49,7 @@ public final class SegmentSweep {
    */
   private static final double CORNER_BOUND = 15 * 0x1p-53;
 
-  private static final double TINY = FirstRoot.TINY;
+  private static final double TINY = TimeOfImpact.TINY;
 
   private SegmentSweep() {}
 
@@ -72,7 +72,7 @@ public final class SegmentSweep {
     double strip = c * c - reach;
     double bound = Math.fma(STRIP_BOUND, m * m + reach, TINY * (m + rr + ww + 1));
     if (strip > bound) {
-      return outside(Directions.sign(c), px, py, r, vx, vy, ax, ay, bx, by);
+      return outside(UnitVectors.sign(c), px, py, r, vx, vy, ax, ay, bx, by);
     }
     if (!(strip < -bound) && Predicates.reach(bx, by, ax, ay, px, py, ax, ay, r, 0) < 0) {
       int side = Predicates.cross(bx, by, ax, ay, px, py, ax, ay);
@@ -131,7 +131,7 @@ public final class SegmentSweep {
   private static double timeOfEnd(
       double px, double py, double r, double vx, double vy, double x, double y, double T) {
     return T == Double.POSITIVE_INFINITY
-        ? EndSweep.time(px, py, r, vx, vy, x, y)
+        ? PointSweep.time(px, py, r, vx, vy, x, y)
         : DiskSweep.time(Contact.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, T);
   }
 
@@ -185,7 +185,7 @@ public final class SegmentSweep {
     double c = c0 - c1;
     double bound = Math.fma(SPEED_BOUND, Math.abs(c0) + Math.abs(c1), TINY);
     if (Math.abs(c) > bound) {
-      return Directions.sign(c);
+      return UnitVectors.sign(c);
     }
     return Predicates.cross(bx, by, ax, ay, vx, vy, 0, 0);
   }
@@ -198,7 +198,7 @@ public final class SegmentSweep {
     double c = c0 + c1;
     double bound = Math.fma(PLACE_BOUND, Math.abs(c0) + Math.abs(c1), TINY);
     if (Math.abs(c) > bound) {
-      return Directions.sign(c);
+      return UnitVectors.sign(c);
     }
     return Predicates.dot(px, py, qx, qy, bx, by, ax, ay);
   }
@@ -226,7 +226,7 @@ public final class SegmentSweep {
             mx * mx * ww + my * my,
             TINY * ((1 + mx) * (1 + mx + ww) + (1 + r) * (1 + my)));
     if (Math.abs(s) > bound) {
-      return Directions.sign(s);
+      return UnitVectors.sign(s);
     }
     return Predicates.corner(side, px, py, qx, qy, vx, vy, bx, by, ax, ay, r);
   }

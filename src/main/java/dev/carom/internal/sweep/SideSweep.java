@@ -8,7 +8,7 @@ import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
 import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.Exact;
-import dev.carom.internal.exact.Rungs;
+import dev.carom.internal.exact.PrecisionCounters;
 
 /**
  * When a moving disk meets the flat side of a line that {@link SegmentSweep#contact} found it to
@@ -42,7 +42,7 @@ public final class SideSweep {
     if (T < Double.POSITIVE_INFINITY) {
       int order = compareTime(side, px, py, r, vx, vy, ax, ay, bx, by, T);
       if (order == 0) {
-        Rungs.exactDecision();
+        PrecisionCounters.exactDecision();
         Exact.Side exact = Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by);
         order = exact.compareTime(Dyadic.of(T));
       }
@@ -85,8 +85,8 @@ public final class SideSweep {
     double reach = r * Math.sqrt(wx * wx + wy * wy);
     double speed = -side * (wx * vy - wy * vx);
     double t = rough;
-    if (Rungs.COUNT != null) {
-      Rungs.COUNT.roots++;
+    if (PrecisionCounters.COUNT != null) {
+      PrecisionCounters.COUNT.roots++;
     }
     for (int i = 0; i < STEPS; i++) {
       double step = step(side, px, py, r, vx, vy, ax, ay, bx, by, t, reach, speed);
@@ -96,10 +96,10 @@ public final class SideSweep {
         return low;
       }
       t = Math.max(0, t + step);
-      Rungs.step();
+      PrecisionCounters.step();
     }
-    if (Rungs.COUNT != null) {
-      Rungs.COUNT.exactTimes++;
+    if (PrecisionCounters.COUNT != null) {
+      PrecisionCounters.COUNT.exactTimes++;
     }
     return Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by).time();
   }

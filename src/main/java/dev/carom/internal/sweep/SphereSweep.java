@@ -6,11 +6,11 @@ import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
 import dev.carom.internal.exact.Exact;
-import dev.carom.internal.exact.Rungs;
+import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.exact.SpherePredicates;
 
 /**
- * A sphere that moves against another that may move too: the {@link FirstRoot} of {@link DiskSweep}
+ * A sphere that moves against another that may move too: the {@link TimeOfImpact} of {@link DiskSweep}
  * with a third coordinate.
  */
 public final class SphereSweep {
@@ -34,7 +34,7 @@ public final class SphereSweep {
     double by = uy * dy;
     double bz = uz * dz;
     double b = bx + by + bz;
-    if (!(Math.abs(b) > FirstRoot.dotBound(Math.abs(bx) + Math.abs(by) + Math.abs(bz)))) {
+    if (!(Math.abs(b) > TimeOfImpact.dotBound(Math.abs(bx) + Math.abs(by) + Math.abs(bz)))) {
       b = SpherePredicates.dot(x1, y1, z1, vx1, vy1, vz1, x2, y2, z2, vx2, vy2, vz2);
     }
     if (b >= 0) {
@@ -45,7 +45,7 @@ public final class SphereSweep {
     double rr = r * r;
     double dd = dx * dx + dy * dy + dz * dz;
     double g = dd - rr;
-    if (!(Math.abs(g) > FirstRoot.gapBound(dd + rr))) {
+    if (!(Math.abs(g) > TimeOfImpact.gapBound(dd + rr))) {
       g = SpherePredicates.gap(x1, y1, z1, r1, x2, y2, z2, r2);
     }
     if (g <= 0) {
@@ -58,7 +58,7 @@ public final class SphereSweep {
     double kz = ux * dy - uy * dx;
     double reach = a * rr - (kx * kx + ky * ky + kz * kz);
     double sign = reach;
-    if (!(Math.abs(reach) > FirstRoot.reachBound(a, dd + rr))) {
+    if (!(Math.abs(reach) > TimeOfImpact.reachBound(a, dd + rr))) {
       sign = SpherePredicates.reach(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2);
     }
     if (!(sign > 0 || (sign == 0 && r == 0))) {
@@ -66,14 +66,14 @@ public final class SphereSweep {
     }
     double s = Math.sqrt(reach);
     double t = (dd - rr) / (s - (bx + by + bz));
-    Rungs.root();
+    PrecisionCounters.root();
     if (t > T && isLater(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, T)) {
       return NEVER;
     }
     double half = 0.5 / s;
     double c = residue(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, t) * half;
-    double lean = FirstRoot.firstLean(a, dd + rr, half);
-    double time = FirstRoot.rounded(t, c, FirstRoot.stepError(dd + rr, a, half, lean, c));
+    double lean = TimeOfImpact.firstLean(a, dd + rr, half);
+    double time = TimeOfImpact.rounded(t, c, TimeOfImpact.stepError(dd + rr, a, half, lean, c));
     if (time < T) {
       return time;
     }
@@ -91,7 +91,7 @@ public final class SphereSweep {
     double r = r1 + r2;
     double dd = dx * dx + dy * dy + dz * dz;
     double g = dd - r * r;
-    if (!(Math.abs(g) > FirstRoot.gapBound(dd + r * r))) {
+    if (!(Math.abs(g) > TimeOfImpact.gapBound(dd + r * r))) {
       g = SpherePredicates.gap(x1, y1, z1, r1, x2, y2, z2, r2);
     }
     return g < 0;
@@ -114,12 +114,12 @@ public final class SphereSweep {
     double b = ux * dx + uy * dy + uz * dz;
     double terms = Math.abs(ux * dx) + Math.abs(uy * dy) + Math.abs(uz * dz);
     double t = start;
-    for (int i = 0; i < FirstRoot.STEPS && t > 0; i++) {
-      Rungs.step();
+    for (int i = 0; i < TimeOfImpact.STEPS && t > 0; i++) {
+      PrecisionCounters.step();
       double half = -0.5 / (b + a * t);
       double c = residue(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, t) * half;
-      double lean = FirstRoot.lean(half, terms + a * t, t);
-      double time = FirstRoot.rounded(t, c, FirstRoot.stepError(w, a, half, lean, c));
+      double lean = TimeOfImpact.lean(half, terms + a * t, t);
+      double time = TimeOfImpact.rounded(t, c, TimeOfImpact.stepError(w, a, half, lean, c));
       if (time < T) {
         return time;
       }
@@ -172,7 +172,7 @@ public final class SphereSweep {
     double z = Math.abs(z1 - z2) + Math.abs(uz * T);
     double r = r1 + r2;
     double rr = r * r;
-    return FirstRoot.order(
+    return TimeOfImpact.order(
             ux * ex + uy * ey + uz * ez,
             Math.abs(ux) * x + Math.abs(uy) * y + Math.abs(uz) * z,
             (ex * ex + ey * ey + ez * ez) - rr,

@@ -6,7 +6,7 @@ import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.Exact;
 import dev.carom.internal.exact.ExactTime;
-import dev.carom.internal.exact.Rungs;
+import dev.carom.internal.exact.PrecisionCounters;
 
 /**
  * A disk that moves against a wall, on one axis: from above ({@code v < 0}) against everything at
@@ -62,8 +62,8 @@ public final class WallSweep {
     if (low == t + (rest + error) && low > LEAST && low < MOST && g > LEAST && h < MOST) {
       return low;
     }
-    if (Rungs.COUNT != null) {
-      Rungs.COUNT.exactTimes++;
+    if (PrecisionCounters.COUNT != null) {
+      PrecisionCounters.COUNT.exactTimes++;
     }
     return Exact.wallTime(p, r, v, wall);
   }

@@ -11,7 +11,7 @@ import dev.carom.Resolver;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
-import dev.carom.internal.state.Obstacles;
+import dev.carom.internal.state.ObstacleTable;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -30,12 +30,12 @@ class ProximityTest {
   })
   void eachWallIsNearestToWhatIsBesideIt(double x, double y) {
     World world = new World(Scene.builder().bounds(x, y, x + 30, y + 40).build());
-    assertThat(world.nearest(ObstacleKind.WALL, x + 2, y + 20)).isEqualTo(Obstacles.LEFT);
-    assertThat(world.nearest(ObstacleKind.WALL, x + 28, y + 20)).isEqualTo(Obstacles.RIGHT);
-    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 2)).isEqualTo(Obstacles.BOTTOM);
-    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 38)).isEqualTo(Obstacles.TOP);
-    assertThat(world.nearest(ObstacleKind.WALL, x - 2, y + 20)).isEqualTo(Obstacles.LEFT);
-    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 43)).isEqualTo(Obstacles.TOP);
+    assertThat(world.nearest(ObstacleKind.WALL, x + 2, y + 20)).isEqualTo(ObstacleTable.LEFT);
+    assertThat(world.nearest(ObstacleKind.WALL, x + 28, y + 20)).isEqualTo(ObstacleTable.RIGHT);
+    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 2)).isEqualTo(ObstacleTable.BOTTOM);
+    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 38)).isEqualTo(ObstacleTable.TOP);
+    assertThat(world.nearest(ObstacleKind.WALL, x - 2, y + 20)).isEqualTo(ObstacleTable.LEFT);
+    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 43)).isEqualTo(ObstacleTable.TOP);
   }
 
   @ParameterizedTest
@@ -74,7 +74,8 @@ class ProximityTest {
     World world = new World(Scene.builder().bounds(-10, -10, 10, 10).build());
     assertThat(world.overlapping(ObstacleKind.WALL, new Bounds(-10, -10, 10, 10))).isEmpty();
     assertThat(world.overlapping(ObstacleKind.WALL, new Bounds(-11, -11, 11, 11)))
-        .containsExactly(Obstacles.LEFT, Obstacles.RIGHT, Obstacles.BOTTOM, Obstacles.TOP);
+        .containsExactly(
+            ObstacleTable.LEFT, ObstacleTable.RIGHT, ObstacleTable.BOTTOM, ObstacleTable.TOP);
   }
 
   @Test

@@ -3,7 +3,7 @@ package dev.carom.internal.queue;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.state.Circles;
+import dev.carom.internal.state.CircleTable;
 import java.util.Random;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -18,7 +18,7 @@ class EventHeapTest {
     double[] times = new double[count];
     boolean[] here = new boolean[count];
     EventHeap heap =
-        new EventHeap(times, (i, j) -> i < j, new int[Circles.collidingCodesAt(count)]);
+        new EventHeap(times, (i, j) -> i < j, new int[CircleTable.collidingCodesAt(count)]);
     for (int step = 0; step < 20_000; step++) {
       int i = random.nextInt(count);
       if (random.nextInt(3) == 0 && !heap.isEmpty()) {

@@ -3,8 +3,8 @@ package dev.carom.internal.response;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.state.Jam;
-import dev.carom.internal.state.Mover;
+import dev.carom.internal.state.IgnoreList;
+import dev.carom.internal.state.MovingCircle;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -18,7 +18,7 @@ class StuckRuleTest {
   /** The largest approach that is rounding of a speed of 1. */
   private static final double FAINT = 0x1p-48;
 
-  private final Mover m = new Mover();
+  private final MovingCircle m = new MovingCircle();
 
   /** A circle of radius 1 at (4, 6) that met a speed of 1. */
   private void start(int stuck) {
@@ -95,7 +95,7 @@ class StuckRuleTest {
   @Test
   void whoLeavesThePlaceBeginsAnew() {
     start(StuckRule.LIMIT + 1);
-    m.jam = Jam.with(null, 7);
+    m.jam = IgnoreList.with(null, 7);
     m.turn = 1;
     StuckRule.count(m, 1, 2, PLAIN, 1, StuckRule.ELASTIC);
     assertThat(m.stuck).isZero();

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.query.Candidate;
+import dev.carom.internal.query.TracedPath;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.Hit;
+import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.internal.sweep.WallSweep;
+import dev.carom.internal.util.DoubleList;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.IntFunction;
+
+/** The friendly form of detector and tracer: from public records to numbers, and back. */
+final class CircleCast {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private CircleCast() {}
+
+  /** A moving circle of no world. */
+  static MovingCircle mover(Circle circle, Vec2 v, double restitution) {
+    MovingCircle m = new MovingCircle();
+    m.start(0, circle.x(), circle.y(), circle.radius(), v.x(), v.y(), restitution);
+    return m;
+  }
+
+  /** A peg; an endpoint is one of radius 0. */
+  static Circle peg(Obstacle obstacle) {
+    return obstacle instanceof Endpoint end ? new Circle(end.x(), end.y(), 0) : (Circle) obstacle;
+  }
+
+  static Optional<Impact> line(Circle c, Vec2 v, Line l, double T) {
+    int contact =
+        SegmentSweep.contact(
+            c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by());
+    double t =
+        SegmentSweep.time(
+            contact, c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(), T);
+    if (t == NEVER) {
+      return Optional.empty();
+    }
+    Hit hit =
+        Hit.ofLine(
+            c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(), contact, t);
+    return Optional.of(impact(t, ObstacleKind.LINE, Impact.NO_ID, l, contact, hit));
+  }
+
+  static Optional<Impact> bounds(Circle circle, Vec2 v, Bounds bounds, double T) {
+    double wallX = v.x() < 0 ? bounds.xmin() : bounds.xmax();
+    double wallY = v.y() < 0 ? bounds.ymin() : bounds.ymax();
+    double tx = WallSweep.time(circle.x(), circle.radius(), v.x(), wallX, T);
+    double ty = WallSweep.time(circle.y(), circle.radius(), v.y(), wallY, T);
+    if (tx == NEVER && ty == NEVER) {
+      return Optional.empty();
+    }
+    boolean vertical = tx < ty || (tx == ty && !isEarlierInY(circle, v, wallX, wallY));
+    int id =
+        vertical
+            ? (v.x() < 0 ? WallSweep.LEFT : WallSweep.RIGHT)
+            : (v.y() < 0 ? WallSweep.BOTTOM : WallSweep.TOP);
+    double wall = vertical ? wallX : wallY;
+    double t = vertical ? tx : ty;
+    Hit hit = Hit.ofWall(circle.x(), circle.y(), v.x(), v.y(), id, wall, t);
+    return Optional.of(impact(t, ObstacleKind.WALL, id, bounds, 0, hit));
+  }
+
+  /** Of two walls whose rounded times are equal: whether the horizontal one is exactly earlier. */
+  private static boolean isEarlierInY(Circle circle, Vec2 v, double wallX, double wallY) {
+    ExactTime tx = WallSweep.exactTime(circle.x(), circle.radius(), v.x(), wallX);
+    ExactTime ty = WallSweep.exactTime(circle.y(), circle.radius(), v.y(), wallY);
+    return ty.compare(tx) < 0;
+  }
+
+  /** Disk 1 against disk 2, which is reported as the given obstacle. */
+  static Optional<Impact> disk(
+      Circle c1, Vec2 v1, Circle c2, Vec2 v2, ObstacleKind kind, Obstacle obstacle, double T) {
+    int contact =
+        DiskSweep.contact(
+            c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), c2.x(), c2.y(), c2.radius(), v2.x(),
+            v2.y());
+    double t =
+        DiskSweep.time(
+            contact, c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), c2.x(), c2.y(), c2.radius(),
+            v2.x(), v2.y(), T);
+    if (t == NEVER) {
+      return Optional.empty();
+    }
+    Hit hit =
+        Hit.ofDisks(
+            c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), c2.x(), c2.y(), c2.radius(), v2.x(),
+            v2.y(), contact, t);
+    return Optional.of(impact(t, kind, Impact.NO_ID, obstacle, contact, hit));
+  }
+
+  /** The impact that a cast found first. */
+  static Impact impact(Candidate first, ObstacleKind kind, int id, Obstacle obstacle) {
+    return impact(first.time(), kind, id, obstacle, first.contact(), first.hit().get());
+  }
+
+  private static Impact impact(
+      double t, ObstacleKind kind, int id, Obstacle obstacle, int contact, Hit hit) {
+    return new Impact(
+        t,
+        kind,
+        id,
+        obstacle,
+        feature(kind, contact),
+        new Vec2(hit.x(), hit.y()),
+        new Vec2(hit.nx(), hit.ny()),
+        hit.approachSpeed());
+  }
+
+  private static Feature feature(ObstacleKind kind, int contact) {
+    return switch (kind) {
+      case WALL -> Feature.SIDE;
+      case LINE ->
+          switch (contact & ~Contact.NOW) {
+            case Contact.START -> Feature.START;
+            case Contact.END -> Feature.END;
+            default -> Feature.SIDE;
+          };
+      case PEG, CIRCLE -> Feature.CIRCLE;
+    };
+  }
+
+  /**
+   * The way that a tracer found.
+   *
+   * @param things the obstacle that a code stands for
+   */
+  static Trajectory trajectory(TracedPath path, IntFunction<Obstacle> things) {
+    List<Flight> flights = new ArrayList<>();
+    DoubleList f = path.flights();
+    for (int k = 0; k < f.size(); k += TracedPath.FLIGHT) {
+      flights.add(new Flight(f.get(k), f.get(k + 1), f.get(k + 2), f.get(k + 3), f.get(k + 4)));
+    }
+    ImpactLog log = new ImpactLog(path.impacts());
+    List<Impact> impacts = new ArrayList<>();
+    for (int row = 0; row < log.size(); row++) {
+      impacts.add(
+          new Impact(
+              log.time(row),
+              log.kind(row),
+              log.id(row),
+              things.apply(code(log.kind(row), log.id(row))),
+              log.feature(row),
+              new Vec2(log.x(row), log.y(row)),
+              new Vec2(log.nx(row), log.ny(row)),
+              log.approachSpeed(row)));
+    }
+    return new Trajectory(flights, impacts, path.duration(), path.complete());
+  }
+
+  /** The code of an obstacle. */
+  private static int code(ObstacleKind kind, int id) {
+    return switch (kind) {
+      case WALL -> id;
+      case LINE -> ObstacleTable.WALLS + id;
+      default -> ObstacleTable.PEGS + id;
+    };
+  }
+}

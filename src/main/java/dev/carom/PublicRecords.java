@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import dev.carom.internal.state.ObstacleTable;
+
+/** The public records of what stands in the rows of {@link ObstacleTable}. */
+final class PublicRecords {
+
+  private PublicRecords() {}
+
+  /** A line, or a peg, as it is now; of a wall, the bounds. */
+  static Obstacle of(ObstacleTable obstacles, int code) {
+    if (code < ObstacleTable.WALLS) {
+      return bounds(obstacles.walls);
+    }
+    int k = obstacles.offset(code);
+    return code < ObstacleTable.PEGS ? line(obstacles.lines, k) : peg(obstacles.pegs, k);
+  }
+
+  /** The bounds with these walls; null for null. */
+  static Bounds bounds(double[] walls) {
+    return walls == null
+        ? null
+        : new Bounds(
+            walls[ObstacleTable.LEFT],
+            walls[ObstacleTable.BOTTOM],
+            walls[ObstacleTable.RIGHT],
+            walls[ObstacleTable.TOP]);
+  }
+
+  /** What messages say of the bounds with these walls, which may be null. */
+  static String told(double[] walls) {
+    return walls == null ? "none" : bounds(walls).toString();
+  }
+
+  /** Where the walls of bounds stand, by their codes. */
+  static double[] walls(Bounds b) {
+    return ObstacleTable.walls(b.xmin(), b.ymin(), b.xmax(), b.ymax());
+  }
+
+  /** The line whose row begins at a place in an array. */
+  static Line line(double[] rows, int k) {
+    return new Line(
+        rows[k + ObstacleTable.AX],
+        rows[k + ObstacleTable.AY],
+        rows[k + ObstacleTable.BX],
+        rows[k + ObstacleTable.BY]);
+  }
+
+  /** The peg whose row begins at a place in an array. */
+  static Circle peg(double[] rows, int k) {
+    return new Circle(
+        rows[k + ObstacleTable.X], rows[k + ObstacleTable.Y], rows[k + ObstacleTable.RADIUS]);
+  }
+}

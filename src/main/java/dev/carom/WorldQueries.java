@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import dev.carom.internal.engine.Engine;
+import dev.carom.internal.engine.StaticScene;
+import dev.carom.internal.query.Candidate;
+import dev.carom.internal.query.CircleQueries;
+import dev.carom.internal.query.Proximity;
+import dev.carom.internal.query.TracedPath;
+import dev.carom.internal.query.Tracer;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.util.Index;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/** What can be asked of a world without moving anything. */
+final class WorldQueries {
+
+  private final ObstacleTable obstacles;
+  private final StaticScene surroundings;
+  private final CircleTable circles;
+  private final CircleRegistry roster;
+  private final Proximity proximity;
+  private final CircleQueries queries;
+  private final boolean collide;
+
+  WorldQueries(Engine engine, CircleRegistry roster, boolean collide) {
+    this.roster = roster;
+    this.collide = collide;
+    surroundings = engine.surroundings;
+    obstacles = surroundings.obstacles;
+    circles = engine.circles;
+    proximity = new Proximity(obstacles);
+    queries = new CircleQueries(circles, roster);
+  }
+
+  Optional<Impact> cast(Circle circle, Vec2 velocity, double T, double now) {
+    MovingCircle mover = CircleCast.mover(circle, velocity, 1);
+    Candidate obstacle = tracer(circle).first(mover, T);
+    Candidate first = collide ? queries.first(mover, obstacle, T, now) : obstacle;
+    return first == null || !first.isWithin(T) ? Optional.empty() : Optional.of(impact(first, now));
+  }
+
+  private Impact impact(Candidate first, double now) {
+    int code = first.code();
+    if (code < ObstacleTable.CIRCLES) {
+      Obstacle thing = PublicRecords.of(obstacles, code);
+      return CircleCast.impact(
+          first, ObstacleKind.of(obstacles.kind(code)), obstacles.index(code), thing);
+    }
+    int slot = code - ObstacleTable.CIRCLES;
+    Circle circle = new Circle(circles.x(slot, now), circles.y(slot, now), circles.radius(slot));
+    return CircleCast.impact(first, ObstacleKind.CIRCLE, roster.id(slot), circle);
+  }
+
+  Trajectory trace(Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
+    MovingCircle mover = CircleCast.mover(circle, velocity, restitution);
+    TracedPath path = tracer(circle).trace(mover, duration, bounces, Resolver.IMPACTS_PER_TRACE);
+    return CircleCast.trajectory(path, code -> PublicRecords.of(obstacles, code));
+  }
+
+  private Tracer tracer(Circle circle) {
+    return new Tracer(obstacles, surroundings.search, surroundings.gridAtLeast(circle.radius()));
+  }
+
+  double restitution(int code) {
+    return code >= ObstacleTable.CIRCLES
+        ? circles.restitution(code - ObstacleTable.CIRCLES)
+        : obstacles.givenRestitution(code);
+  }
+
+  Response response(int code) {
+    return Response.of(ContactFlags.response(traits(code)));
+  }
+
+  boolean isOneWay(int code) {
+    return ContactFlags.isOneWay(traits(code));
+  }
+
+  private int traits(int code) {
+    if (code >= ObstacleTable.CIRCLES) {
+      return roster.traits(code - ObstacleTable.CIRCLES);
+    }
+    return code < ObstacleTable.WALLS ? obstacles.boundsTraits : obstacles.traits(code);
+  }
+
+  int[] ids(ObstacleKind kind) {
+    return kind == ObstacleKind.CIRCLE ? roster.ids() : ids(proximity.codes(kind.ordinal()));
+  }
+
+  int nearest(ObstacleKind kind, double x, double y, double now) {
+    if (kind != ObstacleKind.CIRCLE) {
+      int code = proximity.nearest(proximity.codes(kind.ordinal()), x, y);
+      return code == Proximity.NONE ? -1 : obstacles.index(code);
+    }
+    int slot = queries.nearest(x, y, now);
+    return slot == Index.NONE ? -1 : roster.id(slot);
+  }
+
+  int[] overlapping(ObstacleKind kind, Circle disk, double now) {
+    double x = disk.x();
+    double y = disk.y();
+    double r = disk.radius();
+    return kind == ObstacleKind.CIRCLE
+        ? queries.overlapping(x, y, r, now).map(roster::id).toArray()
+        : ids(proximity.codes(kind.ordinal()).filter(code -> proximity.overlaps(code, x, y, r)));
+  }
+
+  int[] overlapping(ObstacleKind kind, Bounds bounds, double now) {
+    double[] box = PublicRecords.walls(bounds);
+    return kind == ObstacleKind.CIRCLE
+        ? queries.overlapping(box, now).map(roster::id).toArray()
+        : ids(proximity.codes(kind.ordinal()).filter(code -> proximity.overlaps(code, box)));
+  }
+
+  private int[] ids(IntStream codes) {
+    return codes.map(obstacles::index).toArray();
+  }
+}

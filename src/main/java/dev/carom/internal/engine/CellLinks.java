@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.engine;
+
+import dev.carom.internal.util.Index;
+
+/** Who follows in the lists of {@link CellGrid}, apart from other ints of the circles. */
+public final class CellLinks {
+
+  public final CellGrid cells;
+  private final int[] next;
+
+  /** Null where lists are short: there a circle is found in its list by going through it. */
+  private final int[] previous;
+
+  /**
+   * @param next room for the followers of all circles
+   * @param previous room for those before them, or null for short lists
+   */
+  public CellLinks(CellGrid cells, int[] next, int[] previous) {
+    this.cells = cells;
+    this.next = next;
+    this.previous = previous;
+  }
+
+  public void add(int i, int place) {
+    int first = cells.first(place);
+    next[i] = first;
+    if (previous != null) {
+      previous[i] = Index.NONE;
+      if (first != Index.NONE) {
+        previous[first] = i;
+      }
+    }
+    cells.setFirst(place, i);
+  }
+
+  public void remove(int i, int place) {
+    int before = previous == null ? before(i, place) : previous[i];
+    int after = next[i];
+    if (before == Index.NONE) {
+      cells.setFirst(place, after);
+    } else {
+      next[before] = after;
+    }
+    if (previous != null && after != Index.NONE) {
+      previous[after] = before;
+    }
+  }
+
+  private int before(int i, int place) {
+    int before = Index.NONE;
+    for (int j = cells.first(place); j != i; j = next[j]) {
+      before = j;
+    }
+    return before;
+  }
+
+  /** Finds all circles of a cell's list and of the eight around it, as {@link CellGrid#around}. */
+  public int around(int place, int[] found, int size) {
+    return follow(found, size, cells.around(place, found, size));
+  }
+
+  /** The same for a cell and those a step before and after it. */
+  int beside(int place, int step, int[] found, int size) {
+    return follow(found, size, cells.beside(place, step, found, size));
+  }
+
+  /** Adds those that follow in the lists, and returns the place after the last. */
+  private int follow(int[] found, int from, int to) {
+    int end = to;
+    for (int k = from; k < end; k++) {
+      int follower = next[found[k]];
+      found[end] = follower;
+      end += 1 + (follower >> 31);
+    }
+    return end;
+  }
+}

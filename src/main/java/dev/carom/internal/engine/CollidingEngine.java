@@ -1,0 +1,548 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.engine;
+
+import dev.carom.internal.exact.ExactBudget;
+import dev.carom.internal.queue.CalendarQueue;
+import dev.carom.internal.response.ContactCluster;
+import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.response.PairResponse;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.IgnoreList;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.LiveCodes;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.SavedFlights;
+import dev.carom.internal.state.SceneData;
+import dev.carom.internal.util.Index;
+import java.util.Arrays;
+import java.util.Collection;
+
+/**
+ * Circles that collide: event after event, in the order of time.
+ *
+ * <p>Which event of a circle is next, and the order of all, is for {@link EventScheduler}. When a
+ * circle's velocity changes, its count goes up, and what was foreseen for it is foreseen anew; that
+ * another circle foresaw a meeting with it is noticed there by the count.
+ *
+ * <p>When two circles meet depends on their two flights alone: the search starts where the later
+ * one starts, from the place of the other one then. So neither the cells through which they found
+ * each other nor the steps of the caller change a bit of it.
+ */
+public final class CollidingEngine extends Engine {
+
+  /** Events in one call, and so many more for each circle. */
+  private static final int EVENTS_PER_CALL = 2_000_000;
+
+  private static final int EVENTS_PER_CIRCLE = 1_000;
+
+  private final EngineOptions machinery;
+
+  /** Where the walls stand, by their codes; null without bounds. */
+  private final double[] walls;
+
+  private final PairResponse pairs;
+  private final ContactCluster cluster;
+  private NeighborGrid neighbors;
+  private CollisionPredictor meetings;
+  private EventScheduler schedule;
+  private CalendarQueue queue;
+
+  /** The time of the last event, or of the end of the last step. */
+  private double reached;
+
+  /**
+   * The time of the last crossing. If it is also that of the last event, the crossing may be
+   * further on by what rounding took: then some cells are those of a moment later.
+   */
+  private double crossed;
+
+  /** When a flight began last, or a sensor reported a meeting, as head and tail. */
+  private double happened;
+
+  private double happenedTail;
+
+  /** The end of the step in hand. */
+  private double end;
+
+  /** Whether there are no lines and no pegs, in this step. */
+  private boolean nothingInside;
+
+  /** What searches among neighbours found: for one circle, and for another. */
+  private int[] found;
+
+  private int[] foundOfOther;
+
+  /** Whether an edit needs more room or other cells than there are. */
+  private boolean outgrown;
+
+  private final SensorPairs sensed = new SensorPairs();
+  private final MovingCircle other = new MovingCircle();
+
+  public CollidingEngine(
+      SceneData scene, CircleRegistry roster, EngineOptions machinery, ImpactRows log) {
+    super(scene, roster, CircleTable.colliding(scene.circleCount()), machinery, log);
+    this.machinery = machinery;
+    walls = scene.walls;
+    pairs = new PairResponse(roster);
+    cluster = new ContactCluster(roster, pairs, response, surroundings.obstacles, new Vicinity());
+    int count = circles.count;
+    for (int i = 0; i < count; i++) {
+      circles.start(scene, i);
+      circles.keep(i, circles.mover);
+    }
+    begin();
+  }
+
+  /** Foresees everything anew, from the flights. */
+  private void begin() {
+    crossed = Double.NaN;
+    nothingInside = surroundings.obstacles.size() == 0;
+    int room = circles.capacity();
+    found = new int[room + 9];
+    foundOfOther = new int[room + 9];
+    int[] slots = roster.slots();
+    neighbors = new NeighborGrid(circles, slots, walls, machinery.pairCells(), reached);
+    meetings = new CollisionPredictor(circles, pairs, sensed);
+    schedule = new EventScheduler(circles, roster, neighbors, meetings, pairs, room);
+    queue = schedule.queue;
+    for (int i : slots) {
+      lookAround(circles.state, circles.codes, i);
+      foresee(i);
+    }
+  }
+
+  @Override
+  public String model() {
+    return surroundings.model(true).toString();
+  }
+
+  @Override
+  public double advance(double end) {
+    unfinished = false;
+    this.end = end;
+    prepare();
+    nothingInside = surroundings.obstacles.size() == 0;
+    if (outgrown) {
+      outgrown = false;
+      begin();
+    }
+    double[] s = circles.state;
+    int[] c = circles.codes;
+    long usual = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * roster.count();
+    long budget = (long) (usual * machinery.budget());
+    ExactBudget work = ExactBudget.ofThread();
+    long before = work.bits();
+    for (long events = 0; ; events++) {
+      if (events + work.impactsSince(before) >= budget && isSomethingDue()) {
+        unfinished = true;
+        return reached;
+      }
+      int i = queue.take(end);
+      if (i == Index.NONE) {
+        reached = end;
+        return end;
+      }
+      reach(queue.takenAt());
+      int kind = EventScheduler.kind(c, i);
+      if (kind >= EventKind.CROSSING) { // most are
+        cross(s, c, i, kind - EventKind.CROSSING);
+      } else {
+        happen(s, c, i, kind);
+      }
+    }
+  }
+
+  /** Whether there is an event until the end of the step. */
+  private boolean isSomethingDue() {
+    int i = queue.first();
+    return i != Index.NONE && queue.time(i) <= end;
+  }
+
+  /**
+   * Goes on to a time. A crossing may be noticed late by rounding: time does not go back for it.
+   */
+  private void reach(double time) {
+    if (time > reached) {
+      reached = time;
+    }
+  }
+
+  /** What is no crossing. */
+  private void happen(double[] s, int[] c, int i, int kind) {
+    switch (kind) {
+      case EventKind.STATIC -> meetObstacle(i);
+      case EventKind.PAIR -> meet(s, c, i);
+      default -> { // an edit
+        lookAround(s, c, i);
+        foresee(i);
+      }
+    }
+  }
+
+  private void cross(double[] s, int[] c, int i, int way) {
+    crossed = reached;
+    int size = neighbors.cross(s, c, i, way, found);
+    double crossing = neighbors.crossing(s, i);
+    int nextWay = neighbors.way();
+    lookAround(s, c, i);
+    if (meetings.look(s, c, i, found, size)) {
+      schedule.set(s, c, i, crossing, nextWay);
+    } else {
+      foresee(i);
+    }
+  }
+
+  private void meetObstacle(int i) {
+    circles.load(i);
+    MovingCircle m = circles.mover;
+    if (m.next == MovingCircle.NOTHING) {
+      surroundings.extend(m, m.cleared);
+      circles.keep(i, m);
+      schedule.set(i);
+      return;
+    }
+    switch (response.resolve(m, log)) {
+      case ObstacleResponse.SENSED -> {
+        surroundings.extend(m, m.cleared);
+        circles.keep(i, m);
+        schedule.set(i);
+      }
+      case ObstacleResponse.STUCK -> {
+        circles.keep(i, m);
+        leaveJamsOfInfinite(i);
+        resolveContacts(i);
+      }
+      default -> {
+        happened(m.t, m.tl);
+        changed(circles.state, circles.codes, i, m);
+        leaveJamsOfInfinite(i);
+        revive(i);
+        foresee(i);
+      }
+    }
+  }
+
+  private void meet(double[] s, int[] c, int i) {
+    if (!CollisionPredictor.holds(c, i)) {
+      foresee(i);
+      return;
+    }
+    int j = CollisionPredictor.partner(c, i);
+    if (CollisionPredictor.isOpen(s, i)) {
+      meetings.refine(s, c, i);
+      boolean isOfBoth = EventScheduler.isSame(c, i, j);
+      if (isOfBoth) {
+        queue.clear(j); // else that event would seem to come first
+      }
+      if (!isStillFirst(s, i)) {
+        schedule.set(i);
+        if (isOfBoth) {
+          schedule.set(j);
+        }
+        return;
+      }
+      reach(CollisionPredictor.time(s, i));
+    }
+    queue.clear(j);
+    int low = Math.min(i, j);
+    int high = Math.max(i, j);
+    circles.loadForMeeting(s, c, low, circles.mover);
+    circles.loadForMeeting(s, c, high, other);
+    flyToMeeting(s, circles.mover, other, i, circles.walls);
+    circles.mover.crushed = cluster.isCrushed(circles.mover);
+    other.crushed = cluster.isCrushed(other);
+    switch (pairs.resolve(circles.mover, other, log)) {
+      case ObstacleResponse.SENSED -> {
+        report(low, high, i);
+        foresee(s, c, low, high);
+      }
+      case ObstacleResponse.STUCK -> {
+        circles.keep(low, circles.mover);
+        circles.keep(high, other);
+        resolveContacts(low, high);
+      }
+      default -> {
+        happened(other.t, other.tl); // for both
+        changed(s, c, low, circles.mover);
+        changed(s, c, high, other);
+        revive(low);
+        revive(high);
+        foresee(s, c, low, high);
+      }
+    }
+  }
+
+  /**
+   * Whether the meeting of circle i, now that its time is known, comes before all other events:
+   * those of others, for its own were compared by {@link EventScheduler#set}.
+   */
+  private boolean isStillFirst(double[] s, int i) {
+    double time = CollisionPredictor.time(s, i);
+    return time <= end && queue.isBeforeAll(time);
+  }
+
+  /** Notes that a sensor reported what circle i met: one of two. */
+  private void report(int low, int high, int i) {
+    double head = CollisionPredictor.time(circles.state, i);
+    double tail = CollisionPredictor.tail(circles.state, i);
+    happened(head, tail);
+    sensed.report(low, head, tail, high);
+    sensed.report(high, head, tail, low);
+  }
+
+  /** Flies two circles to the meeting foreseen of circle i, the earlier one first to the other. */
+  private static void flyToMeeting(
+      double[] s, MovingCircle a, MovingCircle b, int i, double[] walls) {
+    double tau = CollisionPredictor.tau(s, i);
+    double head = CollisionPredictor.time(s, i);
+    double tail = CollisionPredictor.tail(s, i);
+    double later = (b.t - a.t) + (b.tl - a.tl);
+    double ofA = CollisionPredictor.positive(later);
+    double ofB = ofA - later;
+    boolean standsStill = later > 0 ? b.isAt(head, tail) : a.isAt(head, tail);
+    a.fly(ofA, tau, head, tail, standsStill, walls);
+    b.fly(ofB, tau, head, tail, standsStill, walls);
+  }
+
+  /** Puts a circle on its new flight. */
+  private void changed(double[] s, int[] c, int i, MovingCircle m) {
+    circles.keepNewFlight(s, c, i, m);
+    neighbors.comeBack(s, i);
+    count(c, i);
+    if (recorder != null) {
+      recorder.add(m);
+    }
+    lookAround(s, c, i);
+  }
+
+  private void happened(double head, double tail) {
+    happenedTail = head == happened ? Math.max(happenedTail, tail) : tail;
+    happened = head;
+  }
+
+  /** Resolves all contacts of stuck circles, and of those that touch them, at once. */
+  private void resolveContacts(int... hit) {
+    MovingCircle[] first = Arrays.stream(hit).mapToObj(this::copy).toArray(MovingCircle[]::new);
+    Collection<MovingCircle> members = cluster.resolve(log, first);
+    for (MovingCircle m : members) {
+      queue.clear(m.id);
+      happened(m.t, m.tl);
+      changed(circles.state, circles.codes, m.id, m);
+    }
+    members.forEach(m -> revive(m.id));
+    members.forEach(m -> foresee(m.id));
+  }
+
+  /** What is near the circles, by their cells and the grid of the obstacles. */
+  private final class Vicinity implements ContactCluster.Vicinity {
+
+    @Override
+    public int[] circlesNear(int i) {
+      int end = neighbors.find(circles.codes, i, found);
+      for (int k = 0; k < end; k++) {
+        int follower = circles.codes[CircleTable.collidingCodesAt(found[k]) + CircleTable.FOLLOWER];
+        if (follower != Index.NONE) {
+          found[end++] = follower;
+        }
+      }
+      return Arrays.copyOf(found, end);
+    }
+
+    @Override
+    public MovingCircle copyOf(int i) {
+      return copy(i);
+    }
+
+    @Override
+    public int[] obstaclesNear(MovingCircle m) {
+      return surroundings.near(m);
+    }
+  }
+
+  private MovingCircle copy(int i) {
+    MovingCircle m = new MovingCircle();
+    circles.load(i, m);
+    return m;
+  }
+
+  /**
+   * Circles that were inert for a jammed one are there again if it now runs into them; not infinite
+   * masses that crushed it, until they have left it.
+   */
+  private void revive(int i) {
+    IgnoreList jam = circles.jam(i);
+    if (jam == null) {
+      return;
+    }
+    circles.load(i);
+    for (int code : jam.codes()) {
+      int id = code - ObstacleTable.CIRCLES;
+      if (id >= 0) {
+        circles.load(id, other);
+        if (pairs.part(circles.mover, other)) {
+          jam = jam.without(code);
+        }
+      }
+    }
+    circles.jams[i] = jam;
+  }
+
+  /** Notes that a circle changed: what others foresaw with it does not hold, nor what it met. */
+  private void count(int[] c, int i) {
+    c[CircleTable.collidingCodesAt(i) + CircleTable.COUNT]++;
+    sensed.forget(i);
+  }
+
+  /**
+   * Looks for the next obstacle ahead of a circle, unless that is done or none can be in its cell.
+   */
+  private void lookAround(double[] s, int[] c, int i) {
+    boolean nothingNear = nothingInside && neighbors.isInside(s, i);
+    if (!nothingNear && !EventScheduler.isLookedAhead(s, c, i)) {
+      circles.load(i);
+      surroundings.extend(circles.mover, 0);
+      circles.keep(i, circles.mover);
+    }
+  }
+
+  /** Looks anew for the first circle that circle i meets. */
+  private void foresee(int i) {
+    double[] s = circles.state;
+    int[] c = circles.codes;
+    int size = neighbors.find(c, i, found);
+    double crossing = neighbors.crossing(s, i);
+    int way = neighbors.way();
+    meetings.decide(s, c, i, found, CollisionPredictor.sift(s, c, i, found, size));
+    schedule.set(s, c, i, crossing, way);
+  }
+
+  /**
+   * The same for two circles: first what can be computed without a branch, for both, then what
+   * branches on it, which cannot be foretold. So the waits of one overlap with those of the other.
+   */
+  private void foresee(double[] s, int[] c, int i, int j) {
+    int size = neighbors.find(c, i, found);
+    int sizeOfJ = neighbors.find(c, j, foundOfOther);
+    double crossingOfI = neighbors.crossing(s, i);
+    int wayOfI = neighbors.way();
+    double crossingOfJ = neighbors.crossing(s, j);
+    int wayOfJ = neighbors.way();
+    int leftOfI = CollisionPredictor.sift(s, c, i, found, size);
+    int leftOfJ = CollisionPredictor.sift(s, c, j, foundOfOther, sizeOfJ);
+    meetings.decide(s, c, i, found, leftOfI);
+    schedule.set(s, c, i, crossingOfI, wayOfI);
+    meetings.decide(s, c, j, foundOfOther, leftOfJ);
+    schedule.set(s, c, j, crossingOfJ, wayOfJ);
+  }
+
+  // Edits.
+
+  @Override
+  void fly(MovingCircle m) {
+    // The new flight begins now, so it needs all cells as they are now.
+    outgrown |= crossed == reached;
+    int i = m.id;
+    if (i == circles.count) {
+      outgrown |= i == circles.capacity();
+      circles.add();
+    } else if (!outgrown) {
+      queue.clear(i);
+      neighbors.leave(i);
+    }
+    surroundings.setRadius(i, m.radius);
+    circles.keep(i, m);
+    count(circles.codes, i);
+    if (recorder != null) {
+      recorder.add(m);
+    }
+    outgrown = outgrown || !neighbors.enter(i, reached);
+    lookAnew(i);
+    leaveJamsOfInfinite(i);
+  }
+
+  /** Lets a circle look ahead and around anew with the next step, when all edits are done. */
+  private void lookAnew(int i) {
+    if (!outgrown) {
+      queue.clear(i);
+      schedule.edit(i, reached);
+    }
+  }
+
+  @Override
+  double tailOfEdit(MovingCircle m, double now) {
+    return lastTail(now);
+  }
+
+  /** The tail of the last event, if that was now; to whom it happened may be gone. */
+  private double lastTail(double now) {
+    return happened == now ? Math.max(0, happenedTail) : 0;
+  }
+
+  @Override
+  void remove(int i) {
+    if (!outgrown) {
+      queue.clear(i);
+      neighbors.leave(i);
+    }
+    count(circles.codes, i);
+    if (circles.jams != null) {
+      leaveJams(ObstacleTable.CIRCLES + i);
+    }
+  }
+
+  /** An infinite mass that changed its way is there again for circles that it crushed. */
+  private void leaveJamsOfInfinite(int i) {
+    if (circles.jams != null && roster.mass(i) == Double.POSITIVE_INFINITY) {
+      leaveJams(ObstacleTable.CIRCLES + i);
+    }
+  }
+
+  /** Whom a circle was jammed with is not held by it when it is gone. */
+  private void leaveJams(int code) {
+    LiveCodes present = roster.present();
+    for (int k = 0; k < present.size(); k++) {
+      int i = present.get(k);
+      IgnoreList jam = circles.jam(i);
+      if (roster.contains(i) && jam != null && jam.concerns(code)) {
+        circles.load(i);
+        circles.mover.forget(code, 0);
+        keep(i, circles.mover);
+      }
+    }
+  }
+
+  @Override
+  void keep(int i, MovingCircle m) {
+    circles.keep(i, m);
+    lookAnew(i);
+  }
+
+  // Time.
+
+  @Override
+  public SavedFlights save(double now) {
+    SavedFlights states = super.save(now);
+    int[] slots = roster.slots();
+    for (int k = 0; k < slots.length; k++) {
+      sensed.save(slots[k], roster, k, states);
+    }
+    states.tailOfEdit = lastTail(now);
+    return states;
+  }
+
+  @Override
+  public void restore(SavedFlights flights, double now) {
+    reached = now;
+    outgrown = true;
+    sensed.clear();
+    super.restore(flights, now);
+    happened = now;
+    happenedTail = flights.tailOfEdit;
+    for (int k = 0; k < flights.count(); k++) {
+      sensed.restore(k, roster, flights);
+    }
+  }
+}

@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.engine;
+
+import static dev.carom.internal.exact.DoubleDouble.sumTail;
+
+import dev.carom.internal.response.PairResponse;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.TimeOfImpact;
+import dev.carom.internal.util.Index;
+
+/**
+ * The first meeting that is foreseen of each circle: when, with whom, and the other's count of
+ * changes then.
+ *
+ * <p>When two circles meet depends on their two flights alone: it is the detector's answer, counted
+ * from the later one's start, from the place of the other one then. So neither the cells through
+ * which they found each other nor the steps of the caller change a bit of it.
+ *
+ * <p>Most circles that are near do not meet, and of those that meet only the first matters. Plain
+ * doubles pass over the others, as long as bounds of their errors allow it; the detector decides
+ * where they do not, and gives the time of the one that is left, once that is needed.
+ */
+final class CollisionPredictor {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** The time of a meeting that is known by bounds only. */
+  private static final double OPEN = Double.NaN;
+
+  // Bounds of b and reach, the same as in DiskSweep with more to spare.
+  private static final double DOT_BOUND = 8 * 0x1p-53;
+  private static final double REACH_BOUND = 16 * 0x1p-53;
+
+  /**
+   * The bound of b where it is computed by an fma: then it errs by 3 u of itself and 5 u of {@code
+   * uy dy}, since {@code |ux dx|} is no more than the sum of both. It is above 0 if it exceeds so
+   * much of {@code |uy dy|}.
+   */
+  private static final double APART_BOUND = 16 * 0x1p-53;
+
+  /** Added to u.u and r^2, it outweighs what underflow takes from one and the other multiplies. */
+  private static final double SMALL = 0x1p-990;
+
+  /**
+   * The least part of its terms that g or reach must be for {@link #TIME_BOUND}. b^2 = reach + a g
+   * is then as large a part of a d.d, so b, which errs by 5 u of at most sqrt(a d.d), errs by 5 u
+   * 2^10 of itself; g by 6 u 2^20, reach by 12 u 2^20, its root by half of that.
+   */
+  private static final double WELL_CONDITIONED = 0x1p-20;
+
+  /** t = g / (sqrt(reach) - b) errs by less than 2^4 u 2^20 = 2^-29 of itself. */
+  private static final double TIME_BOUND = 0x1p-28;
+
+  /** What a sum of a time and t errs by, far more than its rounding and its tail. */
+  private static final double SUM_BOUND = 0x1p-50;
+
+  /** Half of what takes the bits of -infinity, as a whole number, to 0. */
+  private static final long HALF_OF_REST = 1L << 51;
+
+  private final CircleTable circles;
+  private final PairResponse pairs;
+  private final SensorPairs sensed;
+
+  // The first meeting found so far, of which the rest stands where it is kept: with whom, and when
+  // it is at the latest.
+  private int partner;
+  private double high;
+
+  // The meeting that exact() looked at last: after the later start, as head and tail.
+  private double exactTau;
+  private double exactHead;
+  private double exactTail;
+
+  CollisionPredictor(CircleTable circles, PairResponse pairs, SensorPairs sensed) {
+    this.sensed = sensed;
+    this.circles = circles;
+    this.pairs = pairs;
+  }
+
+  /** When circle i meets another one, at the earliest; it is the time itself once refined. */
+  static double time(double[] s, int i) {
+    return s[CircleTable.collidingAt(i) + CircleTable.MEETING];
+  }
+
+  static double tail(double[] s, int i) {
+    return s[CircleTable.collidingAt(i) + CircleTable.MEETING_TAIL];
+  }
+
+  /** Whether the time of what was foreseen of circle i is known by bounds only. */
+  static boolean isOpen(double[] s, int i) {
+    return Double.isNaN(tau(s, i));
+  }
+
+  /** How long after the later one of the two flights' starts. */
+  static double tau(double[] s, int i) {
+    return s[CircleTable.collidingAt(i) + CircleTable.TAU];
+  }
+
+  static int partner(int[] codes, int i) {
+    return codes[CircleTable.collidingCodesAt(i) + CircleTable.PARTNER];
+  }
+
+  /** Whether the partner is still on the flight with which it was foreseen. */
+  static boolean holds(int[] codes, int i) {
+    int c = CircleTable.collidingCodesAt(i);
+    int j = codes[c + CircleTable.PARTNER];
+    return codes[c + CircleTable.PARTNER_COUNT]
+        == codes[CircleTable.collidingCodesAt(j) + CircleTable.COUNT];
+  }
+
+  /** Whether that has to be refined, since its bounds do not tell if it comes before a time. */
+  static boolean isInDoubt(double[] s, int[] codes, int i, double time) {
+    int a = CircleTable.collidingAt(i);
+    double low = s[a + CircleTable.MEETING];
+    return Math.abs(time - low) < 2 * doubt(low, s[a + CircleTable.T])
+        && isOpen(s, i)
+        && holds(codes, i);
+  }
+
+  /** How much later a meeting may be that is open, if at the earliest and the flight's start. */
+  private static double doubt(double low, double start) {
+    // low was the time less its error, and t at most the time from the flight's start.
+    return (low - start) * (4 * TIME_BOUND) + low * (4 * SUM_BOUND);
+  }
+
+  /** Finds the time of what was foreseen of circle i, which is open and holds. */
+  void refine(double[] s, int[] codes, int i) {
+    int a = CircleTable.collidingAt(i);
+    exactLater(s, i, partner(codes, i));
+    s[a + CircleTable.MEETING] = exactHead;
+    s[a + CircleTable.MEETING_TAIL] = exactTail;
+    s[a + CircleTable.TAU] = exactTau;
+  }
+
+  /**
+   * Looks whether circle i meets one of some others before what is foreseen of it.
+   *
+   * @param found the others, as {@link NeighborGrid} finds them; those that it cannot meet are
+   *     taken out
+   * @return false if what was foreseen does not hold and stands in the way of telling: then all are
+   *     to be looked at {@linkplain #decide anew}
+   */
+  boolean look(double[] s, int[] codes, int i, int[] found, int size) {
+    int left = size == 0 ? 0 : sift(s, codes, i, found, size);
+    if (left == 0) {
+      return true;
+    }
+    start(s, codes, i);
+    int before = partner;
+    for (int k = 0; k < left; k++) {
+      if (!consider(s, codes, i, found[k], before)) {
+        return false;
+      }
+    }
+    if (partner != before) {
+      storePartner(codes, i);
+    }
+    return true;
+  }
+
+  /** Forgets what was foreseen of circle i, and foresees it among those that {@link #sift} left. */
+  void decide(double[] s, int[] codes, int i, int[] found, int left) {
+    keep(s, i, Index.NONE, NEVER, NEVER, 0, 0);
+    for (int k = 0; k < left; k++) {
+      consider(s, codes, i, found[k], Index.NONE);
+    }
+    storePartner(codes, i);
+  }
+
+  /**
+   * Adds those that follow in the lists, and takes out those that circle i certainly does not meet:
+   * they do not approach, or pass. Written without a branch, for the answers cannot be foretold,
+   * and each waits for a chain of operations.
+   *
+   * @return how many are left
+   */
+  static int sift(double[] s, int[] codes, int i, int[] found, int size) {
+    int a = CircleTable.collidingAt(i);
+    double xi = s[a + CircleTable.X];
+    double yi = s[a + CircleTable.Y];
+    double vxi = s[a + CircleTable.VX];
+    double vyi = s[a + CircleTable.VY];
+    double ti = s[a + CircleTable.T];
+    double tli = s[a + CircleTable.TL];
+    double ri = s[a + CircleTable.RADIUS];
+    int left = 0;
+    int end = size;
+    for (int k = 0; k < end; k++) {
+      int j = found[k];
+      int follower = codes[CircleTable.collidingCodesAt(j) + CircleTable.FOLLOWER];
+      found[end] = follower;
+      end += 1 + (follower >> 31);
+      int c = CircleTable.collidingAt(j);
+      double xj = s[c + CircleTable.X];
+      double r = ri + s[c + CircleTable.RADIUS];
+      double vxj = s[c + CircleTable.VX];
+      double vyj = s[c + CircleTable.VY];
+      // By how much j starts later than i, and i later than j; 0 for the one that does not.
+      double later = (s[c + CircleTable.T] - ti) + (s[c + CircleTable.TL] - tli);
+      double ofI = positive(later);
+      double ofJ = ofI - later;
+      double dx = Math.fma(vxi, ofI, xi) - Math.fma(vxj, ofJ, xj);
+      double dy = Math.fma(vyi, ofI, yi) - Math.fma(vyj, ofJ, s[c + CircleTable.Y]);
+      double ux = vxi - vxj;
+      double uy = vyi - vyj;
+      double by = uy * dy;
+      double b = Math.fma(ux, dx, by);
+      double toward = Math.fma(APART_BOUND, Math.abs(by), TimeOfImpact.TINY) - b;
+      double arr = Math.fma(ux, ux, Math.fma(uy, uy, SMALL)) * Math.fma(r, r, SMALL);
+      double ky = uy * dx;
+      double cross = Math.fma(ux, dy, -ky);
+      // No less than |ux dy| + |uy dx|. What underflow takes times m is below TINY + its bound.
+      double m = Math.fma(2, Math.abs(ky), Math.abs(cross));
+      double near =
+          Math.fma(-cross, cross, arr)
+              + Math.fma(REACH_BOUND, Math.fma(m, m, arr), TimeOfImpact.TINY);
+      found[left] = j;
+      int other = j ^ i;
+      int passes = (int) ((below(toward) | below(near)) >> 32);
+      left += (~passes & (other | -other)) >>> 31;
+    }
+    return left;
+  }
+
+  /** x, or 0 if it is negative, without a branch. */
+  static double positive(double x) {
+    long bits = Double.doubleToRawLongBits(x);
+    return Double.longBitsToDouble(bits & ~(bits >> 63));
+  }
+
+  /** Below 0 if x is, and a finite number; else at least 0. */
+  private static long below(double x) {
+    // As whole numbers, -infinity and what is no number are from -2^52 on.
+    return (Double.doubleToRawLongBits(x) >> 1) + HALF_OF_REST;
+  }
+
+  /** Keeps j as what circle i meets first, if that is so; false as in look. */
+  private boolean consider(double[] s, int[] codes, int i, int j, int before) {
+    int a = CircleTable.collidingAt(i);
+    int c = CircleTable.collidingAt(j);
+    // The first and the last one first: then compilers need not ask whether the rest is in range.
+    double xi = s[a + CircleTable.X];
+    double low = s[a + CircleTable.MEETING];
+    double xj = s[c + CircleTable.X];
+    double r = s[a + CircleTable.RADIUS] + s[c + CircleTable.RADIUS];
+    double ti = s[a + CircleTable.T];
+    double tj = s[c + CircleTable.T];
+    double later = (tj - ti) + (s[c + CircleTable.TL] - s[a + CircleTable.TL]);
+    double ofI = positive(later);
+    double ofJ = ofI - later;
+    double from = Math.max(ti, tj);
+    double vxi = s[a + CircleTable.VX];
+    double vyi = s[a + CircleTable.VY];
+    double vxj = s[c + CircleTable.VX];
+    double vyj = s[c + CircleTable.VY];
+    double dx = Math.fma(vxi, ofI, xi) - Math.fma(vxj, ofJ, xj);
+    double dy = Math.fma(vyi, ofI, s[a + CircleTable.Y]) - Math.fma(vyj, ofJ, s[c + CircleTable.Y]);
+    double ux = vxi - vxj;
+    double uy = vyi - vyj;
+    double bx = ux * dx;
+    double by = uy * dy;
+    double b = bx + by;
+    double rr = r * r;
+    double u2 = ux * ux + uy * uy;
+    double kx = ux * dy;
+    double ky = uy * dx;
+    double cross = kx - ky;
+    double m = Math.abs(kx) + Math.abs(ky);
+    double arr = u2 * rr;
+    double reach = arr - cross * cross;
+    double dd = dx * dx + dy * dy;
+    double g = dd - rr;
+    boolean silent = pairs.haveSilent() && pairs.isSilent(i, j);
+    if (!silent
+        && b < -Math.fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), TimeOfImpact.TINY)
+        && reach > Math.fma(WELL_CONDITIONED, arr + m * m, TimeOfImpact.TINY * (u2 + rr + m + 1))
+        && g > Math.fma(WELL_CONDITIONED, dd + rr, TimeOfImpact.TINY)) {
+      double t = g / (Math.sqrt(reach) - b);
+      double time = from + t;
+      double error = Math.fma(t, TIME_BOUND, time * SUM_BOUND);
+      if (time - error > high) {
+        return true;
+      }
+      if (time + error < low && !pairs.skips(circles, i, j)) {
+        keep(s, i, j, time - error, time + error, OPEN, Double.NEGATIVE_INFINITY);
+        return true;
+      }
+    }
+    return pairs.skips(circles, i, j) || weigh(s, codes, i, j, before, silent);
+  }
+
+  private void start(double[] s, int[] codes, int i) {
+    int a = CircleTable.collidingAt(i);
+    double low = s[a + CircleTable.MEETING];
+    partner = partner(codes, i);
+    high = isOpen(s, i) ? low + doubt(low, s[a + CircleTable.T]) : low;
+  }
+
+  /**
+   * Keeps what circle i meets first so far: with whom, from when to when it may be, and, if that is
+   * not OPEN, how long after the later start it is, and the tail of the time.
+   */
+  private void keep(double[] s, int i, int j, double low, double high, double tau, double tail) {
+    int a = CircleTable.collidingAt(i);
+    partner = j;
+    this.high = high;
+    s[a + CircleTable.MEETING] = low;
+    s[a + CircleTable.TAU] = tau;
+    s[a + CircleTable.MEETING_TAIL] = tail;
+  }
+
+  private void storePartner(int[] codes, int i) {
+    int c = CircleTable.collidingCodesAt(i);
+    codes[c + CircleTable.PARTNER] = partner;
+    if (partner != Index.NONE) {
+      codes[c + CircleTable.PARTNER_COUNT] =
+          codes[CircleTable.collidingCodesAt(partner) + CircleTable.COUNT];
+    }
+  }
+
+  /** Compares the meeting of i and j with the first one so far by their times; false as in look. */
+  private boolean weigh(double[] s, int[] codes, int i, int j, int before, boolean silent) {
+    exact(s, i, j, false);
+    if (exactTau == NEVER || exactHead > high || (silent && !isEntered(i, j))) {
+      return true;
+    }
+    double t = exactTau;
+    double head = exactHead;
+    double l = exactTail;
+    if (head >= time(s, i) && isOpen(s, i)) {
+      if (partner == before && !holds(codes, i)) {
+        return false;
+      }
+      exactLater(s, i, partner);
+      keep(s, i, partner, exactHead, exactHead, exactTau, exactTail);
+    }
+    double low = time(s, i);
+    double tail = tail(s, i);
+    boolean first = head != low ? head < low : l != tail ? l < tail : comesFirst(i, j, partner);
+    if (first) {
+      keep(s, i, j, head, head, t, l);
+    }
+    return true;
+  }
+
+  /** Of two meetings of circle i at one time: whether that with j comes before that with k. */
+  private boolean comesFirst(int i, int j, int k) {
+    return k == Index.NONE
+        || pairs.rank(Math.min(i, j), Math.max(i, j)) < pairs.rank(Math.min(i, k), Math.max(i, k));
+  }
+
+  /**
+   * Whether the meeting looked at last, which is only reported, still has to be: it was if both
+   * have been on their flights since. A sensor does not report what touches it when a flight
+   * starts.
+   */
+  private boolean isEntered(int i, int j) {
+    return (exactTau > 0 || !pairs.isSensor(i, j))
+        && (sensed.isNew(i, exactHead, exactTail, j) || sensed.isNew(j, exactHead, exactTail, i));
+  }
+
+  /** Finds when two meet that are known to meet, but not at once. */
+  private void exactLater(double[] s, int i, int j) {
+    exact(s, i, j, true);
+  }
+
+  private void exact(double[] s, int i, int j, boolean known) {
+    int a = CircleTable.collidingAt(Math.min(i, j));
+    int b = CircleTable.collidingAt(Math.max(i, j));
+    // The first and the last one first, as in consider.
+    double x1 = s[a + CircleTable.X];
+    double r1 = s[a + CircleTable.RADIUS];
+    double x2 = s[b + CircleTable.X];
+    double r2 = s[b + CircleTable.RADIUS];
+    double vx1 = s[a + CircleTable.VX];
+    double vy1 = s[a + CircleTable.VY];
+    double vx2 = s[b + CircleTable.VX];
+    double vy2 = s[b + CircleTable.VY];
+    // By how much the second starts later than the first, and the first than the second.
+    double later =
+        (s[b + CircleTable.T] - s[a + CircleTable.T])
+            + (s[b + CircleTable.TL] - s[a + CircleTable.TL]);
+    double earlier = 0 - later;
+    double of1 = positive(later);
+    double of2 = positive(earlier);
+    int late = a + ((b - a) & (int) (Double.doubleToRawLongBits(earlier) >> 63));
+    x1 = Math.fma(vx1, of1, x1);
+    double y1 = Math.fma(vy1, of1, s[a + CircleTable.Y]);
+    x2 = Math.fma(vx2, of2, x2);
+    double y2 = Math.fma(vy2, of2, s[b + CircleTable.Y]);
+    if (!(Math.abs(x1 - x2) + Math.abs(y1 - y2) < NEVER)) {
+      exactTau = NEVER; // one of them is beyond the range of doubles
+      return;
+    }
+    int contact =
+        known ? Contact.LATER : DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
+    exactTau = DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
+    // The later start and tau, as head and tail.
+    double t = s[late + CircleTable.T];
+    double sum = t + exactTau;
+    double l = sumTail(t, exactTau, sum) + s[late + CircleTable.TL];
+    exactHead = sum + l;
+    exactTail = sumTail(sum, l, exactHead);
+  }
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.engine;
+
+import dev.carom.internal.search.Grid;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.DueTimes;
+import dev.carom.internal.state.ObstacleTable;
+
+/**
+ * The circles that are due in a step, of many that ignore each other: found some at a time, to read
+ * at once what these will need, namely their flights, the lines that they hit, and the lists of the
+ * cells around. A circle by itself waits for memory once for each of these; the reads of several do
+ * not depend on each other, so their waits overlap. Nothing changes but what is in the cache.
+ */
+public final class DuePrefetcher {
+
+  /** From so many circles on they and their lines are more than a core's own cache holds. */
+  public static final int LEAST_CIRCLES = 1 << 12;
+
+  /** Circles found at a time: measured, of 8 to 64 the gain is the same. */
+  private static final int MOST = 16;
+
+  /** Where more than half of all are due, memory is read in its order, and need not be ahead. */
+  private static final int NEAR = 2 * MOST;
+
+  private final CircleTable circles;
+  private final StaticScene surroundings;
+  private final int[] found = new int[MOST];
+  private int size;
+
+  /** The number of those found that were told. */
+  private int told;
+
+  /** Where to look for more. */
+  private int from;
+
+  /** What was read comes together here, for else it need not be read. */
+  @SuppressWarnings("UnusedVariable")
+  private long sum;
+
+  public DuePrefetcher(CircleTable circles, StaticScene surroundings) {
+    this.circles = circles;
+    this.surroundings = surroundings;
+  }
+
+  /** The first circle that is due until the given time; {@link DueTimes#size} if none is. */
+  public int first(double end) {
+    from = 0;
+    find(end);
+    return next(end);
+  }
+
+  /**
+   * The next one.
+   *
+   * @param end not later than in the call before
+   */
+  public int next(double end) {
+    while (size > 0) {
+      while (told < size) {
+        int i = found[told++];
+        if (circles.due.get(i) <= end) {
+          return i;
+        }
+      }
+      find(end);
+    }
+    return circles.due.size();
+  }
+
+  private void find(double end) {
+    DueTimes due = circles.due;
+    size = 0;
+    told = 0;
+    int i = due.next(from, end);
+    while (i < due.size() && size < MOST) {
+      found[size++] = i;
+      i = due.next(i + 1, end);
+    }
+    from = i;
+    if (size > 0 && found[size - 1] - found[0] > NEAR) {
+      read();
+    }
+  }
+
+  private void read() {
+    long read = 0;
+    for (int k = 0; k < size; k++) {
+      read += flight(found[k]);
+    }
+    for (int k = 0; k < size; k++) {
+      read += whereItHits(found[k]);
+    }
+    sum += read;
+  }
+
+  private long flight(int i) {
+    int k = circles.at(i);
+    int c = circles.codesAt(i);
+    return bits(circles.state[k + CircleTable.X])
+        + bits(circles.state[k + CircleTable.CLEARED])
+        + circles.codes[c + CircleTable.LAST]
+        + circles.codes[c + CircleTable.STUCK];
+  }
+
+  private long whereItHits(int i) {
+    int k = circles.at(i);
+    double[] state = circles.state;
+    double dt = state[k + CircleTable.CLEARED];
+    double x = Math.fma(state[k + CircleTable.VX], dt, state[k + CircleTable.X]);
+    double y = Math.fma(state[k + CircleTable.VY], dt, state[k + CircleTable.Y]);
+    Grid grid = surroundings.grid(i);
+    return line(circles.codes[circles.codesAt(i) + CircleTable.NEXT])
+        + (grid == null ? 0 : grid.around(x, y));
+  }
+
+  private long line(int code) {
+    if (code < ObstacleTable.WALLS || code >= ObstacleTable.PEGS) {
+      return 0;
+    }
+    double[] lines = surroundings.obstacles.lines;
+    int k = surroundings.obstacles.offset(code);
+    return bits(lines[k]) + bits(lines[k + ObstacleTable.LINE_ROW - 1]);
+  }
+
+  private static long bits(double number) {
+    return Double.doubleToRawLongBits(number);
+  }
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.engine;
+
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.util.Kind;
+
+/**
+ * The ids by which callers name the things of a world. Those of a kind begin at 0, and one is not
+ * used again when its thing is removed; within, a {@link Kind} and an id, of a circle its slot, are
+ * one code, see {@link ObstacleTable} and {@link CircleRegistry}.
+ */
+public final class Handles {
+
+  private final CircleRegistry roster;
+  private final ObstacleTable obstacles;
+
+  public Handles(CircleRegistry roster, ObstacleTable obstacles) {
+    this.roster = roster;
+    this.obstacles = obstacles;
+  }
+
+  /** Whether something is there, for any number. */
+  public boolean contains(int kind, int id) {
+    return switch (kind) {
+      case Kind.WALL -> obstacles.walls != null && id >= 0 && id < ObstacleTable.WALLS;
+      case Kind.CIRCLE -> roster.slot(id) >= 0;
+      default -> id >= 0 && id < end(kind) && !obstacles.isGone(code(kind, id));
+    };
+  }
+
+  /** One more than the largest id ever given. */
+  public int end(int kind) {
+    return switch (kind) {
+      case Kind.WALL -> obstacles.walls == null ? 0 : ObstacleTable.WALLS;
+      case Kind.LINE -> obstacles.endOfLines - ObstacleTable.WALLS;
+      case Kind.PEG -> obstacles.endOfPegs - ObstacleTable.PEGS;
+      default -> roster.idEnd();
+    };
+  }
+
+  /** The slot of a circle that is there; any other id is refused. */
+  public int circle(int id) {
+    int slot = roster.slot(id);
+    if (slot < 0) {
+      throw missing(Kind.CIRCLE, id);
+    }
+    return slot;
+  }
+
+  /** The code of a thing that is there; any other id is refused. */
+  public int checked(int kind, int id) {
+    if (!contains(kind, id)) {
+      throw missing(kind, id);
+    }
+    return code(kind, id);
+  }
+
+  private int code(int kind, int id) {
+    return switch (kind) {
+      case Kind.WALL -> id;
+      case Kind.LINE -> ObstacleTable.WALLS + id;
+      case Kind.PEG -> ObstacleTable.PEGS + id;
+      default -> ObstacleTable.CIRCLES + roster.slot(id);
+    };
+  }
+
+  private IndexOutOfBoundsException missing(int kind, int id) {
+    int end = end(kind);
+    boolean removed = id >= 0 && id < end;
+    String others = end == 0 ? "there is none" : "expected an id from 0 on, below " + end;
+    String reason = removed ? "it was removed" : others;
+    return new IndexOutOfBoundsException(
+        "%s does not exist: %s".formatted(Kind.nameOf(kind, id), reason));
+  }
+}

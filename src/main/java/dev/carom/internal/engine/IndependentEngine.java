@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.engine;
+
+import dev.carom.internal.exact.ExactBudget;
+import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.DueTimes;
+import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.SceneData;
+import dev.carom.internal.state.UndoLog;
+
+/**
+ * The flights of circles that ignore each other. Each circle is alone, so each is advanced to the
+ * end of a step at once, without a queue; one comparison tells that nothing happens to it in a
+ * step.
+ */
+public final class IndependentEngine extends Engine {
+
+  /** Circles that a step may advance before the journal grows. */
+  private static final int JOURNAL = 1024;
+
+  /** Impacts that all circles may make together in one call, as World tells. */
+  private static final int IMPACTS_PER_CALL = 2_000_000;
+
+  /** Impacts that each circle may make in a call, however many the others made. */
+  private static final int IMPACTS_PER_CIRCLE = 1_000;
+
+  private final long impactsPerCall;
+  private final long impactsPerCircle;
+
+  private final UndoLog journal;
+  private final DuePrefetcher ahead;
+
+  /** Impacts made in this pass, and exact work that takes as long. */
+  private long spent;
+
+  public IndependentEngine(
+      SceneData scene, CircleRegistry roster, EngineOptions machinery, ImpactRows log) {
+    super(scene, roster, new CircleTable(scene.circleCount()), machinery, log);
+    impactsPerCall = (long) (IMPACTS_PER_CALL * machinery.budget());
+    impactsPerCircle = (long) (IMPACTS_PER_CIRCLE * machinery.budget());
+    int count = circles.count;
+    ahead = new DuePrefetcher(circles, surroundings);
+    journal = new UndoLog(Math.min(count, JOURNAL));
+    for (int i = 0; i < count; i++) {
+      circles.start(scene, i);
+      surroundings.extend(circles.mover, 0);
+      circles.store(i);
+    }
+  }
+
+  @Override
+  public String model() {
+    return surroundings.model(false).toString();
+  }
+
+  /**
+   * Advances all circles to the given time, or, if one of them makes as many impacts as allowed
+   * before, to the time of the last of these.
+   *
+   * @return the time reached
+   */
+  @Override
+  public double advance(double end) {
+    prepare();
+    journal.clear();
+    unfinished = false;
+    double reached = end;
+    double goal;
+    do {
+      goal = reached;
+      reached = pass(goal);
+      if (reached < goal) {
+        journal.restore(circles);
+        log.clear();
+        if (recorder != null) {
+          recorder.undo();
+        }
+      }
+    } while (reached < goal);
+    return reached;
+  }
+
+  /** Advances all to the given time, or to where the first of those stands that spent theirs. */
+  private double pass(double goal) {
+    spent = 0;
+    ExactBudget work = ExactBudget.ofThread();
+    DueTimes due = circles.due;
+    double end = goal;
+    boolean many = circles.count >= DuePrefetcher.LEAST_CIRCLES;
+    int i = many ? ahead.first(end) : due.next(0, end);
+    while (i < due.size()) {
+      circles.load(i);
+      journal.save(circles.mover);
+      double stopped = fly(circles.mover, work, end);
+      circles.store(i);
+      if (stopped <= end) {
+        unfinished = true;
+        end = stopped;
+      }
+      i = many ? ahead.next(end) : due.next(i + 1, end);
+    }
+    return end;
+  }
+
+  /**
+   * Resolves the mover's impacts until the given time.
+   *
+   * @return the time of the last one if the allowance was spent, else {@code +infinity}
+   */
+  private double fly(MovingCircle m, ExactBudget work, double end) {
+    long allowance = Math.max(impactsPerCircle, impactsPerCall - spent);
+    long before = work.bits();
+    int impacts = 0;
+    double reached = 0;
+    double due = m.due();
+    do {
+      if (m.next != MovingCircle.NOTHING) {
+        if (impacts > 0 && impacts + work.impactsSince(before) >= allowance) {
+          spent += allowance;
+          return reached;
+        }
+        reached = due; // with a sensor no new flight begins
+        if (response.resolve(m, log) != ObstacleResponse.SENSED && recorder != null) {
+          recorder.note(m);
+        }
+        impacts++;
+      }
+      surroundings.extend(m, end - m.t);
+      due = m.due();
+    } while (due <= end);
+    spent += impacts + work.impactsSince(before);
+    return Double.POSITIVE_INFINITY;
+  }
+
+  @Override
+  void fly(MovingCircle m) {
+    if (m.id == circles.count) {
+      circles.add();
+    }
+    surroundings.setRadius(m.id, m.radius);
+    circles.store(m.id, m);
+    if (recorder != null) {
+      recorder.add(m);
+    }
+  }
+
+  /** Only what happened to the circle itself is to be before. */
+  @Override
+  double tailOfEdit(MovingCircle m, double now) {
+    return m.t == now ? Math.max(0, m.tl) : 0;
+  }
+
+  @Override
+  void remove(int i) {
+    circles.due.set(i, Double.POSITIVE_INFINITY);
+  }
+
+  @Override
+  void keep(int i, MovingCircle m) {
+    circles.store(i, m);
+  }
+}

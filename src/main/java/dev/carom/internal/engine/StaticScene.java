@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.engine;
+
+import dev.carom.internal.search.BroadPhase;
+import dev.carom.internal.search.Grid;
+import dev.carom.internal.search.Grids;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.EngineDescription;
+import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.SavedFlights;
+import dev.carom.internal.state.SceneData;
+import java.util.Arrays;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
+
+/**
+ * What stands still around the circles of a world: the obstacles, the grids over them, and the
+ * search among them.
+ */
+public final class StaticScene {
+
+  public final ObstacleTable obstacles;
+  private final Grids grids;
+  public final BroadPhase search;
+
+  /** The grid of all circles, while they share one; null where none is used. */
+  private Grid shared;
+
+  /** Else the grid of each one's class of radius; null while they share one. */
+  private Grid[] own;
+
+  /** The circles that there is room for. */
+  private int room;
+
+  public StaticScene(SceneData scene, EngineOptions machinery) {
+    obstacles = ObstacleTable.of(scene);
+    grids = new Grids(scene, obstacles, machinery);
+    search = new BroadPhase(obstacles, grids.loose());
+    assign(IntStream.range(0, scene.circleCount()).toArray(), scene::radius);
+  }
+
+  private void assign(int[] ids, IntToDoubleFunction radius) {
+    own = null;
+    shared = null;
+    if (ids.length > 0) {
+      room = Math.max(room, ids[ids.length - 1] + 1);
+      shared = grids.of(radius.applyAsDouble(ids[0]));
+    }
+    for (int i : ids) {
+      set(i, grids.of(radius.applyAsDouble(i)));
+    }
+  }
+
+  /** The grid of a circle; null where none is used. */
+  public Grid grid(int i) {
+    return own == null ? shared : own[i];
+  }
+
+  private void set(int i, Grid grid) {
+    if (own == null && grid != shared) {
+      own = new Grid[room];
+      Arrays.fill(own, shared);
+    }
+    if (own != null) {
+      own[i] = grid;
+    }
+  }
+
+  EngineDescription model(boolean collide) {
+    return grids.model(collide);
+  }
+
+  /** Extends what is known ahead of a circle; see {@link BroadPhase#extend}. */
+  void extend(MovingCircle m, double needed) {
+    search.extend(m, grid(m.id), needed);
+  }
+
+  /** The codes of the obstacles that may touch a circle where it is, and maybe of others. */
+  int[] near(MovingCircle m) {
+    return search.near(m, grid(m.id));
+  }
+
+  /** A grid for circles of at least this radius; null if there is none now. */
+  public Grid gridAtLeast(double radius) {
+    return grids.atLeast(radius);
+  }
+
+  /** Whether a flight, followed for ever from its start, meets a line or a peg. */
+  boolean meets(MovingCircle m, int code) {
+    return search.meets(m, code);
+  }
+
+  /** Takes notice of a circle's radius, which may be new. */
+  public void setRadius(int i, double radius) {
+    if (i >= room) {
+      room = 2 * i + 4;
+      own = own == null ? null : Arrays.copyOf(own, room);
+    }
+    if (!grids.serve(grid(i), radius)) {
+      set(i, grids.ofNew(radius));
+    }
+  }
+
+  /** Takes notice that a line or a peg is new, elsewhere, or gone. */
+  public void changed(int code) {
+    grids.changed(code);
+    search.lookAgain(code);
+  }
+
+  /** Makes grids anew where edits made them poor. */
+  public void prepare(CircleTable circles, CircleRegistry roster) {
+    if (grids.areStale()) {
+      int[] slots = roster.slots();
+      grids.remake(circles, slots);
+      assign(slots, circles::radius);
+    }
+  }
+
+  /** Takes over other obstacles. */
+  public void restore(ObstacleTable other) {
+    if (!obstacles.equals(other)) {
+      grids.forget();
+      shared = null;
+      own = null;
+    }
+    obstacles.set(other);
+    search.lookAgainAtAll();
+  }
+
+  /**
+   * Saves, as number k, what determines a circle's flight. Sensors met by now were reported, up to
+   * the next impact if that is due now. How far ahead a search went must not show: two worlds that
+   * are alike have equal snapshots, whenever each of them searched last.
+   */
+  public void save(int k, MovingCircle m, double now, SavedFlights states) {
+    if (!obstacles.haveSensors()) {
+      states.put(k, m, 0, 0);
+      return;
+    }
+    m.reach = MovingCircle.EDITED_REACH;
+    while (m.next == MovingCircle.NOTHING && m.due() <= now) {
+      extend(m, now - m.t);
+    }
+    if (m.due() > now) {
+      states.put(k, m, m.latestBy(now), Integer.MAX_VALUE);
+    } else {
+      states.put(k, m, m.cleared, sensedBefore(m.next));
+    }
+  }
+
+  /** If a search found this code ahead: of the sensors met at its time, up to which one. */
+  public int sensedBefore(int code) {
+    return obstacles.isSensor(code) ? code - 1 : Integer.MAX_VALUE;
+  }
+}

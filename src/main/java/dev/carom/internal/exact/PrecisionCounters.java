@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.exact;
+
+/**
+ * Counts which rung of precision answers. Nothing is counted unless the system property {@code
+ * dev.carom.rungs} is true when this class is loaded; if it is not, the counting vanishes from the
+ * compiled code, for {@link #COUNT} is then a constant null. Not safe for use by several threads.
+ */
+public final class PrecisionCounters {
+
+  public static final PrecisionCounters COUNT =
+      Boolean.getBoolean("dev.carom.rungs") ? new PrecisionCounters() : null;
+
+  /** Decisions that plain doubles left open. */
+  public long doubtfulDecisions;
+
+  /** Decisions that double-double left open too. */
+  public long exactDecisions;
+
+  /** Square roots of doubles: one for each time of impact but those of walls. */
+  public long roots;
+
+  /** Corrections of a time of impact after the first one, but of walls. */
+  long steps;
+
+  /** Times of impact, walls' included, that double-double could not round. */
+  public long exactTimes;
+
+  /** Normals of a moving disk that double-double could not round. */
+  long exactNormals;
+
+  /** How often the broad search looked at a circle and a line or peg together. */
+  public long pairTests;
+
+  private PrecisionCounters() {}
+
+  /** Counts a decision that goes from plain doubles to exact numbers at once. */
+  public static void exactDecision() {
+    if (COUNT != null) {
+      COUNT.decision(false);
+    }
+  }
+
+  /** Counts a square root for a time of impact. */
+  public static void root() {
+    if (COUNT != null) {
+      COUNT.roots++;
+    }
+  }
+
+  /** Counts a correction of a time of impact after the first one. */
+  public static void step() {
+    if (COUNT != null) {
+      COUNT.steps++;
+    }
+  }
+
+  /** Counts a time of impact by exact numbers. */
+  static void exactTime() {
+    if (COUNT != null) {
+      COUNT.exactTimes++;
+    }
+  }
+
+  /** Counts a normal by exact numbers. */
+  public static void exactNormal() {
+    if (COUNT != null) {
+      COUNT.exactNormals++;
+    }
+  }
+
+  void decision(boolean certain) {
+    doubtfulDecisions++;
+    if (!certain) {
+      exactDecisions++;
+    }
+  }
+}

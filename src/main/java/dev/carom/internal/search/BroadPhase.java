@@ -1,0 +1,436 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.search;
+
+import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.state.CodeSet;
+import dev.carom.internal.state.LiveCodes;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.SegmentFilter;
+import dev.carom.internal.sweep.UnitVectors;
+import java.util.Arrays;
+import java.util.stream.IntStream;
+
+/**
+ * What does a flight hit first? The broad search: it goes along the path, passes over whatever
+ * certainly is not hit, and leaves the rest to the {@link NarrowPhase}.
+ *
+ * <p>Both are one object: what is known of a flight is then at hand for both.
+ */
+public final class BroadPhase extends NarrowPhase {
+
+  /** Ticks of time in which a cell is passed at the pace. */
+  private static final double TICKS = 0x1p30;
+
+  /**
+   * Each axis is taken to be faster by that part of the pace, so that none rests: by 2^-16 cells
+   * while 2^14 are passed.
+   */
+  private static final double DRIFT = 0x1p-30;
+
+  /** So much of a cell beyond those visited is covered by the margin of their lists. */
+  private static final double NEAR = 0x1p-10;
+
+  /** Least speed, and least speed times size, for which underflow stays beneath the bounds. */
+  private static final double LEAST = 0x1p-900;
+
+  /** The most for which nothing overflows: no sum of two cross products is above 8 times that. */
+  private static final double MOST = 0x1p1020;
+
+  private final CodeSet loose;
+
+  /** The middle of the bounds, and how far it is from there to the walls. */
+  private final double middleX;
+
+  private final double middleY;
+  private final double halfWidth;
+  private final double halfHeight;
+
+  /** No coordinate of a line, a peg or the bounds is larger. */
+  private double extent;
+
+  /** |vx| + |vy|: known sooner than |v|, and than the larger of the two. */
+  private double pace;
+
+  /** A little less than 1 / |vx| and 1 / |vy|, see {@link #DRIFT}. */
+  private double perVx;
+
+  private double perVy;
+
+  /**
+   * The cross product of (x, y) less the start and v is {@code x crossX + y crossY +
+   * crossOfOrigin}; all three are 0 where errors are not bounded: no line is passed then.
+   */
+  private double crossX;
+
+  private double crossY;
+  private double crossOfOrigin;
+
+  /** A line is certainly passed if both its ends lie further than this on one side, times 2 |v|. */
+  private double clear;
+
+  /** A centre further than this from a wall certainly does not touch it. */
+  private double inset;
+
+  /** A time at or shortly before that of the next wall on each axis; NaN if none is known. */
+  private double aheadX;
+
+  private double aheadY;
+
+  /** Searches among obstacles; those in the given list are in no grid. */
+  public BroadPhase(ObstacleTable obstacles, CodeSet loose) {
+    super(obstacles);
+    this.loose = loose;
+    double[] w = obstacles.walls;
+    middleX = w == null ? 0 : w[ObstacleTable.LEFT] / 2 + w[ObstacleTable.RIGHT] / 2;
+    middleY = w == null ? 0 : w[ObstacleTable.BOTTOM] / 2 + w[ObstacleTable.TOP] / 2;
+    halfWidth = w == null ? NEVER : w[ObstacleTable.RIGHT] / 2 - w[ObstacleTable.LEFT] / 2;
+    halfHeight = w == null ? NEVER : w[ObstacleTable.TOP] / 2 - w[ObstacleTable.BOTTOM] / 2;
+    lookAgainAtAll();
+  }
+
+  /** Takes notice that a line or a peg is new, elsewhere, or gone. */
+  public void lookAgain(int code) {
+    extent = Math.max(extent, obstacles.extent(code));
+    readAgain();
+  }
+
+  /** Takes notice that all may be others. */
+  public void lookAgainAtAll() {
+    double ofBounds =
+        obstacles.walls == null
+            ? 0
+            : Math.max(Math.abs(middleX) + halfWidth, Math.abs(middleY) + halfHeight);
+    extent = Math.max(obstacles.extent(), ofBounds);
+    readAgain();
+  }
+
+  /**
+   * Extends what is known ahead of a mover: up to its next impact, or beyond the time asked for.
+   *
+   * @param grid where its obstacles are listed, or null to ask them all
+   * @param needed the time, from the start of the flight, up to which it must be known
+   */
+  public void extend(MovingCircle mover, Grid grid, double needed) {
+    start(mover);
+    measure();
+    if (!canHit()) {
+      mover.cleared = NEVER;
+      mover.next = MovingCircle.NOTHING;
+      return;
+    }
+    double ahead = wallAhead();
+    // Up to the wall itself the last cell is near enough, so it is visited in any case.
+    double from = Math.min(mover.cleared, ahead);
+    double known = explore(mover, grid, from, needed, ahead);
+    if (known >= ahead) {
+      walls();
+      known = best;
+      if (grid != null && isFar(ahead, grid)) {
+        known = explore(mover, grid, Math.max(mover.cleared, ahead), needed, best);
+      }
+    }
+    mover.cleared = known;
+    boolean hits = known == best && known != NEVER;
+    mover.next = hits ? bestCode : MovingCircle.NOTHING;
+    mover.contact = hits ? bestContact : 0;
+  }
+
+  /**
+   * Finds what a mover hits first until the end of a window: exactly the earliest, of exactly equal
+   * times the first in order. Sensors are passed over.
+   *
+   * @return whether something is hit by then, or later by less than rounding; the mover tells what
+   */
+  public boolean cast(MovingCircle mover, Grid grid, double end) {
+    setCasts(true);
+    try {
+      do {
+        extend(mover, grid, end);
+      } while (mover.next == MovingCircle.NOTHING && mover.cleared <= end && mover.cleared < NEVER);
+    } finally {
+      setCasts(false);
+    }
+    return mover.next != MovingCircle.NOTHING && mover.cleared <= end;
+  }
+
+  /**
+   * Whether what comes first by now is so much later than a wall seemed to be that cells between
+   * were not visited: a slow drift to a wall that is as good as touched takes long.
+   */
+  private boolean isFar(double ahead, Grid grid) {
+    return (best - ahead) * pace > NEAR * grid.cell;
+  }
+
+  /** Looks at lines and pegs, and tells up to where, or up to the wall ahead, the path is known. */
+  private double explore(MovingCircle mover, Grid grid, double from, double needed, double ahead) {
+    if (grid != null && grid.resolves(px, py, pace)) {
+      for (int i = 0; i < loose.size; i++) {
+        consider(loose.codes[i]);
+      }
+      int reach = mover.reach;
+      mover.reach = Math.min(2 * reach, 1 << 28);
+      return walk(grid, from, needed, ahead, reach);
+    }
+    if (obstacles.size() == 0) {
+      return ahead;
+    }
+    considerEach();
+    settle();
+    return best;
+  }
+
+  private void considerEach() {
+    LiveCodes presentLines = obstacles.presentLines();
+    for (int i = 0; i < presentLines.size(); i++) {
+      int code = presentLines.get(i);
+      if (near(Grid.pair(code, code)) != 0) {
+        look(code);
+      }
+    }
+    LiveCodes presentPegs = obstacles.presentPegs();
+    for (int i = 0; i < presentPegs.size(); i++) {
+      consider(presentPegs.get(i));
+    }
+  }
+
+  /** What the speed and the size of the flight mean for errors. */
+  private void measure() {
+    double absVx = Math.abs(vx);
+    double absVy = Math.abs(vy);
+    pace = absVx + absVy;
+    perVx = 1 / Math.fma(pace, DRIFT, absVx);
+    perVy = 1 / Math.fma(pace, DRIFT, absVy);
+    // |v| <= large + (sqrt(2) - 1) small: a chord above a convex curve, at most 9 % too much.
+    double length = 0.5857 * Math.max(absVx, absVy) + 0.4143 * pace;
+    // cross(a - p, v) errs by at most 4 u of the terms of cross(p, v), 2 u of those of cross(a, v),
+    // u = 2^-53: by 4 u |v| times the size below. Sum and difference of two, by twice that and
+    // their rounding, 11 u; with 2 r |v| and its sum, 14 u more: 36 u in all, 64 are left for them.
+    double size = Math.abs(px) + Math.abs(py) + extent + r;
+    double scale = length * size;
+    boolean ordinary = pace > LEAST && scale > LEAST && scale < MOST;
+    inset = ordinary ? r + Math.fma(0x1p-48, size, Double.MIN_NORMAL) : NEVER;
+    clear = ordinary ? 2 * length * inset : NEVER;
+    crossX = ordinary ? vy : 0;
+    crossY = ordinary ? 0 - vx : 0;
+    crossOfOrigin = ordinary ? py * vx - px * vy : 0;
+    double ofAll = SegmentFilter.margin(length, size);
+    margin = special || jam != null ? ofAll + NEVER : ofAll;
+  }
+
+  /**
+   * A time at or shortly before that of the next wall: it is found only if nothing comes before.
+   */
+  private double wallAhead() {
+    if (obstacles.walls == null) {
+      return NEVER;
+    }
+    // Distances from the walls ahead, without a branch that half of all flights take. They err by
+    // less than 16 u of the size, reciprocals and products included.
+    double x = halfWidth - Math.copySign(1, vx) * (px - middleX);
+    double y = halfHeight - Math.copySign(1, vy) * (py - middleY);
+    aheadX = (x - inset) * perVx;
+    aheadY = (y - inset) * perVy;
+    double t = Math.min(aheadX, aheadY);
+    return t > 0 ? t : 0; // NaN if a distance is beyond the doubles
+  }
+
+  /** The two walls that the flight moves towards; the later one only if it may come first. */
+  private void walls() {
+    if (obstacles.walls == null) {
+      return;
+    }
+    if (aheadX < aheadY) {
+      considerWall(px, vx, ObstacleTable.LEFT);
+      if (!(aheadY > best)) {
+        considerWall(py, vy, ObstacleTable.BOTTOM);
+      }
+    } else {
+      considerWall(py, vy, ObstacleTable.BOTTOM);
+      if (!(aheadX > best)) {
+        considerWall(px, vx, ObstacleTable.LEFT);
+      }
+    }
+  }
+
+  /**
+   * Visits the cells along the path, from the time {@code from} on, until the best impact or the
+   * wall ahead lies in what was visited, or what is needed is known and so are {@code reach} halves
+   * of a cell at the pace, or the grid ends.
+   *
+   * <p>Times are counted in whole ticks, so that whether a column or a row comes next is a mask and
+   * not a branch, which could not be foretold. A path of 2^14 cells is cut to ticks as often: by
+   * less than 2^-15 cells in all.
+   *
+   * @return up to where the path is known
+   */
+  private double walk(Grid grid, double from, double needed, double ahead, int reach) {
+    double start = grid.contains(px, py) ? from : grid.entry(px, py, vx, vy, from);
+    // A wall that is as good as touched is ahead by 0: what else is touched may come before it.
+    if (!(start <= ahead) || start == NEVER) {
+      settle();
+      return Math.min(best, ahead);
+    }
+    double x = grid.columns(px);
+    double y = grid.rows(py);
+    if (start != 0) { // else the first cell is known before v is
+      x = grid.columns(Math.fma(vx, start, px));
+      y = grid.rows(Math.fma(vy, start, py));
+    }
+    int column = grid.column(x);
+    int row = grid.row(y);
+    double ticks = pace * TICKS;
+    double rate = ticks * grid.perCell;
+    // When the next column and the next row are entered, and what one more takes.
+    double columnTicks = ticks * perVx;
+    double rowTicks = ticks * perVy;
+    long nextX = (long) (toEdge(x - column, vx) * columnTicks);
+    long nextY = (long) (toEdge(y - row, vy) * rowTicks);
+    long perX = (long) columnTicks;
+    long perY = (long) rowTicks;
+    int nextRow = UnitVectors.sign(vy) * grid.stride;
+    int nextColumn = UnitVectors.sign(vx) - nextRow;
+    int cell = grid.number(column, row);
+    long[] lists = grid.lists;
+    // Two ticks beyond: one may be lost where times are cut to ticks.
+    double enough = Math.max((needed - start) * rate, reach * (TICKS / 2)) + 2;
+    double most = Math.min((ahead - start) * rate, enough);
+    long end = (long) Math.min((latest - start) * rate, most);
+    // How much later a column comes than a row, and what changes it.
+    long lead = nextX - nextY;
+    long perBoth = perX + perY;
+    long list = lists[cell];
+    int near = near(list);
+    while (true) {
+      if (near != 0) {
+        if (list == Grid.OUTSIDE) {
+          settle();
+          return Math.min(best, ahead);
+        }
+        visit(grid, list, near);
+        end = (long) Math.min((latest - start) * rate, most);
+      }
+      do {
+        // The lesser of the two: Math.min is a branch, of which half are foretold wrongly.
+        long isColumn = lead >> 63;
+        long left = nextY + (lead & isColumn);
+        if (end <= left) {
+          settle();
+          double first = Math.min(best, ahead);
+          return (long) ((first - start) * rate) <= left ? first : start + left / rate;
+        }
+        nextY += perY & ~isColumn;
+        lead += (perBoth & isColumn) - perY;
+        cell += nextRow + (nextColumn & (int) isColumn);
+        list = lists[cell];
+        near = near(list);
+      } while (near == 0);
+    }
+  }
+
+  /** How far a place in a cell, of size 1, is from the edge through which v leaves it. */
+  private static double toEdge(double place, double v) {
+    return Math.abs(place - 0.5 - Math.copySign(0.5, v));
+  }
+
+  /**
+   * Which lines of a cell's pair may be hit: bit 0 for the first one, bit 1 for the second; -1 for
+   * other lists. It has no branch but that: whether a cell is empty, or a line passed, no processor
+   * can foretell.
+   */
+  private int near(long list) {
+    if (list < 0) {
+      return -1;
+    }
+    count(list);
+    return isNear(Grid.first(list)) | (isNear(Grid.second(list)) << 1);
+  }
+
+  /**
+   * 0 if both ends of a line lie on one side of the path and further from it than the radius, or if
+   * it was hit last; else 1. Of a line that is none, either.
+   */
+  private int isNear(int code) {
+    double[] lines = this.lines;
+    // The first and the last one first: then compilers need not ask whether the rest is in range.
+    int k = code * ObstacleTable.LINE_ROW;
+    double ax = lines[k + ObstacleTable.AX];
+    double by = lines[k + ObstacleTable.BY];
+    double ay = lines[k + ObstacleTable.AY];
+    double bx = lines[k + ObstacleTable.BX];
+    double a = Math.fma(ay, crossY, Math.fma(ax, crossX, crossOfOrigin));
+    double b = Math.fma(by, crossY, Math.fma(bx, crossX, crossOfOrigin));
+    // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
+    double beyond = Math.abs(a + b) - (Math.abs(a - b) + clear);
+    int other = code ^ last; // 0 if it is the last one
+    int isLast = ((other - 1) & ~other) >>> 31;
+    return (int) (Double.doubleToRawLongBits(beyond) >>> 63) & ~isLast;
+  }
+
+  /** Looks at what a cell lists, of a pair of lines at those that are near. */
+  private void visit(Grid grid, long list, int near) {
+    if (near > 0) {
+      look(list, near);
+    } else if (Grid.arePegs(list)) {
+      considerPegs(list);
+    } else {
+      visitAll(grid.pairs, (int) list);
+    }
+  }
+
+  private void visitAll(long[] pairs, int from) {
+    int k = from;
+    long pair;
+    do {
+      pair = pairs[k++];
+      if (Grid.arePegs(pair)) {
+        considerPegs(pair);
+      } else {
+        long lines = pair & Long.MAX_VALUE;
+        int near = near(lines);
+        if (near != 0) {
+          look(lines, near);
+        }
+      }
+    } while (pair < 0);
+  }
+
+  private void considerPegs(long pair) {
+    count(pair);
+    int first = Grid.first(pair);
+    int second = Grid.second(pair);
+    consider(first);
+    if (second != first) {
+      consider(second);
+    }
+  }
+
+  /** The codes of all obstacles that may touch a circle where it is, and maybe of others. */
+  public int[] near(MovingCircle mover, Grid grid) {
+    IntStream walls = IntStream.range(0, obstacles.walls == null ? 0 : ObstacleTable.WALLS);
+    if (grid == null) {
+      IntStream lines = obstacles.presentLines().stream(obstacles::isGone);
+      IntStream pegs = obstacles.presentPegs().stream(obstacles::isGone);
+      return IntStream.concat(walls, IntStream.concat(lines, pegs)).toArray();
+    }
+    IntStream others = Arrays.stream(loose.codes, 0, loose.size);
+    return IntStream.concat(walls, IntStream.concat(others, grid.listedAt(mover.x, mover.y)))
+        .filter(code -> code < ObstacleTable.WALLS || !obstacles.isGone(code))
+        .sorted()
+        .distinct()
+        .toArray();
+  }
+
+  private static void count(long pair) {
+    if (PrecisionCounters.COUNT != null && pair != 0) {
+      PrecisionCounters.COUNT.pairTests += Grid.first(pair) == Grid.second(pair) ? 1 : 2;
+    }
+  }
+
+  private void look(long pair, int near) {
+    look(Grid.code(pair, ~near & 1));
+    if (near == 3) {
+      look(Grid.second(pair));
+    }
+  }
+}

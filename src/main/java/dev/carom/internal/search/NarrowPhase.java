@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.search;
+
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.state.IgnoreList;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.PointSweep;
+import dev.carom.internal.sweep.SegmentFilter;
+import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.internal.sweep.SideSweep;
+import dev.carom.internal.sweep.UnitVectors;
+import dev.carom.internal.sweep.WallSweep;
+
+/**
+ * What does a flight hit first, of what it is asked about? The narrow search: the detector tells of
+ * each thing whether and when it is hit; the earliest impact is kept, of equal times the smallest
+ * code. A flight treats equal rounded times as simultaneous; a cast compares them exactly, and
+ * passes over sensors.
+ *
+ * <p>Every question is put to the detector on the start of the flight, so that the answer does not
+ * depend on the way in which the search comes to ask it.
+ */
+abstract class NarrowPhase {
+
+  static final double NEVER = Double.POSITIVE_INFINITY;
+
+  final ObstacleTable obstacles;
+
+  double[] lines;
+  private double[] pegs;
+  boolean special;
+
+  /** Whether the search is for a cast. */
+  private boolean casts;
+
+  /** Whether times and codes alone do not tell which impact is kept. */
+  private boolean careful;
+
+  // The flight under search.
+  double px;
+  double py;
+  double vx;
+  double vy;
+  double r;
+  int last;
+  IgnoreList jam;
+
+  /** Of all lines, see {@link SegmentFilter#margin}: who looks sets it before. */
+  double margin;
+
+  /** Sensors up to here, and of those met just here up to this code, were reported before. */
+  private double sensed;
+
+  private int sensedCode;
+
+  /** When the best impact found so far is, as {@link SegmentFilter} tells while it is rough. */
+  double best;
+
+  private boolean isRough;
+
+  /** A time at or after that. */
+  double latest;
+
+  int bestCode;
+  int bestContact;
+
+  NarrowPhase(ObstacleTable obstacles) {
+    this.obstacles = obstacles;
+  }
+
+  /** Takes notice that the arrays of obstacles, or what they tell, may be others. */
+  final void readAgain() {
+    lines = obstacles.lines;
+    pegs = obstacles.pegs;
+    special = obstacles.areSpecial();
+    careful = special || casts;
+  }
+
+  /** Begins or ends a cast. */
+  final void setCasts(boolean casts) {
+    this.casts = casts;
+    careful = special || casts;
+  }
+
+  /** Whether a flight, followed for ever from its start, meets a line or a peg. */
+  public final boolean meets(MovingCircle mover, int code) {
+    start(mover);
+    last = MovingCircle.NOTHING;
+    jam = null;
+    sensed = -1;
+    best = NEVER;
+    if (canHit()) {
+      consider(code);
+    }
+    return bestCode == code;
+  }
+
+  /** Begins a search: nothing is found yet. */
+  final void start(MovingCircle mover) {
+    px = mover.x;
+    py = mover.y;
+    vx = mover.vx;
+    vy = mover.vy;
+    r = mover.radius;
+    last = mover.last;
+    jam = mover.jam;
+    sensed = mover.cleared;
+    sensedCode = mover.contact;
+    best = NEVER;
+    latest = NEVER;
+    isRough = false;
+    bestCode = MovingCircle.NOTHING;
+    bestContact = 0;
+  }
+
+  /** Whether the circle moves, where numbers can tell: one that flew beyond hits nothing. */
+  final boolean canHit() {
+    return Math.abs(px) <= Double.MAX_VALUE
+        && Math.abs(py) <= Double.MAX_VALUE
+        && (vx != 0 || vy != 0);
+  }
+
+  /** Considers a line or a peg. */
+  final void consider(int code) {
+    if (code == bestCode || skipped(code)) {
+      return;
+    }
+    if (code < ObstacleTable.PEGS) {
+      considerLine(code);
+    } else {
+      considerPeg(code);
+    }
+  }
+
+  private void considerLine(int code) {
+    int k = code * ObstacleTable.LINE_ROW;
+    double ax = lines[k + ObstacleTable.AX];
+    double ay = lines[k + ObstacleTable.AY];
+    double bx = lines[k + ObstacleTable.BX];
+    double by = lines[k + ObstacleTable.BY];
+    if (Double.isNaN(ax)) {
+      return; // removed
+    }
+    if (special && obstacles.isOneWay(code) && !stops(ax, ay, bx, by)) {
+      return;
+    }
+    int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
+    if (contact != Contact.MISS) {
+      keep(SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, NEVER), code, contact);
+    }
+  }
+
+  private void considerPeg(int code) {
+    int k = (code - ObstacleTable.PEGS) * ObstacleTable.PEG_ROW;
+    double cx = pegs[k + ObstacleTable.X];
+    double cy = pegs[k + ObstacleTable.Y];
+    double radius = pegs[k + ObstacleTable.RADIUS];
+    if (Double.isNaN(cx)) {
+      return; // removed
+    }
+    int contact = DiskSweep.contact(px, py, r, vx, vy, cx, cy, radius, 0, 0);
+    if (contact != Contact.MISS) {
+      keep(DiskSweep.time(contact, px, py, r, vx, vy, cx, cy, radius, 0, 0, NEVER), code, contact);
+    }
+  }
+
+  /** Whether a one-way line is there: the centre is strictly left of it and moves to the right. */
+  private boolean stops(double ax, double ay, double bx, double by) {
+    return Predicates.cross(bx, by, ax, ay, px, py, ax, ay) > 0
+        && Predicates.cross(bx, by, ax, ay, vx, vy, 0, 0) < 0;
+  }
+
+  /** Considers the wall that is ahead on one axis. */
+  final void considerWall(double p, double v, int lowCode) {
+    int code = wallCode(lowCode, v);
+    double t = WallSweep.time(p, r, v, obstacles.walls[code]);
+    if (!skipped(code)) {
+      keep(t, code, 0);
+    }
+  }
+
+  /** The lower or the upper one of two walls; where v is 0, either. */
+  private static int wallCode(int lowCode, double v) {
+    return lowCode + (UnitVectors.sign(v) + 1) / 2;
+  }
+
+  /** The thing just hit cannot be hit again in this flight: it is convex. */
+  private boolean skipped(int code) {
+    return code == last || (jam != null && jam.makesInert(code));
+  }
+
+  /** Considers a line, as a rule at one look. */
+  final void look(int code) {
+    if (code == bestCode) {
+      return;
+    }
+    int k = code * ObstacleTable.LINE_ROW;
+    double ax = lines[k + ObstacleTable.AX];
+    double ay = lines[k + ObstacleTable.AY];
+    double bx = lines[k + ObstacleTable.BX];
+    double by = lines[k + ObstacleTable.BY];
+    int contact = SegmentFilter.contact(px, py, r, vx, vy, ax, ay, bx, by, margin);
+    if (contact > Contact.MISS) {
+      keepRough(SegmentFilter.time(contact, px, py, r, vx, vy, ax, ay, bx, by), code, contact);
+    } else if (contact == Contact.DOUBT) {
+      consider(code);
+    }
+  }
+
+  /** Keeps a contact with a line whose time is told roughly, unless it is certainly not first. */
+  private void keepRough(double t, int code, int contact) {
+    double after = t * (1 + SegmentFilter.TIME_ERROR);
+    if (after < best) {
+      best = t;
+      latest = after;
+      isRough = true;
+      bestCode = code;
+      bestContact = contact;
+    } else if (t * (1 - SegmentFilter.TIME_ERROR) <= latest) { // latest may be exact
+      keep(timeOf(code, contact, t), code, contact);
+    }
+  }
+
+  /** Finds the exact time of the best impact. */
+  final void settle() {
+    if (isRough) {
+      isRough = false;
+      best = timeOf(bestCode, bestContact, best);
+      latest = best;
+    }
+  }
+
+  /** The exact time of a contact with a line, from the rough one. */
+  private double timeOf(int line, int contact, double rough) {
+    int k = line * ObstacleTable.LINE_ROW;
+    if (contact >= Contact.START) {
+      // Which end it is, no processor can foretell: its place is computed.
+      int end = k + (contact - Contact.START) * ObstacleTable.END;
+      return PointSweep.time(px, py, r, vx, vy, lines[end], lines[end + 1], rough);
+    }
+    int side = contact == Contact.LEFT ? 1 : -1;
+    double ax = lines[k + ObstacleTable.AX];
+    double ay = lines[k + ObstacleTable.AY];
+    double bx = lines[k + ObstacleTable.BX];
+    double by = lines[k + ObstacleTable.BY];
+    return SideSweep.refined(side, px, py, r, vx, vy, ax, ay, bx, by, rough);
+  }
+
+  private void keep(double t, int code, int contact) {
+    if (t <= latest) {
+      settle();
+    }
+    if (careful && !comesFirst(t, code, contact)) {
+      return;
+    }
+    if (t < best || (t == best && (careful || code < bestCode))) {
+      best = t;
+      latest = t;
+      bestCode = code;
+      bestContact = contact;
+    }
+  }
+
+  /** Whether an impact comes before the best one, in a cast or where some things are special. */
+  private boolean comesFirst(double t, int code, int contact) {
+    boolean sensor = obstacles.isSensor(code);
+    if (sensor && (casts || wasSensed(t, code))) {
+      return false;
+    }
+    if (t != best || t == NEVER) {
+      return t < best;
+    }
+    return casts ? isEarlier(code, contact) : isBefore(sensor, code);
+  }
+
+  /** Whether a sensor was met before, or was touched at the start: it is not met again. */
+  private boolean wasSensed(double t, int code) {
+    return !(t > sensed || (t == sensed && t > 0 && code > sensedCode));
+  }
+
+  /** Of simultaneous impacts those with sensors are first, which change nothing. */
+  private boolean isBefore(boolean sensor, int code) {
+    boolean bestSensor = obstacles.isSensor(bestCode);
+    return sensor == bestSensor ? code < bestCode : sensor;
+  }
+
+  /** Of impacts whose rounded times are equal: whether one is exactly before the best one. */
+  private boolean isEarlier(int code, int contact) {
+    int order = exactTime(code, contact).compare(exactTime(bestCode, bestContact));
+    return order != 0 ? order < 0 : code < bestCode;
+  }
+
+  /** The exact time of a mover's next impact. */
+  public final ExactTime exactTime(MovingCircle mover) {
+    start(mover);
+    return exactTime(mover.next, mover.contact);
+  }
+
+  private ExactTime exactTime(int code, int contact) {
+    if (code < ObstacleTable.WALLS) {
+      boolean vertical = code <= ObstacleTable.RIGHT;
+      return WallSweep.exactTime(vertical ? px : py, r, vertical ? vx : vy, obstacles.walls[code]);
+    }
+    int k = obstacles.offset(code);
+    if (code < ObstacleTable.PEGS) {
+      double ax = lines[k + ObstacleTable.AX];
+      double ay = lines[k + ObstacleTable.AY];
+      double bx = lines[k + ObstacleTable.BX];
+      double by = lines[k + ObstacleTable.BY];
+      return SegmentSweep.exactTime(contact, px, py, r, vx, vy, ax, ay, bx, by);
+    }
+    double cx = pegs[k + ObstacleTable.X];
+    double cy = pegs[k + ObstacleTable.Y];
+    double radius = pegs[k + ObstacleTable.RADIUS];
+    return DiskSweep.exactTime(contact, px, py, r, vx, vy, cx, cy, radius, 0, 0);
+  }
+}

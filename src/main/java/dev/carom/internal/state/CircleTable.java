@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+import java.util.Arrays;
+
+/**
+ * The flights of all circles in flat arrays: each as its start, with what is known ahead of it
+ * among the things that stand still. A circle is loaded into the one {@link MovingCircle},
+ * advanced, and stored.
+ */
+public final class CircleTable {
+
+  // Doubles of one circle in state, the hot ones together.
+  public static final int X = 0;
+  public static final int Y = 1;
+  public static final int VX = 2;
+  public static final int VY = 3;
+  public static final int T = 4;
+  public static final int TL = 5;
+  public static final int RADIUS = 6;
+  public static final int CLEARED = 7;
+  static final int RESTITUTION = 8;
+  private static final int STATE = 9;
+
+  // And of one that collides: its first meeting foreseen, as Meetings says, and its cell.
+  public static final int MEETING = 9;
+  public static final int MEETING_TAIL = 10;
+  public static final int TAU = 11;
+  public static final int COLUMN = 12;
+  public static final int ROW = 13;
+  private static final int COLLIDING_STATE = 16;
+
+  /** Doubles before the first circle: large arrays then have each 8 of them in one cache line. */
+  private static final int ALIGNMENT = 6;
+
+  /** Ints before the first circle, for the same. */
+  private static final int CODES_ALIGNMENT = 12;
+
+  // Ints of one circle in codes.
+  public static final int LAST = 0;
+  public static final int NEXT = 1;
+  static final int CONTACT = 2;
+  static final int REACH = 3;
+  public static final int STUCK = 4;
+  private static final int CODES = 5;
+
+  // One int holds the detector's name of a contact, and above it Mover.marks.
+  private static final int CONTACT_BITS = 15;
+
+  // And of one that collides: whom it meets, that one's count then, and its own count of changes;
+  // who follows it in its cell's list; its event's place in the heap, and kind; its cell's place.
+  public static final int PARTNER = 5;
+  public static final int PARTNER_COUNT = 6;
+  public static final int COUNT = 7;
+  public static final int FOLLOWER = 8;
+  public static final int PLACE = 9;
+  public static final int KIND = 10;
+  public static final int CELL = 11;
+
+  /** A cache line of ints for each circle that collides, of which 12 are used. */
+  private static final int COLLIDING_CODES = 16;
+
+  public int count;
+
+  // Who plays the events of circles that collide takes these two in hand and passes them on: a
+  // compiler would else load them anew, with their lengths, wherever it has lost sight of them, and
+  // ask again whether a circle is in their range. They stay the same until one is added.
+  public double[] state;
+  public int[] codes;
+
+  private final int first;
+  private final int stride;
+  private final int firstCode;
+  private final int codeStride;
+
+  /**
+   * When a circle needs attention: its next impact, or the end of what is known ahead of it; of
+   * circles that ignore each other only.
+   */
+  public final DueTimes due;
+
+  /** The walls around all circles, as {@link ObstacleTable#walls}. */
+  public double[] walls;
+
+  /** Of stuck circles; null until there is one. */
+  public IgnoreList[] jams;
+
+  public final MovingCircle mover = new MovingCircle();
+
+  /** Circles that ignore each other. */
+  public CircleTable(int count) {
+    this(count, false);
+  }
+
+  private CircleTable(int count, boolean collide) {
+    this.count = count;
+    first = collide ? ALIGNMENT : 0;
+    stride = collide ? COLLIDING_STATE : STATE;
+    firstCode = collide ? CODES_ALIGNMENT : 0;
+    codeStride = collide ? COLLIDING_CODES : CODES;
+    state = new double[at(count)];
+    codes = new int[codesAt(count)];
+    due = new DueTimes(collide ? 0 : count);
+  }
+
+  /** Circles that collide; when one needs attention stands in a queue. */
+  public static CircleTable colliding(int count) {
+    return new CircleTable(count, true);
+  }
+
+  /** How many circles there is room for. */
+  public int capacity() {
+    return (codes.length - firstCode) / codeStride;
+  }
+
+  /** Forgets all circles. */
+  public void clear() {
+    due.clear();
+    jams = null;
+    count = 0;
+  }
+
+  /**
+   * Adds one more circle; its numbers are to be stored. Where arrays are too small, they change.
+   */
+  public void add() {
+    if (count == capacity()) {
+      int capacity = 2 * count + 4;
+      state = Arrays.copyOf(state, at(capacity));
+      codes = Arrays.copyOf(codes, codesAt(capacity));
+      if (codeStride == CODES) {
+        due.extend(capacity);
+      }
+      jams = jams == null ? null : Arrays.copyOf(jams, capacity);
+    }
+    count++;
+  }
+
+  /** Where the doubles of circle i begin. */
+  public int at(int i) {
+    return first + i * stride;
+  }
+
+  /** Where the ints of circle i begin. */
+  public int codesAt(int i) {
+    return firstCode + i * codeStride;
+  }
+
+  /** Where the doubles of a circle that collides begin, by a stride that compilers know. */
+  public static int collidingAt(int i) {
+    return ALIGNMENT + i * COLLIDING_STATE;
+  }
+
+  /** Where its ints begin. */
+  public static int collidingCodesAt(int i) {
+    return CODES_ALIGNMENT + i * COLLIDING_CODES;
+  }
+
+  /** Puts circle i of a scene at the start of its first flight, into the mover only. */
+  public void start(SceneData scene, int i) {
+    mover.start(
+        i, scene.x(i), scene.y(i), scene.radius(i), scene.vx(i), scene.vy(i), scene.restitution(i));
+  }
+
+  public double x(int i, double now) {
+    int k = at(i);
+    double since = MovingCircle.since(state[k + T], state[k + TL], now);
+    double x = Math.fma(state[k + VX], since, state[k + X]);
+    return Confinement.x(walls, state[k + X], x, state[k + RADIUS]);
+  }
+
+  public double y(int i, double now) {
+    int k = at(i);
+    double since = MovingCircle.since(state[k + T], state[k + TL], now);
+    double y = Math.fma(state[k + VY], since, state[k + Y]);
+    return Confinement.y(walls, state[k + Y], y, state[k + RADIUS]);
+  }
+
+  public double vx(int i) {
+    return state[at(i) + VX];
+  }
+
+  public double vy(int i) {
+    return state[at(i) + VY];
+  }
+
+  public double radius(int i) {
+    return state[at(i) + RADIUS];
+  }
+
+  public double restitution(int i) {
+    return state[at(i) + RESTITUTION];
+  }
+
+  public void setRestitution(int i, double e) {
+    state[at(i) + RESTITUTION] = e;
+  }
+
+  public IgnoreList jam(int i) {
+    return jams == null ? null : jams[i];
+  }
+
+  public void load(int i) {
+    load(i, mover);
+  }
+
+  public void load(int i, MovingCircle m) {
+    int k = at(i);
+    m.id = i;
+    m.flown = 0;
+    m.x = state[k + X];
+    m.y = state[k + Y];
+    m.vx = state[k + VX];
+    m.vy = state[k + VY];
+    m.t = state[k + T];
+    m.tl = state[k + TL];
+    m.radius = state[k + RADIUS];
+    m.cleared = state[k + CLEARED];
+    m.restitution = state[k + RESTITUTION];
+    int c = codesAt(i);
+    m.last = codes[c + LAST];
+    m.stuck = codes[c + STUCK];
+    m.reach = codes[c + REACH];
+    m.setMarks(codes[c + CONTACT]);
+    // Where nothing is ahead, the sensor met last stands in its place.
+    int next = codes[c + NEXT];
+    m.next = Math.max(next, MovingCircle.NOTHING);
+    m.contact = next < 0 ? MovingCircle.NOTHING - next : codes[c + CONTACT] & CONTACT_BITS;
+    m.jam = jams == null ? null : jams[i];
+  }
+
+  /**
+   * Loads a circle that collides for a meeting, without what was found ahead of it: where it begins
+   * a new flight, that is forgotten.
+   */
+  public void loadForMeeting(double[] s, int[] c, int i, MovingCircle m) {
+    int k = collidingAt(i);
+    m.id = i;
+    m.x = s[k + X];
+    m.y = s[k + Y];
+    m.vx = s[k + VX];
+    m.vy = s[k + VY];
+    m.t = s[k + T];
+    m.tl = s[k + TL];
+    m.radius = s[k + RADIUS];
+    m.restitution = s[k + RESTITUTION];
+    int code = collidingCodesAt(i);
+    m.stuck = c[code + STUCK];
+    m.setMarks(c[code + CONTACT]);
+    m.jam = jams == null ? null : jams[i];
+  }
+
+  public void store(int i) {
+    store(i, mover);
+  }
+
+  /** Stores a circle that ignores others, and when it needs attention. */
+  public void store(int i, MovingCircle m) {
+    keep(i, m);
+    due.set(i, m.due());
+  }
+
+  /** Stores a circle, and leaves its {@link #due} to the caller. */
+  public void keep(int i, MovingCircle m) {
+    int next = m.next;
+    int contact = m.contact;
+    if (next == MovingCircle.NOTHING) {
+      next -= contact;
+      contact = 0;
+    }
+    int k = at(i);
+    state[k + X] = m.x;
+    state[k + Y] = m.y;
+    state[k + VX] = m.vx;
+    state[k + VY] = m.vy;
+    state[k + T] = m.t;
+    state[k + TL] = m.tl;
+    state[k + RADIUS] = m.radius;
+    state[k + CLEARED] = m.cleared;
+    state[k + RESTITUTION] = m.restitution;
+    // The first and the last one first: then compilers need not ask whether the rest is in range.
+    int c = codesAt(i);
+    codes[c + LAST] = m.last;
+    codes[c + STUCK] = m.stuck;
+    codes[c + NEXT] = next;
+    codes[c + CONTACT] = contact | m.marks();
+    codes[c + REACH] = m.reach;
+    keepJam(i, m);
+  }
+
+  /** Stores a circle that collides where a new flight begins, and nothing is known ahead yet. */
+  public void keepNewFlight(double[] s, int[] c, int i, MovingCircle m) {
+    int k = collidingAt(i);
+    s[k + X] = m.x;
+    s[k + Y] = m.y;
+    s[k + VX] = m.vx;
+    s[k + VY] = m.vy;
+    s[k + T] = m.t;
+    s[k + TL] = m.tl;
+    s[k + CLEARED] = 0;
+    int code = collidingCodesAt(i);
+    c[code + LAST] = m.last;
+    c[code + STUCK] = m.stuck;
+    c[code + NEXT] = MovingCircle.NOTHING;
+    c[code + CONTACT] = m.marks();
+    c[code + REACH] = m.reach;
+    keepJam(i, m);
+  }
+
+  private void keepJam(int i, MovingCircle m) {
+    if (m.jam != null && jams == null) {
+      jams = new IgnoreList[capacity()];
+    }
+    if (jams != null) {
+      jams[i] = m.jam;
+    }
+  }
+}

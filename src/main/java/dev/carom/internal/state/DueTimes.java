@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+import java.util.Arrays;
+
+/**
+ * When each of many circles needs attention next. Of many of them also the earliest of these times
+ * for each {@value #BLOCK} in a row that were quiet: where nothing happens to them, one comparison
+ * tells.
+ *
+ * <p>Times are kept as their bits: those of numbers that are not negative stand in the same order.
+ */
+public final class DueTimes {
+
+  private static final int SHIFT = 6;
+
+  private static final int BLOCK = 1 << SHIFT;
+
+  /** Up to this many circles each is looked at: measured, blocks gain nothing. */
+  private static final int FEW = 1024;
+
+  private static final long NEVER = Double.doubleToRawLongBits(Double.POSITIVE_INFINITY);
+
+  private long[] due;
+
+  /** For each block a time at or before its earliest. */
+  private long[] earliest;
+
+  /** For circles 0 .. count - 1, of which nothing is known yet. */
+  DueTimes(int count) {
+    due = new long[count];
+    earliest = new long[blocks(count)];
+    clear();
+  }
+
+  private static int blocks(int circles) {
+    return (circles + BLOCK - 1) >> SHIFT;
+  }
+
+  /** Circles, those to come included. */
+  public int size() {
+    return due.length;
+  }
+
+  /** No circle needs attention ever again. */
+  void clear() {
+    Arrays.fill(due, NEVER);
+    Arrays.fill(earliest, NEVER);
+  }
+
+  /** Makes room for more circles. */
+  void extend(int count) {
+    int before = due.length;
+    int blocksBefore = earliest.length;
+    due = Arrays.copyOf(due, count);
+    earliest = Arrays.copyOf(earliest, blocks(count));
+    Arrays.fill(due, before, count, NEVER);
+    Arrays.fill(earliest, blocksBefore, earliest.length, NEVER);
+  }
+
+  public double get(int i) {
+    return Double.longBitsToDouble(due[i]);
+  }
+
+  /** Sets the time of a circle, at least 0. */
+  public void set(int i, double time) {
+    // + 0 turns -0 into 0.
+    long bits = Double.doubleToRawLongBits(time + 0.0);
+    due[i] = bits;
+    int block = i >> SHIFT;
+    earliest[block] = Math.min(earliest[block], bits);
+  }
+
+  /**
+   * The first circle from i on that needs attention until the given time; {@link #size} if there is
+   * none.
+   */
+  public int next(int i, double end) {
+    long last = Double.doubleToRawLongBits(end + 0.0);
+    return due.length <= FEW ? first(i, due.length, last) : firstOfBlocks(i, last);
+  }
+
+  private int firstOfBlocks(int i, long last) {
+    int from = i;
+    while (from < due.length) {
+      int block = from >> SHIFT;
+      int to = Math.min((block + 1) << SHIFT, due.length);
+      if (earliest[block] <= last) {
+        int k = first(from, to, last);
+        if (k < to) {
+          return k;
+        }
+        if (from == block << SHIFT) {
+          refresh(from, to);
+        }
+      }
+      from = to;
+    }
+    return due.length;
+  }
+
+  private int first(int from, int to, long last) {
+    int k = from;
+    while (k < to && due[k] > last) {
+      k++;
+    }
+    return k;
+  }
+
+  /** Looks up the earliest time of a block in which nothing happened. */
+  private void refresh(int from, int to) {
+    long first = NEVER;
+    for (int k = from; k < to; k++) {
+      first = Math.min(first, due[k]);
+    }
+    earliest[from >> SHIFT] = first;
+  }
+}

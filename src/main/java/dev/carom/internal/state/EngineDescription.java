@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+/**
+ * The machinery that a world chose for its scene.
+ *
+ * @param collide whether its circles collide with each other
+ * @param obstacles the number of lines and pegs
+ * @param grids the number of grids, one for each power of two among the circles' radii; 0 if each
+ *     obstacle is looked at
+ * @param cells the number of cells of all grids together
+ */
+public record EngineDescription(boolean collide, int obstacles, int grids, int cells) {
+
+  @Override
+  public String toString() {
+    String circles = collide ? "circles that collide" : "circles that ignore each other";
+    if (obstacles == 0) {
+      return circles + ", no lines or pegs";
+    }
+    if (grids == 0) {
+      return "%s, each of %d lines and pegs looked at".formatted(circles, obstacles);
+    }
+    return "%s, %d lines and pegs in %d %s of %d cells"
+        .formatted(circles, obstacles, grids, grids == 1 ? "grid" : "grids", cells);
+  }
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Where lines and pegs were during a recording: what was there first, and each change since. */
+final class ObstacleHistory {
+
+  /** The row of a thing from a time on; null where it is gone. */
+  private static final class Change {
+
+    final double from;
+    final double[] row;
+
+    Change(double from, double[] row) {
+      this.from = from;
+      this.row = row;
+    }
+  }
+
+  private final ObstacleTable first;
+  private final int most;
+  private final Map<Integer, List<Change>> changes = new HashMap<>();
+
+  /** What was removed, in that order, and how many changes are kept of it. */
+  private final Deque<Integer> removed = new ArrayDeque<>();
+
+  private long changesOfRemoved;
+
+  private int present;
+  private int mostPresent;
+
+  /** From when on everything is known: later than the start once changes were dropped. */
+  private double start = Double.NEGATIVE_INFINITY;
+
+  /**
+   * Begins with what is there.
+   *
+   * @param most how many changes to keep of each thing; beyond that the oldest are dropped
+   */
+  ObstacleHistory(ObstacleTable now, int most) {
+    first = now.copy();
+    this.most = most;
+    present = first.size();
+    mostPresent = present;
+  }
+
+  double start() {
+    return start;
+  }
+
+  /** Notes that a line or a peg is new, elsewhere, or gone, from a given time on. */
+  void note(int code, ObstacleTable now, double t) {
+    List<Change> ofThis = changes.computeIfAbsent(code, this::newChanges);
+    boolean gone = now.isGone(code);
+    ofThis.add(new Change(t, gone ? null : now.row(code)));
+    if (ofThis.size() > most) {
+      ofThis.remove(0);
+      start = Math.max(start, ofThis.get(0).from);
+    }
+    if (gone) {
+      remove(code, ofThis.size());
+    }
+  }
+
+  private List<Change> newChanges(int code) {
+    if (!isFirst(code)) {
+      present++;
+      mostPresent = Math.max(mostPresent, present);
+    }
+    return new ArrayList<>();
+  }
+
+  /** Notes that a thing is gone; those that went first are dropped if there is no room. */
+  private void remove(int code, int itsChanges) {
+    present--;
+    removed.add(code);
+    changesOfRemoved += itsChanges;
+    while (changesOfRemoved > (long) most * mostPresent) {
+      dropFirst();
+    }
+  }
+
+  private void dropFirst() {
+    int code = removed.remove();
+    List<Change> dropped = changes.remove(code);
+    Change last = dropped.get(dropped.size() - 1);
+    changesOfRemoved -= dropped.size();
+    start = Math.max(start, last.from);
+    if (isFirst(code)) {
+      changes.put(code, List.of(last)); // else it would seem to be there still
+    }
+  }
+
+  /** The row of what had a code at a given time, null if nothing had it then. */
+  double[] at(int code, double t) {
+    List<Change> ofThis = changes.getOrDefault(code, List.of());
+    for (int i = ofThis.size() - 1; i >= 0; i--) {
+      if (ofThis.get(i).from <= t) {
+        return ofThis.get(i).row;
+      }
+    }
+    return isFirst(code) ? first.row(code) : null;
+  }
+
+  /** Whether a thing was there when the recording began. */
+  private boolean isFirst(int code) {
+    int end = code < ObstacleTable.PEGS ? first.endOfLines : first.endOfPegs;
+    return code < end && !first.isGone(code);
+  }
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+import dev.carom.internal.util.DoubleList;
+import java.util.Arrays;
+
+/**
+ * The things of one kind while a scene is built: a row of doubles for each, which begins with
+ * coordinates and ends with the restitution; and its traits, see {@link ContactFlags}.
+ */
+final class SceneRows {
+
+  private final String kind;
+  private final int width;
+  private final int coordinates;
+  private final DoubleList values = new DoubleList();
+  private byte[] traits = new byte[16];
+
+  SceneRows(String kind, int width, int coordinates) {
+    this.kind = kind;
+    this.width = width;
+    this.coordinates = coordinates;
+  }
+
+  int count() {
+    return values.size() / width;
+  }
+
+  /** The name of thing i in messages, as "line 3"; there is one bounds at most. */
+  String name(int i) {
+    return kind.equals("bounds") ? kind : kind + " " + i;
+  }
+
+  double get(int i, int column) {
+    return values.get(i * width + column);
+  }
+
+  void add(double... row) {
+    values.add(row);
+    if (count() > traits.length) {
+      traits = Arrays.copyOf(traits, 2 * count());
+    }
+    traits[count() - 1] = 0;
+  }
+
+  void setLastRestitution(double e) {
+    values.setLast(e);
+  }
+
+  int lastTraits() {
+    return traits[count() - 1];
+  }
+
+  void setLastTraits(int t) {
+    traits[count() - 1] = (byte) t;
+  }
+
+  /** The traits of all things; null if none has any. */
+  byte[] traits() {
+    for (int i = 0; i < count(); i++) {
+      if (traits[i] != 0) {
+        return Arrays.copyOf(traits, count());
+      }
+    }
+    return null;
+  }
+
+  double largestCoordinate() {
+    double largest = 0;
+    for (int i = 0; i < count(); i++) {
+      for (int column = 0; column < coordinates; column++) {
+        largest = Math.max(largest, Math.abs(get(i, column)));
+      }
+    }
+    return largest;
+  }
+
+  double[] toArray() {
+    return values.toArray();
+  }
+}

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+import dev.carom.internal.util.Check;
+
+/**
+ * The largest coordinate and the least radius that were ever in a world. Rounding of positions
+ * could carry a circle through a line whose radius is below 2^10 ulps of the largest coordinate.
+ */
+public final class SizeLimits {
+
+  private static final double LEAST_RADIUS_ULPS = 0x1p10;
+
+  private double largest;
+  private double least = Double.POSITIVE_INFINITY;
+
+  public SizeLimits() {}
+
+  public SizeLimits(double largest, double least) {
+    this.largest = largest;
+    this.least = least;
+  }
+
+  public double largest() {
+    return largest;
+  }
+
+  public double least() {
+    return least;
+  }
+
+  /** Takes over what another one holds. */
+  public void set(SizeLimits other) {
+    largest = other.largest;
+    least = other.least;
+  }
+
+  /** The least radius that may stand beside a coordinate of this size. */
+  public static double leastRadius(double coordinate) {
+    return LEAST_RADIUS_ULPS * Math.ulp(coordinate);
+  }
+
+  /** Refuses a coordinate that is not finite, or too large for the circles that are there. */
+  public void checkCoordinate(String name, double value) {
+    Check.finite(name, value);
+    if (leastRadius(value) > least) {
+      throw Check.refused(
+          name,
+          value,
+          "a coordinate of which 2^10 ulps are no more than the least radius, " + least);
+    }
+  }
+
+  /** Refuses the radius of a circle at (x, y) that is not positive, or too small. */
+  public void checkRadius(double radius, double x, double y) {
+    Check.positive("radius", radius);
+    double size = Math.max(largest, Math.max(Math.abs(x), Math.abs(y)));
+    if (radius < leastRadius(size)) {
+      throw Check.refused(
+          "radius",
+          radius,
+          "at least %s, 2^10 ulps of the largest coordinate, %s"
+              .formatted(leastRadius(size), size));
+    }
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof SizeLimits that && largest == that.largest && least == that.least;
+  }
+
+  @Override
+  public int hashCode() {
+    return Double.hashCode(largest) + Double.hashCode(least);
+  }
+
+  public void keepPlace(double x, double y) {
+    largest = Math.max(largest, Math.max(Math.abs(x), Math.abs(y)));
+  }
+
+  public void keepRadius(double radius) {
+    least = Math.min(least, radius);
+  }
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import static dev.carom.internal.exact.DoubleDouble.differenceTail;
+import static dev.carom.internal.exact.DoubleDouble.productTail;
+import static dev.carom.internal.exact.DoubleDouble.sumTail;
+
+import dev.carom.internal.exact.PrecisionCounters;
+
+/**
+ * When a moving disk meets a point at rest, an end of a line: {@link DiskSweep#time} of a second
+ * disk that has neither radius nor velocity, whose terms are left out here as they are 0.
+ */
+public final class PointSweep {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private PointSweep() {}
+
+  /** The correctly rounded time of an impact that comes later. */
+  public static double time(
+      double px, double py, double r, double vx, double vy, double x, double y) {
+    return time(px, py, r, vx, vy, x, y, SegmentFilter.timeOfEnd(px, py, r, vx, vy, x, y));
+  }
+
+  /**
+   * The same, from the plain root on.
+   *
+   * @param root what {@link SegmentFilter#timeOfEnd} tells
+   */
+  public static double time(
+      double px, double py, double r, double vx, double vy, double x, double y, double root) {
+    double time = firstStep(px, py, r, vx, vy, x, y, root);
+    if (time < NEVER) {
+      PrecisionCounters.root();
+      return time;
+    }
+    return DiskSweep.time(Contact.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, NEVER);
+  }
+
+  /** The same as far as one step from the plain root tells, else NaN or infinity. */
+  static double firstStep(
+      double px, double py, double r, double vx, double vy, double x, double y, double t) {
+    double dx = px - x;
+    double dy = py - y;
+    double rr = r * r;
+    double dd = dx * dx + dy * dy;
+    double w = dd + rr;
+    double a = vx * vx + vy * vy;
+    double k = vx * dy - vy * dx;
+    // Nothing here waits for t but the residue.
+    double half = 0.5 / Math.sqrt(a * rr - k * k);
+    double c = residue(px, py, r, vx, vy, x, y, t) * half;
+    double error = TimeOfImpact.stepError(w, a, half, TimeOfImpact.firstLean(a, w, half), c);
+    return TimeOfImpact.rounded(t, c, error);
+  }
+
+  /** {@code e.e - r^2} at {@code e = d + v t}. What cancels is kept as head and tail. */
+  private static double residue(
+      double px, double py, double r, double vx, double vy, double qx, double qy, double t) {
+    double dx = px - qx;
+    double dy = py - qy;
+    double mx = vx * t;
+    double my = vy * t;
+    double x = dx + mx;
+    double y = dy + my;
+    double xl = sumTail(dx, mx, x) + (differenceTail(px, qx, dx) + productTail(vx, t, mx));
+    double yl = sumTail(dy, my, y) + (differenceTail(py, qy, dy) + productTail(vy, t, my));
+    double xx = x * x;
+    double yy = y * y;
+    double rr = r * r;
+    double ee = xx + yy;
+    double f = ee - rr;
+    return f
+        + ((sumTail(xx, yy, ee) + differenceTail(ee, rr, f))
+            + ((productTail(x, x, xx) + productTail(y, y, yy)) - productTail(r, r, rr))
+            + 2 * (x * xl + y * yl));
+  }
+}

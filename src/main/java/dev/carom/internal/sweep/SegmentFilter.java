@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+/**
+ * A disk that moves against a resting line, as far as a look in plain doubles tells: most contacts
+ * of a {@link SegmentSweep}, and roughly when they come. What comes out is certain; whatever is
+ * near a limit is left in DOUBT, for the detector to tell.
+ *
+ * <p>The bounds of {@link SegmentSweep} and {@link TimeOfImpact} are 17 u of the sums of terms at
+ * most, u = 2^-53. So a value above {@link #CLEAR} of them has its sign, and an error in proportion
+ * below 2^-28.8; that of a root, or of what cancels less, is half of it.
+ */
+public final class SegmentFilter {
+
+  /** The error of a time, in proportion, is less than a quarter of this. */
+  public static final double TIME_ERROR = 0x1p-26;
+
+  /** Above so much of the sum of its terms a value is not in doubt. */
+  private static final double CLEAR = 0x1p-20;
+
+  /** Nor by underflow, of numbers of {@link #LEAST} to {@link #MOST}. */
+  private static final double TINY = 0x1p-400;
+
+  private static final double LEAST = 0x1p-150;
+  private static final double MOST = 0x1p150;
+
+  private SegmentFilter() {}
+
+  /**
+   * The margin of all lines for a flight; NaN where no look can tell.
+   *
+   * @param speed at least |v|, at most twice that
+   * @param size at least the sum of the largest coordinate of the lines, |px|, |py| and r
+   */
+  public static double margin(double speed, double size) {
+    // x |x| w.w - y |y| with x = cross(p - q, v) and y = r v.w errs by less than 45 u of |v|^2 w.w
+    // times the square of that sum.
+    double scale = speed * size;
+    return speed > LEAST && speed < MOST && size < MOST ? 0x1p-47 * (scale * scale) : Double.NaN;
+  }
+
+  /**
+   * What is hit first, as {@link SegmentSweep#contact} tells, but nothing NOW; or DOUBT.
+   *
+   * @param margin of all lines; infinite to tell of none that it is hit
+   */
+  public static int contact(
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double ax,
+      double ay,
+      double bx,
+      double by,
+      double margin) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double dx = px - ax;
+    double dy = py - ay;
+    double c0 = wx * dy;
+    double c1 = wy * dx;
+    double c = c0 - c1;
+    double m = Math.abs(c0) + Math.abs(c1);
+    double ww = wx * wx + wy * wy;
+    double reach = r * r * ww;
+    double s0 = wx * vy;
+    double s1 = wy * vx;
+    double side = Math.copySign(1, c);
+    double drift = side * (s0 - s1);
+    boolean outside = c * c - reach > CLEAR * (m * m + reach) + TINY;
+    boolean inRange = margin >= 0;
+    if (!(inRange && outside && Math.abs(drift) > CLEAR * (Math.abs(s0) + Math.abs(s1)) + TINY)) {
+      return Contact.DOUBT;
+    }
+    if (drift > 0) {
+      return Contact.MISS;
+    }
+    return part(side, px, py, r, vx, vy, ax, ay, bx, by, margin * ww + TINY);
+  }
+
+  /** Of a centre that starts outside of the strip, on the given side, and comes nearer. */
+  private static int part(
+      double side,
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double ax,
+      double ay,
+      double bx,
+      double by,
+      double doubt) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double ww = wx * wx + wy * wy;
+    double y = r * (vx * wx + vy * wy);
+    double yy = y * Math.abs(y);
+    double a = (px - ax) * vy - (py - ay) * vx;
+    double b = (px - bx) * vy - (py - by) * vx;
+    // The side, which is known late, is not waited for by what comes before.
+    double scale = side * ww;
+    double beyondStart = Math.fma(a * Math.abs(a), scale, yy);
+    double beyondEnd = Math.fma(b * Math.abs(b), scale, yy);
+    if (!(Math.abs(beyondStart) > doubt && Math.abs(beyondEnd) > doubt)) {
+      return Contact.DOUBT;
+    }
+    if (beyondStart > 0) {
+      return endpoint(Contact.START, px, py, r, vx, vy, ax, ay);
+    }
+    if (beyondEnd < 0) {
+      return endpoint(Contact.END, px, py, r, vx, vy, bx, by);
+    }
+    return side > 0 ? Contact.LEFT : Contact.RIGHT;
+  }
+
+  /**
+   * Of a centre outside of the strip: it is further from an end than r by 2^-21 of the distance.
+   */
+  private static int endpoint(
+      int end, double px, double py, double r, double vx, double vy, double x, double y) {
+    double dx = px - x;
+    double dy = py - y;
+    double k = dx * vy - dy * vx;
+    double dd = dx * dx + dy * dy;
+    double vv = vx * vx + vy * vy;
+    double rr = r * r;
+    double reach = vv * rr - k * k;
+    double doubt = CLEAR * vv * (dd + rr) + TINY;
+    if (reach < -doubt) {
+      return Contact.MISS;
+    }
+    if (!(reach > doubt)) {
+      return Contact.DOUBT;
+    }
+    // (v.d)^2 = reach + v.v (d.d - r^2), so its sign is certain.
+    return vx * dx + vy * dy < 0 ? end : Contact.MISS;
+  }
+
+  /** The time of a contact that a look told, see {@link #TIME_ERROR}. */
+  public static double time(
+      int contact,
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double ax,
+      double ay,
+      double bx,
+      double by) {
+    if (contact == Contact.START) {
+      return timeOfEnd(px, py, r, vx, vy, ax, ay);
+    }
+    if (contact == Contact.END) {
+      return timeOfEnd(px, py, r, vx, vy, bx, by);
+    }
+    double wx = bx - ax;
+    double wy = by - ay;
+    double c = wx * (py - ay) - wy * (px - ax);
+    double ww = wx * wx + wy * wy;
+    double gap = c * c - r * r * ww;
+    return gap / ((Math.abs(c) + r * Math.sqrt(ww)) * Math.abs(wx * vy - wy * vx));
+  }
+
+  /**
+   * The plain root of {@link TimeOfImpact}, of a disk that enters the one of radius r around (x,
+   * y).
+   */
+  static double timeOfEnd(
+      double px, double py, double r, double vx, double vy, double x, double y) {
+    double dx = px - x;
+    double dy = py - y;
+    double k = dx * vy - dy * vx;
+    double dd = dx * dx + dy * dy;
+    double vv = vx * vx + vy * vy;
+    double rr = r * r;
+    return (dd - rr) / (Math.sqrt(vv * rr - k * k) - (vx * dx + vy * dy));
+  }
+}

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import dev.carom.internal.exact.Predicates;
+
+/**
+ * When does a moving point first come to the distance r from a resting one? It is what the sweeps
+ * of disks and of spheres share. With the offset d and the velocity u, in two dimensions or three,
+ * that is the smaller root t of
+ *
+ * <pre>
+ *   |d + u t|^2 - r^2 = a t^2 + 2 b t + g = 0    a = u.u,  b = u.d,  g = d.d - r^2
+ *   b^2 - a g = a r^2 - |cross(u, d)|^2 =: reach
+ * </pre>
+ *
+ * The distance is convex in t, so: moving apart or not at all (b >= 0) is a miss; else overlapping
+ * or touching (g <= 0) is an impact now; else reach > 0 is an impact later, at the smaller root,
+ * and reach = 0 a graze, which is none, unless r = 0: then the point runs into the other.
+ *
+ * <p>Decisions are the signs of b, g and reach. Each is taken in plain doubles if the value exceeds
+ * a bound of its rounding errors, and is asked of {@link Predicates} if not. The bounds count
+ * roundings, each a factor {@code 1 + u} with {@code u = 2^-53}, for three dimensions: a difference
+ * of coordinates has one, a sum of three terms two; and they are relative to the sum of the
+ * absolute values of the terms, or to what that cannot exceed, which is itself computed. The form
+ * of reach is the one that does not cancel.
+ *
+ * <p>The time is the plain root, corrected by steps {@code c = f / 2 s}: f is the polynomial's
+ * value there, kept as head and tail, and s half its slope, with the sign changed. The first step
+ * takes {@code s = sqrt(reach)}, the slope at the root itself; others, {@code s = -(b + a t)}.
+ */
+public final class TimeOfImpact {
+
+  /** Steps after the first before exact numbers take over; near a graze the first is a poor one. */
+  static final int STEPS = 4;
+
+  /** b: differences 1 + 1, product 1, sums 2: 5 u, and one more for second order and the sum. */
+  private static final double DOT_BOUND = 6 * 0x1p-53;
+
+  /** g: d.d has 2 + 1 + 2, r^2 has 2 + 1, the difference 1: 6 u, and one more. */
+  private static final double GAP_BOUND = 7 * 0x1p-53;
+
+  /**
+   * reach, of {@code a (d.d + r^2)}: a has 2 + 1 + 2, r^2 has 3, their product 1: 9 u of a r^2. A
+   * component of the cross product errs by 4 u of its terms' sum M, its square by 8 + 1 u of M^2;
+   * the M^2 add up to 4/3 a d.d at most (to a d.d in the plane, by Cauchy); the sums take 2, of a
+   * d.d: 14 u. The difference 1: 15 u, and two more.
+   */
+  private static final double REACH_BOUND = 17 * 0x1p-53;
+
+  /**
+   * Of the window's polynomial: a place d + u T has 1, 1 + 1 and 1 u of its terms' sum X; its
+   * square 2 x 3 + 1, the sums 2, r^2 has 3, the difference 1: 10 u of the sum of all X^2 and r^2,
+   * and two more.
+   */
+  private static final double WINDOW_BOUND = 12 * 0x1p-53;
+
+  /**
+   * Underflow: fewer than 32 operations lose at most 2^-1074 each, times the other factor of a
+   * product; it is covered by this times the sum of the factors and 1.
+   */
+  public static final double TINY = 0x1p-1000;
+
+  /** f, of d.d + r^2: see {@link #stepError}. */
+  private static final double PLACE_BOUND = 512 * 0x1p-106;
+
+  private TimeOfImpact() {}
+
+  static double dotBound(double terms) {
+    return Math.fma(DOT_BOUND, terms, TINY);
+  }
+
+  /** Of w = d.d + r^2. */
+  static double gapBound(double w) {
+    return Math.fma(GAP_BOUND, w, TINY);
+  }
+
+  static double reachBound(double a, double w) {
+    return Math.fma(REACH_BOUND, a * w, TINY * (a + w + 1));
+  }
+
+  /**
+   * The sign of the time of impact less the end T of the window, as far as plain doubles tell: +1
+   * later, -1 earlier, 0 in doubt. Later if at T, at the offset e = d + u T, the distance still
+   * falls, {@code u.e < 0}, and is above r; earlier if it does not fall, or is below.
+   *
+   * @param ue u.e
+   * @param leans the sum of the absolute values of its terms, with |d| + |u T| for e
+   * @param f e.e - r^2
+   * @param terms the like sum
+   * @param size the sum of the components' |d| + |u T|
+   */
+  static int order(double ue, double leans, double f, double terms, double size, double T) {
+    double lean = Math.fma(WINDOW_BOUND, leans, TINY * (1 + T));
+    if (ue > lean) {
+      return -1;
+    }
+    double bound = Math.fma(WINDOW_BOUND, terms, TINY * ((1 + size) * (1 + T)));
+    return f < -bound ? -1 : f > bound && ue < -lean ? 1 : 0;
+  }
+
+  /**
+   * The relative error of {@code s = sqrt(reach)}, and of the step: at most 0.54 times that of
+   * reach, while that is below 1/4. Taken whole, it leaves 17 u x 0.46 and more for f's own
+   * rounding, the root, the division and the product, 4 u.
+   *
+   * @param half 1 / 2 s
+   */
+  static double firstLean(double a, double w, double half) {
+    return 4 * reachBound(a, w) * half * half;
+  }
+
+  /**
+   * The relative error of {@code s = -(b + a t)}, and of the step; NaN if s may be 0. The terms of
+   * b err by 5 u, a t by 6 u, the sum 1; f's own rounding, the division and the product take 3 u:
+   * in all 10 u of the terms, over s, and at most 14 u by the quarter of {@link #stepError}. Four
+   * times the bound of b covers that.
+   *
+   * @param half 1 / 2 s
+   * @param terms the sum of the absolute values of the terms of b and of a t
+   */
+  static double lean(double half, double terms, double t) {
+    return half > 0 ? 8 * (dotBound(terms) + TINY * t) * half : Double.NaN;
+  }
+
+  /**
+   * A bound of the error of a step {@code c = f / 2 s} from t to the root; NaN where none is known.
+   *
+   * <p>Let S be the sum of r^2 and of all X^2, {@code X = |d| + |u t|} on an axis. The tail of a
+   * place d + u t is below 3 u X and loses 7 u^2 X; so the squares lose 23 u^2 X^2 by what is left
+   * out, and the sums of tails, each below 6 u S, 46 u^2 S: f loses 69 u^2 S. While t is before the
+   * polynomial's vertex, {@code a t^2 <= d.d}; therefore {@code S <= 4 (d.d + r^2) = 4 w}.
+   *
+   * <p>The root is {@code c* = f / (2 s* + a c*)} away, s* the slope there (with -a c* if s is the
+   * slope at t). So c errs by what s does, the lean, and by {@code a |c| / 2 s}, the bend, each in
+   * proportion; these must be below 1/4 in all, and then divide by 0.7 at least: f's share is below
+   * 69 x 4 / 0.7 u^2 w / 2 s, less than 512 u^2, and twice the bend is enough.
+   *
+   * <p>A first t is before the vertex, which is s* / a after the root, for {@code lean < 1/4}: then
+   * {@code 17 u a w < s^2 / 4}, and the errors of g, 7 u w, and of s, below 0.14 s, over {@code
+   * |b| >= s}, move it by less than s / 4 a; the others are far below.
+   *
+   * @param half 1 / 2 s
+   * @param lean the error of s, in proportion
+   */
+  static double stepError(double w, double a, double half, double lean, double c) {
+    double size = Math.abs(c);
+    double turn = lean + 2 * a * half * size;
+    if (!(turn < 0.25)) {
+      return Double.NaN;
+    }
+    return Math.fma(size, turn, Math.fma(Math.fma(PLACE_BOUND, w, TINY), half, TINY));
+  }
+
+  /** t + c to the nearest double, NaN if the error of c leaves that open. */
+  static double rounded(double t, double c, double error) {
+    double low = t + (c - error);
+    // What lies between rounds alike, and is known sooner.
+    return low == t + (c + error) ? t + c : Double.NaN;
+  }
+}

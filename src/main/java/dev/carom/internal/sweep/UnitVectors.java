@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import dev.carom.internal.exact.Exact;
+import dev.carom.internal.exact.UnitVector;
+
+/** Signs, and unit vectors, each component within 1e-15 of the true one. */
+public final class UnitVectors {
+
+  /** Range of components whose squares neither underflow nor overflow. */
+  private static final double LEAST = 0x1p-400;
+
+  private static final double MOST = 0x1p400;
+
+  private UnitVectors() {}
+
+  /** +1 or -1 by the bit of the sign: a branch on it could not be foretold. 0 has a sign too. */
+  public static int sign(double value) {
+    return (int) (Double.doubleToRawLongBits(value) >> 63) | 1;
+  }
+
+  /** (a - b) / |a - b| for two different points. */
+  public static UnitVector unit(double ax, double ay, double bx, double by) {
+    double x = ax - bx;
+    double y = ay - by;
+    double size = Math.max(Math.abs(x), Math.abs(y));
+    if (!(size > LEAST && size < MOST)) {
+      return Exact.unit(ax, ay, bx, by);
+    }
+    double length = Math.sqrt(x * x + y * y);
+    return new UnitVector(x / length + 0.0, y / length + 0.0);
+  }
+
+  /** The unit normal of the line from a to b: the left one for side +1, the right one for -1. */
+  public static UnitVector normal(int side, double ax, double ay, double bx, double by) {
+    UnitVector w = unit(bx, by, ax, ay);
+    // + 0 turns -0 into 0.
+    return new UnitVector(-side * w.y() + 0.0, side * w.x() + 0.0);
+  }
+}

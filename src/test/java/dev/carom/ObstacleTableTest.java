@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.LiveCodes;
+import dev.carom.internal.state.ObstacleTable;
+import java.util.List;
+import java.util.Random;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+class ObstacleTableTest {
+
+  private static ObstacleTable obstacles() {
+    return ObstacleTable.of(
+        Scene.builder()
+            .bounds(0, 0, 9, 9)
+            .line(1, 2, 3, 4)
+            .line(2, 3, 4, 5)
+            .peg(5, 6, 1)
+            .peg(6, 7, 1)
+            .build()
+            .data);
+  }
+
+  @Test
+  void theyEqualWhatIsTheSameInAllWays() {
+    assertThat(obstacles()).isEqualTo(obstacles()).hasSameHashCodeAs(obstacles());
+    assertThat(obstacles().copy()).isEqualTo(obstacles());
+    int line = ObstacleTable.WALLS + 1;
+    int peg = ObstacleTable.PEGS + 1;
+    List<Consumer<ObstacleTable>> changes =
+        List.of(
+            o -> o.moveLine(line, 2, 3, 4, 6),
+            o -> o.movePeg(peg, 6, 7, 2),
+            o -> o.setRestitution(line, 0.5),
+            o -> o.setRestitution(peg, 0.5),
+            o -> o.setRestitution(ObstacleTable.LEFT, 0.5),
+            o -> o.setTraits(line, ContactFlags.with(0, ContactFlags.HALT)),
+            o -> o.setTraits(peg, ContactFlags.with(0, ContactFlags.HALT)),
+            o -> o.setTraits(ObstacleTable.LEFT, ContactFlags.with(0, ContactFlags.HALT)),
+            o -> o.addLine(1, 1, 2, 2),
+            o -> o.addPeg(1, 1, 2),
+            o -> o.remove(line),
+            o -> o.remove(peg));
+    for (Consumer<ObstacleTable> change : changes) {
+      ObstacleTable changed = obstacles();
+      change.accept(changed);
+      assertThat(changed).isNotEqualTo(obstacles());
+    }
+    assertThat(obstacles()).isNotEqualTo("obstacles");
+  }
+
+  private static int[] there(ObstacleTable obstacles, int from, int end) {
+    return IntStream.range(from, end).filter(code -> !obstacles.isGone(code)).toArray();
+  }
+
+  private static void assertPresent(ObstacleTable o) {
+    assertPresent(o, o.presentLines(), there(o, ObstacleTable.WALLS, o.endOfLines));
+    assertPresent(o, o.presentPegs(), there(o, ObstacleTable.PEGS, o.endOfPegs));
+    assertThat(o.size()).isEqualTo(o.presentLines().count() + o.presentPegs().count());
+  }
+
+  private static void assertPresent(ObstacleTable o, LiveCodes present, int... there) {
+    assertThat(present.stream(o::isGone).toArray()).isEqualTo(there);
+    assertThat(present.count()).isEqualTo(there.length);
+    assertThat(present.size()).isLessThanOrEqualTo(2 * there.length);
+  }
+
+  private static void edit(ObstacleTable o, Random random) {
+    boolean line = random.nextBoolean();
+    LiveCodes present = line ? o.presentLines() : o.presentPegs();
+    if (present.count() > 0 && random.nextInt(9) < 5) {
+      int[] there = present.stream(o::isGone).toArray();
+      o.remove(there[random.nextInt(there.length)]);
+    } else if (line) {
+      o.addLine(1, 2, 3, 4);
+    } else {
+      o.addPeg(1, 2, 3);
+    }
+  }
+
+  /** What looks at each would else take longer with all that ever was there. */
+  @Test
+  void whatIsGoneIsNotAmongWhatIsThere() {
+    ObstacleTable obstacles = obstacles();
+    ObstacleTable saved = obstacles.copy();
+    Random random = new Random(1);
+    for (int i = 0; i < 2000; i++) {
+      edit(obstacles, random);
+      assertPresent(obstacles);
+      assertPresent(saved);
+      if (random.nextInt(40) == 0) {
+        ObstacleTable other = saved;
+        saved = obstacles.copy();
+        obstacles.set(other);
+      }
+    }
+    assertThat(obstacles.endOfLines).isGreaterThan(200);
+    assertThat(obstacles.size()).isLessThan(100);
+  }
+
+  @Test
+  void otherLinesHaveAnotherHashCode() {
+    ObstacleTable moved = obstacles();
+    moved.moveLine(ObstacleTable.WALLS, 7, 2, 3, 4);
+    assertThat(moved).doesNotHaveSameHashCodeAs(obstacles());
+  }
+
+  /** An added line leaves room for others behind it, a read one does not. */
+  @Test
+  void equalOnesHaveOneHashCodeWhateverTheirRoom() {
+    ObstacleTable grown = ObstacleTable.of(Scene.builder().line(1, 2, 3, 4).build().data);
+    grown.addLine(2, 3, 4, 5);
+    ObstacleTable read =
+        ObstacleTable.of(Scene.builder().line(1, 2, 3, 4).line(2, 3, 4, 5).build().data);
+    assertThat(grown).isEqualTo(read).hasSameHashCodeAs(read);
+  }
+
+  /** The second product is rounded by 2^-60, and the first takes away all but that. */
+  @Test
+  void sumsOfProductsKeepWhatRoundingLeaves() {
+    double x = 1 + 0x1p-30;
+    assertThat(ObstacleResponse.dot(-(1 + 0x1p-29), x, 1, x)).isEqualTo(0x1p-60);
+    assertThat(ObstacleResponse.dot(3, 5, 7, -2)).isEqualTo(11);
+  }
+
+  @Test
+  void whatIsAddedIsWhereItWasPut() {
+    ObstacleTable more = obstacles();
+    assertThat(PublicRecords.of(more, more.addPeg(3, 4, 2))).isEqualTo(new Circle(3, 4, 2));
+    assertThat(PublicRecords.of(more, more.addLine(3, 4, 2, 1))).isEqualTo(new Line(3, 4, 2, 1));
+    assertThat(more.size()).isEqualTo(6);
+  }
+
+  /** Both ends of a line count; of a peg, its centre. */
+  @Test
+  void theExtentIsTheLargestCoordinate() {
+    assertThat(ObstacleTable.of(Scene.builder().line(-9, 2, 3, 4).build().data).extent())
+        .isEqualTo(9);
+    assertThat(ObstacleTable.of(Scene.builder().line(1, 2, 3, -8).build().data).extent())
+        .isEqualTo(8);
+    assertThat(ObstacleTable.of(Scene.builder().peg(1, -2, 50).build().data).extent()).isEqualTo(2);
+    assertThat(ObstacleTable.of(Scene.builder().bounds(0, 0, 9, 9).build().data).extent()).isZero();
+  }
+
+  @Test
+  void traitsAreCountedAsTheyComeAndGo() {
+    ObstacleTable all = obstacles();
+    assertThat(all.areSpecial()).isFalse();
+    assertThat(all.haveSensors()).isFalse();
+    for (int code : new int[] {ObstacleTable.WALLS, ObstacleTable.PEGS}) {
+      all.setTraits(code, ContactFlags.with(0, ContactFlags.SENSOR));
+      assertThat(all.areSpecial()).isTrue();
+      assertThat(all.haveSensors()).isTrue();
+      all.setTraits(code, 0);
+      assertThat(all.areSpecial()).isFalse();
+      assertThat(all.haveSensors()).isFalse();
+      all.setTraits(code, ContactFlags.with(0, ContactFlags.SENSOR));
+      all.remove(code);
+      assertThat(all.areSpecial()).isFalse();
+      assertThat(all.haveSensors()).isFalse();
+    }
+  }
+}

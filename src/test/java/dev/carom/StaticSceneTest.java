@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.internal.engine.StaticScene;
+import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.SavedFlights;
+import org.junit.jupiter.api.Test;
+
+/** Worlds of so many lines or pegs that grids list them, and what edits change there. */
+class StaticSceneTest {
+
+  private static final int MANY = 20;
+
+  /** A room with many short lines along its ceiling. */
+  private static SceneBuilder room() {
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100);
+    for (int i = 0; i < MANY; i++) {
+      scene.line(5 * i, 95, 5 * i + 3, 95);
+    }
+    return scene;
+  }
+
+  /** The time of the first impact of circle 0, which comes from (10, 50) along x. */
+  private static double firstImpact(World world) {
+    world.advanceTo(world.now() + 100);
+    assertThat(world.impacts().size()).isPositive();
+    assertThat(world.impacts().circle(0)).isZero();
+    return world.impacts().time(0);
+  }
+
+  @Test
+  void theModelCountsTheCells() {
+    SceneBuilder scene = Scene.builder().circle(0, 50, 5, 1, 0);
+    for (int i = 0; i < 9; i++) {
+      scene.line(10 * i, 0, 10 * i, 40);
+    }
+    // 80 by 40, grown by the radius on each side, and a ring of cells around: 11 by 7.
+    assertThat(new World(scene.build(), EngineOptions.cells(10)).model())
+        .isEqualTo("circles that ignore each other, 9 lines and pegs in 1 grid of 77 cells");
+  }
+
+  @Test
+  void whatStandsOutAtTheRimIsHit() {
+    SceneBuilder scene = Scene.builder().circle(-50, 9.5, 1, 1, 0).circle(45, 50, 1, 0, -1);
+    for (int i = 0; i < MANY; i++) {
+      scene.peg(30 * i, 0, 10);
+    }
+    World world = new World(scene.build());
+    assertThat(firstImpact(world))
+        .isEqualTo(SweptCircle.pair(-50, 9.5, 1, 1, 0, 0, 0, 10, 0, 0, 100));
+  }
+
+  @Test
+  void aRestoredWorldKnowsWhereTheLinesAreThen() {
+    Scene scene = room().circle(10, 50, 5, 1, 0).build();
+    World edited = new World(scene);
+    edited.moveLine(7, 60, 40, 60, 60);
+    World world = new World(scene);
+    world.step(1);
+    world.restore(edited.snapshot());
+    assertThat(firstImpact(world)).isEqualTo(45);
+    world.restore(new World(scene).snapshot());
+    assertThat(firstImpact(world)).isEqualTo(85);
+  }
+
+  @Test
+  void manyNewLinesAreKnownWithTheNextStep() {
+    World world = new World(room().circle(10, 50, 5, 1, 0).build());
+    world.step(1);
+    for (int i = 0; i < MANY; i++) {
+      world.addLine(5 * i, 5, 5 * i + 3, 5);
+    }
+    world.addLine(60, 40, 60, 60);
+    assertThat(firstImpact(world)).isEqualTo(45);
+  }
+
+  @Test
+  void aCircleOfAnotherSizeIsAddedToAFew() {
+    World world = new World(room().circle(50, 50, 1, 0, 0).circle(30, 20, 10, 0, 0).build());
+    int id = world.addCircle(10, 50, 4, 1, 0);
+    world.moveLine(7, 60, 40, 60, 60);
+    world.step(100);
+    assertThat(world.impacts().circle(0)).isEqualTo(id);
+    assertThat(world.impacts().time(0)).isEqualTo(46);
+  }
+
+  @Test
+  void aCircleThatGrowsHitsWhatItWouldHavePassed() {
+    Scene scene = room().circle(10, 50, 1, 1, 0).build();
+    World world = new World(scene, EngineOptions.cells(2));
+    world.moveLine(7, 60, 58, 60, 62);
+    world.setRadius(0, 10);
+    assertThat(firstImpact(world)).isEqualTo(44);
+  }
+
+  @Test
+  void aRestoredCircleHitsByTheRadiusThatItHadThen() {
+    Scene scene = room().line(60, 58, 60, 62).circle(10, 50, 1, 1, 0).build();
+    World grown = new World(scene, EngineOptions.cells(2));
+    grown.setRadius(0, 10);
+    World world = new World(scene, EngineOptions.cells(2));
+    world.restore(grown.snapshot());
+    assertThat(firstImpact(world)).isEqualTo(44);
+  }
+
+  /** A new flight would round the place where it begins. */
+  @Test
+  void aLineThatNoneMeetsChangesNoBit() {
+    SceneBuilder scene = room();
+    for (int i = 0; i < MANY; i++) {
+      scene.circle(20 + i / 3.0, 10 + 3 * i, 1, 0.1 * (i + 1) / 3, 0.01 / (i + 3));
+    }
+    World world = new World(scene.build());
+    World edited = new World(scene.build());
+    world.advanceTo(1 / 3.0);
+    edited.advanceTo(1 / 3.0);
+    edited.addLine(5, 0, 5, 100);
+    world.advanceTo(10 / 7.0);
+    edited.advanceTo(10 / 7.0);
+    for (int i = 0; i < MANY; i++) {
+      assertThat(edited.x(i)).isEqualTo(world.x(i));
+      assertThat(edited.y(i)).isEqualTo(world.y(i));
+    }
+  }
+
+  @Test
+  void whatFlewBeyondTheDoublesHitsNothing() {
+    World world =
+        new World(Scene.builder().line(0, 0, 1, 1).peg(5, 5, 1).circle(9, 9, 1, 1e308, 1).build());
+    world.step(10);
+    assertThat(world.x(0)).isInfinite();
+    world.addLine(20, 0, 20, 100);
+    world.step(10);
+    assertThat(world.impacts().size()).isZero();
+    assertThat(world.now()).isEqualTo(20);
+  }
+
+  /** Of those at the time of what was found: before a sensor those of lower codes, else all. */
+  @Test
+  void sensorsAreReportedBeforeWhatIsFoundAtTheirTime() {
+    Scene scene = Scene.builder().line(0, 0, 1, 0).response(Response.SENSOR).peg(0, 0, 1).build();
+    StaticScene surroundings = new StaticScene(scene.data, EngineOptions.CHOSEN);
+    assertThat(surroundings.sensedBefore(ObstacleTable.WALLS)).isEqualTo(ObstacleTable.WALLS - 1);
+    assertThat(surroundings.sensedBefore(ObstacleTable.PEGS)).isEqualTo(Integer.MAX_VALUE);
+  }
+
+  /** What is told of a circle in (0, 0) whose way along x leads to a sensor, line 1, at time 4. */
+  private static SavedFlights saved(MovingCircle m, double now) {
+    Scene scene =
+        Scene.builder().line(50, 0, 60, 0).line(5, -9, 5, 9).response(Response.SENSOR).build();
+    SavedFlights states = new SavedFlights(new int[] {0});
+    new StaticScene(scene.data, EngineOptions.CHOSEN).save(0, m, now, states);
+    return states;
+  }
+
+  private static MovingCircle sensing(int next, int contact) {
+    MovingCircle m = new MovingCircle();
+    m.start(0, 0, 0, 1, 1, 0, 1);
+    m.cleared = 4;
+    m.next = next;
+    m.contact = contact;
+    return m;
+  }
+
+  private static SavedFlights reported(double sensed, int code) {
+    SavedFlights states = new SavedFlights(new int[] {0});
+    MovingCircle m = new MovingCircle();
+    m.start(0, 0, 0, 1, 1, 0, 1);
+    states.put(0, m, sensed, code);
+    return states;
+  }
+
+  /** Before the time at which it still has something to meet all is told by the time alone. */
+  @Test
+  void whatWasSensedByNowIsToldWhateverASearchFoundAhead() {
+    int sensor = ObstacleTable.WALLS + 1;
+    SavedFlights expected = reported(3.5, Integer.MAX_VALUE);
+    assertThat(saved(sensing(sensor, 0), 3.5)).isEqualTo(expected);
+    assertThat(saved(sensing(MovingCircle.NOTHING, 7), 3.5)).isEqualTo(expected);
+    assertThat(saved(sensing(sensor, 0), 4)).isEqualTo(reported(4, sensor - 1));
+    assertThat(saved(sensing(ObstacleTable.WALLS, 0), 4)).isEqualTo(reported(4, Integer.MAX_VALUE));
+  }
+
+  /** Where a search ended at a time that is now, another one tells what is still to be met. */
+  @Test
+  void whatIsStillToBeSensedNowIsSearchedFor() {
+    int sensor = ObstacleTable.WALLS + 1;
+    MovingCircle all = sensing(MovingCircle.NOTHING, sensor);
+    assertThat(saved(all, 4)).isEqualTo(reported(all.latestBy(4), Integer.MAX_VALUE));
+    assertThat(saved(sensing(MovingCircle.NOTHING, 0), 4)).isEqualTo(reported(4, sensor - 1));
+  }
+}

@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.carom.internal.query.Proximity;
+import dev.carom.internal.state.ObstacleTable;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+/** What can be asked of a world, or of a resolver, without moving anything. */
+class WorldQueriesTest {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private static SceneBuilder room() {
+    return Scene.builder().bounds(0, 0, 100, 100);
+  }
+
+  // First impacts.
+
+  /** One of two lines is later than the end of the window, by less than rounding shows. */
+  @Test
+  void ofTwoAtTheEndOfTheWindowTheOneWithinIsFound() {
+    Circle circle = new Circle(0, 0, 1);
+    Vec2 v = new Vec2(24, 0);
+    Line later = new Line(29.8, -5, 29.8, 5);
+    Line within = new Line(Math.nextDown(29.8), -5, Math.nextDown(29.8), 5);
+    assertThat(SweptCircle.cast(circle, v, later, 1.2)).isEmpty();
+    Impact impact = SweptCircle.cast(circle, v, within, 1.2).orElseThrow();
+    assertThat(impact.time()).isEqualTo(1.2);
+    for (List<Obstacle> both :
+        List.of(List.<Obstacle>of(later, within), List.<Obstacle>of(within, later))) {
+      assertThat(Resolver.of(both).cast(circle, v, 1.2)).map(Impact::obstacle).contains(within);
+    }
+    World world =
+        new World(
+            Scene.builder().line(29.8, -5, 29.8, 5).line(within.ax(), -5, within.bx(), 5).build());
+    assertThat(world.cast(circle, v, 1.2).orElseThrow().id()).isEqualTo(1);
+    assertThat(world.cast(circle, v, Math.nextUp(1.2)).orElseThrow().id()).isEqualTo(1);
+    assertThat(world.cast(circle, v, Math.nextDown(1.2))).isEmpty();
+  }
+
+  /** Into a corner: the wall that is named is the one whose point and normal are told. */
+  @Test
+  void theWallThatIsNamedIsTheOneThatIsHit() {
+    World world = new World(room().build());
+    Random random = new Random(1);
+    int others = 0;
+    for (int i = 0; i < 20_000; i++) {
+      double vx = 1 + random.nextDouble();
+      double vy = vx * (0.5 + random.nextDouble());
+      double t = 1 + random.nextDouble();
+      Circle circle = new Circle(99 - vx * t, 99 - vy * t, 1);
+      BigDecimal tx = timeOf99(circle.x(), vx);
+      BigDecimal ty = timeOf99(circle.y(), vy);
+      double end = Math.min(tx.doubleValue(), ty.doubleValue());
+      BigDecimal least = tx.min(ty);
+      Optional<Impact> impact = world.cast(circle, new Vec2(vx, vy), end);
+      assertThat(impact.isPresent()).isEqualTo(least.compareTo(new BigDecimal(end)) <= 0);
+      if (impact.isPresent()) {
+        Vec2 normal = tx.compareTo(ty) <= 0 ? new Vec2(-1, 0) : new Vec2(0, -1);
+        assertThat(impact.get().normal()).isEqualTo(normal);
+        assertThat(impact.get().id()).isEqualTo(normal.x() != 0 ? 1 : 3);
+        others += tx.doubleValue() == ty.doubleValue() && normal.x() == 0 ? 1 : 0;
+      }
+    }
+    assertThat(others).isPositive();
+  }
+
+  /** When a coordinate is 99, to 100 digits. */
+  private static BigDecimal timeOf99(double x, double v) {
+    BigDecimal way = new BigDecimal(99).subtract(new BigDecimal(x));
+    return way.divide(new BigDecimal(v), new MathContext(100));
+  }
+
+  @Test
+  void theFirstImpactIsTheEarliestOfTheDetectorsAnswers() {
+    Random random = new Random(1);
+    Scene scene = CollidingScenes.mixed(random, 40).build();
+    World world = new World(scene);
+    world.step(7);
+    int circles = 0;
+    for (int i = 0; i < 2000; i++) {
+      Circle circle =
+          new Circle(800 * random.nextDouble(), 600 * random.nextDouble(), i % 7 * i % 40);
+      Vec2 v = new Vec2(random.nextGaussian(), random.nextGaussian());
+      double T = i % 2 == 0 ? NEVER : 200 * random.nextDouble();
+      Optional<Impact> first = world.cast(circle, v, T);
+      assertThat(first).isEqualTo(earliest(world, scene, circle, v, T));
+      circles += first.filter(hit -> hit.kind() == ObstacleKind.CIRCLE).isPresent() ? 1 : 0;
+    }
+    assertThat(circles).isGreaterThan(200);
+    assertThat(world.now()).isEqualTo(7);
+  }
+
+  /** Asks each thing, in the order in which simultaneous impacts are taken. */
+  private static Optional<Impact> earliest(
+      World world, Scene scene, Circle circle, Vec2 v, double T) {
+    List<Impact> all = new ArrayList<>();
+    scene.bounds().flatMap(b -> SweptCircle.cast(circle, v, b, T)).ifPresent(all::add);
+    for (int i = 0; i < scene.lineCount(); i++) {
+      add(all, SweptCircle.cast(circle, v, scene.line(i), T), ObstacleKind.LINE, i);
+    }
+    for (int i = 0; i < scene.pegCount(); i++) {
+      add(all, SweptCircle.cast(circle, v, scene.peg(i), T), ObstacleKind.PEG, i);
+    }
+    for (int i = 0; i < world.circleCount(); i++) {
+      Circle other = new Circle(world.x(i), world.y(i), world.radius(i));
+      Vec2 u = new Vec2(world.vx(i), world.vy(i));
+      add(all, SweptCircle.cast(circle, v, other, u, T), ObstacleKind.CIRCLE, i);
+    }
+    Impact first = null;
+    for (Impact impact : all) {
+      first = first == null || impact.time() < first.time() ? impact : first;
+    }
+    return Optional.ofNullable(first);
+  }
+
+  private static void add(List<Impact> all, Optional<Impact> impact, ObstacleKind kind, int id) {
+    impact.map(hit -> named(hit, kind, id)).ifPresent(all::add);
+  }
+
+  /** The same impact with a thing under its id. */
+  static Impact named(Impact hit, ObstacleKind kind, int id) {
+    return new Impact(
+        hit.time(),
+        kind,
+        id,
+        hit.obstacle(),
+        hit.feature(),
+        hit.point(),
+        hit.normal(),
+        hit.approachSpeed());
+  }
+
+  @Test
+  void aRayMeetsWhatAPointMeets() {
+    World world = new World(room().line(50, 0, 50, 100).circle(20, 50, 5, 1, 0).build());
+    Impact hit = world.cast(new Circle(30, 40, 0), new Vec2(10, 0), 5).orElseThrow();
+    assertThat(hit.time()).isEqualTo(2);
+    assertThat(hit.point()).isEqualTo(new Vec2(50, 40));
+    assertThat(hit.normal()).isEqualTo(new Vec2(-1, 0));
+    assertThat(hit.kind()).isEqualTo(ObstacleKind.LINE);
+    assertThat(hit.id()).isZero();
+    assertThat(world.cast(new Circle(30, 40, 0), new Vec2(10, 0), 1.5)).isEmpty();
+  }
+
+  @Test
+  void circlesAreAskedOnlyWhereTheyCollide() {
+    SceneBuilder scene = room().circle(50, 50, 5, 0, 0);
+    Circle asked = new Circle(20, 50, 5);
+    Vec2 v = new Vec2(1, 0);
+    assertThat(new World(scene.build()).cast(asked, v, 50)).isEmpty();
+    Impact hit = new World(scene.collide(true).build()).cast(asked, v, 50).orElseThrow();
+    assertThat(hit.kind()).isEqualTo(ObstacleKind.CIRCLE);
+    assertThat(hit.time()).isEqualTo(20);
+  }
+
+  @Test
+  void aCircleOfTheWorldCanBeAskedFor() {
+    World world = new World(room().collide(true).circle(20, 50, 5, 1, 0).build());
+    assertThat(world.cast(new Circle(20, 50, 5), new Vec2(1, 0), NEVER).orElseThrow().kind())
+        .isEqualTo(ObstacleKind.WALL);
+  }
+
+  @Test
+  void sensorsArePassedOverAndOneWayLinesStopFromTheLeft() {
+    World world =
+        new World(
+            room()
+                .line(30, 0, 30, 100)
+                .response(Response.SENSOR)
+                .line(50, 0, 50, 100)
+                .oneWay()
+                .peg(10, 20, 4)
+                .response(Response.SENSOR)
+                .build());
+    assertThat(world.cast(new Circle(20, 20, 5), new Vec2(1, 0), NEVER).orElseThrow().id())
+        .isEqualTo(1);
+    Impact wall = world.cast(new Circle(80, 20, 5), new Vec2(-1, 0), NEVER).orElseThrow();
+    assertThat(wall.kind()).isEqualTo(ObstacleKind.WALL);
+    assertThat(wall.id()).isEqualTo(ObstacleTable.LEFT);
+  }
+
+  @Test
+  void questionsKnowEdits() {
+    World world = new World(room().build());
+    Circle asked = new Circle(20, 50, 5);
+    Vec2 v = new Vec2(1, 0);
+    int line = world.addLine(60, 0, 60, 100);
+    assertThat(world.cast(asked, v, NEVER).orElseThrow().time()).isEqualTo(35);
+    world.moveLine(line, 40, 0, 40, 100);
+    assertThat(world.cast(asked, v, NEVER).orElseThrow().time()).isEqualTo(15);
+    world.remove(ObstacleKind.LINE, line);
+    assertThat(world.cast(asked, v, NEVER).orElseThrow().time()).isEqualTo(75);
+    for (int i = 0; i < 200; i++) {
+      world.addLine(60, i % 100, 60, i % 100 + 1);
+    }
+    assertThat(world.cast(asked, v, NEVER).orElseThrow().time()).isEqualTo(35);
+    assertThat(world.nearest(ObstacleKind.LINE, 61, 3.5)).isEqualTo(4);
+  }
+
+  // Paths.
+
+  @Test
+  void theAimingLineIsTheWayThatTheCircleThenGoes() {
+    for (int seed = 0; seed < 10; seed++) {
+      Scene scene = RandomScenes.mixed(new Random(seed)).build();
+      World world = new World(scene);
+      Resolver resolver = Resolver.of(scene);
+      for (int id = 0; id < 20; id++) {
+        Trajectory path = world.trace(scene.circle(id), scene.velocity(id), 1, 60, 1000);
+        assertThat(resolver.trace(scene.circle(id), scene.velocity(id), 60)).isEqualTo(path);
+        assertThat(path.complete()).isTrue();
+        assertThat(path.duration()).isEqualTo(60);
+        World run = new World(scene);
+        run.step(60);
+        // A flight keeps the double nearest to its start, where the world keeps twice the digits.
+        assertThat(path.end().x()).isCloseTo(run.x(id), within(1e-12));
+        assertThat(path.end().y()).isCloseTo(run.y(id), within(1e-12));
+      }
+    }
+  }
+
+  @Test
+  void aPathEndsWhereTheNextBounceWouldBe() {
+    World world = new World(room().build());
+    Trajectory path = world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 1000, 2);
+    assertThat(path.impacts()).extracting(Impact::time).containsExactly(15.0, 45.0);
+    assertThat(path.duration()).isEqualTo(75);
+    assertThat(path.end()).isEqualTo(new Vec2(95, 50));
+    Trajectory none = world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 1000, 0);
+    assertThat(none.impacts()).isEmpty();
+    assertThat(none.duration()).isEqualTo(15);
+    assertThat(world.trace(new Circle(50, 50, 5), new Vec2(3, 0), 1, 10, 5).duration())
+        .isEqualTo(10);
+  }
+
+  // Nearest.
+
+  @Test
+  void theNearestThingOfEachKind() {
+    World world =
+        new World(
+            room()
+                .line(10, 10, 20, 10)
+                .line(10, 30, 20, 30)
+                .peg(50, 50, 10)
+                .peg(80, 50, 2)
+                .circle(30, 80, 5, 1, 0)
+                .circle(60, 80, 5, 0, 0)
+                .build());
+    world.step(10);
+    assertThat(world.nearest(ObstacleKind.LINE, 15, 19)).isZero();
+    assertThat(world.nearest(ObstacleKind.LINE, 15, 20)).as("equally near").isZero();
+    assertThat(world.nearest(ObstacleKind.LINE, 15, 21)).isEqualTo(1);
+    assertThat(world.nearest(ObstacleKind.PEG, 68, 50)).isZero();
+    assertThat(world.nearest(ObstacleKind.PEG, 70, 50)).isEqualTo(1);
+    assertThat(world.nearest(ObstacleKind.CIRCLE, 49, 80)).isZero();
+    assertThat(world.nearest(ObstacleKind.CIRCLE, 51, 80)).isEqualTo(1);
+    assertThat(world.nearest(ObstacleKind.WALL, 50, 90)).isEqualTo(ObstacleTable.TOP);
+    assertThat(world.nearest(ObstacleKind.WALL, 3, 90)).isEqualTo(ObstacleTable.LEFT);
+    World empty = new World(Scene.builder().build());
+    for (ObstacleKind kind : ObstacleKind.values()) {
+      assertThat(empty.nearest(kind, 0, 0)).isEqualTo(-1);
+    }
+  }
+
+  @Test
+  void theNearestOfAResolverIsOfAnyKind() {
+    Endpoint end = new Endpoint(9, 9);
+    Line line = new Line(0, 0, 5, 0);
+    Resolver resolver = Resolver.of(List.of(end, line, new Bounds(-50, -50, 50, 50)));
+    assertThat(resolver.nearest(new Vec2(8, 8))).contains(end);
+    assertThat(resolver.nearest(new Vec2(3, 1))).contains(line);
+    assertThat(resolver.nearest(new Vec2(-40, 1))).contains(new Bounds(-50, -50, 50, 50));
+    assertThat(Resolver.of(List.of()).nearest(Vec2.ZERO)).isEmpty();
+  }
+
+  // Overlaps.
+
+  @Test
+  void whatTouchesDoesNotOverlap() {
+    World world = new World(room().peg(30, 40, 10).line(70, 0, 70, 100).build());
+    assertThat(world.overlapping(ObstacleKind.PEG, new Circle(0, 0, 40))).isEmpty();
+    assertThat(world.overlapping(ObstacleKind.PEG, new Circle(0, 0, Math.nextUp(40.0))))
+        .containsExactly(0);
+    assertThat(world.overlapping(ObstacleKind.LINE, new Circle(60, 50, 10))).isEmpty();
+    assertThat(world.overlapping(ObstacleKind.LINE, new Circle(60, 50, Math.nextUp(10.0))))
+        .containsExactly(0);
+    assertThat(world.overlapping(ObstacleKind.WALL, new Circle(10, 50, 10))).isEmpty();
+    assertThat(world.overlapping(ObstacleKind.WALL, new Circle(10, 50, 10.5)))
+        .containsExactly(ObstacleTable.LEFT);
+    assertThat(world.overlapping(ObstacleKind.LINE, new Bounds(60, 0, 70, 10))).isEmpty();
+    assertThat(world.overlapping(ObstacleKind.LINE, new Bounds(60, 0, Math.nextUp(70.0), 10)))
+        .containsExactly(0);
+    assertThat(world.overlapping(ObstacleKind.WALL, new Bounds(-1, 0, 100, 101)))
+        .containsExactly(ObstacleTable.LEFT, ObstacleTable.TOP);
+  }
+
+  @Test
+  void disksAndCirclesAreComparedExactly() {
+    Random random = new Random(5);
+    int overlaps = 0;
+    for (int i = 0; i < 20_000; i++) {
+      Circle a = new Circle(random.nextInt(50), random.nextInt(50), random.nextInt(20));
+      Circle b =
+          new Circle(random.nextInt(50), random.nextInt(50), nearly(random, random.nextInt(20)));
+      BigDecimal dx = new BigDecimal(a.x()).subtract(new BigDecimal(b.x()));
+      BigDecimal dy = new BigDecimal(a.y()).subtract(new BigDecimal(b.y()));
+      BigDecimal r = new BigDecimal(a.radius()).add(new BigDecimal(b.radius()));
+      boolean overlap = dx.pow(2).add(dy.pow(2)).compareTo(r.pow(2)) < 0;
+      World world = new World(Scene.builder().peg(a.x(), a.y(), a.radius()).build());
+      assertThat(world.overlapping(ObstacleKind.PEG, b)).hasSize(overlap ? 1 : 0);
+      overlaps += overlap ? 1 : 0;
+    }
+    assertThat(overlaps).isBetween(4000, 16_000);
+  }
+
+  private static double nearly(Random random, double x) {
+    return switch (random.nextInt(3)) {
+      case 0 -> Math.nextUp(x);
+      case 1 -> Math.max(0, Math.nextDown(x));
+      default -> x;
+    };
+  }
+
+  /** A box overlaps a line if some point of the line, of very many, is inside. */
+  @Test
+  void boxesAndLines() {
+    Random random = new Random(6);
+    int overlaps = 0;
+    for (int i = 0; i < 5000; i++) {
+      Line line =
+          new Line(random.nextInt(9), random.nextInt(9), random.nextInt(9), random.nextInt(9));
+      Bounds box = new Bounds(2, 3, 2 + 1 + random.nextInt(4), 3 + 1 + random.nextInt(4));
+      boolean inside =
+          IntStream.rangeClosed(0, 1000)
+              .anyMatch(
+                  k -> {
+                    double x = line.ax() + (line.bx() - line.ax()) * k / 1000.0;
+                    double y = line.ay() + (line.by() - line.ay()) * k / 1000.0;
+                    return x > box.xmin() && x < box.xmax() && y > box.ymin() && y < box.ymax();
+                  });
+      Resolver resolver = Resolver.of(List.of(line));
+      assertThat(resolver.overlapping(box)).hasSize(inside ? 1 : 0);
+      overlaps += inside ? 1 : 0;
+    }
+    assertThat(overlaps).isBetween(500, 4500);
+  }
+
+  @Test
+  void boxesAndDisks() {
+    Resolver peg = Resolver.of(List.of(new Circle(13, 14, 5)));
+    assertThat(peg.overlapping(new Bounds(0, 0, 10, 10))).as("corner at distance 5").isEmpty();
+    assertThat(peg.overlapping(new Bounds(0, 0, Math.nextUp(10.0), 10))).hasSize(1);
+    assertThat(peg.overlapping(new Bounds(12, 13, 14, 15))).as("centre inside").hasSize(1);
+    assertThat(peg.overlapping(new Bounds(0, 0, 8, 50))).as("touching a side").isEmpty();
+    Resolver point = Resolver.of(List.of(new Circle(5, 5, 0)));
+    assertThat(point.overlapping(new Bounds(5, 0, 10, 10))).as("on the edge").isEmpty();
+    assertThat(point.overlapping(new Bounds(4, 0, 10, 10))).as("inside").hasSize(1);
+  }
+
+  @Test
+  void circlesAreWhereTheyAreNow() {
+    World world = new World(room().circle(10, 50, 5, 2, 0).circle(90, 50, 5, 0, 0).build());
+    assertThat(world.overlapping(ObstacleKind.CIRCLE, new Circle(50, 50, 5))).isEmpty();
+    world.step(20);
+    assertThat(world.overlapping(ObstacleKind.CIRCLE, new Circle(50, 50, 5))).containsExactly(0);
+    assertThat(world.overlapping(ObstacleKind.CIRCLE, new Bounds(0, 0, 100, 100)))
+        .containsExactly(0, 1);
+  }
+
+  // Refused.
+
+  @Test
+  void badQuestionsAreRefused() {
+    World world = new World(room().build());
+    Circle circle = new Circle(1, 1, 1);
+    assertThatThrownBy(() -> world.cast(circle, Vec2.ZERO, -1))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("T is -1.0");
+    assertThatThrownBy(() -> world.trace(circle, Vec2.ZERO, 1, NEVER, 1))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("duration is Infinity");
+    assertThatThrownBy(() -> world.trace(circle, Vec2.ZERO, -1, 1, 1))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("restitution is -1.0");
+    assertThatThrownBy(() -> world.trace(circle, Vec2.ZERO, 1, 1, -1))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("bounces is -1: expected at least 0");
+    assertThatThrownBy(() -> world.nearest(ObstacleKind.LINE, Double.NaN, 0))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("x is NaN");
+    assertThatThrownBy(() -> world.nearest(ObstacleKind.LINE, 0, Double.NaN))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("y is NaN");
+  }
+
+  @Test
+  void distancesArePlain() {
+    assertThat(Proximity.distance(0, 0, 1, 3, 4)).isCloseTo(4, within(1e-15));
+    assertThat(Proximity.distance(0, 0, 10, 3, 4)).isZero();
+  }
+
+  /** The largest double is a place, and what is there can be asked for. */
+  @Test
+  void circlesAtTheEdgeOfTheDoublesAreThere() {
+    double most = Double.MAX_VALUE;
+    World world =
+        new World(
+            Scene.builder().circle(most, 0, 0x1p990, 0, 0).circle(0, -most, 0x1p990, 0, 0).build());
+    assertThat(world.overlapping(ObstacleKind.CIRCLE, new Circle(most, 0, 1))).containsExactly(0);
+    assertThat(world.overlapping(ObstacleKind.CIRCLE, new Circle(0, -most, 1))).containsExactly(1);
+  }
+}

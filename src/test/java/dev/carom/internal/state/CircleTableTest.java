@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.WallSweep;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What is kept of a circle in the arrays is there when it is loaded. */
+class CircleTableTest {
+
+  /** Of what is ahead, its contact; where nothing is, the sensor met last in its place. */
+  @ParameterizedTest
+  @CsvSource({
+    MovingCircle.NOTHING + ", 0",
+    MovingCircle.NOTHING + ", " + ObstacleTable.PEGS,
+    WallSweep.LEFT + ", 0",
+    ObstacleTable.WALLS + ", " + Contact.NOW
+  })
+  void whatIsKeptIsLoaded(int next, int contact) {
+    MovingCircle m = new MovingCircle();
+    m.start(1, 3, 4, 5, 6, 7, 0.5);
+    m.next = next;
+    m.contact = contact;
+    m.t = 2;
+    m.tl = 0x1p-60;
+    m.cleared = 8;
+    m.stuck = 9;
+    m.pace = -10;
+    m.last = 11;
+    m.reach = 12;
+    m.jam = IgnoreList.with(null, 13);
+    for (CircleTable circles : new CircleTable[] {new CircleTable(2), CircleTable.colliding(2)}) {
+      circles.keep(1, m);
+      circles.load(1);
+      assertThat(circles.mover).usingRecursiveComparison().isEqualTo(m);
+    }
+  }
+}
