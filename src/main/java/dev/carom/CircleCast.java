@@ -36,13 +36,14 @@ final class CircleCast {
     return obstacle instanceof Endpoint end ? new Circle(end.x(), end.y(), 0) : (Circle) obstacle;
   }
 
-  static Optional<Impact> line(Circle c, Vec2 v, Line l, double T) {
+  static Optional<Impact> line(Circle c, Vec2 v, Line l, double maxTime) {
     int contact =
         SegmentSweep.contact(
             c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by());
     double t =
         SegmentSweep.time(
-            contact, c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(), T);
+            contact, c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(),
+            maxTime);
     if (t == NEVER) {
       return Optional.empty();
     }
@@ -52,11 +53,11 @@ final class CircleCast {
     return Optional.of(impact(t, ObstacleKind.LINE, Impact.NO_ID, l, contact, hit));
   }
 
-  static Optional<Impact> bounds(Circle circle, Vec2 v, Bounds bounds, double T) {
+  static Optional<Impact> bounds(Circle circle, Vec2 v, Bounds bounds, double maxTime) {
     double wallX = v.x() < 0 ? bounds.xmin() : bounds.xmax();
     double wallY = v.y() < 0 ? bounds.ymin() : bounds.ymax();
-    double tx = WallSweep.time(circle.x(), circle.radius(), v.x(), wallX, T);
-    double ty = WallSweep.time(circle.y(), circle.radius(), v.y(), wallY, T);
+    double tx = WallSweep.time(circle.x(), circle.radius(), v.x(), wallX, maxTime);
+    double ty = WallSweep.time(circle.y(), circle.radius(), v.y(), wallY, maxTime);
     if (tx == NEVER && ty == NEVER) {
       return Optional.empty();
     }
@@ -80,7 +81,8 @@ final class CircleCast {
 
   /** Disk 1 against disk 2, which is reported as the given obstacle. */
   static Optional<Impact> disk(
-      Circle c1, Vec2 v1, Circle c2, Vec2 v2, ObstacleKind kind, Obstacle obstacle, double T) {
+      Circle c1, Vec2 v1, Circle c2, Vec2 v2, ObstacleKind kind, Obstacle obstacle,
+      double maxTime) {
     int contact =
         DiskSweep.contact(
             c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), c2.x(), c2.y(), c2.radius(), v2.x(),
@@ -88,7 +90,7 @@ final class CircleCast {
     double t =
         DiskSweep.time(
             contact, c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), c2.x(), c2.y(), c2.radius(),
-            v2.x(), v2.y(), T);
+            v2.x(), v2.y(), maxTime);
     if (t == NEVER) {
       return Optional.empty();
     }

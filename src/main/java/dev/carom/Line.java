@@ -81,4 +81,27 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
     double s = Coordinates.fraction(ax, ay, bx, by, Check.notNull("p", p).x(), p.y());
     return new Vec2(Coordinates.onSegment(s, ax, bx), Coordinates.onSegment(s, ay, by));
   }
+
+  /**
+   * The point of the infinite line through both ends that is nearest to a given point: the foot of
+   * the perpendicular, {@code a + s (b - a)} with {@code s = (p - a).(b - a) / |b - a|^2}. The
+   * published algorithm that the benchmark replays starts from this point. Computed in plain
+   * doubles.
+   *
+   * @param p any point
+   * @return the foot, also beyond the ends; the start if this line has length zero
+   * @throws IllegalArgumentException if the foot is beyond the range of doubles
+   */
+  public Vec2 closestPointInfinite(Vec2 p) {
+    double s = Coordinates.fraction(ax, ay, bx, by, Check.notNull("p", p).x(), p.y());
+    if (Double.isNaN(s)) {
+      return new Vec2(ax, ay);
+    }
+    double x = Coordinates.between(s, ax, bx);
+    double y = Coordinates.between(s, ay, by);
+    if (!(Math.abs(x) <= Double.MAX_VALUE && Math.abs(y) <= Double.MAX_VALUE)) {
+      throw Check.refused("p", p, "a point whose foot on the line is within the range of doubles");
+    }
+    return new Vec2(x, y);
+  }
 }

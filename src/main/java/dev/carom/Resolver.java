@@ -163,16 +163,16 @@ public final class Resolver {
    *
    * @param circle the circle at the start
    * @param velocity its velocity
-   * @param T the end of the window, at least 0, {@code +infinity} included
-   * @return the impact, empty if there is none until T
-   * @throws IllegalArgumentException if T is NaN or negative
+   * @param maxTime the end of the window, at least 0, {@code +infinity} included
+   * @return the impact, empty if there is none until maxTime
+   * @throws IllegalArgumentException if maxTime is NaN or negative
    */
-  public Optional<Impact> cast(Circle circle, Vec2 velocity, double T) {
+  public Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime) {
     Check.notNull("circle", circle);
     Check.notNull("velocity", velocity);
-    Check.duration("T", T);
-    Candidate first = tracer().first(CircleCast.mover(circle, velocity, 1), T);
-    if (first == null || !first.isWithin(T)) {
+    Check.duration("maxTime", maxTime);
+    Candidate first = tracer().first(CircleCast.mover(circle, velocity, 1), maxTime);
+    if (first == null || !first.isWithin(maxTime)) {
       return Optional.empty();
     }
     int code = first.code();

@@ -33,7 +33,7 @@ record Separation(double x, double y) {
 
   /** That of a circle from a disk. */
   static Separation ofDisk(double x, double y, double r, double cx, double cy, double radius) {
-    Overlap overlap = (atX, atY) -> DiskSweep.overlap(atX, atY, r, cx, cy, radius);
+    Overlap overlap = (atX, atY) -> DiskSweep.overlaps(atX, atY, r, cx, cy, radius);
     if (!overlap.at(x, y)) {
       return NONE;
     }
@@ -49,7 +49,7 @@ record Separation(double x, double y) {
   /** That of a circle from a line. */
   static Separation ofLine(
       double x, double y, double r, double ax, double ay, double bx, double by) {
-    Overlap overlap = (atX, atY) -> SegmentSweep.overlap(atX, atY, r, ax, ay, bx, by);
+    Overlap overlap = (atX, atY) -> SegmentSweep.overlaps(atX, atY, r, ax, ay, bx, by);
     if (!overlap.at(x, y)) {
       return NONE;
     }

@@ -23,9 +23,9 @@ import java.util.Optional;
  * touches its end: the normal points from the line to the centre, which lies on a capsule around
  * the line" style="max-width:100%">
  *
- * <p>An impact is the smallest t in the closed window [0, T] at which the distance between the two
- * is at most the radius and falling (strictly; judged just after t at t = 0, just before it later).
- * So:
+ * <p>An impact is the smallest t in the closed window [0, maxTime] at which the distance between
+ * the two is at most the radius and falling (strictly; judged just after t at t = 0, just before it
+ * later). So:
  *
  * <ul>
  *   <li>apart and meeting within the window: an impact at the moment of first contact;
@@ -41,16 +41,16 @@ import java.util.Optional;
  * <p>Whether there is an impact, and which feature or wall is hit, is decided as if in real
  * arithmetic on the given doubles; a projection exactly on an end of a line is that end, a line of
  * zero length is its start. The time is the correctly rounded one. A time beyond the range of
- * doubles exceeds every finite T; with {@code T = +infinity} it is {@code +infinity}, which is a
- * miss too.
+ * doubles exceeds every finite maxTime; with {@code maxTime = +infinity} it is {@code +infinity},
+ * which is a miss too.
  *
  * <p>The hot form takes and returns doubles, {@code +infinity} = never, and allocates nothing
  * unless a query is so close to a tie that only exact arithmetic decides it. The friendly form,
  * {@code cast}, takes records and returns the {@link Impact}.
  *
  * <p>In all of them lengths share one unit, times another; coordinates and velocities are finite,
- * radii finite and at least 0, the window's end T at least 0, {@code +infinity} included; anything
- * else is an {@link IllegalArgumentException} that names it.
+ * radii finite and at least 0, the window's end maxTime at least 0, {@code +infinity} included;
+ * anything else is an {@link IllegalArgumentException} that names it.
  *
  * <p>Method: a circle against a segment is a point against a capsule, its Minkowski sum with a disk
  * (C. Ericson, Real-Time Collision Detection, 2005, 5.5). Decisions are signs of polynomials that
@@ -73,19 +73,19 @@ public final class SweptCircle {
    * @param ay the y coordinate of the line's start
    * @param bx the x coordinate of the line's end
    * @param by the y coordinate of the line's end
-   * @param T the end of the window
+   * @param maxTime the end of the window
    * @return the time of impact, {@code +infinity} = never
    * @throws IllegalArgumentException if a number is outside its range
    */
   public static double line(
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
-      double by, double T) {
-    if (!(0 * (px + py + r + vx + vy + ax + ay + bx + by) == 0 && r >= 0 && T >= 0)) {
-      check(px, py, r, vx, vy, T);
+      double by, double maxTime) {
+    if (!(0 * (px + py + r + vx + vy + ax + ay + bx + by) == 0 && r >= 0 && maxTime >= 0)) {
+      check(px, py, r, vx, vy, maxTime);
       new Line(ax, ay, bx, by);
     }
     int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
-    return SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, T);
+    return SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, maxTime);
   }
 
   /**
@@ -99,21 +99,21 @@ public final class SweptCircle {
    * @param cx the x coordinate of the peg's centre
    * @param cy the y coordinate of the peg's centre
    * @param R the radius of the peg
-   * @param T the end of the window
+   * @param maxTime the end of the window
    * @return the time of impact, {@code +infinity} = never
    * @throws IllegalArgumentException if a number is outside its range
    */
   public static double peg(
       double px, double py, double r, double vx, double vy, double cx, double cy, double R,
-      double T) {
-    if (!(0 * (px + py + r + vx + vy + cx + cy + R) == 0 && r >= 0 && R >= 0 && T >= 0)) {
-      check(px, py, r, vx, vy, T);
+      double maxTime) {
+    if (!(0 * (px + py + r + vx + vy + cx + cy + R) == 0 && r >= 0 && R >= 0 && maxTime >= 0)) {
+      check(px, py, r, vx, vy, maxTime);
       Check.finite("cx", cx);
       Check.finite("cy", cy);
       Check.notNegative("R", R);
     }
     int contact = DiskSweep.contact(px, py, r, vx, vy, cx, cy, R, 0, 0);
-    return DiskSweep.time(contact, px, py, r, vx, vy, cx, cy, R, 0, 0, T);
+    return DiskSweep.time(contact, px, py, r, vx, vy, cx, cy, R, 0, 0, maxTime);
   }
 
   /**
@@ -128,23 +128,23 @@ public final class SweptCircle {
    * @param ymin the y coordinate of the bottom wall
    * @param xmax the x coordinate of the right wall, greater than xmin
    * @param ymax the y coordinate of the top wall, greater than ymin
-   * @param T the end of the window
+   * @param maxTime the end of the window
    * @return the time of the first impact with a wall, {@code +infinity} = never
    * @throws IllegalArgumentException if a number is outside its range
    */
   public static double bounds(
       double px, double py, double r, double vx, double vy, double xmin, double ymin, double xmax,
-      double ymax, double T) {
+      double ymax, double maxTime) {
     if (!(0 * (px + py + r + vx + vy + xmin + ymin + xmax + ymax) == 0
         && r >= 0
-        && T >= 0
+        && maxTime >= 0
         && xmax > xmin
         && ymax > ymin)) {
-      check(px, py, r, vx, vy, T);
+      check(px, py, r, vx, vy, maxTime);
       new Bounds(xmin, ymin, xmax, ymax);
     }
-    double tx = WallSweep.time(px, r, vx, vx < 0 ? xmin : xmax, T);
-    double ty = WallSweep.time(py, r, vy, vy < 0 ? ymin : ymax, T);
+    double tx = WallSweep.time(px, r, vx, vx < 0 ? xmin : xmax, maxTime);
+    double ty = WallSweep.time(py, r, vy, vy < 0 ? ymin : ymax, maxTime);
     return Math.min(tx, ty);
   }
 
@@ -161,25 +161,25 @@ public final class SweptCircle {
    * @param r2 the radius of the second circle
    * @param vx2 the x component of the second circle's velocity
    * @param vy2 the y component of the second circle's velocity
-   * @param T the end of the window
+   * @param maxTime the end of the window
    * @return the time of impact, {@code +infinity} = never
    * @throws IllegalArgumentException if a number is outside its range
    */
   public static double pair(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
-      double vx2, double vy2, double T) {
+      double vx2, double vy2, double maxTime) {
     // A number that is not finite makes this sum not finite, and the sweep computes it anyway.
     double b = (vx1 - vx2) * (x1 - x2) + (vy1 - vy2) * (y1 - y2);
     if (!(0 * (b + (r1 + r2)) == 0
         && r1 >= 0
         && r2 >= 0
-        && T >= 0)) {
+        && maxTime >= 0)) {
       checkOfTwo("1", x1, y1, r1, vx1, vy1);
       checkOfTwo("2", x2, y2, r2, vx2, vy2);
-      Check.duration("T", T);
+      Check.duration("maxTime", maxTime);
     }
     int contact = DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
-    return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T);
+    return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, maxTime);
   }
 
   /**
@@ -190,23 +190,24 @@ public final class SweptCircle {
    * @param obstacle a line, an endpoint, a peg or bounds; of bounds the wall that is hit first is
    *     reported, as {@link Feature#SIDE}: exactly the earliest one, the vertical one of two that are
    *     hit at exactly the same time
-   * @param T the end of the window
+   * @param maxTime the end of the window
    * @return the impact, empty for a miss
-   * @throws IllegalArgumentException if T is NaN or negative
+   * @throws IllegalArgumentException if maxTime is NaN or negative
    */
-  public static Optional<Impact> cast(Circle circle, Vec2 velocity, Obstacle obstacle, double T) {
+  public static Optional<Impact> cast(
+      Circle circle, Vec2 velocity, Obstacle obstacle, double maxTime) {
     Check.notNull("circle", circle);
     Check.notNull("velocity", velocity);
     Check.notNull("obstacle", obstacle);
-    Check.duration("T", T);
+    Check.duration("maxTime", maxTime);
     if (obstacle instanceof Line line) {
-      return CircleCast.line(circle, velocity, line, T);
+      return CircleCast.line(circle, velocity, line, maxTime);
     }
     if (obstacle instanceof Bounds bounds) {
-      return CircleCast.bounds(circle, velocity, bounds, T);
+      return CircleCast.bounds(circle, velocity, bounds, maxTime);
     }
     Circle peg = CircleCast.peg(obstacle);
-    return CircleCast.disk(circle, velocity, peg, Vec2.ZERO, ObstacleKind.PEG, obstacle, T);
+    return CircleCast.disk(circle, velocity, peg, Vec2.ZERO, ObstacleKind.PEG, obstacle, maxTime);
   }
 
   /**
@@ -216,17 +217,18 @@ public final class SweptCircle {
    * @param v1 its velocity
    * @param second the second circle at the start of its motion
    * @param v2 its velocity
-   * @param T the end of the window
+   * @param maxTime the end of the window
    * @return the impact, its normal from the second circle to the first; empty for a miss
-   * @throws IllegalArgumentException if T is NaN or negative
+   * @throws IllegalArgumentException if maxTime is NaN or negative
    */
-  public static Optional<Impact> cast(Circle first, Vec2 v1, Circle second, Vec2 v2, double T) {
+  public static Optional<Impact> cast(
+      Circle first, Vec2 v1, Circle second, Vec2 v2, double maxTime) {
     Check.notNull("first", first);
     Check.notNull("v1", v1);
     Check.notNull("second", second);
     Check.notNull("v2", v2);
-    Check.duration("T", T);
-    return CircleCast.disk(first, v1, second, v2, ObstacleKind.CIRCLE, second, T);
+    Check.duration("maxTime", maxTime);
+    return CircleCast.disk(first, v1, second, v2, ObstacleKind.CIRCLE, second, maxTime);
   }
 
   /**
@@ -242,7 +244,7 @@ public final class SweptCircle {
    * @return whether they overlap
    * @throws IllegalArgumentException if a number is outside its range
    */
-  public static boolean overlap(
+  public static boolean overlaps(
       double x1, double y1, double r1, double x2, double y2, double r2) {
     if (!(0 * (x1 + y1 + r1 + x2 + y2 + r2) == 0 && r1 >= 0 && r2 >= 0)) {
       Check.finite("x1", x1);
@@ -252,13 +254,13 @@ public final class SweptCircle {
       Check.finite("y2", y2);
       Check.notNegative("r2", r2);
     }
-    return DiskSweep.overlap(x1, y1, r1, x2, y2, r2);
+    return DiskSweep.overlaps(x1, y1, r1, x2, y2, r2);
   }
 
   /**
    * The least translation that moves a circle out of another one, or out of a peg, so that they
    * touch: from the other's centre, of concentric ones along +x. If x and y are added to the
-   * circle's centre in doubles, the two do not {@linkplain #overlap overlap}. To make sure of that
+   * circle's centre in doubles, the two do not {@linkplain #overlaps overlap}. To make sure of that
    * it may exceed the least translation, by at most 8 ulps of the sum of the largest coordinate and
    * the radii.
    *
@@ -301,13 +303,13 @@ public final class SweptCircle {
     return new Vec2(separation.x(), separation.y());
   }
 
-  private static void check(double px, double py, double r, double vx, double vy, double T) {
+  private static void check(double px, double py, double r, double vx, double vy, double maxTime) {
     Check.finite("px", px);
     Check.finite("py", py);
     Check.notNegative("r", r);
     Check.finite("vx", vx);
     Check.finite("vy", vy);
-    Check.duration("T", T);
+    Check.duration("maxTime", maxTime);
   }
 
   /** Checks the numbers of a pair's first or second circle. */

@@ -21,9 +21,9 @@ import dev.carom.internal.util.Check;
  * bit.
  *
  * <p>Lengths share one unit, times another; coordinates and velocities are finite, radii finite and
- * at least 0, the window's end T at least 0, {@code +infinity} included; anything else is an {@link
- * IllegalArgumentException} that names it. Nothing is allocated, unless a query is so close to a
- * tie that only exact arithmetic decides it.
+ * at least 0, the window's end maxTime at least 0, {@code +infinity} included; anything else is an
+ * {@link IllegalArgumentException} that names it. Nothing is allocated, unless a query is so close
+ * to a tie that only exact arithmetic decides it.
  *
  * <p>Method: seen from the second sphere the first one's centre is a point that moves against a
  * sphere of radius r1 + r2 (C. Ericson, Real-Time Collision Detection, 2005, 5.5.5).
@@ -49,17 +49,17 @@ public final class SweptSphere {
    * @param vx2 the x component of the second sphere's velocity
    * @param vy2 the y component of the second sphere's velocity
    * @param vz2 the z component of the second sphere's velocity
-   * @param T the end of the window
+   * @param maxTime the end of the window
    * @return the time of impact, {@code +infinity} = never
    * @throws IllegalArgumentException if a number is outside its range
    */
   public static double pair(
       double x1, double y1, double z1, double r1, double vx1, double vy1, double vz1, double x2,
-      double y2, double z2, double r2, double vx2, double vy2, double vz2, double T) {
+      double y2, double z2, double r2, double vx2, double vy2, double vz2, double maxTime) {
     check(x1, y1, z1, r1, x2, y2, z2, r2);
     checkVelocities(vx1, vy1, vz1, vx2, vy2, vz2);
-    Check.duration("T", T);
-    return SphereSweep.time(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, T);
+    Check.duration("maxTime", maxTime);
+    return SphereSweep.time(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, maxTime);
   }
 
   /**
@@ -77,10 +77,10 @@ public final class SweptSphere {
    * @return whether they overlap
    * @throws IllegalArgumentException if a number is outside its range
    */
-  public static boolean overlap(
+  public static boolean overlaps(
       double x1, double y1, double z1, double r1, double x2, double y2, double z2, double r2) {
     check(x1, y1, z1, r1, x2, y2, z2, r2);
-    return SphereSweep.overlap(x1, y1, z1, r1, x2, y2, z2, r2);
+    return SphereSweep.overlaps(x1, y1, z1, r1, x2, y2, z2, r2);
   }
 
   /**

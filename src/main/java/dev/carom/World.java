@@ -384,7 +384,7 @@ public final class World {
    * @param kind a kind
    * @return one more than the largest id ever given
    */
-  public int idEnd(ObstacleKind kind) {
+  public int idLimit(ObstacleKind kind) {
     return ids.end(number(kind));
   }
 
@@ -394,8 +394,8 @@ public final class World {
    *
    * @return a phrase to be read, not to be taken apart
    */
-  public String model() {
-    return engine.model();
+  public String engineDescription() {
+    return engine.engineDescription();
   }
 
   /** The code of a thing that is there; any other id is refused. */
@@ -423,15 +423,15 @@ public final class World {
    *
    * @param circle the circle now
    * @param velocity its velocity
-   * @param T the end of the window from now on, at least 0, {@code +infinity} included
-   * @return the impact, its time counted from now; empty if there is none until T
-   * @throws IllegalArgumentException if T is NaN or negative
+   * @param maxTime the end of the window from now on, at least 0, {@code +infinity} included
+   * @return the impact, its time counted from now; empty if there is none until maxTime
+   * @throws IllegalArgumentException if maxTime is NaN or negative
    */
-  public Optional<Impact> cast(Circle circle, Vec2 velocity, double T) {
+  public Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime) {
     Check.notNull("circle", circle);
     Check.notNull("velocity", velocity);
-    Check.duration("T", T);
-    return questions.cast(circle, velocity, T, now);
+    Check.duration("maxTime", maxTime);
+    return questions.cast(circle, velocity, maxTime, now);
   }
 
   /**

@@ -38,11 +38,13 @@ final class WorldQueries {
     queries = new CircleQueries(circles, roster);
   }
 
-  Optional<Impact> cast(Circle circle, Vec2 velocity, double T, double now) {
+  Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime, double now) {
     MovingCircle mover = CircleCast.mover(circle, velocity, 1);
-    Candidate obstacle = tracer(circle).first(mover, T);
-    Candidate first = collide ? queries.first(mover, obstacle, T, now) : obstacle;
-    return first == null || !first.isWithin(T) ? Optional.empty() : Optional.of(impact(first, now));
+    Candidate obstacle = tracer(circle).first(mover, maxTime);
+    Candidate first = collide ? queries.first(mover, obstacle, maxTime, now) : obstacle;
+    return first == null || !first.isWithin(maxTime)
+        ? Optional.empty()
+        : Optional.of(impact(first, now));
   }
 
   private Impact impact(Candidate first, double now) {

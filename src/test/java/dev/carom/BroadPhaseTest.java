@@ -279,7 +279,7 @@ class BroadPhaseTest {
     }
     scene.circle(50 * unit, 50 * unit, 2 * unit, 0, 0);
     World world = new World(scene.build());
-    assertThat(world.model()).contains("grid");
+    assertThat(world.engineDescription()).contains("grid");
     Circle circle = new Circle(Math.nextUp(2 * unit), 97 * unit, 2 * unit);
     for (double drift : new double[] {0, -0x1p-60, -0x1p-58}) {
       Impact impact = world.cast(circle, new Vec2(drift * fast, -fast), never).orElseThrow();
@@ -432,7 +432,8 @@ class BroadPhaseTest {
         first = Math.min(first, time);
       }
       World world = new World(scene.circle(x, y, unit, 0, v).build());
-      assertThat(world.model()).contains(Math.abs(exponent) < 400 ? "1 grid" : "each of 12");
+      assertThat(world.engineDescription())
+          .contains(Math.abs(exponent) < 400 ? "1 grid" : "each of 12");
       world.advanceTo((200 * unit - y) / v);
       double told =
           world.impacts().size() == 0 ? Double.POSITIVE_INFINITY : world.impacts().time(0);

@@ -89,7 +89,7 @@ class CircleRegistryTest {
       assertThat(slot).isEqualTo(id - 2);
       assertThat(roster.id(slot)).isEqualTo(id);
       assertThat(roster.slot(id)).isEqualTo(slot);
-      assertThat(roster.idEnd()).isEqualTo(id + 1);
+      assertThat(roster.idLimit()).isEqualTo(id + 1);
     }
     roster.remove(roster.slot(12));
     assertThat(roster.slot(12)).isNegative();

@@ -139,7 +139,7 @@ final class EditSession {
 
   /** The id of a thing of a kind that is there, or -1. */
   private int some(ObstacleKind kind) {
-    int end = world().idEnd(kind);
+    int end = world().idLimit(kind);
     for (int tries = 0; end > 0 && tries < 20; tries++) {
       int id = random.nextInt(end);
       if (world().contains(kind, id)) {

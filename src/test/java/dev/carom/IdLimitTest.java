@@ -29,16 +29,20 @@ class IdLimitTest {
   private static final int PEGS = 1 << 28;
 
   /** Of three circles, the last with the id before a given end of ids. */
-  private static World old(boolean collide, int idEnd) {
+  private static World old(boolean collide, int idLimit) {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).collide(collide);
     scene.circle(20, 50, 3, 4, 0).circle(50, 50, 3, 0, 0).circle(80, 50, 3, -4, 1);
     World world = new World(scene.build());
     WorldState s = world.snapshot().state;
     CircleRegistry roster =
-        new CircleRegistry(new double[] {1, 2, 3}, new byte[3], new int[] {0, 7, idEnd - 1}, idEnd);
+        new CircleRegistry(
+            new double[] {1, 2, 3}, new byte[3], new int[] {0, 7, idLimit - 1}, idLimit);
     SavedFlights flights =
         new SavedFlights(
-            new int[] {0, 7, idEnd - 1}, s.flights().numbers, s.flights().codes, s.flights().jams);
+            new int[] {0, 7, idLimit - 1},
+            s.flights().numbers,
+            s.flights().codes,
+            s.flights().jams);
     world.restore(
         new Snapshot(new WorldState(s.now(), collide, s.obstacles(), roster, s.limits(), flights)));
     return world;
@@ -85,7 +89,7 @@ class IdLimitTest {
             "circle 1610612736 cannot be added: expected an id below 1610612736, and none is used"
                 + " twice");
     assertThat(world.snapshot()).isEqualTo(before);
-    assertThat(world.idEnd(CIRCLE)).isEqualTo(CIRCLES);
+    assertThat(world.idLimit(CIRCLE)).isEqualTo(CIRCLES);
     assertThat(world.step(5)).isTrue();
   }
 

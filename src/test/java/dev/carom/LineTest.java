@@ -3,6 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.internal.sweep.Coordinates;
@@ -74,10 +75,28 @@ class LineTest {
     assertThat(LINE.closestPoint(new Vec2(x, y))).isEqualTo(new Vec2(atX, atY));
   }
 
+  @ParameterizedTest
+  @CsvSource({"2, 7,  2, 1", "1, 9,  1, 1", "0, 1,  0, 1", "-3, 4,  -3, 1", "99, -4,  99, 1"})
+  void closestPointInfiniteGoesOnBeyondTheEnds(double x, double y, double atX, double atY) {
+    assertThat(LINE.closestPointInfinite(new Vec2(x, y))).isEqualTo(new Vec2(atX, atY));
+  }
+
+  @Test
+  void aFootBeyondTheDoublesIsRefused() {
+    double max = Double.MAX_VALUE;
+    Line diagonal = new Line(0, 0, 1, 1);
+    assertThat(diagonal.closestPointInfinite(new Vec2(max, max))).isEqualTo(new Vec2(max, max));
+    Line slanted = new Line(0, 0, 2, 1);
+    assertThatThrownBy(() -> slanted.closestPointInfinite(new Vec2(max, max)))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageStartingWith("p is Vec2[");
+  }
+
   @Test
   void aLineOfLengthZeroGivesItsStart() {
     Line point = new Line(2, 3, 2, 3);
     assertThat(point.closestPoint(new Vec2(7, -8))).isEqualTo(new Vec2(2, 3));
+    assertThat(point.closestPointInfinite(new Vec2(7, -8))).isEqualTo(new Vec2(2, 3));
     assertThat(point.closestPoint(new Vec2(2, 3))).isEqualTo(new Vec2(2, 3));
   }
 
@@ -90,6 +109,8 @@ class LineTest {
     assertThat(line.closestPoint(p)).isEqualTo(new Vec2(5 * scale, 3 * scale));
     Vec2 q = new Vec2(4 * scale, 0);
     assertThat(line.closestPoint(q)).isEqualTo(new Vec2(3 * scale, 2 * scale));
+    assertThat(line.closestPointInfinite(p)).isEqualTo(new Vec2(5 * scale, 3 * scale));
+    assertThat(line.closestPointInfinite(q)).isEqualTo(new Vec2(3 * scale, 2 * scale));
   }
 
   /** The difference of its ends overflows; everything else is as for a line of 8 x 4. */
@@ -102,6 +123,7 @@ class LineTest {
     Vec2 p = new Vec2(x * Math.min(scale, Double.MAX_VALUE / 10), y * (Double.MAX_VALUE / 10));
     Vec2 q = new Vec2(p.x() / scale, p.y() / scale);
     near(large.closestPoint(p), small.closestPoint(q), scale);
+    near(large.closestPointInfinite(p), small.closestPointInfinite(q), scale);
   }
 
   private static void near(Vec2 actual, Vec2 expected, double scale) {
@@ -119,11 +141,16 @@ class LineTest {
   }
 
   @Test
-  void theClosestPointIsTheNearest() {
+  void theFootIsPerpendicularAndTheClosestPointIsTheNearest() {
     SplittableRandom random = new SplittableRandom(1);
     for (int i = 0; i < 1_000; i++) {
       Line line = new Line(any(random), any(random), any(random), any(random));
       Vec2 p = new Vec2(any(random), any(random));
+      Vec2 foot = line.closestPointInfinite(p);
+      double dot =
+          (p.x() - foot.x()) * (line.bx() - line.ax())
+              + (p.y() - foot.y()) * (line.by() - line.ay());
+      assertThat(dot).isCloseTo(0, within(1e-9));
       double nearest = distance(p, line.closestPoint(p));
       for (double s = 0; s <= 1; s += 0.125) {
         double x = line.ax() + s * (line.bx() - line.ax());

@@ -171,8 +171,8 @@ class LockstepTest {
   private static Consumer<World> edit(World world, Random random) {
     int[] circles = world.ids(CIRCLE);
     int circle = circles[random.nextInt(circles.length)];
-    int line = random.nextInt(world.idEnd(LINE));
-    int peg = random.nextInt(world.idEnd(PEG));
+    int line = random.nextInt(world.idLimit(LINE));
+    int peg = random.nextInt(world.idLimit(PEG));
     double x = 100 * random.nextDouble();
     double y = 100 * random.nextDouble();
     Response response = Response.values()[random.nextInt(3)];

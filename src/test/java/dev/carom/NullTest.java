@@ -67,7 +67,7 @@ class NullTest {
     return List.of(
         call("scene", () -> new World(null)),
         call("kind", () -> WORLD.contains(null, 0)),
-        call("kind", () -> WORLD.idEnd(null)),
+        call("kind", () -> WORLD.idLimit(null)),
         call("kind", () -> WORLD.ids(null)),
         call("circle", () -> WORLD.cast(null, V, 1)),
         call("velocity", () -> WORLD.cast(CIRCLE, null, 1)),

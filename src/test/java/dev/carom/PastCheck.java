@@ -28,7 +28,7 @@ final class PastCheck {
 
   /** Before or after a step: what is seen last at a time counts. */
   void look() {
-    for (int i = 0; i < world.idEnd(ObstacleKind.CIRCLE); i++) {
+    for (int i = 0; i < world.idLimit(ObstacleKind.CIRCLE); i++) {
       if (world.contains(ObstacleKind.CIRCLE, i)) {
         Run.State state = new Run.State(world.x(i), world.y(i), world.vx(i), world.vy(i));
         seen.computeIfAbsent(i, k -> new TreeMap<>()).put(world.now(), state);

@@ -135,7 +135,7 @@ class ResolverWayTest {
   void refusesWhatMakesNoSense() {
     refused(
         () -> RESOLVER.trace(CIRCLE, Vec2.ZERO, 1, 1, -1), "bounces is -1: expected at least 0");
-    refused(() -> RESOLVER.cast(CIRCLE, Vec2.ZERO, -1), "T is -1");
+    refused(() -> RESOLVER.cast(CIRCLE, Vec2.ZERO, -1), "maxTime is -1");
     refused(() -> Resolver.reflect(new Vec2(1, 0), Vec2.ZERO, 1), "normal");
     refused(() -> Resolver.of(List.of(ROOM, new Bounds(1, 2, 3, 4))), "second");
   }

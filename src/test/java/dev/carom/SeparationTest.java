@@ -55,7 +55,7 @@ class SeparationTest {
             : SweptCircle.separation(circle, (Circle) obstacle);
     if (obstacle instanceof Circle other) {
       assertThat(
-              SweptCircle.overlap(
+              SweptCircle.overlaps(
                   circle.x(), circle.y(), circle.radius(), other.x(), other.y(), other.radius()))
           .as(q.hex())
           .isEqualTo(distance.isLess());
@@ -121,9 +121,9 @@ class SeparationTest {
 
   @Test
   void touchingIsNotOverlapping() {
-    assertThat(SweptCircle.overlap(0, 0, 2, 3, 4, 3)).isFalse();
-    assertThat(SweptCircle.overlap(0, 0, 2, 3, 4, Math.nextUp(3.0))).isTrue();
-    assertThat(SweptCircle.overlap(0, 0, 0, 0, 0, 0)).isFalse();
+    assertThat(SweptCircle.overlaps(0, 0, 2, 3, 4, 3)).isFalse();
+    assertThat(SweptCircle.overlaps(0, 0, 2, 3, 4, Math.nextUp(3.0))).isTrue();
+    assertThat(SweptCircle.overlaps(0, 0, 0, 0, 0, 0)).isFalse();
   }
 
   @Test
@@ -149,10 +149,10 @@ class SeparationTest {
 
   @Test
   void refusesWhatIsOutOfRange() {
-    assertThatThrownBy(() -> SweptCircle.overlap(0, 0, -1, 3, 4, 3))
+    assertThatThrownBy(() -> SweptCircle.overlaps(0, 0, -1, 3, 4, 3))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("-1.0");
-    assertThatThrownBy(() -> SweptCircle.overlap(0, 0, 1, Double.NaN, 4, 3))
+    assertThatThrownBy(() -> SweptCircle.overlaps(0, 0, 1, Double.NaN, 4, 3))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("NaN");
     refusesTheSumOf(new Circle(0, 0, Double.MAX_VALUE), new Circle(0, 0, 1));

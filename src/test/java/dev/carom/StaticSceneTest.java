@@ -39,7 +39,7 @@ class StaticSceneTest {
       scene.line(10 * i, 0, 10 * i, 40);
     }
     // 80 by 40, grown by the radius on each side, and a ring of cells around: 11 by 7.
-    assertThat(new World(scene.build(), EngineOptions.cells(10)).model())
+    assertThat(new World(scene.build(), EngineOptions.cells(10)).engineDescription())
         .isEqualTo("circles that ignore each other, 9 lines and pegs in 1 grid of 77 cells");
   }
 

@@ -97,17 +97,17 @@ class SweptCircleLimitsTest {
   void refusesNegativeRadiiAndWindows() {
     refused(() -> SweptCircle.line(0, 0, -1, 1, 1, 0, 0, 1, 1, 1), "r", -1);
     refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, 0, 0, -2, 1), "R", -2);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, 0, 1, 1, -0.5), "T", -0.5);
-    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, 0, 1, 1, Double.NaN), "T", Double.NaN);
-    refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, 0, 0, 1, -0.5), "T", -0.5);
-    refused(() -> SweptCircle.pair(0, 0, 1, 1, 1, 0, 0, 1, 1, 1, -0.5), "T", -0.5);
+    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, 0, 1, 1, -0.5), "maxTime", -0.5);
+    refused(() -> SweptCircle.line(0, 0, 1, 1, 1, 0, 0, 1, 1, Double.NaN), "maxTime", Double.NaN);
+    refused(() -> SweptCircle.peg(0, 0, 1, 1, 1, 0, 0, 1, -0.5), "maxTime", -0.5);
+    refused(() -> SweptCircle.pair(0, 0, 1, 1, 1, 0, 0, 1, 1, 1, -0.5), "maxTime", -0.5);
     refused(() -> SweptCircle.pair(0, 0, -1, 1, 1, 0, 0, 3, 1, 1, 1), "r1", -1);
     refused(() -> SweptCircle.pair(0, 0, 3, 1, 1, 0, 0, -1, 1, 1, 1), "r2", -1);
-    refused(() -> SweptCircle.bounds(0, 0, 1, 1, 1, 0, 0, 1, 1, -0.5), "T", -0.5);
+    refused(() -> SweptCircle.bounds(0, 0, 1, 1, 1, 0, 0, 1, 1, -0.5), "maxTime", -0.5);
     refused(() -> SweptCircle.bounds(0, 0, 1, 1, 1, 2, 0, 1, 1, 1), "xmax", 1);
     Circle c = new Circle(0, 0, 1);
-    refused(() -> SweptCircle.cast(c, Vec2.ZERO, FLOOR, -0.5), "T", -0.5);
-    refused(() -> SweptCircle.cast(c, Vec2.ZERO, c, Vec2.ZERO, Double.NaN), "T", Double.NaN);
+    refused(() -> SweptCircle.cast(c, Vec2.ZERO, FLOOR, -0.5), "maxTime", -0.5);
+    refused(() -> SweptCircle.cast(c, Vec2.ZERO, c, Vec2.ZERO, Double.NaN), "maxTime", Double.NaN);
   }
 
   /** The pair runs out of the range of doubles before it meets: its point is at the edge of it. */
@@ -131,7 +131,7 @@ class SweptCircleLimitsTest {
     for (int k = 0; k < names.length; k++) {
       double[] n = {0, 0, 1, 0, 0, 1};
       n[k] = Double.NaN;
-      assertThatThrownBy(() -> SweptCircle.overlap(n[0], n[1], n[2], n[3], n[4], n[5]))
+      assertThatThrownBy(() -> SweptCircle.overlaps(n[0], n[1], n[2], n[3], n[4], n[5]))
           .isInstanceOf(IllegalArgumentException.class)
           .hasMessageStartingWith(names[k] + " is NaN: expected a finite number");
     }

@@ -53,7 +53,7 @@ class SweptSphereTest {
       hits += truth < Double.POSITIVE_INFINITY ? 1 : 0;
       assertThat(time(q.numbers())).as("%s", (Object) q.numbers()).isEqualTo(truth);
       double[] n = q.numbers();
-      assertThat(SweptSphere.overlap(n[0], n[1], n[2], n[3], n[7], n[8], n[9], n[10]))
+      assertThat(SweptSphere.overlaps(n[0], n[1], n[2], n[3], n[7], n[8], n[9], n[10]))
           .as("%s", (Object) n)
           .isEqualTo(q.overlaps());
     }
@@ -96,9 +96,9 @@ class SweptSphereTest {
 
   @Test
   void touchingSpheresDoNotOverlap() {
-    assertThat(SweptSphere.overlap(0, 0, 0, 1, 2, 3, 6, 6)).isFalse();
-    assertThat(SweptSphere.overlap(0, 0, 0, 1, 2, 3, 6, Math.nextUp(6.0))).isTrue();
-    assertThat(SweptSphere.overlap(0, 0, 0, 0, 0, 0, 0, 0)).isFalse();
+    assertThat(SweptSphere.overlaps(0, 0, 0, 1, 2, 3, 6, 6)).isFalse();
+    assertThat(SweptSphere.overlaps(0, 0, 0, 1, 2, 3, 6, Math.nextUp(6.0))).isTrue();
+    assertThat(SweptSphere.overlaps(0, 0, 0, 0, 0, 0, 0, 0)).isFalse();
   }
 
   @Test
@@ -196,7 +196,8 @@ class SweptSphereTest {
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageStartingWith(name + " is NaN");
     if (name.length() == 2) {
-      assertThatThrownBy(() -> SweptSphere.overlap(n[0], n[1], n[2], n[3], n[7], n[8], n[9], n[10]))
+      assertThatThrownBy(
+              () -> SweptSphere.overlaps(n[0], n[1], n[2], n[3], n[7], n[8], n[9], n[10]))
           .isInstanceOf(IllegalArgumentException.class)
           .hasMessageStartingWith(name + " is NaN");
     }
@@ -228,7 +229,7 @@ class SweptSphereTest {
         .hasMessageContaining("vz1");
     assertThatThrownBy(() -> time(0, 0, 0, 1, 0, 0, 0, 9, 0, 0, 1, 0, 0, 0, -1))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("T");
+        .hasMessageContaining("maxTime");
     assertThatThrownBy(() -> SweptSphere.respond(0, 0, 0, 0, 1, 1, 1, 1, 1, new double[6]))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("m1");

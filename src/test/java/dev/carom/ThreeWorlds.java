@@ -101,7 +101,7 @@ final class ThreeWorlds {
    * time, and which way would it go?
    */
   private void ask() {
-    int id = random.nextInt(world.idEnd(ObstacleKind.CIRCLE));
+    int id = random.nextInt(world.idLimit(ObstacleKind.CIRCLE));
     if (!world.contains(ObstacleKind.CIRCLE, id) || !isWithinRange(id)) {
       return;
     }
@@ -146,7 +146,7 @@ final class ThreeWorlds {
 
   private static List<Run.State> states(World world) {
     List<Run.State> states = new ArrayList<>();
-    for (int i = 0; i < world.idEnd(ObstacleKind.CIRCLE); i++) {
+    for (int i = 0; i < world.idLimit(ObstacleKind.CIRCLE); i++) {
       if (world.contains(ObstacleKind.CIRCLE, i)) {
         states.add(new Run.State(world.x(i), world.y(i), world.vx(i), world.vy(i)));
       }

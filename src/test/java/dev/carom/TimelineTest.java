@@ -37,7 +37,7 @@ class TimelineTest {
 
   /** Until the world goes on from there: after the edits of that moment. */
   private static void note(World world, List<Moment> moments) {
-    for (int id = 0; id < world.idEnd(CIRCLE); id++) {
+    for (int id = 0; id < world.idLimit(CIRCLE); id++) {
       if (world.contains(CIRCLE, id)) {
         moments.add(Moment.of(world, id));
       }
@@ -45,7 +45,7 @@ class TimelineTest {
   }
 
   private static void edit(World world, Random random) {
-    int id = random.nextInt(world.idEnd(CIRCLE));
+    int id = random.nextInt(world.idLimit(CIRCLE));
     if (!world.contains(CIRCLE, id)) {
       return;
     }

@@ -98,11 +98,11 @@ class TurnoverTest {
       impacts += world.impacts().size();
     }
     assertThat(impacts).isGreaterThan(STEPS / 2);
-    assertThat(world.idEnd(CIRCLE)).isEqualTo(beside.idEnd(CIRCLE)).isGreaterThan(2200);
+    assertThat(world.idLimit(CIRCLE)).isEqualTo(beside.idLimit(CIRCLE)).isGreaterThan(2200);
     int slots = (int) (slack * (LIVE + 1024)) + LIVE + 6; // 6: those of a step
     assertThat(world.circles.capacity()).isLessThanOrEqualTo(2 * slots + 4);
     assertThat(beside.circles.capacity()).isGreaterThan(2 * slots + 4);
-    for (int id = 0; id < world.idEnd(CIRCLE); id++) {
+    for (int id = 0; id < world.idLimit(CIRCLE); id++) {
       double t = world.now() * random.nextDouble();
       assertThat(past.contains(id, t)).isEqualTo(pastBeside.contains(id, t));
       if (past.contains(id, t)) {
@@ -147,7 +147,7 @@ class TurnoverTest {
       assertThatThrownBy(edit::run).hasMessageStartingWith("circle " + id + ": ");
     }
     assertThatThrownBy(() -> world.addCircle(0, 0, -1, 0, 0))
-        .hasMessageStartingWith("circle " + world.idEnd(CIRCLE) + ": ");
+        .hasMessageStartingWith("circle " + world.idLimit(CIRCLE) + ": ");
     assertThatThrownBy(() -> world.x(0)).hasMessage("circle 0 does not exist: it was removed");
   }
 

@@ -228,7 +228,7 @@ class WarningsTest {
                 || scene.response(ObstacleKind.CIRCLE, j) == Response.SENSOR;
         Circle o = scene.circle(j);
         if (!sensor
-            && SweptCircle.overlap(
+            && SweptCircle.overlaps(
                 circle.x(), circle.y(), circle.radius(), o.x(), o.y(), o.radius())) {
           warnings.add(Warnings.text(scene.data, i, ObstacleTable.CIRCLES + j));
         }

@@ -162,7 +162,7 @@ class WorldEditTest {
       all.circle(x, y, 1 + i % 3, 2, i % 7 - 3);
     }
     assertThat(world.circleCount()).isEqualTo(80);
-    assertThat(world.idEnd(CIRCLE)).isEqualTo(80);
+    assertThat(world.idLimit(CIRCLE)).isEqualTo(80);
     assertThat(List.of(world.mass(79), world.radius(79))).containsExactly(1.0, 2.0);
     assertThat(Run.step(world, 1, 30)).isEqualTo(Run.step(world(all), 1, 30));
   }
@@ -268,7 +268,7 @@ class WorldEditTest {
     world.step(4.5);
     world.remove(LINE, 0);
     assertThat(world.contains(LINE, 0)).isFalse();
-    assertThat(world.idEnd(LINE)).isEqualTo(2);
+    assertThat(world.idLimit(LINE)).isEqualTo(2);
     world.step(5.5);
     assertThat(world.impacts().size()).isZero();
     world.remove(LINE, 1);
@@ -436,7 +436,7 @@ class WorldEditTest {
     edit.accept(world);
     for (int i = 0; i < 4; i++) {
       world.step(1);
-      for (int id = 0; id < world.idEnd(CIRCLE); id++) {
+      for (int id = 0; id < world.idLimit(CIRCLE); id++) {
         if (world.contains(CIRCLE, id)) {
           assertThat(world.x(id) + world.y(id)).isNotNaN();
           assertThat(world.vx(id) + world.vy(id)).isFinite();

@@ -388,7 +388,7 @@ class WorldQueriesTest {
     Circle circle = new Circle(1, 1, 1);
     assertThatThrownBy(() -> world.cast(circle, Vec2.ZERO, -1))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessageContaining("T is -1.0");
+        .hasMessageContaining("maxTime is -1.0");
     assertThatThrownBy(() -> world.trace(circle, Vec2.ZERO, 1, NEVER, 1))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("duration is Infinity");

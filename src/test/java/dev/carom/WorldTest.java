@@ -463,13 +463,14 @@ class WorldTest {
   @Test
   void theModelSaysWhatIsUsed() {
     SceneBuilder empty = Scene.builder().bounds(0, 0, 9, 9).circle(4, 4, 1, 1, 1);
-    assertThat(world(empty).model()).isEqualTo("circles that ignore each other, no lines or pegs");
-    assertThat(world(empty.collide(true)).model())
+    assertThat(world(empty).engineDescription())
+        .isEqualTo("circles that ignore each other, no lines or pegs");
+    assertThat(world(empty.collide(true)).engineDescription())
         .isEqualTo("circles that collide, no lines or pegs");
-    assertThat(world(floor()).model()).contains("each of 1 lines and pegs");
-    assertThat(new World(TestScenes.read("base-1.csv")).model())
+    assertThat(world(floor()).engineDescription()).contains("each of 1 lines and pegs");
+    assertThat(new World(TestScenes.read("base-1.csv")).engineDescription())
         .contains("100 lines and pegs in 1 grid of");
-    assertThat(new World(TestScenes.read("base-1.csv"), EngineOptions.EACH).model())
+    assertThat(new World(TestScenes.read("base-1.csv"), EngineOptions.EACH).engineDescription())
         .contains("each of 100 lines and pegs");
   }
 

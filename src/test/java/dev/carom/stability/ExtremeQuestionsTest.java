@@ -114,7 +114,7 @@ class ExtremeQuestionsTest {
     try {
       Vec2 s = SweptCircle.separation(c, other);
       assertThat(
-              SweptCircle.overlap(
+              SweptCircle.overlaps(
                   c.x() + s.x(), c.y() + s.y(), c.radius(), other.x(), other.y(), other.radius()))
           .isFalse();
     } catch (IllegalArgumentException refused) {

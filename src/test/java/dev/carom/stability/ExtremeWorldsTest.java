@@ -75,7 +75,7 @@ class ExtremeWorldsTest {
 
   private static double fastest(World world) {
     double fastest = Double.MIN_NORMAL;
-    for (int id = 0; id < world.idEnd(ObstacleKind.CIRCLE); id++) {
+    for (int id = 0; id < world.idLimit(ObstacleKind.CIRCLE); id++) {
       fastest = Math.max(fastest, Math.max(Math.abs(world.vx(id)), Math.abs(world.vy(id))));
     }
     return fastest;

@@ -83,7 +83,7 @@ final class Play {
 
   static List<State> states(World world) {
     List<State> states = new ArrayList<>();
-    for (int id = 0; id < world.idEnd(ObstacleKind.CIRCLE); id++) {
+    for (int id = 0; id < world.idLimit(ObstacleKind.CIRCLE); id++) {
       if (world.contains(ObstacleKind.CIRCLE, id)) {
         states.add(new State(world.x(id), world.y(id), world.vx(id), world.vy(id)));
       }

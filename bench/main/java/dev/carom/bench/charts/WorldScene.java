@@ -59,19 +59,19 @@ public final class WorldScene {
   public static Scene of(World world, Timeline past, double t) {
     WorldScene then = new WorldScene(world);
     then.bounds();
-    for (int id = 0; id < world.idEnd(ObstacleKind.LINE); id++) {
+    for (int id = 0; id < world.idLimit(ObstacleKind.LINE); id++) {
       Optional<Line> line = past.line(id, t);
       if (line.isPresent()) {
         then.line(id, line.get());
       }
     }
-    for (int id = 0; id < world.idEnd(ObstacleKind.PEG); id++) {
+    for (int id = 0; id < world.idLimit(ObstacleKind.PEG); id++) {
       Optional<Circle> peg = past.peg(id, t);
       if (peg.isPresent()) {
         then.peg(id, peg.get());
       }
     }
-    for (int id = 0; id < world.idEnd(ObstacleKind.CIRCLE); id++) {
+    for (int id = 0; id < world.idLimit(ObstacleKind.CIRCLE); id++) {
       if (past.contains(id, t)) {
         double radius = past.radius(id, t);
         then.circle(id, past.x(id, t), past.y(id, t), radius, past.vx(id, t), past.vy(id, t));

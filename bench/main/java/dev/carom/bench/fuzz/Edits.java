@@ -56,7 +56,7 @@ final class Edits {
   }
 
   private int some(ObstacleKind kind) {
-    int end = world.idEnd(kind);
+    int end = world.idLimit(kind);
     int first = end == 0 ? 0 : random.nextInt(end);
     for (int i = 0; i < end; i++) {
       int id = (first + i) % end;

@@ -91,7 +91,7 @@ final class EnergyCheck {
   /** In the session's own unit of speed, so that squares stay in range. */
   private double[] energies() {
     boolean collide = world.scene().collide();
-    double[] each = new double[collide ? 1 : world.idEnd(ObstacleKind.CIRCLE)];
+    double[] each = new double[collide ? 1 : world.idLimit(ObstacleKind.CIRCLE)];
     for (int id : world.ids(ObstacleKind.CIRCLE)) {
       double vx = world.vx(id) / unit;
       double vy = world.vy(id) / unit;

@@ -127,13 +127,13 @@ public final class QueryFuzz {
     CIRCLES_OVERLAP("xxrxxr") {
       @Override
       double ask(double... n) {
-        return timeOf(SweptCircle.overlap(n[0], n[1], n[2], n[3], n[4], n[5]));
+        return timeOf(SweptCircle.overlaps(n[0], n[1], n[2], n[3], n[4], n[5]));
       }
     },
     SPHERES_OVERLAP("xxxrxxxr") {
       @Override
       double ask(double... n) {
-        return timeOf(SweptSphere.overlap(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]));
+        return timeOf(SweptSphere.overlaps(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]));
       }
     };
 

@@ -36,7 +36,7 @@ final class StepFlights {
   /** The start of the step, each circle's impacts, and the end. */
   private List<List<Double>> moments() {
     List<List<Double>> moments = new ArrayList<>();
-    for (int i = 0; i < world.idEnd(ObstacleKind.CIRCLE); i++) {
+    for (int i = 0; i < world.idLimit(ObstacleKind.CIRCLE); i++) {
       moments.add(new ArrayList<>(List.of(start)));
     }
     ImpactLog log = world.impacts();

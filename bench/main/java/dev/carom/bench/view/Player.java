@@ -233,8 +233,8 @@ public final class Player {
    *
    * @return a phrase
    */
-  public String model() {
-    return world.model();
+  public String engineDescription() {
+    return world.engineDescription();
   }
 
   /** The impacts of the time before the moment shown. */
@@ -254,7 +254,7 @@ public final class Player {
 
   /** Ids of circles end here. */
   int circles() {
-    return world.idEnd(ObstacleKind.CIRCLE);
+    return world.idLimit(ObstacleKind.CIRCLE);
   }
 
   // Edits.

@@ -196,7 +196,7 @@ public final class ViewPanel extends JPanel {
                 player.shown(),
                 moment,
                 player.impacts(),
-                player.model(),
+                player.engineDescription(),
                 message.isEmpty() ? "" : "; " + message));
     refreshing = false;
     canvas.repaint();

@@ -138,7 +138,7 @@ class ExamplesTest {
 
   private static double energy(World world) {
     double sum = 0;
-    for (int id = 0; id < world.idEnd(ObstacleKind.CIRCLE); id++) {
+    for (int id = 0; id < world.idLimit(ObstacleKind.CIRCLE); id++) {
       if (world.contains(ObstacleKind.CIRCLE, id)) {
         sum += world.vx(id) * world.vx(id) + world.vy(id) * world.vy(id);
       }
@@ -148,7 +148,7 @@ class ExamplesTest {
 
   private static double gap(World world) {
     double least = Double.POSITIVE_INFINITY;
-    for (int i = 0; i < world.idEnd(ObstacleKind.CIRCLE); i++) {
+    for (int i = 0; i < world.idLimit(ObstacleKind.CIRCLE); i++) {
       for (int j = 0; j < i; j++) {
         if (world.contains(ObstacleKind.CIRCLE, i) && world.contains(ObstacleKind.CIRCLE, j)) {
           double distance = Math.hypot(world.x(i) - world.x(j), world.y(i) - world.y(j));

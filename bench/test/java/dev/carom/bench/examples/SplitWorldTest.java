@@ -59,7 +59,7 @@ class SplitWorldTest {
 
   private static List<Double> positions(World world) {
     List<Double> positions = new ArrayList<>();
-    for (int id = 0; id < world.idEnd(ObstacleKind.CIRCLE); id++) {
+    for (int id = 0; id < world.idLimit(ObstacleKind.CIRCLE); id++) {
       if (world.contains(ObstacleKind.CIRCLE, id)) {
         positions.addAll(List.of(world.x(id), world.y(id), world.vx(id), world.vy(id)));
       }

@@ -100,7 +100,7 @@ class BenchmarksTest {
     }
     assertThat(edits.steerOne(steered)).isTrue();
     assertThat(edits.setVelocity(steered).circleCount()).isEqualTo(400);
-    assertThat(steered.world.idEnd(ObstacleKind.LINE)).isEqualTo(400);
+    assertThat(steered.world.idLimit(ObstacleKind.LINE)).isEqualTo(400);
     assertThat(steered.world.impacts().size()).isPositive();
 
     EditBenchmark.Thousand thousand = new EditBenchmark.Thousand();

@@ -115,7 +115,7 @@ public final class CollidingEngine extends Engine {
   }
 
   @Override
-  public String model() {
+  public String engineDescription() {
     return surroundings.model(true).toString();
   }
 

@@ -100,13 +100,13 @@ public final class Editor {
   }
 
   public int addCircle(double x, double y, double radius, double vx, double vy, double now) {
-    checkId(Kind.CIRCLE, roster.idEnd(), CircleRegistry.ID_LIMIT);
+    checkId(Kind.CIRCLE, roster.idLimit(), CircleRegistry.ID_LIMIT);
     try {
       checkPlace(x, y);
       limits.checkRadius(radius, x, y);
       checkVelocity(vx, vy);
     } catch (RefusedException e) {
-      throw named(e, Kind.CIRCLE, roster.idEnd());
+      throw named(e, Kind.CIRCLE, roster.idLimit());
     }
     int slot = roster.add();
     mover.start(slot, x, y, radius, vx, vy, 1);

@@ -53,7 +53,7 @@ public abstract class Engine {
   public abstract double advance(double end);
 
   /** What is used, in words. */
-  public abstract String model();
+  public abstract String engineDescription();
 
   /**
    * Begins a new flight of a circle, whose id may be the next one, with what a mover holds.

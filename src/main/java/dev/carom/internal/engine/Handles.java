@@ -35,7 +35,7 @@ public final class Handles {
       case Kind.WALL -> obstacles.walls == null ? 0 : ObstacleTable.WALLS;
       case Kind.LINE -> obstacles.endOfLines - ObstacleTable.WALLS;
       case Kind.PEG -> obstacles.endOfPegs - ObstacleTable.PEGS;
-      default -> roster.idEnd();
+      default -> roster.idLimit();
     };
   }
 

@@ -53,7 +53,7 @@ public final class IndependentEngine extends Engine {
   }
 
   @Override
-  public String model() {
+  public String engineDescription() {
     return surroundings.model(false).toString();
   }
 

@@ -143,11 +143,11 @@ public final class SnapshotReader {
 
   private WorldState circles(
       double now, boolean collide, ObstacleTable obstacles, SizeLimits limits) throws IOException {
-    int idEnd = in.readInt();
+    int idLimit = in.readInt();
     expect(
-        idEnd >= 0 && idEnd <= CircleRegistry.ID_LIMIT,
-        "ids of circles end at " + idEnd + ": expected 0 to " + CircleRegistry.ID_LIMIT);
-    int count = count(idEnd);
+        idLimit >= 0 && idLimit <= CircleRegistry.ID_LIMIT,
+        "ids of circles end at " + idLimit + ": expected 0 to " + CircleRegistry.ID_LIMIT);
+    int count = count(idLimit);
     IntStream.Builder ids = IntStream.builder();
     DoubleList masses = new DoubleList();
     ByteArrayOutputStream traits = new ByteArrayOutputStream();
@@ -158,8 +158,8 @@ public final class SnapshotReader {
     for (int i = 0; i < count; i++) {
       int id = in.readInt();
       expect(
-          id >= least && id < idEnd,
-          "circle " + id + " is none of " + least + " to " + (idEnd - 1));
+          id >= least && id < idLimit,
+          "circle " + id + " is none of " + least + " to " + (idLimit - 1));
       least = id + 1;
       ids.add(id);
       traits.write(traits(3));
@@ -178,7 +178,7 @@ public final class SnapshotReader {
             codes.build().toArray(),
             jams.stream().anyMatch(Objects::nonNull) ? jams.toArray(IgnoreList[]::new) : null);
     CircleRegistry roster =
-        new CircleRegistry(masses.toArray(), traits.toByteArray(), present, idEnd);
+        new CircleRegistry(masses.toArray(), traits.toByteArray(), present, idLimit);
     return new WorldState(now, collide, obstacles, roster, limits, flights);
   }
 

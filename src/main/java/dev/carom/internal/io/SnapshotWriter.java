@@ -80,7 +80,7 @@ public final class SnapshotWriter {
   }
 
   private void circles(WorldState s) throws IOException {
-    out.writeInt(s.roster().idEnd());
+    out.writeInt(s.roster().idLimit());
     out.writeInt(s.roster().count());
     for (int i = 0; i < s.roster().count(); i++) { // a snapshot's roster is dense
       out.writeInt(s.roster().id(i));

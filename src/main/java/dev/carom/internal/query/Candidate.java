@@ -24,8 +24,9 @@ public record Candidate(
         || (time == that.time && exactTime.get().compare(that.exactTime.get()) < 0);
   }
 
-  /** Whether it is exactly no later than the end T of the window. */
-  public boolean isWithin(double T) {
-    return time < T || (time == T && exactTime.get().compare(ExactTime.of(T)) <= 0);
+  /** Whether it is exactly no later than the end maxTime of the window. */
+  public boolean isWithin(double maxTime) {
+    return time < maxTime
+        || (time == maxTime && exactTime.get().compare(ExactTime.of(maxTime)) <= 0);
   }
 }

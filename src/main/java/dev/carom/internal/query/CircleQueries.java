@@ -28,16 +28,16 @@ public final class CircleQueries {
    *
    * @param m the circle that is cast, at the start
    * @param before a contact with something else, null for none
-   * @param T the end of the window, counted from now
-   * @return the contact, which may be later than T by rounding; null for none
+   * @param maxTime the end of the window, counted from now
+   * @return the contact, which may be later than maxTime by rounding; null for none
    */
-  public Candidate first(MovingCircle m, Candidate before, double T, double now) {
+  public Candidate first(MovingCircle m, Candidate before, double maxTime, double now) {
     Candidate first = before;
     LiveCodes present = roster.present();
     for (int i = 0; i < present.size(); i++) {
       int slot = present.get(i);
       if (isThere(slot, now) && !roster.isSensor(slot)) {
-        Candidate other = candidate(m, slot, first == null ? T : first.time(), now);
+        Candidate other = candidate(m, slot, first == null ? maxTime : first.time(), now);
         if (other != null && (first == null || other.isBefore(first))) {
           first = other;
         }
@@ -89,7 +89,7 @@ public final class CircleQueries {
     return slots(now)
         .filter(
             slot ->
-                Proximity.overlap(
+                Proximity.overlaps(
                     circles.x(slot, now), circles.y(slot, now), circles.radius(slot), x, y, r));
   }
 
@@ -98,7 +98,7 @@ public final class CircleQueries {
     return slots(now)
         .filter(
             slot ->
-                Proximity.overlap(
+                Proximity.overlaps(
                     circles.x(slot, now), circles.y(slot, now), circles.radius(slot), box));
   }
 

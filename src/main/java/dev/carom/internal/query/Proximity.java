@@ -107,7 +107,7 @@ public final class Proximity {
       return overlapsLine(obstacles.lines, k, x, y, r);
     }
     double[] p = obstacles.pegs;
-    return overlap(
+    return overlaps(
         p[k + ObstacleTable.X], p[k + ObstacleTable.Y], p[k + ObstacleTable.RADIUS], x, y, r);
   }
 
@@ -117,7 +117,7 @@ public final class Proximity {
   }
 
   /** Whether two disks overlap. */
-  static boolean overlap(double x1, double y1, double r1, double x2, double y2, double r2) {
+  static boolean overlaps(double x1, double y1, double r1, double x2, double y2, double r2) {
     return Predicates.gap(x1, y1, x2, y2, r1, r2) < 0;
   }
 
@@ -126,7 +126,7 @@ public final class Proximity {
     double ay = lines[k + ObstacleTable.AY];
     double bx = lines[k + ObstacleTable.BX];
     double by = lines[k + ObstacleTable.BY];
-    return SegmentSweep.overlap(x, y, r, ax, ay, bx, by);
+    return SegmentSweep.overlaps(x, y, r, ax, ay, bx, by);
   }
 
   // What overlaps a box.
@@ -146,12 +146,12 @@ public final class Proximity {
       return overlapsLine(obstacles.lines, k, box);
     }
     double[] p = obstacles.pegs;
-    return overlap(
+    return overlaps(
         p[k + ObstacleTable.X], p[k + ObstacleTable.Y], p[k + ObstacleTable.RADIUS], box);
   }
 
   /** A disk and a box: the box's point nearest to the centre is in the disk. */
-  static boolean overlap(double cx, double cy, double r, double[] box) {
+  static boolean overlaps(double cx, double cy, double r, double[] box) {
     double x = Math.max(box[ObstacleTable.LEFT], Math.min(cx, box[ObstacleTable.RIGHT]));
     double y = Math.max(box[ObstacleTable.BOTTOM], Math.min(cy, box[ObstacleTable.TOP]));
     boolean inside = x == cx && y == cy;

@@ -37,8 +37,8 @@ public final class Tracer {
    *
    * @param mover at the start; it must stay as it is found
    */
-  public Candidate first(MovingCircle mover, double T) {
-    if (!search.cast(mover, grid, T)) {
+  public Candidate first(MovingCircle mover, double maxTime) {
+    if (!search.cast(mover, grid, maxTime)) {
       return null;
     }
     return new Candidate(

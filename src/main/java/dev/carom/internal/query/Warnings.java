@@ -159,7 +159,7 @@ public final class Warnings {
 
   /** Whether a disk overlaps circle i. */
   private boolean overlaps(double x, double y, double r, int i) {
-    return Proximity.overlap(x, y, r, scene.x(i), scene.y(i), scene.radius(i));
+    return Proximity.overlaps(x, y, r, scene.x(i), scene.y(i), scene.radius(i));
   }
 
   private boolean isSensor(int i) {

@@ -44,7 +44,7 @@ public final class CircleRegistry {
   /** The id of each slot, ascending; null while it is its number. */
   private int[] ids;
 
-  private int idEnd;
+  private int idLimit;
 
   /** Where an id was found last: the next one asked for is often the next one. */
   private int found;
@@ -52,7 +52,7 @@ public final class CircleRegistry {
   public CircleRegistry(SceneData scene, double slack) {
     this.slack = slack;
     end = scene.circleCount();
-    idEnd = end;
+    idLimit = end;
     present = new LiveCodes(0, end);
     masses = scene.masses;
     shared = true;
@@ -66,11 +66,11 @@ public final class CircleRegistry {
   }
 
   /** Circles with the given ids, ascending and below their end. */
-  public CircleRegistry(double[] masses, byte[] traits, int[] ids, int idEnd) {
+  public CircleRegistry(double[] masses, byte[] traits, int[] ids, int idLimit) {
     slack = EngineOptions.CHOSEN.slack();
     this.masses = masses;
     this.traits = traits;
-    take(ids, idEnd);
+    take(ids, idLimit);
   }
 
   public CircleRegistry copy() {
@@ -92,13 +92,13 @@ public final class CircleRegistry {
       }
     }
     shared = false;
-    take(theirIds, other.idEnd);
+    take(theirIds, other.idLimit);
   }
 
   private void take(int[] theirIds, int theirEnd) {
     end = theirIds.length;
-    idEnd = theirEnd;
-    ids = end == idEnd ? null : theirIds; // else they are all there
+    idLimit = theirEnd;
+    ids = end == idLimit ? null : theirIds; // else they are all there
     gone = null;
     present = new LiveCodes(0, end);
     found = 0;
@@ -151,8 +151,8 @@ public final class CircleRegistry {
   }
 
   /** One more than the largest id ever given. */
-  public int idEnd() {
-    return idEnd;
+  public int idLimit() {
+    return idLimit;
   }
 
   /** The id of the circle that is, or was, at a slot. */
@@ -162,7 +162,7 @@ public final class CircleRegistry {
 
   /** The slot of the circle with an id, for any number; below 0 if there is none. */
   public int slot(int id) {
-    if (id < 0 || id >= idEnd) {
+    if (id < 0 || id >= idLimit) {
       return NONE;
     }
     int slot = ids == null ? id : find(id);
@@ -225,9 +225,9 @@ public final class CircleRegistry {
     masses[end] = 1;
     present.add(end);
     if (ids != null) {
-      ids[end] = idEnd;
+      ids[end] = idLimit;
     }
-    idEnd++;
+    idLimit++;
     return end++;
   }
 
@@ -286,7 +286,7 @@ public final class CircleRegistry {
   @Override
   public boolean equals(Object other) {
     return other instanceof CircleRegistry that
-        && idEnd == that.idEnd
+        && idLimit == that.idLimit
         && Arrays.equals(ids(), that.ids())
         && Arrays.stream(ids()).allMatch(id -> isAlike(slot(id), that, that.slot(id)));
   }

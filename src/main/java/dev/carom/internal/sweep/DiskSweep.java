@@ -64,7 +64,7 @@ public final class DiskSweep {
   }
 
   /** Whether the distance of the centres is less than r1 + r2. */
-  public static boolean overlap(double x1, double y1, double r1, double x2, double y2, double r2) {
+  public static boolean overlaps(double x1, double y1, double r1, double x2, double y2, double r2) {
     double dx = x1 - x2;
     double dy = y1 - y2;
     double r = r1 + r2;

@@ -82,13 +82,13 @@ public final class SegmentSweep {
   }
 
   /** Whether the distance of the centre from the line is less than the radius, exactly. */
-  public static boolean overlap(
+  public static boolean overlaps(
       double px, double py, double r, double ax, double ay, double bx, double by) {
     if (Predicates.dot(px, py, ax, ay, bx, by, ax, ay) <= 0) {
-      return DiskSweep.overlap(px, py, r, ax, ay, 0);
+      return DiskSweep.overlaps(px, py, r, ax, ay, 0);
     }
     if (Predicates.dot(px, py, bx, by, bx, by, ax, ay) >= 0) {
-      return DiskSweep.overlap(px, py, r, bx, by, 0);
+      return DiskSweep.overlaps(px, py, r, bx, by, 0);
     }
     return Predicates.reach(bx, by, ax, ay, px, py, ax, ay, r, 0) > 0;
   }

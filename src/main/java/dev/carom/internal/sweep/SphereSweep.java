@@ -83,7 +83,7 @@ public final class SphereSweep {
   }
 
   /** Whether the distance of the centres is less than r1 + r2. */
-  public static boolean overlap(
+  public static boolean overlaps(
       double x1, double y1, double z1, double r1, double x2, double y2, double z2, double r2) {
     double dx = x1 - x2;
     double dy = y1 - y2;

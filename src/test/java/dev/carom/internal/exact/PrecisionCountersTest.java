@@ -105,7 +105,7 @@ class PrecisionCountersTest {
       Circle first = new Circle(n[0], n[1], n[2]);
       Circle second = new Circle(n[5], n[6], n[7]);
       SweptCircle.cast(first, new Vec2(n[3], n[4]), second, new Vec2(n[8], n[9]), n[10]);
-      SweptCircle.overlap(n[0], n[1], n[2], n[5], n[6], n[7]);
+      SweptCircle.overlaps(n[0], n[1], n[2], n[5], n[6], n[7]);
     } else if (query instanceof WallQuery) {
       SweptCircle.bounds(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]);
     }
@@ -115,7 +115,7 @@ class PrecisionCountersTest {
     SweptSphere.pair(
         n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12], n[13],
         n[14]);
-    SweptSphere.overlap(n[0], n[1], n[2], n[3], n[7], n[8], n[9], n[10]);
+    SweptSphere.overlaps(n[0], n[1], n[2], n[3], n[7], n[8], n[9], n[10]);
   }
 
   /**
