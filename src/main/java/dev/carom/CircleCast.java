@@ -3,19 +3,13 @@ package dev.carom;
 
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.query.Candidate;
-import dev.carom.internal.query.TracedPath;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.WallSweep;
-import dev.carom.internal.util.DoubleList;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
-import java.util.function.IntFunction;
 
 /** The friendly form of detector and tracer: from public records to numbers, and back. */
 final class CircleCast {
@@ -129,43 +123,6 @@ final class CircleCast {
             default -> Feature.SIDE;
           };
       case PEG, CIRCLE -> Feature.CIRCLE;
-    };
-  }
-
-  /**
-   * The way that a tracer found.
-   *
-   * @param things the obstacle that a code stands for
-   */
-  static Trajectory trajectory(TracedPath path, IntFunction<Obstacle> things) {
-    List<Flight> flights = new ArrayList<>();
-    DoubleList f = path.flights();
-    for (int k = 0; k < f.size(); k += TracedPath.FLIGHT) {
-      flights.add(new Flight(f.get(k), f.get(k + 1), f.get(k + 2), f.get(k + 3), f.get(k + 4)));
-    }
-    ImpactLog log = new ImpactLog(path.impacts());
-    List<Impact> impacts = new ArrayList<>();
-    for (int row = 0; row < log.size(); row++) {
-      impacts.add(
-          new Impact(
-              log.time(row),
-              log.kind(row),
-              log.id(row),
-              things.apply(code(log.kind(row), log.id(row))),
-              log.feature(row),
-              new Vec2(log.x(row), log.y(row)),
-              new Vec2(log.nx(row), log.ny(row)),
-              log.approachSpeed(row)));
-    }
-    return new Trajectory(flights, impacts, path.duration(), path.complete());
-  }
-
-  /** The code of an obstacle. */
-  private static int code(ObstacleKind kind, int id) {
-    return switch (kind) {
-      case WALL -> id;
-      case LINE -> ObstacleTable.WALLS + id;
-      default -> ObstacleTable.PEGS + id;
     };
   }
 }

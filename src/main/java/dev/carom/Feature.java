@@ -16,5 +16,12 @@ public enum Feature {
   /** The second end (bx, by) of a line: the centre projects on it or beyond it. */
   END,
   /** A peg, a single endpoint, or another moving circle. */
-  CIRCLE
+  CIRCLE;
+
+  private static final Feature[] ALL = values();
+
+  /** The feature with a given number, {@link #ordinal()}. */
+  static Feature of(int number) {
+    return ALL[number];
+  }
 }

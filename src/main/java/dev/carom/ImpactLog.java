@@ -18,8 +18,6 @@ import java.util.function.IntUnaryOperator;
  */
 public final class ImpactLog {
 
-  private static final ObstacleKind[] KINDS = ObstacleKind.values();
-  private static final Feature[] FEATURES = Feature.values();
   private static final Outcome[] OUTCOMES = Outcome.values();
 
   /** Rows that {@link #toString} tells. */
@@ -81,7 +79,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public ObstacleKind kind(int row) {
-    return KINDS[rows.kind(row)];
+    return ObstacleKind.of(rows.kind(row));
   }
 
   /**
@@ -104,7 +102,7 @@ public final class ImpactLog {
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public Feature feature(int row) {
-    return FEATURES[rows.feature(row)];
+    return Feature.of(rows.feature(row));
   }
 
   /**

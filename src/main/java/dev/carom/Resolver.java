@@ -12,11 +12,13 @@ import dev.carom.internal.search.BroadPhase;
 import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.SceneDataBuilder;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
 /**
@@ -47,15 +49,17 @@ public final class Resolver {
 
   private final ObstacleTable obstacles;
 
-  private final List<Line> lines;
+  /** The records of the obstacles, by their codes. */
+  private final IntFunction<Obstacle> records;
 
-  /** Circles and endpoints. */
-  private final List<Obstacle> pegs;
-
-  private Resolver(ObstacleTable obstacles, List<Line> lines, List<Obstacle> pegs) {
+  /**
+   * Resolves among the obstacles of a table.
+   *
+   * @param records the obstacle that a code stands for
+   */
+  Resolver(ObstacleTable obstacles, IntFunction<Obstacle> records) {
     this.obstacles = obstacles;
-    this.lines = List.copyOf(lines);
-    this.pegs = List.copyOf(pegs);
+    this.records = records;
   }
 
   /**
@@ -66,8 +70,8 @@ public final class Resolver {
    * @throws IllegalArgumentException if there is more than one bounds
    */
   public static Resolver of(List<? extends Obstacle> obstacles) {
-    SceneBuilder builder = Scene.builder();
-    List<Line> lines = new ArrayList<>();
+    SceneDataBuilder builder = new SceneDataBuilder();
+    List<Obstacle> lines = new ArrayList<>();
     List<Obstacle> pegs = new ArrayList<>();
     for (Obstacle obstacle : Check.notNull("obstacles", obstacles)) {
       if (obstacle == null) {
@@ -83,10 +87,11 @@ public final class Resolver {
         pegs.add(obstacle);
       }
     }
-    return new Resolver(ObstacleTable.of(builder.build().data), lines, pegs);
+    ObstacleTable table = ObstacleTable.of(builder.build());
+    return new Resolver(table, code -> record(table, code, lines, pegs));
   }
 
-  private static void add(SceneBuilder builder, Bounds bounds) {
+  private static void add(SceneDataBuilder builder, Bounds bounds) {
     try {
       builder.bounds(bounds.xmin(), bounds.ymin(), bounds.xmax(), bounds.ymax());
     } catch (IllegalStateException second) {
@@ -95,25 +100,14 @@ public final class Resolver {
     }
   }
 
-  /**
-   * Resolves among the lines, pegs and bounds of a scene, with their restitutions and responses:
-   * sensors are passed over, and one-way lines are met from their left only. The circles of the
-   * scene are not there.
-   *
-   * @param scene the scene
-   * @return the resolver
-   */
-  public static Resolver of(Scene scene) {
-    Check.notNull("scene", scene);
-    List<Line> lines = new ArrayList<>();
-    for (int i = 0; i < scene.lineCount(); i++) {
-      lines.add(scene.line(i));
-    }
-    List<Obstacle> pegs = new ArrayList<>();
-    for (int i = 0; i < scene.pegCount(); i++) {
-      pegs.add(scene.peg(i));
-    }
-    return new Resolver(ObstacleTable.of(scene.data), lines, pegs);
+  /** The record that was given for a code: an endpoint is a peg in the table. */
+  private static Obstacle record(
+      ObstacleTable table, int code, List<Obstacle> lines, List<Obstacle> pegs) {
+    return switch (table.kind(code)) {
+      case Kind.WALL -> PublicRecords.bounds(table.walls);
+      case Kind.LINE -> lines.get(table.index(code));
+      default -> pegs.get(table.index(code));
+    };
   }
 
   /**
@@ -153,7 +147,7 @@ public final class Resolver {
     Check.notNegative("bounces", bounces);
     MovingCircle mover = CircleCast.mover(circle, velocity, restitution);
     TracedPath path = tracer().trace(mover, duration, bounces, IMPACTS_PER_TRACE);
-    return CircleCast.trajectory(path, this::thing);
+    return Trajectory.of(path, records);
   }
 
   /**
@@ -178,7 +172,10 @@ public final class Resolver {
     int code = first.code();
     return Optional.of(
         CircleCast.impact(
-            first, ObstacleKind.of(obstacles.kind(code)), obstacles.index(code), thing(code)));
+            first,
+            ObstacleKind.of(obstacles.kind(code)),
+            obstacles.index(code),
+            records.apply(code)));
   }
 
   /**
@@ -192,7 +189,7 @@ public final class Resolver {
   public Optional<Obstacle> nearest(Vec2 point) {
     Check.notNull("point", point);
     int nearest = new Proximity(obstacles).nearest(point.x(), point.y());
-    return nearest == Proximity.NONE ? Optional.empty() : Optional.of(thing(nearest));
+    return nearest == Proximity.NONE ? Optional.empty() : Optional.of(records.apply(nearest));
   }
 
   /**
@@ -223,7 +220,7 @@ public final class Resolver {
     List<Obstacle> things = new ArrayList<>();
     for (int code : codes.toArray()) {
       if (code >= ObstacleTable.WALLS || things.isEmpty()) {
-        things.add(thing(code));
+        things.add(records.apply(code));
       }
     }
     return List.copyOf(things);
@@ -232,15 +229,6 @@ public final class Resolver {
   private Tracer tracer() {
     BroadPhase search = new BroadPhase(obstacles, new CodeSet());
     return new Tracer(obstacles, search, null);
-  }
-
-  /** What a code stands for: of a wall, the bounds. */
-  private Obstacle thing(int code) {
-    return switch (obstacles.kind(code)) {
-      case Kind.WALL -> PublicRecords.bounds(obstacles.walls);
-      case Kind.LINE -> lines.get(obstacles.index(code));
-      default -> pegs.get(obstacles.index(code));
-    };
   }
 
   /**

@@ -289,6 +289,18 @@ public final class Scene {
   }
 
   /**
+   * A resolver among the lines, pegs and bounds of this scene, with their restitutions and
+   * responses. It passes through sensors, and meets one-way lines from their left only. The circles
+   * of the scene are not there.
+   *
+   * @return a new resolver
+   */
+  public Resolver resolver() {
+    ObstacleTable obstacles = ObstacleTable.of(data);
+    return new Resolver(obstacles, code -> PublicRecords.of(obstacles, code));
+  }
+
+  /**
    * What is likely a mistake, though it is legal: circles that begin where things overlap them.
    * These are a circle that is not wholly within the bounds; one that overlaps a line or a peg;
    * and, where circles collide, two that overlap. Decided exactly; to touch is not to overlap.

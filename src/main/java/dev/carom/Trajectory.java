@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.query.TracedPath;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Check;
+import dev.carom.internal.util.DoubleList;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.IntFunction;
 import java.util.stream.Stream;
 
 /**
@@ -23,6 +29,38 @@ public final class Trajectory {
     this.impacts = List.copyOf(impacts);
     this.duration = duration;
     this.complete = complete;
+  }
+
+  /**
+   * The way that a tracer found.
+   *
+   * @param records the obstacle that a code stands for
+   */
+  static Trajectory of(TracedPath path, IntFunction<Obstacle> records) {
+    List<Flight> flights = new ArrayList<>();
+    DoubleList f = path.flights();
+    for (int k = 0; k < f.size(); k += TracedPath.FLIGHT) {
+      flights.add(new Flight(f.get(k), f.get(k + 1), f.get(k + 2), f.get(k + 3), f.get(k + 4)));
+    }
+    List<Impact> impacts = new ArrayList<>();
+    for (int row = 0; row < path.impacts().size(); row++) {
+      impacts.add(impact(path.impacts(), row, records));
+    }
+    return new Trajectory(flights, impacts, path.duration(), path.complete());
+  }
+
+  private static Impact impact(ImpactRows rows, int row, IntFunction<Obstacle> records) {
+    int kind = rows.kind(row);
+    int id = rows.obstacle(row);
+    return new Impact(
+        rows.time(row),
+        ObstacleKind.of(kind),
+        id,
+        records.apply(ObstacleTable.code(kind, id)),
+        Feature.of(rows.feature(row)),
+        new Vec2(rows.x(row), rows.y(row)),
+        new Vec2(rows.nx(row), rows.ny(row)),
+        rows.approachSpeed(row));
   }
 
   /**

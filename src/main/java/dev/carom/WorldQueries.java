@@ -62,7 +62,7 @@ final class WorldQueries {
   Trajectory trace(Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
     MovingCircle mover = CircleCast.mover(circle, velocity, restitution);
     TracedPath path = tracer(circle).trace(mover, duration, bounces, Resolver.IMPACTS_PER_TRACE);
-    return CircleCast.trajectory(path, code -> PublicRecords.of(obstacles, code));
+    return Trajectory.of(path, code -> PublicRecords.of(obstacles, code));
   }
 
   private Tracer tracer(Circle circle) {

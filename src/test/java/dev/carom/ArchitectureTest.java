@@ -9,6 +9,7 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.domain.JavaCodeUnit;
@@ -19,6 +20,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -31,6 +33,17 @@ class ArchitectureTest {
   private static final String API = "dev.carom";
 
   private static final String INTERNAL = "dev.carom.internal.";
+
+  private static final String GEOMETRY = "Vec2 Obstacle Circle Line Endpoint Bounds PublicRecords";
+
+  private static final String DETECTOR =
+      " SweptCircle SweptSphere Separation CircleCast Impact ObstacleKind Feature";
+
+  private static final String RESOLVER = " Resolver Trajectory Flight";
+
+  private static final String WORLD =
+      " Scene SceneBuilder SceneFormatException Response World WorldQueries ImpactLog Outcome"
+          + " Snapshot Timeline";
 
   private static final JavaClasses CLASSES =
       new ClassFileImporter().importPath(Path.of("target/classes"));
@@ -84,6 +97,46 @@ class ArchitectureTest {
         .should()
         .dependOnClassesThat(resideInAPackage(API + "..").and(not(resideInAnyPackage(allowed))))
         .check(CLASSES);
+  }
+
+  /** The layers of the exported package, each of use without those after it. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "geometry | " + GEOMETRY,
+        "detector | " + GEOMETRY + DETECTOR,
+        "resolver | " + GEOMETRY + DETECTOR + RESOLVER,
+        "world    | " + GEOMETRY + DETECTOR + RESOLVER + WORLD,
+      })
+  void eachLayerUsesThoseBefore(String layer, String names) {
+    Set<String> allowed = Set.of(names.split(" "));
+    DescribedPredicate<JavaClass> below =
+        DescribedPredicate.describe(
+            "the layers up to " + layer, type -> allowed.contains(outermost(type)));
+    noClasses()
+        .that(below)
+        .should()
+        .dependOnClassesThat(resideInAPackage(API).and(not(below)))
+        .check(CLASSES);
+  }
+
+  @Test
+  void eachPublicClassIsInALayer() {
+    assertThat(
+            CLASSES.stream()
+                .filter(type -> type.getPackageName().equals(API))
+                .map(ArchitectureTest::outermost)
+                .filter(name -> !name.equals("package-info"))
+                .distinct())
+        .containsExactlyInAnyOrder((GEOMETRY + DETECTOR + RESOLVER + WORLD).split(" "));
+  }
+
+  private static String outermost(JavaClass any) {
+    JavaClass type = any.getBaseComponentType();
+    String name = type.getName().substring(type.getPackageName().length() + 1);
+    int inner = name.indexOf('$');
+    return inner < 0 ? name : name.substring(0, inner);
   }
 
   @Test

@@ -26,7 +26,7 @@ class NullTest {
   private static final Line LINE = new Line(1, 2, 3, 4);
   private static final Vec2 V = new Vec2(1, 2);
   private static final Scene EMPTY = Scene.builder().build();
-  private static final Resolver RESOLVER = Resolver.of(EMPTY);
+  private static final Resolver RESOLVER = EMPTY.resolver();
   private static final World WORLD = new World(EMPTY);
   private static final World BOX = new World(Scene.builder().bounds(0, 0, 1, 1).build());
 
@@ -48,8 +48,7 @@ class NullTest {
         call("circle", () -> SweptCircle.separation(null, LINE)),
         call("line", () -> SweptCircle.separation(CIRCLE, (Line) null)),
         call("velocities", () -> SweptSphere.respond(0, 0, 0, 1, 1, 1, 1, 1, 1, null)),
-        call("scene", () -> Resolver.of((Scene) null)),
-        call("obstacles", () -> Resolver.of((List<Obstacle>) null)),
+        call("obstacles", () -> Resolver.of(null)),
         call("obstacles[0]", () -> Resolver.of(Collections.<Obstacle>singletonList(null))),
         call("velocities", () -> Resolver.respond(0, 0, 1, 1, 1, 1, 1, null)),
         call("velocity", () -> Resolver.reflect(null, V, 1)),

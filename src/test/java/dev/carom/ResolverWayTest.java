@@ -89,7 +89,7 @@ class ResolverWayTest {
   void sensorsArePassed() {
     Scene scene =
         Scene.builder().line(60, 0, 60, 100).response(Response.SENSOR).line(80, 0, 80, 100).build();
-    Resolver resolver = Resolver.of(scene);
+    Resolver resolver = scene.resolver();
     assertThat(resolver.cast(CIRCLE, new Vec2(1, 0), 99).map(Impact::id)).contains(1);
     Trajectory path = resolver.trace(CIRCLE, new Vec2(1, 0), 99);
     assertThat(path.impacts()).extracting(Impact::time).containsExactly(25.0);

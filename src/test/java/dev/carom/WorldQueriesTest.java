@@ -216,7 +216,7 @@ class WorldQueriesTest {
     for (int seed = 0; seed < 10; seed++) {
       Scene scene = RandomScenes.mixed(new Random(seed)).build();
       World world = new World(scene);
-      Resolver resolver = Resolver.of(scene);
+      Resolver resolver = scene.resolver();
       for (int id = 0; id < 20; id++) {
         Trajectory path = world.trace(scene.circle(id), scene.velocity(id), 1, 60, 1000);
         assertThat(resolver.trace(scene.circle(id), scene.velocity(id), 60)).isEqualTo(path);

@@ -57,12 +57,9 @@ public final class Handles {
   }
 
   private int code(int kind, int id) {
-    return switch (kind) {
-      case Kind.WALL -> id;
-      case Kind.LINE -> ObstacleTable.WALLS + id;
-      case Kind.PEG -> ObstacleTable.PEGS + id;
-      default -> ObstacleTable.CIRCLES + roster.slot(id);
-    };
+    return kind == Kind.CIRCLE
+        ? ObstacleTable.CIRCLES + roster.slot(id)
+        : ObstacleTable.code(kind, id);
   }
 
   private IndexOutOfBoundsException missing(int kind, int id) {

@@ -337,6 +337,15 @@ public final class ObstacleTable {
         : Arrays.copyOfRange(pegs, k, k + PEG_ROW);
   }
 
+  /** The code of a wall, a line or a peg, by its {@link Kind} and its number of that kind. */
+  public static int code(int kind, int index) {
+    return switch (kind) {
+      case Kind.WALL -> index;
+      case Kind.LINE -> WALLS + index;
+      default -> PEGS + index;
+    };
+  }
+
   /** The number of a thing among those of its kind. */
   public int index(int code) {
     return code < WALLS ? code : code < PEGS ? code - WALLS : code - PEGS;
