@@ -21,7 +21,7 @@ public final class ImpactLog {
   private static final Outcome[] OUTCOMES = Outcome.values();
 
   /** Rows that {@link #toString} tells. */
-  private static final int TOLD = 10;
+  private static final int ROWS_SHOWN = 10;
 
   private static final int CIRCLE = ObstacleKind.CIRCLE.ordinal();
 
@@ -180,7 +180,7 @@ public final class ImpactLog {
   @Override
   public String toString() {
     StringBuilder text = new StringBuilder("ImpactLog of " + size() + " rows");
-    for (int row = 0; row < Math.min(size(), TOLD); row++) {
+    for (int row = 0; row < Math.min(size(), ROWS_SHOWN); row++) {
       text.append(
           "\n%d: time %s, circle %d, %s %s, approach speed %s%s"
               .formatted(
@@ -192,6 +192,7 @@ public final class ImpactLog {
                   approachSpeed(row),
                   outcome(row) == Outcome.BOUNCED ? "" : ", " + outcome(row)));
     }
-    return text.append(size() > TOLD ? "\nand " + (size() - TOLD) + " more" : "").toString();
+    return text.append(size() > ROWS_SHOWN ? "\nand " + (size() - ROWS_SHOWN) + " more" : "")
+        .toString();
   }
 }

@@ -29,7 +29,7 @@ final class PublicRecords {
   }
 
   /** What messages say of the bounds with these walls, which may be null. */
-  static String told(double[] walls) {
+  static String describe(double[] walls) {
     return walls == null ? "none" : bounds(walls).toString();
   }
 

@@ -339,7 +339,7 @@ public final class Scene {
   @Override
   public String toString() {
     return "Scene[circles=%d, lines=%d, pegs=%d, bounds=%s]"
-        .formatted(circleCount(), lineCount(), pegCount(), PublicRecords.told(data.walls));
+        .formatted(circleCount(), lineCount(), pegCount(), PublicRecords.describe(data.walls));
   }
 
   /** The {@link ContactFlags} of a thing that is there. */

@@ -41,9 +41,9 @@ record Separation(double x, double y) {
     double dy = y - cy;
     UnitVector n = dx == 0 && dy == 0 ? ALONG_X : UnitVectors.unit(x, y, cx, cy);
     double distance = dx * n.x() + dy * n.y();
-    double reach = r + radius;
+    double radiusSum = r + radius;
     double size = Math.max(size(x, y), size(cx, cy));
-    return out(x, y, overlap, n, reach - distance, size + reach);
+    return out(x, y, overlap, n, radiusSum - distance, size + radiusSum);
   }
 
   /** That of a circle from a line. */

@@ -93,6 +93,6 @@ public final class Snapshot {
   @Override
   public String toString() {
     return "Snapshot[now=%s, circles=%d, lines and pegs=%d]"
-        .formatted(state.now(), state.roster().count(), state.obstacles().size());
+        .formatted(state.now(), state.registry().count(), state.obstacles().size());
   }
 }

@@ -188,7 +188,8 @@ public final class SweptCircle {
    * @param circle the circle at the start of its motion
    * @param velocity its velocity
    * @param obstacle a line, an endpoint, a peg or bounds; of bounds the wall that is hit first is
-   *     reported, as {@link Feature#SIDE}: exactly the earliest one, the vertical one of two that are
+   *     reported, as {@link Feature#SIDE}: exactly the earliest one, the vertical one of two that
+   * are
    *     hit at exactly the same time
    * @param maxTime the end of the window
    * @return the impact, empty for a miss

@@ -105,7 +105,7 @@ public final class World {
   private final Scene scene;
   private final ImpactRows rows;
   private final ImpactLog log;
-  private final CircleRegistry roster;
+  private final CircleRegistry registry;
   private final Handles ids;
   private final Engine engine;
   final CircleTable circles;
@@ -126,21 +126,21 @@ public final class World {
     this(scene, EngineOptions.CHOSEN);
   }
 
-  World(Scene scene, EngineOptions machinery) {
+  World(Scene scene, EngineOptions options) {
     this.scene = Check.notNull("scene", scene);
     SceneData data = scene.data;
-    roster = new CircleRegistry(data, machinery.slack());
+    registry = new CircleRegistry(data, options.slack());
     rows = new ImpactRows(Math.max(LOG_LEAST, Math.min(LOG_MOST, data.circleCount())));
-    log = new ImpactLog(rows, roster::id);
+    log = new ImpactLog(rows, registry::id);
     engine =
         data.collide
-            ? new CollidingEngine(data, roster, machinery, rows)
-            : new IndependentEngine(data, roster, machinery, rows);
+            ? new CollidingEngine(data, registry, options, rows)
+            : new IndependentEngine(data, registry, options, rows);
     circles = engine.circles;
-    obstacles = engine.surroundings.obstacles;
-    ids = new Handles(roster, obstacles);
-    editor = new Editor(data, engine, roster);
-    questions = new WorldQueries(engine, roster, data.collide);
+    obstacles = engine.staticScene.obstacles;
+    ids = new Handles(registry, obstacles);
+    editor = new Editor(data, engine, registry);
+    questions = new WorldQueries(engine, registry, data.collide);
   }
 
   /**
@@ -195,7 +195,7 @@ public final class World {
 
   private boolean advance(double end) {
     rows.clear();
-    if (roster.isSparse()) {
+    if (registry.isSparse()) {
       engine.compact(now);
     }
     double reached = engine.advance(end);
@@ -224,7 +224,7 @@ public final class World {
    * @return at least 0
    */
   public int circleCount() {
-    return roster.count();
+    return registry.count();
   }
 
   /**
@@ -290,7 +290,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double mass(int id) {
-    return roster.mass(ids.circle(id));
+    return registry.mass(ids.circle(id));
   }
 
   /**
@@ -722,7 +722,7 @@ public final class World {
             now,
             scene.collide(),
             obstacles.copy(),
-            roster.copy(),
+            registry.copy(),
             editor.limits(),
             engine.save(now)));
   }
@@ -742,8 +742,8 @@ public final class World {
     if (!Arrays.equals(state.obstacles().walls, scene.data.walls)) {
       throw Check.refused(
           "bounds of the snapshot",
-          PublicRecords.told(state.obstacles().walls),
-          "this world's, " + PublicRecords.told(scene.data.walls));
+          PublicRecords.describe(state.obstacles().walls),
+          "this world's, " + PublicRecords.describe(scene.data.walls));
     }
     if (state.collide() != scene.collide()) {
       throw Check.refused(
@@ -751,9 +751,9 @@ public final class World {
     }
     rows.clear();
     now = state.now();
-    roster.set(state.roster());
+    registry.set(state.registry());
     editor.restore(state.limits());
-    engine.surroundings.restore(state.obstacles());
+    engine.staticScene.restore(state.obstacles());
     engine.restore(state.flights(), now);
     if (recorder != null) {
       recorder.begin(now, obstacles);
@@ -781,7 +781,7 @@ public final class World {
     if (most < 1) {
       throw Check.refused("most", most, "at least 1");
     }
-    recorder = new FlightRecorder(most, roster::id);
+    recorder = new FlightRecorder(most, registry::id);
     recorder.begin(now, obstacles);
     engine.record(recorder);
     return new Timeline(recorder);
@@ -809,7 +809,7 @@ public final class World {
         scene.collide() ? "collide" : "ignore each other",
         obstacles.presentLines().count(),
         obstacles.presentPegs().count(),
-        PublicRecords.told(scene.data.walls),
+        PublicRecords.describe(scene.data.walls),
         log.size());
   }
 }

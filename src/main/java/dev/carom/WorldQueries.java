@@ -21,21 +21,21 @@ import java.util.stream.IntStream;
 final class WorldQueries {
 
   private final ObstacleTable obstacles;
-  private final StaticScene surroundings;
+  private final StaticScene staticScene;
   private final CircleTable circles;
-  private final CircleRegistry roster;
+  private final CircleRegistry registry;
   private final Proximity proximity;
   private final CircleQueries queries;
   private final boolean collide;
 
-  WorldQueries(Engine engine, CircleRegistry roster, boolean collide) {
-    this.roster = roster;
+  WorldQueries(Engine engine, CircleRegistry registry, boolean collide) {
+    this.registry = registry;
     this.collide = collide;
-    surroundings = engine.surroundings;
-    obstacles = surroundings.obstacles;
+    staticScene = engine.staticScene;
+    obstacles = staticScene.obstacles;
     circles = engine.circles;
     proximity = new Proximity(obstacles);
-    queries = new CircleQueries(circles, roster);
+    queries = new CircleQueries(circles, registry);
   }
 
   Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime, double now) {
@@ -56,7 +56,7 @@ final class WorldQueries {
     }
     int slot = code - ObstacleTable.CIRCLES;
     Circle circle = new Circle(circles.x(slot, now), circles.y(slot, now), circles.radius(slot));
-    return CircleCast.impact(first, ObstacleKind.CIRCLE, roster.id(slot), circle);
+    return CircleCast.impact(first, ObstacleKind.CIRCLE, registry.id(slot), circle);
   }
 
   Trajectory trace(Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
@@ -66,7 +66,7 @@ final class WorldQueries {
   }
 
   private Tracer tracer(Circle circle) {
-    return new Tracer(obstacles, surroundings.search, surroundings.gridAtLeast(circle.radius()));
+    return new Tracer(obstacles, staticScene.search, staticScene.gridAtLeast(circle.radius()));
   }
 
   double restitution(int code) {
@@ -85,13 +85,13 @@ final class WorldQueries {
 
   private int traits(int code) {
     if (code >= ObstacleTable.CIRCLES) {
-      return roster.traits(code - ObstacleTable.CIRCLES);
+      return registry.traits(code - ObstacleTable.CIRCLES);
     }
     return code < ObstacleTable.WALLS ? obstacles.boundsTraits : obstacles.traits(code);
   }
 
   int[] ids(ObstacleKind kind) {
-    return kind == ObstacleKind.CIRCLE ? roster.ids() : ids(proximity.codes(kind.ordinal()));
+    return kind == ObstacleKind.CIRCLE ? registry.ids() : ids(proximity.codes(kind.ordinal()));
   }
 
   int nearest(ObstacleKind kind, double x, double y, double now) {
@@ -100,7 +100,7 @@ final class WorldQueries {
       return code == Proximity.NONE ? -1 : obstacles.index(code);
     }
     int slot = queries.nearest(x, y, now);
-    return slot == Index.NONE ? -1 : roster.id(slot);
+    return slot == Index.NONE ? -1 : registry.id(slot);
   }
 
   int[] overlapping(ObstacleKind kind, Circle disk, double now) {
@@ -108,14 +108,14 @@ final class WorldQueries {
     double y = disk.y();
     double r = disk.radius();
     return kind == ObstacleKind.CIRCLE
-        ? queries.overlapping(x, y, r, now).map(roster::id).toArray()
+        ? queries.overlapping(x, y, r, now).map(registry::id).toArray()
         : ids(proximity.codes(kind.ordinal()).filter(code -> proximity.overlaps(code, x, y, r)));
   }
 
   int[] overlapping(ObstacleKind kind, Bounds bounds, double now) {
     double[] box = PublicRecords.walls(bounds);
     return kind == ObstacleKind.CIRCLE
-        ? queries.overlapping(box, now).map(roster::id).toArray()
+        ? queries.overlapping(box, now).map(registry::id).toArray()
         : ids(proximity.codes(kind.ordinal()).filter(code -> proximity.overlaps(code, box)));
   }
 

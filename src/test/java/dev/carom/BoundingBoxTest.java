@@ -10,13 +10,13 @@ import org.junit.jupiter.api.Test;
 
 class BoundingBoxTest {
 
-  private static BoundingBox of(Scene scene, CircleRegistry roster, double now) {
+  private static BoundingBox of(Scene scene, CircleRegistry registry, double now) {
     CircleTable circles = new CircleTable(scene.circleCount());
     for (int i = 0; i < circles.count; i++) {
       circles.start(scene.data, i);
-      circles.store(i);
+      circles.storeAndSetDue(i);
     }
-    return BoundingBox.of(circles, roster.ids(), scene.data.walls, now);
+    return BoundingBox.of(circles, registry.ids(), scene.data.walls, now);
   }
 
   private static BoundingBox of(Scene scene, double now) {
@@ -52,9 +52,9 @@ class BoundingBoxTest {
             .circle(9, 9, 1, 0, 1e308)
             .circle(9, 9, 1, 1e308, 0)
             .build();
-    CircleRegistry roster = new CircleRegistry(scene.data, 1);
-    roster.remove(1);
-    assertThat(of(scene, roster, 10)).isEqualTo(new BoundingBox(3, 4, 3, 4));
+    CircleRegistry registry = new CircleRegistry(scene.data, 1);
+    registry.remove(1);
+    assertThat(of(scene, registry, 10)).isEqualTo(new BoundingBox(3, 4, 3, 4));
   }
 
   @Test

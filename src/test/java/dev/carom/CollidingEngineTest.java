@@ -187,7 +187,7 @@ class CollidingEngineTest {
       MovingCircle m = new MovingCircle();
       jammed.state.flights().get(i, m);
       m.stuck = StuckRule.LIMIT + 1;
-      m.pace = 1;
+      m.speedExponent = 1;
       m.jam = IgnoreList.with(null, ObstacleTable.CIRCLES + 1 - i);
       jammed.state.flights().put(i, m, 0, 0);
     }

@@ -22,10 +22,10 @@ class DuePrefetcherTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 16, 17, 5000})
   void eachPassFindsThoseThatAreDueInTheirOrder(int count) {
-    StaticScene surroundings = new StaticScene(scene(count).data, EngineOptions.CHOSEN);
+    StaticScene staticScene = new StaticScene(scene(count).data, EngineOptions.CHOSEN);
     CircleTable circles = anywhere(count);
     double[] state = circles.state.clone();
-    DuePrefetcher due = new DuePrefetcher(circles, surroundings);
+    DuePrefetcher due = new DuePrefetcher(circles, staticScene);
     for (double now = 0; now < 10; now++) {
       double end = now;
       int next = due.first(end);

@@ -69,8 +69,8 @@ class FirstImpactTest {
       for (int i = 0; i < more; i++) {
         scene.line(20 + i, 20, 20 + i, 30);
       }
-      for (EngineOptions machinery : MACHINERY) {
-        World world = new World(scene.build(), machinery);
+      for (EngineOptions options : MACHINERY) {
+        World world = new World(scene.build(), options);
         Impact first = world.cast(POINT, V, NEVER).orElseThrow();
         assertThat(first).isEqualTo(alone(EARLIER, both.indexOf(EARLIER)));
         assertThat(world.cast(POINT, V, THIRD)).contains(first);
@@ -199,15 +199,15 @@ class FirstImpactTest {
         assertThat(Resolver.of(obstacles(scene)).cast(scene.circle, scene.v, T))
             .as("seed %s", seed)
             .isEqualTo(Optional.ofNullable(expected));
-        EngineOptions machinery = MACHINERY.get(seed % MACHINERY.size());
-        assertThat(world(scene, false, machinery).cast(scene.circle, scene.v, T))
-            .as("seed %s, %s", seed, machinery)
+        EngineOptions options = MACHINERY.get(seed % MACHINERY.size());
+        assertThat(world(scene, false, options).cast(scene.circle, scene.v, T))
+            .as("seed %s, %s", seed, options)
             .isEqualTo(Optional.ofNullable(expected));
       }
       for (double T : windows(moving)) {
-        EngineOptions machinery = MACHINERY.get(seed / 2 % MACHINERY.size());
-        assertThat(world(scene, true, machinery).cast(scene.circle, scene.v, T))
-            .as("seed %s, %s, circles collide", seed, machinery)
+        EngineOptions options = MACHINERY.get(seed / 2 % MACHINERY.size());
+        assertThat(world(scene, true, options).cast(scene.circle, scene.v, T))
+            .as("seed %s, %s, circles collide", seed, options)
             .isEqualTo(Optional.ofNullable(impact(scene, moving, T)));
       }
       rivals += moving != null && scene.rivals(true) > 0 ? 1 : 0;
@@ -252,7 +252,7 @@ class FirstImpactTest {
   }
 
   /** A circle of radius 5 stands aside where circles do not count: grids are made for it. */
-  private static World world(NearlyAtOnce scene, boolean collide, EngineOptions machinery) {
+  private static World world(NearlyAtOnce scene, boolean collide, EngineOptions options) {
     SceneBuilder builder = Scene.builder().collide(collide);
     Bounds b = scene.bounds;
     if (b != null) {
@@ -265,7 +265,7 @@ class FirstImpactTest {
       builder.circle(
           c.x(), c.y(), c.radius(), scene.velocities.get(i).x(), scene.velocities.get(i).y());
     }
-    return new World((collide ? builder : builder.circle(0, 0, 5, 0, 0)).build(), machinery);
+    return new World((collide ? builder : builder.circle(0, 0, 5, 0, 0)).build(), options);
   }
 
   /** What was found is removed, or made a sensor, or one-way; what is first then, is next. */
@@ -275,13 +275,11 @@ class FirstImpactTest {
     int next = 0;
     for (int seed = 0; seed < 1_000; seed++) {
       NearlyAtOnce scene = new NearlyAtOnce(new Random(seed));
-      EngineOptions machinery = MACHINERY.get(seed % MACHINERY.size());
-      World world = world(scene, seed % 2 == 0, machinery);
+      EngineOptions options = MACHINERY.get(seed % MACHINERY.size());
+      World world = world(scene, seed % 2 == 0, options);
       for (Truth first : scene.inOrder(seed % 2 == 0)) {
         Impact impact = world.cast(scene.circle, scene.v, NEVER).orElseThrow();
-        assertThat(impact)
-            .as("seed %s, %s", seed, machinery)
-            .isEqualTo(impact(scene, first, NEVER));
+        assertThat(impact).as("seed %s, %s", seed, options).isEqualTo(impact(scene, first, NEVER));
         if (first.kind() == ObstacleKind.WALL) {
           break;
         }

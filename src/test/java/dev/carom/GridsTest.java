@@ -132,7 +132,7 @@ class GridsTest {
     Grid old = grids.of(3);
     CircleTable circles = new CircleTable(1);
     circles.start(scene.data, 0);
-    circles.store(0);
+    circles.storeAndSetDue(0);
     grids.remake(circles, new int[] {0});
     assertThat(grids.of(3)).isNotNull().isNotSameAs(old);
     assertThat(grids.of(8)).isNull();

@@ -45,8 +45,8 @@ class GrownCircleTest {
     Random random = new Random(info.getCurrentRepetition());
     Scene scene = scene(random);
     CircleTable circles = circles(scene);
-    CircleRegistry roster = new CircleRegistry(scene.data, 1);
-    StaticScene surroundings = new StaticScene(scene.data, EngineOptions.CHOSEN);
+    CircleRegistry registry = new CircleRegistry(scene.data, 1);
+    StaticScene staticScene = new StaticScene(scene.data, EngineOptions.CHOSEN);
     List<Integer> lines = new ArrayList<>();
     for (int i = 0; i < LINES; i++) {
       lines.add(ObstacleTable.WALLS + i);
@@ -54,13 +54,13 @@ class GrownCircleTest {
     for (int edit = 0; edit < 40; edit++) {
       int i = random.nextInt(CIRCLES);
       switch (random.nextInt(4)) {
-        case 0 -> resize(circles, surroundings, i, radius(random));
-        case 1 -> addLine(surroundings, lines, edit);
-        case 2 -> removeLine(surroundings, lines, random);
-        default -> surroundings.prepare(circles, roster);
+        case 0 -> resize(circles, staticScene, i, radius(random));
+        case 1 -> addLine(staticScene, lines, edit);
+        case 2 -> removeLine(staticScene, lines, random);
+        default -> staticScene.prepare(circles, registry);
       }
       for (int k = 0; k < CIRCLES; k++) {
-        Grid grid = surroundings.grid(k);
+        Grid grid = staticScene.grid(k);
         if (grid != null) {
           assertThat(grid.radius)
               .as("after edit %s", edit)
@@ -90,29 +90,29 @@ class GrownCircleTest {
     CircleTable circles = new CircleTable(CIRCLES);
     for (int i = 0; i < CIRCLES; i++) {
       circles.start(scene.data, i);
-      circles.store(i);
+      circles.storeAndSetDue(i);
     }
     return circles;
   }
 
-  private static void resize(CircleTable circles, StaticScene surroundings, int i, double radius) {
+  private static void resize(CircleTable circles, StaticScene staticScene, int i, double radius) {
     circles.load(i);
     circles.mover.radius = radius;
-    circles.store(i);
-    surroundings.setRadius(i, radius);
+    circles.storeAndSetDue(i);
+    staticScene.setRadius(i, radius);
   }
 
-  private static void addLine(StaticScene surroundings, List<Integer> lines, int x) {
-    int line = surroundings.obstacles.addLine(x, 10, x, 11);
+  private static void addLine(StaticScene staticScene, List<Integer> lines, int x) {
+    int line = staticScene.obstacles.addLine(x, 10, x, 11);
     lines.add(line);
-    surroundings.changed(line);
+    staticScene.changed(line);
   }
 
-  private static void removeLine(StaticScene surroundings, List<Integer> lines, Random random) {
+  private static void removeLine(StaticScene staticScene, List<Integer> lines, Random random) {
     if (!lines.isEmpty()) {
       int line = lines.remove(random.nextInt(lines.size()));
-      surroundings.obstacles.remove(line);
-      surroundings.changed(line);
+      staticScene.obstacles.remove(line);
+      staticScene.changed(line);
     }
   }
 }

@@ -34,7 +34,7 @@ class IdLimitTest {
     scene.circle(20, 50, 3, 4, 0).circle(50, 50, 3, 0, 0).circle(80, 50, 3, -4, 1);
     World world = new World(scene.build());
     WorldState s = world.snapshot().state;
-    CircleRegistry roster =
+    CircleRegistry registry =
         new CircleRegistry(
             new double[] {1, 2, 3}, new byte[3], new int[] {0, 7, idLimit - 1}, idLimit);
     SavedFlights flights =
@@ -44,7 +44,8 @@ class IdLimitTest {
             s.flights().codes,
             s.flights().jams);
     world.restore(
-        new Snapshot(new WorldState(s.now(), collide, s.obstacles(), roster, s.limits(), flights)));
+        new Snapshot(
+            new WorldState(s.now(), collide, s.obstacles(), registry, s.limits(), flights)));
     return world;
   }
 
@@ -97,11 +98,11 @@ class IdLimitTest {
   @Test
   void noMoreLinesAndPegsThanIdsAreAdded() {
     Scene scene = Scene.builder().line(1, 2, 3, 4).peg(5, 6, 7).build();
-    CircleRegistry roster = new CircleRegistry(scene.data, 1);
+    CircleRegistry registry = new CircleRegistry(scene.data, 1);
     Engine engine =
-        new IndependentEngine(scene.data, roster, EngineOptions.CHOSEN, new ImpactRows(1));
-    Editor editor = new Editor(scene.data, engine, roster);
-    ObstacleTable obstacles = engine.surroundings.obstacles;
+        new IndependentEngine(scene.data, registry, EngineOptions.CHOSEN, new ImpactRows(1));
+    Editor editor = new Editor(scene.data, engine, registry);
+    ObstacleTable obstacles = engine.staticScene.obstacles;
     obstacles.endOfLines = ObstacleTable.WALLS + LINES;
     obstacles.endOfPegs = ObstacleTable.PEGS + PEGS;
     assertThatThrownBy(() -> editor.addLine(1, 2, 3, 4, 0))

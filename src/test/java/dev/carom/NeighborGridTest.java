@@ -32,7 +32,7 @@ class NeighborGridTest {
     CircleTable circles = CircleTable.colliding(scene.circleCount());
     for (int i = 0; i < circles.count; i++) {
       circles.start(scene.data, i);
-      circles.keep(i, circles.mover);
+      circles.store(i, circles.mover);
     }
     return circles;
   }
@@ -173,21 +173,21 @@ class NeighborGridTest {
   private static void cellsHoldWhatWasAddedAndNotRemovedSince(
       CellGrid cells, Change add, Change remove, IntFunction<List<Integer>> around) {
     // Columns that are beyond the last one go on in the next row, and rows in the first one.
-    add.of(0, cells.place(-1, -1));
-    add.of(1, cells.place(3, 6));
-    add.of(2, cells.place(3, -1));
-    assertThat(around.apply(cells.place(2, 6)))
+    add.of(0, cells.cell(-1, -1));
+    add.of(1, cells.cell(3, 6));
+    add.of(2, cells.cell(3, -1));
+    assertThat(around.apply(cells.cell(2, 6)))
         .as("around the ring")
         .containsExactlyInAnyOrder(0, 1, 2);
-    assertThat(around.apply(cells.place(1, 7))).isEmpty();
-    remove.of(1, cells.place(3, 6));
-    assertThat(around.apply(cells.place(4, 7))).containsExactlyInAnyOrder(0, 2);
-    remove.of(2, cells.place(3, -1));
-    add.of(2, cells.place(4, 8));
-    assertThat(around.apply(cells.place(0, 9))).containsExactly(2);
-    assertThat(around.apply(cells.place(2, 6))).containsExactly(0);
-    remove.of(0, cells.place(-1, -1));
-    assertThat(around.apply(cells.place(2, 6))).isEmpty();
+    assertThat(around.apply(cells.cell(1, 7))).isEmpty();
+    remove.of(1, cells.cell(3, 6));
+    assertThat(around.apply(cells.cell(4, 7))).containsExactlyInAnyOrder(0, 2);
+    remove.of(2, cells.cell(3, -1));
+    add.of(2, cells.cell(4, 8));
+    assertThat(around.apply(cells.cell(0, 9))).containsExactly(2);
+    assertThat(around.apply(cells.cell(2, 6))).containsExactly(0);
+    remove.of(0, cells.cell(-1, -1));
+    assertThat(around.apply(cells.cell(2, 6))).isEmpty();
   }
 
   /** Whatever the order in which circles come to a cell and go. */
@@ -216,7 +216,7 @@ class NeighborGridTest {
     CellGrid cells = new CellGrid(16, 8);
     int[] codes = CircleTable.colliding(90).codes;
     for (int i = 0; i < 90; i++) {
-      cells.add(codes, i, cells.place(random.nextInt(16), random.nextInt(8)));
+      cells.add(codes, i, cells.cell(random.nextInt(16), random.nextInt(8)));
     }
     int[] lists = new int[20];
     int[] found = new int[100];
@@ -226,17 +226,17 @@ class NeighborGridTest {
       int row = random.nextInt(30) - 10;
       cells.placesAround(column, row, lists, 2);
       cells.firsts(lists, 2, 11);
-      int size = cells.around(cells.place(column, row), found, 0);
+      int size = cells.around(cells.cell(column, row), found, 0);
       assertThat(heads(lists, 2, 11)).isEqualTo(heads(found, 0, size));
       int dx = steps[k % 4][0];
       int dy = steps[k % 4][1];
       cells.placesAhead(column, row, dx, dy, lists, 11);
       cells.firsts(lists, 11, 16);
-      int ahead = cells.place(column + 2 * dx, row + 2 * dy);
+      int ahead = cells.cell(column + 2 * dx, row + 2 * dy);
       size = cells.beside(ahead, cells.step(-Math.abs(dx)), found, 0);
       assertThat(heads(lists, 13, 16)).isEqualTo(heads(found, 0, size));
-      assertThat(lists[11]).isEqualTo(cells.first(cells.place(column, row)));
-      assertThat(lists[12]).isEqualTo(cells.first(cells.place(column + dx, row + dy)));
+      assertThat(lists[11]).isEqualTo(cells.first(cells.cell(column, row)));
+      assertThat(lists[12]).isEqualTo(cells.first(cells.cell(column + dx, row + dy)));
     }
   }
 
@@ -327,7 +327,7 @@ class NeighborGridTest {
     NeighborGrid neighbors =
         new NeighborGrid(
             circles, new CircleRegistry(scene.data, 1).slots(), scene.data.walls, 1, 0);
-    int[] ids = new int[CalendarQueue.MOST_OUTLOOK];
+    int[] ids = new int[CalendarQueue.MOST_PREFETCHED];
     for (int k = 0; k < ids.length; k++) {
       ids[k] = k * 7 % 40;
       int c = CircleTable.collidingCodesAt(ids[k]);
@@ -349,7 +349,7 @@ class NeighborGridTest {
   private static List<Integer> around(
       NeighborGrid neighbors, CircleTable circles, int column, int row) {
     CellGrid cells = neighbors.cells(0);
-    return around(cells, circles.codes, cells.place(column, row));
+    return around(cells, circles.codes, cells.cell(column, row));
   }
 
   private static List<Integer> around(CellGrid cells, int[] codes, int place) {

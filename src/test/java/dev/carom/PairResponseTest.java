@@ -311,7 +311,7 @@ class PairResponseTest {
     PairResponse response = masses(1, 1);
     a.start(0, 1, -1, 1, 1 + 0x1p-49, 1, 1);
     b.start(1, 0, 0, 1, 0, 0, 1);
-    a.pace = 1;
+    a.speedExponent = 1;
     assertThat(response.part(a, b)).isFalse();
     a.vx = 1 + 0x1p-45;
     assertThat(response.part(a, b)).isTrue();

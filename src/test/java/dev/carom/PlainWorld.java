@@ -34,7 +34,7 @@ public final class PlainWorld {
 
   private final boolean collide;
   private ObstacleTable obstacles;
-  private CircleRegistry roster;
+  private CircleRegistry registry;
   private ObstacleResponse response;
   private PairResponse pairs;
   private ContactCluster cluster;
@@ -66,7 +66,7 @@ public final class PlainWorld {
   public PlainWorld(Scene scene) {
     collide = scene.collide();
     obstacles = ObstacleTable.of(scene.data);
-    roster = new CircleRegistry(scene.data, 1);
+    registry = new CircleRegistry(scene.data, 1);
     respond();
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
@@ -80,8 +80,8 @@ public final class PlainWorld {
 
   private void respond() {
     response = new ObstacleResponse(obstacles);
-    pairs = new PairResponse(roster);
-    cluster = new ContactCluster(roster, pairs, response, obstacles, new Vicinity());
+    pairs = new PairResponse(registry);
+    cluster = new ContactCluster(registry, pairs, response, obstacles, new Vicinity());
   }
 
   /** Everything is near everything. */
@@ -89,7 +89,7 @@ public final class PlainWorld {
 
     @Override
     public int[] circlesNear(int i) {
-      return movers.stream().mapToInt(m -> m.id).filter(roster::contains).toArray();
+      return movers.stream().mapToInt(m -> m.id).filter(registry::contains).toArray();
     }
 
     @Override
@@ -116,7 +116,7 @@ public final class PlainWorld {
   /** Goes to where another one is. */
   void restore(PlainWorld other) {
     obstacles = other.obstacles.copy();
-    roster = copy(other.roster, other.movers.size());
+    registry = copy(other.registry, other.movers.size());
     respond();
     now = other.now;
     last = other.last;
@@ -128,15 +128,15 @@ public final class PlainWorld {
   }
 
   /** Here each circle has its id for a slot, whatever was removed. */
-  private static CircleRegistry copy(CircleRegistry roster, int end) {
-    double[] masses = IntStream.range(0, end).mapToDouble(roster::mass).toArray();
+  private static CircleRegistry copy(CircleRegistry registry, int end) {
+    double[] masses = IntStream.range(0, end).mapToDouble(registry::mass).toArray();
     byte[] traits = new byte[end];
     for (int i = 0; i < end; i++) {
-      traits[i] = (byte) roster.traits(i);
+      traits[i] = (byte) registry.traits(i);
     }
     CircleRegistry copy =
         new CircleRegistry(masses, traits, IntStream.range(0, end).toArray(), end);
-    IntStream.range(0, end).filter(i -> !roster.contains(i)).forEach(copy::remove);
+    IntStream.range(0, end).filter(i -> !registry.contains(i)).forEach(copy::remove);
     return copy;
   }
 
@@ -209,8 +209,8 @@ public final class PlainWorld {
     two.flown = b.flown;
     MovingCircle early = bringTogether(one, two);
     double before = early.flown;
-    one.fly(wait);
-    two.fly(wait);
+    one.advance(wait);
+    two.advance(wait);
     early.flown += before;
     early.standsStill &= early.flown == wait;
     one.crushed = cluster.isCrushed(one);
@@ -242,7 +242,7 @@ public final class PlainWorld {
 
   /** An infinite mass that changed its way is there again for circles that it crushed. */
   private void leaveJamsOfInfinite(MovingCircle m) {
-    if (roster.mass(m.id) == NEVER) {
+    if (registry.mass(m.id) == NEVER) {
       leaveJams(ObstacleTable.CIRCLES + m.id);
     }
   }
@@ -289,10 +289,10 @@ public final class PlainWorld {
     tail = 0;
     rank = Long.MAX_VALUE;
     for (MovingCircle m : some) {
-      if (roster.contains(m.id)) {
+      if (registry.contains(m.id)) {
         lookAtObstacles(m);
         for (int j = m.id + 1; collide && j < movers.size(); j++) {
-          if (roster.contains(j)) {
+          if (registry.contains(j)) {
             lookAtPair(m, movers.get(j));
           }
         }
@@ -439,7 +439,7 @@ public final class PlainWorld {
       first = Math.min(first, obstacles.isSensor(code) ? NEVER : sweep(m, code));
     }
     for (MovingCircle other : movers) {
-      boolean there = collide && roster.contains(other.id) && !roster.isSensor(other.id);
+      boolean there = collide && registry.contains(other.id) && !registry.isSensor(other.id);
       double dt = MovingCircle.since(other.t, other.tl, now);
       double x = Math.fma(other.vx, dt, other.x);
       double y = Math.fma(other.vy, dt, other.y);
@@ -491,8 +491,8 @@ public final class PlainWorld {
 
   void setMass(int id, double mass) {
     double never = Double.POSITIVE_INFINITY;
-    boolean passes = (roster.mass(id) == never) != (mass == never);
-    roster.setMass(id, mass);
+    boolean passes = (registry.mass(id) == never) != (mass == never);
+    registry.setMass(id, mass);
     if (collide && passes) {
       restarted(id).forget();
     }
@@ -500,7 +500,7 @@ public final class PlainWorld {
 
   void addCircle(double x, double y, double radius, double vx, double vy) {
     MovingCircle m = new MovingCircle();
-    m.start(roster.add(), x, y, radius, vx, vy, 1);
+    m.start(registry.add(), x, y, radius, vx, vy, 1);
     m.t = now;
     m.tl = tailOfEdit(m);
     movers.add(m);
@@ -535,7 +535,7 @@ public final class PlainWorld {
 
   private void removeCircle(int id) {
     int code = ObstacleTable.CIRCLES + id;
-    roster.remove(id);
+    registry.remove(id);
     leaveJams(code);
   }
 
@@ -562,7 +562,7 @@ public final class PlainWorld {
       case WALL ->
           obstacles.setTraits(id, ContactFlags.with(obstacles.boundsTraits, response.ordinal()));
       case CIRCLE -> {
-        roster.setTraits(id, ContactFlags.with(roster.traits(id), response.ordinal()));
+        registry.setTraits(id, ContactFlags.with(registry.traits(id), response.ordinal()));
         restarted(id);
       }
     }
@@ -583,7 +583,7 @@ public final class PlainWorld {
   /** Flights that would meet a thing that was not there begin anew. */
   private void appear(int code) {
     for (MovingCircle m : movers) {
-      if (roster.contains(m.id)) {
+      if (registry.contains(m.id)) {
         m.forget(code, 0);
         if (sweep(m, code) < NEVER) {
           restarted(m.id);

@@ -18,15 +18,15 @@ import java.util.Random;
 final class RestoredTwin {
 
   private final Scene scene;
-  private final EngineOptions machinery;
+  private final EngineOptions options;
   private final Random random;
   private World twin;
 
-  RestoredTwin(Scene scene, EngineOptions machinery, Random random) {
+  RestoredTwin(Scene scene, EngineOptions options, Random random) {
     this.scene = scene;
-    this.machinery = machinery;
+    this.options = options;
     this.random = random;
-    twin = new World(scene, machinery);
+    twin = new World(scene, options);
   }
 
   /** The world itself. */
@@ -45,7 +45,7 @@ final class RestoredTwin {
   void follow(World world) {
     Snapshot snapshot = world.snapshot();
     if (random.nextBoolean()) {
-      twin = new World(scene, machinery);
+      twin = new World(scene, options);
     }
     twin.restore(random.nextBoolean() ? snapshot : read(bytes(snapshot)));
     compare(world);

@@ -25,7 +25,7 @@ import java.util.Arrays;
 enum RoundingBound {
   ROOT_DOT(TimeOfImpact.class, "DOT_BOUND"),
   ROOT_GAP(TimeOfImpact.class, "GAP_BOUND"),
-  ROOT_REACH(TimeOfImpact.class, "REACH_BOUND"),
+  ROOT_REACH(TimeOfImpact.class, "DISCRIMINANT_BOUND"),
   ROOT_WINDOW(TimeOfImpact.class, "WINDOW_BOUND"),
   /** What a place loses, in the error of a step, and so the whole of f's share. */
   ROOT_PLACE(TimeOfImpact.class, "PLACE_BOUND"),
@@ -41,11 +41,11 @@ enum RoundingBound {
   /** What the divisions lose, in the error of a step. */
   SIDE_LEAN(SideSweep.class, Kind.BOUND, 16 * 0x1p-53),
   SIDE_TINY(SideSweep.class, Kind.LEAST, 0x1p-1000),
-  SIDE_LEAST(SideSweep.class, "LEAST"),
+  SIDE_LEAST(SideSweep.class, "LEAST_SAFE"),
   SIDE_LEAST_LENGTH(SideSweep.class, "LEAST_LENGTH"),
   /** Of the gap's tail and of the remainder: each is so generous that it covers the other. */
   WALL_REST(WallSweep.class, Kind.BOUND, 0x1p-104, 0x1p-50),
-  WALL_LEAST(WallSweep.class, "LEAST"),
+  WALL_LEAST(WallSweep.class, "LEAST_SAFE"),
   PREDICATES(Predicates.class, "BOUND"),
   PREDICATES_TINY(Predicates.class, "TINY"),
   PREDICATES_LARGE(Predicates.class, "LARGE");

@@ -53,10 +53,10 @@ class SensorPairsTest {
     SavedFlights states = new SavedFlights(IntStream.range(0, 40).toArray());
     pairs.report(1, 5, 1e-20, 3);
     SensorPairs others = new SensorPairs();
-    CircleRegistry roster = roster(40);
+    CircleRegistry registry = registry(40);
     for (int i = 0; i < 40; i++) {
-      pairs.save(i, roster, i, states);
-      others.restore(i, roster, states);
+      pairs.save(i, registry, i, states);
+      others.restore(i, registry, states);
       assertThat(others.isNew(i, 5, 1e-20, 3)).isEqualTo(i != 1);
       assertThat(others.isNew(i, 5, 1e-20, 4)).isTrue();
     }
@@ -66,10 +66,10 @@ class SensorPairsTest {
   void soIsAMeetingAtTimeZero() {
     SavedFlights states = new SavedFlights(new int[] {0, 1});
     pairs.report(1, 0, 0, 3);
-    CircleRegistry roster = roster(4);
-    pairs.save(1, roster, 1, states);
+    CircleRegistry registry = registry(4);
+    pairs.save(1, registry, 1, states);
     SensorPairs others = new SensorPairs();
-    others.restore(1, roster, states);
+    others.restore(1, registry, states);
     assertThat(others.isNew(1, 0, 0, 3)).isFalse();
     assertThat(others.isNew(1, 0, 0, 4)).isTrue();
   }
@@ -77,35 +77,35 @@ class SensorPairsTest {
   /** Those of larger ids at the same time are still to be reported, also when it is gone. */
   @Test
   void aPartnerThatIsGoneKeepsItsPlaceInTheOrder() {
-    CircleRegistry roster = roster(6);
+    CircleRegistry registry = registry(6);
     pairs.report(5, 2, 0, 3);
-    roster.remove(2);
-    roster.remove(3);
-    SavedFlights states = new SavedFlights(roster.ids());
-    pairs.save(5, roster, 3, states);
+    registry.remove(2);
+    registry.remove(3);
+    SavedFlights states = new SavedFlights(registry.ids());
+    pairs.save(5, registry, 3, states);
     assertThat(states.sensedPartner(3)).isEqualTo(1);
-    roster.set(roster); // circles 0, 1, 4 and 5
+    registry.set(registry); // circles 0, 1, 4 and 5
     SensorPairs others = new SensorPairs();
-    others.restore(3, roster, states);
+    others.restore(3, registry, states);
     assertThat(others.isNew(3, 2, 0, 1)).isFalse();
     assertThat(others.isNew(3, 2, 0, 2)).isTrue();
   }
 
   @Test
   void aPartnerBeforeWhomNobodyIsLeftIsBeforeAll() {
-    CircleRegistry roster = roster(3);
+    CircleRegistry registry = registry(3);
     pairs.report(2, 2, 0, 0);
-    roster.remove(0);
-    SavedFlights states = new SavedFlights(roster.ids());
-    pairs.save(2, roster, 1, states);
-    roster.set(roster);
+    registry.remove(0);
+    SavedFlights states = new SavedFlights(registry.ids());
+    pairs.save(2, registry, 1, states);
+    registry.set(registry);
     SensorPairs others = new SensorPairs();
-    others.restore(1, roster, states);
+    others.restore(1, registry, states);
     assertThat(others.isNew(1, 2, 0, 0)).isTrue();
     assertThat(others.isNew(1, 1, 0, 0)).isFalse();
   }
 
-  private static CircleRegistry roster(int count) {
+  private static CircleRegistry registry(int count) {
     SceneBuilder scene = Scene.builder();
     IntStream.range(0, count).forEach(i -> scene.circle(9 * i, 0, 1, 0, 0));
     return new CircleRegistry(scene.build().data, 1);

@@ -24,7 +24,7 @@ class SizeClassesTest {
     CircleTable circles = new CircleTable(scene.circleCount());
     for (int i = 0; i < circles.count; i++) {
       circles.start(scene.data, i);
-      circles.store(i);
+      circles.storeAndSetDue(i);
     }
     return new SizeClasses(circles, new CircleRegistry(scene.data, 1).slots(), extent, 1);
   }

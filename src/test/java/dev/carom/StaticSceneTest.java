@@ -143,9 +143,9 @@ class StaticSceneTest {
   @Test
   void sensorsAreReportedBeforeWhatIsFoundAtTheirTime() {
     Scene scene = Scene.builder().line(0, 0, 1, 0).response(Response.SENSOR).peg(0, 0, 1).build();
-    StaticScene surroundings = new StaticScene(scene.data, EngineOptions.CHOSEN);
-    assertThat(surroundings.sensedBefore(ObstacleTable.WALLS)).isEqualTo(ObstacleTable.WALLS - 1);
-    assertThat(surroundings.sensedBefore(ObstacleTable.PEGS)).isEqualTo(Integer.MAX_VALUE);
+    StaticScene staticScene = new StaticScene(scene.data, EngineOptions.CHOSEN);
+    assertThat(staticScene.sensedBefore(ObstacleTable.WALLS)).isEqualTo(ObstacleTable.WALLS - 1);
+    assertThat(staticScene.sensedBefore(ObstacleTable.PEGS)).isEqualTo(Integer.MAX_VALUE);
   }
 
   /** What is told of a circle in (0, 0) whose way along x leads to a sensor, line 1, at time 4. */

@@ -186,8 +186,21 @@ class SweptSphereTest {
 
   @ParameterizedTest
   @CsvSource({
-    "0, x1", "1, y1", "2, z1", "3, r1", "4, vx1", "5, vy1", "6, vz1", "7, x2", "8, y2", "9, z2",
-    "10, r2", "11, vx2", "12, vy2", "13, vz2", "14, T"
+    "0, x1",
+    "1, y1",
+    "2, z1",
+    "3, r1",
+    "4, vx1",
+    "5, vy1",
+    "6, vz1",
+    "7, x2",
+    "8, y2",
+    "9, z2",
+    "10, r2",
+    "11, vx2",
+    "12, vy2",
+    "13, vz2",
+    "14, maxTime"
   })
   void refusesWhatIsNoNumber(int at, String name) {
     double[] n = {0, 0, 0, 1, 1, 1, 1, 9, 9, 9, 1, 1, 1, 1, 1};

@@ -33,7 +33,7 @@ final class ThreeWorlds {
   private final Random random;
 
   private final Scene scene;
-  private final EngineOptions machinery;
+  private final EngineOptions options;
   private World world;
   private World twin;
   private PastCheck past;
@@ -51,15 +51,15 @@ final class ThreeWorlds {
     random = new Random(seed);
     EngineOptions other = OTHERS[random.nextInt(OTHERS.length)];
     int slack = random.nextInt(2); // 0: its arrays are dense after each removal
-    machinery = new EngineOptions(other.grid(), other.cell() * unit, other.pairCells(), slack, 1);
+    options = new EngineOptions(other.grid(), other.cell() * unit, other.pairCells(), slack, 1);
     plain = new PlainWorld(scene);
-    restored = new RestoredTwin(scene, machinery, new Random(seed + 1));
+    restored = new RestoredTwin(scene, options, new Random(seed + 1));
     begin();
   }
 
   private void begin() {
     world = new World(scene);
-    twin = new World(scene, machinery);
+    twin = new World(scene, options);
     past = new PastCheck(twin);
   }
 

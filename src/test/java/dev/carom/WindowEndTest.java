@@ -172,7 +172,7 @@ class WindowEndTest {
       double[] n = spheres();
       double time = sphere(n);
       Exact.Disks exact = exact(n);
-      if (exact.gap().sign() > 0 && exact.drift().sign() < 0 && exact.reach().sign() > 0) {
+      if (exact.gap().sign() > 0 && exact.drift().sign() < 0 && exact.discriminant().sign() > 0) {
         assertThat(time).as(() -> Arrays.toString(n)).isEqualTo(exact.time(n[14]));
       }
     }
@@ -231,7 +231,7 @@ class WindowEndTest {
       if (exact != null
           && exact.gap().sign() > 0
           && exact.drift().sign() < 0
-          && exact.reach().sign() > 0) {
+          && exact.discriminant().sign() > 0) {
         assertThat(sphere(n)).as(() -> Arrays.toString(n)).isEqualTo(exact.time(n[14]));
         hits++;
       }

@@ -315,8 +315,8 @@ class WorldTest {
   @MethodSource("simultaneous")
   void simultaneousImpactsAreTakenByKindThenByNumber(SceneBuilder builder, String expected) {
     Scene scene = builder.circle(12, 12, 5, -1, -1).build();
-    for (EngineOptions machinery : List.of(EngineOptions.EACH, EngineOptions.cells(7))) {
-      World world = new World(scene, machinery);
+    for (EngineOptions options : List.of(EngineOptions.EACH, EngineOptions.cells(7))) {
+      World world = new World(scene, options);
       world.advanceTo(2);
       List<Run.Row> rows = Run.rows(world.impacts());
       assertThat(rows).allMatch(row -> row.time() == 2);

@@ -8,7 +8,7 @@ import java.util.Arrays;
 /**
  * Which circles have their centre in which square cell: a list for each cell. Rows follow each
  * other on a ring of cells, so the plane needs no edge; far cells that share a list only make a
- * search look at a circle in vain. A cell is named by its {@link #place}.
+ * search look at a circle in vain. A cell is named by its {@link #cell}.
  *
  * <p>Here stand the first circles of the lists. Who follows stands among the ints of circles that
  * collide, and is found by going through the list; or, where lists may be long, in {@link
@@ -29,7 +29,7 @@ public final class CellGrid {
   }
 
   /** A cell's place if the ring had no end. */
-  public int place(int column, int row) {
+  public int cell(int column, int row) {
     return row * columns + column;
   }
 
@@ -38,28 +38,28 @@ public final class CellGrid {
     return 1 ^ ((1 ^ columns) & vertical);
   }
 
-  public int first(int place) {
-    return heads[index(place)];
+  public int first(int cell) {
+    return heads[index(cell)];
   }
 
-  void setFirst(int place, int i) {
-    heads[index(place)] = i;
+  void setFirst(int cell, int i) {
+    heads[index(cell)] = i;
   }
 
   /** Lists circle i, with the ints of all circles in hand. */
-  public void add(int[] codes, int i, int place) {
-    int cell = index(place);
-    codes[follower(i)] = heads[cell];
-    heads[cell] = i;
+  public void add(int[] codes, int i, int cell) {
+    int at = index(cell);
+    codes[follower(i)] = heads[at];
+    heads[at] = i;
   }
 
   /** Takes circle i off its list. */
-  public void remove(int[] codes, int i, int place) {
-    int cell = index(place);
+  public void remove(int[] codes, int i, int cell) {
+    int at = index(cell);
     int after = codes[follower(i)];
-    int j = heads[cell];
+    int j = heads[at];
     if (j == i) {
-      heads[cell] = after;
+      heads[at] = after;
       return;
     }
     while (codes[follower(j)] != i) {
@@ -80,35 +80,35 @@ public final class CellGrid {
    * @param found room for all circles and 9 more, from the place {@code size} on
    * @return the place after the last one found
    */
-  public int around(int place, int[] found, int size) {
-    int end = row(place - columns, found, size);
-    end = row(place, found, end);
-    return row(place + columns, found, end);
+  public int around(int cell, int[] found, int size) {
+    int end = row(cell - columns, found, size);
+    end = row(cell, found, end);
+    return row(cell + columns, found, end);
   }
 
   /** The same around circle i; where that is the first of its list, its follower stands for it. */
-  public int others(int[] codes, int i, int place, int[] found) {
-    int end = row(place - columns, found, 0);
-    int a = heads[index(place - 1)];
-    int b = heads[index(place)];
-    int c = heads[index(place + 1)];
+  public int others(int[] codes, int i, int cell, int[] found) {
+    int end = row(cell - columns, found, 0);
+    int a = heads[index(cell - 1)];
+    int b = heads[index(cell)];
+    int c = heads[index(cell + 1)];
     int difference = b ^ i;
     int follower = codes[follower(i)];
     int same = ~((difference | -difference) >> 31);
     end = three(a, b ^ ((b ^ follower) & same), c, found, end);
-    return row(place + columns, found, end);
+    return row(cell + columns, found, end);
   }
 
   /** The same for a cell and those a step before and after it. */
-  public int beside(int place, int step, int[] found, int size) {
-    int a = heads[index(place - step)];
-    int b = heads[index(place)];
-    int c = heads[index(place + step)];
+  public int beside(int cell, int step, int[] found, int size) {
+    int a = heads[index(cell - step)];
+    int b = heads[index(cell)];
+    int c = heads[index(cell + step)];
     return three(a, b, c, found, size);
   }
 
-  private int row(int place, int[] found, int size) {
-    return beside(place, 1, found, size);
+  private int row(int cell, int[] found, int size) {
+    return beside(cell, 1, found, size);
   }
 
   private static int three(int a, int b, int c, int[] found, int size) {
@@ -149,11 +149,11 @@ public final class CellGrid {
   }
 
   private int index(int column, int row) {
-    return index(place(column, row));
+    return index(cell(column, row));
   }
 
   /** By the length, so that compilers know that it is in range. */
-  private int index(int place) {
-    return place & (heads.length - 1);
+  private int index(int cell) {
+    return cell & (heads.length - 1);
   }
 }

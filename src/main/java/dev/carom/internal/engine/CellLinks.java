@@ -22,8 +22,8 @@ public final class CellLinks {
     this.previous = previous;
   }
 
-  public void add(int i, int place) {
-    int first = cells.first(place);
+  public void add(int i, int cell) {
+    int first = cells.first(cell);
     next[i] = first;
     if (previous != null) {
       previous[i] = Index.NONE;
@@ -31,14 +31,14 @@ public final class CellLinks {
         previous[first] = i;
       }
     }
-    cells.setFirst(place, i);
+    cells.setFirst(cell, i);
   }
 
-  public void remove(int i, int place) {
-    int before = previous == null ? before(i, place) : previous[i];
+  public void remove(int i, int cell) {
+    int before = previous == null ? before(i, cell) : previous[i];
     int after = next[i];
     if (before == Index.NONE) {
-      cells.setFirst(place, after);
+      cells.setFirst(cell, after);
     } else {
       next[before] = after;
     }
@@ -47,22 +47,22 @@ public final class CellLinks {
     }
   }
 
-  private int before(int i, int place) {
+  private int before(int i, int cell) {
     int before = Index.NONE;
-    for (int j = cells.first(place); j != i; j = next[j]) {
+    for (int j = cells.first(cell); j != i; j = next[j]) {
       before = j;
     }
     return before;
   }
 
   /** Finds all circles of a cell's list and of the eight around it, as {@link CellGrid#around}. */
-  public int around(int place, int[] found, int size) {
-    return follow(found, size, cells.around(place, found, size));
+  public int around(int cell, int[] found, int size) {
+    return follow(found, size, cells.around(cell, found, size));
   }
 
   /** The same for a cell and those a step before and after it. */
-  int beside(int place, int step, int[] found, int size) {
-    return follow(found, size, cells.beside(place, step, found, size));
+  int beside(int cell, int step, int[] found, int size) {
+    return follow(found, size, cells.beside(cell, step, found, size));
   }
 
   /** Adds those that follow in the lists, and returns the place after the last. */

@@ -38,7 +38,7 @@ public final class CollidingEngine extends Engine {
 
   private static final int EVENTS_PER_CIRCLE = 1_000;
 
-  private final EngineOptions machinery;
+  private final EngineOptions options;
 
   /** Where the walls stand, by their codes; null without bounds. */
   private final double[] walls;
@@ -46,8 +46,8 @@ public final class CollidingEngine extends Engine {
   private final PairResponse pairs;
   private final ContactCluster cluster;
   private NeighborGrid neighbors;
-  private CollisionPredictor meetings;
-  private EventScheduler schedule;
+  private CollisionPredictor predictor;
+  private EventScheduler scheduler;
   private CalendarQueue queue;
 
   /** The time of the last event, or of the end of the last step. */
@@ -82,16 +82,16 @@ public final class CollidingEngine extends Engine {
   private final MovingCircle other = new MovingCircle();
 
   public CollidingEngine(
-      SceneData scene, CircleRegistry roster, EngineOptions machinery, ImpactRows log) {
-    super(scene, roster, CircleTable.colliding(scene.circleCount()), machinery, log);
-    this.machinery = machinery;
+      SceneData scene, CircleRegistry registry, EngineOptions options, ImpactRows log) {
+    super(scene, registry, CircleTable.colliding(scene.circleCount()), options, log);
+    this.options = options;
     walls = scene.walls;
-    pairs = new PairResponse(roster);
-    cluster = new ContactCluster(roster, pairs, response, surroundings.obstacles, new Vicinity());
+    pairs = new PairResponse(registry);
+    cluster = new ContactCluster(registry, pairs, response, staticScene.obstacles, new Vicinity());
     int count = circles.count;
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
-      circles.keep(i, circles.mover);
+      circles.store(i, circles.mover);
     }
     begin();
   }
@@ -99,24 +99,24 @@ public final class CollidingEngine extends Engine {
   /** Foresees everything anew, from the flights. */
   private void begin() {
     crossed = Double.NaN;
-    nothingInside = surroundings.obstacles.size() == 0;
+    nothingInside = staticScene.obstacles.size() == 0;
     int room = circles.capacity();
     found = new int[room + 9];
     foundOfOther = new int[room + 9];
-    int[] slots = roster.slots();
-    neighbors = new NeighborGrid(circles, slots, walls, machinery.pairCells(), reached);
-    meetings = new CollisionPredictor(circles, pairs, sensed);
-    schedule = new EventScheduler(circles, roster, neighbors, meetings, pairs, room);
-    queue = schedule.queue;
+    int[] slots = registry.slots();
+    neighbors = new NeighborGrid(circles, slots, walls, options.pairCells(), reached);
+    predictor = new CollisionPredictor(circles, pairs, sensed);
+    scheduler = new EventScheduler(circles, registry, neighbors, predictor, pairs, room);
+    queue = scheduler.queue;
     for (int i : slots) {
-      lookAround(circles.state, circles.codes, i);
-      foresee(i);
+      findNextObstacle(circles.state, circles.codes, i);
+      predict(i);
     }
   }
 
   @Override
   public String engineDescription() {
-    return surroundings.model(true).toString();
+    return staticScene.model(true).toString();
   }
 
   @Override
@@ -124,15 +124,15 @@ public final class CollidingEngine extends Engine {
     unfinished = false;
     this.end = end;
     prepare();
-    nothingInside = surroundings.obstacles.size() == 0;
+    nothingInside = staticScene.obstacles.size() == 0;
     if (outgrown) {
       outgrown = false;
       begin();
     }
     double[] s = circles.state;
     int[] c = circles.codes;
-    long usual = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * roster.count();
-    long budget = (long) (usual * machinery.budget());
+    long usual = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * registry.count();
+    long budget = (long) (usual * options.budget());
     ExactBudget work = ExactBudget.ofThread();
     long before = work.bits();
     for (long events = 0; ; events++) {
@@ -140,12 +140,12 @@ public final class CollidingEngine extends Engine {
         unfinished = true;
         return reached;
       }
-      int i = queue.take(end);
+      int i = queue.poll(end);
       if (i == Index.NONE) {
         reached = end;
         return end;
       }
-      reach(queue.takenAt());
+      advanceClock(queue.polledTime());
       int kind = EventScheduler.kind(c, i);
       if (kind >= EventKind.CROSSING) { // most are
         cross(s, c, i, kind - EventKind.CROSSING);
@@ -164,7 +164,7 @@ public final class CollidingEngine extends Engine {
   /**
    * Goes on to a time. A crossing may be noticed late by rounding: time does not go back for it.
    */
-  private void reach(double time) {
+  private void advanceClock(double time) {
     if (time > reached) {
       reached = time;
     }
@@ -176,8 +176,8 @@ public final class CollidingEngine extends Engine {
       case EventKind.STATIC -> meetObstacle(i);
       case EventKind.PAIR -> meet(s, c, i);
       default -> { // an edit
-        lookAround(s, c, i);
-        foresee(i);
+        findNextObstacle(s, c, i);
+        predict(i);
       }
     }
   }
@@ -187,11 +187,11 @@ public final class CollidingEngine extends Engine {
     int size = neighbors.cross(s, c, i, way, found);
     double crossing = neighbors.crossing(s, i);
     int nextWay = neighbors.way();
-    lookAround(s, c, i);
-    if (meetings.look(s, c, i, found, size)) {
-      schedule.set(s, c, i, crossing, nextWay);
+    findNextObstacle(s, c, i);
+    if (predictor.predictEarlier(s, c, i, found, size)) {
+      scheduler.set(s, c, i, crossing, nextWay);
     } else {
-      foresee(i);
+      predict(i);
     }
   }
 
@@ -199,19 +199,19 @@ public final class CollidingEngine extends Engine {
     circles.load(i);
     MovingCircle m = circles.mover;
     if (m.next == MovingCircle.NOTHING) {
-      surroundings.extend(m, m.cleared);
-      circles.keep(i, m);
-      schedule.set(i);
+      staticScene.extend(m, m.cleared);
+      circles.store(i, m);
+      scheduler.set(i);
       return;
     }
     switch (response.resolve(m, log)) {
       case ObstacleResponse.SENSED -> {
-        surroundings.extend(m, m.cleared);
-        circles.keep(i, m);
-        schedule.set(i);
+        staticScene.extend(m, m.cleared);
+        circles.store(i, m);
+        scheduler.set(i);
       }
       case ObstacleResponse.STUCK -> {
-        circles.keep(i, m);
+        circles.store(i, m);
         leaveJamsOfInfinite(i);
         resolveContacts(i);
       }
@@ -219,32 +219,32 @@ public final class CollidingEngine extends Engine {
         happened(m.t, m.tl);
         changed(circles.state, circles.codes, i, m);
         leaveJamsOfInfinite(i);
-        revive(i);
-        foresee(i);
+        reactivate(i);
+        predict(i);
       }
     }
   }
 
   private void meet(double[] s, int[] c, int i) {
-    if (!CollisionPredictor.holds(c, i)) {
-      foresee(i);
+    if (!CollisionPredictor.isValid(c, i)) {
+      predict(i);
       return;
     }
     int j = CollisionPredictor.partner(c, i);
     if (CollisionPredictor.isOpen(s, i)) {
-      meetings.refine(s, c, i);
+      predictor.refine(s, c, i);
       boolean isOfBoth = EventScheduler.isSame(c, i, j);
       if (isOfBoth) {
         queue.clear(j); // else that event would seem to come first
       }
       if (!isStillFirst(s, i)) {
-        schedule.set(i);
+        scheduler.set(i);
         if (isOfBoth) {
-          schedule.set(j);
+          scheduler.set(j);
         }
         return;
       }
-      reach(CollisionPredictor.time(s, i));
+      advanceClock(CollisionPredictor.time(s, i));
     }
     queue.clear(j);
     int low = Math.min(i, j);
@@ -257,20 +257,20 @@ public final class CollidingEngine extends Engine {
     switch (pairs.resolve(circles.mover, other, log)) {
       case ObstacleResponse.SENSED -> {
         report(low, high, i);
-        foresee(s, c, low, high);
+        predict(s, c, low, high);
       }
       case ObstacleResponse.STUCK -> {
-        circles.keep(low, circles.mover);
-        circles.keep(high, other);
+        circles.store(low, circles.mover);
+        circles.store(high, other);
         resolveContacts(low, high);
       }
       default -> {
         happened(other.t, other.tl); // for both
         changed(s, c, low, circles.mover);
         changed(s, c, high, other);
-        revive(low);
-        revive(high);
-        foresee(s, c, low, high);
+        reactivate(low);
+        reactivate(high);
+        predict(s, c, low, high);
       }
     }
   }
@@ -303,19 +303,19 @@ public final class CollidingEngine extends Engine {
     double ofA = CollisionPredictor.positive(later);
     double ofB = ofA - later;
     boolean standsStill = later > 0 ? b.isAt(head, tail) : a.isAt(head, tail);
-    a.fly(ofA, tau, head, tail, standsStill, walls);
-    b.fly(ofB, tau, head, tail, standsStill, walls);
+    a.advance(ofA, tau, head, tail, standsStill, walls);
+    b.advance(ofB, tau, head, tail, standsStill, walls);
   }
 
   /** Puts a circle on its new flight. */
   private void changed(double[] s, int[] c, int i, MovingCircle m) {
-    circles.keepNewFlight(s, c, i, m);
+    circles.storeNewFlight(s, c, i, m);
     neighbors.comeBack(s, i);
     count(c, i);
     if (recorder != null) {
       recorder.add(m);
     }
-    lookAround(s, c, i);
+    findNextObstacle(s, c, i);
   }
 
   private void happened(double head, double tail) {
@@ -332,8 +332,8 @@ public final class CollidingEngine extends Engine {
       happened(m.t, m.tl);
       changed(circles.state, circles.codes, m.id, m);
     }
-    members.forEach(m -> revive(m.id));
-    members.forEach(m -> foresee(m.id));
+    members.forEach(m -> reactivate(m.id));
+    members.forEach(m -> predict(m.id));
   }
 
   /** What is near the circles, by their cells and the grid of the obstacles. */
@@ -358,7 +358,7 @@ public final class CollidingEngine extends Engine {
 
     @Override
     public int[] obstaclesNear(MovingCircle m) {
-      return surroundings.near(m);
+      return staticScene.near(m);
     }
   }
 
@@ -372,7 +372,7 @@ public final class CollidingEngine extends Engine {
    * Circles that were inert for a jammed one are there again if it now runs into them; not infinite
    * masses that crushed it, until they have left it.
    */
-  private void revive(int i) {
+  private void reactivate(int i) {
     IgnoreList jam = circles.jam(i);
     if (jam == null) {
       return;
@@ -399,49 +399,49 @@ public final class CollidingEngine extends Engine {
   /**
    * Looks for the next obstacle ahead of a circle, unless that is done or none can be in its cell.
    */
-  private void lookAround(double[] s, int[] c, int i) {
+  private void findNextObstacle(double[] s, int[] c, int i) {
     boolean nothingNear = nothingInside && neighbors.isInside(s, i);
     if (!nothingNear && !EventScheduler.isLookedAhead(s, c, i)) {
       circles.load(i);
-      surroundings.extend(circles.mover, 0);
-      circles.keep(i, circles.mover);
+      staticScene.extend(circles.mover, 0);
+      circles.store(i, circles.mover);
     }
   }
 
   /** Looks anew for the first circle that circle i meets. */
-  private void foresee(int i) {
+  private void predict(int i) {
     double[] s = circles.state;
     int[] c = circles.codes;
     int size = neighbors.find(c, i, found);
     double crossing = neighbors.crossing(s, i);
     int way = neighbors.way();
-    meetings.decide(s, c, i, found, CollisionPredictor.sift(s, c, i, found, size));
-    schedule.set(s, c, i, crossing, way);
+    predictor.predictAmong(s, c, i, found, CollisionPredictor.filterPairs(s, c, i, found, size));
+    scheduler.set(s, c, i, crossing, way);
   }
 
   /**
    * The same for two circles: first what can be computed without a branch, for both, then what
    * branches on it, which cannot be foretold. So the waits of one overlap with those of the other.
    */
-  private void foresee(double[] s, int[] c, int i, int j) {
+  private void predict(double[] s, int[] c, int i, int j) {
     int size = neighbors.find(c, i, found);
     int sizeOfJ = neighbors.find(c, j, foundOfOther);
     double crossingOfI = neighbors.crossing(s, i);
     int wayOfI = neighbors.way();
     double crossingOfJ = neighbors.crossing(s, j);
     int wayOfJ = neighbors.way();
-    int leftOfI = CollisionPredictor.sift(s, c, i, found, size);
-    int leftOfJ = CollisionPredictor.sift(s, c, j, foundOfOther, sizeOfJ);
-    meetings.decide(s, c, i, found, leftOfI);
-    schedule.set(s, c, i, crossingOfI, wayOfI);
-    meetings.decide(s, c, j, foundOfOther, leftOfJ);
-    schedule.set(s, c, j, crossingOfJ, wayOfJ);
+    int leftOfI = CollisionPredictor.filterPairs(s, c, i, found, size);
+    int leftOfJ = CollisionPredictor.filterPairs(s, c, j, foundOfOther, sizeOfJ);
+    predictor.predictAmong(s, c, i, found, leftOfI);
+    scheduler.set(s, c, i, crossingOfI, wayOfI);
+    predictor.predictAmong(s, c, j, foundOfOther, leftOfJ);
+    scheduler.set(s, c, j, crossingOfJ, wayOfJ);
   }
 
   // Edits.
 
   @Override
-  void fly(MovingCircle m) {
+  void beginFlight(MovingCircle m) {
     // The new flight begins now, so it needs all cells as they are now.
     outgrown |= crossed == reached;
     int i = m.id;
@@ -452,22 +452,22 @@ public final class CollidingEngine extends Engine {
       queue.clear(i);
       neighbors.leave(i);
     }
-    surroundings.setRadius(i, m.radius);
-    circles.keep(i, m);
+    staticScene.setRadius(i, m.radius);
+    circles.store(i, m);
     count(circles.codes, i);
     if (recorder != null) {
       recorder.add(m);
     }
     outgrown = outgrown || !neighbors.enter(i, reached);
-    lookAnew(i);
+    repredict(i);
     leaveJamsOfInfinite(i);
   }
 
   /** Lets a circle look ahead and around anew with the next step, when all edits are done. */
-  private void lookAnew(int i) {
+  private void repredict(int i) {
     if (!outgrown) {
       queue.clear(i);
-      schedule.edit(i, reached);
+      scheduler.edit(i, reached);
     }
   }
 
@@ -495,29 +495,29 @@ public final class CollidingEngine extends Engine {
 
   /** An infinite mass that changed its way is there again for circles that it crushed. */
   private void leaveJamsOfInfinite(int i) {
-    if (circles.jams != null && roster.mass(i) == Double.POSITIVE_INFINITY) {
+    if (circles.jams != null && registry.mass(i) == Double.POSITIVE_INFINITY) {
       leaveJams(ObstacleTable.CIRCLES + i);
     }
   }
 
   /** Whom a circle was jammed with is not held by it when it is gone. */
   private void leaveJams(int code) {
-    LiveCodes present = roster.present();
+    LiveCodes present = registry.present();
     for (int k = 0; k < present.size(); k++) {
       int i = present.get(k);
       IgnoreList jam = circles.jam(i);
-      if (roster.contains(i) && jam != null && jam.concerns(code)) {
+      if (registry.contains(i) && jam != null && jam.concerns(code)) {
         circles.load(i);
         circles.mover.forget(code, 0);
-        keep(i, circles.mover);
+        store(i, circles.mover);
       }
     }
   }
 
   @Override
-  void keep(int i, MovingCircle m) {
-    circles.keep(i, m);
-    lookAnew(i);
+  void store(int i, MovingCircle m) {
+    circles.store(i, m);
+    repredict(i);
   }
 
   // Time.
@@ -525,9 +525,9 @@ public final class CollidingEngine extends Engine {
   @Override
   public SavedFlights save(double now) {
     SavedFlights states = super.save(now);
-    int[] slots = roster.slots();
+    int[] slots = registry.slots();
     for (int k = 0; k < slots.length; k++) {
-      sensed.save(slots[k], roster, k, states);
+      sensed.save(slots[k], registry, k, states);
     }
     states.tailOfEdit = lastTail(now);
     return states;
@@ -542,7 +542,7 @@ public final class CollidingEngine extends Engine {
     happened = now;
     happenedTail = flights.tailOfEdit;
     for (int k = 0; k < flights.count(); k++) {
-      sensed.restore(k, roster, flights);
+      sensed.restore(k, registry, flights);
     }
   }
 }

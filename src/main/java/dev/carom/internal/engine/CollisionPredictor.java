@@ -29,9 +29,9 @@ final class CollisionPredictor {
   /** The time of a meeting that is known by bounds only. */
   private static final double OPEN = Double.NaN;
 
-  // Bounds of b and reach, the same as in DiskSweep with more to spare.
+  // Bounds of b and discriminant, the same as in DiskSweep with more to spare.
   private static final double DOT_BOUND = 8 * 0x1p-53;
-  private static final double REACH_BOUND = 16 * 0x1p-53;
+  private static final double DISCRIMINANT_BOUND = 16 * 0x1p-53;
 
   /**
    * The bound of b where it is computed by an fma: then it errs by 3 u of itself and 5 u of {@code
@@ -44,13 +44,14 @@ final class CollisionPredictor {
   private static final double SMALL = 0x1p-990;
 
   /**
-   * The least part of its terms that g or reach must be for {@link #TIME_BOUND}. b^2 = reach + a g
-   * is then as large a part of a d.d, so b, which errs by 5 u of at most sqrt(a d.d), errs by 5 u
-   * 2^10 of itself; g by 6 u 2^20, reach by 12 u 2^20, its root by half of that.
+   * The least part of its terms that g or discriminant must be for {@link #TIME_BOUND}. b^2 =
+   * discriminant + a g is then as large a part of a d.d, so b, which errs by 5 u of at most sqrt(a
+   * d.d), errs by 5 u 2^10 of itself; g by 6 u 2^20, discriminant by 12 u 2^20, its root by half of
+   * that.
    */
   private static final double WELL_CONDITIONED = 0x1p-20;
 
-  /** t = g / (sqrt(reach) - b) errs by less than 2^4 u 2^20 = 2^-29 of itself. */
+  /** t = g / (sqrt(discriminant) - b) errs by less than 2^4 u 2^20 = 2^-29 of itself. */
   private static final double TIME_BOUND = 0x1p-28;
 
   /** What a sum of a time and t errs by, far more than its rounding and its tail. */
@@ -103,7 +104,7 @@ final class CollisionPredictor {
   }
 
   /** Whether the partner is still on the flight with which it was foreseen. */
-  static boolean holds(int[] codes, int i) {
+  static boolean isValid(int[] codes, int i) {
     int c = CircleTable.collidingCodesAt(i);
     int j = codes[c + CircleTable.PARTNER];
     return codes[c + CircleTable.PARTNER_COUNT]
@@ -116,7 +117,7 @@ final class CollisionPredictor {
     double low = s[a + CircleTable.MEETING];
     return Math.abs(time - low) < 2 * doubt(low, s[a + CircleTable.T])
         && isOpen(s, i)
-        && holds(codes, i);
+        && isValid(codes, i);
   }
 
   /** How much later a meeting may be that is open, if at the earliest and the flight's start. */
@@ -140,10 +141,10 @@ final class CollisionPredictor {
    * @param found the others, as {@link NeighborGrid} finds them; those that it cannot meet are
    *     taken out
    * @return false if what was foreseen does not hold and stands in the way of telling: then all are
-   *     to be looked at {@linkplain #decide anew}
+   *     to be looked at {@linkplain #predictAmong anew}
    */
-  boolean look(double[] s, int[] codes, int i, int[] found, int size) {
-    int left = size == 0 ? 0 : sift(s, codes, i, found, size);
+  boolean predictEarlier(double[] s, int[] codes, int i, int[] found, int size) {
+    int left = size == 0 ? 0 : filterPairs(s, codes, i, found, size);
     if (left == 0) {
       return true;
     }
@@ -160,9 +161,12 @@ final class CollisionPredictor {
     return true;
   }
 
-  /** Forgets what was foreseen of circle i, and foresees it among those that {@link #sift} left. */
-  void decide(double[] s, int[] codes, int i, int[] found, int left) {
-    keep(s, i, Index.NONE, NEVER, NEVER, 0, 0);
+  /**
+   * Forgets what was foreseen of circle i, and foresees it among those that {@link #filterPairs}
+   * left.
+   */
+  void predictAmong(double[] s, int[] codes, int i, int[] found, int left) {
+    setFirst(s, i, Index.NONE, NEVER, NEVER, 0, 0);
     for (int k = 0; k < left; k++) {
       consider(s, codes, i, found[k], Index.NONE);
     }
@@ -176,7 +180,7 @@ final class CollisionPredictor {
    *
    * @return how many are left
    */
-  static int sift(double[] s, int[] codes, int i, int[] found, int size) {
+  static int filterPairs(double[] s, int[] codes, int i, int[] found, int size) {
     int a = CircleTable.collidingAt(i);
     double xi = s[a + CircleTable.X];
     double yi = s[a + CircleTable.Y];
@@ -215,7 +219,7 @@ final class CollisionPredictor {
       double m = Math.fma(2, Math.abs(ky), Math.abs(cross));
       double near =
           Math.fma(-cross, cross, arr)
-              + Math.fma(REACH_BOUND, Math.fma(m, m, arr), TimeOfImpact.TINY);
+              + Math.fma(DISCRIMINANT_BOUND, Math.fma(m, m, arr), TimeOfImpact.TINY);
       found[left] = j;
       int other = j ^ i;
       int passes = (int) ((below(toward) | below(near)) >> 32);
@@ -269,26 +273,27 @@ final class CollisionPredictor {
     double cross = kx - ky;
     double m = Math.abs(kx) + Math.abs(ky);
     double arr = u2 * rr;
-    double reach = arr - cross * cross;
+    double discriminant = arr - cross * cross;
     double dd = dx * dx + dy * dy;
     double g = dd - rr;
     boolean silent = pairs.haveSilent() && pairs.isSilent(i, j);
     if (!silent
         && b < -Math.fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), TimeOfImpact.TINY)
-        && reach > Math.fma(WELL_CONDITIONED, arr + m * m, TimeOfImpact.TINY * (u2 + rr + m + 1))
+        && discriminant
+            > Math.fma(WELL_CONDITIONED, arr + m * m, TimeOfImpact.TINY * (u2 + rr + m + 1))
         && g > Math.fma(WELL_CONDITIONED, dd + rr, TimeOfImpact.TINY)) {
-      double t = g / (Math.sqrt(reach) - b);
+      double t = g / (Math.sqrt(discriminant) - b);
       double time = from + t;
       double error = Math.fma(t, TIME_BOUND, time * SUM_BOUND);
       if (time - error > high) {
         return true;
       }
       if (time + error < low && !pairs.skips(circles, i, j)) {
-        keep(s, i, j, time - error, time + error, OPEN, Double.NEGATIVE_INFINITY);
+        setFirst(s, i, j, time - error, time + error, OPEN, Double.NEGATIVE_INFINITY);
         return true;
       }
     }
-    return pairs.skips(circles, i, j) || weigh(s, codes, i, j, before, silent);
+    return pairs.skips(circles, i, j) || compareExactly(s, codes, i, j, before, silent);
   }
 
   private void start(double[] s, int[] codes, int i) {
@@ -302,7 +307,8 @@ final class CollisionPredictor {
    * Keeps what circle i meets first so far: with whom, from when to when it may be, and, if that is
    * not OPEN, how long after the later start it is, and the tail of the time.
    */
-  private void keep(double[] s, int i, int j, double low, double high, double tau, double tail) {
+  private void setFirst(
+      double[] s, int i, int j, double low, double high, double tau, double tail) {
     int a = CircleTable.collidingAt(i);
     partner = j;
     this.high = high;
@@ -321,7 +327,8 @@ final class CollisionPredictor {
   }
 
   /** Compares the meeting of i and j with the first one so far by their times; false as in look. */
-  private boolean weigh(double[] s, int[] codes, int i, int j, int before, boolean silent) {
+  private boolean compareExactly(
+      double[] s, int[] codes, int i, int j, int before, boolean silent) {
     exact(s, i, j, false);
     if (exactTau == NEVER || exactHead > high || (silent && !isEntered(i, j))) {
       return true;
@@ -330,17 +337,17 @@ final class CollisionPredictor {
     double head = exactHead;
     double l = exactTail;
     if (head >= time(s, i) && isOpen(s, i)) {
-      if (partner == before && !holds(codes, i)) {
+      if (partner == before && !isValid(codes, i)) {
         return false;
       }
       exactLater(s, i, partner);
-      keep(s, i, partner, exactHead, exactHead, exactTau, exactTail);
+      setFirst(s, i, partner, exactHead, exactHead, exactTau, exactTail);
     }
     double low = time(s, i);
     double tail = tail(s, i);
     boolean first = head != low ? head < low : l != tail ? l < tail : comesFirst(i, j, partner);
     if (first) {
-      keep(s, i, j, head, head, t, l);
+      setFirst(s, i, j, head, head, t, l);
     }
     return true;
   }

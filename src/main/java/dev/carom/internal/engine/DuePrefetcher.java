@@ -18,18 +18,18 @@ public final class DuePrefetcher {
   public static final int LEAST_CIRCLES = 1 << 12;
 
   /** Circles found at a time: measured, of 8 to 64 the gain is the same. */
-  private static final int MOST = 16;
+  private static final int BATCH = 16;
 
   /** Where more than half of all are due, memory is read in its order, and need not be ahead. */
-  private static final int NEAR = 2 * MOST;
+  private static final int DENSE_SPAN = 2 * BATCH;
 
   private final CircleTable circles;
-  private final StaticScene surroundings;
-  private final int[] found = new int[MOST];
+  private final StaticScene staticScene;
+  private final int[] found = new int[BATCH];
   private int size;
 
   /** The number of those found that were told. */
-  private int told;
+  private int returned;
 
   /** Where to look for more. */
   private int from;
@@ -38,9 +38,9 @@ public final class DuePrefetcher {
   @SuppressWarnings("UnusedVariable")
   private long sum;
 
-  public DuePrefetcher(CircleTable circles, StaticScene surroundings) {
+  public DuePrefetcher(CircleTable circles, StaticScene staticScene) {
     this.circles = circles;
-    this.surroundings = surroundings;
+    this.staticScene = staticScene;
   }
 
   /** The first circle that is due until the given time; {@link DueTimes#size} if none is. */
@@ -57,8 +57,8 @@ public final class DuePrefetcher {
    */
   public int next(double end) {
     while (size > 0) {
-      while (told < size) {
-        int i = found[told++];
+      while (returned < size) {
+        int i = found[returned++];
         if (circles.due.get(i) <= end) {
           return i;
         }
@@ -71,14 +71,14 @@ public final class DuePrefetcher {
   private void find(double end) {
     DueTimes due = circles.due;
     size = 0;
-    told = 0;
+    returned = 0;
     int i = due.next(from, end);
-    while (i < due.size() && size < MOST) {
+    while (i < due.size() && size < BATCH) {
       found[size++] = i;
       i = due.next(i + 1, end);
     }
     from = i;
-    if (size > 0 && found[size - 1] - found[0] > NEAR) {
+    if (size > 0 && found[size - 1] - found[0] > DENSE_SPAN) {
       read();
     }
   }
@@ -109,7 +109,7 @@ public final class DuePrefetcher {
     double dt = state[k + CircleTable.CLEARED];
     double x = Math.fma(state[k + CircleTable.VX], dt, state[k + CircleTable.X]);
     double y = Math.fma(state[k + CircleTable.VY], dt, state[k + CircleTable.Y]);
-    Grid grid = surroundings.grid(i);
+    Grid grid = staticScene.grid(i);
     return line(circles.codes[circles.codesAt(i) + CircleTable.NEXT])
         + (grid == null ? 0 : grid.around(x, y));
   }
@@ -118,8 +118,8 @@ public final class DuePrefetcher {
     if (code < ObstacleTable.WALLS || code >= ObstacleTable.PEGS) {
       return 0;
     }
-    double[] lines = surroundings.obstacles.lines;
-    int k = surroundings.obstacles.offset(code);
+    double[] lines = staticScene.obstacles.lines;
+    int k = staticScene.obstacles.offset(code);
     return bits(lines[k]) + bits(lines[k + ObstacleTable.LINE_ROW - 1]);
   }
 

@@ -26,18 +26,18 @@ public final class Editor {
   private final boolean collide;
   private final Engine engine;
   private final CircleTable circles;
-  private final CircleRegistry roster;
+  private final CircleRegistry registry;
   private final ObstacleTable obstacles;
   private final MovingCircle mover = new MovingCircle();
 
   private final SizeLimits limits = new SizeLimits();
 
-  public Editor(SceneData scene, Engine engine, CircleRegistry roster) {
+  public Editor(SceneData scene, Engine engine, CircleRegistry registry) {
     collide = scene.collide;
     this.engine = engine;
-    this.roster = roster;
+    this.registry = registry;
     circles = engine.circles;
-    obstacles = engine.surroundings.obstacles;
+    obstacles = engine.staticScene.obstacles;
     limits.keepPlace(obstacles.extent(), 0);
     if (obstacles.walls != null) {
       limits.keepPlace(obstacles.walls[ObstacleTable.LEFT], obstacles.walls[ObstacleTable.BOTTOM]);
@@ -70,7 +70,7 @@ public final class Editor {
     m.vx = vx;
     m.vy = vy;
     m.forget();
-    engine.fly(m);
+    engine.beginFlight(m);
   }
 
   public void setPosition(int slot, double x, double y, double now) {
@@ -83,7 +83,7 @@ public final class Editor {
     m.x = x;
     m.y = y;
     m.forget();
-    engine.fly(m);
+    engine.beginFlight(m);
     limits.keepPlace(x, y);
   }
 
@@ -95,27 +95,27 @@ public final class Editor {
     }
     MovingCircle m = restarted(slot, now);
     m.radius = radius;
-    engine.fly(m);
+    engine.beginFlight(m);
     limits.keepRadius(radius);
   }
 
   public int addCircle(double x, double y, double radius, double vx, double vy, double now) {
-    checkId(Kind.CIRCLE, roster.idLimit(), CircleRegistry.ID_LIMIT);
+    checkId(Kind.CIRCLE, registry.idLimit(), CircleRegistry.ID_LIMIT);
     try {
       checkPlace(x, y);
       limits.checkRadius(radius, x, y);
       checkVelocity(vx, vy);
     } catch (RefusedException e) {
-      throw named(e, Kind.CIRCLE, roster.idLimit());
+      throw named(e, Kind.CIRCLE, registry.idLimit());
     }
-    int slot = roster.add();
+    int slot = registry.add();
     mover.start(slot, x, y, radius, vx, vy, 1);
     mover.t = now;
     mover.tl = engine.tailOfEdit(mover, now);
-    engine.fly(mover);
+    engine.beginFlight(mover);
     limits.keepPlace(x, y);
     limits.keepRadius(radius);
-    return roster.id(slot);
+    return registry.id(slot);
   }
 
   public void setMass(int slot, double m, double now) {
@@ -124,11 +124,11 @@ public final class Editor {
     } catch (RefusedException e) {
       throw named(e, ObstacleTable.CIRCLES + slot);
     }
-    boolean passes = (roster.mass(slot) == INFINITE) != (m == INFINITE);
-    roster.setMass(slot, m);
+    boolean passes = (registry.mass(slot) == INFINITE) != (m == INFINITE);
+    registry.setMass(slot, m);
     if (collide && passes) {
       restarted(slot, now).forget();
-      engine.fly(mover);
+      engine.beginFlight(mover);
     }
   }
 
@@ -158,7 +158,7 @@ public final class Editor {
 
   private RefusedException named(RefusedException e, int code) {
     return code >= ObstacleTable.CIRCLES
-        ? named(e, Kind.CIRCLE, roster.id(code - ObstacleTable.CIRCLES))
+        ? named(e, Kind.CIRCLE, registry.id(code - ObstacleTable.CIRCLES))
         : named(e, obstacles.kind(code), obstacles.index(code));
   }
 
@@ -231,7 +231,7 @@ public final class Editor {
 
   public void remove(int code, double now) {
     if (code >= ObstacleTable.CIRCLES) {
-      roster.remove(code - ObstacleTable.CIRCLES);
+      registry.remove(code - ObstacleTable.CIRCLES);
       engine.remove(code - ObstacleTable.CIRCLES);
     } else {
       engine.forget(code);
@@ -256,8 +256,8 @@ public final class Editor {
   public void setResponse(int code, int response, double now) {
     if (code >= ObstacleTable.CIRCLES) {
       int slot = code - ObstacleTable.CIRCLES;
-      roster.setTraits(slot, ContactFlags.with(roster.traits(slot), response));
-      engine.fly(restarted(slot, now));
+      registry.setTraits(slot, ContactFlags.with(registry.traits(slot), response));
+      engine.beginFlight(restarted(slot, now));
     } else if (code < ObstacleTable.WALLS) {
       if (response == ContactFlags.SENSOR) {
         throw Check.refused("response", "SENSOR", "BOUNCE or HALT: bounds keep circles inside")

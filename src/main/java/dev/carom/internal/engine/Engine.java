@@ -18,9 +18,9 @@ import dev.carom.internal.state.SceneData;
  */
 public abstract class Engine {
 
-  final CircleRegistry roster;
+  final CircleRegistry registry;
   public final CircleTable circles;
-  public final StaticScene surroundings;
+  public final StaticScene staticScene;
   final ObstacleResponse response;
   final ImpactRows log;
 
@@ -32,16 +32,16 @@ public abstract class Engine {
 
   Engine(
       SceneData scene,
-      CircleRegistry roster,
+      CircleRegistry registry,
       CircleTable circles,
-      EngineOptions machinery,
+      EngineOptions options,
       ImpactRows log) {
-    this.roster = roster;
+    this.registry = registry;
     this.circles = circles;
     this.log = log;
-    surroundings = new StaticScene(scene, machinery);
-    circles.walls = surroundings.obstacles.walls;
-    response = new ObstacleResponse(surroundings.obstacles);
+    staticScene = new StaticScene(scene, options);
+    circles.walls = staticScene.obstacles.walls;
+    response = new ObstacleResponse(staticScene.obstacles);
   }
 
   /**
@@ -60,7 +60,7 @@ public abstract class Engine {
    *
    * @param m a mover at the start of a flight, now
    */
-  abstract void fly(MovingCircle m);
+  abstract void beginFlight(MovingCircle m);
 
   /**
    * An edit comes after all that happened by now, some of it later than now by what rounding took.
@@ -73,24 +73,24 @@ public abstract class Engine {
   abstract void remove(int i);
 
   /** Stores a circle of which less is known ahead than before. */
-  abstract void keep(int i, MovingCircle m);
+  abstract void store(int i, MovingCircle m);
 
   /** Makes grids anew where edits made them poor. */
   final void prepare() {
-    surroundings.prepare(circles, roster);
+    staticScene.prepare(circles, registry);
   }
 
   // Lines and pegs.
 
   /** Forgets a line or a peg that is to be elsewhere, otherwise there, or gone. */
   final void forget(int code) {
-    int sensed = surroundings.sensedBefore(code);
-    LiveCodes present = roster.present();
+    int sensed = staticScene.sensedBefore(code);
+    LiveCodes present = registry.present();
     for (int k = 0; k < present.size(); k++) {
       int i = present.get(k);
       circles.load(i);
-      if (roster.contains(i) && circles.mover.forget(code, sensed)) {
-        keep(i, circles.mover);
+      if (registry.contains(i) && circles.mover.forget(code, sensed)) {
+        store(i, circles.mover);
       }
     }
   }
@@ -102,14 +102,14 @@ public abstract class Engine {
   final void appeared(int code, double now) {
     changed(code, now);
     MovingCircle m = circles.mover;
-    LiveCodes present = roster.present();
+    LiveCodes present = registry.present();
     for (int k = 0; k < present.size(); k++) {
       int i = present.get(k);
-      if (roster.contains(i)) {
+      if (registry.contains(i)) {
         circles.load(i);
-        if (surroundings.meets(m, code)) {
+        if (staticScene.meets(m, code)) {
           m.restart(now, tailOfEdit(m, now), circles.walls);
-          fly(m);
+          beginFlight(m);
         }
       }
     }
@@ -121,9 +121,9 @@ public abstract class Engine {
   }
 
   private void changed(int code, double now) {
-    surroundings.changed(code);
+    staticScene.changed(code);
     if (recorder != null) {
-      recorder.noteObstacle(code, surroundings.obstacles, now);
+      recorder.noteObstacle(code, staticScene.obstacles, now);
     }
   }
 
@@ -133,7 +133,7 @@ public abstract class Engine {
   public final void record(FlightRecorder recorder) {
     this.recorder = recorder;
     if (recorder != null) {
-      for (int i : roster.slots()) {
+      for (int i : registry.slots()) {
         circles.load(i);
         recorder.add(circles.mover);
       }
@@ -142,15 +142,15 @@ public abstract class Engine {
 
   /** The flights of all circles. */
   public SavedFlights save(double now) {
-    if (surroundings.obstacles.haveSensors()) {
-      surroundings.prepare(circles, roster); // to search for those that were met
+    if (staticScene.obstacles.haveSensors()) {
+      staticScene.prepare(circles, registry); // to search for those that were met
     }
-    SavedFlights states = new SavedFlights(roster.ids());
-    int[] slots = roster.slots();
+    SavedFlights states = new SavedFlights(registry.ids());
+    int[] slots = registry.slots();
     for (int k = 0; k < slots.length; k++) {
       circles.load(slots[k]);
-      roster.toIds(circles.mover);
-      surroundings.save(k, circles.mover, now, states);
+      registry.toIds(circles.mover);
+      staticScene.save(k, circles.mover, now, states);
     }
     return states;
   }
@@ -163,16 +163,16 @@ public abstract class Engine {
       circles.add();
       flights.get(i, m);
       m.id = i;
-      roster.toSlots(m);
-      surroundings.setRadius(i, m.radius);
-      keep(i, m);
+      registry.toSlots(m);
+      staticScene.setRadius(i, m.radius);
+      store(i, m);
     }
   }
 
   /** Makes arrays dense anew in which most slots are of circles that were removed. */
   public void compact(double now) {
     SavedFlights flights = save(now);
-    roster.set(roster);
+    registry.set(registry);
     restore(flights, now);
   }
 }

@@ -12,7 +12,7 @@ import dev.carom.internal.state.CircleTable;
  * their waits overlap, the more of them the less is to be computed in between. Nothing changes but
  * what is in the cache.
  */
-public final class EventPrefetcher implements CalendarQueue.Outlook {
+public final class EventPrefetcher implements CalendarQueue.Prefetcher {
 
   /** From so many circles on their flights are more than a core's own cache holds: measured. */
   static final int LEAST_CIRCLES = 1 << 13;
@@ -22,25 +22,25 @@ public final class EventPrefetcher implements CalendarQueue.Outlook {
   private static final int AHEAD = 5;
 
   private final CircleTable circles;
-  private final CircleRegistry roster;
+  private final CircleRegistry registry;
   private final NeighborGrid neighbors;
 
   /** Those on whom something is to be done, with their partners where two meet. */
-  private final int[] concerned = new int[2 * CalendarQueue.MOST_OUTLOOK + 1];
+  private final int[] concerned = new int[2 * CalendarQueue.MOST_PREFETCHED + 1];
 
   /** Those that only go on into another cell. */
-  private final int[] crossing = new int[CalendarQueue.MOST_OUTLOOK + 1];
+  private final int[] crossing = new int[CalendarQueue.MOST_PREFETCHED + 1];
 
   /** The lists that will be needed: their places, and then their first circles. */
-  private final int[] lists = new int[AROUND * 2 * CalendarQueue.MOST_OUTLOOK];
+  private final int[] lists = new int[AROUND * 2 * CalendarQueue.MOST_PREFETCHED];
 
   /** What was read comes together here, for else it need not be read. */
   @SuppressWarnings("UnusedVariable")
   private double sum;
 
-  public EventPrefetcher(CircleTable circles, CircleRegistry roster, NeighborGrid neighbors) {
+  public EventPrefetcher(CircleTable circles, CircleRegistry registry, NeighborGrid neighbors) {
     this.circles = circles;
-    this.roster = roster;
+    this.registry = registry;
     this.neighbors = neighbors;
   }
 
@@ -65,7 +65,7 @@ public final class EventPrefetcher implements CalendarQueue.Outlook {
       read += flight(concerned[k]);
     }
     for (int k = 0; k < end; k++) {
-      read += roster.mass(concerned[k]) + queue.time(concerned[k]);
+      read += registry.mass(concerned[k]) + queue.time(concerned[k]);
     }
     placesAround(end);
     placesAhead(AROUND * end, crossings);

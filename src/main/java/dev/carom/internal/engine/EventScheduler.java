@@ -25,24 +25,24 @@ final class EventScheduler {
   private final double[] state;
   private final int[] codes;
   private final NeighborGrid neighbors;
-  private final CollisionPredictor meetings;
+  private final CollisionPredictor predictor;
   private final PairResponse pairs;
 
   EventScheduler(
       CircleTable circles,
-      CircleRegistry roster,
+      CircleRegistry registry,
       NeighborGrid neighbors,
-      CollisionPredictor meetings,
+      CollisionPredictor predictor,
       PairResponse pairs,
       int room) {
     state = circles.state;
     codes = circles.codes;
     this.neighbors = neighbors;
-    this.meetings = meetings;
+    this.predictor = predictor;
     this.pairs = pairs;
     boolean many = room >= EventPrefetcher.LEAST_CIRCLES;
-    EventPrefetcher ahead = many ? new EventPrefetcher(circles, roster, neighbors) : null;
-    queue = new CalendarQueue(room, this::before, ahead, circles.codes);
+    EventPrefetcher prefetcher = many ? new EventPrefetcher(circles, registry, neighbors) : null;
+    queue = new CalendarQueue(room, this::before, prefetcher, circles.codes);
   }
 
   /** The kind of a circle's event. */
@@ -54,7 +54,7 @@ final class EventScheduler {
   static boolean isSame(int[] c, int i, int j) {
     return kind(c, j) == EventKind.PAIR
         && CollisionPredictor.partner(c, j) == i
-        && CollisionPredictor.holds(c, j);
+        && CollisionPredictor.isValid(c, j);
   }
 
   /** Lets a circle be looked at anew at the given time. */
@@ -112,7 +112,7 @@ final class EventScheduler {
     double due = due(s, c, i);
     // What is refined only when its turn comes is then still before the crossing and the obstacle.
     if (CollisionPredictor.isInDoubt(s, c, i, due < crossing ? due : crossing)) {
-      meetings.refine(s, c, i);
+      predictor.refine(s, c, i);
     }
     double meeting = CollisionPredictor.time(s, i);
     double time = Math.min(crossing, meeting);

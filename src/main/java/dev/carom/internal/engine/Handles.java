@@ -12,11 +12,11 @@ import dev.carom.internal.util.Kind;
  */
 public final class Handles {
 
-  private final CircleRegistry roster;
+  private final CircleRegistry registry;
   private final ObstacleTable obstacles;
 
-  public Handles(CircleRegistry roster, ObstacleTable obstacles) {
-    this.roster = roster;
+  public Handles(CircleRegistry registry, ObstacleTable obstacles) {
+    this.registry = registry;
     this.obstacles = obstacles;
   }
 
@@ -24,7 +24,7 @@ public final class Handles {
   public boolean contains(int kind, int id) {
     return switch (kind) {
       case Kind.WALL -> obstacles.walls != null && id >= 0 && id < ObstacleTable.WALLS;
-      case Kind.CIRCLE -> roster.slot(id) >= 0;
+      case Kind.CIRCLE -> registry.slot(id) >= 0;
       default -> id >= 0 && id < end(kind) && !obstacles.isGone(code(kind, id));
     };
   }
@@ -35,13 +35,13 @@ public final class Handles {
       case Kind.WALL -> obstacles.walls == null ? 0 : ObstacleTable.WALLS;
       case Kind.LINE -> obstacles.endOfLines - ObstacleTable.WALLS;
       case Kind.PEG -> obstacles.endOfPegs - ObstacleTable.PEGS;
-      default -> roster.idLimit();
+      default -> registry.idLimit();
     };
   }
 
   /** The slot of a circle that is there; any other id is refused. */
   public int circle(int id) {
-    int slot = roster.slot(id);
+    int slot = registry.slot(id);
     if (slot < 0) {
       throw missing(Kind.CIRCLE, id);
     }
@@ -58,7 +58,7 @@ public final class Handles {
 
   private int code(int kind, int id) {
     return kind == Kind.CIRCLE
-        ? ObstacleTable.CIRCLES + roster.slot(id)
+        ? ObstacleTable.CIRCLES + registry.slot(id)
         : ObstacleTable.code(kind, id);
   }
 

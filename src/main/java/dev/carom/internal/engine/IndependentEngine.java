@@ -31,30 +31,30 @@ public final class IndependentEngine extends Engine {
   private final long impactsPerCall;
   private final long impactsPerCircle;
 
-  private final UndoLog journal;
-  private final DuePrefetcher ahead;
+  private final UndoLog undoLog;
+  private final DuePrefetcher prefetcher;
 
   /** Impacts made in this pass, and exact work that takes as long. */
   private long spent;
 
   public IndependentEngine(
-      SceneData scene, CircleRegistry roster, EngineOptions machinery, ImpactRows log) {
-    super(scene, roster, new CircleTable(scene.circleCount()), machinery, log);
-    impactsPerCall = (long) (IMPACTS_PER_CALL * machinery.budget());
-    impactsPerCircle = (long) (IMPACTS_PER_CIRCLE * machinery.budget());
+      SceneData scene, CircleRegistry registry, EngineOptions options, ImpactRows log) {
+    super(scene, registry, new CircleTable(scene.circleCount()), options, log);
+    impactsPerCall = (long) (IMPACTS_PER_CALL * options.budget());
+    impactsPerCircle = (long) (IMPACTS_PER_CIRCLE * options.budget());
     int count = circles.count;
-    ahead = new DuePrefetcher(circles, surroundings);
-    journal = new UndoLog(Math.min(count, JOURNAL));
+    prefetcher = new DuePrefetcher(circles, staticScene);
+    undoLog = new UndoLog(Math.min(count, JOURNAL));
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
-      surroundings.extend(circles.mover, 0);
-      circles.store(i);
+      staticScene.extend(circles.mover, 0);
+      circles.storeAndSetDue(i);
     }
   }
 
   @Override
   public String engineDescription() {
-    return surroundings.model(false).toString();
+    return staticScene.model(false).toString();
   }
 
   /**
@@ -66,7 +66,7 @@ public final class IndependentEngine extends Engine {
   @Override
   public double advance(double end) {
     prepare();
-    journal.clear();
+    undoLog.clear();
     unfinished = false;
     double reached = end;
     double goal;
@@ -74,7 +74,7 @@ public final class IndependentEngine extends Engine {
       goal = reached;
       reached = pass(goal);
       if (reached < goal) {
-        journal.restore(circles);
+        undoLog.restore(circles);
         log.clear();
         if (recorder != null) {
           recorder.undo();
@@ -91,17 +91,17 @@ public final class IndependentEngine extends Engine {
     DueTimes due = circles.due;
     double end = goal;
     boolean many = circles.count >= DuePrefetcher.LEAST_CIRCLES;
-    int i = many ? ahead.first(end) : due.next(0, end);
+    int i = many ? prefetcher.first(end) : due.next(0, end);
     while (i < due.size()) {
       circles.load(i);
-      journal.save(circles.mover);
-      double stopped = fly(circles.mover, work, end);
-      circles.store(i);
+      undoLog.save(circles.mover);
+      double stopped = resolveUntil(circles.mover, work, end);
+      circles.storeAndSetDue(i);
       if (stopped <= end) {
         unfinished = true;
         end = stopped;
       }
-      i = many ? ahead.next(end) : due.next(i + 1, end);
+      i = many ? prefetcher.next(end) : due.next(i + 1, end);
     }
     return end;
   }
@@ -111,7 +111,7 @@ public final class IndependentEngine extends Engine {
    *
    * @return the time of the last one if the allowance was spent, else {@code +infinity}
    */
-  private double fly(MovingCircle m, ExactBudget work, double end) {
+  private double resolveUntil(MovingCircle m, ExactBudget work, double end) {
     long allowance = Math.max(impactsPerCircle, impactsPerCall - spent);
     long before = work.bits();
     int impacts = 0;
@@ -129,7 +129,7 @@ public final class IndependentEngine extends Engine {
         }
         impacts++;
       }
-      surroundings.extend(m, end - m.t);
+      staticScene.extend(m, end - m.t);
       due = m.due();
     } while (due <= end);
     spent += impacts + work.impactsSince(before);
@@ -137,12 +137,12 @@ public final class IndependentEngine extends Engine {
   }
 
   @Override
-  void fly(MovingCircle m) {
+  void beginFlight(MovingCircle m) {
     if (m.id == circles.count) {
       circles.add();
     }
-    surroundings.setRadius(m.id, m.radius);
-    circles.store(m.id, m);
+    staticScene.setRadius(m.id, m.radius);
+    circles.storeAndSetDue(m.id, m);
     if (recorder != null) {
       recorder.add(m);
     }
@@ -160,7 +160,7 @@ public final class IndependentEngine extends Engine {
   }
 
   @Override
-  void keep(int i, MovingCircle m) {
-    circles.store(i, m);
+  void store(int i, MovingCircle m) {
+    circles.storeAndSetDue(i, m);
   }
 }

@@ -109,9 +109,9 @@ public final class NeighborGrid {
   }
 
   /** About as many cells as the extent takes, but no more than sixteen a circle. */
-  private CellGrid cells(BoundingBox extent, double cell) {
-    int nx = powerOfTwo((extent.right() - extent.left()) / cell + 2);
-    int ny = powerOfTwo((extent.top() - extent.bottom()) / cell + 2);
+  private CellGrid cells(BoundingBox extent, double cellWidth) {
+    int nx = powerOfTwo((extent.right() - extent.left()) / cellWidth + 2);
+    int ny = powerOfTwo((extent.top() - extent.bottom()) / cellWidth + 2);
     while ((long) nx * ny > 16L * count + 64) {
       if (nx >= ny) {
         nx /= 2;
@@ -135,13 +135,15 @@ public final class NeighborGrid {
   /** Finds the cells of a level all of whose places are further than that from every wall. */
   private void limit(int level, double distance, double[] w) {
     int k = 4 * level;
-    double cell = size[level];
+    double cellWidth = size[level];
     boolean open = w == null;
-    inside[k] = open ? -NEVER : Math.ceil((w[ObstacleTable.LEFT] + distance - originX) / cell);
-    inside[k + 1] = open ? NEVER : Math.floor((w[ObstacleTable.RIGHT] - distance - originX) / cell);
+    inside[k] = open ? -NEVER : Math.ceil((w[ObstacleTable.LEFT] + distance - originX) / cellWidth);
+    inside[k + 1] =
+        open ? NEVER : Math.floor((w[ObstacleTable.RIGHT] - distance - originX) / cellWidth);
     inside[k + 2] =
-        open ? -NEVER : Math.ceil((w[ObstacleTable.BOTTOM] + distance - originY) / cell);
-    inside[k + 3] = open ? NEVER : Math.floor((w[ObstacleTable.TOP] - distance - originY) / cell);
+        open ? -NEVER : Math.ceil((w[ObstacleTable.BOTTOM] + distance - originY) / cellWidth);
+    inside[k + 3] =
+        open ? NEVER : Math.floor((w[ObstacleTable.TOP] - distance - originY) / cellWidth);
   }
 
   /**
@@ -169,19 +171,19 @@ public final class NeighborGrid {
       cellsOf[k] = column;
       cellsOf[k + 1] = row;
       if (there) {
-        add(i, level, own[level].cells.place(wrapped(column), wrapped(row)));
+        add(i, level, own[level].cells.cell(wrapped(column), wrapped(row)));
       }
     }
   }
 
-  private void add(int i, int level, int place) {
+  private void add(int i, int level, int cell) {
     if (level == levelOf(i)) {
-      codes[CircleTable.collidingCodesAt(i) + CircleTable.CELL] = place;
+      codes[CircleTable.collidingCodesAt(i) + CircleTable.CELL] = cell;
     }
     if (levels == 1) {
-      cells.add(codes, i, place);
+      cells.add(codes, i, cell);
     } else {
-      list(i, level).add(i, place);
+      list(i, level).add(i, cell);
     }
   }
 
@@ -191,12 +193,12 @@ public final class NeighborGrid {
    */
   public void comeBack(double[] s, int i) {
     int a = CircleTable.collidingAt(i);
-    double cell = width(i);
+    double cellWidth = width(i);
     double x = s[a + CircleTable.X] - originX;
     double y = s[a + CircleTable.Y] - originY;
-    double column = x - s[a + CircleTable.COLUMN] * cell;
-    double row = y - s[a + CircleTable.ROW] * cell;
-    if (column < 0 || column > cell || row < 0 || row > cell) {
+    double column = x - s[a + CircleTable.COLUMN] * cellWidth;
+    double row = y - s[a + CircleTable.ROW] * cellWidth;
+    if (column < 0 || column > cellWidth || row < 0 || row > cellWidth) {
       leave(i);
       enter(i, x, y);
     }
@@ -208,18 +210,18 @@ public final class NeighborGrid {
       int k = cellAt(i, level);
       double[] cellsOf = cellsOf(i, level);
       if (isListed(cellsOf[k])) {
-        remove(i, level, place(i, level));
+        remove(i, level, cell(i, level));
       }
       cellsOf[k] = NOWHERE;
       cellsOf[k + 1] = NOWHERE;
     }
   }
 
-  private void remove(int i, int level, int place) {
+  private void remove(int i, int level, int cell) {
     if (levels == 1) {
-      cells.remove(codes, i, place);
+      cells.remove(codes, i, cell);
     } else {
-      list(i, level).remove(i, place);
+      list(i, level).remove(i, cell);
     }
   }
 
@@ -243,13 +245,13 @@ public final class NeighborGrid {
         : 2 * (level * count + i);
   }
 
-  /** The place of a circle's cell on a level. */
-  private int place(int i, int level) {
+  /** The cell of a circle on a level. */
+  private int cell(int i, int level) {
     if (level == levelOf(i)) {
       return codes[CircleTable.collidingCodesAt(i) + CircleTable.CELL];
     }
     int k = cellAt(i, level);
-    return own[level].cells.place(wrapped(coarse[k]), wrapped(coarse[k + 1]));
+    return own[level].cells.cell(wrapped(coarse[k]), wrapped(coarse[k + 1]));
   }
 
   /** The width of a cell of a circle's own level. */
@@ -351,28 +353,28 @@ public final class NeighborGrid {
       return cross(i, way >> DIRECTION_BITS, vertical, sign, found);
     }
     int a = CircleTable.collidingAt(i);
-    int cell = CircleTable.collidingCodesAt(i) + CircleTable.CELL;
-    int place = c[cell];
-    cells.remove(c, i, place);
+    int k = CircleTable.collidingCodesAt(i) + CircleTable.CELL;
+    int cell = c[k];
+    cells.remove(c, i, cell);
     int step = sign * cells.step(vertical);
-    int entered = place + step;
+    int entered = cell + step;
     cells.add(c, i, entered);
-    c[cell] = entered;
+    c[k] = entered;
     s[a + CircleTable.COLUMN] += sign & ~vertical;
     s[a + CircleTable.ROW] += sign & vertical;
     return cells.beside(entered + step, cells.step(~vertical), found, 0);
   }
 
   private int cross(int i, int level, int vertical, int sign, int[] found) {
-    int place = place(i, level);
-    remove(i, level, place);
+    int cell = cell(i, level);
+    remove(i, level, cell);
     int k = cellAt(i, level);
     double[] cellsOf = cellsOf(i, level);
     cellsOf[k] += sign & ~vertical;
     cellsOf[k + 1] += sign & vertical;
     int step = sign * own[level].cells.step(vertical);
-    add(i, level, place + step);
-    int ahead = place + 2 * step;
+    add(i, level, cell + step);
+    int ahead = cell + 2 * step;
     int aside = own[level].cells.step(~vertical);
     int end = own[level].beside(ahead, aside, found, 0);
     return hasSmaller(i, level) ? smaller[level].beside(ahead, aside, found, end) : end;
@@ -404,10 +406,10 @@ public final class NeighborGrid {
       if (!isListed(cellsOf(i, level)[cellAt(i, level)])) {
         return 0;
       }
-      int place = place(i, level);
-      end = own[level].around(place, found, end);
+      int cell = cell(i, level);
+      end = own[level].around(cell, found, end);
       if (hasSmaller(i, level)) {
-        end = smaller[level].around(place, found, end);
+        end = smaller[level].around(cell, found, end);
       }
     }
     return end;

@@ -55,19 +55,19 @@ public final class SensorPairs {
   }
 
   /** Takes down, as number k, what circle i sensed; a partner that is gone, as who is before it. */
-  public void save(int i, CircleRegistry roster, int k, SavedFlights states) {
+  public void save(int i, CircleRegistry registry, int k, SavedFlights states) {
     if (heads != null && i < heads.length) {
-      states.putSensed(k, heads[i], tails[i], roster.lastId(partners[i]));
+      states.putSensed(k, heads[i], tails[i], registry.lastId(partners[i]));
     } else {
       states.putSensed(k, -1, 0, 0);
     }
   }
 
   /** Takes over what circle i, number i of those that are there, sensed. */
-  public void restore(int i, CircleRegistry roster, SavedFlights states) {
+  public void restore(int i, CircleRegistry registry, SavedFlights states) {
     double head = states.sensedHead(i);
     if (head >= 0) {
-      report(i, head, states.sensedTail(i), roster.slot(states.sensedPartner(i)));
+      report(i, head, states.sensedTail(i), registry.slot(states.sensedPartner(i)));
     }
   }
 }

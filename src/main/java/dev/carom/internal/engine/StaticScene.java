@@ -35,9 +35,9 @@ public final class StaticScene {
   /** The circles that there is room for. */
   private int room;
 
-  public StaticScene(SceneData scene, EngineOptions machinery) {
+  public StaticScene(SceneData scene, EngineOptions options) {
     obstacles = ObstacleTable.of(scene);
-    grids = new Grids(scene, obstacles, machinery);
+    grids = new Grids(scene, obstacles, options);
     search = new BroadPhase(obstacles, grids.loose());
     assign(IntStream.range(0, scene.circleCount()).toArray(), scene::radius);
   }
@@ -111,9 +111,9 @@ public final class StaticScene {
   }
 
   /** Makes grids anew where edits made them poor. */
-  public void prepare(CircleTable circles, CircleRegistry roster) {
+  public void prepare(CircleTable circles, CircleRegistry registry) {
     if (grids.areStale()) {
-      int[] slots = roster.slots();
+      int[] slots = registry.slots();
       grids.remake(circles, slots);
       assign(slots, circles::radius);
     }
@@ -140,7 +140,7 @@ public final class StaticScene {
       states.put(k, m, 0, 0);
       return;
     }
-    m.reach = MovingCircle.EDITED_REACH;
+    m.lookahead = MovingCircle.EDITED_LOOKAHEAD;
     while (m.next == MovingCircle.NOTHING && m.due() <= now) {
       extend(m, now - m.t);
     }

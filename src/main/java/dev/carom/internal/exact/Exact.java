@@ -22,7 +22,7 @@ public final class Exact {
     return vector(ax, ay, bx, by).square().minus(sum(r, s).square());
   }
 
-  public static Dyadic reach(
+  public static Dyadic discriminant(
       double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy,
       double r, double s) {
     Vector p = vector(ax, ay, bx, by);
@@ -74,13 +74,13 @@ public final class Exact {
 
     /** t = (d.d - r^2) / (-u.d + sqrt((u.u) r^2 - cross(u, d)^2)): all terms positive. */
     public Dyadic time(int bits) {
-      Dyadic below = dot(u, d).negate().plus(reach().sqrt(bits));
+      Dyadic below = dot(u, d).negate().plus(discriminant().sqrt(bits));
       return gap().over(below, bits);
     }
 
     /** t = (-u.d - sqrt((u.u) r^2 - cross(u, d)^2)) / u.u, of disks that are apart. */
     public ExactTime exactTime() {
-      return new ExactTime(drift().negate(), reach(), u.square());
+      return new ExactTime(drift().negate(), discriminant(), u.square());
     }
 
     /** u.d */
@@ -94,7 +94,7 @@ public final class Exact {
     }
 
     /** (u.u) r^2 - |cross(u, d)|^2 = (u.d)^2 - (u.u) (d.d - r^2), which holds in space, too. */
-    public Dyadic reach() {
+    public Dyadic discriminant() {
       return drift().square().minus(u.square().times(gap()));
     }
 
@@ -128,7 +128,7 @@ public final class Exact {
   }
 
   /** A moving disk against the side of a line: c = cross(w, d), cv = cross(w, v). */
-  public record Side(Dyadic c, Dyadic cv, Dyadic reach) {
+  public record Side(Dyadic c, Dyadic cv, Dyadic scaledSquare) {
 
     public static Side of(
         double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
@@ -141,18 +141,18 @@ public final class Exact {
 
     /** The sign of t - m for the time of impact t, where c - cv t = r |w|. */
     public int compareTime(Dyadic m) {
-      return c.minus(cv.times(m)).signedSquare().minus(reach).sign();
+      return c.minus(cv.times(m)).signedSquare().minus(scaledSquare).sign();
     }
 
     /** t = (c - r |w|) / cv. */
     public ExactTime exactTime() {
-      return new ExactTime(c, reach, cv);
+      return new ExactTime(c, scaledSquare, cv);
     }
 
     /** t = (c^2 - r^2 w.w) / ((c + r |w|) cv): all terms positive. */
     public double time() {
-      Dyadic below = c.plus(reach.sqrt(BITS)).times(cv);
-      Dyadic t = c.square().minus(reach).over(below, BITS);
+      Dyadic below = c.plus(scaledSquare.sqrt(BITS)).times(cv);
+      Dyadic t = c.square().minus(scaledSquare).over(below, BITS);
       double low = t.floor();
       return nearer(low, compareTime(middle(low)));
     }

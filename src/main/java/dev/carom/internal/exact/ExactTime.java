@@ -11,7 +11,7 @@ package dev.carom.internal.exact;
 public record ExactTime(Dyadic p, Dyadic q, Dyadic d) {
 
   /** 0: the circle touches or overlaps at the start. */
-  public static final ExactTime NOW = of(0);
+  public static final ExactTime ZERO = of(0);
 
   /** The value of a finite double. */
   public static ExactTime of(double t) {

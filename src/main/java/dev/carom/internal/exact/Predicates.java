@@ -108,7 +108,7 @@ public final class Predicates {
    * The sign of |p|^2 (r + s)^2 - cross(p, q)^2 for p = a - b, q = c - d: positive if the line
    * through q along p passes the origin within r + s.
    */
-  public static int reach(
+  public static int discriminant(
       double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy,
       double r, double s) {
     double px = ax - bx;
@@ -140,7 +140,9 @@ public final class Predicates {
             value + (differenceTail(f, g, value) + (fl - gl)),
             f + terms * terms,
             Math.max(Math.max(a0, zz), terms));
-    return sign != UNDECIDED ? sign : Exact.reach(ax, ay, bx, by, cx, cy, dx, dy, r, s).sign();
+    return sign != UNDECIDED
+        ? sign
+        : Exact.discriminant(ax, ay, bx, by, cx, cy, dx, dy, r, s).sign();
   }
 
   /**

@@ -71,7 +71,7 @@ public final class SpherePredicates {
   }
 
   /** The sign of |u|^2 (r1 + r2)^2 - |cross(u, d)|^2: whether the path passes within r1 + r2. */
-  public static int reach(
+  public static int discriminant(
       double x1, double y1, double z1, double r1, double vx1, double vy1, double vz1, double x2,
       double y2, double z2, double r2, double vx2, double vy2, double vz2) {
     double dx = x1 - x2;
@@ -120,7 +120,7 @@ public final class SpherePredicates {
     return sign != Predicates.UNDECIDED
         ? sign
         : Exact.Disks.of(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2)
-            .reach()
+            .discriminant()
             .sign();
   }
 

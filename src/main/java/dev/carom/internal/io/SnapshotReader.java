@@ -177,9 +177,9 @@ public final class SnapshotReader {
             numbers.toArray(),
             codes.build().toArray(),
             jams.stream().anyMatch(Objects::nonNull) ? jams.toArray(IgnoreList[]::new) : null);
-    CircleRegistry roster =
+    CircleRegistry registry =
         new CircleRegistry(masses.toArray(), traits.toByteArray(), present, idLimit);
-    return new WorldState(now, collide, obstacles, roster, limits, flights);
+    return new WorldState(now, collide, obstacles, registry, limits, flights);
   }
 
   private double tailOfEdit(double now) throws IOException {

@@ -80,12 +80,12 @@ public final class SnapshotWriter {
   }
 
   private void circles(WorldState s) throws IOException {
-    out.writeInt(s.roster().idLimit());
-    out.writeInt(s.roster().count());
-    for (int i = 0; i < s.roster().count(); i++) { // a snapshot's roster is dense
-      out.writeInt(s.roster().id(i));
-      out.writeByte(s.roster().traits(i));
-      out.writeDouble(s.roster().mass(i));
+    out.writeInt(s.registry().idLimit());
+    out.writeInt(s.registry().count());
+    for (int i = 0; i < s.registry().count(); i++) { // a snapshot's roster is dense
+      out.writeInt(s.registry().id(i));
+      out.writeByte(s.registry().traits(i));
+      out.writeDouble(s.registry().mass(i));
       flight(s.flights(), i);
     }
   }

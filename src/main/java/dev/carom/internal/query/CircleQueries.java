@@ -15,11 +15,11 @@ import java.util.stream.IntStream;
 public final class CircleQueries {
 
   private final CircleTable circles;
-  private final CircleRegistry roster;
+  private final CircleRegistry registry;
 
-  public CircleQueries(CircleTable circles, CircleRegistry roster) {
+  public CircleQueries(CircleTable circles, CircleRegistry registry) {
     this.circles = circles;
-    this.roster = roster;
+    this.registry = registry;
   }
 
   /**
@@ -33,10 +33,10 @@ public final class CircleQueries {
    */
   public Candidate first(MovingCircle m, Candidate before, double maxTime, double now) {
     Candidate first = before;
-    LiveCodes present = roster.present();
+    LiveCodes present = registry.present();
     for (int i = 0; i < present.size(); i++) {
       int slot = present.get(i);
-      if (isThere(slot, now) && !roster.isSensor(slot)) {
+      if (isThere(slot, now) && !registry.isSensor(slot)) {
         Candidate other = candidate(m, slot, first == null ? maxTime : first.time(), now);
         if (other != null && (first == null || other.isBefore(first))) {
           first = other;
@@ -103,12 +103,12 @@ public final class CircleQueries {
   }
 
   private IntStream slots(double now) {
-    return roster.present().stream(slot -> !isThere(slot, now));
+    return registry.present().stream(slot -> !isThere(slot, now));
   }
 
   /** Whether a circle is there, and not beyond the range of doubles. */
   private boolean isThere(int slot, double now) {
-    return roster.contains(slot)
+    return registry.contains(slot)
         && Math.abs(circles.x(slot, now)) <= Double.MAX_VALUE
         && Math.abs(circles.y(slot, now)) <= Double.MAX_VALUE;
   }

@@ -14,7 +14,7 @@ import java.util.function.IntConsumer;
 final class CircleTree {
 
   /** Circles that have no boxes between them: at most as many. */
-  private static final int FEW = 8;
+  private static final int LEAF_SIZE = 8;
 
   /** In units of the terms of a cross product: far more than its rounding. */
   private static final double ROUNDING = 0x1p-45;
@@ -43,7 +43,7 @@ final class CircleTree {
     this.circles = circles;
     order = inStrips(circles, from, to);
     int nodes = 1;
-    for (int runs = (order.length + FEW - 1) / FEW; runs > 1; runs = (runs + 1) / 2) {
+    for (int runs = (order.length + LEAF_SIZE - 1) / LEAF_SIZE; runs > 1; runs = (runs + 1) / 2) {
       nodes = 2 * nodes + 1;
     }
     boxes = new double[(nodes + 1) * BOX];
@@ -57,7 +57,7 @@ final class CircleTree {
     Arrays.setAll(byX, k -> from + k);
     Arrays.sort(
         byX, Comparator.comparingDouble(i -> circles[i * SceneData.CIRCLE_ROW + SceneData.X]));
-    int strip = FEW * (int) Math.ceil(Math.sqrt(byX.length / (double) FEW));
+    int strip = LEAF_SIZE * (int) Math.ceil(Math.sqrt(byX.length / (double) LEAF_SIZE));
     for (int k = 0; k < byX.length; k += strip) {
       int end = Math.min(byX.length, k + strip);
       Arrays.sort(
@@ -72,7 +72,7 @@ final class CircleTree {
   /** Finds the boxes of a run of circles, and of its halves. */
   private void build(int node, int from, int to) {
     int k = node * BOX;
-    if (to - from <= FEW) {
+    if (to - from <= LEAF_SIZE) {
       boxOf(order[from], k);
       for (int i = from + 1; i < to; i++) {
         boxOf(order[i], boxes.length - BOX);
@@ -136,7 +136,7 @@ final class CircleTree {
     if (isApart(node * BOX)) {
       return;
     }
-    if (to - from > FEW) {
+    if (to - from > LEAF_SIZE) {
       int middle = (from + to) >>> 1;
       find(2 * node + 1, from, middle, found);
       find(2 * node + 2, middle, to, found);
@@ -168,10 +168,10 @@ final class CircleTree {
     double hy = y1 / 2 - y0 / 2;
     double ofX = Math.abs(wx);
     double ofY = Math.abs(wy);
-    double reach = ofX * hy + ofY * hx;
+    double halfWidth = ofX * hy + ofY * hx;
     double terms =
         ofX * (Math.abs(cy) + Math.abs(ay) + hy) + ofY * (Math.abs(cx) + Math.abs(ax) + hx);
     double cross = Math.abs(wx * (cy - ay) - wy * (cx - ax));
-    return cross > reach + (ROUNDING * terms + Double.MIN_NORMAL);
+    return cross > halfWidth + (ROUNDING * terms + Double.MIN_NORMAL);
   }
 }

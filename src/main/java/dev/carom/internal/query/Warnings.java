@@ -18,7 +18,7 @@ import java.util.stream.LongStream;
 public final class Warnings {
 
   /** So many are listed. */
-  static final int MOST = 10_000;
+  static final int MOST_WARNINGS = 10_000;
 
   private static final int FIRST_BLOCK = 64;
 
@@ -42,7 +42,7 @@ public final class Warnings {
     Warnings warnings = new Warnings(scene);
     int count = scene.circleCount();
     int to = 0;
-    for (int from = 0; from < count && warnings.texts.size() < MOST; from = to) {
+    for (int from = 0; from < count && warnings.texts.size() < MOST_WARNINGS; from = to) {
       to = Math.min(count, from + Math.max(FIRST_BLOCK, from));
       warnings.look(from, to);
     }
@@ -65,7 +65,7 @@ public final class Warnings {
       lookAtCircle(j, tree);
     }
     long[] sorted = found.build().sorted().toArray();
-    for (int k = 0; k < sorted.length && texts.size() < MOST; k++) {
+    for (int k = 0; k < sorted.length && texts.size() < MOST_WARNINGS; k++) {
       texts.add(text(scene, (int) (sorted[k] >>> Integer.SIZE), (int) sorted[k]));
     }
   }

@@ -50,7 +50,7 @@ final class BucketRing {
   }
 
   void add(int bucket, int i) {
-    int at = place(bucket);
+    int at = slot(bucket);
     int next = heads[at];
     after[i] = next;
     before[next + 1] = i; // of NONE too, which nobody asks
@@ -60,7 +60,7 @@ final class BucketRing {
 
   /** Takes a circle out of the bucket in which it is. */
   void remove(int bucket, int i) {
-    int at = place(bucket);
+    int at = slot(bucket);
     int next = after[i];
     if (heads[at] == i) {
       heads[at] = next;
@@ -73,7 +73,7 @@ final class BucketRing {
 
   /** The first circle of a bucket, or NONE. */
   int first(int bucket) {
-    return heads[place(bucket)];
+    return heads[slot(bucket)];
   }
 
   /** The circle after another one in its list, or NONE; or what it was marked with. */
@@ -87,8 +87,8 @@ final class BucketRing {
   }
 
   /** Empties a bucket; returns its first circle, or NONE. */
-  int take(int bucket) {
-    int at = place(bucket);
+  int drain(int bucket) {
+    int at = slot(bucket);
     int i = heads[at];
     heads[at] = NONE;
     filled[word(bucket >> WORD)] &= ~(1L << bucket);
@@ -111,7 +111,7 @@ final class BucketRing {
 
   // By the length, so that compilers know that both are in range.
 
-  private int place(int bucket) {
+  private int slot(int bucket) {
     return bucket & (heads.length - 1);
   }
 

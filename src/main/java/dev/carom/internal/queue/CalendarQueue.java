@@ -23,7 +23,7 @@ import java.util.Arrays;
 public final class CalendarQueue {
 
   /** Is told which events come next, some time before they come. */
-  public interface Outlook {
+  public interface Prefetcher {
 
     /** Takes notice of the circles whose events are next in a queue, in any order. */
     void next(CalendarQueue queue, int[] circles, int size);
@@ -37,18 +37,18 @@ public final class CalendarQueue {
    * Events that an outlook is told of at a time, and at most where many are due at nearly one time:
    * a core waits for some dozens of reads at once.
    */
-  private static final int OUTLOOK = 32;
+  private static final int PREFETCHED = 32;
 
-  public static final int MOST_OUTLOOK = 2 * OUTLOOK;
+  public static final int MOST_PREFETCHED = 2 * PREFETCHED;
 
   /** Buckets of which an outlook is told at once. */
-  private static final int OUTLOOK_STEP = 8;
+  private static final int PREFETCH_STEP = 8;
 
   /** Buckets for each event in the mean time that events wait: what is next is told by a bit. */
   private static final int PER_EVENT = 4;
 
   /** A round, in mean times that events wait: what begins anew each time is shared by many. */
-  private static final int ROUND = 16;
+  private static final int ROUND_LENGTH = 16;
 
   /** Spans of a round, as many as there are if not those of the next bounds are too long. */
   private static final int SPANS = 8;
@@ -63,27 +63,27 @@ public final class CalendarQueue {
   // comes.
   private static final int LEAST_IN_SPAN = 32;
   private static final int MANY_IN_SPAN = 1 << 13;
-  private static final int MANY_WITH_OUTLOOK = 1 << 11;
+  private static final int MANY_WITH_PREFETCH = 1 << 11;
 
   /** More events than that in the heap are too many, unless they are at one time. */
-  private static final int CROWD = 32;
+  private static final int HEAP_CROWDED = 32;
 
   /** A sum of so small parts of times does not overflow. */
-  private static final double PART = 0x1p-32;
+  private static final double WAIT_SCALE = 0x1p-32;
 
   /** More than this many times longer than the next shorter one is a length of time too long. */
-  private static final double SKEW = 8;
+  private static final double SKEW_LIMIT = 8;
 
   /** What an event is marked with that waits in a list. */
-  private static final int LISTED = NONE - 1;
+  private static final int IN_OVERFLOW = NONE - 1;
 
   /** Or null. */
-  private final Outlook outlook;
+  private final Prefetcher prefetcher;
 
-  private final int[] told = new int[MOST_OUTLOOK + OUTLOOK_STEP + 1];
+  private final int[] upcoming = new int[MOST_PREFETCHED + PREFETCH_STEP + 1];
 
   /** Buckets before this one were told of, or need not be. */
-  private int lookedAt;
+  private int prefetchedTo;
 
   /** When the event of each circle is due. */
   private final double[] times;
@@ -114,11 +114,11 @@ public final class CalendarQueue {
   private final EventHeap heap;
 
   /** Events taken since the calendar began, and how many there were then. */
-  private long taken;
+  private long polled;
 
   private int atFirst;
 
-  private double takenAt;
+  private double polledTime;
 
   /** What was read comes together here, for else it need not be read. */
   @SuppressWarnings("UnusedVariable")
@@ -131,13 +131,13 @@ public final class CalendarQueue {
   /**
    * One that tells an outlook which events come next.
    *
-   * @param outlook or null for none
+   * @param prefetcher or null for none
    * @param codes the ints of so many circles: it keeps their {@link CircleTable#PLACE}
    */
-  public CalendarQueue(int count, EventOrder order, Outlook outlook, int[] codes) {
-    this.outlook = outlook;
-    long round = Math.min((long) ROUND * PER_EVENT * count, MOST_BUCKETS);
-    int many = outlook == null ? MANY_IN_SPAN : MANY_WITH_OUTLOOK;
+  public CalendarQueue(int count, EventOrder order, Prefetcher prefetcher, int[] codes) {
+    this.prefetcher = prefetcher;
+    long round = Math.min((long) ROUND_LENGTH * PER_EVENT * count, MOST_BUCKETS);
+    int many = prefetcher == null ? MANY_IN_SPAN : MANY_WITH_PREFETCH;
     long fair = Math.max(Math.min(round / SPANS, many), round / MOST_SPANS);
     inSpan = logarithm(Math.max(LEAST_IN_SPAN, fair));
     span = 1 << inSpan;
@@ -176,7 +176,7 @@ public final class CalendarQueue {
     if (time == NEVER) {
       return;
     }
-    if (ring.next(i) == LISTED) {
+    if (ring.next(i) == IN_OVERFLOW) {
       ring.mark(i, NONE);
     } else if (heap.contains(i)) {
       heap.remove(i);
@@ -191,7 +191,7 @@ public final class CalendarQueue {
    *
    * @return its circle, or NONE
    */
-  public int take(double last) {
+  public int poll(double last) {
     spread();
     while (heap.isEmpty()) {
       int bucket = nextBucket();
@@ -202,7 +202,7 @@ public final class CalendarQueue {
       if (i == NONE || ring.next(i) != NONE) {
         turnTo(bucket);
       } else { // as a rule it is alone
-        return times[i] <= last ? takeAlone(bucket, i) : NONE;
+        return times[i] <= last ? pollAlone(bucket, i) : NONE;
       }
     }
     int i = heap.first();
@@ -210,7 +210,7 @@ public final class CalendarQueue {
       return NONE;
     }
     heap.removeFirst();
-    return take(i);
+    return poll(i);
   }
 
   /** The circle whose event is first, or NONE. */
@@ -226,22 +226,22 @@ public final class CalendarQueue {
     return heap.first();
   }
 
-  private int takeAlone(int bucket, int i) {
+  private int pollAlone(int bucket, int i) {
     current = bucket;
-    ring.take(bucket);
-    return take(i);
+    ring.drain(bucket);
+    return poll(i);
   }
 
-  private int take(int i) {
-    takenAt = times[i];
+  private int poll(int i) {
+    polledTime = times[i];
     times[i] = NEVER;
-    taken++;
+    polled++;
     return i;
   }
 
   /** When the event was due that was taken last. */
-  public double takenAt() {
-    return takenAt;
+  public double polledTime() {
+    return polledTime;
   }
 
   /**
@@ -269,12 +269,12 @@ public final class CalendarQueue {
 
   private void list(int list, int i, double time) {
     lists.add(list, i, time);
-    ring.mark(i, LISTED);
+    ring.mark(i, IN_OVERFLOW);
   }
 
   /** Whether an entry of a list is still that of its circle. */
-  private boolean isMeant(int i, double time) {
-    return times[i] == time && ring.next(i) == LISTED;
+  private boolean isCurrent(int i, double time) {
+    return times[i] == time && ring.next(i) == IN_OVERFLOW;
   }
 
   /** The next bucket that may hold something, or NOWHERE if no event is left. */
@@ -293,18 +293,18 @@ public final class CalendarQueue {
       bucket = ring.filledFrom(current + 1);
     }
     if (bucket >= end - span) {
-      deal();
+      distributeOverflow();
     }
-    if (bucket >= lookedAt) {
-      lookAhead(bucket);
+    if (bucket >= prefetchedTo) {
+      prefetch(bucket);
     }
-    limit = Math.min(end - span, lookedAt);
+    limit = Math.min(end - span, prefetchedTo);
     return bucket;
   }
 
   private void turnTo(int bucket) {
     current = bucket;
-    int i = ring.take(bucket);
+    int i = ring.drain(bucket);
     while (i != NONE) {
       heap.add(i);
       i = ring.next(i);
@@ -312,27 +312,27 @@ public final class CalendarQueue {
   }
 
   /** Tells which events come next, from a bucket on. */
-  private void lookAhead(int from) {
+  private void prefetch(int from) {
     int size = 0;
     int bucket = from;
-    while (bucket < end && size < OUTLOOK) {
+    while (bucket < end && size < PREFETCHED) {
       int heads = size;
       // What is read of one circle does not depend on another one, as far as that can be.
-      for (int k = 0; k < OUTLOOK_STEP && bucket < end; k++) {
-        size = tell(ring.first(bucket), size);
+      for (int k = 0; k < PREFETCH_STEP && bucket < end; k++) {
+        size = addUpcoming(ring.first(bucket), size);
         bucket = ring.filledFrom(bucket + 1);
       }
-      for (int k = heads; k < size && size < MOST_OUTLOOK; k++) {
-        size = tell(ring.next(told[k]), size);
+      for (int k = heads; k < size && size < MOST_PREFETCHED; k++) {
+        size = addUpcoming(ring.next(upcoming[k]), size);
       }
     }
-    lookedAt = Math.min(bucket, end);
-    outlook.next(this, told, size);
+    prefetchedTo = Math.min(bucket, end);
+    prefetcher.next(this, upcoming, size);
   }
 
   /** Adds a circle to those that are told of, if it is one; returns how many they are then. */
-  private int tell(int i, int size) {
-    told[size] = i;
+  private int addUpcoming(int i, int size) {
+    upcoming[size] = i;
     return size + 1 + (i >> 31);
   }
 
@@ -346,25 +346,25 @@ public final class CalendarQueue {
       return begin();
     }
     end = following << inSpan;
-    deal();
+    distributeOverflow();
     return true;
   }
 
   /** Deals out the list of the span that follows, to the half of the ring that is through. */
-  private void deal() {
+  private void distributeOverflow() {
     int following = end >> inSpan;
     if (following == spans) {
       return;
     }
     current = Math.max(current, end - span - 1);
     end += span;
-    int chunk = lists.take(following);
+    int chunk = lists.drain(following);
     while (chunk != OverflowLists.NONE) {
-      if (outlook != null) {
+      if (prefetcher != null) {
         read(chunk);
       }
       for (int k = lists.start(chunk); k < chunk; k++) {
-        enter(lists.id(k), lists.time(k));
+        insertIfCurrent(lists.id(k), lists.time(k));
       }
       chunk = lists.release(chunk);
     }
@@ -381,8 +381,8 @@ public final class CalendarQueue {
   }
 
   /** Puts the event of an entry, if it is still meant, where it belongs by now. */
-  private void enter(int i, double time) {
-    if (isMeant(i, time)) {
+  private void insertIfCurrent(int i, double time) {
+    if (isCurrent(i, time)) {
       ring.mark(i, NONE);
       insert(i, time);
     }
@@ -390,7 +390,7 @@ public final class CalendarQueue {
 
   /** Begins a new round if too many events are in the heap, and that was not tried just now. */
   private void spread() {
-    if (heap.size() > CROWD && taken > atFirst) {
+    if (heap.size() > HEAP_CROWDED && polled > atFirst) {
       gather();
       begin();
     }
@@ -405,7 +405,7 @@ public final class CalendarQueue {
     }
     int bucket = ring.filledFrom(current + 1);
     while (bucket != BucketRing.NOWHERE) {
-      int i = ring.take(bucket);
+      int i = ring.drain(bucket);
       while (i != NONE) {
         int next = ring.next(i);
         list(spans, i, times[i]);
@@ -414,7 +414,7 @@ public final class CalendarQueue {
       bucket = ring.filledFrom(bucket + 1);
     }
     for (int following = end >> inSpan; following < spans; following++) {
-      int chunk = lists.take(following);
+      int chunk = lists.drain(following);
       while (chunk != OverflowLists.NONE) {
         for (int k = lists.start(chunk); k < chunk; k++) {
           lists.add(spans, lists.id(k), lists.time(k));
@@ -426,7 +426,7 @@ public final class CalendarQueue {
 
   /** Begins a new round with what waits beyond the last span; false if that is nothing. */
   private boolean begin() {
-    int waiting = lists.take(spans);
+    int waiting = lists.drain(spans);
     if (waiting == OverflowLists.NONE) {
       return false;
     }
@@ -434,15 +434,15 @@ public final class CalendarQueue {
     atFirst = 0;
     for (int chunk = waiting; chunk != OverflowLists.NONE; chunk = lists.next(chunk)) {
       for (int k = lists.start(chunk); k < chunk; k++) {
-        if (isMeant(lists.id(k), lists.time(k))) {
+        if (isCurrent(lists.id(k), lists.time(k))) {
           earliest = Math.min(earliest, lists.time(k));
           atFirst++;
         }
       }
     }
-    taken = 0;
+    polled = 0;
     limit = 0;
-    lookedAt = outlook == null ? BucketRing.NOWHERE : 0;
+    prefetchedTo = prefetcher == null ? BucketRing.NOWHERE : 0;
     if (earliest < NEVER) {
       base = earliest;
       perUnit = Math.min(0x1p1000, PER_EVENT * density(waiting, earliest));
@@ -451,7 +451,7 @@ public final class CalendarQueue {
     }
     while (waiting != OverflowLists.NONE) {
       for (int k = lists.start(waiting); k < waiting; k++) {
-        enter(lists.id(k), lists.time(k));
+        insertIfCurrent(lists.id(k), lists.time(k));
       }
       waiting = lists.release(waiting);
     }
@@ -468,17 +468,17 @@ public final class CalendarQueue {
       for (int chunk = waiting; chunk != OverflowLists.NONE; chunk = lists.next(chunk)) {
         for (int k = lists.start(chunk); k < chunk; k++) {
           double wait = lists.time(k) - earliest;
-          if (wait >= 0 && wait <= limit && isMeant(lists.id(k), lists.time(k))) {
-            sum += wait * PART;
+          if (wait >= 0 && wait <= limit && isCurrent(lists.id(k), lists.time(k))) {
+            sum += wait * WAIT_SCALE;
             count++;
           }
         }
       }
-      double mean = sum / count / PART;
-      if (limit == NEVER || (mean > 0 && mean * SKEW < limit)) {
+      double mean = sum / count / WAIT_SCALE;
+      if (limit == NEVER || (mean > 0 && mean * SKEW_LIMIT < limit)) {
         density = count / mean;
       }
-      if (!(mean > 0) || mean * SKEW >= limit) {
+      if (!(mean > 0) || mean * SKEW_LIMIT >= limit) {
         return density;
       }
       limit = mean;

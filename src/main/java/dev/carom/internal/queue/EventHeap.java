@@ -29,16 +29,16 @@ final class EventHeap {
     this.order = order;
     this.codes = codes;
     for (int i = 0; i < times.length; i++) {
-      setPlace(i, NONE);
+      setIndex(i, NONE);
     }
   }
 
-  private int place(int i) {
-    return codes[CircleTable.collidingCodesAt(i) + CircleTable.PLACE];
+  private int indexOf(int i) {
+    return codes[CircleTable.collidingCodesAt(i) + CircleTable.HEAP_INDEX];
   }
 
-  private void setPlace(int i, int place) {
-    codes[CircleTable.collidingCodesAt(i) + CircleTable.PLACE] = place;
+  private void setIndex(int i, int indexOf) {
+    codes[CircleTable.collidingCodesAt(i) + CircleTable.HEAP_INDEX] = indexOf;
   }
 
   boolean isEmpty() {
@@ -50,7 +50,7 @@ final class EventHeap {
   }
 
   boolean contains(int i) {
-    return place(i) != NONE;
+    return indexOf(i) != NONE;
   }
 
   /** The circle whose event is first. */
@@ -68,12 +68,12 @@ final class EventHeap {
 
   /** Takes out the event of circle i, which is here. */
   void remove(int i) {
-    removeAt(place(i));
+    removeAt(indexOf(i));
   }
 
   /** Takes out the first event. */
   void removeFirst() {
-    setPlace(heap[0], NONE);
+    setIndex(heap[0], NONE);
     size--;
     if (size > 0) {
       down(0, heap[size]);
@@ -81,7 +81,7 @@ final class EventHeap {
   }
 
   private void removeAt(int k) {
-    setPlace(heap[k], NONE);
+    setIndex(heap[k], NONE);
     size--;
     if (k < size) {
       int i = heap[size];
@@ -95,7 +95,7 @@ final class EventHeap {
 
   private void put(int k, int i) {
     heap[k] = i;
-    setPlace(i, k);
+    setIndex(i, k);
   }
 
   /** Puts an event at place k of the heap or above. */

@@ -84,7 +84,7 @@ final class OverflowLists {
   }
 
   /** Takes a list's chunks: the end of the first one, or NONE. */
-  int take(int list) {
+  int drain(int list) {
     int end = ends[list];
     ends[list] = NONE;
     return end;

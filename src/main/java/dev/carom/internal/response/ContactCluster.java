@@ -53,7 +53,7 @@ public final class ContactCluster {
   /** A touch of member a, with member b or an obstacle. */
   private record Contact(int a, int b, Touch touch) {}
 
-  private final CircleRegistry roster;
+  private final CircleRegistry registry;
   private final PairResponse pairs;
   private final ObstacleResponse response;
   private final ObstacleTable obstacles;
@@ -65,12 +65,12 @@ public final class ContactCluster {
   private final List<Contact> contacts = new ArrayList<>();
 
   public ContactCluster(
-      CircleRegistry roster,
+      CircleRegistry registry,
       PairResponse pairs,
       ObstacleResponse response,
       ObstacleTable obstacles,
       Vicinity vicinity) {
-    this.roster = roster;
+    this.registry = registry;
     this.pairs = pairs;
     this.response = response;
     this.obstacles = obstacles;
@@ -125,13 +125,13 @@ public final class ContactCluster {
   }
 
   private boolean isInfinite(int id) {
-    return roster.mass(id) == INFINITE;
+    return registry.mass(id) == INFINITE;
   }
 
   /** A circle where it is at the time of another one. */
   private MovingCircle broughtTo(MovingCircle time, MovingCircle m) {
     double dt = (time.t - m.t) + (time.tl - m.tl);
-    m.fly(dt, 0, time.t, time.tl, dt == 0, obstacles.walls);
+    m.advance(dt, 0, time.t, time.tl, dt == 0, obstacles.walls);
     m.newFlight();
     return m;
   }
@@ -257,7 +257,7 @@ public final class ContactCluster {
       }
     }
     for (MovingCircle m : changed) {
-      StuckRule.notePace(m, shock.speed());
+      StuckRule.noteSpeed(m, shock.speed());
       m.jam = IgnoreList.ofCircles(m.jam, ObstacleTable.CIRCLES);
     }
     for (int k = 0; k < contacts.size(); k++) {

@@ -13,9 +13,9 @@ import static dev.carom.internal.exact.DoubleDouble.sumTail;
 public final class Impulse {
 
   /** Sizes of v within which no product leaves the range of doubles, for n of 2^-300 to 2^300. */
-  private static final double LEAST = 0x1p-300;
+  private static final double LEAST_SAFE = 0x1p-300;
 
-  private static final double MOST = 0x1p300;
+  private static final double MOST_SAFE = 0x1p300;
 
   /** The largest f of which that is true. */
   private static final double MOST_F = 0x1p100;
@@ -29,7 +29,7 @@ public final class Impulse {
   /** The impulse that takes away f times the part of v along n, n of 2^-300 to 2^300. */
   public void of(double f, double vx, double vy, double nx, double ny) {
     double size = Math.max(Math.abs(vx), Math.abs(vy));
-    if (size > LEAST && size < MOST && f < MOST_F) {
+    if (size > LEAST_SAFE && size < MOST_SAFE && f < MOST_F) {
       exponent = 0;
       ofOrdinary(f, vx, vy, nx, ny);
     } else {

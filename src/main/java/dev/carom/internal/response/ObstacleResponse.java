@@ -42,9 +42,9 @@ public final class ObstacleResponse {
   public static final int STUCK = 2;
 
   /** Range of a normal's size, and of a speed, within which their products are safe. */
-  private static final double LEAST = 0x1p-300;
+  private static final double LEAST_SAFE = 0x1p-300;
 
-  private static final double MOST = 0x1p300;
+  private static final double MOST_SAFE = 0x1p300;
 
   /**
    * An offset that is smaller than so much of a coordinate, or of one where the flight started, may
@@ -87,7 +87,7 @@ public final class ObstacleResponse {
     }
     startX = m.x;
     startY = m.y;
-    m.fly(m.cleared);
+    m.advance(m.cleared);
     double vn = report(m, code, m.t, log);
     double e = m.restitution * obstacles.restitution(code);
     double speed = Math.abs(m.vx) + Math.abs(m.vy);
@@ -139,7 +139,7 @@ public final class ObstacleResponse {
       return false;
     }
     int turn = m.vx * ny > m.vy * nx ? 1 : -1;
-    boolean back = m.turn == -turn && way <= StuckRule.reach(m);
+    boolean back = m.turn == -turn && way <= StuckRule.widthOfPlace(m);
     m.turn = turn;
     return back;
   }
@@ -285,7 +285,7 @@ public final class ObstacleResponse {
     double wy = by - ay;
     double size = Math.max(Math.abs(wx), Math.abs(wy));
     double s =
-        size > LEAST && size < MOST
+        size > LEAST_SAFE && size < MOST_SAFE
             ? ((m.x - ax) * wx + (m.y - ay) * wy) / (wx * wx + wy * wy)
             : Coordinates.fraction(
                 ax, ay, bx, by, Coordinates.within(m.x), Coordinates.within(m.y));
@@ -310,10 +310,10 @@ public final class ObstacleResponse {
     double share = Coordinates.share(radius, m.radius);
     contactX = Coordinates.between(share, cx, Coordinates.within(m.x));
     contactY = Coordinates.between(share, cy, Coordinates.within(m.y));
-    double reach = radius + m.radius;
-    if (reach == 0) {
+    double radiusSum = radius + m.radius;
+    if (radiusSum == 0) {
       normal(m, 0, 0, m.vx, m.vy);
-    } else if (reach < SMALL * Math.max(size(cx, cy), size(startX, startY))) {
+    } else if (radiusSum < SMALL * Math.max(size(cx, cy), size(startX, startY))) {
       UnitVector n =
           DiskSweep.normal(startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, 0, 0, m.cleared);
       normal(m, n.x(), n.y(), 0, 0);
@@ -356,7 +356,7 @@ public final class ObstacleResponse {
     double x = px - qx;
     double y = py - qy;
     double size = Math.max(Math.abs(x), Math.abs(y));
-    return size > LEAST && size < MOST && speed > LEAST && speed < MOST
+    return size > LEAST_SAFE && size < MOST_SAFE && speed > LEAST_SAFE && speed < MOST_SAFE
         ? 0
         : Math.getExponent(size) + (speed < 1 ? -SLOW : 3); // n below 1/4: |v.n| < 2 |v| / 4
   }

@@ -28,7 +28,7 @@ public final class PairResponse {
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
-  private final CircleRegistry roster;
+  private final CircleRegistry registry;
   private final Impulse impulse = new Impulse();
 
   // The two in hand: 2^fast u, n, and u.n.
@@ -39,8 +39,8 @@ public final class PairResponse {
   private double ny;
   private double un;
 
-  public PairResponse(CircleRegistry roster) {
-    this.roster = roster;
+  public PairResponse(CircleRegistry registry) {
+    this.registry = registry;
   }
 
   /** Whether two circles just hit each other and neither changed since, or are jammed together. */
@@ -97,7 +97,7 @@ public final class PairResponse {
 
   /** Whether there may be circles that only report that they meet. */
   public boolean haveSilent() {
-    return roster.hasTraits() || roster.hasInfinite();
+    return registry.hasTraits() || registry.hasInfinite();
   }
 
   /** Whether the meeting of circles i and j is reported and changes nothing. */
@@ -107,12 +107,12 @@ public final class PairResponse {
 
   /** Whether one of circles i and j is a sensor. */
   public boolean isSensor(int i, int j) {
-    return roster.isSensor(i) || roster.isSensor(j);
+    return registry.isSensor(i) || registry.isSensor(j);
   }
 
   /** Whether circles i and j, of infinite mass, pass through each other. */
   boolean pass(int i, int j) {
-    return roster.mass(i) == INFINITE && roster.mass(j) == INFINITE;
+    return registry.mass(i) == INFINITE && registry.mass(j) == INFINITE;
   }
 
   /**
@@ -134,7 +134,7 @@ public final class PairResponse {
       log.setOutcome(ImpactRows.JAMMED);
       return ObstacleResponse.NEW_FLIGHT;
     }
-    boolean halt = roster.halts(a.id) || roster.halts(b.id);
+    boolean halt = registry.halts(a.id) || registry.halts(b.id);
     double e = halt ? 0 : a.restitution * b.restitution;
     double approach = un / (Math.abs(nx) + Math.abs(ny));
     count(a, b, e, approach);
@@ -168,7 +168,7 @@ public final class PairResponse {
 
   /** The mass with which a circle is hit. */
   double mass(MovingCircle m) {
-    return m.crushed ? INFINITE : roster.mass(m.id);
+    return m.crushed ? INFINITE : registry.mass(m.id);
   }
 
   private static boolean isStuck(MovingCircle m) {

@@ -41,7 +41,7 @@ public final class StuckRule {
   private static final int HALVING = LIMIT / 16;
 
   /** The most that an impact weighs. */
-  private static final int MOST = LIMIT / 4;
+  private static final int HEAVIEST = LIMIT / 4;
 
   /** The weight of an impact that approaches by no more than rounding. */
   private static final int FAINT = LIMIT / 32;
@@ -78,14 +78,14 @@ public final class StuckRule {
       MovingCircle m, double way, double speed, double approach, double e, int elastic) {
     int exponent = exponent(speed);
     if (m.standsStill || way <= place(m, e) || slides(m, approach, exponent)) {
-      m.pace = Math.max(m.pace, exponent);
+      m.speedExponent = Math.max(m.speedExponent, exponent);
       add(m, isFaint(m, approach) ? FAINT : weight(e, elastic));
     } else if (m.driven && way <= DRIVEN_PLACE * m.radius) {
-      m.pace = Math.max(m.pace, exponent);
+      m.speedExponent = Math.max(m.speedExponent, exponent);
       add(m, weight(e, elastic));
     } else {
       m.leavePlace();
-      m.pace = exponent;
+      m.speedExponent = exponent;
     }
   }
 
@@ -102,7 +102,7 @@ public final class StuckRule {
   /** The weight of an impact: if it is not elastic, by what it does to the speed. */
   private static int weight(double e, int elastic) {
     double halvings = e == 1 ? 0 : Math.abs(StrictMath.log(e)) / LN_2;
-    return (int) Math.max(elastic, Math.min(MOST, halvings * HALVING));
+    return (int) Math.max(elastic, Math.min(HEAVIEST, halvings * HALVING));
   }
 
   /** The width of a place. */
@@ -116,7 +116,7 @@ public final class StuckRule {
   }
 
   /** How far a circle moves at most from what it just hit to still be at the same place. */
-  static double reach(MovingCircle m) {
+  static double widthOfPlace(MovingCircle m) {
     return isStuck(m) ? place(m, 0) : ROUNDED * size(m);
   }
 
@@ -126,13 +126,13 @@ public final class StuckRule {
   }
 
   /** Notes that a circle took part in what happened at a speed. */
-  static void notePace(MovingCircle m, double speed) {
-    m.pace = Math.max(m.pace, exponent(speed));
+  static void noteSpeed(MovingCircle m, double speed) {
+    m.speedExponent = Math.max(m.speedExponent, exponent(speed));
   }
 
   /** Whether an approach is no more than rounding of the speeds that a circle met at its place. */
   static boolean isFaint(MovingCircle m, double approach) {
-    return isFaint(approach, m.pace);
+    return isFaint(approach, m.speedExponent);
   }
 
   private static boolean isFaint(double approach, int exponent) {

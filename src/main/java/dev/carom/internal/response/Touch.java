@@ -38,8 +38,8 @@ record Touch(int code, int contact, double nx, double ny) {
     int k = obstacles.offset(code);
     if (code >= ObstacleTable.PEGS) {
       double[] p = obstacles.pegs;
-      double reach = m.radius + p[k + ObstacleTable.RADIUS];
-      return offset(m, code, 0, p[k + ObstacleTable.X], p[k + ObstacleTable.Y], reach, size(m));
+      double radiusSum = m.radius + p[k + ObstacleTable.RADIUS];
+      return offset(m, code, 0, p[k + ObstacleTable.X], p[k + ObstacleTable.Y], radiusSum, size(m));
     }
     double[] l = obstacles.lines;
     double ax = l[k + ObstacleTable.AX];
@@ -82,11 +82,11 @@ record Touch(int code, int contact, double nx, double ny) {
 
   /** The contact with what is round; a circle exactly on its centre cannot come nearer. */
   private static Touch offset(
-      MovingCircle m, int code, int contact, double cx, double cy, double reach, double size) {
+      MovingCircle m, int code, int contact, double cx, double cy, double radiusSum, double size) {
     double x = m.x - cx;
     double y = m.y - cy;
     double distance = StrictMath.hypot(x, y);
-    return distance > 0 && distance - reach <= tolerance(m, size)
+    return distance > 0 && distance - radiusSum <= tolerance(m, size)
         ? new Touch(code, contact, x / distance, y / distance)
         : null;
   }

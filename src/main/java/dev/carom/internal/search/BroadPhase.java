@@ -29,13 +29,13 @@ public final class BroadPhase extends NarrowPhase {
   private static final double DRIFT = 0x1p-30;
 
   /** So much of a cell beyond those visited is covered by the margin of their lists. */
-  private static final double NEAR = 0x1p-10;
+  private static final double NEAR_CELLS = 0x1p-10;
 
   /** Least speed, and least speed times size, for which underflow stays beneath the bounds. */
-  private static final double LEAST = 0x1p-900;
+  private static final double LEAST_SAFE = 0x1p-900;
 
   /** The most for which nothing overflows: no sum of two cross products is above 8 times that. */
-  private static final double MOST = 0x1p1020;
+  private static final double MOST_SAFE = 0x1p1020;
 
   private final CodeSet loose;
 
@@ -50,7 +50,7 @@ public final class BroadPhase extends NarrowPhase {
   private double extent;
 
   /** |vx| + |vy|: known sooner than |v|, and than the larger of the two. */
-  private double pace;
+  private double manhattanSpeed;
 
   /** A little less than 1 / |vx| and 1 / |vy|, see {@link #DRIFT}. */
   private double perVx;
@@ -159,18 +159,18 @@ public final class BroadPhase extends NarrowPhase {
    * were not visited: a slow drift to a wall that is as good as touched takes long.
    */
   private boolean isFar(double ahead, Grid grid) {
-    return (best - ahead) * pace > NEAR * grid.cell;
+    return (best - ahead) * manhattanSpeed > NEAR_CELLS * grid.cell;
   }
 
   /** Looks at lines and pegs, and tells up to where, or up to the wall ahead, the path is known. */
   private double explore(MovingCircle mover, Grid grid, double from, double needed, double ahead) {
-    if (grid != null && grid.resolves(px, py, pace)) {
+    if (grid != null && grid.resolves(px, py, manhattanSpeed)) {
       for (int i = 0; i < loose.size; i++) {
         consider(loose.codes[i]);
       }
-      int reach = mover.reach;
-      mover.reach = Math.min(2 * reach, 1 << 28);
-      return walk(grid, from, needed, ahead, reach);
+      int lookahead = mover.lookahead;
+      mover.lookahead = Math.min(2 * lookahead, 1 << 28);
+      return walk(grid, from, needed, ahead, lookahead);
     }
     if (obstacles.size() == 0) {
       return ahead;
@@ -198,17 +198,17 @@ public final class BroadPhase extends NarrowPhase {
   private void measure() {
     double absVx = Math.abs(vx);
     double absVy = Math.abs(vy);
-    pace = absVx + absVy;
-    perVx = 1 / Math.fma(pace, DRIFT, absVx);
-    perVy = 1 / Math.fma(pace, DRIFT, absVy);
+    manhattanSpeed = absVx + absVy;
+    perVx = 1 / Math.fma(manhattanSpeed, DRIFT, absVx);
+    perVy = 1 / Math.fma(manhattanSpeed, DRIFT, absVy);
     // |v| <= large + (sqrt(2) - 1) small: a chord above a convex curve, at most 9 % too much.
-    double length = 0.5857 * Math.max(absVx, absVy) + 0.4143 * pace;
+    double length = 0.5857 * Math.max(absVx, absVy) + 0.4143 * manhattanSpeed;
     // cross(a - p, v) errs by at most 4 u of the terms of cross(p, v), 2 u of those of cross(a, v),
     // u = 2^-53: by 4 u |v| times the size below. Sum and difference of two, by twice that and
     // their rounding, 11 u; with 2 r |v| and its sum, 14 u more: 36 u in all, 64 are left for them.
     double size = Math.abs(px) + Math.abs(py) + extent + r;
     double scale = length * size;
-    boolean ordinary = pace > LEAST && scale > LEAST && scale < MOST;
+    boolean ordinary = manhattanSpeed > LEAST_SAFE && scale > LEAST_SAFE && scale < MOST_SAFE;
     inset = ordinary ? r + Math.fma(0x1p-48, size, Double.MIN_NORMAL) : NEVER;
     clear = ordinary ? 2 * length * inset : NEVER;
     crossX = ordinary ? vy : 0;
@@ -255,8 +255,8 @@ public final class BroadPhase extends NarrowPhase {
 
   /**
    * Visits the cells along the path, from the time {@code from} on, until the best impact or the
-   * wall ahead lies in what was visited, or what is needed is known and so are {@code reach} halves
-   * of a cell at the pace, or the grid ends.
+   * wall ahead lies in what was visited, or what is needed is known and so are {@code lookahead}
+   * halves of a cell at the pace, or the grid ends.
    *
    * <p>Times are counted in whole ticks, so that whether a column or a row comes next is a mask and
    * not a branch, which could not be foretold. A path of 2^14 cells is cut to ticks as often: by
@@ -264,7 +264,7 @@ public final class BroadPhase extends NarrowPhase {
    *
    * @return up to where the path is known
    */
-  private double walk(Grid grid, double from, double needed, double ahead, int reach) {
+  private double walk(Grid grid, double from, double needed, double ahead, int lookahead) {
     double start = grid.contains(px, py) ? from : grid.entry(px, py, vx, vy, from);
     // A wall that is as good as touched is ahead by 0: what else is touched may come before it.
     if (!(start <= ahead) || start == NEVER) {
@@ -279,7 +279,7 @@ public final class BroadPhase extends NarrowPhase {
     }
     int column = grid.column(x);
     int row = grid.row(y);
-    double ticks = pace * TICKS;
+    double ticks = manhattanSpeed * TICKS;
     double rate = ticks * grid.perCell;
     // When the next column and the next row are entered, and what one more takes.
     double columnTicks = ticks * perVx;
@@ -293,7 +293,7 @@ public final class BroadPhase extends NarrowPhase {
     int cell = grid.number(column, row);
     long[] lists = grid.lists;
     // Two ticks beyond: one may be lost where times are cut to ticks.
-    double enough = Math.max((needed - start) * rate, reach * (TICKS / 2)) + 2;
+    double enough = Math.max((needed - start) * rate, lookahead * (TICKS / 2)) + 2;
     double most = Math.min((ahead - start) * rate, enough);
     long end = (long) Math.min((latest - start) * rate, most);
     // How much later a column comes than a row, and what changes it.

@@ -346,9 +346,9 @@ public final class Grid {
   }
 
   private void visit(
-      int code, double ax, double ay, double bx, double by, double reach, int[] counts,
+      int code, double ax, double ay, double bx, double by, double inflatedRadius, int[] counts,
       int[] listed) {
-    double grown = reach + MARGIN * cell;
+    double grown = inflatedRadius + MARGIN * cell;
     int left = column(columns(Math.min(ax, bx) - grown));
     int right = column(columns(Math.max(ax, bx) + grown));
     int bottom = row(rows(Math.min(ay, by) - grown));

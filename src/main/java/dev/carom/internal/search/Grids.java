@@ -28,7 +28,7 @@ public final class Grids {
   private static final double SMALLEST = 0x1p-400;
 
   private final ObstacleTable obstacles;
-  private final EngineOptions machinery;
+  private final EngineOptions options;
   private final Map<Integer, Grid> byExponent = new TreeMap<>();
   private final CodeSet loose = new CodeSet();
   private boolean isDirty;
@@ -36,9 +36,9 @@ public final class Grids {
   /** Whether something is neither in the grids nor kept among what is loose. */
   private boolean isIncomplete;
 
-  public Grids(SceneData scene, ObstacleTable obstacles, EngineOptions machinery) {
+  public Grids(SceneData scene, ObstacleTable obstacles, EngineOptions options) {
     this.obstacles = obstacles;
-    this.machinery = machinery;
+    this.options = options;
     if (wanted()) {
       largestRadii(scene).forEach(this::make);
     }
@@ -46,8 +46,8 @@ public final class Grids {
 
   private boolean wanted() {
     int size = obstacles.size();
-    boolean chosen = machinery.cell() == 0;
-    return machinery.grid() && size > 0 && isOrdinary() && !(chosen && size <= FEW);
+    boolean chosen = options.cell() == 0;
+    return options.grid() && size > 0 && isOrdinary() && !(chosen && size <= FEW);
   }
 
   private boolean isOrdinary() {
@@ -56,7 +56,7 @@ public final class Grids {
   }
 
   private void make(int exponent, double radius) {
-    byExponent.put(exponent, new Grid(obstacles, radius, machinery.cell()));
+    byExponent.put(exponent, new Grid(obstacles, radius, options.cell()));
   }
 
   private static Map<Integer, Double> largestRadii(SceneData scene) {

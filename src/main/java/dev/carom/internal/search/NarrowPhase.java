@@ -150,7 +150,7 @@ abstract class NarrowPhase {
     }
     int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
     if (contact != Contact.MISS) {
-      keep(SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, NEVER), code, contact);
+      offer(SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, NEVER), code, contact);
     }
   }
 
@@ -164,7 +164,7 @@ abstract class NarrowPhase {
     }
     int contact = DiskSweep.contact(px, py, r, vx, vy, cx, cy, radius, 0, 0);
     if (contact != Contact.MISS) {
-      keep(DiskSweep.time(contact, px, py, r, vx, vy, cx, cy, radius, 0, 0, NEVER), code, contact);
+      offer(DiskSweep.time(contact, px, py, r, vx, vy, cx, cy, radius, 0, 0, NEVER), code, contact);
     }
   }
 
@@ -179,7 +179,7 @@ abstract class NarrowPhase {
     int code = wallCode(lowCode, v);
     double t = WallSweep.time(p, r, v, obstacles.walls[code]);
     if (!skipped(code)) {
-      keep(t, code, 0);
+      offer(t, code, 0);
     }
   }
 
@@ -221,7 +221,7 @@ abstract class NarrowPhase {
       bestCode = code;
       bestContact = contact;
     } else if (t * (1 - SegmentFilter.TIME_ERROR) <= latest) { // latest may be exact
-      keep(timeOf(code, contact, t), code, contact);
+      offer(timeOf(code, contact, t), code, contact);
     }
   }
 
@@ -250,7 +250,7 @@ abstract class NarrowPhase {
     return SideSweep.refined(side, px, py, r, vx, vy, ax, ay, bx, by, rough);
   }
 
-  private void keep(double t, int code, int contact) {
+  private void offer(double t, int code, int contact) {
     if (t <= latest) {
       settle();
     }

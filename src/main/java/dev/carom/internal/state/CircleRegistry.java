@@ -17,7 +17,7 @@ public final class CircleRegistry {
   private static final int NONE = -1;
 
   /** So many more circles are counted where slots of removed ones are: a few are no burden. */
-  private static final int FEW = 1024;
+  private static final int SPARE_SLOTS = 1024;
 
   /** See {@link EngineOptions}. */
   private final double slack;
@@ -70,7 +70,7 @@ public final class CircleRegistry {
     slack = EngineOptions.CHOSEN.slack();
     this.masses = masses;
     this.traits = traits;
-    take(ids, idLimit);
+    assign(ids, idLimit);
   }
 
   public CircleRegistry copy() {
@@ -92,10 +92,10 @@ public final class CircleRegistry {
       }
     }
     shared = false;
-    take(theirIds, other.idLimit);
+    assign(theirIds, other.idLimit);
   }
 
-  private void take(int[] theirIds, int theirEnd) {
+  private void assign(int[] theirIds, int theirEnd) {
     end = theirIds.length;
     idLimit = theirEnd;
     ids = end == idLimit ? null : theirIds; // else they are all there
@@ -119,7 +119,7 @@ public final class CircleRegistry {
 
   /** Whether so many slots are of circles that were removed that arrays are to be made dense. */
   public boolean isSparse() {
-    return end - count() > slack * (count() + FEW);
+    return end - count() > slack * (count() + SPARE_SLOTS);
   }
 
   /** The number of circles. */

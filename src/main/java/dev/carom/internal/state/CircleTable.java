@@ -40,7 +40,7 @@ public final class CircleTable {
   public static final int LAST = 0;
   public static final int NEXT = 1;
   static final int CONTACT = 2;
-  static final int REACH = 3;
+  static final int LOOKAHEAD = 3;
   public static final int STUCK = 4;
   private static final int CODES = 5;
 
@@ -53,7 +53,7 @@ public final class CircleTable {
   public static final int PARTNER_COUNT = 6;
   public static final int COUNT = 7;
   public static final int FOLLOWER = 8;
-  public static final int PLACE = 9;
+  public static final int HEAP_INDEX = 9;
   public static final int KIND = 10;
   public static final int CELL = 11;
 
@@ -220,7 +220,7 @@ public final class CircleTable {
     int c = codesAt(i);
     m.last = codes[c + LAST];
     m.stuck = codes[c + STUCK];
-    m.reach = codes[c + REACH];
+    m.lookahead = codes[c + LOOKAHEAD];
     m.setMarks(codes[c + CONTACT]);
     // Where nothing is ahead, the sensor met last stands in its place.
     int next = codes[c + NEXT];
@@ -250,18 +250,18 @@ public final class CircleTable {
     m.jam = jams == null ? null : jams[i];
   }
 
-  public void store(int i) {
-    store(i, mover);
+  public void storeAndSetDue(int i) {
+    storeAndSetDue(i, mover);
   }
 
   /** Stores a circle that ignores others, and when it needs attention. */
-  public void store(int i, MovingCircle m) {
-    keep(i, m);
+  public void storeAndSetDue(int i, MovingCircle m) {
+    store(i, m);
     due.set(i, m.due());
   }
 
   /** Stores a circle, and leaves its {@link #due} to the caller. */
-  public void keep(int i, MovingCircle m) {
+  public void store(int i, MovingCircle m) {
     int next = m.next;
     int contact = m.contact;
     if (next == MovingCircle.NOTHING) {
@@ -284,12 +284,12 @@ public final class CircleTable {
     codes[c + STUCK] = m.stuck;
     codes[c + NEXT] = next;
     codes[c + CONTACT] = contact | m.marks();
-    codes[c + REACH] = m.reach;
-    keepJam(i, m);
+    codes[c + LOOKAHEAD] = m.lookahead;
+    storeJam(i, m);
   }
 
   /** Stores a circle that collides where a new flight begins, and nothing is known ahead yet. */
-  public void keepNewFlight(double[] s, int[] c, int i, MovingCircle m) {
+  public void storeNewFlight(double[] s, int[] c, int i, MovingCircle m) {
     int k = collidingAt(i);
     s[k + X] = m.x;
     s[k + Y] = m.y;
@@ -303,11 +303,11 @@ public final class CircleTable {
     c[code + STUCK] = m.stuck;
     c[code + NEXT] = MovingCircle.NOTHING;
     c[code + CONTACT] = m.marks();
-    c[code + REACH] = m.reach;
-    keepJam(i, m);
+    c[code + LOOKAHEAD] = m.lookahead;
+    storeJam(i, m);
   }
 
-  private void keepJam(int i, MovingCircle m) {
+  private void storeJam(int i, MovingCircle m) {
     if (m.jam != null && jams == null) {
       jams = new IgnoreList[capacity()];
     }

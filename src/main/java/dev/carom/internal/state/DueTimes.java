@@ -17,9 +17,9 @@ public final class DueTimes {
   private static final int BLOCK = 1 << SHIFT;
 
   /** Up to this many circles each is looked at: measured, blocks gain nothing. */
-  private static final int FEW = 1024;
+  private static final int SCAN_LIMIT = 1024;
 
-  private static final long NEVER = Double.doubleToRawLongBits(Double.POSITIVE_INFINITY);
+  private static final long NEVER_BITS = Double.doubleToRawLongBits(Double.POSITIVE_INFINITY);
 
   private long[] due;
 
@@ -44,8 +44,8 @@ public final class DueTimes {
 
   /** No circle needs attention ever again. */
   void clear() {
-    Arrays.fill(due, NEVER);
-    Arrays.fill(earliest, NEVER);
+    Arrays.fill(due, NEVER_BITS);
+    Arrays.fill(earliest, NEVER_BITS);
   }
 
   /** Makes room for more circles. */
@@ -54,8 +54,8 @@ public final class DueTimes {
     int blocksBefore = earliest.length;
     due = Arrays.copyOf(due, count);
     earliest = Arrays.copyOf(earliest, blocks(count));
-    Arrays.fill(due, before, count, NEVER);
-    Arrays.fill(earliest, blocksBefore, earliest.length, NEVER);
+    Arrays.fill(due, before, count, NEVER_BITS);
+    Arrays.fill(earliest, blocksBefore, earliest.length, NEVER_BITS);
   }
 
   public double get(int i) {
@@ -77,7 +77,7 @@ public final class DueTimes {
    */
   public int next(int i, double end) {
     long last = Double.doubleToRawLongBits(end + 0.0);
-    return due.length <= FEW ? first(i, due.length, last) : firstOfBlocks(i, last);
+    return due.length <= SCAN_LIMIT ? first(i, due.length, last) : firstOfBlocks(i, last);
   }
 
   private int firstOfBlocks(int i, long last) {
@@ -109,7 +109,7 @@ public final class DueTimes {
 
   /** Looks up the earliest time of a block in which nothing happened. */
   private void refresh(int from, int to) {
-    long first = NEVER;
+    long first = NEVER_BITS;
     for (int k = from; k < to; k++) {
       first = Math.min(first, due[k]);
     }

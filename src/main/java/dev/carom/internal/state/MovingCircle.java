@@ -25,15 +25,15 @@ public final class MovingCircle {
    * How far a first search may look ahead, in halves of a cell at the pace, where less is asked
    * for; each further one, twice that.
    */
-  static final int FIRST_REACH = 64;
+  static final int FIRST_LOOKAHEAD = 64;
 
   /** The same for a flight that an edit began: another edit may cut it short. */
-  public static final int EDITED_REACH = 1;
+  public static final int EDITED_LOOKAHEAD = 1;
 
   private static final int TURN_SHIFT = 4;
   private static final int TURN_BITS = 3;
   private static final int DRIVEN = 1 << 6;
-  private static final int PACE_SHIFT = 8;
+  private static final int EXPONENT_SHIFT = 8;
 
   /** The flight: where it started, how it moves, and when it started. */
   public double x;
@@ -73,13 +73,13 @@ public final class MovingCircle {
   public int contact;
 
   /** Cells that the next search may go beyond what is asked for. */
-  public int reach;
+  public int lookahead;
 
   /** The weight of the successive impacts at one place, see {@code StuckRule}. */
   public int stuck;
 
   /** The exponent of the largest speed in these impacts. */
-  public int pace;
+  public int speedExponent;
 
   /** Which way the last of them, of restitution 0, turned the velocity: 1 left, -1 right, or 0. */
   public int turn;
@@ -120,14 +120,14 @@ public final class MovingCircle {
     t = now;
     tl = tail;
     newFlight();
-    reach = EDITED_REACH;
+    lookahead = EDITED_LOOKAHEAD;
   }
 
   /** Forgets what was hit: the next impact may be with anything. */
   public void forget() {
     last = NOTHING;
     leavePlace();
-    pace = Double.MIN_EXPONENT;
+    speedExponent = Double.MIN_EXPONENT;
   }
 
   /** Begins to count impacts anew, at the place where the circle is. */
@@ -145,7 +145,7 @@ public final class MovingCircle {
 
   /** The pace, the turn, and whether the circle is driven, in one int whose last 4 bits are 0. */
   int marks() {
-    return pace << PACE_SHIFT | (driven ? DRIVEN : 0) | (turn + 1) << TURN_SHIFT;
+    return speedExponent << EXPONENT_SHIFT | (driven ? DRIVEN : 0) | (turn + 1) << TURN_SHIFT;
   }
 
   /** Whether that can be what {@link #marks} gives. */
@@ -154,13 +154,13 @@ public final class MovingCircle {
     m.setMarks(marks);
     return m.marks() == marks
         && Math.abs(m.turn) <= 1
-        && m.pace >= Double.MIN_EXPONENT - 1
-        && m.pace <= Double.MAX_EXPONENT + 1;
+        && m.speedExponent >= Double.MIN_EXPONENT - 1
+        && m.speedExponent <= Double.MAX_EXPONENT + 1;
   }
 
   /** Takes over what {@link #marks} gave; the last 4 bits do not count. */
   void setMarks(int marks) {
-    pace = marks >> PACE_SHIFT;
+    speedExponent = marks >> EXPONENT_SHIFT;
     driven = (marks & DRIVEN) != 0;
     turn = (marks >> TURN_SHIFT & TURN_BITS) - 1;
   }
@@ -193,7 +193,7 @@ public final class MovingCircle {
     cleared = 0;
     next = NOTHING;
     contact = 0;
-    reach = FIRST_REACH;
+    lookahead = FIRST_LOOKAHEAD;
   }
 
   /** How far a time is into a flight: one that begins at its head may begin after it. */
@@ -265,7 +265,7 @@ public final class MovingCircle {
    * @param standsStill whether the second is too short for the clock
    * @param walls which it does not leave, as {@link ObstacleTable#walls}
    */
-  public void fly(
+  public void advance(
       double first, double second, double head, double tail, boolean standsStill, double[] walls) {
     x = Confinement.x(walls, x, Math.fma(vx, second, Math.fma(vx, first, x)), radius);
     y = Confinement.y(walls, y, Math.fma(vy, second, Math.fma(vy, first, y)), radius);
@@ -276,7 +276,7 @@ public final class MovingCircle {
   }
 
   /** Flies on for dt, to a new start of a flight. */
-  public void fly(double dt) {
+  public void advance(double dt) {
     x = Math.fma(vx, dt, x);
     y = Math.fma(vy, dt, y);
     double head = after(dt);

@@ -12,7 +12,7 @@ import java.util.Arrays;
 final class TimeOrder {
 
   /** Up to so many rows each is compared with each; merging starts from as many. */
-  private static final int FEW = 16;
+  private static final int INSERTION_SORT_SIZE = 16;
 
   /** Moves a row of an insertion that is given up: what merging takes, for a million rows. */
   private static final int MOVES = 20;
@@ -46,7 +46,7 @@ final class TimeOrder {
 
   /** Sorts the first rows, which stand as they arrived. */
   void sort(int size) {
-    if (size <= FEW) {
+    if (size <= INSERTION_SORT_SIZE) {
       rank(size);
       return;
     }
@@ -124,10 +124,10 @@ final class TimeOrder {
   }
 
   private void merge(int size) {
-    for (int i = 0; i < size; i += FEW) {
-      insert(i, Math.min(i + FEW, size), Long.MAX_VALUE);
+    for (int i = 0; i < size; i += INSERTION_SORT_SIZE) {
+      insert(i, Math.min(i + INSERTION_SORT_SIZE, size), Long.MAX_VALUE);
     }
-    for (int width = FEW; width < size; width *= 2) {
+    for (int width = INSERTION_SORT_SIZE; width < size; width *= 2) {
       for (int i = 0; i < size; i += 2 * width) {
         merge(i, Math.min(i + width, size), Math.min(i + 2 * width, size));
       }

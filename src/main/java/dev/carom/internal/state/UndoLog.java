@@ -51,15 +51,15 @@ public final class UndoLog {
     codes[c + 1] = m.last;
     codes[c + 2] = m.next;
     codes[c + 3] = m.contact;
-    codes[c + 4] = m.reach;
+    codes[c + 4] = m.lookahead;
     codes[c + 5] = m.stuck;
     if (jams != null || m.jam != null) {
-      keepJam(m.jam);
+      storeJam(m.jam);
     }
     size++;
   }
 
-  private void keepJam(IgnoreList jam) {
+  private void storeJam(IgnoreList jam) {
     if (jams == null) {
       jams = new IgnoreList[capacity];
     }
@@ -72,7 +72,7 @@ public final class UndoLog {
     for (int i = 0; i < size; i++) {
       circles.load(codes[i * INTS], m);
       load(i, m);
-      circles.store(m.id, m);
+      circles.storeAndSetDue(m.id, m);
     }
     size = 0;
   }
@@ -90,7 +90,7 @@ public final class UndoLog {
     m.last = codes[c + 1];
     m.next = codes[c + 2];
     m.contact = codes[c + 3];
-    m.reach = codes[c + 4];
+    m.lookahead = codes[c + 4];
     m.stuck = codes[c + 5];
     m.setMarks(codes[c + 6]);
     m.jam = jams == null ? null : jams[i];

@@ -8,7 +8,7 @@ package dev.carom.internal.state;
  * @param now the time of the world
  * @param collide whether circles collide with each other
  * @param obstacles the walls, lines and pegs
- * @param roster the circles
+ * @param registry the circles
  * @param limits the largest coordinate and the least radius that were ever in the world
  * @param flights the flights of the circles
  */
@@ -16,6 +16,6 @@ public record WorldState(
     double now,
     boolean collide,
     ObstacleTable obstacles,
-    CircleRegistry roster,
+    CircleRegistry registry,
     SizeLimits limits,
     SavedFlights flights) {}

@@ -53,14 +53,14 @@ public final class DiskSweep {
     if (g <= 0) {
       return Contact.NOW;
     }
-    // reach = a r^2 - cross(u, d)^2
+    // discriminant = a r^2 - cross(u, d)^2
     double a = ux * ux + uy * uy;
     double k = ux * dy - uy * dx;
-    double reach = a * rr - k * k;
-    if (!(Math.abs(reach) > TimeOfImpact.reachBound(a, w))) {
-      reach = Predicates.reach(vx1, vy1, vx2, vy2, x1, y1, x2, y2, r1, r2);
+    double discriminant = a * rr - k * k;
+    if (!(Math.abs(discriminant) > TimeOfImpact.discriminantBound(a, w))) {
+      discriminant = Predicates.discriminant(vx1, vy1, vx2, vy2, x1, y1, x2, y2, r1, r2);
     }
-    return reach > 0 || (reach == 0 && r == 0) ? Contact.LATER : Contact.MISS;
+    return discriminant > 0 || (discriminant == 0 && r == 0) ? Contact.LATER : Contact.MISS;
   }
 
   /** Whether the distance of the centres is less than r1 + r2. */
@@ -80,9 +80,9 @@ public final class DiskSweep {
    * The correctly rounded time of a contact, {@code +infinity} if it is a MISS or later than the
    * window's end T.
    *
-   * <p>It is the plain root {@code t = g / (-b + sqrt(reach))}, in which nothing cancels but g and,
-   * near a graze, reach, corrected by a step. Where that leaves the rounding open, or the end of
-   * the window is the answer, more steps follow, and exact numbers.
+   * <p>It is the plain root {@code t = g / (-b + sqrt(discriminant))}, in which nothing cancels but
+   * g and, near a graze, discriminant, corrected by a step. Where that leaves the rounding open, or
+   * the end of the window is the answer, more steps follow, and exact numbers.
    */
   public static double time(
       int contact, double x1, double y1, double r1, double vx1, double vy1, double x2, double y2,
@@ -124,7 +124,7 @@ public final class DiskSweep {
       int contact, double x1, double y1, double r1, double vx1, double vy1, double x2, double y2,
       double r2, double vx2, double vy2) {
     return contact == Contact.NOW
-        ? ExactTime.NOW
+        ? ExactTime.ZERO
         : Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).exactTime();
   }
 

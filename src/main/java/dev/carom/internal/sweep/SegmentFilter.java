@@ -18,11 +18,11 @@ public final class SegmentFilter {
   /** Above so much of the sum of its terms a value is not in doubt. */
   private static final double CLEAR = 0x1p-20;
 
-  /** Nor by underflow, of numbers of {@link #LEAST} to {@link #MOST}. */
+  /** Nor by underflow, of numbers of {@link #LEAST_SAFE} to {@link #MOST_SAFE}. */
   private static final double TINY = 0x1p-400;
 
-  private static final double LEAST = 0x1p-150;
-  private static final double MOST = 0x1p150;
+  private static final double LEAST_SAFE = 0x1p-150;
+  private static final double MOST_SAFE = 0x1p150;
 
   private SegmentFilter() {}
 
@@ -36,7 +36,9 @@ public final class SegmentFilter {
     // x |x| w.w - y |y| with x = cross(p - q, v) and y = r v.w errs by less than 45 u of |v|^2 w.w
     // times the square of that sum.
     double scale = speed * size;
-    return speed > LEAST && speed < MOST && size < MOST ? 0x1p-47 * (scale * scale) : Double.NaN;
+    return speed > LEAST_SAFE && speed < MOST_SAFE && size < MOST_SAFE
+        ? 0x1p-47 * (scale * scale)
+        : Double.NaN;
   }
 
   /**
@@ -64,12 +66,12 @@ public final class SegmentFilter {
     double c = c0 - c1;
     double m = Math.abs(c0) + Math.abs(c1);
     double ww = wx * wx + wy * wy;
-    double reach = r * r * ww;
+    double scaledSquare = r * r * ww;
     double s0 = wx * vy;
     double s1 = wy * vx;
     double side = Math.copySign(1, c);
     double drift = side * (s0 - s1);
-    boolean outside = c * c - reach > CLEAR * (m * m + reach) + TINY;
+    boolean outside = c * c - scaledSquare > CLEAR * (m * m + scaledSquare) + TINY;
     boolean inRange = margin >= 0;
     if (!(inRange && outside && Math.abs(drift) > CLEAR * (Math.abs(s0) + Math.abs(s1)) + TINY)) {
       return Contact.DOUBT;
@@ -127,15 +129,15 @@ public final class SegmentFilter {
     double dd = dx * dx + dy * dy;
     double vv = vx * vx + vy * vy;
     double rr = r * r;
-    double reach = vv * rr - k * k;
+    double discriminant = vv * rr - k * k;
     double doubt = CLEAR * vv * (dd + rr) + TINY;
-    if (reach < -doubt) {
+    if (discriminant < -doubt) {
       return Contact.MISS;
     }
-    if (!(reach > doubt)) {
+    if (!(discriminant > doubt)) {
       return Contact.DOUBT;
     }
-    // (v.d)^2 = reach + v.v (d.d - r^2), so its sign is certain.
+    // (v.d)^2 = discriminant + v.v (d.d - r^2), so its sign is certain.
     return vx * dx + vy * dy < 0 ? end : Contact.MISS;
   }
 

@@ -68,13 +68,13 @@ public final class SegmentSweep {
     double m = Math.abs(c0) + Math.abs(c1);
     double ww = wx * wx + wy * wy;
     double rr = r * r;
-    double reach = rr * ww;
-    double strip = c * c - reach;
-    double bound = Math.fma(STRIP_BOUND, m * m + reach, TINY * (m + rr + ww + 1));
+    double scaledSquare = rr * ww;
+    double strip = c * c - scaledSquare;
+    double bound = Math.fma(STRIP_BOUND, m * m + scaledSquare, TINY * (m + rr + ww + 1));
     if (strip > bound) {
       return outside(UnitVectors.sign(c), px, py, r, vx, vy, ax, ay, bx, by);
     }
-    if (!(strip < -bound) && Predicates.reach(bx, by, ax, ay, px, py, ax, ay, r, 0) < 0) {
+    if (!(strip < -bound) && Predicates.discriminant(bx, by, ax, ay, px, py, ax, ay, r, 0) < 0) {
       int side = Predicates.cross(bx, by, ax, ay, px, py, ax, ay);
       return outside(side, px, py, r, vx, vy, ax, ay, bx, by);
     }
@@ -90,7 +90,7 @@ public final class SegmentSweep {
     if (Predicates.dot(px, py, bx, by, bx, by, ax, ay) >= 0) {
       return DiskSweep.overlaps(px, py, r, bx, by, 0);
     }
-    return Predicates.reach(bx, by, ax, ay, px, py, ax, ay, r, 0) > 0;
+    return Predicates.discriminant(bx, by, ax, ay, px, py, ax, ay, r, 0) > 0;
   }
 
   /**
@@ -124,7 +124,7 @@ public final class SegmentSweep {
       case Contact.END -> DiskSweep.exactTime(Contact.LATER, px, py, r, vx, vy, bx, by, 0, 0, 0);
       case Contact.LEFT, Contact.RIGHT ->
           Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by).exactTime();
-      default -> ExactTime.NOW;
+      default -> ExactTime.ZERO;
     };
   }
 

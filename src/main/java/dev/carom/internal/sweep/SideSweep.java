@@ -20,9 +20,9 @@ public final class SideSweep {
   private static final int STEPS = 3;
 
   /** Range within which underflow stays far below the bounds of a step. */
-  private static final double LEAST = 0x1p-250;
+  private static final double LEAST_SAFE = 0x1p-250;
 
-  private static final double MOST = 0x1p250;
+  private static final double MOST_SAFE = 0x1p250;
 
   /** Above this the square of a radius or of a length, and its tail, do not underflow. */
   private static final double LEAST_LENGTH = 0x1p-450;
@@ -63,10 +63,10 @@ public final class SideSweep {
       double bx, double by) {
     double wx = bx - ax;
     double wy = by - ay;
-    double reach = r * Math.sqrt(wx * wx + wy * wy);
+    double scaledRadius = r * Math.sqrt(wx * wx + wy * wy);
     double c = side * (wx * (py - ay) - wy * (px - ax));
     double speed = -side * (wx * vy - wy * vx);
-    double t = Math.max(0, (c - reach) / speed);
+    double t = Math.max(0, (c - scaledRadius) / speed);
     return refined(side, px, py, r, vx, vy, ax, ay, bx, by, t);
   }
 
@@ -82,17 +82,17 @@ public final class SideSweep {
       double bx, double by, double rough) {
     double wx = bx - ax;
     double wy = by - ay;
-    double reach = r * Math.sqrt(wx * wx + wy * wy);
+    double scaledRadius = r * Math.sqrt(wx * wx + wy * wy);
     double speed = -side * (wx * vy - wy * vx);
     double t = rough;
     if (PrecisionCounters.COUNT != null) {
       PrecisionCounters.COUNT.roots++;
     }
     for (int i = 0; i < STEPS; i++) {
-      double step = step(side, px, py, r, vx, vy, ax, ay, bx, by, t, reach, speed);
-      double error = stepError(px - ax, py - ay, r, vx, vy, wx, wy, reach, speed, t, step);
+      double step = step(side, px, py, r, vx, vy, ax, ay, bx, by, t, scaledRadius, speed);
+      double error = stepError(px - ax, py - ay, r, vx, vy, wx, wy, scaledRadius, speed, t, step);
       double low = t + (step - error);
-      if (low == t + (step + error) && low > LEAST) {
+      if (low == t + (step + error) && low > LEAST_SAFE) {
         return low;
       }
       t = Math.max(0, t + step);
@@ -108,14 +108,14 @@ public final class SideSweep {
    * What is left of the gap at time t, over the speed, both times |w|: {@code h - r |w| = (h^2 -
    * r^2 w.w) / (h + r |w|)}, {@code h = side cross(w, e)}, {@code e = d + v t}. All that cancels is
    * kept as head and tail; one division does for two. Its divisor stays within the doubles: h and r
-   * |w| are below {@link #MOST}, the speed below MOST over a time from {@link #LEAST} on, and where
-   * it underflows, the squares have done so before, to nothing left.
+   * |w| are below {@link #MOST_SAFE}, the speed below MOST over a time from {@link #LEAST_SAFE} on,
+   * and where it underflows, the squares have done so before, to nothing left.
    *
-   * @param reach fl(r |w|)
+   * @param scaledRadius fl(r |w|)
    */
   private static double step(
       int side, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by, double t, double reach, double speed) {
+      double bx, double by, double t, double scaledRadius, double speed) {
     // e = d + v t
     double dx = px - ax;
     double dy = py - ay;
@@ -137,7 +137,7 @@ public final class SideSweep {
       return h / speed;
     }
     double hl = sumTail(side * h0, side * h1, h);
-    return gap(h, hl, wx, wxl, wy, wyl, r) / ((h + reach) * speed);
+    return gap(h, hl, wx, wxl, wy, wyl, r) / ((h + scaledRadius) * speed);
   }
 
   /** h^2 - r^2 w.w. */
@@ -168,14 +168,16 @@ public final class SideSweep {
    * the least that the speed can be divides.
    */
   private static double stepError(
-      double dx, double dy, double r, double vx, double vy, double wx, double wy, double reach,
+      double dx, double dy, double r, double vx, double vy, double wx, double wy,
+      double scaledRadius,
       double speed, double t, double step) {
     double x = Math.abs(dx) + Math.abs(vx * t);
     double y = Math.abs(dy) + Math.abs(vy * t);
     double m = Math.abs(wx) * y + Math.abs(wy) * x;
     double lean = 16 * 0x1p-53 * (Math.abs(wx * vy) + Math.abs(wy * vx));
     double least = speed - lean;
-    if (!(m > LEAST && m < MOST && least > LEAST && t < MOST && reach < MOST)) {
+    if (!(m > LEAST_SAFE && m < MOST_SAFE && least > LEAST_SAFE && t < MOST_SAFE
+        && scaledRadius < MOST_SAFE)) {
       return Double.NaN;
     }
     if (r != 0 && !(r > LEAST_LENGTH && Math.max(Math.abs(wx), Math.abs(wy)) > LEAST_LENGTH)) {

@@ -10,8 +10,8 @@ import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.exact.SpherePredicates;
 
 /**
- * A sphere that moves against another that may move too: the {@link TimeOfImpact} of {@link DiskSweep}
- * with a third coordinate.
+ * A sphere that moves against another that may move too: the {@link TimeOfImpact} of {@link
+ * DiskSweep} with a third coordinate.
  */
 public final class SphereSweep {
 
@@ -51,20 +51,21 @@ public final class SphereSweep {
     if (g <= 0) {
       return 0;
     }
-    // reach = a r^2 - |cross(u, d)|^2
+    // discriminant = a r^2 - |cross(u, d)|^2
     double a = ux * ux + uy * uy + uz * uz;
     double kx = uy * dz - uz * dy;
     double ky = uz * dx - ux * dz;
     double kz = ux * dy - uy * dx;
-    double reach = a * rr - (kx * kx + ky * ky + kz * kz);
-    double sign = reach;
-    if (!(Math.abs(reach) > TimeOfImpact.reachBound(a, dd + rr))) {
-      sign = SpherePredicates.reach(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2);
+    double discriminant = a * rr - (kx * kx + ky * ky + kz * kz);
+    double sign = discriminant;
+    if (!(Math.abs(discriminant) > TimeOfImpact.discriminantBound(a, dd + rr))) {
+      sign = SpherePredicates.discriminant(
+          x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2);
     }
     if (!(sign > 0 || (sign == 0 && r == 0))) {
       return NEVER;
     }
-    double s = Math.sqrt(reach);
+    double s = Math.sqrt(discriminant);
     double t = (dd - rr) / (s - (bx + by + bz));
     PrecisionCounters.root();
     if (t > T && isLater(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2, T)) {

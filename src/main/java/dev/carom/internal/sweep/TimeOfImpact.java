@@ -10,23 +10,25 @@ import dev.carom.internal.exact.Predicates;
  *
  * <pre>
  *   |d + u t|^2 - r^2 = a t^2 + 2 b t + g = 0    a = u.u,  b = u.d,  g = d.d - r^2
- *   b^2 - a g = a r^2 - |cross(u, d)|^2 =: reach
+ *   b^2 - a g = a r^2 - |cross(u, d)|^2 =: discriminant
  * </pre>
  *
  * The distance is convex in t, so: moving apart or not at all (b >= 0) is a miss; else overlapping
- * or touching (g <= 0) is an impact now; else reach > 0 is an impact later, at the smaller root,
- * and reach = 0 a graze, which is none, unless r = 0: then the point runs into the other.
+ * or touching (g <= 0) is an impact now; else discriminant > 0 is an impact later, at the smaller
+ * root, and discriminant = 0 a graze, which is none, unless r = 0: then the point runs into the
+ * other.
  *
- * <p>Decisions are the signs of b, g and reach. Each is taken in plain doubles if the value exceeds
- * a bound of its rounding errors, and is asked of {@link Predicates} if not. The bounds count
- * roundings, each a factor {@code 1 + u} with {@code u = 2^-53}, for three dimensions: a difference
- * of coordinates has one, a sum of three terms two; and they are relative to the sum of the
- * absolute values of the terms, or to what that cannot exceed, which is itself computed. The form
- * of reach is the one that does not cancel.
+ * <p>Decisions are the signs of b, g and discriminant. Each is taken in plain doubles if the value
+ * exceeds a bound of its rounding errors, and is asked of {@link Predicates} if not. The bounds
+ * count roundings, each a factor {@code 1 + u} with {@code u = 2^-53}, for three dimensions: a
+ * difference of coordinates has one, a sum of three terms two; and they are relative to the sum of
+ * the absolute values of the terms, or to what that cannot exceed, which is itself computed. The
+ * form of discriminant is the one that does not cancel.
  *
  * <p>The time is the plain root, corrected by steps {@code c = f / 2 s}: f is the polynomial's
  * value there, kept as head and tail, and s half its slope, with the sign changed. The first step
- * takes {@code s = sqrt(reach)}, the slope at the root itself; others, {@code s = -(b + a t)}.
+ * takes {@code s = sqrt(discriminant)}, the slope at the root itself; others, {@code s = -(b + a
+ * t)}.
  */
 public final class TimeOfImpact {
 
@@ -40,12 +42,12 @@ public final class TimeOfImpact {
   private static final double GAP_BOUND = 7 * 0x1p-53;
 
   /**
-   * reach, of {@code a (d.d + r^2)}: a has 2 + 1 + 2, r^2 has 3, their product 1: 9 u of a r^2. A
-   * component of the cross product errs by 4 u of its terms' sum M, its square by 8 + 1 u of M^2;
-   * the M^2 add up to 4/3 a d.d at most (to a d.d in the plane, by Cauchy); the sums take 2, of a
-   * d.d: 14 u. The difference 1: 15 u, and two more.
+   * discriminant, of {@code a (d.d + r^2)}: a has 2 + 1 + 2, r^2 has 3, their product 1: 9 u of a
+   * r^2. A component of the cross product errs by 4 u of its terms' sum M, its square by 8 + 1 u of
+   * M^2; the M^2 add up to 4/3 a d.d at most (to a d.d in the plane, by Cauchy); the sums take 2,
+   * of a d.d: 14 u. The difference 1: 15 u, and two more.
    */
-  private static final double REACH_BOUND = 17 * 0x1p-53;
+  private static final double DISCRIMINANT_BOUND = 17 * 0x1p-53;
 
   /**
    * Of the window's polynomial: a place d + u T has 1, 1 + 1 and 1 u of its terms' sum X; its
@@ -74,8 +76,8 @@ public final class TimeOfImpact {
     return Math.fma(GAP_BOUND, w, TINY);
   }
 
-  static double reachBound(double a, double w) {
-    return Math.fma(REACH_BOUND, a * w, TINY * (a + w + 1));
+  static double discriminantBound(double a, double w) {
+    return Math.fma(DISCRIMINANT_BOUND, a * w, TINY * (a + w + 1));
   }
 
   /**
@@ -99,14 +101,14 @@ public final class TimeOfImpact {
   }
 
   /**
-   * The relative error of {@code s = sqrt(reach)}, and of the step: at most 0.54 times that of
-   * reach, while that is below 1/4. Taken whole, it leaves 17 u x 0.46 and more for f's own
-   * rounding, the root, the division and the product, 4 u.
+   * The relative error of {@code s = sqrt(discriminant)}, and of the step: at most 0.54 times that
+   * of discriminant, while that is below 1/4. Taken whole, it leaves 17 u x 0.46 and more for f's
+   * own rounding, the root, the division and the product, 4 u.
    *
    * @param half 1 / 2 s
    */
   static double firstLean(double a, double w, double half) {
-    return 4 * reachBound(a, w) * half * half;
+    return 4 * discriminantBound(a, w) * half * half;
   }
 
   /**

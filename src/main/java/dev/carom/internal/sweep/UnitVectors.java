@@ -8,9 +8,9 @@ import dev.carom.internal.exact.UnitVector;
 public final class UnitVectors {
 
   /** Range of components whose squares neither underflow nor overflow. */
-  private static final double LEAST = 0x1p-400;
+  private static final double LEAST_SAFE = 0x1p-400;
 
-  private static final double MOST = 0x1p400;
+  private static final double MOST_SAFE = 0x1p400;
 
   private UnitVectors() {}
 
@@ -24,7 +24,7 @@ public final class UnitVectors {
     double x = ax - bx;
     double y = ay - by;
     double size = Math.max(Math.abs(x), Math.abs(y));
-    if (!(size > LEAST && size < MOST)) {
+    if (!(size > LEAST_SAFE && size < MOST_SAFE)) {
       return Exact.unit(ax, ay, bx, by);
     }
     double length = Math.sqrt(x * x + y * y);

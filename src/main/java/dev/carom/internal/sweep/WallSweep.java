@@ -25,9 +25,9 @@ public final class WallSweep {
   public static final int BOTTOM = 2;
   public static final int TOP = 3;
 
-  private static final double LEAST = 0x1p-500;
+  private static final double LEAST_SAFE = 0x1p-500;
 
-  private static final double MOST = 0x1p500;
+  private static final double MOST_SAFE = 0x1p500;
 
   private WallSweep() {}
 
@@ -59,7 +59,11 @@ public final class WallSweep {
     double rest = (Math.fma(-t, speed, g) + gl) * (1 / speed);
     double error = 0x1p-50 * Math.abs(rest) + 0x1p-104 * (h / speed);
     double low = t + (rest - error);
-    if (low == t + (rest + error) && low > LEAST && low < MOST && g > LEAST && h < MOST) {
+    if (low == t + (rest + error)
+        && low > LEAST_SAFE
+        && low < MOST_SAFE
+        && g > LEAST_SAFE
+        && h < MOST_SAFE) {
       return low;
     }
     if (PrecisionCounters.COUNT != null) {
@@ -77,7 +81,7 @@ public final class WallSweep {
   /** The exact time of impact of a disk that moves towards a wall. */
   public static ExactTime exactTime(double p, double r, double v, double wall) {
     Dyadic gap = Exact.wallGap(p, r, v, wall);
-    return gap.sign() > 0 ? new ExactTime(gap, Dyadic.ZERO, Dyadic.of(v).abs()) : ExactTime.NOW;
+    return gap.sign() > 0 ? new ExactTime(gap, Dyadic.ZERO, Dyadic.of(v).abs()) : ExactTime.ZERO;
   }
 
   /** Whether the true time of impact is later than its rounding t. */

@@ -58,8 +58,8 @@ class ExactTimeTest {
 
   @Test
   void doublesAreTimesToo() {
-    assertThat(ExactTime.NOW.compare(ExactTime.of(0))).isZero();
-    assertThat(ExactTime.NOW.compare(ExactTime.of(Double.MIN_VALUE))).isEqualTo(-1);
+    assertThat(ExactTime.ZERO.compare(ExactTime.of(0))).isZero();
+    assertThat(ExactTime.ZERO.compare(ExactTime.of(Double.MIN_VALUE))).isEqualTo(-1);
     assertThat(ExactTime.of(1.5).compare(time(3, 0, 2))).isZero();
   }
 

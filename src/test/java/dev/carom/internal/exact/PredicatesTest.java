@@ -171,8 +171,8 @@ class PredicatesTest {
           scale(n, 500, 4, 5, 6, 7, 8, 9);
           return n;
         },
-        n -> Predicates.reach(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]),
-        n -> Exact.reach(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]).sign());
+        n -> Predicates.discriminant(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]),
+        n -> Exact.discriminant(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]).sign());
   }
 
   /** p, a, v, b, c, r: {@code (p - a) x v |w| = -side r (v.w)}, {@code w = b - c}. */
@@ -323,9 +323,9 @@ class PredicatesTest {
           return n;
         },
         n ->
-            SpherePredicates.reach(
+            SpherePredicates.discriminant(
                 n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11], n[12],
                 n[13]),
-        n -> exact(n).reach().sign());
+        n -> exact(n).discriminant().sign());
   }
 }

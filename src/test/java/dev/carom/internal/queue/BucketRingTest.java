@@ -56,7 +56,7 @@ class BucketRingTest {
             .isEqualTo(first == null ? BucketRing.NOWHERE : first);
         if (first != null) {
           current = first;
-          assertThat(all(ring, ring.take(first))).containsExactlyElementsOf(buckets.remove(first));
+          assertThat(all(ring, ring.drain(first))).containsExactlyElementsOf(buckets.remove(first));
           assertThat(ring.first(first)).isEqualTo(NONE);
         }
       }
@@ -73,7 +73,7 @@ class BucketRingTest {
       for (int ahead : new int[] {0, 1, 27, 28, 63, 64, 126, 127}) {
         ring.add(from + ahead, 0);
         assertThat(ring.filledFrom(from)).isEqualTo(from + ahead);
-        assertThat(ring.take(from + ahead)).isZero();
+        assertThat(ring.drain(from + ahead)).isZero();
       }
     }
   }

@@ -54,11 +54,11 @@ class CalendarQueueTest {
     }
 
     /** Takes the first event, as a world does before it sets another one. */
-    void take(int first) {
+    void poll(int first) {
       sorted.remove(events[first]);
-      assertThat(queue.take(Math.nextDown(events[first].time()))).isEqualTo(Index.NONE);
-      assertThat(queue.take(events[first].time())).isEqualTo(first);
-      assertThat(queue.takenAt()).isEqualTo(events[first].time());
+      assertThat(queue.poll(Math.nextDown(events[first].time()))).isEqualTo(Index.NONE);
+      assertThat(queue.poll(events[first].time())).isEqualTo(first);
+      assertThat(queue.polledTime()).isEqualTo(events[first].time());
       events[first] = null;
       assertThat(queue.time(first)).isEqualTo(NEVER);
     }
@@ -84,7 +84,7 @@ class CalendarQueueTest {
       }
       double now = twin.events[first].time();
       if (random.nextBoolean()) {
-        twin.take(first);
+        twin.poll(first);
       }
       twin.set(first, next.applyAsDouble(now), random.nextInt(3), rank(random, first));
       for (int k = random.nextInt(3); k > 0; k--) {
@@ -200,14 +200,14 @@ class CalendarQueueTest {
   /** Of those at one moment no more than a core waits for at once. */
   @Test
   void tellsNoMoreThanThereIsRoomFor() {
-    int count = 3 * CalendarQueue.MOST_OUTLOOK;
+    int count = 3 * CalendarQueue.MOST_PREFETCHED;
     List<Integer> told = new ArrayList<>();
     CalendarQueue queue = telling(told, count);
     for (int i = 0; i < count; i++) {
       queue.set(i, 1);
     }
     assertThat(queue.first()).isZero();
-    assertThat(told).hasSize(CalendarQueue.MOST_OUTLOOK).doesNotHaveDuplicates();
+    assertThat(told).hasSize(CalendarQueue.MOST_PREFETCHED).doesNotHaveDuplicates();
   }
 
   /** Whether it waits for its turn or is among the next. */
@@ -223,7 +223,7 @@ class CalendarQueueTest {
     queue.set(2, 1.75);
     for (int i : new int[] {1, 2, 0}) {
       assertThat(queue.first()).isEqualTo(i);
-      assertThat(queue.take(9)).isEqualTo(i);
+      assertThat(queue.poll(9)).isEqualTo(i);
     }
     assertThat(queue.first()).isEqualTo(Index.NONE);
   }

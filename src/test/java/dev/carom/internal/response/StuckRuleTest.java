@@ -24,7 +24,7 @@ class StuckRuleTest {
   private void start(int stuck) {
     m.start(0, 4, 6, 1, 1, 0, 1);
     m.stuck = stuck;
-    m.pace = 0;
+    m.speedExponent = 0;
   }
 
   private boolean counts(double way, double e) {
@@ -101,7 +101,7 @@ class StuckRuleTest {
     assertThat(m.stuck).isZero();
     assertThat(m.jam).isNull();
     assertThat(m.turn).isZero();
-    assertThat(m.pace).isOne();
+    assertThat(m.speedExponent).isOne();
   }
 
   @Test
@@ -158,16 +158,16 @@ class StuckRuleTest {
 
   private boolean isFaint(double approach, double speed) {
     start(0);
-    m.pace = Double.MIN_EXPONENT - 1;
-    StuckRule.notePace(m, speed);
+    m.speedExponent = Double.MIN_EXPONENT - 1;
+    StuckRule.noteSpeed(m, speed);
     return StuckRule.isFaint(m, approach);
   }
 
   @Test
   void thePlaceOfWhatWasJustHitIsFourUlpsWide() {
     start(StuckRule.LIMIT);
-    assertThat(StuckRule.reach(m)).isEqualTo(6 * 0x1p-51);
+    assertThat(StuckRule.widthOfPlace(m)).isEqualTo(6 * 0x1p-51);
     start(StuckRule.LIMIT + 1);
-    assertThat(StuckRule.reach(m)).isEqualTo(0x1p-16);
+    assertThat(StuckRule.widthOfPlace(m)).isEqualTo(0x1p-16);
   }
 }

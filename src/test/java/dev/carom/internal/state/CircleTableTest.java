@@ -28,12 +28,12 @@ class CircleTableTest {
     m.tl = 0x1p-60;
     m.cleared = 8;
     m.stuck = 9;
-    m.pace = -10;
+    m.speedExponent = -10;
     m.last = 11;
-    m.reach = 12;
+    m.lookahead = 12;
     m.jam = IgnoreList.with(null, 13);
     for (CircleTable circles : new CircleTable[] {new CircleTable(2), CircleTable.colliding(2)}) {
-      circles.keep(1, m);
+      circles.store(1, m);
       circles.load(1);
       assertThat(circles.mover).usingRecursiveComparison().isEqualTo(m);
     }

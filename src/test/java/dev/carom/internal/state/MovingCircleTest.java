@@ -29,7 +29,7 @@ class MovingCircleTest {
     for (int i = 0; i < 1000; i++) {
       double dt = 0.1 + i * 1e-9;
       assertThat(m.after(dt)).isEqualTo(exact(m.t).add(exact(m.tl)).add(exact(dt)).doubleValue());
-      m.fly(dt);
+      m.advance(dt);
       time = time.add(exact(dt));
       assertThat(m.t).isEqualTo(time.doubleValue());
       BigDecimal error = exact(m.t).add(exact(m.tl)).subtract(time).abs();

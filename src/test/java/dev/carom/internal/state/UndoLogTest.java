@@ -33,13 +33,13 @@ class UndoLogTest {
     m.last = base + 10;
     m.next = base + 11;
     m.contact = Contact.END;
-    m.reach = base + 12;
+    m.lookahead = base + 12;
     m.stuck = base + 13;
-    m.pace = base + 14;
+    m.speedExponent = base + 14;
     m.turn = base % 3 - 1;
     m.driven = base % 2 == 0;
     m.jam = jam;
-    circles.store(i);
+    circles.storeAndSetDue(i);
   }
 
   private void save(int i) {
