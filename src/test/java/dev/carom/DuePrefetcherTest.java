@@ -7,6 +7,7 @@ import dev.carom.internal.engine.DuePrefetcher;
 import dev.carom.internal.engine.StaticScene;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import java.util.SplittableRandom;
@@ -76,8 +77,8 @@ class DuePrefetcherTest {
     };
     for (int i = 0; i < count; i++) {
       double x = random.nextInt(9) == 0 ? special[random.nextInt(4)] : SIDE * random.nextDouble();
-      circles.state[circles.at(i) + CircleTable.X] = x;
-      circles.state[circles.at(i) + CircleTable.VY] = random.nextDouble();
+      circles.state[circles.at(i) + FlightRow.X] = x;
+      circles.state[circles.at(i) + FlightRow.VY] = random.nextDouble();
       circles.state[circles.at(i) + CircleTable.CLEARED] = x;
       circles.codes[circles.codesAt(i) + CircleTable.NEXT] = codes[random.nextInt(codes.length)];
       circles.due.set(i, 9 * random.nextDouble());

@@ -11,6 +11,7 @@ import dev.carom.internal.engine.NeighborGrid;
 import dev.carom.internal.queue.CalendarQueue;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.util.Index;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -303,7 +304,7 @@ class NeighborGridTest {
     for (int k = 0; k < 400; k++) {
       int i = random.nextInt(40);
       int a = CircleTable.collidingAt(i);
-      int coordinate = random.nextBoolean() ? CircleTable.X : CircleTable.Y;
+      int coordinate = random.nextBoolean() ? FlightRow.X : FlightRow.Y;
       circles.state[a + coordinate] += random.nextGaussian() * (random.nextInt(4) + 0.1);
       int before = neighbors.column(i) * 1000 + neighbors.row(i);
       neighbors.comeBack(circles.state, i);

@@ -5,6 +5,7 @@ import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.TimeOfImpact;
@@ -115,7 +116,7 @@ final class CollisionPredictor {
   static boolean isInDoubt(double[] s, int[] codes, int i, double time) {
     int a = CircleTable.collidingAt(i);
     double low = s[a + CircleTable.MEETING];
-    return Math.abs(time - low) < 2 * doubt(low, s[a + CircleTable.T])
+    return Math.abs(time - low) < 2 * doubt(low, s[a + FlightRow.T])
         && isOpen(s, i)
         && isValid(codes, i);
   }
@@ -182,13 +183,13 @@ final class CollisionPredictor {
    */
   static int filterPairs(double[] s, int[] codes, int i, int[] found, int size) {
     int a = CircleTable.collidingAt(i);
-    double xi = s[a + CircleTable.X];
-    double yi = s[a + CircleTable.Y];
-    double vxi = s[a + CircleTable.VX];
-    double vyi = s[a + CircleTable.VY];
-    double ti = s[a + CircleTable.T];
-    double tli = s[a + CircleTable.TL];
-    double ri = s[a + CircleTable.RADIUS];
+    double xi = s[a + FlightRow.X];
+    double yi = s[a + FlightRow.Y];
+    double vxi = s[a + FlightRow.VX];
+    double vyi = s[a + FlightRow.VY];
+    double ti = s[a + FlightRow.T];
+    double tli = s[a + FlightRow.TL];
+    double ri = s[a + FlightRow.RADIUS];
     int left = 0;
     int end = size;
     for (int k = 0; k < end; k++) {
@@ -197,16 +198,16 @@ final class CollisionPredictor {
       found[end] = follower;
       end += 1 + (follower >> 31);
       int c = CircleTable.collidingAt(j);
-      double xj = s[c + CircleTable.X];
-      double r = ri + s[c + CircleTable.RADIUS];
-      double vxj = s[c + CircleTable.VX];
-      double vyj = s[c + CircleTable.VY];
+      double xj = s[c + FlightRow.X];
+      double r = ri + s[c + FlightRow.RADIUS];
+      double vxj = s[c + FlightRow.VX];
+      double vyj = s[c + FlightRow.VY];
       // By how much j starts later than i, and i later than j; 0 for the one that does not.
-      double later = (s[c + CircleTable.T] - ti) + (s[c + CircleTable.TL] - tli);
+      double later = (s[c + FlightRow.T] - ti) + (s[c + FlightRow.TL] - tli);
       double ofI = positive(later);
       double ofJ = ofI - later;
       double dx = Math.fma(vxi, ofI, xi) - Math.fma(vxj, ofJ, xj);
-      double dy = Math.fma(vyi, ofI, yi) - Math.fma(vyj, ofJ, s[c + CircleTable.Y]);
+      double dy = Math.fma(vyi, ofI, yi) - Math.fma(vyj, ofJ, s[c + FlightRow.Y]);
       double ux = vxi - vxj;
       double uy = vyi - vyj;
       double by = uy * dy;
@@ -245,22 +246,22 @@ final class CollisionPredictor {
     int a = CircleTable.collidingAt(i);
     int c = CircleTable.collidingAt(j);
     // The first and the last one first: then compilers need not ask whether the rest is in range.
-    double xi = s[a + CircleTable.X];
+    double xi = s[a + FlightRow.X];
     double low = s[a + CircleTable.MEETING];
-    double xj = s[c + CircleTable.X];
-    double r = s[a + CircleTable.RADIUS] + s[c + CircleTable.RADIUS];
-    double ti = s[a + CircleTable.T];
-    double tj = s[c + CircleTable.T];
-    double later = (tj - ti) + (s[c + CircleTable.TL] - s[a + CircleTable.TL]);
+    double xj = s[c + FlightRow.X];
+    double r = s[a + FlightRow.RADIUS] + s[c + FlightRow.RADIUS];
+    double ti = s[a + FlightRow.T];
+    double tj = s[c + FlightRow.T];
+    double later = (tj - ti) + (s[c + FlightRow.TL] - s[a + FlightRow.TL]);
     double ofI = positive(later);
     double ofJ = ofI - later;
     double from = Math.max(ti, tj);
-    double vxi = s[a + CircleTable.VX];
-    double vyi = s[a + CircleTable.VY];
-    double vxj = s[c + CircleTable.VX];
-    double vyj = s[c + CircleTable.VY];
+    double vxi = s[a + FlightRow.VX];
+    double vyi = s[a + FlightRow.VY];
+    double vxj = s[c + FlightRow.VX];
+    double vyj = s[c + FlightRow.VY];
     double dx = Math.fma(vxi, ofI, xi) - Math.fma(vxj, ofJ, xj);
-    double dy = Math.fma(vyi, ofI, s[a + CircleTable.Y]) - Math.fma(vyj, ofJ, s[c + CircleTable.Y]);
+    double dy = Math.fma(vyi, ofI, s[a + FlightRow.Y]) - Math.fma(vyj, ofJ, s[c + FlightRow.Y]);
     double ux = vxi - vxj;
     double uy = vyi - vyj;
     double bx = ux * dx;
@@ -300,7 +301,7 @@ final class CollisionPredictor {
     int a = CircleTable.collidingAt(i);
     double low = s[a + CircleTable.MEETING];
     partner = partner(codes, i);
-    high = isOpen(s, i) ? low + doubt(low, s[a + CircleTable.T]) : low;
+    high = isOpen(s, i) ? low + doubt(low, s[a + FlightRow.T]) : low;
   }
 
   /**
@@ -377,26 +378,25 @@ final class CollisionPredictor {
     int a = CircleTable.collidingAt(Math.min(i, j));
     int b = CircleTable.collidingAt(Math.max(i, j));
     // The first and the last one first, as in consider.
-    double x1 = s[a + CircleTable.X];
-    double r1 = s[a + CircleTable.RADIUS];
-    double x2 = s[b + CircleTable.X];
-    double r2 = s[b + CircleTable.RADIUS];
-    double vx1 = s[a + CircleTable.VX];
-    double vy1 = s[a + CircleTable.VY];
-    double vx2 = s[b + CircleTable.VX];
-    double vy2 = s[b + CircleTable.VY];
+    double x1 = s[a + FlightRow.X];
+    double r1 = s[a + FlightRow.RADIUS];
+    double x2 = s[b + FlightRow.X];
+    double r2 = s[b + FlightRow.RADIUS];
+    double vx1 = s[a + FlightRow.VX];
+    double vy1 = s[a + FlightRow.VY];
+    double vx2 = s[b + FlightRow.VX];
+    double vy2 = s[b + FlightRow.VY];
     // By how much the second starts later than the first, and the first than the second.
     double later =
-        (s[b + CircleTable.T] - s[a + CircleTable.T])
-            + (s[b + CircleTable.TL] - s[a + CircleTable.TL]);
+        (s[b + FlightRow.T] - s[a + FlightRow.T]) + (s[b + FlightRow.TL] - s[a + FlightRow.TL]);
     double earlier = 0 - later;
     double of1 = positive(later);
     double of2 = positive(earlier);
     int late = a + ((b - a) & (int) (Double.doubleToRawLongBits(earlier) >> 63));
     x1 = Math.fma(vx1, of1, x1);
-    double y1 = Math.fma(vy1, of1, s[a + CircleTable.Y]);
+    double y1 = Math.fma(vy1, of1, s[a + FlightRow.Y]);
     x2 = Math.fma(vx2, of2, x2);
-    double y2 = Math.fma(vy2, of2, s[b + CircleTable.Y]);
+    double y2 = Math.fma(vy2, of2, s[b + FlightRow.Y]);
     if (!(Math.abs(x1 - x2) + Math.abs(y1 - y2) < NEVER)) {
       exactTau = NEVER; // one of them is beyond the range of doubles
       return;
@@ -405,9 +405,9 @@ final class CollisionPredictor {
         known ? Contact.LATER : DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
     exactTau = DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
     // The later start and tau, as head and tail.
-    double t = s[late + CircleTable.T];
+    double t = s[late + FlightRow.T];
     double sum = t + exactTau;
-    double l = sumTail(t, exactTau, sum) + s[late + CircleTable.TL];
+    double l = sumTail(t, exactTau, sum) + s[late + FlightRow.TL];
     exactHead = sum + l;
     exactTail = sumTail(sum, l, exactHead);
   }

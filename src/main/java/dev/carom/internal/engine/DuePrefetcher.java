@@ -4,6 +4,7 @@ package dev.carom.internal.engine;
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.DueTimes;
+import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.ObstacleTable;
 
 /**
@@ -97,7 +98,7 @@ public final class DuePrefetcher {
   private long flight(int i) {
     int k = circles.at(i);
     int c = circles.codesAt(i);
-    return bits(circles.state[k + CircleTable.X])
+    return bits(circles.state[k + FlightRow.X])
         + bits(circles.state[k + CircleTable.CLEARED])
         + circles.codes[c + CircleTable.LAST]
         + circles.codes[c + CircleTable.STUCK];
@@ -107,8 +108,8 @@ public final class DuePrefetcher {
     int k = circles.at(i);
     double[] state = circles.state;
     double dt = state[k + CircleTable.CLEARED];
-    double x = Math.fma(state[k + CircleTable.VX], dt, state[k + CircleTable.X]);
-    double y = Math.fma(state[k + CircleTable.VY], dt, state[k + CircleTable.Y]);
+    double x = Math.fma(state[k + FlightRow.VX], dt, state[k + FlightRow.X]);
+    double y = Math.fma(state[k + FlightRow.VY], dt, state[k + FlightRow.Y]);
     Grid grid = staticScene.grid(i);
     return line(circles.codes[circles.codesAt(i) + CircleTable.NEXT])
         + (grid == null ? 0 : grid.around(x, y));

@@ -4,6 +4,7 @@ package dev.carom.internal.engine;
 import dev.carom.internal.queue.CalendarQueue;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.FlightRow;
 
 /**
  * Reads what the next events will need, for many of them at once: whom they concern, with their
@@ -86,7 +87,7 @@ public final class EventPrefetcher implements CalendarQueue.Prefetcher {
   /** Reads the cache lines of a circle's record: two of doubles, and one of ints. */
   private double flight(int i) {
     int a = CircleTable.collidingAt(i);
-    return circles.state[a + CircleTable.X] + circles.state[a + CircleTable.MEETING] + kind(i);
+    return circles.state[a + FlightRow.X] + circles.state[a + CircleTable.MEETING] + kind(i);
   }
 
   private int kind(int i) {

@@ -5,6 +5,7 @@ import dev.carom.internal.queue.CalendarQueue;
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.MovingCircle;
 
 /**
@@ -86,15 +87,15 @@ final class EventScheduler {
     int a = CircleTable.collidingAt(i);
     double cleared = s[a + CircleTable.CLEARED];
     return isLookedAhead(s, c, i) && cleared < NEVER
-        ? MovingCircle.sum(s[a + CircleTable.T], s[a + CircleTable.TL], cleared)
+        ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], cleared)
         : NEVER;
   }
 
   /** The tail of the time of the obstacle ahead. */
   private double dueTail(int i) {
     int a = CircleTable.collidingAt(i);
-    double t = state[a + CircleTable.T];
-    double tl = state[a + CircleTable.TL];
+    double t = state[a + FlightRow.T];
+    double tl = state[a + FlightRow.TL];
     double cleared = state[a + CircleTable.CLEARED];
     return next(codes, i) < 0
         ? Double.NEGATIVE_INFINITY
@@ -166,8 +167,8 @@ final class EventScheduler {
   private double crossingTail(int i) {
     double until = neighbors.until(state, i);
     int a = CircleTable.collidingAt(i);
-    double t = state[a + CircleTable.T];
-    double tl = state[a + CircleTable.TL];
+    double t = state[a + FlightRow.T];
+    double tl = state[a + FlightRow.TL];
     return MovingCircle.sumTail(t, tl, until, MovingCircle.sum(t, tl, until));
   }
 

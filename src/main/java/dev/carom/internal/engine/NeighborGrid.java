@@ -3,6 +3,7 @@ package dev.carom.internal.engine;
 
 import dev.carom.internal.state.BoundingBox;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Index;
@@ -194,8 +195,8 @@ public final class NeighborGrid {
   public void comeBack(double[] s, int i) {
     int a = CircleTable.collidingAt(i);
     double cellWidth = width(i);
-    double x = s[a + CircleTable.X] - originX;
-    double y = s[a + CircleTable.Y] - originY;
+    double x = s[a + FlightRow.X] - originX;
+    double y = s[a + FlightRow.Y] - originY;
     double column = x - s[a + CircleTable.COLUMN] * cellWidth;
     double row = y - s[a + CircleTable.ROW] * cellWidth;
     if (column < 0 || column > cellWidth || row < 0 || row > cellWidth) {
@@ -283,18 +284,16 @@ public final class NeighborGrid {
   public double crossing(double[] s, int i) {
     double until = until(s, i);
     int a = CircleTable.collidingAt(i);
-    return until < NEVER
-        ? MovingCircle.sum(s[a + CircleTable.T], s[a + CircleTable.TL], until)
-        : NEVER;
+    return until < NEVER ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], until) : NEVER;
   }
 
   /** How long after the start of its flight that is. */
   double until(double[] s, int i) {
     int a = CircleTable.collidingAt(i);
-    double x = s[a + CircleTable.X] - originX;
-    double y = s[a + CircleTable.Y] - originY;
-    double vx = s[a + CircleTable.VX];
-    double vy = s[a + CircleTable.VY];
+    double x = s[a + FlightRow.X] - originX;
+    double y = s[a + FlightRow.Y] - originY;
+    double vx = s[a + FlightRow.VX];
+    double vy = s[a + FlightRow.VY];
     double first = until(x, y, vx, vy, s[a + CircleTable.COLUMN], s[a + CircleTable.ROW], width(i));
     int firstWay = levelOf(i) * DIRECTIONS + way;
     for (int level = levelOf(i) + 1; level < levels; level++) {

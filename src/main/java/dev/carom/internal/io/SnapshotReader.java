@@ -2,6 +2,8 @@
 package dev.carom.internal.io;
 
 import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.ContactWord;
+import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -201,14 +203,18 @@ public final class SnapshotReader {
       n[k] = in.readDouble();
       expect(!Double.isNaN(n[k]), "a number of a circle is NaN");
     }
-    Check.finite("vx", n[2]);
-    Check.finite("vy", n[3]);
-    expect(n[4] >= 0 && n[4] <= now, "a flight starts at " + n[4]);
-    expect(Math.abs(n[5]) <= Math.ulp(n[4]), "the tail of a time is " + n[5]);
-    Check.positive("radius", n[6]);
-    expect(n[6] >= limits.least(), "a radius is " + n[6] + ", the least one " + limits.least());
-    Check.notNegative("restitution", n[7]);
-    expect(n[8] >= 0, "a flight is known for " + n[8]);
+    Check.finite("vx", n[FlightRow.VX]);
+    Check.finite("vy", n[FlightRow.VY]);
+    double start = n[FlightRow.T];
+    expect(start >= 0 && start <= now, "a flight starts at " + start);
+    double tail = n[FlightRow.TL];
+    expect(Math.abs(tail) <= Math.ulp(start), "the tail of a time is " + tail);
+    double radius = n[FlightRow.RADIUS];
+    Check.positive("radius", radius);
+    expect(radius >= limits.least(), "a radius is " + radius + ", the least one " + limits.least());
+    Check.notNegative("restitution", n[SavedFlights.RESTITUTION]);
+    double sensed = n[SavedFlights.SENSED];
+    expect(sensed >= 0, "a flight is known for " + sensed);
     numbers.add(n);
     int last = in.readInt();
     if (last != MovingCircle.NOTHING) {
@@ -216,13 +222,13 @@ public final class SnapshotReader {
     }
     int stuck = in.readInt();
     expect(MovingCircle.isStuckWeight(stuck), "the weight of impacts at one place is " + stuck);
-    int sensed = in.readInt();
-    expect(sensed >= 0, "codes sensed end with " + sensed);
+    int sensedCode = in.readInt();
+    expect(sensedCode >= 0, "codes sensed end with " + sensedCode);
     int partner = in.readInt();
     expect(partner >= MovingCircle.NOTHING, "a partner is circle " + partner);
-    codes.add(last).add(stuck).add(sensed).add(partner);
+    codes.add(last).add(stuck).add(sensedCode).add(partner);
     int marks = in.readInt();
-    expect(MovingCircle.areMarks(marks), "the marks of a circle are " + marks);
+    expect(ContactWord.isValid(marks), "the marks of a circle are " + marks);
     codes.add(marks);
   }
 

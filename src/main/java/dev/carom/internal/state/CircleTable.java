@@ -10,17 +10,10 @@ import java.util.Arrays;
  */
 public final class CircleTable {
 
-  // Doubles of one circle in state, the hot ones together.
-  public static final int X = 0;
-  public static final int Y = 1;
-  public static final int VX = 2;
-  public static final int VY = 3;
-  public static final int T = 4;
-  public static final int TL = 5;
-  public static final int RADIUS = 6;
-  public static final int CLEARED = 7;
+  // Doubles of one circle in state, after those of its flight.
+  public static final int CLEARED = FlightRow.SIZE;
   static final int RESTITUTION = 8;
-  private static final int STATE = 9;
+  static final int STATE = 9;
 
   // And of one that collides: its first meeting foreseen, as Meetings says, and its cell.
   public static final int MEETING = 9;
@@ -39,13 +32,13 @@ public final class CircleTable {
   // Ints of one circle in codes.
   public static final int LAST = 0;
   public static final int NEXT = 1;
+
+  /** See {@link ContactWord}. */
   static final int CONTACT = 2;
+
   static final int LOOKAHEAD = 3;
   public static final int STUCK = 4;
-  private static final int CODES = 5;
-
-  // One int holds the detector's name of a contact, and above it Mover.marks.
-  private static final int CONTACT_BITS = 15;
+  static final int CODES = 5;
 
   // And of one that collides: whom it meets, that one's count then, and its own count of changes;
   // who follows it in its cell's list; its event's place in the heap, and kind; its cell's place.
@@ -164,28 +157,28 @@ public final class CircleTable {
 
   public double x(int i, double now) {
     int k = at(i);
-    double since = MovingCircle.since(state[k + T], state[k + TL], now);
-    double x = Math.fma(state[k + VX], since, state[k + X]);
-    return Confinement.x(walls, state[k + X], x, state[k + RADIUS]);
+    double since = MovingCircle.since(state[k + FlightRow.T], state[k + FlightRow.TL], now);
+    double x = Math.fma(state[k + FlightRow.VX], since, state[k + FlightRow.X]);
+    return Confinement.x(walls, state[k + FlightRow.X], x, state[k + FlightRow.RADIUS]);
   }
 
   public double y(int i, double now) {
     int k = at(i);
-    double since = MovingCircle.since(state[k + T], state[k + TL], now);
-    double y = Math.fma(state[k + VY], since, state[k + Y]);
-    return Confinement.y(walls, state[k + Y], y, state[k + RADIUS]);
+    double since = MovingCircle.since(state[k + FlightRow.T], state[k + FlightRow.TL], now);
+    double y = Math.fma(state[k + FlightRow.VY], since, state[k + FlightRow.Y]);
+    return Confinement.y(walls, state[k + FlightRow.Y], y, state[k + FlightRow.RADIUS]);
   }
 
   public double vx(int i) {
-    return state[at(i) + VX];
+    return state[at(i) + FlightRow.VX];
   }
 
   public double vy(int i) {
-    return state[at(i) + VY];
+    return state[at(i) + FlightRow.VY];
   }
 
   public double radius(int i) {
-    return state[at(i) + RADIUS];
+    return state[at(i) + FlightRow.RADIUS];
   }
 
   public double restitution(int i) {
@@ -208,24 +201,18 @@ public final class CircleTable {
     int k = at(i);
     m.id = i;
     m.flown = 0;
-    m.x = state[k + X];
-    m.y = state[k + Y];
-    m.vx = state[k + VX];
-    m.vy = state[k + VY];
-    m.t = state[k + T];
-    m.tl = state[k + TL];
-    m.radius = state[k + RADIUS];
+    FlightRow.get(m, state, k);
     m.cleared = state[k + CLEARED];
     m.restitution = state[k + RESTITUTION];
     int c = codesAt(i);
     m.last = codes[c + LAST];
     m.stuck = codes[c + STUCK];
     m.lookahead = codes[c + LOOKAHEAD];
-    m.setMarks(codes[c + CONTACT]);
+    ContactWord.recall(codes[c + CONTACT], m);
     // Where nothing is ahead, the sensor met last stands in its place.
     int next = codes[c + NEXT];
     m.next = Math.max(next, MovingCircle.NOTHING);
-    m.contact = next < 0 ? MovingCircle.NOTHING - next : codes[c + CONTACT] & CONTACT_BITS;
+    m.contact = next < 0 ? MovingCircle.NOTHING - next : ContactWord.contact(codes[c + CONTACT]);
     m.jam = jams == null ? null : jams[i];
   }
 
@@ -236,17 +223,11 @@ public final class CircleTable {
   public void loadForMeeting(double[] s, int[] c, int i, MovingCircle m) {
     int k = collidingAt(i);
     m.id = i;
-    m.x = s[k + X];
-    m.y = s[k + Y];
-    m.vx = s[k + VX];
-    m.vy = s[k + VY];
-    m.t = s[k + T];
-    m.tl = s[k + TL];
-    m.radius = s[k + RADIUS];
+    FlightRow.get(m, s, k);
     m.restitution = s[k + RESTITUTION];
     int code = collidingCodesAt(i);
     m.stuck = c[code + STUCK];
-    m.setMarks(c[code + CONTACT]);
+    ContactWord.recall(c[code + CONTACT], m);
     m.jam = jams == null ? null : jams[i];
   }
 
@@ -269,13 +250,7 @@ public final class CircleTable {
       contact = 0;
     }
     int k = at(i);
-    state[k + X] = m.x;
-    state[k + Y] = m.y;
-    state[k + VX] = m.vx;
-    state[k + VY] = m.vy;
-    state[k + T] = m.t;
-    state[k + TL] = m.tl;
-    state[k + RADIUS] = m.radius;
+    FlightRow.put(m, state, k);
     state[k + CLEARED] = m.cleared;
     state[k + RESTITUTION] = m.restitution;
     // The first and the last one first: then compilers need not ask whether the rest is in range.
@@ -283,36 +258,46 @@ public final class CircleTable {
     codes[c + LAST] = m.last;
     codes[c + STUCK] = m.stuck;
     codes[c + NEXT] = next;
-    codes[c + CONTACT] = contact | m.marks();
+    codes[c + CONTACT] = ContactWord.of(m, contact);
     codes[c + LOOKAHEAD] = m.lookahead;
-    storeJam(i, m);
+    setJam(i, m.jam);
   }
 
   /** Stores a circle that collides where a new flight begins, and nothing is known ahead yet. */
   public void storeNewFlight(double[] s, int[] c, int i, MovingCircle m) {
     int k = collidingAt(i);
-    s[k + X] = m.x;
-    s[k + Y] = m.y;
-    s[k + VX] = m.vx;
-    s[k + VY] = m.vy;
-    s[k + T] = m.t;
-    s[k + TL] = m.tl;
+    FlightRow.put(m, s, k);
     s[k + CLEARED] = 0;
     int code = collidingCodesAt(i);
     c[code + LAST] = m.last;
     c[code + STUCK] = m.stuck;
     c[code + NEXT] = MovingCircle.NOTHING;
-    c[code + CONTACT] = m.marks();
+    c[code + CONTACT] = ContactWord.of(m, 0);
     c[code + LOOKAHEAD] = m.lookahead;
-    storeJam(i, m);
+    setJam(i, m.jam);
   }
 
-  private void storeJam(int i, MovingCircle m) {
-    if (m.jam != null && jams == null) {
+  private void setJam(int i, IgnoreList jam) {
+    if (jam != null && jams == null) {
       jams = new IgnoreList[capacity()];
     }
     if (jams != null) {
-      jams[i] = m.jam;
+      jams[i] = jam;
     }
+  }
+
+  // Whole rows, for the undo log; of circles that ignore each other.
+
+  void copyRow(int i, double[] toState, int[] toCodes, int row) {
+    System.arraycopy(state, at(i), toState, row * STATE, STATE);
+    System.arraycopy(codes, codesAt(i), toCodes, row * CODES, CODES);
+  }
+
+  void setRow(int i, double[] fromState, int[] fromCodes, int row, IgnoreList jam) {
+    System.arraycopy(fromState, row * STATE, state, at(i), STATE);
+    System.arraycopy(fromCodes, row * CODES, codes, codesAt(i), CODES);
+    setJam(i, jam);
+    load(i);
+    due.set(i, mover.due());
   }
 }

@@ -6,8 +6,8 @@ import java.util.Arrays;
 /** The recorded flights of one circle, the oldest dropped where there is no room. */
 public final class FlightHistory {
 
-  /** Doubles of one flight: t, tl, x, y, vx, vy, radius. */
-  static final int FLIGHT = 7;
+  /** Doubles of one flight. */
+  static final int FLIGHT = FlightRow.SIZE;
 
   private static final int FIRST_ROOM = 8;
 
@@ -27,17 +27,6 @@ public final class FlightHistory {
   FlightHistory(int most) {
     this.most = most;
     flights = new double[Math.min(most, FIRST_ROOM) * FLIGHT];
-  }
-
-  /** Puts a mover's flight down as numbers. */
-  static void put(MovingCircle m, double[] numbers, int k) {
-    numbers[k] = m.t;
-    numbers[k + 1] = m.tl;
-    numbers[k + 2] = m.x;
-    numbers[k + 3] = m.y;
-    numbers[k + 4] = m.vx;
-    numbers[k + 5] = m.vy;
-    numbers[k + 6] = m.radius;
   }
 
   /** Adds a flight; the oldest one gives way if there is no room. */
@@ -77,7 +66,11 @@ public final class FlightHistory {
 
   /** When the oldest flight that is left starts. */
   double start() {
-    return flights[at(0)];
+    return startOf(0);
+  }
+
+  private double startOf(int i) {
+    return flights[at(i) + FlightRow.T];
   }
 
   /** The place of the flight at a time that is not before the start: the last one begun by then. */
@@ -89,7 +82,7 @@ public final class FlightHistory {
   }
 
   private boolean isAt(int i, double t) {
-    return i < size && flights[at(i)] <= t && (i + 1 == size || t < flights[at(i + 1)]);
+    return i < size && startOf(i) <= t && (i + 1 == size || t < startOf(i + 1));
   }
 
   private int search(double t) {
@@ -97,7 +90,7 @@ public final class FlightHistory {
     int high = size - 1;
     while (low < high) {
       int middle = (low + high + 1) >>> 1;
-      if (flights[at(middle)] <= t) {
+      if (startOf(middle) <= t) {
         low = middle;
       } else {
         high = middle - 1;
@@ -107,27 +100,31 @@ public final class FlightHistory {
   }
 
   public double x(int k, double t, double[] walls) {
-    double start = flights[k + 2];
-    double x = Math.fma(flights[k + 4], MovingCircle.since(flights[k], flights[k + 1], t), start);
+    double start = flights[k + FlightRow.X];
+    double x = Math.fma(vx(k), since(k, t), start);
     return Confinement.x(walls, start, x, radius(k));
   }
 
   public double y(int k, double t, double[] walls) {
-    double start = flights[k + 3];
-    double y = Math.fma(flights[k + 5], MovingCircle.since(flights[k], flights[k + 1], t), start);
+    double start = flights[k + FlightRow.Y];
+    double y = Math.fma(vy(k), since(k, t), start);
     return Confinement.y(walls, start, y, radius(k));
   }
 
+  private double since(int k, double t) {
+    return MovingCircle.since(flights[k + FlightRow.T], flights[k + FlightRow.TL], t);
+  }
+
   public double vx(int k) {
-    return flights[k + 4];
+    return flights[k + FlightRow.VX];
   }
 
   public double vy(int k) {
-    return flights[k + 5];
+    return flights[k + FlightRow.VY];
   }
 
   public double radius(int k) {
-    return flights[k + 6];
+    return flights[k + FlightRow.RADIUS];
   }
 
   /** The place of flight i, from the oldest on; where flights were dropped, room is a ring. */

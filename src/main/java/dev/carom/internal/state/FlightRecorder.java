@@ -75,7 +75,7 @@ public final class FlightRecorder {
       pending = Arrays.copyOf(pending, 2 * pendings * FlightHistory.FLIGHT);
     }
     pendingIds[pendings] = ids.applyAsInt(m.id);
-    FlightHistory.put(m, pending, pendings * FlightHistory.FLIGHT);
+    FlightRow.put(m, pending, pendings * FlightHistory.FLIGHT);
     pendings++;
   }
 

@@ -30,11 +30,6 @@ public final class MovingCircle {
   /** The same for a flight that an edit began: another edit may cut it short. */
   public static final int EDITED_LOOKAHEAD = 1;
 
-  private static final int TURN_SHIFT = 4;
-  private static final int TURN_BITS = 3;
-  private static final int DRIVEN = 1 << 6;
-  private static final int EXPONENT_SHIFT = 8;
-
   /** The flight: where it started, how it moves, and when it started. */
   public double x;
 
@@ -141,28 +136,6 @@ public final class MovingCircle {
   /** Whether a number can be the weight of impacts at one place. */
   public static boolean isStuckWeight(int weight) {
     return weight >= 0 && weight <= STUCK_LIMIT + 1;
-  }
-
-  /** The pace, the turn, and whether the circle is driven, in one int whose last 4 bits are 0. */
-  int marks() {
-    return speedExponent << EXPONENT_SHIFT | (driven ? DRIVEN : 0) | (turn + 1) << TURN_SHIFT;
-  }
-
-  /** Whether that can be what {@link #marks} gives. */
-  public static boolean areMarks(int marks) {
-    MovingCircle m = new MovingCircle();
-    m.setMarks(marks);
-    return m.marks() == marks
-        && Math.abs(m.turn) <= 1
-        && m.speedExponent >= Double.MIN_EXPONENT - 1
-        && m.speedExponent <= Double.MAX_EXPONENT + 1;
-  }
-
-  /** Takes over what {@link #marks} gave; the last 4 bits do not count. */
-  void setMarks(int marks) {
-    speedExponent = marks >> EXPONENT_SHIFT;
-    driven = (marks & DRIVEN) != 0;
-    turn = (marks >> TURN_SHIFT & TURN_BITS) - 1;
   }
 
   /**

@@ -9,15 +9,32 @@ import java.util.Arrays;
  */
 public final class SavedFlights {
 
-  /**
-   * Doubles of one circle: x, y, vx, vy, t, tl, radius, restitution, sensed among what stands
-   * still, and among circles (head and tail).
-   */
+  // Doubles of one circle, after those of its flight.
+  public static final int RESTITUTION = FlightRow.SIZE;
+
+  /** Until when, from the start of the flight, sensors among lines and pegs were reported. */
+  public static final int SENSED = 8;
+
+  // The last meeting with another circle that was only reported, as head and tail.
+  private static final int MEETING = 9;
+  private static final int MEETING_TAIL = 10;
+
+  /** How many doubles these are. */
   public static final int NUMBERS = 11;
 
-  /**
-   * Ints of one circle: the code last hit, the weight of impacts at one place, codes sensed, marks.
-   */
+  // Ints of one circle.
+  public static final int LAST = 0;
+  public static final int STUCK = 1;
+
+  /** Of the sensors met just at {@link #SENSED}, up to which code they were reported. */
+  public static final int SENSED_CODE = 2;
+
+  private static final int PARTNER = 3;
+
+  /** See {@link ContactWord}; without a contact. */
+  private static final int MEMORY = 4;
+
+  /** How many ints these are. */
   public static final int CODES = 5;
 
   /** Of each circle, ascending. */
@@ -56,20 +73,14 @@ public final class SavedFlights {
    */
   public void put(int i, MovingCircle m, double sensed, int sensedCode) {
     int k = i * NUMBERS;
-    numbers[k] = m.x;
-    numbers[k + 1] = m.y;
-    numbers[k + 2] = m.vx;
-    numbers[k + 3] = m.vy;
-    numbers[k + 4] = m.t;
-    numbers[k + 5] = m.tl;
-    numbers[k + 6] = m.radius;
-    numbers[k + 7] = m.restitution;
-    numbers[k + 8] = sensed;
+    FlightRow.put(m, numbers, k);
+    numbers[k + RESTITUTION] = m.restitution;
+    numbers[k + SENSED] = sensed;
     int c = i * CODES;
-    codes[c] = m.last;
-    codes[c + 1] = m.stuck;
-    codes[c + 2] = sensedCode;
-    codes[c + 4] = m.marks();
+    codes[c + LAST] = m.last;
+    codes[c + STUCK] = m.stuck;
+    codes[c + SENSED_CODE] = sensedCode;
+    codes[c + MEMORY] = ContactWord.of(m, 0);
     if (m.jam != null) {
       jams = jams == null ? new IgnoreList[count()] : jams;
       jams[i] = m.jam;
@@ -78,41 +89,35 @@ public final class SavedFlights {
 
   /** Puts in the last meeting that this circle sensed; a head of -1 for none. */
   public void putSensed(int i, double head, double tail, int partner) {
-    numbers[i * NUMBERS + 9] = head;
-    numbers[i * NUMBERS + 10] = head < 0 ? 0 : tail;
-    codes[i * CODES + 3] = head < 0 ? 0 : partner;
+    numbers[i * NUMBERS + MEETING] = head;
+    numbers[i * NUMBERS + MEETING_TAIL] = head < 0 ? 0 : tail;
+    codes[i * CODES + PARTNER] = head < 0 ? 0 : partner;
   }
 
   public double sensedHead(int i) {
-    return numbers[i * NUMBERS + 9];
+    return numbers[i * NUMBERS + MEETING];
   }
 
   public double sensedTail(int i) {
-    return numbers[i * NUMBERS + 10];
+    return numbers[i * NUMBERS + MEETING_TAIL];
   }
 
   public int sensedPartner(int i) {
-    return codes[i * CODES + 3];
+    return codes[i * CODES + PARTNER];
   }
 
   /** Takes that circle out into a mover, whose id stays, with nothing known ahead of it. */
   public void get(int i, MovingCircle m) {
     int k = i * NUMBERS;
     int c = i * CODES;
-    m.x = numbers[k];
-    m.y = numbers[k + 1];
-    m.vx = numbers[k + 2];
-    m.vy = numbers[k + 3];
-    m.t = numbers[k + 4];
-    m.tl = numbers[k + 5];
-    m.radius = numbers[k + 6];
-    m.restitution = numbers[k + 7];
+    FlightRow.get(m, numbers, k);
+    m.restitution = numbers[k + RESTITUTION];
     m.newFlight();
-    m.cleared = numbers[k + 8];
-    m.last = codes[c];
-    m.stuck = codes[c + 1];
-    m.contact = codes[c + 2];
-    m.setMarks(codes[c + 4]);
+    m.cleared = numbers[k + SENSED];
+    m.last = codes[c + LAST];
+    m.stuck = codes[c + STUCK];
+    m.contact = codes[c + SENSED_CODE];
+    ContactWord.recall(codes[c + MEMORY], m);
     m.jam = jams == null ? null : jams[i];
   }
 

@@ -4,16 +4,13 @@ package dev.carom.internal.state;
 import java.util.Arrays;
 
 /**
- * The circles that a step has advanced, as they were at its start: what it takes to go back where a
- * step runs out of its budget and has to end earlier. Noted is what a step can change.
+ * The rows of the circles that a step has advanced, as they were at its start. When a step runs out
+ * of its budget they are put back, and the step is taken anew to an earlier time.
  */
 public final class UndoLog {
 
-  private static final int DOUBLES = 7;
-  private static final int INTS = 7;
-
   private int size;
-  private int capacity;
+  private int[] circles;
   private double[] state;
   private int[] codes;
 
@@ -22,84 +19,49 @@ public final class UndoLog {
 
   /** With room for some circles; it grows as needed. */
   public UndoLog(int circles) {
-    capacity = Math.max(1, circles);
-    state = new double[capacity * DOUBLES];
-    codes = new int[capacity * INTS];
+    int capacity = Math.max(1, circles);
+    this.circles = new int[capacity];
+    state = new double[capacity * CircleTable.STATE];
+    codes = new int[capacity * CircleTable.CODES];
   }
 
   public void clear() {
     size = 0;
   }
 
-  /** Notes a circle, before it is advanced for the first time. */
-  public void save(MovingCircle m) {
-    if (size == capacity) {
+  /** Saves the row of circle i, before it is advanced for the first time. */
+  public void save(CircleTable table, int i) {
+    if (size == circles.length) {
       grow();
     }
-    // The first and the last one first: then compilers need not ask whether the rest is in range.
-    int k = size * DOUBLES;
-    state[k] = m.x;
-    state[k + 6] = m.cleared;
-    state[k + 1] = m.y;
-    state[k + 2] = m.vx;
-    state[k + 3] = m.vy;
-    state[k + 4] = m.t;
-    state[k + 5] = m.tl;
-    int c = size * INTS;
-    codes[c] = m.id;
-    codes[c + 6] = m.marks();
-    codes[c + 1] = m.last;
-    codes[c + 2] = m.next;
-    codes[c + 3] = m.contact;
-    codes[c + 4] = m.lookahead;
-    codes[c + 5] = m.stuck;
-    if (jams != null || m.jam != null) {
-      storeJam(m.jam);
+    circles[size] = i;
+    table.copyRow(i, state, codes, size);
+    IgnoreList jam = table.jam(i);
+    if (jams != null || jam != null) {
+      saveJam(jam);
     }
     size++;
   }
 
-  private void storeJam(IgnoreList jam) {
+  private void saveJam(IgnoreList jam) {
     if (jams == null) {
-      jams = new IgnoreList[capacity];
+      jams = new IgnoreList[circles.length];
     }
     jams[size] = jam;
   }
 
-  /** Puts all noted circles back, and forgets them. */
-  public void restore(CircleTable circles) {
-    MovingCircle m = circles.mover;
-    for (int i = 0; i < size; i++) {
-      circles.load(codes[i * INTS], m);
-      load(i, m);
-      circles.storeAndSetDue(m.id, m);
+  /** Puts all saved rows back, and forgets them. */
+  public void restore(CircleTable table) {
+    for (int row = 0; row < size; row++) {
+      table.setRow(circles[row], state, codes, row, jams == null ? null : jams[row]);
     }
     size = 0;
   }
 
-  private void load(int i, MovingCircle m) {
-    int k = i * DOUBLES;
-    m.x = state[k];
-    m.y = state[k + 1];
-    m.vx = state[k + 2];
-    m.vy = state[k + 3];
-    m.t = state[k + 4];
-    m.tl = state[k + 5];
-    m.cleared = state[k + 6];
-    int c = i * INTS;
-    m.last = codes[c + 1];
-    m.next = codes[c + 2];
-    m.contact = codes[c + 3];
-    m.lookahead = codes[c + 4];
-    m.stuck = codes[c + 5];
-    m.setMarks(codes[c + 6]);
-    m.jam = jams == null ? null : jams[i];
-  }
-
   private void grow() {
-    capacity *= 2;
-    state = Arrays.copyOf(state, capacity * DOUBLES);
-    codes = Arrays.copyOf(codes, capacity * INTS);
-    jams = jams == null ? null : Arrays.copyOf(jams, capacity);
+    circles = Arrays.copyOf(circles, 2 * size);
+    state = Arrays.copyOf(state, 2 * state.length);
+    codes = Arrays.copyOf(codes, 2 * codes.length);
+    jams = jams == null ? null : Arrays.copyOf(jams, 2 * size);
   }
 }

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 class UndoLogTest {
 
   private final CircleTable circles = new CircleTable(4);
-  private final UndoLog journal = new UndoLog(1);
+  private final UndoLog undoLog = new UndoLog(1);
 
   @BeforeEach
   void fill() {
@@ -43,8 +43,7 @@ class UndoLogTest {
   }
 
   private void save(int i) {
-    circles.load(i);
-    journal.save(circles.mover);
+    undoLog.save(circles, i);
   }
 
   private record Stored(
@@ -69,7 +68,7 @@ class UndoLogTest {
     for (int i = 0; i < circles.count; i++) {
       double radius = circles.radius(i);
       store(i, 5000 + 100 * i, i == 0 ? IgnoreList.with(null, 8) : null);
-      circles.state[circles.at(i) + CircleTable.RADIUS] = radius;
+      circles.state[circles.at(i) + FlightRow.RADIUS] = radius;
     }
   }
 
@@ -81,7 +80,7 @@ class UndoLogTest {
     }
     changeAll();
     assertThat(Stored.of(circles)).isNotEqualTo(before);
-    journal.restore(circles);
+    undoLog.restore(circles);
     assertThat(Stored.of(circles)).isEqualTo(before);
   }
 
@@ -90,7 +89,7 @@ class UndoLogTest {
     save(2);
     changeAll();
     Stored changed = Stored.of(circles);
-    journal.restore(circles);
+    undoLog.restore(circles);
     for (int i : new int[] {0, 1, 3}) {
       assertThat(circles.x(i, 0)).isEqualTo(changed.state.get(circles.at(i)));
       assertThat(circles.due.get(i)).isEqualTo(changed.due.get(i));
@@ -102,12 +101,12 @@ class UndoLogTest {
   @Test
   void aJamIsPutBackOrTakenAway() {
     save(1);
-    journal.clear();
+    undoLog.clear();
     save(3);
     save(1);
     store(3, 300, IgnoreList.with(null, 9));
     store(1, 100, null);
-    journal.restore(circles);
+    undoLog.restore(circles);
     assertThat(circles.jam(3)).isNull();
     assertThat(circles.jam(1)).isEqualTo(IgnoreList.with(null, 7));
   }
@@ -115,12 +114,12 @@ class UndoLogTest {
   @Test
   void whatWasClearedOrPutBackIsForgotten() {
     save(0);
-    journal.clear();
+    undoLog.clear();
     save(1);
-    journal.restore(circles);
+    undoLog.restore(circles);
     changeAll();
     Stored changed = Stored.of(circles);
-    journal.restore(circles);
+    undoLog.restore(circles);
     assertThat(Stored.of(circles)).isEqualTo(changed);
   }
 }

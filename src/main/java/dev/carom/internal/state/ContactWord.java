@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+import dev.carom.internal.sweep.Contact;
+
+/**
+ * One int that holds the contact ahead of a circle, and what is remembered of its impacts at one
+ * place. From the lowest bit on: the {@link Contact} (4 bits), the turn of the last impact plus 1
+ * (2 bits), whether the circle is driven (1 bit), nothing (1 bit), and the exponent of the largest
+ * speed (24 bits).
+ */
+public final class ContactWord {
+
+  private static final int CONTACT = 15;
+  private static final int TURN_SHIFT = 4;
+  private static final int TURN = 3;
+  private static final int DRIVEN = 1 << 6;
+  private static final int EXPONENT_SHIFT = 8;
+
+  private ContactWord() {}
+
+  /** The word of a circle, with a contact ahead of it, or 0. */
+  static int of(MovingCircle m, int contact) {
+    int driven = m.driven ? DRIVEN : 0;
+    return m.speedExponent << EXPONENT_SHIFT | driven | (m.turn + 1) << TURN_SHIFT | contact;
+  }
+
+  /** The contact that a word holds. */
+  static int contact(int word) {
+    return word & CONTACT;
+  }
+
+  /** Sets what a circle remembers of its impacts; the contact is left out. */
+  static void recall(int word, MovingCircle m) {
+    m.speedExponent = word >> EXPONENT_SHIFT;
+    m.driven = (word & DRIVEN) != 0;
+    m.turn = (word >> TURN_SHIFT & TURN) - 1;
+  }
+
+  /** Whether a number can be a word without a contact. */
+  public static boolean isValid(int word) {
+    MovingCircle m = new MovingCircle();
+    recall(word, m);
+    return of(m, 0) == word
+        && Math.abs(m.turn) <= 1
+        && m.speedExponent >= Double.MIN_EXPONENT - 1
+        && m.speedExponent <= Double.MAX_EXPONENT + 1;
+  }
+}

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.internal.sweep.Contact;
+import java.lang.reflect.Field;
+import java.lang.reflect.Modifier;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Every copy of a circle's state holds every field of {@link MovingCircle}: a field that is added
+ * there and forgotten in one of the copies fails here.
+ */
+class CircleFieldsTest {
+
+  /** Fields that hold something within an impact only, and the number of the circle. */
+  private static final Set<String> PASSING = Set.of("id", "flown", "standsStill", "crushed");
+
+  /** Fields that tell what is ahead; a snapshot leaves them out, and the next search finds them. */
+  private static final Set<String> AHEAD = Set.of("cleared", "next", "contact", "lookahead");
+
+  private static Map<String, Object> fields(MovingCircle m) throws IllegalAccessException {
+    Map<String, Object> values = new LinkedHashMap<>();
+    for (Field field : MovingCircle.class.getDeclaredFields()) {
+      if (!Modifier.isStatic(field.getModifiers()) && !PASSING.contains(field.getName())) {
+        values.put(field.getName(), field.get(m));
+      }
+    }
+    return values;
+  }
+
+  private static Map<String, Object> without(Map<String, Object> values, Set<String> names) {
+    Map<String, Object> left = new LinkedHashMap<>(values);
+    left.keySet().removeAll(names);
+    return left;
+  }
+
+  /** A circle whose fields differ from each other, from those at first, and from other bases. */
+  private static MovingCircle filled(int base) throws IllegalAccessException {
+    MovingCircle m = new MovingCircle();
+    int next = base;
+    for (Field field : MovingCircle.class.getDeclaredFields()) {
+      if (Modifier.isStatic(field.getModifiers()) || PASSING.contains(field.getName())) {
+        continue;
+      }
+      next++;
+      if (field.getType() == double.class) {
+        field.setDouble(m, next + 0.5);
+      } else if (field.getType() == int.class) {
+        field.setInt(m, next);
+      } else if (field.getType() == boolean.class) {
+        field.setBoolean(m, base == 100);
+      } else {
+        field.set(m, IgnoreList.with(null, next));
+      }
+    }
+    m.contact = Contact.END;
+    m.turn = 1;
+    return m;
+  }
+
+  @Test
+  void noTwoFieldsAreAlike() throws IllegalAccessException {
+    Map<String, Object> values = fields(filled(100));
+    assertThat(values).hasSizeGreaterThan(15);
+    assertThat(values.values()).doesNotHaveDuplicates();
+    Map<String, Object> first = fields(new MovingCircle());
+    values.forEach((name, value) -> assertThat(value).as(name).isNotEqualTo(first.get(name)));
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void theTableHoldsThem(boolean collide) throws IllegalAccessException {
+    CircleTable circles = collide ? CircleTable.colliding(3) : new CircleTable(3);
+    MovingCircle m = filled(100);
+    circles.store(1, m);
+    MovingCircle loaded = filled(200);
+    circles.load(1, loaded);
+    assertThat(fields(loaded)).isEqualTo(fields(m));
+  }
+
+  /** What is ahead is not read for a meeting, nor what was hit last: the meeting sets it. */
+  @Test
+  void theTableHoldsThemForAMeeting() throws IllegalAccessException {
+    CircleTable circles = CircleTable.colliding(3);
+    MovingCircle m = filled(100);
+    circles.store(1, m);
+    MovingCircle loaded = filled(200);
+    loaded.last = m.last;
+    circles.loadForMeeting(circles.state, circles.codes, 1, loaded);
+    assertThat(without(fields(loaded), AHEAD)).isEqualTo(without(fields(m), AHEAD));
+  }
+
+  /** Its restitution is not that of a flight, and stays. */
+  @Test
+  void theTableTakesOverANewFlight() throws IllegalAccessException {
+    CircleTable circles = CircleTable.colliding(3);
+    circles.store(1, filled(200));
+    double restitution = circles.restitution(1);
+    MovingCircle m = filled(100);
+    int lookahead = m.lookahead;
+    m.newFlight();
+    m.lookahead = lookahead;
+    circles.storeNewFlight(circles.state, circles.codes, 1, m);
+    MovingCircle loaded = filled(400);
+    circles.load(1, loaded);
+    m.restitution = restitution;
+    assertThat(fields(loaded)).isEqualTo(fields(m));
+  }
+
+  @Test
+  void theUndoLogPutsThemBack() throws IllegalAccessException {
+    CircleTable circles = new CircleTable(3);
+    MovingCircle m = filled(100);
+    circles.storeAndSetDue(2, m);
+    UndoLog undoLog = new UndoLog(1);
+    undoLog.save(circles, 2);
+    circles.storeAndSetDue(2, filled(200));
+    undoLog.restore(circles);
+    MovingCircle loaded = filled(400);
+    circles.load(2, loaded);
+    assertThat(fields(loaded)).isEqualTo(fields(m));
+    assertThat(circles.due.get(2)).isEqualTo(m.due());
+  }
+
+  @Test
+  void aSnapshotHoldsThem() throws IllegalAccessException {
+    SavedFlights saved = new SavedFlights(new int[] {0, 1, 2});
+    MovingCircle m = filled(100);
+    saved.put(1, m, 7.5, 9);
+    MovingCircle loaded = filled(200);
+    saved.get(1, loaded);
+    assertThat(without(fields(loaded), AHEAD)).isEqualTo(without(fields(m), AHEAD));
+    assertThat(loaded.cleared).isEqualTo(7.5);
+    assertThat(loaded.contact).isEqualTo(9);
+    assertThat(loaded.next).isEqualTo(MovingCircle.NOTHING);
+  }
+
+  /** Of a recorded flight, each number tells in one of the answers. */
+  @Test
+  void aTimelineHoldsTheFlight() throws IllegalAccessException {
+    MovingCircle m = filled(1);
+    double[] answers = answers(m);
+    for (String name : new String[] {"x", "y", "vx", "vy", "t", "tl", "radius"}) {
+      MovingCircle other = filled(1);
+      Field field =
+          Arrays.stream(MovingCircle.class.getDeclaredFields())
+              .filter(f -> f.getName().equals(name))
+              .findAny()
+              .orElseThrow();
+      field.setDouble(other, field.getDouble(other) + 0.25);
+      assertThat(answers(other)).as(name).isNotEqualTo(answers);
+    }
+  }
+
+  private static double[] answers(MovingCircle m) {
+    double[] row = new double[FlightRow.SIZE];
+    FlightRow.put(m, row, 0);
+    FlightHistory history = new FlightHistory(2);
+    history.add(row, 0);
+    int k = history.find(50);
+    return new double[] {
+      history.x(k, 50, null),
+      history.y(k, 50, null),
+      history.vx(k),
+      history.vy(k),
+      history.radius(k)
+    };
+  }
+}
