@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.engine.CellGrid;
 import dev.carom.internal.engine.CellLinks;
+import dev.carom.internal.engine.Crossing;
 import dev.carom.internal.engine.EventKind;
 import dev.carom.internal.engine.EventPrefetcher;
 import dev.carom.internal.engine.NeighborGrid;
@@ -99,7 +100,7 @@ class NeighborGridTest {
     CircleTable circles = circles(scene);
     NeighborGrid neighbors =
         new NeighborGrid(circles, new CircleRegistry(scene.data, 1).slots(), null, 1, 0);
-    assertThat(neighbors.crossing(circles.state, 0)).isEqualTo(Double.POSITIVE_INFINITY);
+    assertThat(crossing(neighbors, circles).time).isEqualTo(Double.POSITIVE_INFINITY);
   }
 
   /** Where none is near, a circle anywhere in its cell is further than its radius from any wall. */
@@ -280,15 +281,15 @@ class NeighborGridTest {
         new NeighborGrid(circles, new CircleRegistry(scene.data, 1).slots(), null, 1, 0);
     int column = neighbors.column(0);
     int row = neighbors.row(0);
-    double crossing = neighbors.crossing(circles.state, 0);
-    int way = neighbors.way();
+    Crossing crossing = crossing(neighbors, circles);
+    int way = crossing.way;
     assertThat(NeighborGrid.columnsOn(way)).isEqualTo((int) Math.signum((int) vx));
     assertThat(NeighborGrid.rowsOn(way)).isEqualTo((int) Math.signum((int) vy));
     neighbors.cross(circles.state, circles.codes, 0, way, new int[11]);
     assertThat(neighbors.column(0)).isEqualTo(column + NeighborGrid.columnsOn(way));
     assertThat(neighbors.row(0)).isEqualTo(row + NeighborGrid.rowsOn(way));
     assertThat(around(neighbors, circles, neighbors.column(0), neighbors.row(0))).contains(0);
-    assertThat(neighbors.crossing(circles.state, 0)).isGreaterThan(crossing);
+    assertThat(crossing(neighbors, circles).time).isGreaterThan(crossing.time);
   }
 
   /** Where a new flight starts, in any direction and far, or in the same cell still. */
@@ -369,5 +370,11 @@ class NeighborGridTest {
     int[] found = new int[60];
     int size = lists.around(place, found, 0);
     return Arrays.stream(found, 0, size).boxed().toList();
+  }
+
+  private static Crossing crossing(NeighborGrid neighbors, CircleTable circles) {
+    Crossing crossing = new Crossing();
+    neighbors.nextCrossing(circles.state, 0, crossing);
+    return crossing;
   }
 }

@@ -2,7 +2,6 @@
 package dev.carom.internal.engine;
 
 import dev.carom.internal.exact.ExactBudget;
-import dev.carom.internal.queue.CalendarQueue;
 import dev.carom.internal.response.ContactCluster;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.PairResponse;
@@ -40,15 +39,9 @@ public final class CollidingEngine extends Engine {
 
   private final EngineOptions options;
 
-  /** Where the walls stand, by their codes; null without bounds. */
-  private final double[] walls;
-
   private final PairResponse pairs;
   private final ContactCluster cluster;
-  private NeighborGrid neighbors;
-  private CollisionPredictor predictor;
   private EventScheduler scheduler;
-  private CalendarQueue queue;
 
   /** The time of the last event, or of the end of the last step. */
   private double reached;
@@ -60,20 +53,15 @@ public final class CollidingEngine extends Engine {
   private double crossed;
 
   /** When a flight began last, or a sensor reported a meeting, as head and tail. */
-  private double happened;
+  private double lastEvent;
 
-  private double happenedTail;
+  private double lastEventTail;
 
   /** The end of the step in hand. */
   private double end;
 
   /** Whether there are no lines and no pegs, in this step. */
   private boolean nothingInside;
-
-  /** What searches among neighbours found: for one circle, and for another. */
-  private int[] found;
-
-  private int[] foundOfOther;
 
   /** Whether an edit needs more room or other cells than there are. */
   private boolean outgrown;
@@ -85,7 +73,6 @@ public final class CollidingEngine extends Engine {
       SceneData scene, CircleRegistry registry, EngineOptions options, ImpactRows log) {
     super(scene, registry, CircleTable.colliding(scene.circleCount()), options, log);
     this.options = options;
-    walls = scene.walls;
     pairs = new PairResponse(registry);
     cluster = new ContactCluster(registry, pairs, response, staticScene.obstacles, new Vicinity());
     int count = circles.count;
@@ -100,17 +87,10 @@ public final class CollidingEngine extends Engine {
   private void begin() {
     crossed = Double.NaN;
     nothingInside = staticScene.obstacles.size() == 0;
-    int room = circles.capacity();
-    found = new int[room + 9];
-    foundOfOther = new int[room + 9];
-    int[] slots = registry.slots();
-    neighbors = new NeighborGrid(circles, slots, walls, options.pairCells(), reached);
-    predictor = new CollisionPredictor(circles, pairs, sensed);
-    scheduler = new EventScheduler(circles, registry, neighbors, predictor, pairs, room);
-    queue = scheduler.queue;
-    for (int i : slots) {
+    scheduler = new EventScheduler(circles, registry, pairs, sensed, options.pairCells(), reached);
+    for (int i : registry.slots()) {
       findNextObstacle(circles.state, circles.codes, i);
-      predict(i);
+      scheduler.predict(i);
     }
   }
 
@@ -136,29 +116,23 @@ public final class CollidingEngine extends Engine {
     ExactBudget work = ExactBudget.ofThread();
     long before = work.bits();
     for (long events = 0; ; events++) {
-      if (events + work.impactsSince(before) >= budget && isSomethingDue()) {
+      if (events + work.impactsSince(before) >= budget && scheduler.isAnyDue(end)) {
         unfinished = true;
         return reached;
       }
-      int i = queue.poll(end);
+      int i = scheduler.poll(end);
       if (i == Index.NONE) {
         reached = end;
         return end;
       }
-      advanceClock(queue.polledTime());
+      advanceClock(scheduler.polledTime());
       int kind = EventScheduler.kind(c, i);
       if (kind >= EventKind.CROSSING) { // most are
         cross(s, c, i, kind - EventKind.CROSSING);
       } else {
-        happen(s, c, i, kind);
+        handle(s, c, i, kind);
       }
     }
-  }
-
-  /** Whether there is an event until the end of the step. */
-  private boolean isSomethingDue() {
-    int i = queue.first();
-    return i != Index.NONE && queue.time(i) <= end;
   }
 
   /**
@@ -170,29 +144,23 @@ public final class CollidingEngine extends Engine {
     }
   }
 
-  /** What is no crossing. */
-  private void happen(double[] s, int[] c, int i, int kind) {
+  /** Handles an event other than a crossing. */
+  private void handle(double[] s, int[] c, int i, int kind) {
     switch (kind) {
       case EventKind.STATIC -> meetObstacle(i);
-      case EventKind.PAIR -> meet(s, c, i);
+      case EventKind.PAIR -> meetCircle(s, c, i);
       default -> { // an edit
         findNextObstacle(s, c, i);
-        predict(i);
+        scheduler.predict(i);
       }
     }
   }
 
   private void cross(double[] s, int[] c, int i, int way) {
     crossed = reached;
-    int size = neighbors.cross(s, c, i, way, found);
-    double crossing = neighbors.crossing(s, i);
-    int nextWay = neighbors.way();
+    int size = scheduler.cross(s, c, i, way);
     findNextObstacle(s, c, i);
-    if (predictor.predictEarlier(s, c, i, found, size)) {
-      scheduler.set(s, c, i, crossing, nextWay);
-    } else {
-      predict(i);
-    }
+    scheduler.predictAfterCrossing(s, c, i, size);
   }
 
   private void meetObstacle(int i) {
@@ -201,14 +169,14 @@ public final class CollidingEngine extends Engine {
     if (m.next == MovingCircle.NOTHING) {
       staticScene.extend(m, m.cleared);
       circles.store(i, m);
-      scheduler.set(i);
+      scheduler.schedule(i);
       return;
     }
     switch (response.resolve(m, log)) {
       case ObstacleResponse.SENSED -> {
         staticScene.extend(m, m.cleared);
         circles.store(i, m);
-        scheduler.set(i);
+        scheduler.schedule(i);
       }
       case ObstacleResponse.STUCK -> {
         circles.store(i, m);
@@ -216,48 +184,39 @@ public final class CollidingEngine extends Engine {
         resolveContacts(i);
       }
       default -> {
-        happened(m.t, m.tl);
-        changed(circles.state, circles.codes, i, m);
+        noteEvent(m.t, m.tl);
+        startFlight(circles.state, circles.codes, i, m);
         leaveJamsOfInfinite(i);
         reactivate(i);
-        predict(i);
+        scheduler.predict(i);
       }
     }
   }
 
-  private void meet(double[] s, int[] c, int i) {
+  private void meetCircle(double[] s, int[] c, int i) {
     if (!CollisionPredictor.isValid(c, i)) {
-      predict(i);
+      scheduler.predict(i);
       return;
     }
     int j = CollisionPredictor.partner(c, i);
     if (CollisionPredictor.isOpen(s, i)) {
-      predictor.refine(s, c, i);
-      boolean isOfBoth = EventScheduler.isSame(c, i, j);
-      if (isOfBoth) {
-        queue.clear(j); // else that event would seem to come first
-      }
-      if (!isStillFirst(s, i)) {
-        scheduler.set(i);
-        if (isOfBoth) {
-          scheduler.set(j);
-        }
+      if (!scheduler.confirm(s, c, i, j, end)) {
         return;
       }
       advanceClock(CollisionPredictor.time(s, i));
     }
-    queue.clear(j);
+    scheduler.cancel(j);
     int low = Math.min(i, j);
     int high = Math.max(i, j);
     circles.loadForMeeting(s, c, low, circles.mover);
     circles.loadForMeeting(s, c, high, other);
-    flyToMeeting(s, circles.mover, other, i, circles.walls);
+    advanceToMeeting(s, circles.mover, other, i, circles.walls);
     circles.mover.crushed = cluster.isCrushed(circles.mover);
     other.crushed = cluster.isCrushed(other);
     switch (pairs.resolve(circles.mover, other, log)) {
       case ObstacleResponse.SENSED -> {
         report(low, high, i);
-        predict(s, c, low, high);
+        scheduler.predict(s, c, low, high);
       }
       case ObstacleResponse.STUCK -> {
         circles.store(low, circles.mover);
@@ -265,36 +224,27 @@ public final class CollidingEngine extends Engine {
         resolveContacts(low, high);
       }
       default -> {
-        happened(other.t, other.tl); // for both
-        changed(s, c, low, circles.mover);
-        changed(s, c, high, other);
+        noteEvent(other.t, other.tl); // for both
+        startFlight(s, c, low, circles.mover);
+        startFlight(s, c, high, other);
         reactivate(low);
         reactivate(high);
-        predict(s, c, low, high);
+        scheduler.predict(s, c, low, high);
       }
     }
-  }
-
-  /**
-   * Whether the meeting of circle i, now that its time is known, comes before all other events:
-   * those of others, for its own were compared by {@link EventScheduler#set}.
-   */
-  private boolean isStillFirst(double[] s, int i) {
-    double time = CollisionPredictor.time(s, i);
-    return time <= end && queue.isBeforeAll(time);
   }
 
   /** Notes that a sensor reported what circle i met: one of two. */
   private void report(int low, int high, int i) {
     double head = CollisionPredictor.time(circles.state, i);
     double tail = CollisionPredictor.tail(circles.state, i);
-    happened(head, tail);
+    noteEvent(head, tail);
     sensed.report(low, head, tail, high);
     sensed.report(high, head, tail, low);
   }
 
-  /** Flies two circles to the meeting foreseen of circle i, the earlier one first to the other. */
-  private static void flyToMeeting(
+  /** Advances two circles to the meeting predicted of circle i. */
+  private static void advanceToMeeting(
       double[] s, MovingCircle a, MovingCircle b, int i, double[] walls) {
     double tau = CollisionPredictor.tau(s, i);
     double head = CollisionPredictor.time(s, i);
@@ -308,19 +258,19 @@ public final class CollidingEngine extends Engine {
   }
 
   /** Puts a circle on its new flight. */
-  private void changed(double[] s, int[] c, int i, MovingCircle m) {
+  private void startFlight(double[] s, int[] c, int i, MovingCircle m) {
     circles.storeNewFlight(s, c, i, m);
-    neighbors.comeBack(s, i);
-    count(c, i);
+    scheduler.comeBack(s, i);
+    invalidate(c, i);
     if (recorder != null) {
       recorder.add(m);
     }
     findNextObstacle(s, c, i);
   }
 
-  private void happened(double head, double tail) {
-    happenedTail = head == happened ? Math.max(happenedTail, tail) : tail;
-    happened = head;
+  private void noteEvent(double head, double tail) {
+    lastEventTail = head == lastEvent ? Math.max(lastEventTail, tail) : tail;
+    lastEvent = head;
   }
 
   /** Resolves all contacts of stuck circles, and of those that touch them, at once. */
@@ -328,12 +278,12 @@ public final class CollidingEngine extends Engine {
     MovingCircle[] first = Arrays.stream(hit).mapToObj(this::copy).toArray(MovingCircle[]::new);
     Collection<MovingCircle> members = cluster.resolve(log, first);
     for (MovingCircle m : members) {
-      queue.clear(m.id);
-      happened(m.t, m.tl);
-      changed(circles.state, circles.codes, m.id, m);
+      scheduler.cancel(m.id);
+      noteEvent(m.t, m.tl);
+      startFlight(circles.state, circles.codes, m.id, m);
     }
     members.forEach(m -> reactivate(m.id));
-    members.forEach(m -> predict(m.id));
+    members.forEach(m -> scheduler.predict(m.id));
   }
 
   /** What is near the circles, by their cells and the grid of the obstacles. */
@@ -341,14 +291,7 @@ public final class CollidingEngine extends Engine {
 
     @Override
     public int[] circlesNear(int i) {
-      int end = neighbors.find(circles.codes, i, found);
-      for (int k = 0; k < end; k++) {
-        int follower = circles.codes[CircleTable.collidingCodesAt(found[k]) + CircleTable.FOLLOWER];
-        if (follower != Index.NONE) {
-          found[end++] = follower;
-        }
-      }
-      return Arrays.copyOf(found, end);
+      return scheduler.near(i);
     }
 
     @Override
@@ -391,7 +334,7 @@ public final class CollidingEngine extends Engine {
   }
 
   /** Notes that a circle changed: what others foresaw with it does not hold, nor what it met. */
-  private void count(int[] c, int i) {
+  private void invalidate(int[] c, int i) {
     c[CircleTable.collidingCodesAt(i) + CircleTable.COUNT]++;
     sensed.forget(i);
   }
@@ -400,42 +343,12 @@ public final class CollidingEngine extends Engine {
    * Looks for the next obstacle ahead of a circle, unless that is done or none can be in its cell.
    */
   private void findNextObstacle(double[] s, int[] c, int i) {
-    boolean nothingNear = nothingInside && neighbors.isInside(s, i);
-    if (!nothingNear && !EventScheduler.isLookedAhead(s, c, i)) {
+    boolean nothingNear = nothingInside && scheduler.isInside(s, i);
+    if (!nothingNear && !EventScheduler.isObstacleKnown(s, c, i)) {
       circles.load(i);
       staticScene.extend(circles.mover, 0);
       circles.store(i, circles.mover);
     }
-  }
-
-  /** Looks anew for the first circle that circle i meets. */
-  private void predict(int i) {
-    double[] s = circles.state;
-    int[] c = circles.codes;
-    int size = neighbors.find(c, i, found);
-    double crossing = neighbors.crossing(s, i);
-    int way = neighbors.way();
-    predictor.predictAmong(s, c, i, found, CollisionPredictor.filterPairs(s, c, i, found, size));
-    scheduler.set(s, c, i, crossing, way);
-  }
-
-  /**
-   * The same for two circles: first what can be computed without a branch, for both, then what
-   * branches on it, which cannot be foretold. So the waits of one overlap with those of the other.
-   */
-  private void predict(double[] s, int[] c, int i, int j) {
-    int size = neighbors.find(c, i, found);
-    int sizeOfJ = neighbors.find(c, j, foundOfOther);
-    double crossingOfI = neighbors.crossing(s, i);
-    int wayOfI = neighbors.way();
-    double crossingOfJ = neighbors.crossing(s, j);
-    int wayOfJ = neighbors.way();
-    int leftOfI = CollisionPredictor.filterPairs(s, c, i, found, size);
-    int leftOfJ = CollisionPredictor.filterPairs(s, c, j, foundOfOther, sizeOfJ);
-    predictor.predictAmong(s, c, i, found, leftOfI);
-    scheduler.set(s, c, i, crossingOfI, wayOfI);
-    predictor.predictAmong(s, c, j, foundOfOther, leftOfJ);
-    scheduler.set(s, c, j, crossingOfJ, wayOfJ);
   }
 
   // Edits.
@@ -449,16 +362,15 @@ public final class CollidingEngine extends Engine {
       outgrown |= i == circles.capacity();
       circles.add();
     } else if (!outgrown) {
-      queue.clear(i);
-      neighbors.leave(i);
+      scheduler.remove(i);
     }
     staticScene.setRadius(i, m.radius);
     circles.store(i, m);
-    count(circles.codes, i);
+    invalidate(circles.codes, i);
     if (recorder != null) {
       recorder.add(m);
     }
-    outgrown = outgrown || !neighbors.enter(i, reached);
+    outgrown = outgrown || !scheduler.enter(i, reached);
     repredict(i);
     leaveJamsOfInfinite(i);
   }
@@ -466,7 +378,6 @@ public final class CollidingEngine extends Engine {
   /** Lets a circle look ahead and around anew with the next step, when all edits are done. */
   private void repredict(int i) {
     if (!outgrown) {
-      queue.clear(i);
       scheduler.edit(i, reached);
     }
   }
@@ -476,18 +387,17 @@ public final class CollidingEngine extends Engine {
     return lastTail(now);
   }
 
-  /** The tail of the last event, if that was now; to whom it happened may be gone. */
+  /** The tail of the last event, if that was now; its circle may be gone. */
   private double lastTail(double now) {
-    return happened == now ? Math.max(0, happenedTail) : 0;
+    return lastEvent == now ? Math.max(0, lastEventTail) : 0;
   }
 
   @Override
   void remove(int i) {
     if (!outgrown) {
-      queue.clear(i);
-      neighbors.leave(i);
+      scheduler.remove(i);
     }
-    count(circles.codes, i);
+    invalidate(circles.codes, i);
     if (circles.jams != null) {
       leaveJams(ObstacleTable.CIRCLES + i);
     }
@@ -539,8 +449,8 @@ public final class CollidingEngine extends Engine {
     outgrown = true;
     sensed.clear();
     super.restore(flights, now);
-    happened = now;
-    happenedTail = flights.tailOfEdit;
+    lastEvent = now;
+    lastEventTail = flights.tailOfEdit;
     for (int k = 0; k < flights.count(); k++) {
       sensed.restore(k, registry, flights);
     }

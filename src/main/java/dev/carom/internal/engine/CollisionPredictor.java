@@ -70,10 +70,10 @@ final class CollisionPredictor {
   private int partner;
   private double high;
 
-  // The meeting that exact() looked at last: after the later start, as head and tail.
-  private double exactTau;
-  private double exactHead;
-  private double exactTail;
+  /** The time of the meeting that is looked at, and of the first one so far. */
+  private final MeetingTime candidate = new MeetingTime();
+
+  private final MeetingTime first = new MeetingTime();
 
   CollisionPredictor(CircleTable circles, PairResponse pairs, SensorPairs sensed) {
     this.sensed = sensed;
@@ -130,10 +130,10 @@ final class CollisionPredictor {
   /** Finds the time of what was foreseen of circle i, which is open and holds. */
   void refine(double[] s, int[] codes, int i) {
     int a = CircleTable.collidingAt(i);
-    exactLater(s, i, partner(codes, i));
-    s[a + CircleTable.MEETING] = exactHead;
-    s[a + CircleTable.MEETING_TAIL] = exactTail;
-    s[a + CircleTable.TAU] = exactTau;
+    find(first, s, i, partner(codes, i), true);
+    s[a + CircleTable.MEETING] = first.head;
+    s[a + CircleTable.MEETING_TAIL] = first.tail;
+    s[a + CircleTable.TAU] = first.tau;
   }
 
   /**
@@ -241,7 +241,7 @@ final class CollisionPredictor {
     return (Double.doubleToRawLongBits(x) >> 1) + HALF_OF_REST;
   }
 
-  /** Keeps j as what circle i meets first, if that is so; false as in look. */
+  /** Keeps j as what circle i meets first, if that is so; false as in {@link #predictEarlier}. */
   private boolean consider(double[] s, int[] codes, int i, int j, int before) {
     int a = CircleTable.collidingAt(i);
     int c = CircleTable.collidingAt(j);
@@ -327,28 +327,30 @@ final class CollisionPredictor {
     }
   }
 
-  /** Compares the meeting of i and j with the first one so far by their times; false as in look. */
+  /**
+   * Compares the meeting of i and j with the first one so far by their times; false as in {@link
+   * #predictEarlier}.
+   */
   private boolean compareExactly(
       double[] s, int[] codes, int i, int j, int before, boolean silent) {
-    exact(s, i, j, false);
-    if (exactTau == NEVER || exactHead > high || (silent && !isEntered(i, j))) {
+    MeetingTime time = candidate;
+    find(time, s, i, j, false);
+    if (time.tau == NEVER || time.head > high || (silent && !isEntered(time, i, j))) {
       return true;
     }
-    double t = exactTau;
-    double head = exactHead;
-    double l = exactTail;
-    if (head >= time(s, i) && isOpen(s, i)) {
+    if (time.head >= time(s, i) && isOpen(s, i)) {
       if (partner == before && !isValid(codes, i)) {
         return false;
       }
-      exactLater(s, i, partner);
-      setFirst(s, i, partner, exactHead, exactHead, exactTau, exactTail);
+      find(first, s, i, partner, true);
+      setFirst(s, i, partner, first.head, first.head, first.tau, first.tail);
     }
     double low = time(s, i);
     double tail = tail(s, i);
-    boolean first = head != low ? head < low : l != tail ? l < tail : comesFirst(i, j, partner);
-    if (first) {
-      setFirst(s, i, j, head, head, t, l);
+    if (time.head != low
+        ? time.head < low
+        : time.tail != tail ? time.tail < tail : comesFirst(i, j, partner)) {
+      setFirst(s, i, j, time.head, time.head, time.tau, time.tail);
     }
     return true;
   }
@@ -360,21 +362,20 @@ final class CollisionPredictor {
   }
 
   /**
-   * Whether the meeting looked at last, which is only reported, still has to be: it was if both
-   * have been on their flights since. A sensor does not report what touches it when a flight
-   * starts.
+   * Whether a meeting that is only reported still has to be: it was if both have been on their
+   * flights since. A sensor does not report what touches it when a flight starts.
    */
-  private boolean isEntered(int i, int j) {
-    return (exactTau > 0 || !pairs.isSensor(i, j))
-        && (sensed.isNew(i, exactHead, exactTail, j) || sensed.isNew(j, exactHead, exactTail, i));
+  private boolean isEntered(MeetingTime time, int i, int j) {
+    return (time.tau > 0 || !pairs.isSensor(i, j))
+        && (sensed.isNew(i, time.head, time.tail, j) || sensed.isNew(j, time.head, time.tail, i));
   }
 
-  /** Finds when two meet that are known to meet, but not at once. */
-  private void exactLater(double[] s, int i, int j) {
-    exact(s, i, j, true);
-  }
-
-  private void exact(double[] s, int i, int j, boolean known) {
+  /**
+   * Finds when two circles meet.
+   *
+   * @param known whether they are known to meet, but not at once
+   */
+  private static void find(MeetingTime found, double[] s, int i, int j, boolean known) {
     int a = CircleTable.collidingAt(Math.min(i, j));
     int b = CircleTable.collidingAt(Math.max(i, j));
     // The first and the last one first, as in consider.
@@ -398,17 +399,25 @@ final class CollisionPredictor {
     x2 = Math.fma(vx2, of2, x2);
     double y2 = Math.fma(vy2, of2, s[b + FlightRow.Y]);
     if (!(Math.abs(x1 - x2) + Math.abs(y1 - y2) < NEVER)) {
-      exactTau = NEVER; // one of them is beyond the range of doubles
+      found.tau = NEVER; // one of them is beyond the range of doubles
       return;
     }
     int contact =
         known ? Contact.LATER : DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
-    exactTau = DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
+    double tau = DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
     // The later start and tau, as head and tail.
     double t = s[late + FlightRow.T];
-    double sum = t + exactTau;
-    double l = sumTail(t, exactTau, sum) + s[late + FlightRow.TL];
-    exactHead = sum + l;
-    exactTail = sumTail(sum, l, exactHead);
+    double sum = t + tau;
+    double l = sumTail(t, tau, sum) + s[late + FlightRow.TL];
+    found.tau = tau;
+    found.head = sum + l;
+    found.tail = sumTail(sum, l, found.head);
+  }
+
+  /** When two circles meet: how long after the later start of a flight, and as head and tail. */
+  private static final class MeetingTime {
+    double tau;
+    double head;
+    double tail;
   }
 }

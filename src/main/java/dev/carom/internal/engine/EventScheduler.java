@@ -7,43 +7,58 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.util.Index;
+import java.util.Arrays;
 
 /**
- * What happens next among circles that collide. Each has one event in a queue, the first of three:
- * it meets something that stands still (or the end of what is known of that), it meets another
- * circle, or it leaves a cell.
+ * What happens next among circles that collide: the cells in which they are, the collision that is
+ * predicted of each, and the queue of their events. Each circle has one event in the queue, the
+ * earliest of three: it meets an obstacle (or the end of what is known of obstacles), it meets
+ * another circle, or it leaves a cell.
  *
- * <p>Simultaneous events are taken by kind (wall, line, peg, pair), then by the numbers of what
- * meets.
+ * <p>The three depend on each other and on the room in the table of circles. So they are made
+ * together, and together made anew when an edit needs more room or other cells.
  */
 final class EventScheduler {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /** The circles by the times of their events. */
-  final CalendarQueue queue;
-
-  private final double[] state;
-  private final int[] codes;
+  private final CalendarQueue queue;
   private final NeighborGrid neighbors;
   private final CollisionPredictor predictor;
-  private final PairResponse pairs;
+  private final EventComparator order;
+  private final double[] state;
+  private final int[] codes;
 
+  // What searches among neighbors found, of one circle and of another.
+  private final int[] found;
+  private final int[] foundOfOther;
+  private final Crossing crossing = new Crossing();
+  private final Crossing crossingOfOther = new Crossing();
+
+  /**
+   * A scheduler without any event.
+   *
+   * @param diameters how many times the largest diameter a cell measures
+   */
   EventScheduler(
       CircleTable circles,
       CircleRegistry registry,
-      NeighborGrid neighbors,
-      CollisionPredictor predictor,
       PairResponse pairs,
-      int room) {
+      SensorPairs sensed,
+      double diameters,
+      double now) {
     state = circles.state;
     codes = circles.codes;
-    this.neighbors = neighbors;
-    this.predictor = predictor;
-    this.pairs = pairs;
+    int room = circles.capacity();
+    found = new int[room + NeighborGrid.SPARE];
+    foundOfOther = new int[room + NeighborGrid.SPARE];
+    neighbors = new NeighborGrid(circles, registry.slots(), circles.walls, diameters, now);
+    predictor = new CollisionPredictor(circles, pairs, sensed);
+    order = new EventComparator(circles, neighbors, pairs);
     boolean many = room >= EventPrefetcher.LEAST_CIRCLES;
     EventPrefetcher prefetcher = many ? new EventPrefetcher(circles, registry, neighbors) : null;
-    queue = new CalendarQueue(room, this::before, prefetcher, circles.codes);
+    queue = new CalendarQueue(room, order, prefetcher, codes);
   }
 
   /** The kind of a circle's event. */
@@ -58,128 +73,207 @@ final class EventScheduler {
         && CollisionPredictor.isValid(c, j);
   }
 
-  /** Lets a circle be looked at anew at the given time. */
-  void edit(int i, double time) {
-    put(i, time, EventKind.EDIT);
-  }
-
-  private void put(int i, double time, int kind) {
-    codes[CircleTable.collidingCodesAt(i) + CircleTable.KIND] = kind;
-    queue.set(i, time);
-  }
-
-  /** Whether it is known what a circle meets that stands still, or that there is nothing near. */
-  static boolean isLookedAhead(double[] s, int[] c, int i) {
+  /** Whether the next obstacle of a circle is known, or that there is none near. */
+  static boolean isObstacleKnown(double[] s, int[] c, int i) {
     return cleared(s, i) > 0 || next(c, i) >= 0;
   }
 
-  private static double cleared(double[] s, int i) {
+  static double cleared(double[] s, int i) {
     return s[CircleTable.collidingAt(i) + CircleTable.CLEARED];
   }
 
-  /** What is ahead of a circle; negative for nothing. */
-  private static int next(int[] c, int i) {
+  /** The obstacle ahead of a circle; negative for none. */
+  static int next(int[] c, int i) {
     return c[CircleTable.collidingCodesAt(i) + CircleTable.NEXT];
   }
 
-  /** When the obstacle ahead is met, or what is known of obstacles ends. */
-  private static double due(double[] s, int[] c, int i) {
-    int a = CircleTable.collidingAt(i);
-    double cleared = s[a + CircleTable.CLEARED];
-    return isLookedAhead(s, c, i) && cleared < NEVER
-        ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], cleared)
-        : NEVER;
+  // The queue.
+
+  /**
+   * Takes out the first event, if it is due by a given time; {@link #polledTime} is its time.
+   *
+   * @return its circle, or {@link Index#NONE}
+   */
+  int poll(double end) {
+    return queue.poll(end);
   }
 
-  /** The tail of the time of the obstacle ahead. */
-  private double dueTail(int i) {
-    int a = CircleTable.collidingAt(i);
-    double t = state[a + FlightRow.T];
-    double tl = state[a + FlightRow.TL];
-    double cleared = state[a + CircleTable.CLEARED];
-    return next(codes, i) < 0
-        ? Double.NEGATIVE_INFINITY
-        : MovingCircle.sumTail(t, tl, cleared, MovingCircle.sum(t, tl, cleared));
+  double polledTime() {
+    return queue.polledTime();
   }
 
-  /** Puts the first of a circle's events into the queue. */
-  void set(int i) {
-    double crossing = neighbors.crossing(state, i);
-    set(state, codes, i, crossing, neighbors.way());
+  /** Whether an event is due by a given time. */
+  boolean isAnyDue(double end) {
+    int i = queue.first();
+    return i != Index.NONE && queue.time(i) <= end;
   }
 
-  /** The same with the crossing that is next, {@code way} over which edge. */
-  void set(double[] s, int[] c, int i, double crossing, int way) {
-    double due = due(s, c, i);
+  /** Takes out the event of a circle: to be done before anything changes what orders it. */
+  void cancel(int i) {
+    queue.clear(i);
+  }
+
+  /**
+   * Finds the exact time of the collision predicted of circle i, whose event was just taken out.
+   *
+   * @return whether it comes by a given time, and before all other events; if not, it is scheduled
+   *     anew, and so is that of its partner j if it is the same
+   */
+  boolean confirm(double[] s, int[] c, int i, int j, double end) {
+    predictor.refine(s, c, i);
+    boolean isOfBoth = isSame(c, i, j);
+    if (isOfBoth) {
+      queue.clear(j); // else that event would seem to come first
+    }
+    double time = CollisionPredictor.time(s, i);
+    if (time <= end && queue.isBeforeAll(time)) {
+      return true;
+    }
+    schedule(i);
+    if (isOfBoth) {
+      schedule(j);
+    }
+    return false;
+  }
+
+  // Predictions.
+
+  /** Predicts anew which circle a circle meets first, and schedules its first event. */
+  void predict(int i) {
+    double[] s = state;
+    int[] c = codes;
+    int size = neighbors.find(c, i, found);
+    neighbors.nextCrossing(s, i, crossing);
+    predictor.predictAmong(s, c, i, found, CollisionPredictor.filterPairs(s, c, i, found, size));
+    schedule(s, c, i, crossing);
+  }
+
+  /**
+   * The same for two circles: first the branch-free part of both, then the part that branches. So
+   * the latencies of one overlap with those of the other.
+   */
+  void predict(double[] s, int[] c, int i, int j) {
+    int size = neighbors.find(c, i, found);
+    int sizeOfJ = neighbors.find(c, j, foundOfOther);
+    neighbors.nextCrossing(s, i, crossing);
+    neighbors.nextCrossing(s, j, crossingOfOther);
+    int leftOfI = CollisionPredictor.filterPairs(s, c, i, found, size);
+    int leftOfJ = CollisionPredictor.filterPairs(s, c, j, foundOfOther, sizeOfJ);
+    predictor.predictAmong(s, c, i, found, leftOfI);
+    schedule(s, c, i, crossing);
+    predictor.predictAmong(s, c, j, foundOfOther, leftOfJ);
+    schedule(s, c, j, crossingOfOther);
+  }
+
+  /**
+   * Moves a circle into the cell that it enters; its event is to be scheduled by {@link
+   * #predictAfterCrossing} then.
+   *
+   * @return how many circles are near that were not before
+   */
+  int cross(double[] s, int[] c, int i, int way) {
+    int size = neighbors.cross(s, c, i, way, found);
+    neighbors.nextCrossing(s, i, crossing);
+    return size;
+  }
+
+  /** Predicts whether a circle meets one of those that {@link #cross} found, and schedules it. */
+  void predictAfterCrossing(double[] s, int[] c, int i, int size) {
+    if (predictor.predictEarlier(s, c, i, found, size)) {
+      schedule(s, c, i, crossing);
+    } else {
+      predict(i);
+    }
+  }
+
+  /** Schedules the first event of a circle, of which everything is predicted. */
+  void schedule(int i) {
+    neighbors.nextCrossing(state, i, crossing);
+    schedule(state, codes, i, crossing);
+  }
+
+  private void schedule(double[] s, int[] c, int i, Crossing next) {
+    double crossing = next.time;
+    double obstacle = obstacle(s, c, i);
     // What is refined only when its turn comes is then still before the crossing and the obstacle.
-    if (CollisionPredictor.isInDoubt(s, c, i, due < crossing ? due : crossing)) {
+    if (CollisionPredictor.isInDoubt(s, c, i, obstacle < crossing ? obstacle : crossing)) {
       predictor.refine(s, c, i);
     }
     double meeting = CollisionPredictor.time(s, i);
     double time = Math.min(crossing, meeting);
-    // Without a branch, as it cannot be foretold: if none ever is, there is no event of any kind.
+    // Branch-free, as it is unpredictable. If nothing ever happens, there is no event of any kind.
     int pair = (int) (Double.doubleToRawLongBits(meeting - crossing) >> 63);
-    int cross = EventKind.CROSSING + way;
+    int cross = EventKind.CROSSING + next.way;
     int kind = cross ^ ((cross ^ EventKind.PAIR) & pair);
     // Within one stored time a fast circle could go on through the cells behind what it hits.
-    if (meeting == crossing && meeting < NEVER && isBeforeCrossing(i)) {
+    if (meeting == crossing && meeting < NEVER && order.isMeetingBeforeCrossing(i)) {
       kind = EventKind.PAIR;
     }
-    if (due <= time
-        && (due < crossing || cleared(s, i) < neighbors.until(s, i))
-        && !(meeting <= due && isBeforeObstacle(i))) {
+    if (obstacle <= time
+        && (obstacle < crossing || cleared(s, i) < next.after)
+        && !(meeting <= obstacle && order.isMeetingBeforeObstacle(i))) {
       kind = EventKind.STATIC;
-      time = due;
+      time = obstacle;
     }
+    put(c, i, time, kind);
+  }
+
+  /** When the obstacle ahead is met, or what is known of obstacles ends. */
+  private static double obstacle(double[] s, int[] c, int i) {
+    int a = CircleTable.collidingAt(i);
+    double cleared = s[a + CircleTable.CLEARED];
+    return isObstacleKnown(s, c, i) && cleared < NEVER
+        ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], cleared)
+        : NEVER;
+  }
+
+  private void put(int[] c, int i, double time, int kind) {
     c[CircleTable.collidingCodesAt(i) + CircleTable.KIND] = kind;
     queue.set(i, time);
   }
 
-  /** Of a meeting and a crossing at one time: if the meeting is first, or is to be refined. */
-  private boolean isBeforeCrossing(int i) {
-    return CollisionPredictor.tail(state, i) < crossingTail(i);
+  // Cells and edits.
+
+  /** Whether a circle meets no wall before it next leaves its cell. */
+  boolean isInside(double[] s, int i) {
+    return neighbors.isInside(s, i);
   }
 
-  /** Of a meeting and an obstacle at one time: if the meeting is first, or is to be refined. */
-  private boolean isBeforeObstacle(int i) {
-    double tail = CollisionPredictor.tail(state, i);
-    double other = dueTail(i);
-    return tail < other
-        || (tail == other && pairs.isSilent(i, CollisionPredictor.partner(codes, i)));
+  /** Lists a circle anew where its new flight starts, if it is not listed there. */
+  void comeBack(double[] s, int i) {
+    neighbors.comeBack(s, i);
   }
 
-  /** The order of two events of the same time. */
-  private boolean before(int i, int j) {
-    double a = tail(i);
-    double b = tail(j);
-    return a != b ? a < b : rank(i) < rank(j);
+  /** Takes a circle out of its cells, and its event out of the queue. */
+  void remove(int i) {
+    queue.clear(i);
+    neighbors.leave(i);
   }
 
-  private double tail(int i) {
-    return switch (kind(codes, i)) {
-      case EventKind.STATIC -> dueTail(i);
-      case EventKind.PAIR -> CollisionPredictor.tail(state, i);
-      case EventKind.EDIT -> Double.NEGATIVE_INFINITY;
-      default -> crossingTail(i);
-    };
+  /**
+   * Lists a circle in the cells where it is at a given time.
+   *
+   * @return false if its radius is none for which the cells were made
+   */
+  boolean enter(int i, double now) {
+    return neighbors.enter(i, now);
   }
 
-  private double crossingTail(int i) {
-    double until = neighbors.until(state, i);
-    int a = CircleTable.collidingAt(i);
-    double t = state[a + FlightRow.T];
-    double tl = state[a + FlightRow.TL];
-    return MovingCircle.sumTail(t, tl, until, MovingCircle.sum(t, tl, until));
+  /** Lets a circle be predicted anew at the given time, when all edits are done. */
+  void edit(int i, double time) {
+    queue.clear(i);
+    put(codes, i, time, EventKind.EDIT);
   }
 
-  private long rank(int i) {
-    return switch (kind(codes, i)) {
-      case EventKind.STATIC -> next(codes, i) < 0 ? i : (long) next(codes, i) << 31 | i;
-      case EventKind.PAIR -> {
-        int j = CollisionPredictor.partner(codes, i);
-        yield pairs.rank(Math.min(i, j), Math.max(i, j));
+  /** The circles in the cell of a circle and in those around it, maybe itself; a new array. */
+  int[] near(int i) {
+    int end = neighbors.find(codes, i, found);
+    for (int k = 0; k < end; k++) {
+      int follower = codes[CircleTable.collidingCodesAt(found[k]) + CircleTable.FOLLOWER];
+      if (follower != Index.NONE) {
+        found[end++] = follower;
       }
-      default -> i;
-    };
+    }
+    return Arrays.copyOf(found, end);
   }
 }

@@ -28,6 +28,9 @@ public final class NeighborGrid {
   /** Beyond so many cells from the origin a place no longer tells one cell from the next. */
   private static final double FARTHEST = 0x1p48;
 
+  /** Room that searches need beside that for all circles. */
+  static final int SPARE = 9;
+
   // Directions in which a circle leaves a cell: right, left, up, down.
   private static final int VERTICAL = 2;
   private static final int DIRECTION_BITS = 2;
@@ -70,8 +73,6 @@ public final class NeighborGrid {
 
   /** Of each level: columns and rows within which no wall is near; first, after last, for both. */
   private final double[] inside;
-
-  private int way;
 
   public NeighborGrid(
       CircleTable circles, int[] ids, double[] walls, double diameters, double now) {
@@ -280,50 +281,58 @@ public final class NeighborGrid {
         && row < inside[k + 3];
   }
 
-  /** When circle i next leaves a cell. */
-  public double crossing(double[] s, int i) {
-    double until = until(s, i);
-    int a = CircleTable.collidingAt(i);
-    return until < NEVER ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], until) : NEVER;
-  }
-
-  /** How long after the start of its flight that is. */
-  double until(double[] s, int i) {
+  /** Finds when circle i next leaves a cell, and which way. */
+  public void nextCrossing(double[] s, int i, Crossing crossing) {
     int a = CircleTable.collidingAt(i);
     double x = s[a + FlightRow.X] - originX;
     double y = s[a + FlightRow.Y] - originY;
     double vx = s[a + FlightRow.VX];
     double vy = s[a + FlightRow.VY];
-    double first = until(x, y, vx, vy, s[a + CircleTable.COLUMN], s[a + CircleTable.ROW], width(i));
-    int firstWay = levelOf(i) * DIRECTIONS + way;
-    for (int level = levelOf(i) + 1; level < levels; level++) {
-      int k = cellAt(i, level);
-      double least = until(x, y, vx, vy, coarse[k], coarse[k + 1], size[level]);
-      if (least < first) {
-        first = least;
-        firstWay = level * DIRECTIONS + way;
-      }
+    double column = s[a + CircleTable.COLUMN];
+    double row = s[a + CircleTable.ROW];
+    findExit(x, y, vx, vy, column, row, width(i), crossing);
+    if (levels > 1) {
+      findFirstExit(i, x, y, vx, vy, crossing);
     }
-    way = firstWay;
-    return first;
+    double after = crossing.after;
+    crossing.time =
+        after < NEVER ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], after) : NEVER;
   }
 
-  /** How long a circle takes to leave a cell; keeps which way. */
-  private double until(
-      double x, double y, double vx, double vy, double column, double row, double cell) {
-    double dx = untilEdge(x, vx, column, cell);
-    double dy = untilEdge(y, vy, row, cell);
+  /** Finds the first exit from a cell of any level, after that from the cell of the own level. */
+  private void findFirstExit(int i, double x, double y, double vx, double vy, Crossing crossing) {
+    double first = crossing.after;
+    int firstWay = levelOf(i) * DIRECTIONS + crossing.way;
+    for (int level = levelOf(i) + 1; level < levels; level++) {
+      int k = cellAt(i, level);
+      findExit(x, y, vx, vy, coarse[k], coarse[k + 1], size[level], crossing);
+      if (crossing.after < first) {
+        first = crossing.after;
+        firstWay = level * DIRECTIONS + crossing.way;
+      }
+    }
+    crossing.after = first;
+    crossing.way = firstWay;
+  }
+
+  /** Finds how long a circle takes to leave a cell, and over which edge. */
+  private static void findExit(
+      double x,
+      double y,
+      double vx,
+      double vy,
+      double column,
+      double row,
+      double cellWidth,
+      Crossing crossing) {
+    double dx = untilEdge(x, vx, column, cellWidth);
+    double dy = untilEdge(y, vy, row, cellWidth);
     // Which is first, and its sign, without a branch, as they cannot be foretold.
     long vertical = Double.doubleToRawLongBits(dy - dx) >> 63;
     long right = Double.doubleToRawLongBits(vx);
     long v = right ^ ((right ^ Double.doubleToRawLongBits(vy)) & vertical);
-    way = (int) ((vertical & VERTICAL) | (v >>> 63));
-    return Math.min(dx, dy);
-  }
-
-  /** Over which edge, and of which level, the crossing that was asked for last goes. */
-  public int way() {
-    return way;
+    crossing.way = (int) ((vertical & VERTICAL) | (v >>> 63));
+    crossing.after = Math.min(dx, dy);
   }
 
   private static double untilEdge(double p, double v, double cell, double size) {
@@ -341,7 +350,7 @@ public final class NeighborGrid {
    * Moves circle i into the cell that it enters, and finds the circles in those now next to it that
    * were not, as {@link #find} does.
    *
-   * @param found room for all circles and 9 more
+   * @param found room for all circles and {@link #SPARE} more
    * @return how many were found
    */
   public int cross(double[] s, int[] c, int i, int way, int[] found) {
@@ -390,7 +399,7 @@ public final class NeighborGrid {
    * CircleTable#FOLLOWER} tells. Where there are several levels it finds all, and none follows. Of
    * a circle that is not listed it finds some, which that does not meet.
    *
-   * @param found room for all circles and 9 more
+   * @param found room for all circles and {@link #SPARE} more
    * @return how many were found
    */
   public int find(int[] c, int i, int[] found) {
