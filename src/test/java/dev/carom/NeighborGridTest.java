@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.engine.CellGrid;
 import dev.carom.internal.engine.CellLinks;
-import dev.carom.internal.engine.Crossing;
 import dev.carom.internal.engine.EventKind;
 import dev.carom.internal.engine.EventPrefetcher;
 import dev.carom.internal.engine.NeighborGrid;
@@ -100,7 +99,7 @@ class NeighborGridTest {
     CircleTable circles = circles(scene);
     NeighborGrid neighbors =
         new NeighborGrid(circles, new CircleRegistry(scene.data, 1).slots(), null, 1, 0);
-    assertThat(crossing(neighbors, circles).time).isEqualTo(Double.POSITIVE_INFINITY);
+    assertThat(crossing(neighbors, circles)).isEqualTo(Double.POSITIVE_INFINITY);
   }
 
   /** Where none is near, a circle anywhere in its cell is further than its radius from any wall. */
@@ -281,15 +280,15 @@ class NeighborGridTest {
         new NeighborGrid(circles, new CircleRegistry(scene.data, 1).slots(), null, 1, 0);
     int column = neighbors.column(0);
     int row = neighbors.row(0);
-    Crossing crossing = crossing(neighbors, circles);
-    int way = crossing.way;
+    double crossing = crossing(neighbors, circles);
+    int way = circles.codes[CircleTable.collidingCodesAt(0) + CircleTable.WAY];
     assertThat(NeighborGrid.columnsOn(way)).isEqualTo((int) Math.signum((int) vx));
     assertThat(NeighborGrid.rowsOn(way)).isEqualTo((int) Math.signum((int) vy));
     neighbors.cross(circles.state, circles.codes, 0, way, new int[11]);
     assertThat(neighbors.column(0)).isEqualTo(column + NeighborGrid.columnsOn(way));
     assertThat(neighbors.row(0)).isEqualTo(row + NeighborGrid.rowsOn(way));
     assertThat(around(neighbors, circles, neighbors.column(0), neighbors.row(0))).contains(0);
-    assertThat(crossing(neighbors, circles).time).isGreaterThan(crossing.time);
+    assertThat(crossing(neighbors, circles)).isGreaterThan(crossing);
   }
 
   /** Where a new flight starts, in any direction and far, or in the same cell still. */
@@ -372,9 +371,7 @@ class NeighborGridTest {
     return Arrays.stream(found, 0, size).boxed().toList();
   }
 
-  private static Crossing crossing(NeighborGrid neighbors, CircleTable circles) {
-    Crossing crossing = new Crossing();
-    neighbors.nextCrossing(circles.state, 0, crossing);
-    return crossing;
+  private static double crossing(NeighborGrid neighbors, CircleTable circles) {
+    return neighbors.nextCrossing(circles.state, circles.codes, 0);
   }
 }

@@ -19,7 +19,6 @@ final class EventComparator implements EventOrder {
   private final int[] codes;
   private final NeighborGrid neighbors;
   private final PairResponse pairs;
-  private final Crossing crossing = new Crossing();
 
   EventComparator(CircleTable circles, NeighborGrid neighbors, PairResponse pairs) {
     state = circles.state;
@@ -79,8 +78,7 @@ final class EventComparator implements EventOrder {
   }
 
   private double crossingTail(int i) {
-    neighbors.nextCrossing(state, i, crossing);
-    return tailAfter(i, crossing.after);
+    return tailAfter(i, neighbors.untilCrossing(state, i));
   }
 
   /** The tail of the time that is so long after the start of a circle's flight. */

@@ -33,8 +33,6 @@ final class EventScheduler {
   // What searches among neighbors found, of one circle and of another.
   private final int[] found;
   private final int[] foundOfOther;
-  private final Crossing crossing = new Crossing();
-  private final Crossing crossingOfOther = new Crossing();
 
   /**
    * A scheduler without any event.
@@ -143,7 +141,7 @@ final class EventScheduler {
     double[] s = state;
     int[] c = codes;
     int size = neighbors.find(c, i, found);
-    neighbors.nextCrossing(s, i, crossing);
+    double crossing = neighbors.nextCrossing(s, c, i);
     predictor.predictAmong(s, c, i, found, CollisionPredictor.filterPairs(s, c, i, found, size));
     schedule(s, c, i, crossing);
   }
@@ -155,30 +153,28 @@ final class EventScheduler {
   void predict(double[] s, int[] c, int i, int j) {
     int size = neighbors.find(c, i, found);
     int sizeOfJ = neighbors.find(c, j, foundOfOther);
-    neighbors.nextCrossing(s, i, crossing);
-    neighbors.nextCrossing(s, j, crossingOfOther);
+    double crossing = neighbors.nextCrossing(s, c, i);
+    double crossingOfJ = neighbors.nextCrossing(s, c, j);
     int leftOfI = CollisionPredictor.filterPairs(s, c, i, found, size);
     int leftOfJ = CollisionPredictor.filterPairs(s, c, j, foundOfOther, sizeOfJ);
     predictor.predictAmong(s, c, i, found, leftOfI);
     schedule(s, c, i, crossing);
     predictor.predictAmong(s, c, j, foundOfOther, leftOfJ);
-    schedule(s, c, j, crossingOfOther);
+    schedule(s, c, j, crossingOfJ);
   }
 
   /**
-   * Moves a circle into the cell that it enters; its event is to be scheduled by {@link
-   * #predictAfterCrossing} then.
+   * Moves a circle into the cell that it enters; {@link #predictAfterCrossing} is to follow.
    *
    * @return how many circles are near that were not before
    */
   int cross(double[] s, int[] c, int i, int way) {
-    int size = neighbors.cross(s, c, i, way, found);
-    neighbors.nextCrossing(s, i, crossing);
-    return size;
+    return neighbors.cross(s, c, i, way, found);
   }
 
   /** Predicts whether a circle meets one of those that {@link #cross} found, and schedules it. */
   void predictAfterCrossing(double[] s, int[] c, int i, int size) {
+    double crossing = neighbors.nextCrossing(s, c, i);
     if (predictor.predictEarlier(s, c, i, found, size)) {
       schedule(s, c, i, crossing);
     } else {
@@ -188,12 +184,10 @@ final class EventScheduler {
 
   /** Schedules the first event of a circle, of which everything is predicted. */
   void schedule(int i) {
-    neighbors.nextCrossing(state, i, crossing);
-    schedule(state, codes, i, crossing);
+    schedule(state, codes, i, neighbors.nextCrossing(state, codes, i));
   }
 
-  private void schedule(double[] s, int[] c, int i, Crossing next) {
-    double crossing = next.time;
+  private void schedule(double[] s, int[] c, int i, double crossing) {
     double obstacle = obstacle(s, c, i);
     // What is refined only when its turn comes is then still before the crossing and the obstacle.
     if (CollisionPredictor.isInDoubt(s, c, i, obstacle < crossing ? obstacle : crossing)) {
@@ -203,14 +197,14 @@ final class EventScheduler {
     double time = Math.min(crossing, meeting);
     // Branch-free, as it is unpredictable. If nothing ever happens, there is no event of any kind.
     int pair = (int) (Double.doubleToRawLongBits(meeting - crossing) >> 63);
-    int cross = EventKind.CROSSING + next.way;
+    int cross = EventKind.CROSSING + c[CircleTable.collidingCodesAt(i) + CircleTable.WAY];
     int kind = cross ^ ((cross ^ EventKind.PAIR) & pair);
     // Within one stored time a fast circle could go on through the cells behind what it hits.
     if (meeting == crossing && meeting < NEVER && order.isMeetingBeforeCrossing(i)) {
       kind = EventKind.PAIR;
     }
     if (obstacle <= time
-        && (obstacle < crossing || cleared(s, i) < next.after)
+        && (obstacle < crossing || cleared(s, i) < neighbors.untilCrossing(s, i))
         && !(meeting <= obstacle && order.isMeetingBeforeObstacle(i))) {
       kind = EventKind.STATIC;
       time = obstacle;

@@ -93,8 +93,8 @@ public final class IndependentEngine extends Engine {
     boolean many = circles.count >= DuePrefetcher.LEAST_CIRCLES;
     int i = many ? prefetcher.first(end) : due.next(0, end);
     while (i < due.size()) {
-      undoLog.save(circles, i);
       circles.load(i);
+      undoLog.save(circles.mover);
       double stopped = resolveUntil(circles.mover, work, end);
       circles.storeAndSetDue(i);
       if (stopped <= end) {

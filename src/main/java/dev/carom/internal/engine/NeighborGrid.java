@@ -281,58 +281,64 @@ public final class NeighborGrid {
         && row < inside[k + 3];
   }
 
-  /** Finds when circle i next leaves a cell, and which way. */
-  public void nextCrossing(double[] s, int i, Crossing crossing) {
+  /** When circle i next leaves a cell; keeps which way in its {@link CircleTable#WAY}. */
+  public double nextCrossing(double[] s, int[] c, int i) {
     int a = CircleTable.collidingAt(i);
     double x = s[a + FlightRow.X] - originX;
     double y = s[a + FlightRow.Y] - originY;
     double vx = s[a + FlightRow.VX];
     double vy = s[a + FlightRow.VY];
-    double column = s[a + CircleTable.COLUMN];
-    double row = s[a + CircleTable.ROW];
-    findExit(x, y, vx, vy, column, row, width(i), crossing);
+    double first =
+        untilExit(x, y, vx, vy, s[a + CircleTable.COLUMN], s[a + CircleTable.ROW], width(i));
+    int way = exit(x, y, vx, vy, s[a + CircleTable.COLUMN], s[a + CircleTable.ROW], width(i));
     if (levels > 1) {
-      findFirstExit(i, x, y, vx, vy, crossing);
-    }
-    double after = crossing.after;
-    crossing.time =
-        after < NEVER ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], after) : NEVER;
-  }
-
-  /** Finds the first exit from a cell of any level, after that from the cell of the own level. */
-  private void findFirstExit(int i, double x, double y, double vx, double vy, Crossing crossing) {
-    double first = crossing.after;
-    int firstWay = levelOf(i) * DIRECTIONS + crossing.way;
-    for (int level = levelOf(i) + 1; level < levels; level++) {
-      int k = cellAt(i, level);
-      findExit(x, y, vx, vy, coarse[k], coarse[k + 1], size[level], crossing);
-      if (crossing.after < first) {
-        first = crossing.after;
-        firstWay = level * DIRECTIONS + crossing.way;
+      int own = levelOf(i);
+      way += own * DIRECTIONS;
+      for (int level = own + 1; level < levels; level++) {
+        int k = cellAt(i, level);
+        double until = untilExit(x, y, vx, vy, coarse[k], coarse[k + 1], size[level]);
+        if (until < first) {
+          first = until;
+          way = level * DIRECTIONS + exit(x, y, vx, vy, coarse[k], coarse[k + 1], size[level]);
+        }
       }
     }
-    crossing.after = first;
-    crossing.way = firstWay;
+    c[CircleTable.collidingCodesAt(i) + CircleTable.WAY] = way;
+    return first < NEVER ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], first) : NEVER;
   }
 
-  /** Finds how long a circle takes to leave a cell, and over which edge. */
-  private static void findExit(
-      double x,
-      double y,
-      double vx,
-      double vy,
-      double column,
-      double row,
-      double cellWidth,
-      Crossing crossing) {
+  /** How long after the start of its flight a circle leaves a cell. */
+  double untilCrossing(double[] s, int i) {
+    int a = CircleTable.collidingAt(i);
+    double x = s[a + FlightRow.X] - originX;
+    double y = s[a + FlightRow.Y] - originY;
+    double vx = s[a + FlightRow.VX];
+    double vy = s[a + FlightRow.VY];
+    double first =
+        untilExit(x, y, vx, vy, s[a + CircleTable.COLUMN], s[a + CircleTable.ROW], width(i));
+    for (int level = levelOf(i) + 1; level < levels; level++) {
+      int k = cellAt(i, level);
+      first = Math.min(first, untilExit(x, y, vx, vy, coarse[k], coarse[k + 1], size[level]));
+    }
+    return first;
+  }
+
+  /** How long a circle takes to leave a cell. */
+  private static double untilExit(
+      double x, double y, double vx, double vy, double column, double row, double cellWidth) {
+    return Math.min(untilEdge(x, vx, column, cellWidth), untilEdge(y, vy, row, cellWidth));
+  }
+
+  /** Over which edge it leaves the cell. */
+  private static int exit(
+      double x, double y, double vx, double vy, double column, double row, double cellWidth) {
     double dx = untilEdge(x, vx, column, cellWidth);
     double dy = untilEdge(y, vy, row, cellWidth);
-    // Which is first, and its sign, without a branch, as they cannot be foretold.
+    // Branch-free, as it is unpredictable: which edge is first, and the sign of the velocity.
     long vertical = Double.doubleToRawLongBits(dy - dx) >> 63;
     long right = Double.doubleToRawLongBits(vx);
     long v = right ^ ((right ^ Double.doubleToRawLongBits(vy)) & vertical);
-    crossing.way = (int) ((vertical & VERTICAL) | (v >>> 63));
-    crossing.after = Math.min(dx, dy);
+    return (int) ((vertical & VERTICAL) | (v >>> 63));
   }
 
   private static double untilEdge(double p, double v, double cell, double size) {

@@ -50,7 +50,10 @@ public final class CircleTable {
   public static final int KIND = 10;
   public static final int CELL = 11;
 
-  /** A cache line of ints for each circle that collides, of which 12 are used. */
+  /** The level of the cell that it leaves next, and over which edge. */
+  public static final int WAY = 12;
+
+  /** A cache line of ints for each circle that collides, of which 13 are used. */
   private static final int COLLIDING_CODES = 16;
 
   public int count;
@@ -198,22 +201,45 @@ public final class CircleTable {
   }
 
   public void load(int i, MovingCircle m) {
-    int k = at(i);
     m.id = i;
     m.flown = 0;
+    get(m, state, at(i), codes, codesAt(i));
+    m.jam = jam(i);
+  }
+
+  /** Reads a circle from the row of doubles that begins at k, and that of ints at c. */
+  static void get(MovingCircle m, double[] state, int k, int[] codes, int c) {
     FlightRow.get(m, state, k);
     m.cleared = state[k + CLEARED];
     m.restitution = state[k + RESTITUTION];
-    int c = codesAt(i);
     m.last = codes[c + LAST];
     m.stuck = codes[c + STUCK];
     m.lookahead = codes[c + LOOKAHEAD];
-    ContactWord.recall(codes[c + CONTACT], m);
+    int word = codes[c + CONTACT];
+    ContactWord.recall(word, m);
     // Where nothing is ahead, the sensor met last stands in its place.
     int next = codes[c + NEXT];
     m.next = Math.max(next, MovingCircle.NOTHING);
-    m.contact = next < 0 ? MovingCircle.NOTHING - next : ContactWord.contact(codes[c + CONTACT]);
-    m.jam = jams == null ? null : jams[i];
+    m.contact = next < 0 ? MovingCircle.NOTHING - next : ContactWord.contact(word);
+  }
+
+  /** Writes a circle to the row of doubles that begins at k, and that of ints at c. */
+  static void put(MovingCircle m, double[] state, int k, int[] codes, int c) {
+    int next = m.next;
+    int contact = m.contact;
+    if (next == MovingCircle.NOTHING) {
+      next -= contact;
+      contact = 0;
+    }
+    FlightRow.put(m, state, k);
+    state[k + CLEARED] = m.cleared;
+    state[k + RESTITUTION] = m.restitution;
+    // The first and the last one first: then compilers check the range of the others with them.
+    codes[c + LAST] = m.last;
+    codes[c + STUCK] = m.stuck;
+    codes[c + NEXT] = next;
+    codes[c + CONTACT] = ContactWord.of(m, contact);
+    codes[c + LOOKAHEAD] = m.lookahead;
   }
 
   /**
@@ -243,23 +269,7 @@ public final class CircleTable {
 
   /** Stores a circle, and leaves its {@link #due} to the caller. */
   public void store(int i, MovingCircle m) {
-    int next = m.next;
-    int contact = m.contact;
-    if (next == MovingCircle.NOTHING) {
-      next -= contact;
-      contact = 0;
-    }
-    int k = at(i);
-    FlightRow.put(m, state, k);
-    state[k + CLEARED] = m.cleared;
-    state[k + RESTITUTION] = m.restitution;
-    // The first and the last one first: then compilers need not ask whether the rest is in range.
-    int c = codesAt(i);
-    codes[c + LAST] = m.last;
-    codes[c + STUCK] = m.stuck;
-    codes[c + NEXT] = next;
-    codes[c + CONTACT] = ContactWord.of(m, contact);
-    codes[c + LOOKAHEAD] = m.lookahead;
+    put(m, state, at(i), codes, codesAt(i));
     setJam(i, m.jam);
   }
 
@@ -284,20 +294,5 @@ public final class CircleTable {
     if (jams != null) {
       jams[i] = jam;
     }
-  }
-
-  // Whole rows, for the undo log; of circles that ignore each other.
-
-  void copyRow(int i, double[] toState, int[] toCodes, int row) {
-    System.arraycopy(state, at(i), toState, row * STATE, STATE);
-    System.arraycopy(codes, codesAt(i), toCodes, row * CODES, CODES);
-  }
-
-  void setRow(int i, double[] fromState, int[] fromCodes, int row, IgnoreList jam) {
-    System.arraycopy(fromState, row * STATE, state, at(i), STATE);
-    System.arraycopy(fromCodes, row * CODES, codes, codesAt(i), CODES);
-    setJam(i, jam);
-    load(i);
-    due.set(i, mover.due());
   }
 }

@@ -4,8 +4,8 @@ package dev.carom.internal.state;
 import java.util.Arrays;
 
 /**
- * The rows of the circles that a step has advanced, as they were at its start. When a step runs out
- * of its budget they are put back, and the step is taken anew to an earlier time.
+ * The circles that a step has advanced, as they were at its start. When a step runs out of its
+ * budget they are put back, and the step is taken anew to an earlier time.
  */
 public final class UndoLog {
 
@@ -29,16 +29,15 @@ public final class UndoLog {
     size = 0;
   }
 
-  /** Saves the row of circle i, before it is advanced for the first time. */
-  public void save(CircleTable table, int i) {
+  /** Saves a circle, before it is advanced for the first time. */
+  public void save(MovingCircle m) {
     if (size == circles.length) {
       grow();
     }
-    circles[size] = i;
-    table.copyRow(i, state, codes, size);
-    IgnoreList jam = table.jam(i);
-    if (jams != null || jam != null) {
-      saveJam(jam);
+    circles[size] = m.id;
+    CircleTable.put(m, state, size * CircleTable.STATE, codes, size * CircleTable.CODES);
+    if (jams != null || m.jam != null) {
+      saveJam(m.jam);
     }
     size++;
   }
@@ -50,10 +49,13 @@ public final class UndoLog {
     jams[size] = jam;
   }
 
-  /** Puts all saved rows back, and forgets them. */
+  /** Puts all saved circles back, and forgets them. */
   public void restore(CircleTable table) {
+    MovingCircle m = table.mover;
     for (int row = 0; row < size; row++) {
-      table.setRow(circles[row], state, codes, row, jams == null ? null : jams[row]);
+      CircleTable.get(m, state, row * CircleTable.STATE, codes, row * CircleTable.CODES);
+      m.jam = jams == null ? null : jams[row];
+      table.storeAndSetDue(circles[row], m);
     }
     size = 0;
   }

@@ -121,7 +121,8 @@ class CircleFieldsTest {
     MovingCircle m = filled(100);
     circles.storeAndSetDue(2, m);
     UndoLog undoLog = new UndoLog(1);
-    undoLog.save(circles, 2);
+    m.id = 2;
+    undoLog.save(m);
     circles.storeAndSetDue(2, filled(200));
     undoLog.restore(circles);
     MovingCircle loaded = filled(400);

@@ -43,7 +43,8 @@ class UndoLogTest {
   }
 
   private void save(int i) {
-    undoLog.save(circles, i);
+    circles.load(i);
+    undoLog.save(circles.mover);
   }
 
   private record Stored(
