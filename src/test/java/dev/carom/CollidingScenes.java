@@ -6,7 +6,7 @@ import java.util.Random;
 /**
  * Scenes of circles that collide, drawn at random; overlaps are allowed, as they are in a world.
  */
-final class CollidingScenes {
+public final class CollidingScenes {
 
   private CollidingScenes() {}
 
@@ -47,7 +47,7 @@ final class CollidingScenes {
   }
 
   /** Everything at once, in bounds. */
-  static SceneBuilder mixed(Random random, int count) {
+  public static SceneBuilder mixed(Random random, int count) {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600).collide(true);
     obstacles(builder, random, 10, 6);
     circles(builder, random, count, 100);
@@ -55,7 +55,7 @@ final class CollidingScenes {
   }
 
   /** No bounds: circles leave for ever. */
-  static SceneBuilder open(Random random, int count) {
+  public static SceneBuilder open(Random random, int count) {
     SceneBuilder builder = Scene.builder().collide(true);
     obstacles(builder, random, 10, 6);
     circles(builder, random, count, 60);
@@ -63,7 +63,7 @@ final class CollidingScenes {
   }
 
   /** Circles only, of one size. */
-  static SceneBuilder gas(Random random, int count) {
+  public static SceneBuilder gas(Random random, int count) {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 400, 300).collide(true);
     for (int i = 0; i < count; i++) {
       builder.circle(
@@ -77,7 +77,7 @@ final class CollidingScenes {
   }
 
   /** Restitution from 0 to above 1. */
-  static SceneBuilder inelastic(Random random, int count) {
+  public static SceneBuilder inelastic(Random random, int count) {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 400, 300).restitution(1.05).collide(true);
     double[] restitutions = {0, 0.5, 0.9, 1, 1.1};
     for (int i = 0; i < count; i++) {
@@ -94,7 +94,7 @@ final class CollidingScenes {
   }
 
   /** Whole numbers on a lattice: ties, exact contacts, paths along the edges of cells. */
-  static SceneBuilder lattice(Random random, int count) {
+  public static SceneBuilder lattice(Random random, int count) {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 320, 320).collide(true);
     for (int i = 0; i < 6; i++) {
       int x = 20 * (1 + random.nextInt(15));

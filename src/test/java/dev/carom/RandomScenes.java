@@ -4,12 +4,12 @@ package dev.carom;
 import java.util.Random;
 
 /** Scenes drawn at random; overlaps are allowed, as they are in a world. */
-final class RandomScenes {
+public final class RandomScenes {
 
   private RandomScenes() {}
 
   /** Draws the parts of one kind of scene. */
-  interface Recipe {
+  public interface Recipe {
     SceneBuilder draw(Random random);
   }
 
@@ -46,7 +46,7 @@ final class RandomScenes {
   }
 
   /** Short lines and pegs in bounds. */
-  static SceneBuilder mixed(Random random) {
+  public static SceneBuilder mixed(Random random) {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600);
     lines(builder, random, 60, 30);
     pegs(builder, random, 40, 12);
@@ -55,7 +55,7 @@ final class RandomScenes {
   }
 
   /** A few lines right across, others axis-parallel, some points. */
-  static SceneBuilder longLines(Random random) {
+  public static SceneBuilder longLines(Random random) {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600);
     lines(builder, random, 8, 900);
     for (int i = 0; i < 12; i++) {
@@ -68,7 +68,7 @@ final class RandomScenes {
   }
 
   /** As mixed, each line and peg with a response of its own, some lines one-way. */
-  static SceneBuilder responses(Random random) {
+  public static SceneBuilder responses(Random random) {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 800, 600);
     Response[] responses = Response.values();
     for (int i = 0; i < 60; i++) {
@@ -87,7 +87,7 @@ final class RandomScenes {
   }
 
   /** Radii from 1 to 100 among few obstacles. */
-  static SceneBuilder mixedRadii(Random random) {
+  public static SceneBuilder mixedRadii(Random random) {
     SceneBuilder builder = Scene.builder().bounds(-200, -200, 1000, 800);
     lines(builder, random, 15, 60);
     pegs(builder, random, 5, 30);
@@ -96,7 +96,7 @@ final class RandomScenes {
   }
 
   /** No bounds; circles come from far away, some past everything, some never. */
-  static SceneBuilder open(Random random) {
+  public static SceneBuilder open(Random random) {
     SceneBuilder builder = Scene.builder();
     lines(builder, random, 60, 50);
     pegs(builder, random, 30, 12);
@@ -119,7 +119,7 @@ final class RandomScenes {
   }
 
   /** Whole numbers on a lattice: ties, joints, exact contacts, paths along the edges of cells. */
-  static SceneBuilder lattice(Random random) {
+  public static SceneBuilder lattice(Random random) {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 640, 640);
     for (int i = 0; i < 80; i++) {
       int x = 20 * (1 + random.nextInt(30));

@@ -29,7 +29,7 @@ public record Run(List<Row> impacts, List<State> end) {
   public record State(double x, double y, double vx, double vy) {}
 
   /** Advances a world to each of the given times in turn. */
-  static Run advance(World world, double... times) {
+  public static Run advance(World world, double... times) {
     List<Row> impacts = new ArrayList<>();
     for (double time : times) {
       finish(world, time, impacts);
@@ -38,7 +38,7 @@ public record Run(List<Row> impacts, List<State> end) {
   }
 
   /** Steps a world a number of times. */
-  static Run step(World world, double dt, int count) {
+  public static Run step(World world, double dt, int count) {
     List<Row> impacts = new ArrayList<>();
     for (int i = 0; i < count; i++) {
       if (!world.step(dt)) {
@@ -78,7 +78,7 @@ public record Run(List<Row> impacts, List<State> end) {
   }
 
   /** The states of all circles now. */
-  static List<State> states(World world) {
+  public static List<State> states(World world) {
     List<State> states = new ArrayList<>();
     for (int i = 0; i < world.circleCount(); i++) {
       states.add(new State(world.x(i), world.y(i), world.vx(i), world.vy(i)));
@@ -87,12 +87,12 @@ public record Run(List<Row> impacts, List<State> end) {
   }
 
   /** This run's impacts of one circle. */
-  List<Row> of(int circle) {
+  public List<Row> of(int circle) {
     return impacts.stream().filter(row -> row.circle() == circle).toList();
   }
 
   /** The impacts, each changed. */
-  List<Row> map(UnaryOperator<Row> change) {
+  public List<Row> map(UnaryOperator<Row> change) {
     return impacts.stream().map(change).toList();
   }
 }

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.state;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.state.EngineOptions;
+import dev.carom.Circle;
+import dev.carom.Internals;
+import dev.carom.Line;
+import dev.carom.RandomScenes;
+import dev.carom.Run;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.TestScenes;
+import dev.carom.Vec2;
+import dev.carom.World;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -27,10 +36,10 @@ class EngineOptionsTest {
   private static final double[] CELLS = {5, 17, 40, 64, 200, 1000};
 
   private static void assertSameWithAllMachinery(Scene scene, double... times) {
-    Run each = Run.advance(new World(scene, EngineOptions.EACH), times);
+    Run each = Run.advance(Internals.world(scene, EngineOptions.EACH), times);
     assertThat(Run.advance(new World(scene), times)).as("as chosen").isEqualTo(each);
     for (double cell : CELLS) {
-      assertThat(Run.advance(new World(scene, EngineOptions.cells(cell)), times))
+      assertThat(Run.advance(Internals.world(scene, EngineOptions.cells(cell)), times))
           .as("cells of %s", cell)
           .isEqualTo(each);
     }
@@ -87,8 +96,8 @@ class EngineOptionsTest {
   @ValueSource(doubles = {0.7, 3, 4000})
   void inCellsOfExtremeSizes(double cell) {
     Scene scene = RandomScenes.mixed(new Random(99)).build();
-    assertThat(Run.advance(new World(scene, EngineOptions.cells(cell)), 100))
-        .isEqualTo(Run.advance(new World(scene, EngineOptions.EACH), 100));
+    assertThat(Run.advance(Internals.world(scene, EngineOptions.cells(cell)), 100))
+        .isEqualTo(Run.advance(Internals.world(scene, EngineOptions.EACH), 100));
   }
 
   /**
@@ -129,8 +138,8 @@ class EngineOptionsTest {
           c.x(), c.y(), c.radius(), Math.scalb(v.x(), exponent), Math.scalb(v.y(), exponent));
     }
     double time = Math.scalb(5.0, -exponent);
-    assertThat(Run.advance(new World(builder.build(), EngineOptions.cells(17)), time))
-        .isEqualTo(Run.advance(new World(builder.build(), EngineOptions.EACH), time));
+    assertThat(Run.advance(Internals.world(builder.build(), EngineOptions.cells(17)), time))
+        .isEqualTo(Run.advance(Internals.world(builder.build(), EngineOptions.EACH), time));
   }
 
   // Order.

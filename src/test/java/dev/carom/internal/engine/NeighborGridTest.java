@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.engine.CellGrid;
-import dev.carom.internal.engine.CellLinks;
-import dev.carom.internal.engine.EventKind;
-import dev.carom.internal.engine.EventPrefetcher;
-import dev.carom.internal.engine.NeighborGrid;
+import dev.carom.Circle;
+import dev.carom.CollidingScenes;
+import dev.carom.Internals;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.internal.queue.CalendarQueue;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
@@ -32,7 +32,7 @@ class NeighborGridTest {
   private static CircleTable circles(Scene scene) {
     CircleTable circles = CircleTable.colliding(scene.circleCount());
     for (int i = 0; i < circles.count; i++) {
-      circles.start(scene.data, i);
+      circles.start(Internals.data(scene), i);
       circles.store(i, circles.mover);
     }
     return circles;
@@ -56,9 +56,10 @@ class NeighborGridTest {
 
   private static void allThatTouchAreVisited(Scene scene, double diameters) {
     CircleTable circles = circles(scene);
-    for (double[] walls : new double[][] {null, scene.data.walls}) {
+    for (double[] walls : new double[][] {null, Internals.data(scene).walls}) {
       NeighborGrid neighbors =
-          new NeighborGrid(circles, new CircleRegistry(scene.data, 1).slots(), walls, diameters, 0);
+          new NeighborGrid(
+              circles, new CircleRegistry(Internals.data(scene), 1).slots(), walls, diameters, 0);
       for (int i = 0; i < circles.count; i += 3) {
         neighbors.leave(i);
         assertThat(neighbors.enter(i, 0)).isTrue();
@@ -98,7 +99,7 @@ class NeighborGridTest {
     Scene scene = Scene.builder().circle(3, 4, 1, 0, 0).collide(true).build();
     CircleTable circles = circles(scene);
     NeighborGrid neighbors =
-        new NeighborGrid(circles, new CircleRegistry(scene.data, 1).slots(), null, 1, 0);
+        new NeighborGrid(circles, new CircleRegistry(Internals.data(scene), 1).slots(), null, 1, 0);
     assertThat(crossing(neighbors, circles)).isEqualTo(Double.POSITIVE_INFINITY);
   }
 
@@ -114,7 +115,11 @@ class NeighborGridTest {
     CircleTable circles = circles(scene);
     NeighborGrid neighbors =
         new NeighborGrid(
-            circles, new CircleRegistry(scene.data, 1).slots(), scene.data.walls, 1, 0);
+            circles,
+            new CircleRegistry(Internals.data(scene), 1).slots(),
+            Internals.data(scene).walls,
+            1,
+            0);
     int inside = 0;
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
@@ -146,7 +151,11 @@ class NeighborGridTest {
       CircleTable circles = circles(built);
       NeighborGrid neighbors =
           new NeighborGrid(
-              circles, new CircleRegistry(built.data, 1).slots(), built.data.walls, 1, 0);
+              circles,
+              new CircleRegistry(Internals.data(built), 1).slots(),
+              Internals.data(built).walls,
+              1,
+              0);
       assertThat(neighbors.isInside(circles.state, 0)).as("wall at %s", right).isFalse();
     }
   }
@@ -277,7 +286,7 @@ class NeighborGridTest {
     Scene scene = Scene.builder().circle(3, 4, 1, vx, vy).circle(-30, -40, 1, 0, 0).build();
     CircleTable circles = circles(scene);
     NeighborGrid neighbors =
-        new NeighborGrid(circles, new CircleRegistry(scene.data, 1).slots(), null, 1, 0);
+        new NeighborGrid(circles, new CircleRegistry(Internals.data(scene), 1).slots(), null, 1, 0);
     int column = neighbors.column(0);
     int row = neighbors.row(0);
     double crossing = crossing(neighbors, circles);
@@ -298,7 +307,11 @@ class NeighborGridTest {
     CircleTable circles = circles(scene);
     NeighborGrid neighbors =
         new NeighborGrid(
-            circles, new CircleRegistry(scene.data, 1).slots(), scene.data.walls, 1, 0);
+            circles,
+            new CircleRegistry(Internals.data(scene), 1).slots(),
+            Internals.data(scene).walls,
+            1,
+            0);
     Random random = new Random(7);
     int stayed = 0;
     for (int k = 0; k < 400; k++) {
@@ -327,7 +340,11 @@ class NeighborGridTest {
     CircleTable circles = circles(scene);
     NeighborGrid neighbors =
         new NeighborGrid(
-            circles, new CircleRegistry(scene.data, 1).slots(), scene.data.walls, 1, 0);
+            circles,
+            new CircleRegistry(Internals.data(scene), 1).slots(),
+            Internals.data(scene).walls,
+            1,
+            0);
     int[] ids = new int[CalendarQueue.MOST_PREFETCHED];
     for (int k = 0; k < ids.length; k++) {
       ids[k] = k * 7 % 40;
@@ -339,7 +356,7 @@ class NeighborGridTest {
     int[] codes = circles.codes.clone();
     CalendarQueue queue = new CalendarQueue(40, (i, j) -> i < j);
     EventPrefetcher ahead =
-        new EventPrefetcher(circles, new CircleRegistry(scene.data, 1), neighbors);
+        new EventPrefetcher(circles, new CircleRegistry(Internals.data(scene), 1), neighbors);
     for (int size = 0; size <= ids.length; size++) {
       ahead.next(queue, ids, size);
     }

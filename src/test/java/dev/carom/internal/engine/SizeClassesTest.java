@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.engine.SizeClasses;
+import dev.carom.Internals;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.internal.state.BoundingBox;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
@@ -23,10 +25,11 @@ class SizeClassesTest {
     Scene scene = builder.build();
     CircleTable circles = new CircleTable(scene.circleCount());
     for (int i = 0; i < circles.count; i++) {
-      circles.start(scene.data, i);
+      circles.start(Internals.data(scene), i);
       circles.storeAndSetDue(i);
     }
-    return new SizeClasses(circles, new CircleRegistry(scene.data, 1).slots(), extent, 1);
+    return new SizeClasses(
+        circles, new CircleRegistry(Internals.data(scene), 1).slots(), extent, 1);
   }
 
   private static BoundingBox square(double side) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.state;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.state.BoundingBox;
-import dev.carom.internal.state.CircleRegistry;
-import dev.carom.internal.state.CircleTable;
+import dev.carom.Internals;
+import dev.carom.Scene;
 import org.junit.jupiter.api.Test;
 
 class BoundingBoxTest {
@@ -13,14 +12,14 @@ class BoundingBoxTest {
   private static BoundingBox of(Scene scene, CircleRegistry registry, double now) {
     CircleTable circles = new CircleTable(scene.circleCount());
     for (int i = 0; i < circles.count; i++) {
-      circles.start(scene.data, i);
+      circles.start(Internals.data(scene), i);
       circles.storeAndSetDue(i);
     }
-    return BoundingBox.of(circles, registry.ids(), scene.data.walls, now);
+    return BoundingBox.of(circles, registry.ids(), Internals.data(scene).walls, now);
   }
 
   private static BoundingBox of(Scene scene, double now) {
-    return of(scene, new CircleRegistry(scene.data, 1), now);
+    return of(scene, new CircleRegistry(Internals.data(scene), 1), now);
   }
 
   @Test
@@ -52,7 +51,7 @@ class BoundingBoxTest {
             .circle(9, 9, 1, 0, 1e308)
             .circle(9, 9, 1, 1e308, 0)
             .build();
-    CircleRegistry registry = new CircleRegistry(scene.data, 1);
+    CircleRegistry registry = new CircleRegistry(Internals.data(scene), 1);
     registry.remove(1);
     assertThat(of(scene, registry, 10)).isEqualTo(new BoundingBox(3, 4, 3, 4));
   }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.engine.StaticScene;
+import dev.carom.Internals;
+import dev.carom.ObstacleKind;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.World;
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
@@ -45,8 +49,8 @@ class GrownCircleTest {
     Random random = new Random(info.getCurrentRepetition());
     Scene scene = scene(random);
     CircleTable circles = circles(scene);
-    CircleRegistry registry = new CircleRegistry(scene.data, 1);
-    StaticScene staticScene = new StaticScene(scene.data, EngineOptions.CHOSEN);
+    CircleRegistry registry = new CircleRegistry(Internals.data(scene), 1);
+    StaticScene staticScene = new StaticScene(Internals.data(scene), EngineOptions.CHOSEN);
     List<Integer> lines = new ArrayList<>();
     for (int i = 0; i < LINES; i++) {
       lines.add(ObstacleTable.WALLS + i);
@@ -89,7 +93,7 @@ class GrownCircleTest {
   private static CircleTable circles(Scene scene) {
     CircleTable circles = new CircleTable(CIRCLES);
     for (int i = 0; i < CIRCLES; i++) {
-      circles.start(scene.data, i);
+      circles.start(Internals.data(scene), i);
       circles.storeAndSetDue(i);
     }
     return circles;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.engine.SensorPairs;
+import dev.carom.Internals;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.SavedFlights;
 import java.util.stream.IntStream;
@@ -108,6 +110,6 @@ class SensorPairsTest {
   private static CircleRegistry registry(int count) {
     SceneBuilder scene = Scene.builder();
     IntStream.range(0, count).forEach(i -> scene.circle(9 * i, 0, 1, 0, 0));
-    return new CircleRegistry(scene.build().data, 1);
+    return new CircleRegistry(Internals.data(scene.build()), 1);
   }
 }

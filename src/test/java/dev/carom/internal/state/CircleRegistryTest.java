@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.state;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.state.CircleRegistry;
-import dev.carom.internal.state.ContactFlags;
-import dev.carom.internal.state.IgnoreList;
-import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleTable;
+import dev.carom.Internals;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import org.junit.jupiter.api.Test;
 
 class CircleRegistryTest {
@@ -15,8 +13,8 @@ class CircleRegistryTest {
   @Test
   void aMassIsThatOfOneWorldOnly() {
     Scene scene = Scene.builder().circle(0, 0, 1, 0, 0).circle(9, 0, 1, 0, 0).build();
-    CircleRegistry registry = new CircleRegistry(scene.data, 1);
-    CircleRegistry other = new CircleRegistry(scene.data, 1);
+    CircleRegistry registry = new CircleRegistry(Internals.data(scene), 1);
+    CircleRegistry other = new CircleRegistry(Internals.data(scene), 1);
     registry.setMass(1, 5);
     registry.setMass(0, 3);
     assertThat(registry.mass(0)).isEqualTo(3);
@@ -30,7 +28,7 @@ class CircleRegistryTest {
   @Test
   void whoIsGoneIsNotAmongWhomToAsk() {
     CircleRegistry registry =
-        new CircleRegistry(Scene.builder().circle(0, 0, 1, 0, 0).build().data, 1);
+        new CircleRegistry(Internals.data(Scene.builder().circle(0, 0, 1, 0, 0).build()), 1);
     for (int i = 0; i < 1000; i++) {
       registry.remove(registry.add());
       assertThat(registry.count()).isEqualTo(1);
@@ -48,7 +46,7 @@ class CircleRegistryTest {
     for (int i = 0; i < 10; i++) {
       scene.circle(9 * i, 0, 1, 0, 0).mass(i + 1);
     }
-    CircleRegistry registry = new CircleRegistry(scene.build().data, 1);
+    CircleRegistry registry = new CircleRegistry(Internals.data(scene.build()), 1);
     for (int id : gone) {
       registry.remove(registry.slot(id));
     }

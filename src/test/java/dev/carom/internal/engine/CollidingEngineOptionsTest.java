@@ -1,8 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Circle;
+import dev.carom.CollidingScenes;
+import dev.carom.ImpactLog;
+import dev.carom.Internals;
+import dev.carom.Line;
+import dev.carom.ObstacleKind;
+import dev.carom.PlainWorld;
+import dev.carom.Run;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.Vec2;
+import dev.carom.World;
 import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -22,7 +34,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * How circles that collide are found - cells, grids, the calendar, steps - changes the cost and no
  * bit of the result: it is that of asking everyone about everything before each event.
  */
-class CollisionsMachineryTest {
+class CollidingEngineOptionsTest {
 
   private static final double[] PAIR_CELLS = {1.5, 2, 5, 1000};
   private static final int SEEDS = 2;
@@ -107,7 +119,7 @@ class CollisionsMachineryTest {
         for (EngineOptions grid :
             List.of(EngineOptions.EACH, EngineOptions.cells(17), EngineOptions.cells(200))) {
           World world =
-              new World(scene, new EngineOptions(grid.grid(), grid.cell(), diameters, 1, 1));
+              Internals.world(scene, new EngineOptions(grid.grid(), grid.cell(), diameters, 1, 1));
           assertThat(Run.advance(world, 0.5, 10, 25)).as("cells %s", diameters).isEqualTo(chosen);
         }
       }

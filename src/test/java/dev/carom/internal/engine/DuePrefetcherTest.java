@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.engine.DuePrefetcher;
-import dev.carom.internal.engine.StaticScene;
+import dev.carom.Circle;
+import dev.carom.Internals;
+import dev.carom.Line;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.World;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.FlightRow;
@@ -23,7 +27,7 @@ class DuePrefetcherTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 16, 17, 5000})
   void eachPassFindsThoseThatAreDueInTheirOrder(int count) {
-    StaticScene staticScene = new StaticScene(scene(count).data, EngineOptions.CHOSEN);
+    StaticScene staticScene = new StaticScene(Internals.data(scene(count)), EngineOptions.CHOSEN);
     CircleTable circles = anywhere(count);
     double[] state = circles.state.clone();
     DuePrefetcher due = new DuePrefetcher(circles, staticScene);

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.engine.StaticScene;
+import dev.carom.Internals;
+import dev.carom.Response;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.SweptCircle;
+import dev.carom.World;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -39,7 +44,7 @@ class StaticSceneTest {
       scene.line(10 * i, 0, 10 * i, 40);
     }
     // 80 by 40, grown by the radius on each side, and a ring of cells around: 11 by 7.
-    assertThat(new World(scene.build(), EngineOptions.cells(10)).engineDescription())
+    assertThat(Internals.world(scene.build(), EngineOptions.cells(10)).engineDescription())
         .isEqualTo("circles that ignore each other, 9 lines and pegs in 1 grid of 77 cells");
   }
 
@@ -91,7 +96,7 @@ class StaticSceneTest {
   @Test
   void aCircleThatGrowsHitsWhatItWouldHavePassed() {
     Scene scene = room().circle(10, 50, 1, 1, 0).build();
-    World world = new World(scene, EngineOptions.cells(2));
+    World world = Internals.world(scene, EngineOptions.cells(2));
     world.moveLine(7, 60, 58, 60, 62);
     world.setRadius(0, 10);
     assertThat(firstImpact(world)).isEqualTo(44);
@@ -100,9 +105,9 @@ class StaticSceneTest {
   @Test
   void aRestoredCircleHitsByTheRadiusThatItHadThen() {
     Scene scene = room().line(60, 58, 60, 62).circle(10, 50, 1, 1, 0).build();
-    World grown = new World(scene, EngineOptions.cells(2));
+    World grown = Internals.world(scene, EngineOptions.cells(2));
     grown.setRadius(0, 10);
-    World world = new World(scene, EngineOptions.cells(2));
+    World world = Internals.world(scene, EngineOptions.cells(2));
     world.restore(grown.snapshot());
     assertThat(firstImpact(world)).isEqualTo(44);
   }
@@ -143,7 +148,7 @@ class StaticSceneTest {
   @Test
   void sensorsAreReportedBeforeWhatIsFoundAtTheirTime() {
     Scene scene = Scene.builder().line(0, 0, 1, 0).response(Response.SENSOR).peg(0, 0, 1).build();
-    StaticScene staticScene = new StaticScene(scene.data, EngineOptions.CHOSEN);
+    StaticScene staticScene = new StaticScene(Internals.data(scene), EngineOptions.CHOSEN);
     assertThat(staticScene.sensedBefore(ObstacleTable.WALLS)).isEqualTo(ObstacleTable.WALLS - 1);
     assertThat(staticScene.sensedBefore(ObstacleTable.PEGS)).isEqualTo(Integer.MAX_VALUE);
   }
@@ -153,7 +158,7 @@ class StaticSceneTest {
     Scene scene =
         Scene.builder().line(50, 0, 60, 0).line(5, -9, 5, 9).response(Response.SENSOR).build();
     SavedFlights states = new SavedFlights(new int[] {0});
-    new StaticScene(scene.data, EngineOptions.CHOSEN).save(0, m, now, states);
+    new StaticScene(Internals.data(scene), EngineOptions.CHOSEN).save(0, m, now, states);
     return states;
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.engine;
 
 import static dev.carom.ObstacleKind.CIRCLE;
 import static dev.carom.ObstacleKind.LINE;
@@ -8,6 +8,17 @@ import static dev.carom.ObstacleKind.WALL;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.carom.Bounds;
+import dev.carom.Circle;
+import dev.carom.Impact;
+import dev.carom.Internals;
+import dev.carom.Response;
+import dev.carom.Run;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.Timeline;
+import dev.carom.Vec2;
+import dev.carom.World;
 import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -40,8 +51,8 @@ class TurnoverTest {
         scene.response(Response.SENSOR);
       }
     }
-    world = new World(scene.build(), new EngineOptions(true, 0, 1, slack, 1));
-    beside = new World(scene.build(), new EngineOptions(true, 0, 1, Double.MAX_VALUE, 1));
+    world = Internals.world(scene.build(), new EngineOptions(true, 0, 1, slack, 1));
+    beside = Internals.world(scene.build(), new EngineOptions(true, 0, 1, Double.MAX_VALUE, 1));
     for (int i = 0; i < LIVE; i++) {
       come();
     }
@@ -100,8 +111,8 @@ class TurnoverTest {
     assertThat(impacts).isGreaterThan(STEPS / 2);
     assertThat(world.idLimit(CIRCLE)).isEqualTo(beside.idLimit(CIRCLE)).isGreaterThan(2200);
     int slots = (int) (slack * (LIVE + 1024)) + LIVE + 6; // 6: those of a step
-    assertThat(world.circles.capacity()).isLessThanOrEqualTo(2 * slots + 4);
-    assertThat(beside.circles.capacity()).isGreaterThan(2 * slots + 4);
+    assertThat(Internals.circles(world).capacity()).isLessThanOrEqualTo(2 * slots + 4);
+    assertThat(Internals.circles(beside).capacity()).isGreaterThan(2 * slots + 4);
     for (int id = 0; id < world.idLimit(CIRCLE); id++) {
       double t = world.now() * random.nextDouble();
       assertThat(past.contains(id, t)).isEqualTo(pastBeside.contains(id, t));

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Internals;
+import dev.carom.ObstacleKind;
+import dev.carom.Response;
+import dev.carom.Run;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.Snapshot;
+import dev.carom.World;
 import dev.carom.internal.response.StuckRule;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
@@ -185,11 +193,11 @@ class CollidingEngineTest {
     Snapshot jammed = world.snapshot();
     for (int i = 0; i < 2; i++) {
       MovingCircle m = new MovingCircle();
-      jammed.state.flights().get(i, m);
+      Internals.state(jammed).flights().get(i, m);
       m.stuck = StuckRule.LIMIT + 1;
       m.speedExponent = 1;
       m.jam = IgnoreList.with(null, ObstacleTable.CIRCLES + 1 - i);
-      jammed.state.flights().put(i, m, 0, 0);
+      Internals.state(jammed).flights().put(i, m, 0, 0);
     }
     world.restore(jammed);
     assertThat(world.step(1)).isTrue();

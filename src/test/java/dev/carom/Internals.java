@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.SceneData;
+import dev.carom.internal.state.WorldState;
+
+/** What tests in the packages of the internals need of public types. */
+@SuppressWarnings("exports")
+public final class Internals {
+
+  private Internals() {}
+
+  /** The arrays of a scene. */
+  public static SceneData data(Scene scene) {
+    return scene.data;
+  }
+
+  /** A world whose engine is told how to work. */
+  public static World world(Scene scene, EngineOptions options) {
+    return new World(scene, options);
+  }
+
+  /** What a snapshot holds. */
+  public static WorldState state(Snapshot snapshot) {
+    return snapshot.state;
+  }
+
+  /** The circles of a world, as its engine holds them. */
+  public static CircleTable circles(World world) {
+    return world.circles;
+  }
+}
