@@ -6,13 +6,13 @@ import dev.carom.internal.util.Index;
 import java.util.Arrays;
 
 /**
- * Which circles have their centre in which square cell: a list for each cell. Rows follow each
- * other on a ring of cells, so the plane needs no edge; far cells that share a list only make a
- * search look at a circle in vain. A cell is named by its {@link #cell}.
+ * A grid of square cells, each with a list of the circles whose centre is in it. The cells of the
+ * plane are wrapped onto an array: row after row on a ring. So the grid has no edge; distant cells
+ * may share a list, which only adds candidates to a search. A cell is named by its number before
+ * wrapping, see {@link #cell}.
  *
- * <p>Here stand the first circles of the lists. Who follows stands among the ints of circles that
- * collide, and is found by going through the list; or, where lists may be long, in {@link
- * CellLinks}.
+ * <p>This class holds the first circle of each list. The next one stands in the row of the circle,
+ * {@link CircleTable#FOLLOWER}, or in {@link CellLinks} where lists may be long.
  */
 public final class CellGrid {
 
@@ -21,19 +21,19 @@ public final class CellGrid {
   private final int columns;
   private final int[] heads;
 
-  /** The numbers of columns and rows are powers of two, at least 4. */
+  /** A grid without circles; columns and rows are powers of two, at least 4. */
   public CellGrid(int columns, int rows) {
     this.columns = columns;
     heads = new int[columns * rows];
     Arrays.fill(heads, NONE);
   }
 
-  /** A cell's place if the ring had no end. */
+  /** The number of a cell, before it is wrapped onto the ring. */
   public int cell(int column, int row) {
     return row * columns + column;
   }
 
-  /** How far a step leads to the right, or, where vertical is -1 instead of 0, up. */
+  /** The difference of numbers from a cell to the one on its right; for vertical -1, above. */
   public int step(int vertical) {
     return 1 ^ ((1 ^ columns) & vertical);
   }
@@ -46,14 +46,14 @@ public final class CellGrid {
     heads[index(cell)] = i;
   }
 
-  /** Lists circle i, with the ints of all circles in hand. */
+  /** Adds circle i to the list of a cell; {@code codes} are the ints of all circles. */
   public void add(int[] codes, int i, int cell) {
     int at = index(cell);
     codes[follower(i)] = heads[at];
     heads[at] = i;
   }
 
-  /** Takes circle i off its list. */
+  /** Removes circle i from the list of a cell. */
   public void remove(int[] codes, int i, int cell) {
     int at = index(cell);
     int after = codes[follower(i)];
@@ -73,12 +73,12 @@ public final class CellGrid {
   }
 
   /**
-   * Finds the first circles of a cell's list and of the eight around it. Most cells are empty or
-   * hold one circle, and which is which cannot be foretold: what is found is written down first,
-   * without a branch, and kept by counting on.
+   * Finds the first circles of the lists of a cell and of the eight around it. Most lists are empty
+   * or hold one circle, unpredictably. So every head is written, branch-free, and the count goes up
+   * only for those that are circles.
    *
-   * @param found room for all circles and 9 more, from the place {@code size} on
-   * @return the place after the last one found
+   * @param found room for all circles and 9 more, from index {@code size} on
+   * @return the index after the last one found
    */
   public int around(int cell, int[] found, int size) {
     int end = row(cell - columns, found, size);
@@ -86,7 +86,7 @@ public final class CellGrid {
     return row(cell + columns, found, end);
   }
 
-  /** The same around circle i; where that is the first of its list, its follower stands for it. */
+  /** The same around circle i; its follower is found instead of itself, if it heads its list. */
   public int others(int[] codes, int i, int cell, int[] found) {
     int end = row(cell - columns, found, 0);
     int a = heads[index(cell - 1)];
@@ -120,31 +120,31 @@ public final class CellGrid {
     return end + 1 + (c >> 31);
   }
 
-  /** Writes down where the lists of a cell and of the eight around it stand. */
-  public void placesAround(int column, int row, int[] places, int from) {
+  /** Writes the indices of the lists of a cell and of the eight around it. */
+  public void listsAround(int column, int row, int[] lists, int from) {
     int end = from;
     for (int r = row - 1; r <= row + 1; r++) {
-      places[end++] = index(column - 1, r);
-      places[end++] = index(column, r);
-      places[end++] = index(column + 1, r);
+      lists[end++] = index(column - 1, r);
+      lists[end++] = index(column, r);
+      lists[end++] = index(column + 1, r);
     }
   }
 
-  /** The same of a cell, the one a step on, and the three that are next to it then. */
-  public void placesAhead(int column, int row, int dx, int dy, int[] places, int from) {
+  /** The same of a cell, of the next one in a direction, and of the three beyond that. */
+  public void listsAhead(int column, int row, int dx, int dy, int[] lists, int from) {
     int c = column + 2 * dx;
     int r = row + 2 * dy;
-    places[from] = index(column, row);
-    places[from + 1] = index(column + dx, row + dy);
-    places[from + 2] = index(c - dy, r - dx);
-    places[from + 3] = index(c, r);
-    places[from + 4] = index(c + dy, r + dx);
+    lists[from] = index(column, row);
+    lists[from + 1] = index(column + dx, row + dy);
+    lists[from + 2] = index(c - dy, r - dx);
+    lists[from + 3] = index(c, r);
+    lists[from + 4] = index(c + dy, r + dx);
   }
 
-  /** Puts the first circle of each list, or NONE, where its place is written. */
-  public void firsts(int[] places, int from, int to) {
+  /** Replaces each index of a list by the first circle of that list, or NONE. */
+  public void firsts(int[] lists, int from, int to) {
     for (int k = from; k < to; k++) {
-      places[k] = heads[places[k]];
+      lists[k] = heads[lists[k]];
     }
   }
 
@@ -152,7 +152,7 @@ public final class CellGrid {
     return index(cell(column, row));
   }
 
-  /** By the length, so that compilers know that it is in range. */
+  /** The index of a list; masked by the length, so that compilers drop the range check. */
   private int index(int cell) {
     return cell & (heads.length - 1);
   }

@@ -3,18 +3,18 @@ package dev.carom.internal.engine;
 
 import dev.carom.internal.util.Index;
 
-/** Who follows in the lists of {@link CellGrid}, apart from other ints of the circles. */
+/** The links of the lists of a {@link CellGrid} with several levels, in arrays of their own. */
 public final class CellLinks {
 
   public final CellGrid cells;
   private final int[] next;
 
-  /** Null where lists are short: there a circle is found in its list by going through it. */
+  /** Null where lists are short: a circle is then found by walking its list. */
   private final int[] previous;
 
   /**
-   * @param next room for the followers of all circles
-   * @param previous room for those before them, or null for short lists
+   * @param next for each circle the next one in its list
+   * @param previous for each circle the one before it, or null for short lists
    */
   public CellLinks(CellGrid cells, int[] next, int[] previous) {
     this.cells = cells;
@@ -55,7 +55,7 @@ public final class CellLinks {
     return before;
   }
 
-  /** Finds all circles of a cell's list and of the eight around it, as {@link CellGrid#around}. */
+  /** Finds all circles in a cell and in the eight around it, as {@link CellGrid#around}. */
   public int around(int cell, int[] found, int size) {
     return follow(found, size, cells.around(cell, found, size));
   }
@@ -65,7 +65,7 @@ public final class CellLinks {
     return follow(found, size, cells.beside(cell, step, found, size));
   }
 
-  /** Adds those that follow in the lists, and returns the place after the last. */
+  /** Adds the followers of the circles found, and returns the index after the last. */
   private int follow(int[] found, int from, int to) {
     int end = to;
     for (int k = from; k < end; k++) {

@@ -68,8 +68,8 @@ public final class EventPrefetcher implements CalendarQueue.Prefetcher {
     for (int k = 0; k < end; k++) {
       read += registry.mass(concerned[k]) + queue.time(concerned[k]);
     }
-    placesAround(end);
-    placesAhead(AROUND * end, crossings);
+    listsAround(end);
+    listsAhead(AROUND * end, crossings);
     sum += read + listed(firsts(end, crossings));
   }
 
@@ -94,23 +94,23 @@ public final class EventPrefetcher implements CalendarQueue.Prefetcher {
     return circles.codes[CircleTable.collidingCodesAt(i) + CircleTable.KIND];
   }
 
-  private void placesAround(int concerns) {
+  private void listsAround(int concerns) {
     for (int k = 0; k < concerns; k++) {
       int i = concerned[k];
       int column = neighbors.column(i);
-      neighbors.cells(i).placesAround(column, neighbors.row(i), lists, AROUND * k);
+      neighbors.cells(i).listsAround(column, neighbors.row(i), lists, AROUND * k);
     }
   }
 
-  private void placesAhead(int from, int crossings) {
+  private void listsAhead(int from, int crossings) {
     for (int k = 0; k < crossings; k++) {
       int i = crossing[k];
       int way = kind(i) - EventKind.CROSSING;
       int column = neighbors.column(i);
       int row = neighbors.row(i);
-      int dx = NeighborGrid.columnsOn(way);
-      int dy = NeighborGrid.rowsOn(way);
-      neighbors.cells(i).placesAhead(column, row, dx, dy, lists, from + AHEAD * k);
+      int dx = CellExit.columns(way);
+      int dy = CellExit.rows(way);
+      neighbors.cells(i).listsAhead(column, row, dx, dy, lists, from + AHEAD * k);
     }
   }
 

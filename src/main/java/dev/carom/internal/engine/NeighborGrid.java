@@ -9,32 +9,23 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Index;
 
 /**
- * Which circles are near which: levels of {@link CellGrid}, one for each of the {@link
- * SizeClasses}, with cells a little wider than that level's largest diameter. A circle lists itself
- * on its own level and on every coarser one. Two circles that touch then have centres in cells that
- * are the same or next to each other on the level of the larger one, so a circle finds all that it
- * can touch among those listed around it on its own level, and among the larger ones of each
- * coarser level.
+ * The broad phase of moving circles: a hierarchical grid, with a level for each of the {@link
+ * SizeClasses}. The cells of a level are a little wider than its largest diameter.
+ *
+ * <p>A circle is listed on its own level and on every coarser one. Two circles that touch have
+ * their centres in the same cell or in neighboring ones on the level of the larger circle. So a
+ * circle finds everything that it can touch in the cells around its own: all circles listed on its
+ * own level, and on each coarser level the circles of that level.
  */
 public final class NeighborGrid {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  private static final long ONE = Double.doubleToRawLongBits(1);
-
   /** The cell of a circle that is not listed. */
   private static final double NOWHERE = Double.NaN;
 
-  /** Beyond so many cells from the origin a place no longer tells one cell from the next. */
-  private static final double FARTHEST = 0x1p48;
-
-  /** Room that searches need beside that for all circles. */
+  /** What a search writes beyond the circles that it finds. */
   static final int SPARE = 9;
-
-  // Directions in which a circle leaves a cell: right, left, up, down.
-  private static final int VERTICAL = 2;
-  private static final int DIRECTION_BITS = 2;
-  private static final int DIRECTIONS = 1 << DIRECTION_BITS;
 
   private final int levels;
 
@@ -46,18 +37,12 @@ public final class NeighborGrid {
   private final double originX;
   private final double originY;
 
-  /**
-   * The cells of the first level, and their width; where that is the only one, circles are listed
-   * in them.
-   */
+  /** The cells of the first level, and their width. A single level needs no {@link CellLinks}. */
   private final CellGrid cells;
 
   private final double width;
 
-  /**
-   * Where there are several levels: circles of each, and smaller ones listed on it too; null where
-   * there are none.
-   */
+  /** With several levels, of each: its own circles, and the smaller ones that it lists too. */
   private final CellLinks[] own;
 
   private final CellLinks[] smaller;
@@ -71,7 +56,10 @@ public final class NeighborGrid {
   private final double[] state;
   private final int[] codes;
 
-  /** Of each level: columns and rows within which no wall is near; first, after last, for both. */
+  /**
+   * Of each level, the cells in which a circle meets no wall: the first column, the one after the
+   * last, and the same of rows.
+   */
   private final double[] inside;
 
   public NeighborGrid(
@@ -110,7 +98,7 @@ public final class NeighborGrid {
     }
   }
 
-  /** About as many cells as the extent takes, but no more than sixteen a circle. */
+  /** Cells that cover the extent, but at most about sixteen for each circle. */
   private CellGrid cells(BoundingBox extent, double cellWidth) {
     int nx = powerOfTwo((extent.right() - extent.left()) / cellWidth + 2);
     int ny = powerOfTwo((extent.top() - extent.bottom()) / cellWidth + 2);
@@ -134,7 +122,7 @@ public final class NeighborGrid {
     return n;
   }
 
-  /** Finds the cells of a level all of whose places are further than that from every wall. */
+  /** Finds the cells of a level that keep a distance from every wall. */
   private void limit(int level, double distance, double[] w) {
     int k = 4 * level;
     double cellWidth = size[level];
@@ -151,7 +139,7 @@ public final class NeighborGrid {
   /**
    * Lists a circle where it is at a given time, unless it is beyond the range of doubles.
    *
-   * @return false if its radius is none for which these levels were made
+   * @return false if no level was made for its radius
    */
   public boolean enter(int i, double now) {
     int level = sizes.of(circles.radius(i));
@@ -190,8 +178,8 @@ public final class NeighborGrid {
   }
 
   /**
-   * Lists a circle anew where its new flight starts, if it is not listed there: it went on into
-   * cells that a fast one enters at the same stored time.
+   * Lists a circle in the cells where its new flight starts. As a rule it is there already; a fast
+   * circle may have crossed further cells within one stored time.
    */
   public void comeBack(double[] s, int i) {
     int a = CircleTable.collidingAt(i);
@@ -206,7 +194,7 @@ public final class NeighborGrid {
     }
   }
 
-  /** Takes a circle off all lists. */
+  /** Removes a circle from all lists. */
   public void leave(int i) {
     for (int level = levelOf(i); level < levels; level++) {
       int k = cellAt(i, level);
@@ -231,12 +219,12 @@ public final class NeighborGrid {
     return !Double.isNaN(column);
   }
 
-  /** The level of a circle, without a look at memory where there is but one. */
+  /** The level of a circle; no memory is read if there is only one. */
   private int levelOf(int i) {
     return levels == 1 ? 0 : levelOf[i];
   }
 
-  /** Where the cell of a circle on a level is kept: column, then row. */
+  /** The array that holds the cell of a circle on a level: its column, then its row. */
   private double[] cellsOf(int i, int level) {
     return level == levelOf(i) ? state : coarse;
   }
@@ -281,90 +269,61 @@ public final class NeighborGrid {
         && row < inside[k + 3];
   }
 
-  /** When circle i next leaves a cell; keeps which way in its {@link CircleTable#WAY}. */
+  /** When circle i next leaves a cell; stores which {@linkplain CellExit way} in its row. */
   public double nextCrossing(double[] s, int[] c, int i) {
     int a = CircleTable.collidingAt(i);
     double x = s[a + FlightRow.X] - originX;
     double y = s[a + FlightRow.Y] - originY;
     double vx = s[a + FlightRow.VX];
     double vy = s[a + FlightRow.VY];
-    double first =
-        untilExit(x, y, vx, vy, s[a + CircleTable.COLUMN], s[a + CircleTable.ROW], width(i));
-    int way = exit(x, y, vx, vy, s[a + CircleTable.COLUMN], s[a + CircleTable.ROW], width(i));
-    if (levels > 1) {
-      int own = levelOf(i);
-      way += own * DIRECTIONS;
-      for (int level = own + 1; level < levels; level++) {
-        int k = cellAt(i, level);
-        double until = untilExit(x, y, vx, vy, coarse[k], coarse[k + 1], size[level]);
-        if (until < first) {
-          first = until;
-          way = level * DIRECTIONS + exit(x, y, vx, vy, coarse[k], coarse[k + 1], size[level]);
-        }
+    double column = s[a + CircleTable.COLUMN];
+    double row = s[a + CircleTable.ROW];
+    int own = levelOf(i);
+    double first = CellExit.time(x, y, vx, vy, column, row, width(i));
+    int way = CellExit.way(own, x, y, vx, vy, column, row, width(i));
+    for (int level = own + 1; level < levels; level++) {
+      int k = cellAt(i, level);
+      double time = CellExit.time(x, y, vx, vy, coarse[k], coarse[k + 1], size[level]);
+      if (time < first) {
+        first = time;
+        way = CellExit.way(level, x, y, vx, vy, coarse[k], coarse[k + 1], size[level]);
       }
     }
     c[CircleTable.collidingCodesAt(i) + CircleTable.WAY] = way;
     return first < NEVER ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], first) : NEVER;
   }
 
-  /** How long after the start of its flight a circle leaves a cell. */
+  /** How long after the start of its flight circle i leaves a cell. */
   double untilCrossing(double[] s, int i) {
     int a = CircleTable.collidingAt(i);
     double x = s[a + FlightRow.X] - originX;
     double y = s[a + FlightRow.Y] - originY;
     double vx = s[a + FlightRow.VX];
     double vy = s[a + FlightRow.VY];
-    double first =
-        untilExit(x, y, vx, vy, s[a + CircleTable.COLUMN], s[a + CircleTable.ROW], width(i));
+    double column = s[a + CircleTable.COLUMN];
+    double row = s[a + CircleTable.ROW];
+    double first = CellExit.time(x, y, vx, vy, column, row, width(i));
     for (int level = levelOf(i) + 1; level < levels; level++) {
       int k = cellAt(i, level);
-      first = Math.min(first, untilExit(x, y, vx, vy, coarse[k], coarse[k + 1], size[level]));
+      double time = CellExit.time(x, y, vx, vy, coarse[k], coarse[k + 1], size[level]);
+      first = Math.min(first, time);
     }
     return first;
   }
 
-  /** How long a circle takes to leave a cell. */
-  private static double untilExit(
-      double x, double y, double vx, double vy, double column, double row, double cellWidth) {
-    return Math.min(untilEdge(x, vx, column, cellWidth), untilEdge(y, vy, row, cellWidth));
-  }
-
-  /** Over which edge it leaves the cell. */
-  private static int exit(
-      double x, double y, double vx, double vy, double column, double row, double cellWidth) {
-    double dx = untilEdge(x, vx, column, cellWidth);
-    double dy = untilEdge(y, vy, row, cellWidth);
-    // Branch-free, as it is unpredictable: which edge is first, and the sign of the velocity.
-    long vertical = Double.doubleToRawLongBits(dy - dx) >> 63;
-    long right = Double.doubleToRawLongBits(vx);
-    long v = right ^ ((right ^ Double.doubleToRawLongBits(vy)) & vertical);
-    return (int) ((vertical & VERTICAL) | (v >>> 63));
-  }
-
-  private static double untilEdge(double p, double v, double cell, double size) {
-    // The cell's upper edge is one further.
-    double edge = (cell + oneIfUp(v)) * size;
-    return Math.abs(cell) < FARTHEST && v != 0 ? (edge - p) / v : NEVER;
-  }
-
-  /** 1, or 0 if v has a minus sign. */
-  private static double oneIfUp(double v) {
-    return Double.longBitsToDouble(ONE & ~(Double.doubleToRawLongBits(v) >> 63));
-  }
-
   /**
-   * Moves circle i into the cell that it enters, and finds the circles in those now next to it that
-   * were not, as {@link #find} does.
+   * Moves circle i into the next cell, and finds the circles in the cells that became neighbors, as
+   * {@link #find} does.
    *
+   * @param way the {@linkplain CellExit way} in which it leaves its cell
    * @param found room for all circles and {@link #SPARE} more
    * @return how many were found
    */
   public int cross(double[] s, int[] c, int i, int way, int[] found) {
-    // One step to the side, by arithmetic: the way cannot be foretold.
-    int vertical = -((way & VERTICAL) >> 1);
-    int sign = sign(way);
+    int vertical = CellExit.vertical(way);
+    int sign = CellExit.sign(way);
     if (levels > 1) {
-      return cross(i, way >> DIRECTION_BITS, vertical, sign, found);
+      return cross(i, CellExit.level(way), vertical, sign, found);
     }
     int a = CircleTable.collidingAt(i);
     int k = CircleTable.collidingCodesAt(i) + CircleTable.CELL;
@@ -394,16 +353,11 @@ public final class NeighborGrid {
     return hasSmaller(i, level) ? smaller[level].beside(ahead, aside, found, end) : end;
   }
 
-  /** Whether a way goes up its axis or down: 1 or -1. */
-  private static int sign(int way) {
-    return 1 - ((way & 1) << 1);
-  }
-
   /**
-   * Finds all circles that circle i could touch before one of them leaves its cell, and maybe
-   * itself; of each list the first one, whose followers are to be added, as {@link
-   * CircleTable#FOLLOWER} tells. Where there are several levels it finds all, and none follows. Of
-   * a circle that is not listed it finds some, which that does not meet.
+   * Finds all circles that circle i could touch before one of them leaves its cell, possibly
+   * including itself. With a single level only the first circle of each list is found; {@link
+   * CircleTable#FOLLOWER} leads to the others. With several levels all are found. For a circle that
+   * is not listed, whatever is found does not meet it.
    *
    * @param found room for all circles and {@link #SPARE} more
    * @return how many were found
@@ -434,24 +388,14 @@ public final class NeighborGrid {
     return own[levelOf(i)].cells;
   }
 
-  /** In which column of its own level circle i is. */
+  /** The column of circle i on its own level. */
   public int column(int i) {
     return wrapped(state[CircleTable.collidingAt(i) + CircleTable.COLUMN]);
   }
 
-  /** And in which row. */
+  /** The row of circle i on its own level. */
   public int row(int i) {
     return wrapped(state[CircleTable.collidingAt(i) + CircleTable.ROW]);
-  }
-
-  /** By how many columns a way leads on: 1, 0, or -1. */
-  public static int columnsOn(int way) {
-    return sign(way) * (1 - ((way & VERTICAL) >> 1));
-  }
-
-  /** And by how many rows. */
-  public static int rowsOn(int way) {
-    return sign(way) * ((way & VERTICAL) >> 1);
   }
 
   private boolean hasSmaller(int i, int level) {

@@ -50,7 +50,7 @@ public final class CircleTable {
   public static final int KIND = 10;
   public static final int CELL = 11;
 
-  /** The level of the cell that it leaves next, and over which edge. */
+  /** The way in which it next leaves a cell, see {@code CellExit}. */
   public static final int WAY = 12;
 
   /** A cache line of ints for each circle that collides, of which 13 are used. */

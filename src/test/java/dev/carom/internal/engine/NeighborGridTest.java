@@ -234,13 +234,13 @@ class NeighborGridTest {
     for (int k = 0; k < 200; k++) {
       int column = random.nextInt(30) - 10;
       int row = random.nextInt(30) - 10;
-      cells.placesAround(column, row, lists, 2);
+      cells.listsAround(column, row, lists, 2);
       cells.firsts(lists, 2, 11);
       int size = cells.around(cells.cell(column, row), found, 0);
       assertThat(heads(lists, 2, 11)).isEqualTo(heads(found, 0, size));
       int dx = steps[k % 4][0];
       int dy = steps[k % 4][1];
-      cells.placesAhead(column, row, dx, dy, lists, 11);
+      cells.listsAhead(column, row, dx, dy, lists, 11);
       cells.firsts(lists, 11, 16);
       int ahead = cells.cell(column + 2 * dx, row + 2 * dy);
       size = cells.beside(ahead, cells.step(-Math.abs(dx)), found, 0);
@@ -291,11 +291,11 @@ class NeighborGridTest {
     int row = neighbors.row(0);
     double crossing = crossing(neighbors, circles);
     int way = circles.codes[CircleTable.collidingCodesAt(0) + CircleTable.WAY];
-    assertThat(NeighborGrid.columnsOn(way)).isEqualTo((int) Math.signum((int) vx));
-    assertThat(NeighborGrid.rowsOn(way)).isEqualTo((int) Math.signum((int) vy));
+    assertThat(CellExit.columns(way)).isEqualTo((int) Math.signum((int) vx));
+    assertThat(CellExit.rows(way)).isEqualTo((int) Math.signum((int) vy));
     neighbors.cross(circles.state, circles.codes, 0, way, new int[11]);
-    assertThat(neighbors.column(0)).isEqualTo(column + NeighborGrid.columnsOn(way));
-    assertThat(neighbors.row(0)).isEqualTo(row + NeighborGrid.rowsOn(way));
+    assertThat(neighbors.column(0)).isEqualTo(column + CellExit.columns(way));
+    assertThat(neighbors.row(0)).isEqualTo(row + CellExit.rows(way));
     assertThat(around(neighbors, circles, neighbors.column(0), neighbors.row(0))).contains(0);
     assertThat(crossing(neighbors, circles)).isGreaterThan(crossing);
   }
