@@ -114,6 +114,9 @@ public final class World {
   private final WorldQueries questions;
   private double now;
 
+  /** The id of the circle that spent the budget of the last step, or -1. */
+  private int unfinishedCircle = -1;
+
   /** Null unless flights are recorded. */
   private FlightRecorder recorder;
 
@@ -187,24 +190,76 @@ public final class World {
    * @throws IllegalArgumentException if t is NaN, infinite, or earlier than now
    */
   public boolean advanceTo(double t) {
-    if (!(t >= now && t <= Double.MAX_VALUE)) {
-      throw Check.refused("t", t, "a finite time, at least now, " + now);
-    }
+    checkGoal(t);
     return advance(t + 0.0); // 0 for -0
   }
 
+  private void checkGoal(double t) {
+    if (!(t >= now && t <= Double.MAX_VALUE)) {
+      throw Check.refused("t", t, "a finite time, at least now, " + now);
+    }
+  }
+
   private boolean advance(double end) {
+    begin();
+    finish(engine.advance(end));
+    return now == end && !engine.unfinished;
+  }
+
+  /**
+   * Advances to the next impact, or to a given time if that is first. The world stops at the first
+   * double that is not before the impact on the world's clock of 106 bits, so edits take effect
+   * after it. The log holds all impacts up to there; several are possible within one double. A
+   * contact that a sensor reports counts as an impact.
+   *
+   * <p>For paddles, portals and sounds: whatever the program does at an impact happens at its
+   * moment. Calls in a row give the same impacts, to the bit, as one call of {@link #advanceTo
+   * advanceTo}.
+   *
+   * <pre>{@code
+   * World world = new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
+   * while (world.advanceToImpact(20) == StopReason.IMPACT) {
+   *   System.out.println(world.impacts().kind(0) + " at " + world.now()); // WALL at 5.0, at 15.0
+   * }
+   * }</pre>
+   *
+   * @param t the latest time, at least {@link #now()}
+   * @return why the world stopped: at an impact, at the time t, or for want of budget
+   * @throws IllegalArgumentException if t is NaN, infinite, or earlier than now
+   */
+  public StopReason advanceToImpact(double t) {
+    checkGoal(t);
+    begin();
+    finish(engine.advanceToImpact(t + 0.0));
+    if (engine.unfinished) {
+      return StopReason.BUDGET;
+    }
+    return rows.size() > 0 ? StopReason.IMPACT : StopReason.TIME;
+  }
+
+  /**
+   * The circle that spent the budget of the last step: the one with the most impacts in it.
+   *
+   * @return its id; -1 if that step was finished
+   */
+  public int unfinishedCircle() {
+    return unfinishedCircle;
+  }
+
+  private void begin() {
     rows.clear();
     if (registry.isSparse()) {
       engine.compact(now);
     }
-    double reached = engine.advance(end);
+  }
+
+  private void finish(double reached) {
     rows.sort();
     now = reached;
+    unfinishedCircle = engine.unfinished ? registry.id(engine.spender) : -1;
     if (recorder != null) {
       recorder.advance(now);
     }
-    return reached == end && !engine.unfinished;
   }
 
   /**
@@ -750,6 +805,7 @@ public final class World {
           "collide of the snapshot", state.collide(), "this world's, " + scene.collide());
     }
     rows.clear();
+    unfinishedCircle = -1;
     now = state.now();
     registry.set(state.registry());
     editor.restore(state.limits());

@@ -43,7 +43,7 @@ class ArchitectureTest {
 
   private static final String WORLD =
       " Scene SceneBuilder SceneFormatException Response World WorldQueries ImpactLog Outcome"
-          + " Snapshot Timeline";
+          + " StopReason Snapshot Timeline";
 
   private static final JavaClasses CLASSES =
       new ClassFileImporter().importPath(Path.of("target/classes"));

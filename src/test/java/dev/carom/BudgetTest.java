@@ -222,4 +222,25 @@ class BudgetTest {
     assertThat(world.advanceTo(9)).isTrue();
     assertThat(world.impacts().size()).isEqualTo(1_000);
   }
+
+  /** A fast circle between two walls, with others that fly by: it is the one that is named. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void theWorldNamesTheCircleThatSpentTheBudget(boolean collide) {
+    SceneBuilder scene = Scene.builder().collide(collide).bounds(0, 0, 100, 100);
+    for (int i = 0; i < 5; i++) {
+      scene.circle(50, 10 + 20 * i, 5, i == 3 ? 1e9 : 1, 0);
+    }
+    World world = new World(scene.build(), EngineOptions.budget(1.0 / 200));
+    assertThat(world.unfinishedCircle()).isEqualTo(-1);
+    world.remove(ObstacleKind.CIRCLE, 1);
+    assertThat(world.advanceTo(1)).isFalse();
+    assertThat(world.unfinishedCircle()).isEqualTo(3);
+    assertThat(world.advanceTo(world.now())).isTrue();
+    assertThat(world.unfinishedCircle()).isEqualTo(-1);
+    assertThat(world.step(1)).isFalse();
+    world.restore(new World(world.scene()).snapshot());
+    assertThat(world.unfinishedCircle()).isEqualTo(-1);
+    assertThat(world.advanceToImpact(1)).isEqualTo(StopReason.IMPACT);
+  }
 }

@@ -16,6 +16,7 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.util.Index;
+import dev.carom.internal.util.Kind;
 import java.util.Arrays;
 import java.util.Collection;
 
@@ -57,8 +58,11 @@ public final class CollidingEngine extends Engine {
 
   private double lastEventTail;
 
-  /** The end of the step in hand. */
+  /** The end of this step. */
   private double end;
+
+  /** Whether this step ends at the first impact. */
+  private boolean stopsAtImpact;
 
   /** Whether there are no lines and no pegs, in this step. */
   private boolean nothingInside;
@@ -100,9 +104,21 @@ public final class CollidingEngine extends Engine {
   }
 
   @Override
-  public double advance(double end) {
+  public double advanceToImpact(double end) {
+    stopsAtImpact = true;
+    double reached = advance(end);
+    stopsAtImpact = false;
+    return reached;
+  }
+
+  private void stopAt(double head, double tail) {
+    end = Math.min(end, MovingCircle.firstNotBefore(head, tail));
+  }
+
+  @Override
+  public double advance(double last) {
     unfinished = false;
-    this.end = end;
+    end = last;
     prepare();
     nothingInside = staticScene.obstacles.size() == 0;
     if (outgrown) {
@@ -118,6 +134,7 @@ public final class CollidingEngine extends Engine {
     for (long events = 0; ; events++) {
       if (events + work.impactsSince(before) >= budget && scheduler.isAnyDue(end)) {
         unfinished = true;
+        spender = busiest();
         return reached;
       }
       int i = scheduler.poll(end);
@@ -133,6 +150,25 @@ public final class CollidingEngine extends Engine {
         handle(s, c, i, kind);
       }
     }
+  }
+
+  /** The circle with the most impacts in the log; if that is empty, the one whose event is next. */
+  private int busiest() {
+    if (log.size() == 0) {
+      return scheduler.first();
+    }
+    int[] impacts = new int[circles.count];
+    int most = log.circle(0);
+    for (int row = 0; row < log.size(); row++) {
+      impacts[log.circle(row)]++;
+      if (log.kind(row) == Kind.CIRCLE) {
+        impacts[log.obstacle(row)]++;
+      }
+    }
+    for (int i = 0; i < impacts.length; i++) {
+      most = impacts[i] > impacts[most] ? i : most;
+    }
+    return most;
   }
 
   /**
@@ -171,6 +207,10 @@ public final class CollidingEngine extends Engine {
       circles.store(i, m);
       scheduler.schedule(i);
       return;
+    }
+    if (stopsAtImpact) {
+      double head = m.after(m.cleared);
+      stopAt(head, m.afterTail(m.cleared, head));
     }
     switch (response.resolve(m, log)) {
       case ObstacleResponse.SENSED -> {
@@ -211,6 +251,9 @@ public final class CollidingEngine extends Engine {
     circles.loadForMeeting(s, c, low, circles.mover);
     circles.loadForMeeting(s, c, high, other);
     advanceToMeeting(s, circles.mover, other, i, circles.walls);
+    if (stopsAtImpact) {
+      stopAt(CollisionPredictor.time(s, i), CollisionPredictor.tail(s, i));
+    }
     circles.mover.crushed = cluster.isCrushed(circles.mover);
     other.crushed = cluster.isCrushed(other);
     switch (pairs.resolve(circles.mover, other, log)) {

@@ -11,6 +11,7 @@ import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.SceneData;
+import dev.carom.internal.util.Index;
 
 /**
  * What moves the circles of a world: one way if they ignore each other, another if they collide.
@@ -26,6 +27,9 @@ public abstract class Engine {
 
   /** Whether the budget was spent in the last {@link #advance}. */
   public boolean unfinished;
+
+  /** If so, the slot of the circle that spent it. */
+  public int spender = Index.NONE;
 
   /** Null unless flights are recorded. */
   FlightRecorder recorder;
@@ -51,6 +55,12 @@ public abstract class Engine {
    * @return the time reached
    */
   public abstract double advance(double end);
+
+  /**
+   * The same up to the first impact: to the first double that is not before it, at most to the
+   * given time.
+   */
+  public abstract double advanceToImpact(double end);
 
   /** What is used, in words. */
   public abstract String engineDescription();

@@ -100,6 +100,11 @@ final class EventScheduler {
     return queue.polledTime();
   }
 
+  /** The circle whose event is first, or {@link Index#NONE}. */
+  int first() {
+    return queue.first();
+  }
+
   /** Whether an event is due by a given time. */
   boolean isAnyDue(double end) {
     int i = queue.first();

@@ -84,6 +84,33 @@ public final class IndependentEngine extends Engine {
     return reached;
   }
 
+  @Override
+  public double advanceToImpact(double end) {
+    prepare();
+    return advance(Math.min(end, nextImpact(end)));
+  }
+
+  /**
+   * The first double that is not before the next impact; infinite if there is none until a time.
+   */
+  private double nextImpact(double end) {
+    DueTimes due = circles.due;
+    MovingCircle m = circles.mover;
+    while (true) {
+      int i = due.earliest(end);
+      if (i == due.size()) {
+        return Double.POSITIVE_INFINITY;
+      }
+      circles.load(i);
+      if (m.next != MovingCircle.NOTHING) {
+        double head = m.due();
+        return MovingCircle.firstNotBefore(head, m.afterTail(m.cleared, head));
+      }
+      staticScene.extend(m, m.cleared);
+      circles.storeAndSetDue(i);
+    }
+  }
+
   /** Advances all to the given time, or to where the first of those stands that spent theirs. */
   private double pass(double goal) {
     spent = 0;
@@ -99,6 +126,7 @@ public final class IndependentEngine extends Engine {
       circles.storeAndSetDue(i);
       if (stopped <= end) {
         unfinished = true;
+        spender = i;
         end = stopped;
       }
       i = many ? prefetcher.next(end) : due.next(i + 1, end);

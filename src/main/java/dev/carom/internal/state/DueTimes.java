@@ -80,6 +80,42 @@ public final class DueTimes {
     return due.length <= SCAN_LIMIT ? first(i, due.length, last) : firstOfBlocks(i, last);
   }
 
+  /** The circle that is due first; {@link #size} if none is due until the given time. */
+  public int earliest(double end) {
+    long last = Double.doubleToRawLongBits(end + 0.0);
+    return due.length <= SCAN_LIMIT ? earliest(0, due.length, last) : earliestOfBlocks(last);
+  }
+
+  private int earliestOfBlocks(long last) {
+    long best = last;
+    int circle = due.length;
+    for (int block = 0; block < earliest.length; block++) {
+      if (earliest[block] <= best) {
+        int from = block << SHIFT;
+        int to = Math.min(from + BLOCK, due.length);
+        refresh(from, to);
+        int k = earliest(from, to, best);
+        if (k < due.length) {
+          circle = k;
+          best = due[k] - 1; // of those due at the same time the first one is as good
+        }
+      }
+    }
+    return circle;
+  }
+
+  private int earliest(int from, int to, long last) {
+    long best = last;
+    int circle = due.length;
+    for (int k = from; k < to; k++) {
+      if (due[k] <= best) {
+        best = due[k] - 1;
+        circle = k;
+      }
+    }
+    return circle;
+  }
+
   private int firstOfBlocks(int i, long last) {
     int from = i;
     while (from < due.length) {

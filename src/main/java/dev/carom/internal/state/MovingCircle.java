@@ -179,6 +179,11 @@ public final class MovingCircle {
     return cleared == Double.POSITIVE_INFINITY ? cleared : after(cleared);
   }
 
+  /** The first double that is not before a time, given as head and tail. */
+  public static double firstNotBefore(double head, double tail) {
+    return tail > 0 ? Math.nextUp(head) : head;
+  }
+
   /** The head of the time that is dt after the start of the flight. */
   public double after(double dt) {
     return sum(t, tl, dt);
