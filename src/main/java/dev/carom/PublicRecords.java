@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
 
 /** The public records of what stands in the rows of {@link ObstacleTable}. */
@@ -10,22 +11,18 @@ final class PublicRecords {
 
   /** A line, or a peg, as it is now; of a wall, the bounds. */
   static Obstacle of(ObstacleTable obstacles, int code) {
-    if (code < ObstacleTable.WALLS) {
+    if (Codes.isWall(code)) {
       return bounds(obstacles.walls);
     }
     int k = obstacles.offset(code);
-    return code < ObstacleTable.PEGS ? line(obstacles.lines, k) : peg(obstacles.pegs, k);
+    return Codes.isLine(code) ? line(obstacles.lines, k) : peg(obstacles.pegs, k);
   }
 
   /** The bounds with these walls; null for null. */
   static Bounds bounds(double[] walls) {
     return walls == null
         ? null
-        : new Bounds(
-            walls[ObstacleTable.LEFT],
-            walls[ObstacleTable.BOTTOM],
-            walls[ObstacleTable.RIGHT],
-            walls[ObstacleTable.TOP]);
+        : new Bounds(walls[Codes.LEFT], walls[Codes.BOTTOM], walls[Codes.RIGHT], walls[Codes.TOP]);
   }
 
   /** What messages say of the bounds with these walls, which may be null. */

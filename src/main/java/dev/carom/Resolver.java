@@ -10,6 +10,7 @@ import dev.carom.internal.response.Impulse;
 import dev.carom.internal.response.SphereResponse;
 import dev.carom.internal.search.BroadPhase;
 import dev.carom.internal.state.CodeSet;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneDataBuilder;
@@ -103,10 +104,10 @@ public final class Resolver {
   /** The record that was given for a code: an endpoint is a peg in the table. */
   private static Obstacle record(
       ObstacleTable table, int code, List<Obstacle> lines, List<Obstacle> pegs) {
-    return switch (table.kind(code)) {
+    return switch (Codes.kind(code)) {
       case Kind.WALL -> PublicRecords.bounds(table.walls);
-      case Kind.LINE -> lines.get(table.index(code));
-      default -> pegs.get(table.index(code));
+      case Kind.LINE -> lines.get(Codes.index(code));
+      default -> pegs.get(Codes.index(code));
     };
   }
 
@@ -172,10 +173,7 @@ public final class Resolver {
     int code = first.code();
     return Optional.of(
         CircleCast.impact(
-            first,
-            ObstacleKind.of(obstacles.kind(code)),
-            obstacles.index(code),
-            records.apply(code)));
+            first, ObstacleKind.of(Codes.kind(code)), Codes.index(code), records.apply(code)));
   }
 
   /**
@@ -219,7 +217,7 @@ public final class Resolver {
   private List<Obstacle> things(IntStream codes) {
     List<Obstacle> things = new ArrayList<>();
     for (int code : codes.toArray()) {
-      if (code >= ObstacleTable.WALLS || things.isEmpty()) {
+      if (!Codes.isWall(code) || things.isEmpty()) {
         things.add(records.apply(code));
       }
     }

@@ -4,6 +4,7 @@ package dev.carom;
 import dev.carom.internal.io.RowException;
 import dev.carom.internal.io.SceneFile;
 import dev.carom.internal.query.Warnings;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
@@ -354,7 +355,7 @@ public final class Scene {
 
   private int count(ObstacleKind kind) {
     return switch (kind) {
-      case WALL -> data.walls == null ? 0 : ObstacleTable.WALLS;
+      case WALL -> data.walls == null ? 0 : Codes.WALLS;
       case LINE -> lineCount();
       case PEG -> pegCount();
       case CIRCLE -> circleCount();

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.FlightHistory;
 import dev.carom.internal.state.FlightRecorder;
-import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Check;
+import dev.carom.internal.util.Kind;
 import java.util.Optional;
 
 /**
@@ -139,9 +140,9 @@ public final class Timeline {
    */
   public Optional<Line> line(int id, double t) {
     double time = checked(t);
-    return !isId(id)
+    return !isId(Kind.LINE, id)
         ? Optional.empty()
-        : Optional.ofNullable(recorder.obstacle(ObstacleTable.WALLS + id, time))
+        : Optional.ofNullable(recorder.obstacle(Codes.line(id), time))
             .map(row -> PublicRecords.line(row, 0));
   }
 
@@ -155,14 +156,14 @@ public final class Timeline {
    */
   public Optional<Circle> peg(int id, double t) {
     double time = checked(t);
-    return !isId(id)
+    return !isId(Kind.PEG, id)
         ? Optional.empty()
-        : Optional.ofNullable(recorder.obstacle(ObstacleTable.PEGS + id, time))
+        : Optional.ofNullable(recorder.obstacle(Codes.peg(id), time))
             .map(row -> PublicRecords.peg(row, 0));
   }
 
-  private static boolean isId(int id) {
-    return id >= 0 && id < ObstacleTable.PEGS - ObstacleTable.WALLS;
+  private static boolean isId(int kind, int id) {
+    return id >= 0 && id < Codes.limit(kind);
   }
 
   private double checked(double t) {

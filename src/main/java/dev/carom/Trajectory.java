@@ -2,8 +2,8 @@
 package dev.carom;
 
 import dev.carom.internal.query.TracedPath;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ImpactRows;
-import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.DoubleList;
 import java.util.ArrayList;
@@ -56,7 +56,7 @@ public final class Trajectory {
         rows.time(row),
         ObstacleKind.of(kind),
         id,
-        records.apply(ObstacleTable.code(kind, id)),
+        records.apply(Codes.of(kind, id)),
         Feature.of(rows.feature(row)),
         new Vec2(rows.x(row), rows.y(row)),
         new Vec2(rows.nx(row), rows.ny(row)),

@@ -10,6 +10,7 @@ import dev.carom.internal.query.TracedPath;
 import dev.carom.internal.query.Tracer;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -49,12 +50,11 @@ final class WorldQueries {
 
   private Impact impact(Candidate first, double now) {
     int code = first.code();
-    if (code < ObstacleTable.CIRCLES) {
+    if (!Codes.isCircle(code)) {
       Obstacle thing = PublicRecords.of(obstacles, code);
-      return CircleCast.impact(
-          first, ObstacleKind.of(obstacles.kind(code)), obstacles.index(code), thing);
+      return CircleCast.impact(first, ObstacleKind.of(Codes.kind(code)), Codes.index(code), thing);
     }
-    int slot = code - ObstacleTable.CIRCLES;
+    int slot = Codes.slot(code);
     Circle circle = new Circle(circles.x(slot, now), circles.y(slot, now), circles.radius(slot));
     return CircleCast.impact(first, ObstacleKind.CIRCLE, registry.id(slot), circle);
   }
@@ -70,8 +70,8 @@ final class WorldQueries {
   }
 
   double restitution(int code) {
-    return code >= ObstacleTable.CIRCLES
-        ? circles.restitution(code - ObstacleTable.CIRCLES)
+    return Codes.isCircle(code)
+        ? circles.restitution(Codes.slot(code))
         : obstacles.givenRestitution(code);
   }
 
@@ -84,10 +84,10 @@ final class WorldQueries {
   }
 
   private int traits(int code) {
-    if (code >= ObstacleTable.CIRCLES) {
-      return registry.traits(code - ObstacleTable.CIRCLES);
+    if (Codes.isCircle(code)) {
+      return registry.traits(Codes.slot(code));
     }
-    return code < ObstacleTable.WALLS ? obstacles.boundsTraits : obstacles.traits(code);
+    return Codes.isWall(code) ? obstacles.boundsTraits : obstacles.traits(code);
   }
 
   int[] ids(ObstacleKind kind) {
@@ -97,7 +97,7 @@ final class WorldQueries {
   int nearest(ObstacleKind kind, double x, double y, double now) {
     if (kind != ObstacleKind.CIRCLE) {
       int code = proximity.nearest(proximity.codes(kind.ordinal()), x, y);
-      return code == Proximity.NONE ? -1 : obstacles.index(code);
+      return code == Proximity.NONE ? -1 : Codes.index(code);
     }
     int slot = queries.nearest(x, y, now);
     return slot == Index.NONE ? -1 : registry.id(slot);
@@ -120,6 +120,6 @@ final class WorldQueries {
   }
 
   private int[] ids(IntStream codes) {
-    return codes.map(obstacles::index).toArray();
+    return codes.map(Codes::index).toArray();
   }
 }

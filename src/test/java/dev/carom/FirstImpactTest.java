@@ -4,8 +4,8 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.NearlyAtOnce.Truth;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
-import dev.carom.internal.state.ObstacleTable;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -82,19 +82,19 @@ class FirstImpactTest {
   @Test
   void boundsTellTheEarlierWall() {
     Impact top = SweptCircle.cast(POINT, V, new Bounds(-9, -9, 1, THIRD), NEVER).orElseThrow();
-    assertThat(top.id()).isEqualTo(ObstacleTable.TOP);
+    assertThat(top.id()).isEqualTo(Codes.TOP);
     assertThat(top.point().y()).isEqualTo(THIRD);
     Vec2 exchanged = new Vec2(1, 3);
     Bounds other = new Bounds(-9, -9, THIRD, 1);
     assertThat(SweptCircle.cast(POINT, exchanged, other, NEVER).orElseThrow().id())
-        .isEqualTo(ObstacleTable.RIGHT);
+        .isEqualTo(Codes.RIGHT);
   }
 
   @Test
   void twoWallsThatAreHitAtOnceAreTheVerticalOne() {
     Impact impact =
         SweptCircle.cast(POINT, new Vec2(3, 3), new Bounds(-9, -9, 1, 1), NEVER).orElseThrow();
-    assertThat(impact.id()).isEqualTo(ObstacleTable.RIGHT);
+    assertThat(impact.id()).isEqualTo(Codes.RIGHT);
   }
 
   /** Of a kind that comes later in order, but earlier in time. */

@@ -4,7 +4,9 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.search.Grid;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -102,7 +104,7 @@ class GridTest {
     double margin = 0x1p-8 * 8;
     Grid near = gridOf(Scene.builder().peg(0, 0, 0).peg(40 - 0.9 * margin, 0, 0));
     Grid far = gridOf(Scene.builder().peg(0, 0, 0).peg(40 - 1.1 * margin, 0, 0));
-    int second = ObstacleTable.PEGS + 1;
+    int second = Codes.peg(1);
     assertThat((int) near.lists[near.number(7, 1)]).isEqualTo(second);
     assertThat(far.lists[far.number(7, 1)]).isZero();
     assertThat((int) far.lists[far.number(6, 1)]).isEqualTo(second);
@@ -112,7 +114,7 @@ class GridTest {
   @Test
   void cellsBesideALineDoNotListIt() {
     Grid grid = gridOf(Scene.builder().line(0, 0, 80, 80));
-    int line = ObstacleTable.WALLS;
+    int line = Codes.line(0);
     for (int row = 1; row < 12; row++) {
       for (int column = 1; column < 12; column++) {
         int apart = Math.abs(column - row);
@@ -145,11 +147,11 @@ class GridTest {
     List<Integer> there = new ArrayList<>();
     for (int i = 0; i < lines; i++) {
       scene.line(0, 0, 1, i + 1);
-      there.add(ObstacleTable.WALLS + i);
+      there.add(Codes.line(i));
     }
     for (int i = 0; i < pegs; i++) {
       scene.peg(1, i, 1);
-      there.add(ObstacleTable.PEGS + 2 + i);
+      there.add(Codes.peg(2) + i);
     }
     Grid grid = gridOf(scene);
     int cell = grid.number(grid.column(grid.columns(1)), grid.row(grid.rows(1)));
@@ -177,6 +179,6 @@ class GridTest {
     if (Grid.second(pair) != Grid.first(pair)) {
       codes.add(Grid.second(pair));
     }
-    assertThat(Grid.arePegs(pair)).isEqualTo(Grid.second(pair) >= ObstacleTable.PEGS);
+    assertThat(Grid.arePegs(pair)).isEqualTo(Codes.kind(Grid.second(pair)) == Kind.PEG);
   }
 }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.search.Grids;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.ObstacleTable;
 import org.junit.jupiter.api.Test;
@@ -89,7 +90,7 @@ class GridsTest {
   /** Notes changes of pegs from the first one on. */
   private static void change(Grids grids, int pegs) {
     for (int i = 0; i < pegs; i++) {
-      grids.changed(ObstacleTable.PEGS + i);
+      grids.changed(Codes.peg(i));
     }
   }
 

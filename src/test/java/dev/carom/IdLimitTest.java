@@ -9,6 +9,7 @@ import dev.carom.internal.engine.Editor;
 import dev.carom.internal.engine.Engine;
 import dev.carom.internal.engine.IndependentEngine;
 import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.ObstacleTable;
@@ -103,8 +104,8 @@ class IdLimitTest {
         new IndependentEngine(scene.data, registry, EngineOptions.CHOSEN, new ImpactRows(1));
     Editor editor = new Editor(scene.data, engine, registry);
     ObstacleTable obstacles = engine.staticScene.obstacles;
-    obstacles.endOfLines = ObstacleTable.WALLS + LINES;
-    obstacles.endOfPegs = ObstacleTable.PEGS + PEGS;
+    obstacles.endOfLines = Codes.line(LINES);
+    obstacles.endOfPegs = Codes.peg(PEGS);
     assertThatThrownBy(() -> editor.addLine(1, 2, 3, 4, 0))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage(

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.StuckRule;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -31,7 +32,7 @@ class ObstacleResponseTest {
   private int hit(double vx, double vy, int stuck) {
     m.start(0, 4, 6, 1, vx, vy, 1);
     m.stuck = stuck;
-    m.next = ObstacleTable.WALLS;
+    m.next = Codes.line(0);
     m.contact = Contact.LEFT;
     rows.clear();
     return response.resolve(m, rows);
@@ -64,7 +65,7 @@ class ObstacleResponseTest {
     assertThat(log.outcome(0)).isEqualTo(Outcome.JAMMED);
     assertThat(m.vx).isBetween(1 - 0x1p-49, 1.0);
     assertThat(m.vy).isEqualTo(m.vx);
-    assertThat(m.jam.makesInert(ObstacleTable.WALLS)).isTrue();
+    assertThat(m.jam.makesInert(Codes.line(0))).isTrue();
   }
 
   /** Two lines that meet below it in a narrow wedge; it hits one of them, then the other. */
@@ -78,7 +79,7 @@ class ObstacleResponseTest {
   }
 
   private void hitInWedge(ObstacleResponse wedge, int line, int contact) {
-    m.next = ObstacleTable.WALLS + line;
+    m.next = Codes.line(line);
     m.contact = contact;
     m.cleared = 0;
     rows.clear();
@@ -104,7 +105,7 @@ class ObstacleResponseTest {
     ObstacleResponse wedge = new ObstacleResponse(ObstacleTable.of(wedge(0).data));
     m.start(0, 0, 5, 1, 0, -1, 1);
     hitInWedge(wedge, 0, Contact.LEFT);
-    m.next = ObstacleTable.WALLS + 1;
+    m.next = Codes.line(1);
     m.contact = Contact.RIGHT;
     m.cleared = 0x1p-40;
     rows.clear();
@@ -144,7 +145,7 @@ class ObstacleResponseTest {
   private void slide(ObstacleResponse response, double vx, double vy) {
     m.start(0, 4, 1, 1, vx, vy, 1);
     m.stuck = StuckRule.LIMIT;
-    m.next = ObstacleTable.WALLS;
+    m.next = Codes.line(0);
     m.contact = Contact.LEFT;
     rows.clear();
     response.resolve(m, rows);
@@ -156,7 +157,7 @@ class ObstacleResponseTest {
     ObstacleResponse level =
         new ObstacleResponse(ObstacleTable.of(Scene.builder().line(0, 0, 8, 0).build().data));
     slide(level, 0x1p48, -1);
-    assertThat(m.jam.makesInert(ObstacleTable.WALLS)).isTrue();
+    assertThat(m.jam.makesInert(Codes.line(0))).isTrue();
     slide(level, 0x1p48, -1.0001);
     assertThat(m.jam).isNull();
   }
@@ -166,7 +167,7 @@ class ObstacleResponseTest {
     ObstacleResponse upright =
         new ObstacleResponse(ObstacleTable.of(Scene.builder().line(5, 5, 5, -3).build().data));
     slide(upright, -1, 0x1p48);
-    assertThat(m.jam.makesInert(ObstacleTable.WALLS)).isTrue();
+    assertThat(m.jam.makesInert(Codes.line(0))).isTrue();
     slide(upright, -1.0001, 0x1p48);
     assertThat(m.jam).isNull();
   }

@@ -4,6 +4,7 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.ObstacleTable;
@@ -31,18 +32,18 @@ class ObstacleTableTest {
   void theyEqualWhatIsTheSameInAllWays() {
     assertThat(obstacles()).isEqualTo(obstacles()).hasSameHashCodeAs(obstacles());
     assertThat(obstacles().copy()).isEqualTo(obstacles());
-    int line = ObstacleTable.WALLS + 1;
-    int peg = ObstacleTable.PEGS + 1;
+    int line = Codes.line(1);
+    int peg = Codes.peg(1);
     List<Consumer<ObstacleTable>> changes =
         List.of(
             o -> o.moveLine(line, 2, 3, 4, 6),
             o -> o.movePeg(peg, 6, 7, 2),
             o -> o.setRestitution(line, 0.5),
             o -> o.setRestitution(peg, 0.5),
-            o -> o.setRestitution(ObstacleTable.LEFT, 0.5),
+            o -> o.setRestitution(Codes.LEFT, 0.5),
             o -> o.setTraits(line, ContactFlags.with(0, ContactFlags.HALT)),
             o -> o.setTraits(peg, ContactFlags.with(0, ContactFlags.HALT)),
-            o -> o.setTraits(ObstacleTable.LEFT, ContactFlags.with(0, ContactFlags.HALT)),
+            o -> o.setTraits(Codes.LEFT, ContactFlags.with(0, ContactFlags.HALT)),
             o -> o.addLine(1, 1, 2, 2),
             o -> o.addPeg(1, 1, 2),
             o -> o.remove(line),
@@ -60,8 +61,8 @@ class ObstacleTableTest {
   }
 
   private static void assertPresent(ObstacleTable o) {
-    assertPresent(o, o.presentLines(), there(o, ObstacleTable.WALLS, o.endOfLines));
-    assertPresent(o, o.presentPegs(), there(o, ObstacleTable.PEGS, o.endOfPegs));
+    assertPresent(o, o.presentLines(), there(o, Codes.line(0), o.endOfLines));
+    assertPresent(o, o.presentPegs(), there(o, Codes.peg(0), o.endOfPegs));
     assertThat(o.size()).isEqualTo(o.presentLines().count() + o.presentPegs().count());
   }
 
@@ -107,7 +108,7 @@ class ObstacleTableTest {
   @Test
   void otherLinesHaveAnotherHashCode() {
     ObstacleTable moved = obstacles();
-    moved.moveLine(ObstacleTable.WALLS, 7, 2, 3, 4);
+    moved.moveLine(Codes.line(0), 7, 2, 3, 4);
     assertThat(moved).doesNotHaveSameHashCodeAs(obstacles());
   }
 
@@ -153,7 +154,7 @@ class ObstacleTableTest {
     ObstacleTable all = obstacles();
     assertThat(all.areSpecial()).isFalse();
     assertThat(all.haveSensors()).isFalse();
-    for (int code : new int[] {ObstacleTable.WALLS, ObstacleTable.PEGS}) {
+    for (int code : new int[] {Codes.line(0), Codes.peg(0)}) {
       all.setTraits(code, ContactFlags.with(0, ContactFlags.SENSOR));
       assertThat(all.areSpecial()).isTrue();
       assertThat(all.haveSensors()).isTrue();

@@ -8,10 +8,10 @@ import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.response.StuckRule;
 import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleTable;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -77,8 +77,8 @@ class PairResponseTest {
   void whoApproachesByRoundingIsInert() {
     assertThat(jam(StuckRule.LIMIT, 1 + 0x1p-49, 1)).isEqualTo(ObstacleResponse.NEW_FLIGHT);
     assertThat(log.outcome(0)).isEqualTo(Outcome.JAMMED);
-    assertThat(a.jam.makesInert(ObstacleTable.CIRCLES + 1)).isTrue();
-    assertThat(b.jam.makesInert(ObstacleTable.CIRCLES)).isTrue();
+    assertThat(a.jam.makesInert(Codes.circle(1))).isTrue();
+    assertThat(b.jam.makesInert(Codes.circle(0))).isTrue();
     PairResponse response = masses(1, 1);
     assertThat(response.isInert(0, a.jam, 1, b.jam)).isTrue();
     assertThat(response.isInert(0, null, 1, b.jam)).isFalse();
@@ -88,12 +88,11 @@ class PairResponseTest {
   @Test
   void anInfiniteMassPassesOverWhatItCrushed() {
     PairResponse response = masses(1, INFINITE);
-    IgnoreList jam = IgnoreList.crushedBy(null, ObstacleTable.CIRCLES + 1);
+    IgnoreList jam = IgnoreList.crushedBy(null, Codes.circle(1));
     assertThat(response.isInert(0, jam, 1, null)).isTrue();
     assertThat(response.isInert(1, null, 0, jam)).isTrue();
     assertThat(response.isInert(0, null, 1, null)).isFalse();
-    assertThat(response.isInert(0, null, 1, IgnoreList.with(null, ObstacleTable.CIRCLES)))
-        .isFalse();
+    assertThat(response.isInert(0, null, 1, IgnoreList.with(null, Codes.circle(0)))).isFalse();
   }
 
   @Test

@@ -8,6 +8,7 @@ import dev.carom.internal.response.ContactCluster;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
@@ -99,7 +100,7 @@ public final class PlainWorld {
 
     @Override
     public int[] obstaclesNear(MovingCircle m) {
-      int first = obstacles.walls == null ? ObstacleTable.WALLS : 0;
+      int first = obstacles.walls == null ? Codes.line(0) : 0;
       return IntStream.of(codes()).filter(code -> code >= first).toArray();
     }
   }
@@ -243,7 +244,7 @@ public final class PlainWorld {
   /** An infinite mass that changed its way is there again for circles that it crushed. */
   private void leaveJamsOfInfinite(MovingCircle m) {
     if (registry.mass(m.id) == NEVER) {
-      leaveJams(ObstacleTable.CIRCLES + m.id);
+      leaveJams(Codes.circle(m.id));
     }
   }
 
@@ -255,7 +256,7 @@ public final class PlainWorld {
 
   private void revive(MovingCircle m) {
     for (MovingCircle other : movers) {
-      int code = ObstacleTable.CIRCLES + other.id;
+      int code = Codes.circle(other.id);
       boolean inert = m.jam != null && m.jam.makesInert(code);
       if (inert && pairs.part(m, other)) {
         m.jam = m.jam.without(code);
@@ -335,7 +336,7 @@ public final class PlainWorld {
     if (code == MovingCircle.NOTHING) {
       return;
     }
-    if (code >= ObstacleTable.WALLS && code < ObstacleTable.PEGS) {
+    if (!Codes.isWall(code) && Codes.isLine(code)) {
       int k = obstacles.offset(code);
       double[] l = obstacles.lines;
       m.contact =
@@ -348,17 +349,17 @@ public final class PlainWorld {
   private int[] codes() {
     return IntStream.concat(
             IntStream.range(0, obstacles.endOfLines),
-            IntStream.range(ObstacleTable.PEGS, obstacles.endOfPegs))
-        .filter(code -> code < ObstacleTable.WALLS || !obstacles.isGone(code))
+            IntStream.range(Codes.peg(0), obstacles.endOfPegs))
+        .filter(code -> Codes.isWall(code) || !obstacles.isGone(code))
         .toArray();
   }
 
   private double sweep(MovingCircle m, int code) {
-    if (code < ObstacleTable.WALLS) {
+    if (Codes.isWall(code)) {
       return sweepWall(m, code);
     }
     int k = obstacles.offset(code);
-    if (code < ObstacleTable.PEGS) {
+    if (Codes.isLine(code)) {
       double[] l = obstacles.lines;
       if (obstacles.isOneWay(code) && !isStopped(m, l[k], l[k + 1], l[k + 2], l[k + 3])) {
         return NEVER;
@@ -382,8 +383,8 @@ public final class PlainWorld {
     if (obstacles.walls == null) {
       return NEVER;
     }
-    boolean vertical = code <= ObstacleTable.RIGHT;
-    boolean up = code == ObstacleTable.RIGHT || code == ObstacleTable.TOP;
+    boolean vertical = Codes.isVertical(code);
+    boolean up = code == Codes.RIGHT || code == Codes.TOP;
     double v = vertical ? m.vx : m.vy;
     if (up ? !(v > 0) : !(v < 0)) {
       return NEVER;
@@ -394,8 +395,8 @@ public final class PlainWorld {
   }
 
   private void lookAtPair(MovingCircle a, MovingCircle b) {
-    int ofA = ObstacleTable.CIRCLES + a.id;
-    int ofB = ObstacleTable.CIRCLES + b.id;
+    int ofA = Codes.circle(a.id);
+    int ofB = Codes.circle(b.id);
     boolean justHit = a.last == ofB && b.last == ofA;
     if (justHit || pairs.isInert(a.id, a.jam, b.id, b.jam)) {
       return;
@@ -516,25 +517,25 @@ public final class PlainWorld {
   }
 
   void moveLine(int id, double ax, double ay, double bx, double by) {
-    obstacles.moveLine(ObstacleTable.WALLS + id, ax, ay, bx, by);
-    appear(ObstacleTable.WALLS + id);
+    obstacles.moveLine(Codes.line(id), ax, ay, bx, by);
+    appear(Codes.line(id));
   }
 
   void movePeg(int id, double x, double y, double radius) {
-    obstacles.movePeg(ObstacleTable.PEGS + id, x, y, radius);
-    appear(ObstacleTable.PEGS + id);
+    obstacles.movePeg(Codes.peg(id), x, y, radius);
+    appear(Codes.peg(id));
   }
 
   void remove(ObstacleKind kind, int id) {
     switch (kind) {
-      case LINE -> removeObstacle(ObstacleTable.WALLS + id);
-      case PEG -> removeObstacle(ObstacleTable.PEGS + id);
+      case LINE -> removeObstacle(Codes.line(id));
+      case PEG -> removeObstacle(Codes.peg(id));
       default -> removeCircle(id);
     }
   }
 
   private void removeCircle(int id) {
-    int code = ObstacleTable.CIRCLES + id;
+    int code = Codes.circle(id);
     registry.remove(id);
     leaveJams(code);
   }
@@ -546,8 +547,8 @@ public final class PlainWorld {
 
   void setRestitution(ObstacleKind kind, int id, double e) {
     switch (kind) {
-      case LINE -> obstacles.setRestitution(ObstacleTable.WALLS + id, e);
-      case PEG -> obstacles.setRestitution(ObstacleTable.PEGS + id, e);
+      case LINE -> obstacles.setRestitution(Codes.line(id), e);
+      case PEG -> obstacles.setRestitution(Codes.peg(id), e);
       case WALL -> obstacles.setRestitution(id, e);
       case CIRCLE -> movers.get(id).restitution = e;
     }
@@ -556,7 +557,7 @@ public final class PlainWorld {
   void setResponse(ObstacleKind kind, int id, Response response) {
     switch (kind) {
       case LINE, PEG -> {
-        int code = (kind == ObstacleKind.LINE ? ObstacleTable.WALLS : ObstacleTable.PEGS) + id;
+        int code = (kind == ObstacleKind.LINE ? Codes.line(0) : Codes.peg(0)) + id;
         setTraits(code, ContactFlags.with(obstacles.traits(code), response.ordinal()));
       }
       case WALL ->
@@ -569,7 +570,7 @@ public final class PlainWorld {
   }
 
   void setOneWay(int id, boolean oneWay) {
-    int code = ObstacleTable.WALLS + id;
+    int code = Codes.line(id);
     setTraits(code, ContactFlags.withOneWay(obstacles.traits(code), oneWay));
   }
 

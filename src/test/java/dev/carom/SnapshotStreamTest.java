@@ -4,9 +4,10 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
-import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SizeLimits;
+import dev.carom.internal.util.Kind;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -206,7 +207,7 @@ class SnapshotStreamTest {
   void aJamIsKept() throws IOException {
     Snapshot snapshot = read(small());
     snapshot.state.flights().jams =
-        new IgnoreList[] {null, IgnoreList.with(IgnoreList.with(null, 3), ObstacleTable.PEGS)};
+        new IgnoreList[] {null, IgnoreList.with(IgnoreList.with(null, 3), Codes.peg(0))};
     assertThat(snapshot).isNotEqualTo(read(small()));
     assertThat(read(bytes(snapshot))).isEqualTo(snapshot);
   }
@@ -244,7 +245,7 @@ class SnapshotStreamTest {
   @ValueSource(ints = {LINES, PEGS, CIRCLES + 4})
   void aLargeNumberOfThingsAloneTakesNothing(int at) throws IOException {
     byte[] bytes = small();
-    ByteBuffer.wrap(bytes).putInt(at, ObstacleTable.PEGS - 1);
+    ByteBuffer.wrap(bytes).putInt(at, Codes.limit(Kind.LINE));
     Assertions.assertTimeoutPreemptively(
         Duration.ofSeconds(20),
         () -> assertThatThrownBy(() -> read(bytes)).isInstanceOf(IOException.class));

@@ -5,7 +5,8 @@ import static dev.carom.ObstacleKind.CIRCLE;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.Codes;
+import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -270,9 +271,7 @@ class TimelineTest {
     assertThat(timeline.line(2, 4)).isEmpty();
     assertThat(timeline.line(-1, 4)).isEmpty();
     assertThat(timeline.line(Integer.MAX_VALUE, 4)).isEmpty();
-    assertThat(timeline.line(ObstacleTable.PEGS - ObstacleTable.WALLS, 4))
-        .as("a peg's code")
-        .isEmpty();
+    assertThat(timeline.line(Codes.limit(Kind.LINE), 4)).as("a peg's code").isEmpty();
     assertThat(timeline.peg(0, 2)).contains(new Circle(5, 5, 1));
     assertThat(timeline.peg(0, 4)).contains(new Circle(6, 6, 2));
     assertThat(timeline.peg(1, 4)).isEmpty();
@@ -321,7 +320,7 @@ class TimelineTest {
     Timeline timeline = world.record(9);
     world.step(1);
     assertThat(timeline.peg(1, 0.5)).contains(new Circle(7, 7, 2));
-    assertThat(timeline.line(ObstacleTable.PEGS - ObstacleTable.WALLS, 0.5)).isEmpty();
+    assertThat(timeline.line(Codes.limit(Kind.LINE), 0.5)).isEmpty();
     assertThat(timeline.line(-1, 0.5)).isEmpty();
     assertThat(timeline.peg(-1, 0.5)).isEmpty();
   }

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.query.Proximity;
 import dev.carom.internal.query.Warnings;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -210,7 +211,7 @@ class WarningsTest {
       Circle circle = scene.circle(i);
       ObstacleTable obstacles = ObstacleTable.of(scene.data);
       for (int code : proximity.overlapping(circle.x(), circle.y(), circle.radius()).toArray()) {
-        boolean isLeft = code >= ObstacleTable.PEGS || !obstacles.isOneWay(code);
+        boolean isLeft = Codes.isPeg(code) || !obstacles.isOneWay(code);
         if (!isLeft) {
           Line l = (Line) PublicRecords.of(obstacles, code);
           isLeft =
@@ -230,7 +231,7 @@ class WarningsTest {
         if (!sensor
             && SweptCircle.overlaps(
                 circle.x(), circle.y(), circle.radius(), o.x(), o.y(), o.radius())) {
-          warnings.add(Warnings.text(scene.data, i, ObstacleTable.CIRCLES + j));
+          warnings.add(Warnings.text(scene.data, i, Codes.circle(j)));
         }
       }
     }

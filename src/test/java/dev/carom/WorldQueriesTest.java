@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.internal.query.Proximity;
-import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.Codes;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
@@ -188,7 +188,7 @@ class WorldQueriesTest {
         .isEqualTo(1);
     Impact wall = world.cast(new Circle(80, 20, 5), new Vec2(-1, 0), NEVER).orElseThrow();
     assertThat(wall.kind()).isEqualTo(ObstacleKind.WALL);
-    assertThat(wall.id()).isEqualTo(ObstacleTable.LEFT);
+    assertThat(wall.id()).isEqualTo(Codes.LEFT);
   }
 
   @Test
@@ -267,8 +267,8 @@ class WorldQueriesTest {
     assertThat(world.nearest(ObstacleKind.PEG, 70, 50)).isEqualTo(1);
     assertThat(world.nearest(ObstacleKind.CIRCLE, 49, 80)).isZero();
     assertThat(world.nearest(ObstacleKind.CIRCLE, 51, 80)).isEqualTo(1);
-    assertThat(world.nearest(ObstacleKind.WALL, 50, 90)).isEqualTo(ObstacleTable.TOP);
-    assertThat(world.nearest(ObstacleKind.WALL, 3, 90)).isEqualTo(ObstacleTable.LEFT);
+    assertThat(world.nearest(ObstacleKind.WALL, 50, 90)).isEqualTo(Codes.TOP);
+    assertThat(world.nearest(ObstacleKind.WALL, 3, 90)).isEqualTo(Codes.LEFT);
     World empty = new World(Scene.builder().build());
     for (ObstacleKind kind : ObstacleKind.values()) {
       assertThat(empty.nearest(kind, 0, 0)).isEqualTo(-1);
@@ -299,12 +299,12 @@ class WorldQueriesTest {
         .containsExactly(0);
     assertThat(world.overlapping(ObstacleKind.WALL, new Circle(10, 50, 10))).isEmpty();
     assertThat(world.overlapping(ObstacleKind.WALL, new Circle(10, 50, 10.5)))
-        .containsExactly(ObstacleTable.LEFT);
+        .containsExactly(Codes.LEFT);
     assertThat(world.overlapping(ObstacleKind.LINE, new Bounds(60, 0, 70, 10))).isEmpty();
     assertThat(world.overlapping(ObstacleKind.LINE, new Bounds(60, 0, Math.nextUp(70.0), 10)))
         .containsExactly(0);
     assertThat(world.overlapping(ObstacleKind.WALL, new Bounds(-1, 0, 100, 101)))
-        .containsExactly(ObstacleTable.LEFT, ObstacleTable.TOP);
+        .containsExactly(Codes.LEFT, Codes.TOP);
   }
 
   @Test

@@ -7,12 +7,12 @@ import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.util.Index;
@@ -364,10 +364,9 @@ public final class CollidingEngine extends Engine {
       return;
     }
     circles.load(i);
-    for (int code : jam.codes()) {
-      int id = code - ObstacleTable.CIRCLES;
-      if (id >= 0) {
-        circles.load(id, other);
+    for (int code : jam.entries()) {
+      if (Codes.isCircle(code)) {
+        circles.load(Codes.slot(code), other);
         if (pairs.part(circles.mover, other)) {
           jam = jam.without(code);
         }
@@ -442,14 +441,14 @@ public final class CollidingEngine extends Engine {
     }
     invalidate(circles.codes, i);
     if (circles.jams != null) {
-      leaveJams(ObstacleTable.CIRCLES + i);
+      leaveJams(Codes.circle(i));
     }
   }
 
   /** An infinite mass that changed its way is there again for circles that it crushed. */
   private void leaveJamsOfInfinite(int i) {
     if (circles.jams != null && registry.mass(i) == Double.POSITIVE_INFINITY) {
-      leaveJams(ObstacleTable.CIRCLES + i);
+      leaveJams(Codes.circle(i));
     }
   }
 

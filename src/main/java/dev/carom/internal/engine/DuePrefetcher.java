@@ -3,6 +3,7 @@ package dev.carom.internal.engine;
 
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.DueTimes;
 import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.ObstacleTable;
@@ -116,7 +117,7 @@ public final class DuePrefetcher {
   }
 
   private long line(int code) {
-    if (code < ObstacleTable.WALLS || code >= ObstacleTable.PEGS) {
+    if (!Codes.isLine(code)) {
       return 0;
     }
     double[] lines = staticScene.obstacles.lines;

@@ -3,6 +3,7 @@ package dev.carom.internal.engine;
 
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -40,8 +41,8 @@ public final class Editor {
     obstacles = engine.staticScene.obstacles;
     limits.keepPlace(obstacles.extent(), 0);
     if (obstacles.walls != null) {
-      limits.keepPlace(obstacles.walls[ObstacleTable.LEFT], obstacles.walls[ObstacleTable.BOTTOM]);
-      limits.keepPlace(obstacles.walls[ObstacleTable.RIGHT], obstacles.walls[ObstacleTable.TOP]);
+      limits.keepPlace(obstacles.walls[Codes.LEFT], obstacles.walls[Codes.BOTTOM]);
+      limits.keepPlace(obstacles.walls[Codes.RIGHT], obstacles.walls[Codes.TOP]);
     }
     for (int i = 0; i < scene.circleCount(); i++) {
       limits.keepPlace(scene.x(i), scene.y(i));
@@ -64,7 +65,7 @@ public final class Editor {
     try {
       checkVelocity(vx, vy);
     } catch (RefusedException e) {
-      throw named(e, ObstacleTable.CIRCLES + slot);
+      throw named(e, Codes.circle(slot));
     }
     MovingCircle m = restarted(slot, now);
     m.vx = vx;
@@ -77,7 +78,7 @@ public final class Editor {
     try {
       checkPlace(x, y);
     } catch (RefusedException e) {
-      throw named(e, ObstacleTable.CIRCLES + slot);
+      throw named(e, Codes.circle(slot));
     }
     MovingCircle m = restarted(slot, now);
     m.x = x;
@@ -91,7 +92,7 @@ public final class Editor {
     try {
       limits.checkRadius(radius, 0, 0);
     } catch (RefusedException e) {
-      throw named(e, ObstacleTable.CIRCLES + slot);
+      throw named(e, Codes.circle(slot));
     }
     MovingCircle m = restarted(slot, now);
     m.radius = radius;
@@ -122,7 +123,7 @@ public final class Editor {
     try {
       Check.mass("mass", m);
     } catch (RefusedException e) {
-      throw named(e, ObstacleTable.CIRCLES + slot);
+      throw named(e, Codes.circle(slot));
     }
     boolean passes = (registry.mass(slot) == INFINITE) != (m == INFINITE);
     registry.setMass(slot, m);
@@ -157,9 +158,9 @@ public final class Editor {
   }
 
   private RefusedException named(RefusedException e, int code) {
-    return code >= ObstacleTable.CIRCLES
-        ? named(e, Kind.CIRCLE, registry.id(code - ObstacleTable.CIRCLES))
-        : named(e, obstacles.kind(code), obstacles.index(code));
+    return Codes.isCircle(code)
+        ? named(e, Kind.CIRCLE, registry.id(Codes.slot(code)))
+        : named(e, Codes.kind(code), Codes.index(code));
   }
 
   /** A circle at the start of a new flight, now. */
@@ -172,13 +173,13 @@ public final class Editor {
   // Lines and pegs.
 
   public int addLine(double ax, double ay, double bx, double by, double now) {
-    checkId(Kind.LINE, obstacles.endOfLines - ObstacleTable.WALLS, ObstacleTable.LINE_LIMIT);
+    checkId(Kind.LINE, obstacles.endOfLines - Codes.line(0), Codes.limit(Kind.LINE));
     checkLine(obstacles.endOfLines, ax, ay, bx, by);
     int code = obstacles.addLine(ax, ay, bx, by);
     limits.keepPlace(ax, ay);
     limits.keepPlace(bx, by);
     engine.appeared(code, now);
-    return obstacles.index(code);
+    return Codes.index(code);
   }
 
   public void moveLine(int code, double ax, double ay, double bx, double by, double now) {
@@ -202,12 +203,12 @@ public final class Editor {
   }
 
   public int addPeg(double x, double y, double radius, double now) {
-    checkId(Kind.PEG, obstacles.endOfPegs - ObstacleTable.PEGS, ObstacleTable.PEG_LIMIT);
+    checkId(Kind.PEG, obstacles.endOfPegs - Codes.peg(0), Codes.limit(Kind.PEG));
     checkPeg(obstacles.endOfPegs, x, y, radius);
     int code = obstacles.addPeg(x, y, radius);
     limits.keepPlace(x, y);
     engine.appeared(code, now);
-    return obstacles.index(code);
+    return Codes.index(code);
   }
 
   public void movePeg(int code, double x, double y, double radius, double now) {
@@ -230,9 +231,9 @@ public final class Editor {
   // Anything.
 
   public void remove(int code, double now) {
-    if (code >= ObstacleTable.CIRCLES) {
-      registry.remove(code - ObstacleTable.CIRCLES);
-      engine.remove(code - ObstacleTable.CIRCLES);
+    if (Codes.isCircle(code)) {
+      registry.remove(Codes.slot(code));
+      engine.remove(Codes.slot(code));
     } else {
       engine.forget(code);
       obstacles.remove(code);
@@ -246,19 +247,19 @@ public final class Editor {
     } catch (RefusedException refused) {
       throw named(refused, code);
     }
-    if (code >= ObstacleTable.CIRCLES) {
-      circles.setRestitution(code - ObstacleTable.CIRCLES, e);
+    if (Codes.isCircle(code)) {
+      circles.setRestitution(Codes.slot(code), e);
     } else {
       obstacles.setRestitution(code, e);
     }
   }
 
   public void setResponse(int code, int response, double now) {
-    if (code >= ObstacleTable.CIRCLES) {
-      int slot = code - ObstacleTable.CIRCLES;
+    if (Codes.isCircle(code)) {
+      int slot = Codes.slot(code);
       registry.setTraits(slot, ContactFlags.with(registry.traits(slot), response));
       engine.beginFlight(restarted(slot, now));
-    } else if (code < ObstacleTable.WALLS) {
+    } else if (Codes.isWall(code)) {
       if (response == ContactFlags.SENSOR) {
         throw Check.refused("response", "SENSOR", "BOUNCE or HALT: bounds keep circles inside")
             .of("bounds");

@@ -2,13 +2,14 @@
 package dev.carom.internal.engine;
 
 import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Kind;
 
 /**
  * The ids by which callers name the things of a world. Those of a kind begin at 0, and one is not
  * used again when its thing is removed; within, a {@link Kind} and an id, of a circle its slot, are
- * one code, see {@link ObstacleTable} and {@link CircleRegistry}.
+ * one code, see {@link Codes} and {@link CircleRegistry}.
  */
 public final class Handles {
 
@@ -23,7 +24,7 @@ public final class Handles {
   /** Whether something is there, for any number. */
   public boolean contains(int kind, int id) {
     return switch (kind) {
-      case Kind.WALL -> obstacles.walls != null && id >= 0 && id < ObstacleTable.WALLS;
+      case Kind.WALL -> obstacles.walls != null && id >= 0 && Codes.isWall(id);
       case Kind.CIRCLE -> registry.slot(id) >= 0;
       default -> id >= 0 && id < end(kind) && !obstacles.isGone(code(kind, id));
     };
@@ -32,9 +33,9 @@ public final class Handles {
   /** One more than the largest id ever given. */
   public int end(int kind) {
     return switch (kind) {
-      case Kind.WALL -> obstacles.walls == null ? 0 : ObstacleTable.WALLS;
-      case Kind.LINE -> obstacles.endOfLines - ObstacleTable.WALLS;
-      case Kind.PEG -> obstacles.endOfPegs - ObstacleTable.PEGS;
+      case Kind.WALL -> obstacles.walls == null ? 0 : Codes.WALLS;
+      case Kind.LINE -> obstacles.endOfLines - Codes.line(0);
+      case Kind.PEG -> obstacles.endOfPegs - Codes.peg(0);
       default -> registry.idLimit();
     };
   }
@@ -57,9 +58,7 @@ public final class Handles {
   }
 
   private int code(int kind, int id) {
-    return kind == Kind.CIRCLE
-        ? ObstacleTable.CIRCLES + registry.slot(id)
-        : ObstacleTable.code(kind, id);
+    return kind == Kind.CIRCLE ? Codes.circle(registry.slot(id)) : Codes.of(kind, id);
   }
 
   private IndexOutOfBoundsException missing(int kind, int id) {

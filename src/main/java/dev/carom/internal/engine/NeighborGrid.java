@@ -3,9 +3,9 @@ package dev.carom.internal.engine;
 
 import dev.carom.internal.state.BoundingBox;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Index;
 
 /**
@@ -127,13 +127,10 @@ public final class NeighborGrid {
     int k = 4 * level;
     double cellWidth = size[level];
     boolean open = w == null;
-    inside[k] = open ? -NEVER : Math.ceil((w[ObstacleTable.LEFT] + distance - originX) / cellWidth);
-    inside[k + 1] =
-        open ? NEVER : Math.floor((w[ObstacleTable.RIGHT] - distance - originX) / cellWidth);
-    inside[k + 2] =
-        open ? -NEVER : Math.ceil((w[ObstacleTable.BOTTOM] + distance - originY) / cellWidth);
-    inside[k + 3] =
-        open ? NEVER : Math.floor((w[ObstacleTable.TOP] - distance - originY) / cellWidth);
+    inside[k] = open ? -NEVER : Math.ceil((w[Codes.LEFT] + distance - originX) / cellWidth);
+    inside[k + 1] = open ? NEVER : Math.floor((w[Codes.RIGHT] - distance - originX) / cellWidth);
+    inside[k + 2] = open ? -NEVER : Math.ceil((w[Codes.BOTTOM] + distance - originY) / cellWidth);
+    inside[k + 3] = open ? NEVER : Math.floor((w[Codes.TOP] - distance - originY) / cellWidth);
   }
 
   /**

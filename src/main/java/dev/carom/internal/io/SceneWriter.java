@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.io;
 
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
@@ -22,12 +23,7 @@ final class SceneWriter {
     }
     double[] w = scene.walls;
     if (w != null) {
-      begin(
-          "wall",
-          w[ObstacleTable.LEFT],
-          w[ObstacleTable.BOTTOM],
-          w[ObstacleTable.RIGHT],
-          w[ObstacleTable.TOP]);
+      begin("wall", w[Codes.LEFT], w[Codes.BOTTOM], w[Codes.RIGHT], w[Codes.TOP]);
       end(scene.boundsRestitution, scene.boundsTraits);
     }
     for (int i = 0; i < scene.lineCount(); i++) {

@@ -2,6 +2,7 @@
 package dev.carom.internal.io;
 
 import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactWord;
 import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.IgnoreList;
@@ -12,6 +13,7 @@ import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.DoubleList;
+import dev.carom.internal.util.Kind;
 import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.EOFException;
@@ -90,10 +92,10 @@ public final class SnapshotReader {
     double restitution = in.readDouble();
     Check.notNegative("restitution", restitution);
     int traits = traits(1);
-    lines = count(ObstacleTable.LINE_LIMIT);
+    lines = count(Codes.limit(Kind.LINE));
     ByteArrayOutputStream lineTraits = new ByteArrayOutputStream();
     DoubleList lineNumbers = numbers(lines, ObstacleTable.LINE_ROW, lineTraits);
-    pegs = count(ObstacleTable.PEG_LIMIT);
+    pegs = count(Codes.limit(Kind.PEG));
     ByteArrayOutputStream pegTraits = new ByteArrayOutputStream();
     DoubleList pegNumbers = numbers(pegs, ObstacleTable.PEG_ROW, pegTraits);
     return ObstacleTable.of(
@@ -171,7 +173,7 @@ public final class SnapshotReader {
     }
     int[] present = ids.build().toArray();
     for (int code : codesOfCircles.build().toArray()) {
-      expectCode(Arrays.binarySearch(present, code - ObstacleTable.CIRCLES) >= 0, code);
+      expectCode(Arrays.binarySearch(present, Codes.slot(code)) >= 0, code);
     }
     SavedFlights flights =
         new SavedFlights(
@@ -233,25 +235,26 @@ public final class SnapshotReader {
   }
 
   private IgnoreList jam() throws IOException {
-    int count = count(ObstacleTable.PEGS);
+    int count = count(Codes.limit(Kind.LINE));
     IgnoreList jam = null;
     for (int k = 0; k < count; k++) {
-      int code = in.readInt();
-      boolean crushes = ~code >= ObstacleTable.CIRCLES;
-      checkCode(crushes ? ~code : code);
-      jam = crushes ? IgnoreList.crushedBy(jam, ~code) : IgnoreList.with(jam, code);
+      int entry = in.readInt();
+      int code = IgnoreList.code(entry);
+      expectCode(Codes.isCircle(code) || !IgnoreList.crushes(entry), code);
+      checkCode(code);
+      jam = IgnoreList.withEntry(jam, entry);
     }
     return jam;
   }
 
   /** A code of a circle is checked when all circles are read. */
   private void checkCode(int code) throws IOException {
-    if (code >= ObstacleTable.CIRCLES) {
+    if (Codes.isCircle(code)) {
       codesOfCircles.add(code);
-    } else if (code >= ObstacleTable.PEGS) {
-      expectCode(code < ObstacleTable.PEGS + pegs, code);
+    } else if (Codes.isPeg(code)) {
+      expectCode(code < Codes.peg(pegs), code);
     } else {
-      expectCode(code >= 0 && code < ObstacleTable.WALLS + lines, code);
+      expectCode(code >= 0 && code < Codes.line(lines), code);
     }
   }
 

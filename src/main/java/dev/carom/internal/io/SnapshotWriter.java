@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.io;
 
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SavedFlights;
@@ -47,23 +48,19 @@ public final class SnapshotWriter {
     double[] w = o.walls;
     out.writeBoolean(w != null);
     if (w != null) {
-      numbers(
-          w[ObstacleTable.LEFT],
-          w[ObstacleTable.BOTTOM],
-          w[ObstacleTable.RIGHT],
-          w[ObstacleTable.TOP]);
+      numbers(w[Codes.LEFT], w[Codes.BOTTOM], w[Codes.RIGHT], w[Codes.TOP]);
     }
     out.writeDouble(o.boundsRestitution);
     out.writeByte(o.boundsTraits);
   }
 
   private void obstacles(ObstacleTable o) throws IOException {
-    out.writeInt(o.endOfLines - ObstacleTable.WALLS);
-    for (int code = ObstacleTable.WALLS; code < o.endOfLines; code++) {
+    out.writeInt(o.endOfLines - Codes.line(0));
+    for (int code = Codes.line(0); code < o.endOfLines; code++) {
       obstacle(o, code, o.lines, ObstacleTable.LINE_ROW);
     }
-    out.writeInt(o.endOfPegs - ObstacleTable.PEGS);
-    for (int code = ObstacleTable.PEGS; code < o.endOfPegs; code++) {
+    out.writeInt(o.endOfPegs - Codes.peg(0));
+    for (int code = Codes.peg(0); code < o.endOfPegs; code++) {
       obstacle(o, code, o.pegs, ObstacleTable.PEG_ROW);
     }
   }
@@ -101,7 +98,7 @@ public final class SnapshotWriter {
   }
 
   private void jam(IgnoreList jam) throws IOException {
-    int[] codes = jam == null ? new int[0] : jam.codes();
+    int[] codes = jam == null ? new int[0] : jam.entries();
     out.writeInt(codes.length);
     for (int code : codes) {
       out.writeInt(code);

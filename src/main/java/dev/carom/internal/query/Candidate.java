@@ -2,14 +2,13 @@
 package dev.carom.internal.query;
 
 import dev.carom.internal.exact.ExactTime;
-import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Hit;
 import java.util.function.Supplier;
 
 /**
  * An impact that may be the first one of a cast. Only its rounded time is computed at once.
  *
- * @param code what is hit, see {@link ObstacleTable}; of a moving circle its slot counts
+ * @param code what is hit, see {@link Codes}; of a moving circle its slot counts
  * @param contact how the detector names the contact
  * @param time the correctly rounded time of impact
  * @param exactTime the exact one, asked for where the rounded one leaves the order open

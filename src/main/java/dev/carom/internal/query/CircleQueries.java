@@ -3,9 +3,9 @@ package dev.carom.internal.query;
 
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.Index;
@@ -61,7 +61,7 @@ public final class CircleQueries {
       return null;
     }
     return new Candidate(
-        ObstacleTable.CIRCLES + slot,
+        Codes.circle(slot),
         contact,
         t,
         () -> DiskSweep.exactTime(contact, m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy),

@@ -3,6 +3,7 @@ package dev.carom.internal.query;
 
 import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.SegmentSweep;
@@ -33,7 +34,7 @@ public final class Proximity {
   /** The codes of one {@link Kind} of what stands still. */
   public IntStream codes(int kind) {
     return switch (kind) {
-      case Kind.WALL -> IntStream.range(0, obstacles.walls == null ? 0 : ObstacleTable.WALLS);
+      case Kind.WALL -> IntStream.range(0, obstacles.walls == null ? 0 : Codes.WALLS);
       case Kind.LINE -> obstacles.presentLines().stream(obstacles::isGone);
       case Kind.PEG -> obstacles.presentPegs().stream(obstacles::isGone);
       default -> IntStream.empty();
@@ -60,11 +61,11 @@ public final class Proximity {
   }
 
   private double distance(int code, double x, double y) {
-    if (code < ObstacleTable.WALLS) {
-      return Math.abs((code <= ObstacleTable.RIGHT ? x : y) - obstacles.walls[code]);
+    if (Codes.isWall(code)) {
+      return Math.abs((Codes.isVertical(code) ? x : y) - obstacles.walls[code]);
     }
     int k = obstacles.offset(code);
-    if (code < ObstacleTable.PEGS) {
+    if (Codes.isLine(code)) {
       return distanceFromLine(obstacles.lines, k, x, y);
     }
     double[] p = obstacles.pegs;
@@ -96,14 +97,14 @@ public final class Proximity {
   }
 
   public boolean overlaps(int code, double x, double y, double r) {
-    if (code < ObstacleTable.WALLS) {
-      double p = code <= ObstacleTable.RIGHT ? x : y;
+    if (Codes.isWall(code)) {
+      double p = Codes.isVertical(code) ? x : y;
       double wall = obstacles.walls[code];
-      boolean isLower = (code & 1) == 0;
+      boolean isLower = Codes.isLower(code);
       return isLower ? isNearer(p, wall, r) : isNearer(wall, p, r);
     }
     int k = obstacles.offset(code);
-    if (code < ObstacleTable.PEGS) {
+    if (Codes.isLine(code)) {
       return overlapsLine(obstacles.lines, k, x, y, r);
     }
     double[] p = obstacles.pegs;
@@ -136,13 +137,13 @@ public final class Proximity {
   }
 
   public boolean overlaps(int code, double[] box) {
-    if (code < ObstacleTable.WALLS) {
+    if (Codes.isWall(code)) {
       double wall = obstacles.walls[code];
-      boolean isLower = (code & 1) == 0;
+      boolean isLower = Codes.isLower(code);
       return isLower ? box[code] < wall : box[code] > wall;
     }
     int k = obstacles.offset(code);
-    if (code < ObstacleTable.PEGS) {
+    if (Codes.isLine(code)) {
       return overlapsLine(obstacles.lines, k, box);
     }
     double[] p = obstacles.pegs;
@@ -152,17 +153,17 @@ public final class Proximity {
 
   /** A disk and a box: the box's point nearest to the centre is in the disk. */
   static boolean overlaps(double cx, double cy, double r, double[] box) {
-    double x = Math.max(box[ObstacleTable.LEFT], Math.min(cx, box[ObstacleTable.RIGHT]));
-    double y = Math.max(box[ObstacleTable.BOTTOM], Math.min(cy, box[ObstacleTable.TOP]));
+    double x = Math.max(box[Codes.LEFT], Math.min(cx, box[Codes.RIGHT]));
+    double y = Math.max(box[Codes.BOTTOM], Math.min(cy, box[Codes.TOP]));
     boolean inside = x == cx && y == cy;
     return inside ? r > 0 || isInside(box, x, y) : Predicates.gap(cx, cy, x, y, r, 0) < 0;
   }
 
   private static boolean isInside(double[] box, double x, double y) {
-    return x > box[ObstacleTable.LEFT]
-        && x < box[ObstacleTable.RIGHT]
-        && y > box[ObstacleTable.BOTTOM]
-        && y < box[ObstacleTable.TOP];
+    return x > box[Codes.LEFT]
+        && x < box[Codes.RIGHT]
+        && y > box[Codes.BOTTOM]
+        && y < box[Codes.TOP];
   }
 
   /**
@@ -174,17 +175,17 @@ public final class Proximity {
     double ay = lines[k + ObstacleTable.AY];
     double bx = lines[k + ObstacleTable.BX];
     double by = lines[k + ObstacleTable.BY];
-    if (Math.max(ax, bx) <= box[ObstacleTable.LEFT]
-        || Math.min(ax, bx) >= box[ObstacleTable.RIGHT]
-        || Math.max(ay, by) <= box[ObstacleTable.BOTTOM]
-        || Math.min(ay, by) >= box[ObstacleTable.TOP]) {
+    if (Math.max(ax, bx) <= box[Codes.LEFT]
+        || Math.min(ax, bx) >= box[Codes.RIGHT]
+        || Math.max(ay, by) <= box[Codes.BOTTOM]
+        || Math.min(ay, by) >= box[Codes.TOP]) {
       return false;
     }
     int left = 0;
     int right = 0;
     for (int corner = 0; corner < 4; corner++) {
-      double x = box[corner % 2 == 0 ? ObstacleTable.LEFT : ObstacleTable.RIGHT];
-      double y = box[corner / 2 == 0 ? ObstacleTable.BOTTOM : ObstacleTable.TOP];
+      double x = box[corner % 2 == 0 ? Codes.LEFT : Codes.RIGHT];
+      double y = box[corner / 2 == 0 ? Codes.BOTTOM : Codes.TOP];
       int side = Predicates.cross(bx, by, ax, ay, x, y, ax, ay);
       left += side > 0 ? 1 : 0;
       right += side < 0 ? 1 : 0;

@@ -5,6 +5,7 @@ import dev.carom.internal.exact.ExactBudget;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.search.BroadPhase;
 import dev.carom.internal.search.Grid;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -51,11 +52,11 @@ public final class Tracer {
 
   /** Where a search found an impact. */
   private Hit hit(MovingCircle m, int code, double t) {
-    if (code < ObstacleTable.WALLS) {
+    if (Codes.isWall(code)) {
       return Hit.ofWall(m.x, m.y, m.vx, m.vy, code, obstacles.walls[code], t);
     }
     int k = obstacles.offset(code);
-    if (code < ObstacleTable.PEGS) {
+    if (Codes.isLine(code)) {
       double[] l = obstacles.lines;
       return Hit.ofLine(
           m.x,

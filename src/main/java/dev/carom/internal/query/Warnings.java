@@ -2,6 +2,7 @@
 package dev.carom.internal.query;
 
 import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
@@ -55,10 +56,10 @@ public final class Warnings {
       lookAtWalls(i);
     }
     CircleTree tree = new CircleTree(scene.circles, from, to);
-    for (int code = ObstacleTable.WALLS; code < obstacles.endOfLines; code++) {
+    for (int code = Codes.line(0); code < obstacles.endOfLines; code++) {
       lookAtLine(code, tree);
     }
-    for (int code = ObstacleTable.PEGS; code < obstacles.endOfPegs; code++) {
+    for (int code = Codes.peg(0); code < obstacles.endOfPegs; code++) {
       lookAtPeg(code, tree);
     }
     for (int j = from; scene.collide && j < scene.circleCount(); j++) {
@@ -78,7 +79,7 @@ public final class Warnings {
     if (scene.walls == null || isInside(i)) {
       return;
     }
-    for (int wall = 0; wall < ObstacleTable.WALLS; wall++) {
+    for (int wall = 0; Codes.isWall(wall); wall++) {
       if (proximity.overlaps(wall, scene.x(i), scene.y(i), scene.radius(i))) {
         keep(i, wall);
       }
@@ -91,10 +92,10 @@ public final class Warnings {
     double y = scene.y(i);
     double r = scene.radius(i);
     double[] w = scene.walls;
-    return x - r > w[ObstacleTable.LEFT]
-        && x + r < w[ObstacleTable.RIGHT]
-        && y - r > w[ObstacleTable.BOTTOM]
-        && y + r < w[ObstacleTable.TOP];
+    return x - r > w[Codes.LEFT]
+        && x + r < w[Codes.RIGHT]
+        && y - r > w[Codes.BOTTOM]
+        && y + r < w[Codes.TOP];
   }
 
   private void lookAtLine(int code, CircleTree tree) {
@@ -151,7 +152,7 @@ public final class Warnings {
           r,
           i -> {
             if (i < j && !passes(i, j) && overlaps(x, y, r, i)) {
-              keep(i, ObstacleTable.CIRCLES + j);
+              keep(i, Codes.circle(j));
             }
           });
     }
@@ -174,25 +175,25 @@ public final class Warnings {
   /** What is told of a circle and what it overlaps. */
   public static String text(SceneData scene, int i, int code) {
     double r = scene.radius(i);
-    if (code < ObstacleTable.WALLS) {
+    if (Codes.isWall(code)) {
       String wall = "the " + WALLS.get(code) + " wall";
       return text(i, wall, distanceFromWall(scene, i, code), r, "its radius");
     }
-    if (code < ObstacleTable.PEGS) {
-      String line = Kind.nameOf(Kind.LINE, code - ObstacleTable.WALLS);
+    if (Codes.isLine(code)) {
+      String line = Kind.nameOf(Kind.LINE, Codes.index(code));
       int k = code * ObstacleTable.LINE_ROW;
       double distance = Proximity.distanceFromLine(scene.lines, k, scene.x(i), scene.y(i));
       return text(i, line, distance, r, "its radius");
     }
-    if (code < ObstacleTable.CIRCLES) {
-      int id = code - ObstacleTable.PEGS;
+    if (!Codes.isCircle(code)) {
+      int id = Codes.index(code);
       int k = id * ObstacleTable.PEG_ROW;
       double distance =
           distance(scene, i, scene.pegs[k + ObstacleTable.X], scene.pegs[k + ObstacleTable.Y]);
       double sum = r + scene.pegs[k + ObstacleTable.RADIUS];
       return text(i, Kind.nameOf(Kind.PEG, id), distance, sum, "the sum of both radii");
     }
-    int j = code - ObstacleTable.CIRCLES;
+    int j = Codes.slot(code);
     double distance = distance(scene, i, scene.x(j), scene.y(j));
     double sum = r + scene.radius(j);
     return text(i, Kind.nameOf(Kind.CIRCLE, j), distance, sum, "the sum of both radii");
@@ -203,8 +204,8 @@ public final class Warnings {
   }
 
   private static double distanceFromWall(SceneData scene, int i, int wall) {
-    double p = wall <= ObstacleTable.RIGHT ? scene.x(i) : scene.y(i);
-    boolean isLower = (wall & 1) == 0;
+    double p = Codes.isVertical(wall) ? scene.x(i) : scene.y(i);
+    boolean isLower = Codes.isLower(wall);
     return isLower ? p - scene.walls[wall] : scene.walls[wall] - p;
   }
 

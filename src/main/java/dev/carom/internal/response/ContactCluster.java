@@ -2,6 +2,7 @@
 package dev.carom.internal.response;
 
 import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
@@ -115,10 +116,12 @@ public final class ContactCluster {
     if (m.jam == null) {
       return false;
     }
-    for (int code : m.jam.codes()) {
-      int id = ~code - ObstacleTable.CIRCLES;
-      if (id >= 0 && Touch.of(m, broughtTo(m, vicinity.copyOf(id))) != null) {
-        return true;
+    for (int entry : m.jam.entries()) {
+      if (IgnoreList.crushes(entry)) {
+        MovingCircle mass = vicinity.copyOf(Codes.slot(IgnoreList.code(entry)));
+        if (Touch.of(m, broughtTo(m, mass)) != null) {
+          return true;
+        }
       }
     }
     return false;
@@ -167,7 +170,7 @@ public final class ContactCluster {
     MovingCircle m = members.get(k);
     int[] near = IntStream.of(vicinity.circlesNear(m.id)).sorted().distinct().toArray();
     for (int id : near) {
-      boolean passesOver = m.jam != null && m.jam.isCrushedBy(ObstacleTable.CIRCLES + id);
+      boolean passesOver = m.jam != null && m.jam.isCrushedBy(Codes.circle(id));
       if (id != m.id && !pairs.isSensor(id, m.id) && !passesOver) {
         addCircle(k, id, numbers);
       }
@@ -258,7 +261,7 @@ public final class ContactCluster {
     }
     for (MovingCircle m : changed) {
       StuckRule.noteSpeed(m, shock.speed());
-      m.jam = IgnoreList.ofCircles(m.jam, ObstacleTable.CIRCLES);
+      m.jam = IgnoreList.ofCircles(m.jam);
     }
     for (int k = 0; k < contacts.size(); k++) {
       if (shock.isFaint(k)) {
@@ -271,12 +274,12 @@ public final class ContactCluster {
     MovingCircle a = members.get(c.a);
     a.jam = IgnoreList.with(a.jam, c.touch.code());
     changed.add(a);
-    if (c.touch.code() < ObstacleTable.WALLS) {
+    if (Codes.isWall(c.touch.code())) {
       stopAtWall(a, c.touch);
     }
     if (c.b != InelasticShock.OBSTACLE) {
       MovingCircle b = members.get(c.b);
-      b.jam = IgnoreList.with(b.jam, ObstacleTable.CIRCLES + a.id);
+      b.jam = IgnoreList.with(b.jam, Codes.circle(a.id));
       changed.add(b);
     }
   }
@@ -309,7 +312,7 @@ public final class ContactCluster {
       if (pairs.mass(m) < INFINITE) {
         m.vx = held ? 0 : vx;
         m.vy = held ? 0 : vy;
-        m.jam = IgnoreList.ofCircles(m.jam, ObstacleTable.CIRCLES);
+        m.jam = IgnoreList.ofCircles(m.jam);
         m.last = MovingCircle.NOTHING;
         changed.add(m);
       }

@@ -3,6 +3,7 @@ package dev.carom.internal.response;
 
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.UnitVector;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
@@ -96,8 +97,7 @@ public final class ObstacleResponse {
     StuckRule.count(m, way, speed, approach, e, StuckRule.ELASTIC);
     boolean stuck = StuckRule.isStuck(m);
     boolean faint = stuck && StuckRule.isFaint(m, approach);
-    m.jam =
-        faint ? IgnoreList.with(m.jam, code) : IgnoreList.ofCircles(m.jam, ObstacleTable.CIRCLES);
+    m.jam = faint ? IgnoreList.with(m.jam, code) : IgnoreList.ofCircles(m.jam);
     if (stuck || e == 0) {
       boolean back = turnsBack(m, way, approach);
       change(m, code, vn, 0, log);
@@ -171,22 +171,17 @@ public final class ObstacleResponse {
   private double report(MovingCircle m, int code, double time, ImpactRows log) {
     locate(m, code);
     double vn = dot(m.vx, m.vy, nx, ny);
-    log.add(
-        time,
-        m.id,
-        obstacles.kind(code),
-        obstacles.index(code),
-        obstacles.feature(code, m.contact));
+    log.add(time, m.id, Codes.kind(code), Codes.index(code), obstacles.feature(code, m.contact));
     log.set(contactX, contactY, nx, ny, vn);
     return vn;
   }
 
   private void reflect(MovingCircle m, int code, double e) {
-    if (code >= ObstacleTable.WALLS) {
+    if (!Codes.isWall(code)) {
       impulse.of(1 + e, m.vx, m.vy, nx, ny);
       m.vx = impulse.less(m.vx, nx);
       m.vy = impulse.less(m.vy, ny);
-    } else if (code <= ObstacleTable.RIGHT) {
+    } else if (Codes.isVertical(code)) {
       m.vx = -e * m.vx + 0.0; // + 0 turns -0 into 0
     } else {
       m.vy = -e * m.vy + 0.0;
@@ -205,9 +200,9 @@ public final class ObstacleResponse {
 
   /** Finds the contact point and the normal. */
   private void locate(MovingCircle m, int code) {
-    if (code < ObstacleTable.WALLS) {
+    if (Codes.isWall(code)) {
       locateOnWall(m, code);
-    } else if (code < ObstacleTable.PEGS) {
+    } else if (Codes.isLine(code)) {
       locateOnLine(m, obstacles.offset(code));
     } else {
       locateOnPeg(m, obstacles.offset(code));
@@ -216,8 +211,8 @@ public final class ObstacleResponse {
 
   private void locateOnWall(MovingCircle m, int code) {
     double wall = obstacles.walls[code];
-    int inwards = 1 - 2 * (code & 1); // the lower wall of an axis has the even code
-    if (code <= ObstacleTable.RIGHT) {
+    int inwards = Codes.inwards(code);
+    if (Codes.isVertical(code)) {
       nx = inwards;
       ny = 0;
       contactX = wall;

@@ -5,10 +5,10 @@ import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Coordinates;
 
 /**
@@ -45,10 +45,8 @@ public final class PairResponse {
 
   /** Whether two circles just hit each other and neither changed since, or are jammed together. */
   public boolean skips(CircleTable circles, int i, int j) {
-    if (circles.codes[CircleTable.collidingCodesAt(i) + CircleTable.LAST]
-            == ObstacleTable.CIRCLES + j
-        && circles.codes[CircleTable.collidingCodesAt(j) + CircleTable.LAST]
-            == ObstacleTable.CIRCLES + i) {
+    if (circles.codes[CircleTable.collidingCodesAt(i) + CircleTable.LAST] == Codes.circle(j)
+        && circles.codes[CircleTable.collidingCodesAt(j) + CircleTable.LAST] == Codes.circle(i)) {
       return true;
     }
     if (circles.jams == null) {
@@ -62,8 +60,8 @@ public final class PairResponse {
    * has infinite mass, crushed the other, and passes over it.
    */
   public boolean isInert(int i, IgnoreList ofI, int j, IgnoreList ofJ) {
-    int codeI = ObstacleTable.CIRCLES + i;
-    int codeJ = ObstacleTable.CIRCLES + j;
+    int codeI = Codes.circle(i);
+    int codeJ = Codes.circle(j);
     return (ofI != null && ofI.isCrushedBy(codeJ))
         || (ofJ != null && ofJ.isCrushedBy(codeI))
         || (ofI != null && ofJ != null && ofI.makesInert(codeJ) && ofJ.makesInert(codeI));
@@ -91,7 +89,7 @@ public final class PairResponse {
    * meet that stands still. Sensors come first of all, since they change nothing.
    */
   public long rank(int i, int j) {
-    long rank = (long) (ObstacleTable.CIRCLES + i) << 31 | j;
+    long rank = (long) Codes.circle(i) << 31 | j;
     return isSilent(i, j) ? rank - Long.MAX_VALUE : rank;
   }
 
@@ -150,8 +148,8 @@ public final class PairResponse {
       log.setOutcome(ImpactRows.JAMMED);
     }
     if (faint) {
-      a.jam = IgnoreList.with(a.jam, ObstacleTable.CIRCLES + b.id);
-      b.jam = IgnoreList.with(b.jam, ObstacleTable.CIRCLES + a.id);
+      a.jam = IgnoreList.with(a.jam, Codes.circle(b.id));
+      b.jam = IgnoreList.with(b.jam, Codes.circle(a.id));
     }
     beginFlight(a, b);
     beginFlight(b, a);
@@ -161,7 +159,7 @@ public final class PairResponse {
   /** Another infinite mass comes to a circle that one crushed. */
   private static void passOverCrushed(MovingCircle m, MovingCircle other) {
     if (m.crushed) {
-      m.jam = IgnoreList.crushedBy(m.jam, ObstacleTable.CIRCLES + other.id);
+      m.jam = IgnoreList.crushedBy(m.jam, Codes.circle(other.id));
     }
     beginFlight(m, other);
   }
@@ -210,7 +208,7 @@ public final class PairResponse {
 
   private static void beginFlight(MovingCircle m, MovingCircle other) {
     m.turn = 0;
-    m.last = ObstacleTable.CIRCLES + other.id;
+    m.last = Codes.circle(other.id);
     m.newFlight();
   }
 
@@ -248,7 +246,7 @@ public final class PairResponse {
 
   /** Takes away a circle's motion along the normal. */
   private void stop(MovingCircle m, double nx, double ny) {
-    m.jam = IgnoreList.ofCircles(m.jam, ObstacleTable.CIRCLES);
+    m.jam = IgnoreList.ofCircles(m.jam);
     impulse.of(1, m.vx, m.vy, nx, ny);
     m.vx = impulse.less(m.vx, nx);
     m.vy = impulse.less(m.vy, ny);
@@ -263,7 +261,7 @@ public final class PairResponse {
     if (own == INFINITE) {
       return;
     }
-    m.jam = IgnoreList.ofCircles(m.jam, ObstacleTable.CIRCLES);
+    m.jam = IgnoreList.ofCircles(m.jam);
     double share = 0.5;
     double tail = 0;
     if (own != other || own > LARGE) {

@@ -3,6 +3,7 @@ package dev.carom.internal.response;
 
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.UnitVector;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
@@ -13,7 +14,7 @@ import dev.carom.internal.sweep.UnitVectors;
  * A contact of a stuck circle with something: no further apart than {@linkplain
  * StuckRule#INELASTIC_PLACE one place} or 64 ulps of the coordinates, or overlapping.
  *
- * @param code what it touches, see {@link ObstacleTable}
+ * @param code what it touches, see {@link Codes}
  * @param contact how the detector names that contact, see {@link Contact}; 0 but for lines
  * @param nx the x component of the unit normal, which points to the circle
  * @param ny the y component of the unit normal
@@ -26,17 +27,16 @@ record Touch(int code, int contact, double nx, double ny) {
   /** The contact of a circle with another one, null if they do not touch. */
   static Touch of(MovingCircle m, MovingCircle other) {
     double size = Math.max(size(m), size(other));
-    return offset(
-        m, ObstacleTable.CIRCLES + other.id, 0, other.x, other.y, m.radius + other.radius, size);
+    return offset(m, Codes.circle(other.id), 0, other.x, other.y, m.radius + other.radius, size);
   }
 
   /** The contact of a circle with an obstacle, null if it does not touch it. */
   static Touch of(MovingCircle m, ObstacleTable obstacles, int code) {
-    if (code < ObstacleTable.WALLS) {
+    if (Codes.isWall(code)) {
       return ofWall(m, code, obstacles.walls[code]);
     }
     int k = obstacles.offset(code);
-    if (code >= ObstacleTable.PEGS) {
+    if (Codes.isPeg(code)) {
       double[] p = obstacles.pegs;
       double radiusSum = m.radius + p[k + ObstacleTable.RADIUS];
       return offset(m, code, 0, p[k + ObstacleTable.X], p[k + ObstacleTable.Y], radiusSum, size(m));
@@ -50,8 +50,8 @@ record Touch(int code, int contact, double nx, double ny) {
   }
 
   private static Touch ofWall(MovingCircle m, int code, double wall) {
-    boolean vertical = code <= ObstacleTable.RIGHT;
-    int inwards = 1 - 2 * (code & 1); // the lower wall of an axis has the even code
+    boolean vertical = Codes.isVertical(code);
+    int inwards = Codes.inwards(code);
     double gap = inwards * ((vertical ? m.x : m.y) - wall) - m.radius;
     return gap <= tolerance(m, size(m))
         ? new Touch(code, 0, vertical ? inwards : 0, vertical ? 0 : inwards)

@@ -3,6 +3,7 @@ package dev.carom.internal.search;
 
 import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.state.CodeSet;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -82,10 +83,10 @@ public final class BroadPhase extends NarrowPhase {
     super(obstacles);
     this.loose = loose;
     double[] w = obstacles.walls;
-    middleX = w == null ? 0 : w[ObstacleTable.LEFT] / 2 + w[ObstacleTable.RIGHT] / 2;
-    middleY = w == null ? 0 : w[ObstacleTable.BOTTOM] / 2 + w[ObstacleTable.TOP] / 2;
-    halfWidth = w == null ? NEVER : w[ObstacleTable.RIGHT] / 2 - w[ObstacleTable.LEFT] / 2;
-    halfHeight = w == null ? NEVER : w[ObstacleTable.TOP] / 2 - w[ObstacleTable.BOTTOM] / 2;
+    middleX = w == null ? 0 : w[Codes.LEFT] / 2 + w[Codes.RIGHT] / 2;
+    middleY = w == null ? 0 : w[Codes.BOTTOM] / 2 + w[Codes.TOP] / 2;
+    halfWidth = w == null ? NEVER : w[Codes.RIGHT] / 2 - w[Codes.LEFT] / 2;
+    halfHeight = w == null ? NEVER : w[Codes.TOP] / 2 - w[Codes.BOTTOM] / 2;
     lookAgainAtAll();
   }
 
@@ -241,14 +242,14 @@ public final class BroadPhase extends NarrowPhase {
       return;
     }
     if (aheadX < aheadY) {
-      considerWall(px, vx, ObstacleTable.LEFT);
+      considerWall(px, vx, Codes.LEFT);
       if (!(aheadY > best)) {
-        considerWall(py, vy, ObstacleTable.BOTTOM);
+        considerWall(py, vy, Codes.BOTTOM);
       }
     } else {
-      considerWall(py, vy, ObstacleTable.BOTTOM);
+      considerWall(py, vy, Codes.BOTTOM);
       if (!(aheadX > best)) {
-        considerWall(px, vx, ObstacleTable.LEFT);
+        considerWall(px, vx, Codes.LEFT);
       }
     }
   }
@@ -407,7 +408,7 @@ public final class BroadPhase extends NarrowPhase {
 
   /** The codes of all obstacles that may touch a circle where it is, and maybe of others. */
   public int[] near(MovingCircle mover, Grid grid) {
-    IntStream walls = IntStream.range(0, obstacles.walls == null ? 0 : ObstacleTable.WALLS);
+    IntStream walls = IntStream.range(0, obstacles.walls == null ? 0 : Codes.WALLS);
     if (grid == null) {
       IntStream lines = obstacles.presentLines().stream(obstacles::isGone);
       IntStream pegs = obstacles.presentPegs().stream(obstacles::isGone);
@@ -415,7 +416,7 @@ public final class BroadPhase extends NarrowPhase {
     }
     IntStream others = Arrays.stream(loose.codes, 0, loose.size);
     return IntStream.concat(walls, IntStream.concat(others, grid.listedAt(mover.x, mover.y)))
-        .filter(code -> code < ObstacleTable.WALLS || !obstacles.isGone(code))
+        .filter(code -> Codes.isWall(code) || !obstacles.isGone(code))
         .sorted()
         .distinct()
         .toArray();

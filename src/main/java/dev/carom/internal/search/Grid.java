@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.search;
 
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.LiveCodes;
 import java.util.Arrays;
@@ -136,7 +137,7 @@ public final class Grid {
 
   private static int firstPeg(int[] listed, int from, int to) {
     int k = from;
-    while (k < to && listed[k] < ObstacleTable.PEGS) {
+    while (k < to && Codes.isLine(listed[k])) {
       k++;
     }
     return k;
@@ -171,7 +172,7 @@ public final class Grid {
 
   /** Whether a pair, or a list below 0, is of pegs: beside a place in {@link #pairs} stands 0. */
   public static boolean arePegs(long pair) {
-    return second(pair) >= ObstacleTable.PEGS;
+    return Codes.isPeg(second(pair));
   }
 
   /** The number of a cell. */
@@ -234,7 +235,7 @@ public final class Grid {
         } while (pairs[k++] < 0);
       }
     }
-    return codes.build().filter(code -> code >= ObstacleTable.WALLS);
+    return codes.build().filter(code -> !Codes.isWall(code));
   }
 
   private static void addPair(long pair, IntStream.Builder codes) {
@@ -336,7 +337,7 @@ public final class Grid {
       return;
     }
     int k = obstacles.offset(code);
-    if (code < ObstacleTable.PEGS) {
+    if (Codes.isLine(code)) {
       double[] l = obstacles.lines;
       visit(code, l[k], l[k + 1], l[k + 2], l[k + 3], radius, counts, listed);
     } else {

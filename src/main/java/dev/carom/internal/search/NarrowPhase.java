@@ -3,6 +3,7 @@ package dev.carom.internal.search;
 
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -129,7 +130,7 @@ abstract class NarrowPhase {
     if (code == bestCode || skipped(code)) {
       return;
     }
-    if (code < ObstacleTable.PEGS) {
+    if (Codes.isLine(code)) {
       considerLine(code);
     } else {
       considerPeg(code);
@@ -155,7 +156,7 @@ abstract class NarrowPhase {
   }
 
   private void considerPeg(int code) {
-    int k = (code - ObstacleTable.PEGS) * ObstacleTable.PEG_ROW;
+    int k = Codes.index(code) * ObstacleTable.PEG_ROW;
     double cx = pegs[k + ObstacleTable.X];
     double cy = pegs[k + ObstacleTable.Y];
     double radius = pegs[k + ObstacleTable.RADIUS];
@@ -301,12 +302,12 @@ abstract class NarrowPhase {
   }
 
   private ExactTime exactTime(int code, int contact) {
-    if (code < ObstacleTable.WALLS) {
-      boolean vertical = code <= ObstacleTable.RIGHT;
+    if (Codes.isWall(code)) {
+      boolean vertical = Codes.isVertical(code);
       return WallSweep.exactTime(vertical ? px : py, r, vertical ? vx : vy, obstacles.walls[code]);
     }
     int k = obstacles.offset(code);
-    if (code < ObstacleTable.PEGS) {
+    if (Codes.isLine(code)) {
       double ax = lines[k + ObstacleTable.AX];
       double ay = lines[k + ObstacleTable.AY];
       double bx = lines[k + ObstacleTable.BX];

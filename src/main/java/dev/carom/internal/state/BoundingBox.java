@@ -10,10 +10,7 @@ public record BoundingBox(double left, double bottom, double right, double top) 
   public static BoundingBox of(CircleTable circles, int[] ids, double[] walls, double now) {
     if (walls != null) {
       return new BoundingBox(
-          walls[ObstacleTable.LEFT],
-          walls[ObstacleTable.BOTTOM],
-          walls[ObstacleTable.RIGHT],
-          walls[ObstacleTable.TOP]);
+          walls[Codes.LEFT], walls[Codes.BOTTOM], walls[Codes.RIGHT], walls[Codes.TOP]);
     }
     double left = Double.POSITIVE_INFINITY;
     double bottom = Double.POSITIVE_INFINITY;

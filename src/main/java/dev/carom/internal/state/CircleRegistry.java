@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.state;
 
+import dev.carom.internal.util.Kind;
 import java.util.Arrays;
 
 /**
@@ -12,7 +13,7 @@ import java.util.Arrays;
 public final class CircleRegistry {
 
   /** One more than the largest id: its code is the largest number. */
-  public static final int ID_LIMIT = Integer.MAX_VALUE - ObstacleTable.CIRCLES + 1;
+  public static final int ID_LIMIT = Codes.limit(Kind.CIRCLE);
 
   private static final int NONE = -1;
 
@@ -191,22 +192,22 @@ public final class CircleRegistry {
 
   /** What a mover knows of other circles, by their ids; nothing of one that was removed. */
   public void toIds(MovingCircle m) {
-    if (m.last >= ObstacleTable.CIRCLES) {
-      int slot = m.last - ObstacleTable.CIRCLES;
-      m.last = contains(slot) ? ObstacleTable.CIRCLES + id(slot) : MovingCircle.NOTHING;
+    if (Codes.isCircle(m.last)) {
+      int slot = Codes.slot(m.last);
+      m.last = contains(slot) ? Codes.circle(id(slot)) : MovingCircle.NOTHING;
     }
     if (m.jam != null && ids != null) {
-      m.jam = m.jam.ofOtherCircles(ObstacleTable.CIRCLES, this::id);
+      m.jam = m.jam.ofOtherCircles(this::id);
     }
   }
 
   /** The opposite of {@link #toIds}. */
   public void toSlots(MovingCircle m) {
-    if (m.last >= ObstacleTable.CIRCLES) {
-      m.last = ObstacleTable.CIRCLES + slot(m.last - ObstacleTable.CIRCLES);
+    if (Codes.isCircle(m.last)) {
+      m.last = Codes.circle(slot(Codes.slot(m.last)));
     }
     if (m.jam != null && ids != null) {
-      m.jam = m.jam.ofOtherCircles(ObstacleTable.CIRCLES, this::slot);
+      m.jam = m.jam.ofOtherCircles(this::slot);
     }
   }
 

@@ -3,7 +3,7 @@ package dev.carom.internal.state;
 
 import java.util.Arrays;
 
-/** A list of codes of {@link ObstacleTable}, each at most once. */
+/** A list of {@link Codes}, each at most once. */
 public final class CodeSet {
 
   public int size;

@@ -24,16 +24,12 @@ final class Confinement {
    * @param r the radius
    */
   static double x(double[] walls, double start, double x, double r) {
-    return walls == null
-        ? x
-        : between(walls[ObstacleTable.LEFT], walls[ObstacleTable.RIGHT], start, x, r);
+    return walls == null ? x : between(walls[Codes.LEFT], walls[Codes.RIGHT], start, x, r);
   }
 
   /** The y coordinate of a centre. */
   static double y(double[] walls, double start, double y, double r) {
-    return walls == null
-        ? y
-        : between(walls[ObstacleTable.BOTTOM], walls[ObstacleTable.TOP], start, y, r);
+    return walls == null ? y : between(walls[Codes.BOTTOM], walls[Codes.TOP], start, y, r);
   }
 
   private static double between(double low, double high, double start, double p, double r) {

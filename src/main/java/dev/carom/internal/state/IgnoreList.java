@@ -10,11 +10,21 @@ import java.util.function.IntUnaryOperator;
  */
 public final class IgnoreList {
 
-  /** Of what is inert; of an infinite mass that crushed the circle, the complement. */
-  private final int[] codes;
+  /** The {@link Codes} of what is inert; of an infinite mass that crushed the circle, ~code. */
+  private final int[] entries;
 
-  private IgnoreList(int[] codes) {
-    this.codes = codes;
+  private IgnoreList(int[] entries) {
+    this.entries = entries;
+  }
+
+  /** The code in an entry. */
+  public static int code(int entry) {
+    return entry < 0 ? ~entry : entry;
+  }
+
+  /** Whether an entry is that of an infinite mass that crushed the circle. */
+  public static boolean crushes(int entry) {
+    return entry < 0;
   }
 
   /** A jam, or none yet, with one more thing. */
@@ -27,58 +37,64 @@ public final class IgnoreList {
     return withEntry(jam, ~code);
   }
 
-  private static IgnoreList withEntry(IgnoreList jam, int code) {
+  /** A jam, or none yet, with one more entry. */
+  public static IgnoreList withEntry(IgnoreList jam, int entry) {
     if (jam == null) {
-      return new IgnoreList(new int[] {code});
+      return new IgnoreList(new int[] {entry});
     }
-    if (jam.contains(code)) {
+    if (jam.contains(entry)) {
       return jam;
     }
-    int[] more = Arrays.copyOf(jam.codes, jam.codes.length + 1);
-    more[jam.codes.length] = code;
+    int[] more = Arrays.copyOf(jam.entries, jam.entries.length + 1);
+    more[jam.entries.length] = entry;
     return new IgnoreList(more);
   }
 
-  /** What is left of a jam when the codes below the first one of circles are dropped. */
-  public static IgnoreList ofCircles(IgnoreList jam, int first) {
+  /** What is left of a jam when the obstacles are dropped. */
+  public static IgnoreList ofCircles(IgnoreList jam) {
     if (jam == null) {
       return null;
     }
-    int[] left = Arrays.stream(jam.codes).filter(code -> code >= first || code < 0).toArray();
-    return left.length == jam.codes.length ? jam : left.length == 0 ? null : new IgnoreList(left);
+    int[] left = Arrays.stream(jam.entries).filter(IgnoreList::isOfCircle).toArray();
+    return left.length == jam.entries.length ? jam : left.length == 0 ? null : new IgnoreList(left);
+  }
+
+  private static boolean isOfCircle(int entry) {
+    return Codes.isCircle(code(entry));
   }
 
   /** What is left of it without one thing, null for nothing. */
   public IgnoreList without(int code) {
-    int[] left = Arrays.stream(codes).filter(other -> other != code && other != ~code).toArray();
+    int[] left = Arrays.stream(entries).filter(entry -> code(entry) != code).toArray();
     return left.length == 0 ? null : new IgnoreList(left);
   }
 
-  /** The same with other numbers for circles, whose codes begin at the first one. */
-  IgnoreList ofOtherCircles(int first, IntUnaryOperator number) {
-    return new IgnoreList(
-        Arrays.stream(codes)
-            .map(code -> code < 0 ? ~other(~code, first, number) : other(code, first, number))
-            .toArray());
+  /** The same with other slots or ids for circles. */
+  IgnoreList ofOtherCircles(IntUnaryOperator number) {
+    return new IgnoreList(Arrays.stream(entries).map(entry -> other(entry, number)).toArray());
   }
 
-  private static int other(int code, int first, IntUnaryOperator number) {
-    return code < first ? code : first + number.applyAsInt(code - first);
+  private static int other(int entry, IntUnaryOperator number) {
+    if (!isOfCircle(entry)) {
+      return entry;
+    }
+    int other = Codes.circle(number.applyAsInt(Codes.slot(code(entry))));
+    return crushes(entry) ? ~other : other;
   }
 
-  /** What is inert; the complements of those infinite masses that crushed the circle. */
-  public int[] codes() {
-    return codes.clone();
+  /** One entry for each thing: {@link #code} and {@link #crushes} say what it means. */
+  public int[] entries() {
+    return entries.clone();
   }
 
   @Override
   public boolean equals(Object other) {
-    return other instanceof IgnoreList that && Arrays.equals(codes, that.codes);
+    return other instanceof IgnoreList that && Arrays.equals(entries, that.entries);
   }
 
   @Override
   public int hashCode() {
-    return Arrays.hashCode(codes);
+    return Arrays.hashCode(entries);
   }
 
   public boolean makesInert(int code) {
@@ -94,9 +110,9 @@ public final class IgnoreList {
     return contains(code) || contains(~code);
   }
 
-  private boolean contains(int code) {
-    for (int other : codes) {
-      if (other == code) {
+  private boolean contains(int entry) {
+    for (int other : entries) {
+      if (other == entry) {
         return true;
       }
     }

@@ -110,7 +110,7 @@ final class ObstacleHistory {
 
   /** Whether a thing was there when the recording began. */
   private boolean isFirst(int code) {
-    int end = code < ObstacleTable.PEGS ? first.endOfLines : first.endOfPegs;
+    int end = Codes.isLine(code) ? first.endOfLines : first.endOfPegs;
     return code < end && !first.isGone(code);
   }
 }

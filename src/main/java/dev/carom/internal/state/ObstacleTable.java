@@ -2,38 +2,14 @@
 package dev.carom.internal.state;
 
 import dev.carom.internal.sweep.Contact;
-import dev.carom.internal.sweep.WallSweep;
 import dev.carom.internal.util.Kind;
 import java.util.Arrays;
 
 /**
- * The things that stand still, in flat arrays. Each has one code, and the codes stand in the order
- * in which simultaneous impacts are taken: the four walls, then the lines, then the pegs; those of
- * moving circles follow. A code does not change when things are added, and is not used again when
- * its thing is removed.
+ * The things that stand still, in flat arrays, by their {@link Codes}. A code does not change when
+ * things are added, and is not used again when its thing is removed.
  */
 public final class ObstacleTable {
-
-  /** The codes of the walls are their ids. */
-  public static final int LEFT = WallSweep.LEFT;
-
-  public static final int RIGHT = WallSweep.RIGHT;
-  public static final int BOTTOM = WallSweep.BOTTOM;
-  public static final int TOP = WallSweep.TOP;
-
-  /** The number of codes of walls, used or not: the code of the first line. */
-  public static final int WALLS = 4;
-
-  /** The code of the first peg. */
-  public static final int PEGS = 1 << 28;
-
-  /** The code of the first moving circle. */
-  public static final int CIRCLES = 1 << 29;
-
-  /** How many lines have codes, those that were removed included, and how many pegs. */
-  public static final int LINE_LIMIT = PEGS - WALLS;
-
-  public static final int PEG_LIMIT = CIRCLES - PEGS;
 
   /** Doubles of one row of {@link #lines}. */
   public static final int LINE_ROW = 5;
@@ -112,9 +88,9 @@ public final class ObstacleTable {
     lineTraits = scene.lineTraits;
     pegTraits = scene.pegTraits;
     endOfLines = lines.length / LINE_ROW;
-    endOfPegs = PEGS + pegs.length / PEG_ROW;
-    presentLines = new LiveCodes(WALLS, endOfLines - WALLS);
-    presentPegs = new LiveCodes(PEGS, endOfPegs - PEGS);
+    endOfPegs = Codes.peg(0) + pegs.length / PEG_ROW;
+    presentLines = new LiveCodes(Codes.line(0), endOfLines - Codes.line(0));
+    presentPegs = new LiveCodes(Codes.peg(0), endOfPegs - Codes.peg(0));
     countSpecials();
   }
 
@@ -143,22 +119,22 @@ public final class ObstacleTable {
     read.pegs = pegs;
     read.lineTraits = lineTraits;
     read.pegTraits = pegTraits;
-    read.endOfLines = WALLS + lineTraits.length;
-    read.endOfPegs = PEGS + pegTraits.length;
+    read.endOfLines = Codes.line(0) + lineTraits.length;
+    read.endOfPegs = Codes.peg(0) + pegTraits.length;
     read.edited = true;
     read.countSpecials();
-    read.presentLines = new LiveCodes(WALLS, lineTraits.length);
+    read.presentLines = new LiveCodes(Codes.line(0), lineTraits.length);
     read.presentLines.removed(gone(lines, LINE_ROW), read::isGone);
-    read.presentPegs = new LiveCodes(PEGS, pegTraits.length);
+    read.presentPegs = new LiveCodes(Codes.peg(0), pegTraits.length);
     read.presentPegs.removed(gone(pegs, PEG_ROW), read::isGone);
     return read;
   }
 
   /** Rows of lines, with those of the walls before them. */
   static double[] byCode(double[] lines) {
-    double[] rows = new double[WALLS * LINE_ROW + lines.length];
-    Arrays.fill(rows, 0, WALLS * LINE_ROW, Double.NaN);
-    System.arraycopy(lines, 0, rows, WALLS * LINE_ROW, lines.length);
+    double[] rows = new double[Codes.line(0) * LINE_ROW + lines.length];
+    Arrays.fill(rows, 0, Codes.line(0) * LINE_ROW, Double.NaN);
+    System.arraycopy(lines, 0, rows, Codes.line(0) * LINE_ROW, lines.length);
     return rows;
   }
 
@@ -171,10 +147,10 @@ public final class ObstacleTable {
   }
 
   private void countSpecials() {
-    for (int code = WALLS; lineTraits != null && code < endOfLines; code++) {
+    for (int code = Codes.line(0); lineTraits != null && code < endOfLines; code++) {
       countSpecial(traits(code), 1);
     }
-    for (int code = PEGS; pegTraits != null && code < endOfPegs; code++) {
+    for (int code = Codes.peg(0); pegTraits != null && code < endOfPegs; code++) {
       countSpecial(traits(code), 1);
     }
   }
@@ -196,11 +172,11 @@ public final class ObstacleTable {
 
   /** Where the walls of a rectangle stand, by their codes. */
   public static double[] walls(double xmin, double ymin, double xmax, double ymax) {
-    double[] walls = new double[WALLS];
-    walls[LEFT] = xmin;
-    walls[RIGHT] = xmax;
-    walls[BOTTOM] = ymin;
-    walls[TOP] = ymax;
+    double[] walls = new double[Codes.WALLS];
+    walls[Codes.LEFT] = xmin;
+    walls[Codes.RIGHT] = xmax;
+    walls[Codes.BOTTOM] = ymin;
+    walls[Codes.TOP] = ymax;
     return walls;
   }
 
@@ -230,7 +206,7 @@ public final class ObstacleTable {
       shared = false;
       lines = lines.clone();
       pegs = pegs.clone();
-      lineTraits = lineTraits == null ? new byte[endOfLines - WALLS] : lineTraits.clone();
+      lineTraits = lineTraits == null ? new byte[endOfLines - Codes.line(0)] : lineTraits.clone();
       pegTraits = pegTraits == null ? new byte[pegs.length / PEG_ROW] : pegTraits.clone();
       presentLines = presentLines.copy();
       presentPegs = presentPegs.copy();
@@ -240,10 +216,10 @@ public final class ObstacleTable {
   /** Adds an elastic line of no special trait, and returns its code. */
   public int addLine(double ax, double ay, double bx, double by) {
     own();
-    int i = endOfLines - WALLS;
+    int i = endOfLines - Codes.line(0);
     if (i == lineTraits.length) {
-      lineTraits = Arrays.copyOf(lineTraits, Math.min(2 * i + 4, LINE_LIMIT));
-      lines = Arrays.copyOf(lines, (WALLS + lineTraits.length) * LINE_ROW);
+      lineTraits = Arrays.copyOf(lineTraits, Math.min(2 * i + 4, Codes.limit(Kind.LINE)));
+      lines = Arrays.copyOf(lines, (Codes.line(0) + lineTraits.length) * LINE_ROW);
     }
     int code = endOfLines++;
     presentLines.add(code);
@@ -265,9 +241,9 @@ public final class ObstacleTable {
   /** Adds an elastic peg of no special trait, and returns its code. */
   public int addPeg(double x, double y, double radius) {
     own();
-    int i = endOfPegs - PEGS;
+    int i = endOfPegs - Codes.peg(0);
     if (i == pegTraits.length) {
-      pegTraits = Arrays.copyOf(pegTraits, Math.min(2 * i + 4, PEG_LIMIT));
+      pegTraits = Arrays.copyOf(pegTraits, Math.min(2 * i + 4, Codes.limit(Kind.PEG)));
       pegs = Arrays.copyOf(pegs, pegTraits.length * PEG_ROW);
     }
     int code = endOfPegs++;
@@ -291,7 +267,7 @@ public final class ObstacleTable {
     own();
     int k = offset(code);
     setTraits(code, 0);
-    if (code < PEGS) {
+    if (Codes.kind(code) < Kind.PEG) {
       Arrays.fill(lines, k, k + LINE_ROW, Double.NaN);
       presentLines.removed(1, this::isGone);
     } else {
@@ -305,7 +281,7 @@ public final class ObstacleTable {
     if (!edited) {
       return false;
     }
-    double x = code < PEGS ? lines[offset(code) + AX] : pegs[offset(code) + X];
+    double x = Codes.kind(code) < Kind.PEG ? lines[offset(code) + AX] : pegs[offset(code) + X];
     return Double.isNaN(x);
   }
 
@@ -324,44 +300,25 @@ public final class ObstacleTable {
     return presentPegs;
   }
 
-  /** The {@link Kind} of a thing. */
-  public int kind(int code) {
-    return code < WALLS ? Kind.WALL : code < PEGS ? Kind.LINE : Kind.PEG;
-  }
-
   /** A copy of the row of a line or a peg. */
   double[] row(int code) {
     int k = offset(code);
-    return code < PEGS
+    return Codes.kind(code) < Kind.PEG
         ? Arrays.copyOfRange(lines, k, k + LINE_ROW)
         : Arrays.copyOfRange(pegs, k, k + PEG_ROW);
   }
 
-  /** The code of a wall, a line or a peg, by its {@link Kind} and its number of that kind. */
-  public static int code(int kind, int index) {
-    return switch (kind) {
-      case Kind.WALL -> index;
-      case Kind.LINE -> WALLS + index;
-      default -> PEGS + index;
-    };
-  }
-
-  /** The number of a thing among those of its kind. */
-  public int index(int code) {
-    return code < WALLS ? code : code < PEGS ? code - WALLS : code - PEGS;
-  }
-
   /** The place of a line's or a peg's numbers in its array. */
   public int offset(int code) {
-    return code < PEGS ? code * LINE_ROW : (code - PEGS) * PEG_ROW;
+    return Codes.kind(code) < Kind.PEG ? code * LINE_ROW : (code - Codes.peg(0)) * PEG_ROW;
   }
 
   /** The feature that a contact of the detector's code means, as {@link ImpactRows} names it. */
   public int feature(int code, int contact) {
-    if (code >= PEGS) {
+    if (Codes.isPeg(code)) {
       return ImpactRows.CIRCLE;
     }
-    return code < WALLS ? ImpactRows.SIDE : LINE_FEATURES[contact & ~Contact.NOW];
+    return Codes.isWall(code) ? ImpactRows.SIDE : LINE_FEATURES[contact & ~Contact.NOW];
   }
 
   /** The restitution along the normal; where a circle halts, none. */
@@ -371,26 +328,26 @@ public final class ObstacleTable {
 
   /** Whether a circle that hits this halts. */
   public boolean halts(int code) {
-    return code < WALLS
+    return Codes.isWall(code)
         ? ContactFlags.halts(boundsTraits)
         : specials > 0 && ContactFlags.halts(traits(code));
   }
 
   /** The restitution as it was given, whatever the response. */
   public double givenRestitution(int code) {
-    if (code < WALLS) {
+    if (Codes.isWall(code)) {
       return boundsRestitution;
     }
-    return code < PEGS
+    return Codes.kind(code) < Kind.PEG
         ? lines[offset(code) + LINE_RESTITUTION]
         : pegs[offset(code) + PEG_RESTITUTION];
   }
 
   public void setRestitution(int code, double e) {
     own();
-    if (code < WALLS) {
+    if (Codes.isWall(code)) {
       boundsRestitution = e;
-    } else if (code < PEGS) {
+    } else if (Codes.kind(code) < Kind.PEG) {
       lines[offset(code) + LINE_RESTITUTION] = e;
     } else {
       pegs[offset(code) + PEG_RESTITUTION] = e;
@@ -399,24 +356,24 @@ public final class ObstacleTable {
 
   /** The {@link ContactFlags} of a line or a peg. */
   public int traits(int code) {
-    return code < PEGS
-        ? ContactFlags.of(lineTraits, code - WALLS)
-        : ContactFlags.of(pegTraits, code - PEGS);
+    return Codes.kind(code) < Kind.PEG
+        ? ContactFlags.of(lineTraits, code - Codes.line(0))
+        : ContactFlags.of(pegTraits, code - Codes.peg(0));
   }
 
   /** Sets the {@link ContactFlags} of a thing. */
   public void setTraits(int code, int traits) {
     own();
-    if (code < WALLS) {
+    if (Codes.isWall(code)) {
       boundsTraits = traits;
       return;
     }
     countSpecial(traits(code), -1);
     countSpecial(traits, 1);
-    if (code < PEGS) {
-      lineTraits[code - WALLS] = (byte) traits;
+    if (Codes.kind(code) < Kind.PEG) {
+      lineTraits[code - Codes.line(0)] = (byte) traits;
     } else {
-      pegTraits[code - PEGS] = (byte) traits;
+      pegTraits[code - Codes.peg(0)] = (byte) traits;
     }
   }
 
@@ -431,11 +388,11 @@ public final class ObstacleTable {
   }
 
   public boolean isSensor(int code) {
-    return specials > 0 && code >= WALLS && ContactFlags.isSensor(traits(code));
+    return specials > 0 && !Codes.isWall(code) && ContactFlags.isSensor(traits(code));
   }
 
   public boolean isOneWay(int code) {
-    return specials > 0 && code >= WALLS && ContactFlags.isOneWay(traits(code));
+    return specials > 0 && !Codes.isWall(code) && ContactFlags.isOneWay(traits(code));
   }
 
   /** The largest absolute coordinate of all lines and pegs; 0 without any. */
@@ -452,13 +409,13 @@ public final class ObstacleTable {
 
   /** The largest absolute coordinate of a line or a peg; 0 for one that was removed. */
   public double extent(int code) {
-    if (code < WALLS || isGone(code)) {
+    if (Codes.isWall(code) || isGone(code)) {
       return 0;
     }
     int k = offset(code);
-    double[] numbers = code < PEGS ? lines : pegs;
+    double[] numbers = Codes.kind(code) < Kind.PEG ? lines : pegs;
     double extent = Math.max(Math.abs(numbers[k]), Math.abs(numbers[k + 1]));
-    return code < PEGS
+    return Codes.kind(code) < Kind.PEG
         ? Math.max(extent, Math.max(Math.abs(numbers[k + 2]), Math.abs(numbers[k + 3])))
         : extent;
   }
@@ -477,18 +434,18 @@ public final class ObstacleTable {
 
   private boolean haveSameNumbers(ObstacleTable that) {
     int l = endOfLines * LINE_ROW;
-    int p = (endOfPegs - PEGS) * PEG_ROW;
+    int p = (endOfPegs - Codes.peg(0)) * PEG_ROW;
     return Arrays.equals(lines, 0, l, that.lines, 0, l)
         && Arrays.equals(pegs, 0, p, that.pegs, 0, p);
   }
 
   private boolean haveSameTraits(ObstacleTable that) {
-    for (int code = WALLS; code < endOfLines; code++) {
+    for (int code = Codes.line(0); code < endOfLines; code++) {
       if (traits(code) != that.traits(code)) {
         return false;
       }
     }
-    for (int code = PEGS; code < endOfPegs; code++) {
+    for (int code = Codes.peg(0); code < endOfPegs; code++) {
       if (traits(code) != that.traits(code)) {
         return false;
       }
@@ -498,6 +455,6 @@ public final class ObstacleTable {
 
   @Override
   public int hashCode() {
-    return Arrays.hashCode(Arrays.copyOfRange(lines, offset(WALLS), offset(endOfLines)));
+    return Arrays.hashCode(Arrays.copyOfRange(lines, offset(Codes.line(0)), offset(endOfLines)));
   }
 }

@@ -63,7 +63,7 @@ public final class SceneData {
   }
 
   public int lineCount() {
-    return lines.length / ObstacleTable.LINE_ROW - ObstacleTable.WALLS;
+    return lines.length / ObstacleTable.LINE_ROW - Codes.line(0);
   }
 
   public int pegCount() {
@@ -104,7 +104,7 @@ public final class SceneData {
 
   /** Where the row of a line begins. */
   public static int lineAt(int line) {
-    return (ObstacleTable.WALLS + line) * ObstacleTable.LINE_ROW;
+    return (Codes.line(line)) * ObstacleTable.LINE_ROW;
   }
 
   /** Where the row of a peg begins. */

@@ -12,9 +12,9 @@ import dev.carom.SceneBuilder;
 import dev.carom.Snapshot;
 import dev.carom.World;
 import dev.carom.internal.response.StuckRule;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleTable;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -196,7 +196,7 @@ class CollidingEngineTest {
       Internals.state(jammed).flights().get(i, m);
       m.stuck = StuckRule.LIMIT + 1;
       m.speedExponent = 1;
-      m.jam = IgnoreList.with(null, ObstacleTable.CIRCLES + 1 - i);
+      m.jam = IgnoreList.with(null, Codes.circle(1 - i));
       Internals.state(jammed).flights().put(i, m, 0, 0);
     }
     world.restore(jammed);

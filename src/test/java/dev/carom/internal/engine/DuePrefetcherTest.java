@@ -10,10 +10,10 @@ import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleTable;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -76,9 +76,7 @@ class DuePrefetcherTest {
   private CircleTable anywhere(int count) {
     CircleTable circles = new CircleTable(count);
     double[] special = {0, -1e300, Double.POSITIVE_INFINITY, Double.NaN};
-    int[] codes = {
-      MovingCircle.NOTHING, ObstacleTable.TOP, ObstacleTable.WALLS, ObstacleTable.PEGS, -20
-    };
+    int[] codes = {MovingCircle.NOTHING, Codes.TOP, Codes.line(0), Codes.peg(0), -20};
     for (int i = 0; i < count; i++) {
       double x = random.nextInt(9) == 0 ? special[random.nextInt(4)] : SIDE * random.nextDouble();
       circles.state[circles.at(i) + FlightRow.X] = x;

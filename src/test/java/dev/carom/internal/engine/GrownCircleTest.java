@@ -11,8 +11,8 @@ import dev.carom.World;
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
-import dev.carom.internal.state.ObstacleTable;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -53,7 +53,7 @@ class GrownCircleTest {
     StaticScene staticScene = new StaticScene(Internals.data(scene), EngineOptions.CHOSEN);
     List<Integer> lines = new ArrayList<>();
     for (int i = 0; i < LINES; i++) {
-      lines.add(ObstacleTable.WALLS + i);
+      lines.add(Codes.line(i));
     }
     for (int edit = 0; edit < 40; edit++) {
       int i = random.nextInt(CIRCLES);

@@ -9,9 +9,9 @@ import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.SweptCircle;
 import dev.carom.World;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SavedFlights;
 import org.junit.jupiter.api.Test;
 
@@ -149,8 +149,8 @@ class StaticSceneTest {
   void sensorsAreReportedBeforeWhatIsFoundAtTheirTime() {
     Scene scene = Scene.builder().line(0, 0, 1, 0).response(Response.SENSOR).peg(0, 0, 1).build();
     StaticScene staticScene = new StaticScene(Internals.data(scene), EngineOptions.CHOSEN);
-    assertThat(staticScene.sensedBefore(ObstacleTable.WALLS)).isEqualTo(ObstacleTable.WALLS - 1);
-    assertThat(staticScene.sensedBefore(ObstacleTable.PEGS)).isEqualTo(Integer.MAX_VALUE);
+    assertThat(staticScene.sensedBefore(Codes.line(0))).isEqualTo(Codes.line(0) - 1);
+    assertThat(staticScene.sensedBefore(Codes.peg(0))).isEqualTo(Integer.MAX_VALUE);
   }
 
   /** What is told of a circle in (0, 0) whose way along x leads to a sensor, line 1, at time 4. */
@@ -182,18 +182,18 @@ class StaticSceneTest {
   /** Before the time at which it still has something to meet all is told by the time alone. */
   @Test
   void whatWasSensedByNowIsToldWhateverASearchFoundAhead() {
-    int sensor = ObstacleTable.WALLS + 1;
+    int sensor = Codes.line(1);
     SavedFlights expected = reported(3.5, Integer.MAX_VALUE);
     assertThat(saved(sensing(sensor, 0), 3.5)).isEqualTo(expected);
     assertThat(saved(sensing(MovingCircle.NOTHING, 7), 3.5)).isEqualTo(expected);
     assertThat(saved(sensing(sensor, 0), 4)).isEqualTo(reported(4, sensor - 1));
-    assertThat(saved(sensing(ObstacleTable.WALLS, 0), 4)).isEqualTo(reported(4, Integer.MAX_VALUE));
+    assertThat(saved(sensing(Codes.line(0), 0), 4)).isEqualTo(reported(4, Integer.MAX_VALUE));
   }
 
   /** Where a search ended at a time that is now, another one tells what is still to be met. */
   @Test
   void whatIsStillToBeSensedNowIsSearchedFor() {
-    int sensor = ObstacleTable.WALLS + 1;
+    int sensor = Codes.line(1);
     MovingCircle all = sensing(MovingCircle.NOTHING, sensor);
     assertThat(saved(all, 4)).isEqualTo(reported(all.latestBy(4), Integer.MAX_VALUE));
     assertThat(saved(sensing(MovingCircle.NOTHING, 0), 4)).isEqualTo(reported(4, sensor - 1));

@@ -11,7 +11,7 @@ import dev.carom.Resolver;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
-import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.Codes;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -30,12 +30,12 @@ class ProximityTest {
   })
   void eachWallIsNearestToWhatIsBesideIt(double x, double y) {
     World world = new World(Scene.builder().bounds(x, y, x + 30, y + 40).build());
-    assertThat(world.nearest(ObstacleKind.WALL, x + 2, y + 20)).isEqualTo(ObstacleTable.LEFT);
-    assertThat(world.nearest(ObstacleKind.WALL, x + 28, y + 20)).isEqualTo(ObstacleTable.RIGHT);
-    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 2)).isEqualTo(ObstacleTable.BOTTOM);
-    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 38)).isEqualTo(ObstacleTable.TOP);
-    assertThat(world.nearest(ObstacleKind.WALL, x - 2, y + 20)).isEqualTo(ObstacleTable.LEFT);
-    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 43)).isEqualTo(ObstacleTable.TOP);
+    assertThat(world.nearest(ObstacleKind.WALL, x + 2, y + 20)).isEqualTo(Codes.LEFT);
+    assertThat(world.nearest(ObstacleKind.WALL, x + 28, y + 20)).isEqualTo(Codes.RIGHT);
+    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 2)).isEqualTo(Codes.BOTTOM);
+    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 38)).isEqualTo(Codes.TOP);
+    assertThat(world.nearest(ObstacleKind.WALL, x - 2, y + 20)).isEqualTo(Codes.LEFT);
+    assertThat(world.nearest(ObstacleKind.WALL, x + 15, y + 43)).isEqualTo(Codes.TOP);
   }
 
   @ParameterizedTest
@@ -74,8 +74,7 @@ class ProximityTest {
     World world = new World(Scene.builder().bounds(-10, -10, 10, 10).build());
     assertThat(world.overlapping(ObstacleKind.WALL, new Bounds(-10, -10, 10, 10))).isEmpty();
     assertThat(world.overlapping(ObstacleKind.WALL, new Bounds(-11, -11, 11, 11)))
-        .containsExactly(
-            ObstacleTable.LEFT, ObstacleTable.RIGHT, ObstacleTable.BOTTOM, ObstacleTable.TOP);
+        .containsExactly(Codes.LEFT, Codes.RIGHT, Codes.BOTTOM, Codes.TOP);
   }
 
   @Test

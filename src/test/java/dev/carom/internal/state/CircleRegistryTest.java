@@ -139,24 +139,24 @@ class CircleRegistryTest {
   void whatACircleKnowsOfOthersIsTranslated() {
     CircleRegistry registry = without(0, 3, 4);
     registry.set(registry); // 1, 2, 5, 6, ...
-    int circles = ObstacleTable.CIRCLES;
+    int circles = Codes.circle(0);
     IgnoreList jam =
         IgnoreList.with(
-            IgnoreList.with(IgnoreList.with(null, circles + 2), ObstacleTable.WALLS), circles);
+            IgnoreList.with(IgnoreList.with(null, circles + 2), Codes.line(0)), circles);
     MovingCircle m = knowing(circles + 3, jam);
     registry.toIds(m);
     assertThat(m.last).isEqualTo(circles + 6);
-    assertThat(m.jam.codes()).containsExactly(circles + 5, ObstacleTable.WALLS, circles + 1);
+    assertThat(m.jam.entries()).containsExactly(circles + 5, Codes.line(0), circles + 1);
     registry.toSlots(m);
     assertThat(m.last).isEqualTo(circles + 3);
     assertThat(m.jam).isEqualTo(jam);
     registry.remove(3);
     registry.toIds(m);
     assertThat(m.last).isEqualTo(MovingCircle.NOTHING);
-    MovingCircle other = knowing(ObstacleTable.PEGS + 7, null);
+    MovingCircle other = knowing(Codes.peg(7), null);
     registry.toIds(other);
     registry.toSlots(other);
-    assertThat(other.last).isEqualTo(ObstacleTable.PEGS + 7);
+    assertThat(other.last).isEqualTo(Codes.peg(7));
     assertThat(other.jam).isNull();
   }
 }

@@ -4,21 +4,25 @@ package dev.carom.internal.state;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.sweep.Contact;
-import dev.carom.internal.sweep.WallSweep;
+import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** What is kept of a circle in the arrays is there when it is loaded. */
 class CircleTableTest {
 
   /** Of what is ahead, its contact; where nothing is, the sensor met last in its place. */
+  static Stream<Arguments> aheadAndContact() {
+    return Stream.of(
+        Arguments.of(MovingCircle.NOTHING, 0),
+        Arguments.of(MovingCircle.NOTHING, Codes.peg(0)),
+        Arguments.of(Codes.LEFT, 0),
+        Arguments.of(Codes.line(0), Contact.NOW));
+  }
+
   @ParameterizedTest
-  @CsvSource({
-    MovingCircle.NOTHING + ", 0",
-    MovingCircle.NOTHING + ", " + ObstacleTable.PEGS,
-    WallSweep.LEFT + ", 0",
-    ObstacleTable.WALLS + ", " + Contact.NOW
-  })
+  @MethodSource("aheadAndContact")
   void whatIsKeptIsLoaded(int next, int contact) {
     MovingCircle m = new MovingCircle();
     m.start(1, 3, 4, 5, 6, 7, 0.5);

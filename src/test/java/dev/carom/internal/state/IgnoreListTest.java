@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 
 class IgnoreListTest {
-  private static final int FIRST = 100;
 
   private static IgnoreList of(int... codes) {
     IgnoreList jam = null;
@@ -19,18 +18,30 @@ class IgnoreListTest {
   @Test
   void holdsEachCodeOnce() {
     IgnoreList jam = of(3, 100, 3, 7, 100);
-    assertThat(jam.codes()).containsExactly(3, 100, 7);
+    assertThat(jam.entries()).containsExactly(3, 100, 7);
     assertThat(jam.makesInert(7)).isTrue();
     assertThat(jam.makesInert(8)).isFalse();
   }
 
   @Test
   void keepsOnlyCircles() {
-    assertThat(IgnoreList.ofCircles(of(3, 100, 7, 101), FIRST)).isEqualTo(of(100, 101));
-    assertThat(IgnoreList.ofCircles(of(3, 99), FIRST)).isNull();
-    assertThat(IgnoreList.ofCircles(null, FIRST)).isNull();
-    IgnoreList all = of(100, 101);
-    assertThat(IgnoreList.ofCircles(all, FIRST)).isSameAs(all);
+    int a = Codes.circle(0);
+    int b = Codes.circle(1);
+    assertThat(IgnoreList.ofCircles(of(3, a, 7, b))).isEqualTo(of(a, b));
+    assertThat(IgnoreList.ofCircles(of(3, a - 1))).isNull();
+    assertThat(IgnoreList.ofCircles(null)).isNull();
+    IgnoreList all = IgnoreList.crushedBy(of(a), b);
+    assertThat(IgnoreList.ofCircles(all)).isSameAs(all);
+  }
+
+  @Test
+  void anEntryTellsItsCodeAndWhetherItCrushes() {
+    int[] entries = IgnoreList.crushedBy(of(3), Codes.circle(7)).entries();
+    assertThat(entries).hasSize(2);
+    assertThat(IgnoreList.code(entries[0])).isEqualTo(3);
+    assertThat(IgnoreList.crushes(entries[0])).isFalse();
+    assertThat(IgnoreList.code(entries[1])).isEqualTo(Codes.circle(7));
+    assertThat(IgnoreList.crushes(entries[1])).isTrue();
   }
 
   @Test
@@ -43,12 +54,12 @@ class IgnoreListTest {
   /** Else the rest would be hit where the flight began, at a time before the edit. */
   @Test
   void whatIsMovedIsThereAgainAndTheRestStaysInert() {
-    int circle = ObstacleTable.CIRCLES + 7;
+    int circle = Codes.circle(7);
     MovingCircle m = new MovingCircle();
     m.stuck = 99;
-    m.jam = IgnoreList.with(IgnoreList.with(null, ObstacleTable.WALLS), circle);
-    assertThat(m.forget(ObstacleTable.WALLS, 0)).isTrue();
-    assertThat(m.jam.makesInert(ObstacleTable.WALLS)).isFalse();
+    m.jam = IgnoreList.with(IgnoreList.with(null, Codes.line(0)), circle);
+    assertThat(m.forget(Codes.line(0), 0)).isTrue();
+    assertThat(m.jam.makesInert(Codes.line(0))).isFalse();
     assertThat(m.jam.makesInert(circle)).isTrue();
     assertThat(m.stuck).isEqualTo(99);
     m.forget(circle, 0);

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+import dev.carom.internal.sweep.WallSweep;
+import dev.carom.internal.util.Kind;
+
+/**
+ * The codes of all that can be hit: one int for a {@link Kind} and the index of a thing of that
+ * kind; of a moving circle its slot counts. Each kind has a range of codes. The ranges stand in the
+ * order in which simultaneous impacts are taken: walls, lines, pegs, moving circles. No code is
+ * negative.
+ */
+public final class Codes {
+
+  /** The codes of the walls are their ids; the upper wall of an axis has the odd one. */
+  public static final int LEFT = WallSweep.LEFT;
+
+  public static final int RIGHT = WallSweep.RIGHT;
+  public static final int BOTTOM = WallSweep.BOTTOM;
+  public static final int TOP = WallSweep.TOP;
+
+  /** The number of walls of bounds, which have the first codes, used or not. */
+  public static final int WALLS = 4;
+
+  /** Where the range of each {@link Kind} begins; the last one ends with the ints. */
+  private static final int[] FIRST = {0, WALLS, 1 << 28, 1 << 29};
+
+  private static final int FIRST_LINE = WALLS;
+  private static final int FIRST_PEG = 1 << 28;
+  private static final int FIRST_CIRCLE = 1 << 29;
+
+  private Codes() {}
+
+  /** The code of thing i of a {@link Kind}. */
+  public static int of(int kind, int i) {
+    return FIRST[kind] + i;
+  }
+
+  public static int line(int i) {
+    return FIRST_LINE + i;
+  }
+
+  public static int peg(int i) {
+    return FIRST_PEG + i;
+  }
+
+  /** The code of the moving circle in a slot. */
+  public static int circle(int slot) {
+    return FIRST_CIRCLE + slot;
+  }
+
+  /** The {@link Kind} of what a code stands for. */
+  public static int kind(int code) {
+    return code < FIRST_LINE
+        ? Kind.WALL
+        : code < FIRST_PEG ? Kind.LINE : code < FIRST_CIRCLE ? Kind.PEG : Kind.CIRCLE;
+  }
+
+  /** The index of what a code stands for, among things of its kind. */
+  public static int index(int code) {
+    return code - FIRST[kind(code)];
+  }
+
+  /** The slot of a moving circle, by its code. */
+  public static int slot(int circle) {
+    return circle - FIRST_CIRCLE;
+  }
+
+  /** How many things of a {@link Kind} can have codes. */
+  public static int limit(int kind) {
+    return kind == Kind.CIRCLE
+        ? Integer.MAX_VALUE - FIRST_CIRCLE + 1
+        : FIRST[kind + 1] - FIRST[kind];
+  }
+
+  public static boolean isWall(int code) {
+    return code < FIRST_LINE;
+  }
+
+  public static boolean isLine(int code) {
+    return code >= FIRST_LINE && code < FIRST_PEG;
+  }
+
+  public static boolean isPeg(int code) {
+    return code >= FIRST_PEG && code < FIRST_CIRCLE;
+  }
+
+  public static boolean isCircle(int code) {
+    return code >= FIRST_CIRCLE;
+  }
+
+  /** Whether a wall stands at an x coordinate; else it lies at a y coordinate. */
+  public static boolean isVertical(int wall) {
+    return wall <= RIGHT;
+  }
+
+  /** Whether a wall is the lower one of its axis: left or bottom. */
+  public static boolean isLower(int wall) {
+    return (wall & 1) == 0;
+  }
+
+  /** Which way a wall faces on its axis: 1 for the lower one, -1 for the upper one. */
+  public static int inwards(int wall) {
+    return 1 - 2 * (wall & 1);
+  }
+}
