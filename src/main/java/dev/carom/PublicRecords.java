@@ -3,6 +3,8 @@ package dev.carom;
 
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.LineShape;
+import dev.carom.internal.sweep.PegShape;
 
 /** The public records of what stands in the rows of {@link ObstacleTable}. */
 final class PublicRecords {
@@ -14,8 +16,15 @@ final class PublicRecords {
     if (Codes.isWall(code)) {
       return bounds(obstacles.walls);
     }
-    int k = obstacles.offset(code);
-    return Codes.isLine(code) ? line(obstacles.lines, k) : peg(obstacles.pegs, k);
+    return Codes.isLine(code) ? line(obstacles, code) : peg(obstacles, code);
+  }
+
+  static Line line(ObstacleTable obstacles, int code) {
+    return line(obstacles.of(code).values, obstacles.of(code).offset(code));
+  }
+
+  static Circle peg(ObstacleTable obstacles, int code) {
+    return peg(obstacles.of(code).values, obstacles.of(code).offset(code));
   }
 
   /** The bounds with these walls; null for null. */
@@ -38,15 +47,14 @@ final class PublicRecords {
   /** The line whose row begins at a place in an array. */
   static Line line(double[] rows, int k) {
     return new Line(
-        rows[k + ObstacleTable.AX],
-        rows[k + ObstacleTable.AY],
-        rows[k + ObstacleTable.BX],
-        rows[k + ObstacleTable.BY]);
+        rows[k + LineShape.AX],
+        rows[k + LineShape.AY],
+        rows[k + LineShape.BX],
+        rows[k + LineShape.BY]);
   }
 
   /** The peg whose row begins at a place in an array. */
   static Circle peg(double[] rows, int k) {
-    return new Circle(
-        rows[k + ObstacleTable.X], rows[k + ObstacleTable.Y], rows[k + ObstacleTable.RADIUS]);
+    return new Circle(rows[k + PegShape.X], rows[k + PegShape.Y], rows[k + PegShape.RADIUS]);
   }
 }

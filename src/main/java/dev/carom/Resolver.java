@@ -78,13 +78,13 @@ public final class Resolver {
       if (obstacle == null) {
         throw Check.isNull("obstacles[" + obstacles.indexOf(null) + "]");
       } else if (obstacle instanceof Line line) {
-        builder.line(line.ax(), line.ay(), line.bx(), line.by());
+        builder.obstacle(Kind.LINE, line.ax(), line.ay(), line.bx(), line.by());
         lines.add(line);
       } else if (obstacle instanceof Bounds bounds) {
         add(builder, bounds);
       } else {
         Circle peg = CircleCast.peg(obstacle);
-        builder.peg(peg.x(), peg.y(), peg.radius());
+        builder.obstacle(Kind.PEG, peg.x(), peg.y(), peg.radius());
         pegs.add(obstacle);
       }
     }

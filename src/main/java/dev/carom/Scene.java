@@ -9,6 +9,7 @@ import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.util.Check;
+import dev.carom.internal.util.Kind;
 import java.io.IOException;
 import java.io.Reader;
 import java.nio.file.Path;
@@ -158,7 +159,7 @@ public final class Scene {
    * @return at least 0
    */
   public int lineCount() {
-    return data.lineCount();
+    return data.obstacles.ofKind(Kind.LINE).count();
   }
 
   /**
@@ -167,7 +168,7 @@ public final class Scene {
    * @return at least 0
    */
   public int pegCount() {
-    return data.pegCount();
+    return data.obstacles.ofKind(Kind.PEG).count();
   }
 
   /**
@@ -213,7 +214,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int i) {
-    return PublicRecords.line(data.lines, SceneData.lineAt(at(ObstacleKind.LINE, i)));
+    return PublicRecords.line(data.obstacles, Codes.line(at(ObstacleKind.LINE, i)));
   }
 
   /**
@@ -224,7 +225,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such peg
    */
   public Circle peg(int i) {
-    return PublicRecords.peg(data.pegs, SceneData.pegAt(at(ObstacleKind.PEG, i)));
+    return PublicRecords.peg(data.obstacles, Codes.peg(at(ObstacleKind.PEG, i)));
   }
 
   /**
@@ -238,12 +239,9 @@ public final class Scene {
    */
   public double restitution(ObstacleKind kind, int i) {
     at(kind, i);
-    return switch (kind) {
-      case WALL -> data.boundsRestitution;
-      case LINE -> data.lineRestitution(i);
-      case PEG -> data.pegRestitution(i);
-      case CIRCLE -> data.restitution(i);
-    };
+    return kind == ObstacleKind.CIRCLE
+        ? data.restitution(i)
+        : data.obstacles.givenRestitution(Codes.of(kind.ordinal(), i));
   }
 
   /**
@@ -277,7 +275,7 @@ public final class Scene {
    * @return the rectangle that keeps circles inside, empty if the scene is open
    */
   public Optional<Bounds> bounds() {
-    return Optional.ofNullable(PublicRecords.bounds(data.walls));
+    return Optional.ofNullable(PublicRecords.bounds(data.obstacles.walls));
   }
 
   /**
@@ -340,25 +338,22 @@ public final class Scene {
   @Override
   public String toString() {
     return "Scene[circles=%d, lines=%d, pegs=%d, bounds=%s]"
-        .formatted(circleCount(), lineCount(), pegCount(), PublicRecords.describe(data.walls));
+        .formatted(
+            circleCount(), lineCount(), pegCount(), PublicRecords.describe(data.obstacles.walls));
   }
 
   /** The {@link ContactFlags} of a thing that is there. */
   private int traits(ObstacleKind kind, int i) {
-    return switch (kind) {
-      case WALL -> data.boundsTraits;
-      case LINE -> ContactFlags.of(data.lineTraits, i);
-      case PEG -> ContactFlags.of(data.pegTraits, i);
-      case CIRCLE -> ContactFlags.of(data.circleTraits, i);
-    };
+    return kind == ObstacleKind.CIRCLE
+        ? ContactFlags.of(data.circleTraits, i)
+        : data.obstacles.traits(Codes.of(kind.ordinal(), i));
   }
 
   private int count(ObstacleKind kind) {
     return switch (kind) {
-      case WALL -> data.walls == null ? 0 : Codes.WALLS;
-      case LINE -> lineCount();
-      case PEG -> pegCount();
+      case WALL -> data.obstacles.walls == null ? 0 : Codes.WALLS;
       case CIRCLE -> circleCount();
+      default -> data.obstacles.ofKind(kind.ordinal()).count();
     };
   }
 

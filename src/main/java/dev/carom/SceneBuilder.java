@@ -3,6 +3,7 @@ package dev.carom;
 
 import dev.carom.internal.state.SceneDataBuilder;
 import dev.carom.internal.util.Check;
+import dev.carom.internal.util.Kind;
 
 /**
  * Collects the things of a {@link Scene}. Each call adds one thing, or gives the thing added last a
@@ -55,7 +56,7 @@ public final class SceneBuilder {
    * @throws IllegalArgumentException if a coordinate is refused by {@link Line}
    */
   public SceneBuilder line(double ax, double ay, double bx, double by) {
-    data.line(ax, ay, bx, by);
+    data.obstacle(Kind.LINE, ax, ay, bx, by);
     return this;
   }
 
@@ -69,7 +70,7 @@ public final class SceneBuilder {
    * @throws IllegalArgumentException if a number is refused by {@link Circle}
    */
   public SceneBuilder peg(double x, double y, double radius) {
-    data.peg(x, y, radius);
+    data.obstacle(Kind.PEG, x, y, radius);
     return this;
   }
 

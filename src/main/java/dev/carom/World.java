@@ -15,6 +15,7 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Check;
+import dev.carom.internal.util.Kind;
 import java.util.Arrays;
 import java.util.Optional;
 
@@ -356,8 +357,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int id) {
-    int code = code(ObstacleKind.LINE, id);
-    return PublicRecords.line(obstacles.lines, obstacles.offset(code));
+    return PublicRecords.line(obstacles, code(ObstacleKind.LINE, id));
   }
 
   /**
@@ -368,8 +368,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such peg
    */
   public Circle peg(int id) {
-    int code = code(ObstacleKind.PEG, id);
-    return PublicRecords.peg(obstacles.pegs, obstacles.offset(code));
+    return PublicRecords.peg(obstacles, code(ObstacleKind.PEG, id));
   }
 
   /**
@@ -794,11 +793,11 @@ public final class World {
    */
   public void restore(Snapshot snapshot) {
     WorldState state = Check.notNull("snapshot", snapshot).state;
-    if (!Arrays.equals(state.obstacles().walls, scene.data.walls)) {
+    if (!Arrays.equals(state.obstacles().walls, scene.data.obstacles.walls)) {
       throw Check.refused(
           "bounds of the snapshot",
           PublicRecords.describe(state.obstacles().walls),
-          "this world's, " + PublicRecords.describe(scene.data.walls));
+          "this world's, " + PublicRecords.describe(scene.data.obstacles.walls));
     }
     if (state.collide() != scene.collide()) {
       throw Check.refused(
@@ -863,9 +862,9 @@ public final class World {
         now,
         circleCount(),
         scene.collide() ? "collide" : "ignore each other",
-        obstacles.presentLines().count(),
-        obstacles.presentPegs().count(),
-        PublicRecords.describe(scene.data.walls),
+        obstacles.lines.present().count(),
+        obstacles.ofKind(Kind.PEG).present().count(),
+        PublicRecords.describe(scene.data.obstacles.walls),
         log.size());
   }
 }

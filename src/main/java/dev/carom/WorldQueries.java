@@ -87,7 +87,7 @@ final class WorldQueries {
     if (Codes.isCircle(code)) {
       return registry.traits(Codes.slot(code));
     }
-    return Codes.isWall(code) ? obstacles.boundsTraits : obstacles.traits(code);
+    return obstacles.traits(code);
   }
 
   int[] ids(ObstacleKind kind) {

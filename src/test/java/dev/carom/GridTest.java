@@ -3,6 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.internal.search.CellList;
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
@@ -163,22 +164,22 @@ class GridTest {
     if (list == 0) {
       return codes;
     }
-    if (list > 0 || Grid.arePegs(list)) {
+    if (CellList.isPairOfLines(list) || CellList.areOthers(list)) {
       addPair(list, codes);
       return codes;
     }
-    int k = (int) list;
+    int k = CellList.start(list);
     do {
       addPair(grid.pairs[k], codes);
-    } while (grid.pairs[k++] < 0);
+    } while (CellList.isMore(grid.pairs[k++]));
     return codes;
   }
 
   private static void addPair(long pair, List<Integer> codes) {
-    codes.add(Grid.first(pair));
-    if (Grid.second(pair) != Grid.first(pair)) {
-      codes.add(Grid.second(pair));
+    codes.add(CellList.first(pair));
+    if (CellList.second(pair) != CellList.first(pair)) {
+      codes.add(CellList.second(pair));
     }
-    assertThat(Grid.arePegs(pair)).isEqualTo(Codes.kind(Grid.second(pair)) == Kind.PEG);
+    assertThat(CellList.areOthers(pair)).isEqualTo(Codes.kind(CellList.second(pair)) == Kind.PEG);
   }
 }

@@ -15,6 +15,7 @@ import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.WorldState;
+import dev.carom.internal.util.Kind;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -104,8 +105,8 @@ class IdLimitTest {
         new IndependentEngine(scene.data, registry, EngineOptions.CHOSEN, new ImpactRows(1));
     Editor editor = new Editor(scene.data, engine, registry);
     ObstacleTable obstacles = engine.staticScene.obstacles;
-    obstacles.endOfLines = Codes.line(LINES);
-    obstacles.endOfPegs = Codes.peg(PEGS);
+    obstacles.lines.end = Codes.line(LINES);
+    obstacles.ofKind(Kind.PEG).end = Codes.peg(PEGS);
     assertThatThrownBy(() -> editor.addLine(1, 2, 3, 4, 0))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage(

@@ -8,6 +8,7 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.util.Kind;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Consumer;
@@ -36,16 +37,16 @@ class ObstacleTableTest {
     int peg = Codes.peg(1);
     List<Consumer<ObstacleTable>> changes =
         List.of(
-            o -> o.moveLine(line, 2, 3, 4, 6),
-            o -> o.movePeg(peg, 6, 7, 2),
+            o -> o.move(line, 2, 3, 4, 6),
+            o -> o.move(peg, 6, 7, 2),
             o -> o.setRestitution(line, 0.5),
             o -> o.setRestitution(peg, 0.5),
             o -> o.setRestitution(Codes.LEFT, 0.5),
             o -> o.setTraits(line, ContactFlags.with(0, ContactFlags.HALT)),
             o -> o.setTraits(peg, ContactFlags.with(0, ContactFlags.HALT)),
             o -> o.setTraits(Codes.LEFT, ContactFlags.with(0, ContactFlags.HALT)),
-            o -> o.addLine(1, 1, 2, 2),
-            o -> o.addPeg(1, 1, 2),
+            o -> o.add(Kind.LINE, 1, 1, 2, 2),
+            o -> o.add(Kind.PEG, 1, 1, 2),
             o -> o.remove(line),
             o -> o.remove(peg));
     for (Consumer<ObstacleTable> change : changes) {
@@ -61,9 +62,10 @@ class ObstacleTableTest {
   }
 
   private static void assertPresent(ObstacleTable o) {
-    assertPresent(o, o.presentLines(), there(o, Codes.line(0), o.endOfLines));
-    assertPresent(o, o.presentPegs(), there(o, Codes.peg(0), o.endOfPegs));
-    assertThat(o.size()).isEqualTo(o.presentLines().count() + o.presentPegs().count());
+    assertPresent(o, o.lines.present(), there(o, Codes.line(0), o.lines.end));
+    assertPresent(o, o.ofKind(Kind.PEG).present(), there(o, Codes.peg(0), o.ofKind(Kind.PEG).end));
+    assertThat(o.size())
+        .isEqualTo(o.lines.present().count() + o.ofKind(Kind.PEG).present().count());
   }
 
   private static void assertPresent(ObstacleTable o, LiveCodes present, int... there) {
@@ -74,14 +76,14 @@ class ObstacleTableTest {
 
   private static void edit(ObstacleTable o, Random random) {
     boolean line = random.nextBoolean();
-    LiveCodes present = line ? o.presentLines() : o.presentPegs();
+    LiveCodes present = line ? o.lines.present() : o.ofKind(Kind.PEG).present();
     if (present.count() > 0 && random.nextInt(9) < 5) {
       int[] there = present.stream(o::isGone).toArray();
       o.remove(there[random.nextInt(there.length)]);
     } else if (line) {
-      o.addLine(1, 2, 3, 4);
+      o.add(Kind.LINE, 1, 2, 3, 4);
     } else {
-      o.addPeg(1, 2, 3);
+      o.add(Kind.PEG, 1, 2, 3);
     }
   }
 
@@ -101,14 +103,14 @@ class ObstacleTableTest {
         obstacles.set(other);
       }
     }
-    assertThat(obstacles.endOfLines).isGreaterThan(200);
+    assertThat(obstacles.lines.end).isGreaterThan(200);
     assertThat(obstacles.size()).isLessThan(100);
   }
 
   @Test
   void otherLinesHaveAnotherHashCode() {
     ObstacleTable moved = obstacles();
-    moved.moveLine(Codes.line(0), 7, 2, 3, 4);
+    moved.move(Codes.line(0), 7, 2, 3, 4);
     assertThat(moved).doesNotHaveSameHashCodeAs(obstacles());
   }
 
@@ -116,7 +118,7 @@ class ObstacleTableTest {
   @Test
   void equalOnesHaveOneHashCodeWhateverTheirRoom() {
     ObstacleTable grown = ObstacleTable.of(Scene.builder().line(1, 2, 3, 4).build().data);
-    grown.addLine(2, 3, 4, 5);
+    grown.add(Kind.LINE, 2, 3, 4, 5);
     ObstacleTable read =
         ObstacleTable.of(Scene.builder().line(1, 2, 3, 4).line(2, 3, 4, 5).build().data);
     assertThat(grown).isEqualTo(read).hasSameHashCodeAs(read);
@@ -133,8 +135,9 @@ class ObstacleTableTest {
   @Test
   void whatIsAddedIsWhereItWasPut() {
     ObstacleTable more = obstacles();
-    assertThat(PublicRecords.of(more, more.addPeg(3, 4, 2))).isEqualTo(new Circle(3, 4, 2));
-    assertThat(PublicRecords.of(more, more.addLine(3, 4, 2, 1))).isEqualTo(new Line(3, 4, 2, 1));
+    assertThat(PublicRecords.of(more, more.add(Kind.PEG, 3, 4, 2))).isEqualTo(new Circle(3, 4, 2));
+    assertThat(PublicRecords.of(more, more.add(Kind.LINE, 3, 4, 2, 1)))
+        .isEqualTo(new Line(3, 4, 2, 1));
     assertThat(more.size()).isEqualTo(6);
   }
 

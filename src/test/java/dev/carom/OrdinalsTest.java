@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.io.SceneRowKind;
 import dev.carom.internal.state.ContactFlags;
-import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.Part;
 import org.junit.jupiter.api.Test;
 
 /** The numbers that stand for constants of public enums are their ordinals. */
@@ -36,9 +36,9 @@ class OrdinalsTest {
   @Test
   void features() {
     assertThat(Feature.values()).hasSize(4);
-    assertThat(ImpactRows.SIDE).isEqualTo(Feature.SIDE.ordinal());
-    assertThat(ImpactRows.START).isEqualTo(Feature.START.ordinal());
-    assertThat(ImpactRows.END).isEqualTo(Feature.END.ordinal());
-    assertThat(ImpactRows.CIRCLE).isEqualTo(Feature.CIRCLE.ordinal());
+    assertThat(Part.SIDE).isEqualTo(Feature.SIDE.ordinal());
+    assertThat(Part.START).isEqualTo(Feature.START.ordinal());
+    assertThat(Part.END).isEqualTo(Feature.END.ordinal());
+    assertThat(Part.CIRCLE).isEqualTo(Feature.CIRCLE.ordinal());
   }
 }

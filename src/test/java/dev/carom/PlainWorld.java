@@ -16,6 +16,7 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.WallSweep;
+import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
@@ -336,9 +337,10 @@ public final class PlainWorld {
     if (code == MovingCircle.NOTHING) {
       return;
     }
-    if (!Codes.isWall(code) && Codes.isLine(code)) {
-      int k = obstacles.offset(code);
-      double[] l = obstacles.lines;
+    m.contact = 0;
+    if (Codes.isLine(code)) {
+      int k = obstacles.of(code).offset(code);
+      double[] l = obstacles.lines.values;
       m.contact =
           SegmentSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, l[k], l[k + 1], l[k + 2], l[k + 3]);
     }
@@ -348,8 +350,8 @@ public final class PlainWorld {
 
   private int[] codes() {
     return IntStream.concat(
-            IntStream.range(0, obstacles.endOfLines),
-            IntStream.range(Codes.peg(0), obstacles.endOfPegs))
+            IntStream.range(0, obstacles.lines.end),
+            IntStream.range(Codes.peg(0), obstacles.ofKind(Kind.PEG).end))
         .filter(code -> Codes.isWall(code) || !obstacles.isGone(code))
         .toArray();
   }
@@ -358,16 +360,16 @@ public final class PlainWorld {
     if (Codes.isWall(code)) {
       return sweepWall(m, code);
     }
-    int k = obstacles.offset(code);
+    int k = obstacles.of(code).offset(code);
     if (Codes.isLine(code)) {
-      double[] l = obstacles.lines;
+      double[] l = obstacles.lines.values;
       if (obstacles.isOneWay(code) && !isStopped(m, l[k], l[k + 1], l[k + 2], l[k + 3])) {
         return NEVER;
       }
       return SweptCircle.line(
           m.x, m.y, m.radius, m.vx, m.vy, l[k], l[k + 1], l[k + 2], l[k + 3], NEVER);
     }
-    double[] p = obstacles.pegs;
+    double[] p = obstacles.ofKind(Kind.PEG).values;
     return SweptCircle.peg(m.x, m.y, m.radius, m.vx, m.vy, p[k], p[k + 1], p[k + 2], NEVER);
   }
 
@@ -509,20 +511,20 @@ public final class PlainWorld {
   }
 
   void addLine(double ax, double ay, double bx, double by) {
-    appear(obstacles.addLine(ax, ay, bx, by));
+    appear(obstacles.add(Kind.LINE, ax, ay, bx, by));
   }
 
   void addPeg(double x, double y, double radius) {
-    appear(obstacles.addPeg(x, y, radius));
+    appear(obstacles.add(Kind.PEG, x, y, radius));
   }
 
   void moveLine(int id, double ax, double ay, double bx, double by) {
-    obstacles.moveLine(Codes.line(id), ax, ay, bx, by);
+    obstacles.move(Codes.line(id), ax, ay, bx, by);
     appear(Codes.line(id));
   }
 
   void movePeg(int id, double x, double y, double radius) {
-    obstacles.movePeg(Codes.peg(id), x, y, radius);
+    obstacles.move(Codes.peg(id), x, y, radius);
     appear(Codes.peg(id));
   }
 

@@ -6,7 +6,7 @@ import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.DueTimes;
 import dev.carom.internal.state.FlightRow;
-import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.LineShape;
 
 /**
  * The circles that are due in a step, of many that ignore each other: found some at a time, to read
@@ -120,9 +120,9 @@ public final class DuePrefetcher {
     if (!Codes.isLine(code)) {
       return 0;
     }
-    double[] lines = staticScene.obstacles.lines;
-    int k = staticScene.obstacles.offset(code);
-    return bits(lines[k]) + bits(lines[k + ObstacleTable.LINE_ROW - 1]);
+    double[] lines = staticScene.obstacles.lines.values;
+    int k = code * LineShape.ROW;
+    return bits(lines[k]) + bits(lines[k + LineShape.ROW - 1]);
   }
 
   private static long bits(double number) {

@@ -6,9 +6,13 @@ import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SizeLimits;
+import dev.carom.internal.sweep.LineShape;
+import dev.carom.internal.sweep.ObstacleShape;
+import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Kind;
 import dev.carom.internal.util.RefusedException;
@@ -32,6 +36,9 @@ public final class Editor {
   private final MovingCircle mover = new MovingCircle();
 
   private final SizeLimits limits = new SizeLimits();
+
+  /** The numbers of the obstacle that is added or moved, as its shape has them. */
+  private final double[] numbers = new double[ObstacleShape.MOST_NUMBERS];
 
   public Editor(SceneData scene, Engine engine, CircleRegistry registry) {
     collide = scene.collide;
@@ -170,61 +177,74 @@ public final class Editor {
     return mover;
   }
 
-  // Lines and pegs.
+  // Obstacles.
 
   public int addLine(double ax, double ay, double bx, double by, double now) {
-    checkId(Kind.LINE, obstacles.endOfLines - Codes.line(0), Codes.limit(Kind.LINE));
-    checkLine(obstacles.endOfLines, ax, ay, bx, by);
-    int code = obstacles.addLine(ax, ay, bx, by);
-    limits.keepPlace(ax, ay);
-    limits.keepPlace(bx, by);
+    setLine(ax, ay, bx, by);
+    return add(Kind.LINE, now);
+  }
+
+  public void moveLine(int code, double ax, double ay, double bx, double by, double now) {
+    setLine(ax, ay, bx, by);
+    move(code, now);
+  }
+
+  private void setLine(double ax, double ay, double bx, double by) {
+    numbers[LineShape.AX] = ax;
+    numbers[LineShape.AY] = ay;
+    numbers[LineShape.BX] = bx;
+    numbers[LineShape.BY] = by;
+  }
+
+  public int addPeg(double x, double y, double radius, double now) {
+    setPeg(x, y, radius);
+    return add(Kind.PEG, now);
+  }
+
+  public void movePeg(int code, double x, double y, double radius, double now) {
+    setPeg(x, y, radius);
+    move(code, now);
+  }
+
+  private void setPeg(double x, double y, double radius) {
+    numbers[PegShape.X] = x;
+    numbers[PegShape.Y] = y;
+    numbers[PegShape.RADIUS] = radius;
+  }
+
+  private int add(int kind, double now) {
+    ObstacleRows rows = obstacles.ofKind(kind);
+    checkId(kind, rows.count(), Codes.limit(kind));
+    check(rows, rows.end);
+    int code = obstacles.add(kind, numbers);
+    keepPlace(rows);
     engine.appeared(code, now);
     return Codes.index(code);
   }
 
-  public void moveLine(int code, double ax, double ay, double bx, double by, double now) {
-    checkLine(code, ax, ay, bx, by);
+  private void move(int code, double now) {
+    ObstacleRows rows = obstacles.of(code);
+    check(rows, code);
     engine.forget(code);
-    obstacles.moveLine(code, ax, ay, bx, by);
-    limits.keepPlace(ax, ay);
-    limits.keepPlace(bx, by);
+    obstacles.move(code, numbers);
+    keepPlace(rows);
     engine.appeared(code, now);
   }
 
-  private void checkLine(int code, double ax, double ay, double bx, double by) {
+  private void check(ObstacleRows rows, int code) {
     try {
-      limits.checkCoordinate("ax", ax);
-      limits.checkCoordinate("ay", ay);
-      limits.checkCoordinate("bx", bx);
-      limits.checkCoordinate("by", by);
+      for (int i = 0; i < rows.shape.coordinates; i++) {
+        limits.checkCoordinate(rows.shape.numbers.get(i), numbers[i]);
+      }
+      rows.shape.checkRadius(numbers);
     } catch (RefusedException e) {
       throw named(e, code);
     }
   }
 
-  public int addPeg(double x, double y, double radius, double now) {
-    checkId(Kind.PEG, obstacles.endOfPegs - Codes.peg(0), Codes.limit(Kind.PEG));
-    checkPeg(obstacles.endOfPegs, x, y, radius);
-    int code = obstacles.addPeg(x, y, radius);
-    limits.keepPlace(x, y);
-    engine.appeared(code, now);
-    return Codes.index(code);
-  }
-
-  public void movePeg(int code, double x, double y, double radius, double now) {
-    checkPeg(code, x, y, radius);
-    engine.forget(code);
-    obstacles.movePeg(code, x, y, radius);
-    limits.keepPlace(x, y);
-    engine.appeared(code, now);
-  }
-
-  private void checkPeg(int code, double x, double y, double radius) {
-    try {
-      checkPlace(x, y);
-      Check.notNegative("radius", radius);
-    } catch (RefusedException e) {
-      throw named(e, code);
+  private void keepPlace(ObstacleRows rows) {
+    for (int i = 0; i < rows.shape.coordinates; i++) {
+      limits.keepPlace(numbers[i], 0);
     }
   }
 
@@ -264,7 +284,7 @@ public final class Editor {
         throw Check.refused("response", "SENSOR", "BOUNCE or HALT: bounds keep circles inside")
             .of("bounds");
       }
-      obstacles.setTraits(code, ContactFlags.with(obstacles.boundsTraits, response));
+      obstacles.setTraits(code, ContactFlags.with(obstacles.traits(code), response));
     } else {
       setTraits(code, ContactFlags.with(obstacles.traits(code), response), now);
     }

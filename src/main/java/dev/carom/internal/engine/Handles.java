@@ -34,9 +34,8 @@ public final class Handles {
   public int end(int kind) {
     return switch (kind) {
       case Kind.WALL -> obstacles.walls == null ? 0 : Codes.WALLS;
-      case Kind.LINE -> obstacles.endOfLines - Codes.line(0);
-      case Kind.PEG -> obstacles.endOfPegs - Codes.peg(0);
-      default -> registry.idLimit();
+      case Kind.CIRCLE -> registry.idLimit();
+      default -> obstacles.ofKind(kind).count();
     };
   }
 

@@ -3,6 +3,7 @@ package dev.carom.internal.io;
 
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SceneDataBuilder;
+import dev.carom.internal.util.Kind;
 import dev.carom.internal.util.RefusedException;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -44,8 +45,8 @@ final class SceneReader {
     try {
       switch (row.kind()) {
         case WALL -> wall(row);
-        case LINE -> builder.line(row.number(1), row.number(2), row.number(3), row.number(4));
-        case PEG -> builder.peg(row.number(1), row.number(2), row.number(3));
+        case LINE -> builder.obstacle(Kind.LINE, row.numbers());
+        case PEG -> builder.obstacle(Kind.PEG, row.numbers());
         case CIRCLE -> circle(row);
         case COLLIDE -> collide(row);
       }

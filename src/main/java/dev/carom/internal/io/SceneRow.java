@@ -95,6 +95,15 @@ final class SceneRow {
     return columns[i];
   }
 
+  /** The finite numbers in the plain fields. */
+  double[] numbers() throws RowException {
+    double[] numbers = new double[plain - 1];
+    for (int i = 0; i < numbers.length; i++) {
+      numbers[i] = number(i + 1);
+    }
+    return numbers;
+  }
+
   /** The finite number in field i. */
   double number(int i) throws RowException {
     return number(i, fields[i]);

@@ -3,6 +3,7 @@ package dev.carom.internal.io;
 
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import java.io.IOException;
@@ -21,38 +22,34 @@ final class SceneWriter {
     if (scene.collide) {
       out.append("collide,1\n");
     }
-    double[] w = scene.walls;
+    ObstacleTable obstacles = scene.obstacles;
+    double[] w = obstacles.walls;
     if (w != null) {
-      begin("wall", w[Codes.LEFT], w[Codes.BOTTOM], w[Codes.RIGHT], w[Codes.TOP]);
-      end(scene.boundsRestitution, scene.boundsTraits);
+      begin("wall");
+      numbers(w[Codes.LEFT], w[Codes.BOTTOM], w[Codes.RIGHT], w[Codes.TOP]);
+      end(obstacles.boundsRestitution, obstacles.boundsTraits);
     }
-    for (int i = 0; i < scene.lineCount(); i++) {
-      int k = SceneData.lineAt(i);
-      double[] l = scene.lines;
-      begin(
-          "line",
-          l[k + ObstacleTable.AX],
-          l[k + ObstacleTable.AY],
-          l[k + ObstacleTable.BX],
-          l[k + ObstacleTable.BY]);
-      end(scene.lineRestitution(i), ContactFlags.of(scene.lineTraits, i));
-    }
-    for (int i = 0; i < scene.pegCount(); i++) {
-      int k = SceneData.pegAt(i);
-      double[] p = scene.pegs;
-      begin("peg", p[k + ObstacleTable.X], p[k + ObstacleTable.Y], p[k + ObstacleTable.RADIUS]);
-      end(scene.pegRestitution(i), ContactFlags.of(scene.pegTraits, i));
+    for (ObstacleRows rows : obstacles.kinds) {
+      for (int code = rows.first(); code < rows.end; code++) {
+        begin(rows.name());
+        numbers(rows.numbers(code));
+        end(obstacles.givenRestitution(code), rows.traits(code));
+      }
     }
     for (int i = 0; i < scene.circleCount(); i++) {
-      begin("circle", scene.x(i), scene.y(i), scene.radius(i), scene.vx(i), scene.vy(i));
+      begin("circle");
+      numbers(scene.x(i), scene.y(i), scene.radius(i), scene.vx(i), scene.vy(i));
       mass(scene.masses[i]);
       end(scene.restitution(i), ContactFlags.of(scene.circleTraits, i));
     }
   }
 
-  /** {@link Double#toString(double)} has digits enough to read back the same bits. */
-  private void begin(String kind, double... numbers) {
+  private void begin(String kind) {
     row.append(kind);
+  }
+
+  /** {@link Double#toString(double)} has digits enough to read back the same bits. */
+  private void numbers(double... numbers) {
     for (double number : numbers) {
       row.append(',').append(number);
     }

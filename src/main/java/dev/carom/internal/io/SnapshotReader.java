@@ -3,10 +3,12 @@ package dev.carom.internal.io;
 
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.ContactWord;
 import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.SizeLimits;
@@ -35,8 +37,9 @@ public final class SnapshotReader {
 
   private final CRC32 sum = new CRC32();
   private final DataInputStream in;
-  private int lines;
-  private int pegs;
+
+  /** How many obstacles of each {@link Kind} have codes. */
+  private final int[] counts = new int[Kind.CIRCLE];
 
   /** What was said of circles, before all of them were read. */
   private final IntStream.Builder codesOfCircles = IntStream.builder();
@@ -88,24 +91,16 @@ public final class SnapshotReader {
   }
 
   private ObstacleTable obstacles() throws IOException {
+    counts[Kind.WALL] = Codes.WALLS;
     double[] walls = in.readBoolean() ? walls() : null;
     double restitution = in.readDouble();
     Check.notNegative("restitution", restitution);
     int traits = traits(1);
-    lines = count(Codes.limit(Kind.LINE));
-    ByteArrayOutputStream lineTraits = new ByteArrayOutputStream();
-    DoubleList lineNumbers = numbers(lines, ObstacleTable.LINE_ROW, lineTraits);
-    pegs = count(Codes.limit(Kind.PEG));
-    ByteArrayOutputStream pegTraits = new ByteArrayOutputStream();
-    DoubleList pegNumbers = numbers(pegs, ObstacleTable.PEG_ROW, pegTraits);
-    return ObstacleTable.of(
-        walls,
-        restitution,
-        traits,
-        lineNumbers.toArray(),
-        lineTraits.toByteArray(),
-        pegNumbers.toArray(),
-        pegTraits.toByteArray());
+    ObstacleRows[] rows = new ObstacleRows[Kind.CIRCLE - Kind.LINE];
+    for (int kind = Kind.LINE; kind < Kind.CIRCLE; kind++) {
+      rows[kind - Kind.LINE] = rows(kind);
+    }
+    return ObstacleTable.of(walls, restitution, traits, rows);
   }
 
   private double[] walls() throws IOException {
@@ -118,31 +113,30 @@ public final class SnapshotReader {
   }
 
   /** Rows of finite numbers that end in a restitution, all NaN for what was removed; and traits. */
-  private DoubleList numbers(int count, int width, ByteArrayOutputStream traits)
-      throws IOException {
+  private ObstacleRows rows(int kind) throws IOException {
+    counts[kind] = count(Codes.limit(kind));
     DoubleList numbers = new DoubleList();
-    double[] row = new double[width];
-    for (int i = 0; i < count; i++) {
-      int its = traitsOrGone(width == ObstacleTable.LINE_ROW ? 7 : 3);
+    ByteArrayOutputStream traits = new ByteArrayOutputStream();
+    double[] row = new double[ObstacleTable.width(kind)];
+    for (int i = 0; i < counts[kind]; i++) {
+      int its = traitsOrGone(kind == Kind.LINE ? ContactFlags.MOST_OF_LINES : ContactFlags.MOST);
       if (its == SnapshotWriter.GONE) {
         Arrays.fill(row, Double.NaN);
         its = 0;
       } else {
-        obstacle(i, row);
+        obstacle(kind, i, row);
       }
       numbers.add(row);
       traits.write(its);
     }
-    return numbers;
+    return ObstacleTable.rows(kind, numbers.toArray(), traits.toByteArray());
   }
 
-  private void obstacle(int i, double[] row) throws IOException {
+  private void obstacle(int kind, int i, double... row) throws IOException {
     for (int k = 0; k < row.length; k++) {
       row[k] = in.readDouble();
-      Check.finite("a number of line or peg " + i, row[k]);
     }
-    Check.notNegative("restitution", row[row.length - 1]);
-    Check.notNegative("radius", row.length == ObstacleTable.PEG_ROW ? row[2] : 0);
+    ObstacleTable.checkRow(kind, i, row);
   }
 
   private WorldState circles(
@@ -251,10 +245,8 @@ public final class SnapshotReader {
   private void checkCode(int code) throws IOException {
     if (Codes.isCircle(code)) {
       codesOfCircles.add(code);
-    } else if (Codes.isPeg(code)) {
-      expectCode(code < Codes.peg(pegs), code);
     } else {
-      expectCode(code >= 0 && code < Codes.line(lines), code);
+      expectCode(code >= 0 && Codes.index(code) < counts[Codes.kind(code)], code);
     }
   }
 

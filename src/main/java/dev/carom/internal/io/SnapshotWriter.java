@@ -3,6 +3,7 @@ package dev.carom.internal.io;
 
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
+import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.WorldState;
@@ -38,7 +39,9 @@ public final class SnapshotWriter {
     out.writeDouble(s.limits().largest());
     out.writeDouble(s.limits().least());
     bounds(s.obstacles());
-    obstacles(s.obstacles());
+    for (ObstacleRows rows : s.obstacles().kinds) {
+      obstacles(rows);
+    }
     circles(s);
     out.writeDouble(s.flights().tailOfEdit);
     out.writeLong(sum.getValue());
@@ -54,26 +57,20 @@ public final class SnapshotWriter {
     out.writeByte(o.boundsTraits);
   }
 
-  private void obstacles(ObstacleTable o) throws IOException {
-    out.writeInt(o.endOfLines - Codes.line(0));
-    for (int code = Codes.line(0); code < o.endOfLines; code++) {
-      obstacle(o, code, o.lines, ObstacleTable.LINE_ROW);
-    }
-    out.writeInt(o.endOfPegs - Codes.peg(0));
-    for (int code = Codes.peg(0); code < o.endOfPegs; code++) {
-      obstacle(o, code, o.pegs, ObstacleTable.PEG_ROW);
+  private void obstacles(ObstacleRows rows) throws IOException {
+    out.writeInt(rows.count());
+    for (int code = rows.first(); code < rows.end; code++) {
+      obstacle(rows, code);
     }
   }
 
-  private void obstacle(ObstacleTable o, int code, double[] numbers, int each) throws IOException {
-    if (o.isGone(code)) {
+  private void obstacle(ObstacleRows rows, int code) throws IOException {
+    if (rows.isGone(code)) {
       out.writeByte(GONE);
       return;
     }
-    out.writeByte(o.traits(code));
-    for (int i = 0; i < each; i++) {
-      out.writeDouble(numbers[o.offset(code) + i]);
-    }
+    out.writeByte(rows.traits(code));
+    numbers(rows.row(code));
   }
 
   private void circles(WorldState s) throws IOException {

@@ -33,6 +33,10 @@ final class CircleTree {
   private double ay;
   private double wx;
   private double wy;
+
+  /** The radius times the length of the segment. */
+  private double grown;
+
   private double left;
   private double bottom;
   private double right;
@@ -106,29 +110,17 @@ final class CircleTree {
     boxes[k + 3] = Math.max(boxes[k + 3], boxes[other + 3]);
   }
 
-  /** Finds all circles that overlap a line, and some more. */
-  void nearLine(double fromX, double fromY, double toX, double toY, IntConsumer found) {
+  /** Finds all circles that come nearer to a segment than a radius, and some more. */
+  void near(double fromX, double fromY, double toX, double toY, double r, IntConsumer found) {
     ax = fromX;
     ay = fromY;
     wx = toX - ax;
     wy = toY - ay;
-    left = Math.min(ax, toX);
-    bottom = Math.min(ay, toY);
-    right = Math.max(ax, toX);
-    top = Math.max(ay, toY);
-    find(0, 0, order.length, found);
-  }
-
-  /** Finds all circles that overlap a disk, and some more. */
-  void nearDisk(double x, double y, double r, IntConsumer found) {
-    ax = x;
-    ay = y;
-    wx = 0;
-    wy = 0;
-    left = Math.nextDown(ax - r);
-    bottom = Math.nextDown(ay - r);
-    right = Math.nextUp(ax + r);
-    top = Math.nextUp(ay + r);
+    grown = r * StrictMath.hypot(wx, wy);
+    left = Math.nextDown(Math.min(ax, toX) - r);
+    bottom = Math.nextDown(Math.min(ay, toY) - r);
+    right = Math.nextUp(Math.max(ax, toX) + r);
+    top = Math.nextUp(Math.max(ay, toY) + r);
     find(0, 0, order.length, found);
   }
 
@@ -152,7 +144,7 @@ final class CircleTree {
 
   /**
    * Whether a box is certainly apart from what is asked for: from its box, or, c its centre and h
-   * half of its size, {@code |cross(w, c - a)| > |wx| hy + |wy| hx}. NaN tells nothing.
+   * half of its size, {@code |cross(w, c - a)| > |wx| hy + |wy| hx + r |w|}. NaN tells nothing.
    */
   private boolean isApart(int k) {
     double x0 = boxes[k];
@@ -168,10 +160,10 @@ final class CircleTree {
     double hy = y1 / 2 - y0 / 2;
     double ofX = Math.abs(wx);
     double ofY = Math.abs(wy);
-    double halfWidth = ofX * hy + ofY * hx;
+    double halfWidth = ofX * hy + ofY * hx + grown;
     double terms =
         ofX * (Math.abs(cy) + Math.abs(ay) + hy) + ofY * (Math.abs(cx) + Math.abs(ax) + hx);
     double cross = Math.abs(wx * (cy - ay) - wy * (cx - ax));
-    return cross > halfWidth + (ROUNDING * terms + Double.MIN_NORMAL);
+    return cross > halfWidth + (ROUNDING * (terms + grown) + Double.MIN_NORMAL);
   }
 }

@@ -8,6 +8,7 @@ import dev.carom.internal.search.Grid;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.DoubleList;
@@ -55,36 +56,9 @@ public final class Tracer {
     if (Codes.isWall(code)) {
       return Hit.ofWall(m.x, m.y, m.vx, m.vy, code, obstacles.walls[code], t);
     }
-    int k = obstacles.offset(code);
-    if (Codes.isLine(code)) {
-      double[] l = obstacles.lines;
-      return Hit.ofLine(
-          m.x,
-          m.y,
-          m.radius,
-          m.vx,
-          m.vy,
-          l[k + ObstacleTable.AX],
-          l[k + ObstacleTable.AY],
-          l[k + ObstacleTable.BX],
-          l[k + ObstacleTable.BY],
-          m.contact,
-          t);
-    }
-    double[] p = obstacles.pegs;
-    return Hit.ofDisks(
-        m.x,
-        m.y,
-        m.radius,
-        m.vx,
-        m.vy,
-        p[k + ObstacleTable.X],
-        p[k + ObstacleTable.Y],
-        p[k + ObstacleTable.RADIUS],
-        0,
-        0,
-        m.contact,
-        t);
+    ObstacleRows rows = obstacles.of(code);
+    int k = rows.offset(code);
+    return rows.shape.hit(m.contact, t, m.x, m.y, m.radius, m.vx, m.vy, rows.values, k);
   }
 
   /**

@@ -4,8 +4,10 @@ package dev.carom.internal.query;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
+import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -56,11 +58,10 @@ public final class Warnings {
       lookAtWalls(i);
     }
     CircleTree tree = new CircleTree(scene.circles, from, to);
-    for (int code = Codes.line(0); code < obstacles.endOfLines; code++) {
-      lookAtLine(code, tree);
-    }
-    for (int code = Codes.peg(0); code < obstacles.endOfPegs; code++) {
-      lookAtPeg(code, tree);
+    for (ObstacleRows rows : obstacles.kinds) {
+      for (int code = rows.first(); code < rows.end; code++) {
+        lookAtObstacle(code, rows, tree);
+      }
     }
     for (int j = from; scene.collide && j < scene.circleCount(); j++) {
       lookAtCircle(j, tree);
@@ -76,7 +77,7 @@ public final class Warnings {
   }
 
   private void lookAtWalls(int i) {
-    if (scene.walls == null || isInside(i)) {
+    if (scene.obstacles.walls == null || isInside(i)) {
       return;
     }
     for (int wall = 0; Codes.isWall(wall); wall++) {
@@ -91,28 +92,30 @@ public final class Warnings {
     double x = scene.x(i);
     double y = scene.y(i);
     double r = scene.radius(i);
-    double[] w = scene.walls;
+    double[] w = scene.obstacles.walls;
     return x - r > w[Codes.LEFT]
         && x + r < w[Codes.RIGHT]
         && y - r > w[Codes.BOTTOM]
         && y + r < w[Codes.TOP];
   }
 
-  private void lookAtLine(int code, CircleTree tree) {
+  private void lookAtObstacle(int code, ObstacleRows rows, CircleTree tree) {
     if (obstacles.isSensor(code)) {
       return;
     }
-    int k = obstacles.offset(code);
-    double ax = scene.lines[k + ObstacleTable.AX];
-    double ay = scene.lines[k + ObstacleTable.AY];
-    double bx = scene.lines[k + ObstacleTable.BX];
-    double by = scene.lines[k + ObstacleTable.BY];
+    int k = rows.offset(code);
+    int end = k + rows.shape.toEnd;
+    double ax = rows.values[k + ObstacleShape.X];
+    double ay = rows.values[k + ObstacleShape.Y];
+    double bx = rows.values[end + ObstacleShape.X];
+    double by = rows.values[end + ObstacleShape.Y];
     boolean oneWay = obstacles.isOneWay(code);
-    tree.nearLine(
+    tree.near(
         ax,
         ay,
         bx,
         by,
+        rows.shape.radius(rows.values, k),
         i -> {
           double x = scene.x(i);
           double y = scene.y(i);
@@ -123,30 +126,14 @@ public final class Warnings {
         });
   }
 
-  private void lookAtPeg(int code, CircleTree tree) {
-    if (!obstacles.isSensor(code)) {
-      int k = obstacles.offset(code);
-      double x = scene.pegs[k + ObstacleTable.X];
-      double y = scene.pegs[k + ObstacleTable.Y];
-      double r = scene.pegs[k + ObstacleTable.RADIUS];
-      tree.nearDisk(
-          x,
-          y,
-          r,
-          i -> {
-            if (overlaps(x, y, r, i)) {
-              keep(i, code);
-            }
-          });
-    }
-  }
-
   private void lookAtCircle(int j, CircleTree tree) {
     if (!isSensor(j)) {
       double x = scene.x(j);
       double y = scene.y(j);
       double r = scene.radius(j);
-      tree.nearDisk(
+      tree.near(
+          x,
+          y,
           x,
           y,
           r,
@@ -179,19 +166,18 @@ public final class Warnings {
       String wall = "the " + WALLS.get(code) + " wall";
       return text(i, wall, distanceFromWall(scene, i, code), r, "its radius");
     }
-    if (Codes.isLine(code)) {
-      String line = Kind.nameOf(Kind.LINE, Codes.index(code));
-      int k = code * ObstacleTable.LINE_ROW;
-      double distance = Proximity.distanceFromLine(scene.lines, k, scene.x(i), scene.y(i));
-      return text(i, line, distance, r, "its radius");
-    }
     if (!Codes.isCircle(code)) {
-      int id = Codes.index(code);
-      int k = id * ObstacleTable.PEG_ROW;
-      double distance =
-          distance(scene, i, scene.pegs[k + ObstacleTable.X], scene.pegs[k + ObstacleTable.Y]);
-      double sum = r + scene.pegs[k + ObstacleTable.RADIUS];
-      return text(i, Kind.nameOf(Kind.PEG, id), distance, sum, "the sum of both radii");
+      ObstacleRows rows = scene.obstacles.of(code);
+      int k = rows.offset(code);
+      double distance = rows.shape.distanceFromSpine(rows.values, k, scene.x(i), scene.y(i));
+      String name = Kind.nameOf(Codes.kind(code), Codes.index(code));
+      double least = r + rows.shape.radius(rows.values, k);
+      return text(
+          i,
+          name,
+          distance,
+          least,
+          rows.shape.hasRadius() ? "the sum of both radii" : "its radius");
     }
     int j = Codes.slot(code);
     double distance = distance(scene, i, scene.x(j), scene.y(j));
@@ -206,7 +192,7 @@ public final class Warnings {
   private static double distanceFromWall(SceneData scene, int i, int wall) {
     double p = Codes.isVertical(wall) ? scene.x(i) : scene.y(i);
     boolean isLower = Codes.isLower(wall);
-    return isLower ? p - scene.walls[wall] : scene.walls[wall] - p;
+    return isLower ? p - scene.obstacles.walls[wall] : scene.obstacles.walls[wall] - p;
   }
 
   /**

@@ -7,10 +7,13 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.LineShape;
+import dev.carom.internal.sweep.PegShape;
 
 /**
  * What an impact does to the velocity: {@code v -= (1 + e) (v.n) / (n.n) n}, with a normal n of any
@@ -171,7 +174,7 @@ public final class ObstacleResponse {
   private double report(MovingCircle m, int code, double time, ImpactRows log) {
     locate(m, code);
     double vn = dot(m.vx, m.vy, nx, ny);
-    log.add(time, m.id, Codes.kind(code), Codes.index(code), obstacles.feature(code, m.contact));
+    log.add(time, m.id, Codes.kind(code), Codes.index(code), ObstacleTable.part(code, m.contact));
     log.set(contactX, contactY, nx, ny, vn);
     return vn;
   }
@@ -202,10 +205,13 @@ public final class ObstacleResponse {
   private void locate(MovingCircle m, int code) {
     if (Codes.isWall(code)) {
       locateOnWall(m, code);
-    } else if (Codes.isLine(code)) {
-      locateOnLine(m, obstacles.offset(code));
+      return;
+    }
+    ObstacleRows rows = obstacles.of(code);
+    if (Codes.isLine(code)) {
+      locateOnLine(m, rows.values, rows.offset(code));
     } else {
-      locateOnPeg(m, obstacles.offset(code));
+      locateOnPeg(m, rows.values, rows.offset(code));
     }
   }
 
@@ -225,20 +231,24 @@ public final class ObstacleResponse {
     }
   }
 
-  private void locateOnLine(MovingCircle m, int k) {
-    double[] lines = obstacles.lines;
-    int contact = m.contact & ~Contact.NOW;
+  private void locateOnLine(MovingCircle m, double[] lines, int k) {
+    int contact = Contact.withoutTime(m.contact);
     if (contact >= Contact.START) {
       // Which end it is, no processor can foretell: its place is computed.
-      int end = (contact - Contact.START) * ObstacleTable.END;
-      int other = ObstacleTable.END - end;
-      locateOnEnd(m, lines[k + end], lines[k + end + 1], lines[k + other], lines[k + other + 1]);
+      int end = k + (contact - Contact.START) * LineShape.END;
+      int other = 2 * k + LineShape.END - end;
+      locateOnEnd(
+          m,
+          lines[end + LineShape.AX],
+          lines[end + LineShape.AY],
+          lines[other + LineShape.AX],
+          lines[other + LineShape.AY]);
       return;
     }
-    double ax = lines[k + ObstacleTable.AX];
-    double ay = lines[k + ObstacleTable.AY];
-    double bx = lines[k + ObstacleTable.BX];
-    double by = lines[k + ObstacleTable.BY];
+    double ax = lines[k + LineShape.AX];
+    double ay = lines[k + LineShape.AY];
+    double bx = lines[k + LineShape.BX];
+    double by = lines[k + LineShape.BY];
     if (contact == Contact.LEFT) {
       locateOnSide(m, ax, ay, bx, by, ay, bx, by, ax);
     } else {
@@ -289,12 +299,8 @@ public final class ObstacleResponse {
     normal(m, px, py, qx, qy);
   }
 
-  private void locateOnPeg(MovingCircle m, int k) {
-    locateAt(
-        m,
-        obstacles.pegs[k + ObstacleTable.X],
-        obstacles.pegs[k + ObstacleTable.Y],
-        obstacles.pegs[k + ObstacleTable.RADIUS]);
+  private void locateOnPeg(MovingCircle m, double[] pegs, int k) {
+    locateAt(m, pegs[k + PegShape.X], pegs[k + PegShape.Y], pegs[k + PegShape.RADIUS]);
   }
 
   /**

@@ -5,9 +5,11 @@ import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.UnitVector;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Coordinates;
+import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.UnitVectors;
 
 /**
@@ -35,18 +37,7 @@ record Touch(int code, int contact, double nx, double ny) {
     if (Codes.isWall(code)) {
       return ofWall(m, code, obstacles.walls[code]);
     }
-    int k = obstacles.offset(code);
-    if (Codes.isPeg(code)) {
-      double[] p = obstacles.pegs;
-      double radiusSum = m.radius + p[k + ObstacleTable.RADIUS];
-      return offset(m, code, 0, p[k + ObstacleTable.X], p[k + ObstacleTable.Y], radiusSum, size(m));
-    }
-    double[] l = obstacles.lines;
-    double ax = l[k + ObstacleTable.AX];
-    double ay = l[k + ObstacleTable.AY];
-    double bx = l[k + ObstacleTable.BX];
-    double by = l[k + ObstacleTable.BY];
-    return ofLine(m, code, ax, ay, bx, by, obstacles.isOneWay(code));
+    return ofRow(m, code, obstacles.of(code), obstacles.isOneWay(code));
   }
 
   private static Touch ofWall(MovingCircle m, int code, double wall) {
@@ -58,22 +49,33 @@ record Touch(int code, int contact, double nx, double ny) {
         : null;
   }
 
-  private static Touch ofLine(
-      MovingCircle m, int code, double ax, double ay, double bx, double by, boolean oneWay) {
+  /** The contact with the spine's start or end, or with the side between. */
+  private static Touch ofRow(MovingCircle m, int code, ObstacleRows rows, boolean oneWay) {
+    ObstacleShape shape = rows.shape;
+    double[] values = rows.values;
+    int k = rows.offset(code);
+    double radiusSum = m.radius + shape.radius(values, k);
+    double ax = values[k + ObstacleShape.X];
+    double ay = values[k + ObstacleShape.Y];
+    if (shape.toEnd == 0) {
+      return offset(m, code, 0, ax, ay, radiusSum, size(m));
+    }
+    double bx = values[k + shape.toEnd + ObstacleShape.X];
+    double by = values[k + shape.toEnd + ObstacleShape.Y];
     int side = Predicates.cross(bx, by, ax, ay, m.x, m.y, ax, ay);
     if (oneWay && side <= 0) {
       return null;
     }
     double s = ax == bx && ay == by ? 0 : Coordinates.fraction(ax, ay, bx, by, m.x, m.y);
     if (s <= 0) {
-      return offset(m, code, Contact.START, ax, ay, m.radius, size(m));
+      return offset(m, code, Contact.START, ax, ay, radiusSum, size(m));
     }
     if (s >= 1) {
-      return offset(m, code, Contact.END, bx, by, m.radius, size(m));
+      return offset(m, code, Contact.END, bx, by, radiusSum, size(m));
     }
     double x = m.x - Coordinates.between(s, ax, bx);
     double y = m.y - Coordinates.between(s, ay, by);
-    if (side == 0 || StrictMath.hypot(x, y) - m.radius > tolerance(m, size(m))) {
+    if (side == 0 || StrictMath.hypot(x, y) - radiusSum > tolerance(m, size(m))) {
       return null;
     }
     UnitVector n = UnitVectors.normal(side, ax, ay, bx, by);

@@ -6,9 +6,12 @@ import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.SegmentFilter;
 import dev.carom.internal.sweep.UnitVectors;
+import dev.carom.internal.util.Kind;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 
@@ -182,16 +185,19 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   private void considerEach() {
-    LiveCodes presentLines = obstacles.presentLines();
-    for (int i = 0; i < presentLines.size(); i++) {
-      int code = presentLines.get(i);
-      if (near(Grid.pair(code, code)) != 0) {
-        look(code);
+    for (ObstacleRows rows : obstacles.kinds) {
+      LiveCodes present = rows.present();
+      for (int i = 0; i < present.size(); i++) {
+        considerOne(present.get(i));
       }
     }
-    LiveCodes presentPegs = obstacles.presentPegs();
-    for (int i = 0; i < presentPegs.size(); i++) {
-      consider(presentPegs.get(i));
+  }
+
+  private void considerOne(int code) {
+    if (!Codes.isLine(code)) {
+      consider(code);
+    } else if (near(CellList.pair(code, code)) != 0) {
+      look(code);
     }
   }
 
@@ -304,7 +310,7 @@ public final class BroadPhase extends NarrowPhase {
     int near = near(list);
     while (true) {
       if (near != 0) {
-        if (list == Grid.OUTSIDE) {
+        if (list == CellList.OUTSIDE) {
           settle();
           return Math.min(best, ahead);
         }
@@ -340,11 +346,11 @@ public final class BroadPhase extends NarrowPhase {
    * can foretell.
    */
   private int near(long list) {
-    if (list < 0) {
+    if (!CellList.isPairOfLines(list)) {
       return -1;
     }
     count(list);
-    return isNear(Grid.first(list)) | (isNear(Grid.second(list)) << 1);
+    return isNear(CellList.first(list)) | (isNear(CellList.second(list)) << 1);
   }
 
   /**
@@ -354,11 +360,11 @@ public final class BroadPhase extends NarrowPhase {
   private int isNear(int code) {
     double[] lines = this.lines;
     // The first and the last one first: then compilers need not ask whether the rest is in range.
-    int k = code * ObstacleTable.LINE_ROW;
-    double ax = lines[k + ObstacleTable.AX];
-    double by = lines[k + ObstacleTable.BY];
-    double ay = lines[k + ObstacleTable.AY];
-    double bx = lines[k + ObstacleTable.BX];
+    int k = code * LineShape.ROW;
+    double ax = lines[k + LineShape.AX];
+    double by = lines[k + LineShape.BY];
+    double ay = lines[k + LineShape.AY];
+    double bx = lines[k + LineShape.BX];
     double a = Math.fma(ay, crossY, Math.fma(ax, crossX, crossOfOrigin));
     double b = Math.fma(by, crossY, Math.fma(bx, crossX, crossOfOrigin));
     // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
@@ -372,10 +378,10 @@ public final class BroadPhase extends NarrowPhase {
   private void visit(Grid grid, long list, int near) {
     if (near > 0) {
       look(list, near);
-    } else if (Grid.arePegs(list)) {
-      considerPegs(list);
+    } else if (CellList.areOthers(list)) {
+      considerOthers(list);
     } else {
-      visitAll(grid.pairs, (int) list);
+      visitAll(grid.pairs, CellList.start(list));
     }
   }
 
@@ -384,22 +390,22 @@ public final class BroadPhase extends NarrowPhase {
     long pair;
     do {
       pair = pairs[k++];
-      if (Grid.arePegs(pair)) {
-        considerPegs(pair);
+      if (CellList.areOthers(pair)) {
+        considerOthers(pair);
       } else {
-        long lines = pair & Long.MAX_VALUE;
+        long lines = CellList.withoutMore(pair);
         int near = near(lines);
         if (near != 0) {
           look(lines, near);
         }
       }
-    } while (pair < 0);
+    } while (CellList.isMore(pair));
   }
 
-  private void considerPegs(long pair) {
+  private void considerOthers(long pair) {
     count(pair);
-    int first = Grid.first(pair);
-    int second = Grid.second(pair);
+    int first = CellList.first(pair);
+    int second = CellList.second(pair);
     consider(first);
     if (second != first) {
       consider(second);
@@ -408,14 +414,12 @@ public final class BroadPhase extends NarrowPhase {
 
   /** The codes of all obstacles that may touch a circle where it is, and maybe of others. */
   public int[] near(MovingCircle mover, Grid grid) {
-    IntStream walls = IntStream.range(0, obstacles.walls == null ? 0 : Codes.WALLS);
     if (grid == null) {
-      IntStream lines = obstacles.presentLines().stream(obstacles::isGone);
-      IntStream pegs = obstacles.presentPegs().stream(obstacles::isGone);
-      return IntStream.concat(walls, IntStream.concat(lines, pegs)).toArray();
+      return obstacles.codes().toArray();
     }
     IntStream others = Arrays.stream(loose.codes, 0, loose.size);
-    return IntStream.concat(walls, IntStream.concat(others, grid.listedAt(mover.x, mover.y)))
+    return IntStream.concat(
+            obstacles.codes(Kind.WALL), IntStream.concat(others, grid.listedAt(mover.x, mover.y)))
         .filter(code -> Codes.isWall(code) || !obstacles.isGone(code))
         .sorted()
         .distinct()
@@ -424,14 +428,14 @@ public final class BroadPhase extends NarrowPhase {
 
   private static void count(long pair) {
     if (PrecisionCounters.COUNT != null && pair != 0) {
-      PrecisionCounters.COUNT.pairTests += Grid.first(pair) == Grid.second(pair) ? 1 : 2;
+      PrecisionCounters.COUNT.pairTests += CellList.first(pair) == CellList.second(pair) ? 1 : 2;
     }
   }
 
   private void look(long pair, int near) {
-    look(Grid.code(pair, ~near & 1));
+    look(CellList.code(pair, ~near & 1));
     if (near == 3) {
-      look(Grid.second(pair));
+      look(CellList.second(pair));
     }
   }
 }

@@ -2,7 +2,9 @@
 package dev.carom.internal.search;
 
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.state.LiveCodes;
 import java.util.Arrays;
 import java.util.stream.IntStream;
@@ -22,11 +24,6 @@ public final class Grid {
 
   private static final double MARGIN = 0x1p-8;
 
-  /** In place of a list: outside of the grid, which one ring of such cells surrounds. */
-  static final long OUTSIDE = Long.MIN_VALUE;
-
-  private static final long MORE = Long.MIN_VALUE;
-
   /** Cells a unit of time, and its inverse, within which times and cells convert. */
   private static final double MOST_PACE = 0x1p500;
 
@@ -41,14 +38,10 @@ public final class Grid {
   /** What one row further means for the number of a cell. */
   final int stride;
 
-  /**
-   * What each cell lists, by its number: a pair of lines, as {@link #first} and {@link #second}
-   * tell; one alone stands twice, and none is 0, twice the code of a wall. Below 0, a pair of
-   * pegs, as {@link #arePegs} tells; or the place of more in {@link #pairs}, as an int.
-   */
+  /** What each cell lists, by its number: a {@link CellList}. */
   public final long[] lists;
 
-  /** Pairs of lines, or of pegs, each with the bit of the sign if another one follows. */
+  /** The pairs of longer lists, see {@link CellList}. */
   public final long[] pairs;
 
   /** Places so far from the origin are not resolved, nor speeds outside of this range. */
@@ -79,11 +72,11 @@ public final class Grid {
     this.obstacles = obstacles;
     this.radius = radius;
     double[] box = box();
-    double width = box[2] - box[0];
-    double height = box[3] - box[1];
+    double width = box[Codes.RIGHT] - box[Codes.LEFT];
+    double height = box[Codes.TOP] - box[Codes.BOTTOM];
     this.cell = cell > 0 ? cell : chosen(width, height);
-    xmin = box[0] - this.cell;
-    ymin = box[1] - this.cell;
+    xmin = box[Codes.LEFT] - this.cell;
+    ymin = box[Codes.BOTTOM] - this.cell;
     columns = (int) Math.ceil(width / this.cell) + 2;
     rows = (int) Math.ceil(height / this.cell) + 2;
     xmax = xmin + columns * this.cell;
@@ -104,38 +97,38 @@ public final class Grid {
   private static int room(int[] starts, int[] listed) {
     int room = 0;
     for (int i = 1; i < starts.length; i++) {
-      int lines = firstPeg(listed, starts[i - 1], starts[i]) - starts[i - 1];
-      int pegs = starts[i] - starts[i - 1] - lines;
-      room += isLong(lines, pegs) ? (lines + 1) / 2 + (pegs + 1) / 2 : 0;
+      int lines = firstOther(listed, starts[i - 1], starts[i]) - starts[i - 1];
+      int others = starts[i] - starts[i - 1] - lines;
+      room += isLong(lines, others) ? (lines + 1) / 2 + (others + 1) / 2 : 0;
     }
     return room;
   }
 
-  private static boolean isLong(int lines, int pegs) {
-    return lines + pegs > 2 || (lines > 0 && pegs > 0);
+  private static boolean isLong(int lines, int others) {
+    return lines + others > 2 || (lines > 0 && others > 0);
   }
 
   private void pack(int[] starts, int[] listed) {
-    Arrays.fill(lists, OUTSIDE);
+    Arrays.fill(lists, CellList.OUTSIDE);
     int end = 1;
     for (int i = 0; i < columns * rows; i++) {
       int from = starts[i];
       int to = starts[i + 1];
-      int pegs = firstPeg(listed, from, to);
-      long list = 0;
-      if (isLong(pegs - from, to - pegs)) {
-        list = MORE | end;
-        end = packPairs(listed, from, pegs, end);
-        end = packPairs(listed, pegs, to, end);
-        pairs[end - 1] &= ~MORE;
+      int others = firstOther(listed, from, to);
+      long list = CellList.EMPTY;
+      if (isLong(others - from, to - others)) {
+        list = CellList.startingAt(end);
+        end = packPairs(listed, from, others, end);
+        end = packPairs(listed, others, to, end);
+        pairs[end - 1] = CellList.withoutMore(pairs[end - 1]);
       } else if (from < to) {
-        list = (pegs < to ? MORE : 0) | pair(listed[from], listed[to - 1]);
+        list = CellList.ofPair(listed[from], listed[to - 1]);
       }
       lists[number(i % columns, i / columns)] = list;
     }
   }
 
-  private static int firstPeg(int[] listed, int from, int to) {
+  private static int firstOther(int[] listed, int from, int to) {
     int k = from;
     while (k < to && Codes.isLine(listed[k])) {
       k++;
@@ -147,32 +140,9 @@ public final class Grid {
   private int packPairs(int[] listed, int from, int to, int end) {
     int k = end;
     for (int i = from; i < to; i += 2) {
-      pairs[k++] = MORE | pair(listed[i], listed[Math.min(i + 1, to - 1)]);
+      pairs[k++] = CellList.withMore(listed[i], listed[Math.min(i + 1, to - 1)]);
     }
     return k;
-  }
-
-  /** Two codes, the first one lowest. */
-  static long pair(int first, int second) {
-    return ((long) second << Integer.SIZE) | first;
-  }
-
-  /** The code that is number 0 or 1 of a pair of lines, without a branch. */
-  static int code(long pair, int number) {
-    return (int) (pair >>> (number * Integer.SIZE));
-  }
-
-  public static int first(long pair) {
-    return (int) pair;
-  }
-
-  public static int second(long pair) {
-    return (int) (pair >>> Integer.SIZE) & Integer.MAX_VALUE;
-  }
-
-  /** Whether a pair, or a list below 0, is of pegs: beside a place in {@link #pairs} stands 0. */
-  public static boolean arePegs(long pair) {
-    return Codes.isPeg(second(pair));
   }
 
   /** The number of a cell. */
@@ -189,36 +159,33 @@ public final class Grid {
 
   /** The box around all obstacles, grown by the radius: outside of it none can be hit. */
   private double[] box() {
-    double[] box = {
-      Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY,
-      Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY
-    };
-    LiveCodes lines = obstacles.presentLines();
-    for (int i = 0; i < lines.size(); i++) {
-      if (!obstacles.isGone(lines.get(i))) {
-        int k = obstacles.offset(lines.get(i));
-        double[] l = obstacles.lines;
-        include(box, l[k + ObstacleTable.AX], l[k + ObstacleTable.AY], radius);
-        include(box, l[k + ObstacleTable.BX], l[k + ObstacleTable.BY], radius);
-      }
-    }
-    LiveCodes pegs = obstacles.presentPegs();
-    for (int i = 0; i < pegs.size(); i++) {
-      if (!obstacles.isGone(pegs.get(i))) {
-        int k = obstacles.offset(pegs.get(i));
-        double[] p = obstacles.pegs;
-        double r = p[k + ObstacleTable.RADIUS];
-        include(box, p[k + ObstacleTable.X], p[k + ObstacleTable.Y], radius + r);
+    double[] box = new double[Codes.WALLS];
+    Arrays.fill(box, Double.POSITIVE_INFINITY);
+    box[Codes.RIGHT] = Double.NEGATIVE_INFINITY;
+    box[Codes.TOP] = Double.NEGATIVE_INFINITY;
+    for (ObstacleRows rows : obstacles.kinds) {
+      LiveCodes present = rows.present();
+      for (int i = 0; i < present.size(); i++) {
+        if (!rows.isGone(present.get(i))) {
+          include(box, rows, rows.offset(present.get(i)));
+        }
       }
     }
     return box;
   }
 
+  private void include(double[] box, ObstacleRows rows, int k) {
+    double inflatedRadius = radius + rows.shape.radius(rows.values, k);
+    int end = k + rows.shape.toEnd;
+    include(box, rows.values[k + ObstacleShape.X], rows.values[k + ObstacleShape.Y], inflatedRadius);
+    include(box, rows.values[end + ObstacleShape.X], rows.values[end + ObstacleShape.Y], inflatedRadius);
+  }
+
   private static void include(double[] box, double x, double y, double radius) {
-    box[0] = Math.min(box[0], x - radius);
-    box[1] = Math.min(box[1], y - radius);
-    box[2] = Math.max(box[2], x + radius);
-    box[3] = Math.max(box[3], y + radius);
+    box[Codes.LEFT] = Math.min(box[Codes.LEFT], x - radius);
+    box[Codes.BOTTOM] = Math.min(box[Codes.BOTTOM], y - radius);
+    box[Codes.RIGHT] = Math.max(box[Codes.RIGHT], x + radius);
+    box[Codes.TOP] = Math.max(box[Codes.TOP], y + radius);
   }
 
   /** The codes of what a circle could touch whose centre is at a place; none beyond the grid. */
@@ -226,20 +193,20 @@ public final class Grid {
     IntStream.Builder codes = IntStream.builder();
     if (contains(x, y)) {
       long list = lists[number(column(columns(x)), row(rows(y)))];
-      if (list >= 0 || arePegs(list)) {
+      if (CellList.isPairOfLines(list) || CellList.areOthers(list)) {
         addPair(list, codes);
       } else {
-        int k = (int) list;
+        int k = CellList.start(list);
         do {
           addPair(pairs[k], codes);
-        } while (pairs[k++] < 0);
+        } while (CellList.isMore(pairs[k++]));
       }
     }
     return codes.build().filter(code -> !Codes.isWall(code));
   }
 
   private static void addPair(long pair, IntStream.Builder codes) {
-    codes.add(first(pair)).add(second(pair));
+    codes.add(CellList.first(pair)).add(CellList.second(pair));
   }
 
   /** Reads what the cells around a place list, to have it in the cache. */
@@ -321,29 +288,30 @@ public final class Grid {
   }
 
   private void visitAll(int[] counts, int[] listed) {
-    LiveCodes lines = obstacles.presentLines();
-    for (int i = 0; i < lines.size(); i++) {
-      visit(lines.get(i), counts, listed);
-    }
-    LiveCodes pegs = obstacles.presentPegs();
-    for (int i = 0; i < pegs.size(); i++) {
-      visit(pegs.get(i), counts, listed);
+    for (ObstacleRows rows : obstacles.kinds) {
+      LiveCodes present = rows.present();
+      for (int i = 0; i < present.size(); i++) {
+        if (!rows.isGone(present.get(i))) {
+          visit(present.get(i), rows, counts, listed);
+        }
+      }
     }
   }
 
   /** Puts a code into the list of every cell that it can reach into, or only counts it. */
-  private void visit(int code, int[] counts, int[] listed) {
-    if (obstacles.isGone(code)) {
-      return;
-    }
-    int k = obstacles.offset(code);
-    if (Codes.isLine(code)) {
-      double[] l = obstacles.lines;
-      visit(code, l[k], l[k + 1], l[k + 2], l[k + 3], radius, counts, listed);
-    } else {
-      double[] p = obstacles.pegs;
-      visit(code, p[k], p[k + 1], p[k], p[k + 1], radius + p[k + 2], counts, listed);
-    }
+  private void visit(int code, ObstacleRows rows, int[] counts, int[] listed) {
+    double[] values = rows.values;
+    int k = rows.offset(code);
+    int end = k + rows.shape.toEnd;
+    visit(
+        code,
+        values[k + ObstacleShape.X],
+        values[k + ObstacleShape.Y],
+        values[end + ObstacleShape.X],
+        values[end + ObstacleShape.Y],
+        radius + rows.shape.radius(values, k),
+        counts,
+        listed);
   }
 
   private void visit(

@@ -6,12 +6,13 @@ import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
-import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.LineShape;
+import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.PointSweep;
 import dev.carom.internal.sweep.SegmentFilter;
-import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.SideSweep;
 import dev.carom.internal.sweep.UnitVectors;
 import dev.carom.internal.sweep.WallSweep;
@@ -31,8 +32,9 @@ abstract class NarrowPhase {
 
   final ObstacleTable obstacles;
 
+  /** The rows of the lines, by their codes. */
   double[] lines;
-  private double[] pegs;
+
   boolean special;
 
   /** Whether the search is for a cast. */
@@ -75,8 +77,7 @@ abstract class NarrowPhase {
 
   /** Takes notice that the arrays of obstacles, or what they tell, may be others. */
   final void readAgain() {
-    lines = obstacles.lines;
-    pegs = obstacles.pegs;
+    lines = obstacles.lines.values;
     special = obstacles.areSpecial();
     careful = special || casts;
   }
@@ -125,52 +126,33 @@ abstract class NarrowPhase {
         && (vx != 0 || vy != 0);
   }
 
-  /** Considers a line or a peg. */
+  /** Considers an obstacle other than a wall. */
   final void consider(int code) {
     if (code == bestCode || skipped(code)) {
       return;
     }
-    if (Codes.isLine(code)) {
-      considerLine(code);
-    } else {
-      considerPeg(code);
-    }
-  }
-
-  private void considerLine(int code) {
-    int k = code * ObstacleTable.LINE_ROW;
-    double ax = lines[k + ObstacleTable.AX];
-    double ay = lines[k + ObstacleTable.AY];
-    double bx = lines[k + ObstacleTable.BX];
-    double by = lines[k + ObstacleTable.BY];
-    if (Double.isNaN(ax)) {
+    ObstacleRows rows = obstacles.of(code);
+    ObstacleShape shape = rows.shape;
+    double[] values = rows.values;
+    int k = rows.offset(code);
+    if (Double.isNaN(values[k])) {
       return; // removed
     }
-    if (special && obstacles.isOneWay(code) && !stops(ax, ay, bx, by)) {
+    if (special && obstacles.isOneWay(code) && !stops(k)) {
       return;
     }
-    int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
+    int contact = shape.contact(px, py, r, vx, vy, values, k);
     if (contact != Contact.MISS) {
-      offer(SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, NEVER), code, contact);
-    }
-  }
-
-  private void considerPeg(int code) {
-    int k = Codes.index(code) * ObstacleTable.PEG_ROW;
-    double cx = pegs[k + ObstacleTable.X];
-    double cy = pegs[k + ObstacleTable.Y];
-    double radius = pegs[k + ObstacleTable.RADIUS];
-    if (Double.isNaN(cx)) {
-      return; // removed
-    }
-    int contact = DiskSweep.contact(px, py, r, vx, vy, cx, cy, radius, 0, 0);
-    if (contact != Contact.MISS) {
-      offer(DiskSweep.time(contact, px, py, r, vx, vy, cx, cy, radius, 0, 0, NEVER), code, contact);
+      offer(shape.time(contact, px, py, r, vx, vy, values, k), code, contact);
     }
   }
 
   /** Whether a one-way line is there: the centre is strictly left of it and moves to the right. */
-  private boolean stops(double ax, double ay, double bx, double by) {
+  private boolean stops(int k) {
+    double ax = lines[k + LineShape.AX];
+    double ay = lines[k + LineShape.AY];
+    double bx = lines[k + LineShape.BX];
+    double by = lines[k + LineShape.BY];
     return Predicates.cross(bx, by, ax, ay, px, py, ax, ay) > 0
         && Predicates.cross(bx, by, ax, ay, vx, vy, 0, 0) < 0;
   }
@@ -199,11 +181,11 @@ abstract class NarrowPhase {
     if (code == bestCode) {
       return;
     }
-    int k = code * ObstacleTable.LINE_ROW;
-    double ax = lines[k + ObstacleTable.AX];
-    double ay = lines[k + ObstacleTable.AY];
-    double bx = lines[k + ObstacleTable.BX];
-    double by = lines[k + ObstacleTable.BY];
+    int k = code * LineShape.ROW;
+    double ax = lines[k + LineShape.AX];
+    double ay = lines[k + LineShape.AY];
+    double bx = lines[k + LineShape.BX];
+    double by = lines[k + LineShape.BY];
     int contact = SegmentFilter.contact(px, py, r, vx, vy, ax, ay, bx, by, margin);
     if (contact > Contact.MISS) {
       keepRough(SegmentFilter.time(contact, px, py, r, vx, vy, ax, ay, bx, by), code, contact);
@@ -237,17 +219,19 @@ abstract class NarrowPhase {
 
   /** The exact time of a contact with a line, from the rough one. */
   private double timeOf(int line, int contact, double rough) {
-    int k = line * ObstacleTable.LINE_ROW;
+    int k = line * LineShape.ROW;
     if (contact >= Contact.START) {
       // Which end it is, no processor can foretell: its place is computed.
-      int end = k + (contact - Contact.START) * ObstacleTable.END;
-      return PointSweep.time(px, py, r, vx, vy, lines[end], lines[end + 1], rough);
+      int end = k + (contact - Contact.START) * LineShape.END;
+      double x = lines[end + LineShape.AX];
+      double y = lines[end + LineShape.AY];
+      return PointSweep.time(px, py, r, vx, vy, x, y, rough);
     }
     int side = contact == Contact.LEFT ? 1 : -1;
-    double ax = lines[k + ObstacleTable.AX];
-    double ay = lines[k + ObstacleTable.AY];
-    double bx = lines[k + ObstacleTable.BX];
-    double by = lines[k + ObstacleTable.BY];
+    double ax = lines[k + LineShape.AX];
+    double ay = lines[k + LineShape.AY];
+    double bx = lines[k + LineShape.BX];
+    double by = lines[k + LineShape.BY];
     return SideSweep.refined(side, px, py, r, vx, vy, ax, ay, bx, by, rough);
   }
 
@@ -306,17 +290,8 @@ abstract class NarrowPhase {
       boolean vertical = Codes.isVertical(code);
       return WallSweep.exactTime(vertical ? px : py, r, vertical ? vx : vy, obstacles.walls[code]);
     }
-    int k = obstacles.offset(code);
-    if (Codes.isLine(code)) {
-      double ax = lines[k + ObstacleTable.AX];
-      double ay = lines[k + ObstacleTable.AY];
-      double bx = lines[k + ObstacleTable.BX];
-      double by = lines[k + ObstacleTable.BY];
-      return SegmentSweep.exactTime(contact, px, py, r, vx, vy, ax, ay, bx, by);
-    }
-    double cx = pegs[k + ObstacleTable.X];
-    double cy = pegs[k + ObstacleTable.Y];
-    double radius = pegs[k + ObstacleTable.RADIUS];
-    return DiskSweep.exactTime(contact, px, py, r, vx, vy, cx, cy, radius, 0, 0);
+    ObstacleRows rows = obstacles.of(code);
+    int k = rows.offset(code);
+    return rows.shape.exactTime(contact, px, py, r, vx, vy, rows.values, k);
   }
 }

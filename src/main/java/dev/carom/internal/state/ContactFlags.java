@@ -15,6 +15,11 @@ public final class ContactFlags {
   private static final int RESPONSE = 3;
   private static final int ONE_WAY = 4;
 
+  /** All bits that a thing can have, and those that a line can have. */
+  public static final int MOST = RESPONSE;
+
+  public static final int MOST_OF_LINES = RESPONSE | ONE_WAY;
+
   private ContactFlags() {}
 
   public static int with(int traits, int response) {

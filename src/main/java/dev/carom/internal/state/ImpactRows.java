@@ -3,6 +3,7 @@ package dev.carom.internal.state;
 
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.util.Kind;
+import dev.carom.internal.util.Part;
 import java.util.Arrays;
 
 /**
@@ -10,12 +11,6 @@ import java.util.Arrays;
  * slots.
  */
 public final class ImpactRows {
-
-  // Features: the ordinals of the public ones.
-  public static final int SIDE = 0;
-  public static final int START = 1;
-  public static final int END = 2;
-  public static final int CIRCLE = 3;
 
   // Outcomes: the ordinals of the public ones.
   public static final int BOUNCED = 0;
@@ -156,7 +151,7 @@ public final class ImpactRows {
 
   /** Adds a row of two circles, to be completed by {@link #set}. */
   public void addPair(double time, int circle, int other) {
-    add(time, circle, Kind.CIRCLE, other, CIRCLE);
+    add(time, circle, Kind.CIRCLE, other, Part.CIRCLE);
   }
 
   /** Completes the row added last, with a normal of any length and v.n. */

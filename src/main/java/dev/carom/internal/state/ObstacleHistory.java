@@ -110,7 +110,6 @@ final class ObstacleHistory {
 
   /** Whether a thing was there when the recording began. */
   private boolean isFirst(int code) {
-    int end = Codes.isLine(code) ? first.endOfLines : first.endOfPegs;
-    return code < end && !first.isGone(code);
+    return code < first.of(code).end && !first.isGone(code);
   }
 }

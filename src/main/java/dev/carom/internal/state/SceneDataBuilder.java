@@ -3,7 +3,9 @@ package dev.carom.internal.state;
 
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.DoubleList;
+import dev.carom.internal.util.Kind;
 import dev.carom.internal.util.RefusedException;
+import java.util.Arrays;
 
 /**
  * Collects what a {@link SceneData} holds. What is refused is refused at once, with a message that
@@ -12,18 +14,30 @@ import dev.carom.internal.util.RefusedException;
  */
 public final class SceneDataBuilder {
 
-  /** Doubles of the bounds: xmin, ymin, xmax, ymax, restitution. */
+  // The places in the row of the bounds.
+  private static final int XMIN = 0;
+  private static final int YMIN = 1;
+  private static final int XMAX = 2;
+  private static final int YMAX = 3;
+  private static final int BOUNDS_RESTITUTION = 4;
   private static final int BOUNDS_ROW = 5;
 
   final SceneRows circles = new SceneRows("circle", SceneData.CIRCLE_ROW, 2);
-  final SceneRows lines = new SceneRows("line", ObstacleTable.LINE_ROW, 4);
-  final SceneRows pegs = new SceneRows("peg", ObstacleTable.PEG_ROW, 2);
+
+  /** The obstacles by their {@link Kind}, but for the bounds. */
+  private final SceneRows[] obstacles = new SceneRows[Kind.CIRCLE];
+
   public final SceneRows bounds = new SceneRows("bounds", BOUNDS_ROW, 4);
   final DoubleList masses = new DoubleList();
   public boolean collide;
 
   /** The things whose last one is the thing added last; null before the first. */
   private SceneRows last;
+
+  public SceneDataBuilder() {
+    ObstacleTable.kindsOfRows()
+        .forEach(kind -> obstacles[kind] = new SceneRows(ObstacleTable.shape(kind)));
+  }
 
   public void bounds(double xmin, double ymin, double xmax, double ymax) {
     if (bounds.count() > 0) {
@@ -32,25 +46,11 @@ public final class SceneDataBuilder {
     add(bounds, () -> Check.bounds(xmin, ymin, xmax, ymax), xmin, ymin, xmax, ymax, 1);
   }
 
-  public void line(double ax, double ay, double bx, double by) {
-    add(lines, () -> checkLine(ax, ay, bx, by), ax, ay, bx, by, 1);
-  }
-
-  private static void checkLine(double ax, double ay, double bx, double by) {
-    Check.finite("ax", ax);
-    Check.finite("ay", ay);
-    Check.finite("bx", bx);
-    Check.finite("by", by);
-  }
-
-  public void peg(double x, double y, double radius) {
-    add(pegs, () -> checkPeg(x, y, radius), x, y, radius, 1);
-  }
-
-  private static void checkPeg(double x, double y, double radius) {
-    Check.finite("x", x);
-    Check.finite("y", y);
-    Check.notNegative("radius", radius);
+  /** Adds an obstacle of a {@link Kind}, by the numbers of its shape. */
+  public void obstacle(int kind, double... numbers) {
+    double[] row = Arrays.copyOf(numbers, numbers.length + 1);
+    row[numbers.length] = 1;
+    add(obstacles[kind], () -> ObstacleTable.shape(kind).check(numbers), row);
   }
 
   /** Adds a moving circle of mass 1. */
@@ -90,10 +90,10 @@ public final class SceneDataBuilder {
   }
 
   public void oneWay() {
-    if (last != lines) {
+    if (last == null || last != obstacles[Kind.LINE]) {
       throw new IllegalStateException("one-way belongs to the line just added: add one first");
     }
-    lines.setLastTraits(ContactFlags.withOneWay(lines.lastTraits(), true));
+    last.setLastTraits(ContactFlags.withOneWay(last.lastTraits(), true));
   }
 
   public void mass(double m) {
@@ -137,9 +137,29 @@ public final class SceneDataBuilder {
   }
 
   private double largestCoordinate() {
-    return Math.max(
-        Math.max(circles.largestCoordinate(), lines.largestCoordinate()),
-        Math.max(pegs.largestCoordinate(), bounds.largestCoordinate()));
+    double largest = Math.max(circles.largestCoordinate(), bounds.largestCoordinate());
+    for (int kind : ObstacleTable.kindsOfRows().toArray()) {
+      largest = Math.max(largest, obstacles[kind].largestCoordinate());
+    }
+    return largest;
+  }
+
+  /** All obstacles so far. */
+  ObstacleTable obstacles() {
+    ObstacleRows[] rows =
+        ObstacleTable.kindsOfRows()
+            .mapToObj(
+                kind ->
+                    ObstacleTable.rows(kind, obstacles[kind].toArray(), obstacles[kind].traits()))
+            .toArray(ObstacleRows[]::new);
+    double[] b = bounds.toArray();
+    return b.length == 0
+        ? ObstacleTable.of(null, 1, 0, rows)
+        : ObstacleTable.of(
+            ObstacleTable.walls(b[XMIN], b[YMIN], b[XMAX], b[YMAX]),
+            b[BOUNDS_RESTITUTION],
+            bounds.lastTraits(),
+            rows);
   }
 
   private void add(SceneRows things, Runnable checks, double... row) {

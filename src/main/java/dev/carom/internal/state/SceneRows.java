@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.state;
 
+import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.util.DoubleList;
 import java.util.Arrays;
 
@@ -15,6 +16,10 @@ final class SceneRows {
   private final int coordinates;
   private final DoubleList values = new DoubleList();
   private byte[] traits = new byte[16];
+
+  SceneRows(ObstacleShape shape) {
+    this(shape.name, shape.row, shape.coordinates);
+  }
 
   SceneRows(String kind, int width, int coordinates) {
     this.kind = kind;

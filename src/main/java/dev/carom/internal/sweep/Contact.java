@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import dev.carom.internal.util.Part;
+
 /** The codes of contacts: which part of a line or a disk is hit first, and if at once. */
 public final class Contact {
 
@@ -28,5 +30,20 @@ public final class Contact {
   /** On a disk at time 0; added to the part of a line where the impact is at time 0. */
   public static final int NOW = 8;
 
+  /** The {@link Part} that is hit, by the contact without {@link #NOW}. */
+  private static final int[] PARTS = {
+    Part.CIRCLE, Part.SIDE, Part.SIDE, Part.START, Part.END, Part.CIRCLE
+  };
+
   private Contact() {}
+
+  /** Which part of a line is hit, {@link #LEFT} to {@link #END}; 0 or LATER on a disk. */
+  public static int withoutTime(int contact) {
+    return contact & ~NOW;
+  }
+
+  /** The {@link Part} of a line or a disk that a contact means. */
+  public static int part(int contact) {
+    return PARTS[withoutTime(contact)];
+  }
 }

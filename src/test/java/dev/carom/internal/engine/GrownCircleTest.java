@@ -13,6 +13,7 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -107,7 +108,7 @@ class GrownCircleTest {
   }
 
   private static void addLine(StaticScene staticScene, List<Integer> lines, int x) {
-    int line = staticScene.obstacles.addLine(x, 10, x, 11);
+    int line = staticScene.obstacles.add(Kind.LINE, x, 10, x, 11);
     lines.add(line);
     staticScene.changed(line);
   }

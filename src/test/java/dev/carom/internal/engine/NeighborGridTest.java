@@ -56,7 +56,7 @@ class NeighborGridTest {
 
   private static void allThatTouchAreVisited(Scene scene, double diameters) {
     CircleTable circles = circles(scene);
-    for (double[] walls : new double[][] {null, Internals.data(scene).walls}) {
+    for (double[] walls : new double[][] {null, Internals.data(scene).obstacles.walls}) {
       NeighborGrid neighbors =
           new NeighborGrid(
               circles, new CircleRegistry(Internals.data(scene), 1).slots(), walls, diameters, 0);
@@ -117,7 +117,7 @@ class NeighborGridTest {
         new NeighborGrid(
             circles,
             new CircleRegistry(Internals.data(scene), 1).slots(),
-            Internals.data(scene).walls,
+            Internals.data(scene).obstacles.walls,
             1,
             0);
     int inside = 0;
@@ -153,7 +153,7 @@ class NeighborGridTest {
           new NeighborGrid(
               circles,
               new CircleRegistry(Internals.data(built), 1).slots(),
-              Internals.data(built).walls,
+              Internals.data(built).obstacles.walls,
               1,
               0);
       assertThat(neighbors.isInside(circles.state, 0)).as("wall at %s", right).isFalse();
@@ -309,7 +309,7 @@ class NeighborGridTest {
         new NeighborGrid(
             circles,
             new CircleRegistry(Internals.data(scene), 1).slots(),
-            Internals.data(scene).walls,
+            Internals.data(scene).obstacles.walls,
             1,
             0);
     Random random = new Random(7);
@@ -342,7 +342,7 @@ class NeighborGridTest {
         new NeighborGrid(
             circles,
             new CircleRegistry(Internals.data(scene), 1).slots(),
-            Internals.data(scene).walls,
+            Internals.data(scene).obstacles.walls,
             1,
             0);
     int[] ids = new int[CalendarQueue.MOST_PREFETCHED];

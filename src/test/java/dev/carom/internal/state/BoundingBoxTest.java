@@ -15,7 +15,7 @@ class BoundingBoxTest {
       circles.start(Internals.data(scene), i);
       circles.storeAndSetDue(i);
     }
-    return BoundingBox.of(circles, registry.ids(), Internals.data(scene).walls, now);
+    return BoundingBox.of(circles, registry.ids(), Internals.data(scene).obstacles.walls, now);
   }
 
   private static BoundingBox of(Scene scene, double now) {

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+import dev.carom.internal.sweep.ObstacleShape;
+import dev.carom.internal.util.Kind;
+import java.util.Arrays;
+
+/**
+ * The obstacles of one kind, by their {@link Codes}: a row of doubles for each, as its {@link
+ * ObstacleShape} says, and its {@link ContactFlags}. A code is not used again when its obstacle is
+ * removed; the row is NaN then.
+ *
+ * <p>Copies share their arrays until one of them is changed.
+ */
+public final class ObstacleRows {
+
+  private final int kind;
+  public final ObstacleShape shape;
+
+  /**
+   * The code whose row is at place 0 of the values. For lines that is 0: rows for the codes of
+   * walls, all NaN, stand before theirs, so that a search finds a line's row by its code alone.
+   */
+  private final int codeOfRow0;
+
+  /** The rows, by codes. */
+  public double[] values;
+
+  /** Null if no obstacle has any. */
+  private byte[] traits;
+
+  /** The code after the last one that was given. */
+  public int end;
+
+  private LiveCodes present;
+
+  /** How many have traits, and how many are sensors. */
+  private int specials;
+
+  private int sensors;
+
+  /** Whether another object uses the same arrays. */
+  private boolean shared;
+
+  /** Whether an obstacle can be gone. */
+  private boolean edited;
+
+  /** None. */
+  ObstacleRows(int kind, ObstacleShape shape) {
+    this.kind = kind;
+    this.shape = shape;
+    codeOfRow0 = kind == Kind.LINE ? 0 : first();
+  }
+
+  /**
+   * Some, of which any may be gone.
+   *
+   * @param rows one after the other
+   * @param traits one for each row, null if none has any
+   */
+  static ObstacleRows of(int kind, ObstacleShape shape, double[] rows, byte[] traits) {
+    ObstacleRows all = new ObstacleRows(kind, shape);
+    int count = rows.length / shape.row;
+    all.end = all.first() + count;
+    all.values = all.withRowsBefore(rows);
+    all.traits = traits;
+    all.present = new LiveCodes(all.first(), count);
+    int gone = gone(rows, shape.row);
+    all.edited = gone > 0;
+    all.present.removed(gone, all::isGone);
+    all.countSpecials();
+    return all;
+  }
+
+  /** A copy. */
+  ObstacleRows copy() {
+    ObstacleRows copy = new ObstacleRows(kind, shape);
+    copy.set(this);
+    return copy;
+  }
+
+  /** Takes over what another one of the same kind holds. */
+  void set(ObstacleRows other) {
+    if (!other.shared) {
+      other.shared = true; // written only if need be: a scene is used by many threads
+    }
+    shared = true;
+    edited = other.edited;
+    values = other.values;
+    traits = other.traits;
+    end = other.end;
+    present = other.present;
+    specials = other.specials;
+    sensors = other.sensors;
+  }
+
+  /** The rows, NaN ones before them for the codes that are of another kind. */
+  private double[] withRowsBefore(double[] rows) {
+    int before = offset(first());
+    double[] all = new double[before + rows.length];
+    Arrays.fill(all, 0, before, Double.NaN);
+    System.arraycopy(rows, 0, all, before, rows.length);
+    return all;
+  }
+
+  private static int gone(double[] rows, int width) {
+    int gone = 0;
+    for (int k = 0; k < rows.length; k += width) {
+      gone += Double.isNaN(rows[k]) ? 1 : 0;
+    }
+    return gone;
+  }
+
+  private void countSpecials() {
+    for (int code = first(); traits != null && code < end; code++) {
+      countSpecial(traits(code), 1);
+    }
+  }
+
+  private void countSpecial(int ofOne, int one) {
+    specials += ofOne != 0 ? one : 0;
+    sensors += ContactFlags.isSensor(ofOne) ? one : 0;
+  }
+
+  /** The code of the first one. */
+  public int first() {
+    return Codes.of(kind, 0);
+  }
+
+  /** How many codes were given. */
+  public int count() {
+    return end - first();
+  }
+
+  /** The codes, of some that are gone too, until the next change. */
+  public LiveCodes present() {
+    return present;
+  }
+
+  /** The place of an obstacle's row in the values. */
+  public int offset(int code) {
+    return (code - codeOfRow0) * shape.row;
+  }
+
+  /** A copy of a row. */
+  public double[] row(int code) {
+    int k = offset(code);
+    return Arrays.copyOfRange(values, k, k + shape.row);
+  }
+
+  /** A copy of the numbers of a row before the restitution. */
+  public double[] numbers(int code) {
+    int k = offset(code);
+    return Arrays.copyOfRange(values, k, k + shape.restitution);
+  }
+
+  /** What scene files call the kind. */
+  public String name() {
+    return shape.name;
+  }
+
+  public boolean isGone(int code) {
+    return edited && Double.isNaN(values[offset(code)]);
+  }
+
+  double restitution(int code) {
+    return values[offset(code) + shape.restitution];
+  }
+
+  public int traits(int code) {
+    return ContactFlags.of(traits, code - first());
+  }
+
+  int specials() {
+    return specials;
+  }
+
+  int sensors() {
+    return sensors;
+  }
+
+  /** The largest absolute coordinate of an obstacle; 0 for one that was removed. */
+  double extent(int code) {
+    double extent = 0;
+    int k = offset(code);
+    for (int i = k; i < k + shape.coordinates && !isGone(code); i++) {
+      extent = Math.max(extent, Math.abs(values[i]));
+    }
+    return extent;
+  }
+
+  // Changes.
+
+  /** Before a change: makes the arrays this object's own. */
+  private void own() {
+    edited = true;
+    if (shared) {
+      shared = false;
+      values = values.clone();
+      traits = traits == null ? new byte[count()] : traits.clone();
+      present = present.copy();
+    } else if (traits == null) {
+      traits = new byte[count()];
+    }
+  }
+
+  /** Adds an elastic obstacle of no special trait, and returns its code. */
+  int add(double... numbers) {
+    own();
+    int i = count();
+    if (i == traits.length) {
+      traits = Arrays.copyOf(traits, Math.min(2 * i + 4, Codes.limit(kind)));
+      values = Arrays.copyOf(values, offset(first() + traits.length));
+    }
+    int code = end++;
+    present.add(code);
+    move(code, numbers);
+    setRestitution(code, 1);
+    traits[i] = 0;
+    return code;
+  }
+
+  /** Sets the numbers of an obstacle before its restitution. */
+  void move(int code, double... numbers) {
+    own();
+    System.arraycopy(numbers, 0, values, offset(code), shape.restitution);
+  }
+
+  void setRestitution(int code, double e) {
+    own();
+    values[offset(code) + shape.restitution] = e;
+  }
+
+  void setTraits(int code, int its) {
+    own();
+    countSpecial(traits(code), -1);
+    countSpecial(its, 1);
+    traits[code - first()] = (byte) its;
+  }
+
+  /** Removes an obstacle: no sweep finds it any more. */
+  void remove(int code) {
+    setTraits(code, 0);
+    int k = offset(code);
+    Arrays.fill(values, k, k + shape.row, Double.NaN);
+    present.removed(1, this::isGone);
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof ObstacleRows that
+        && kind == that.kind
+        && end == that.end
+        && Arrays.equals(values, 0, offset(end), that.values, 0, offset(end))
+        && hasSameTraits(that);
+  }
+
+  private boolean hasSameTraits(ObstacleRows that) {
+    for (int code = first(); (traits != null || that.traits != null) && code < end; code++) {
+      if (traits(code) != that.traits(code)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  @Override
+  public int hashCode() {
+    int hash = kind;
+    for (int k = offset(first()); k < offset(end); k++) {
+      hash = 31 * hash + Double.hashCode(values[k]);
+    }
+    return hash;
+  }
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.Predicates;
+
+/** A line from a to b: its spine, with no radius. */
+public final class LineShape extends ObstacleShape {
+
+  public static final LineShape INSTANCE = new LineShape();
+
+  // The places of its numbers in a row.
+  public static final int AX = 0;
+  public static final int AY = 1;
+  public static final int BX = 2;
+  public static final int BY = 3;
+
+  /** From the start to the end. */
+  public static final int END = BX - AX;
+
+  /** Doubles of a row: these and the restitution. */
+  public static final int ROW = 5;
+
+  private LineShape() {
+    super("line", 4, "ax", "ay", "bx", "by");
+  }
+
+  @Override
+  public int contact(double px, double py, double r, double vx, double vy, double[] rows, int k) {
+    return SegmentSweep.contact(
+        px, py, r, vx, vy, rows[k + AX], rows[k + AY], rows[k + BX], rows[k + BY]);
+  }
+
+  @Override
+  public double time(
+      int contact, double px, double py, double r, double vx, double vy, double[] rows, int k) {
+    return SegmentSweep.time(
+        contact,
+        px,
+        py,
+        r,
+        vx,
+        vy,
+        rows[k + AX],
+        rows[k + AY],
+        rows[k + BX],
+        rows[k + BY],
+        Double.POSITIVE_INFINITY);
+  }
+
+  @Override
+  public ExactTime exactTime(
+      int contact, double px, double py, double r, double vx, double vy, double[] rows, int k) {
+    return SegmentSweep.exactTime(
+        contact, px, py, r, vx, vy, rows[k + AX], rows[k + AY], rows[k + BX], rows[k + BY]);
+  }
+
+  @Override
+  public Hit hit(
+      int contact,
+      double t,
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double[] rows,
+      int k) {
+    return Hit.ofLine(
+        px, py, r, vx, vy, rows[k + AX], rows[k + AY], rows[k + BX], rows[k + BY], contact, t);
+  }
+
+  @Override
+  public double distanceFromSpine(double[] rows, int k, double x, double y) {
+    double ax = rows[k + AX];
+    double ay = rows[k + AY];
+    double bx = rows[k + BX];
+    double by = rows[k + BY];
+    double s = Coordinates.fraction(ax, ay, bx, by, x, y);
+    double footX = Coordinates.onSegment(s, ax, bx);
+    double footY = Coordinates.onSegment(s, ay, by);
+    return StrictMath.hypot(x - footX, y - footY);
+  }
+
+  @Override
+  public boolean overlaps(double[] rows, int k, double x, double y, double r) {
+    return SegmentSweep.overlaps(x, y, r, rows[k + AX], rows[k + AY], rows[k + BX], rows[k + BY]);
+  }
+
+  /**
+   * A line and a box overlap unless they can be parted: by a horizontal or a vertical line, or by
+   * the line itself, with all corners on one side of it.
+   */
+  @Override
+  public boolean overlaps(double[] rows, int k, double[] box) {
+    double ax = rows[k + AX];
+    double ay = rows[k + AY];
+    double bx = rows[k + BX];
+    double by = rows[k + BY];
+    if (Math.max(ax, bx) <= box[WallSweep.LEFT]
+        || Math.min(ax, bx) >= box[WallSweep.RIGHT]
+        || Math.max(ay, by) <= box[WallSweep.BOTTOM]
+        || Math.min(ay, by) >= box[WallSweep.TOP]) {
+      return false;
+    }
+    int left = 0;
+    int right = 0;
+    for (int corner = 0; corner < 4; corner++) {
+      double x = box[corner % 2 == 0 ? WallSweep.LEFT : WallSweep.RIGHT];
+      double y = box[corner / 2 == 0 ? WallSweep.BOTTOM : WallSweep.TOP];
+      int side = Predicates.cross(bx, by, ax, ay, x, y, ax, ay);
+      left += side > 0 ? 1 : 0;
+      right += side < 0 ? 1 : 0;
+    }
+    boolean isPoint = ax == bx && ay == by;
+    return isPoint || (left > 0 && right > 0);
+  }
+}
