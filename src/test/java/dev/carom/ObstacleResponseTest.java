@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.response.StopRule;
 import dev.carom.internal.response.StuckRule;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ImpactRows;
@@ -175,7 +176,7 @@ class ObstacleResponseTest {
   @Test
   void theLargestSpeedIsOneYet() {
     m.start(0, 4, 6, 1, -Double.MAX_VALUE, Double.MAX_VALUE, 1);
-    assertThat(ObstacleResponse.stopsBeyondRange(m)).isFalse();
+    assertThat(StopRule.stopsBeyondRange(m)).isFalse();
     assertThat(m.vx).isEqualTo(-Double.MAX_VALUE);
     assertThat(m.vy).isEqualTo(Double.MAX_VALUE);
   }

@@ -3,7 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.response.ScaledVectors;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.LiveCodes;
@@ -128,8 +128,8 @@ class ObstacleTableTest {
   @Test
   void sumsOfProductsKeepWhatRoundingLeaves() {
     double x = 1 + 0x1p-30;
-    assertThat(ObstacleResponse.dot(-(1 + 0x1p-29), x, 1, x)).isEqualTo(0x1p-60);
-    assertThat(ObstacleResponse.dot(3, 5, 7, -2)).isEqualTo(11);
+    assertThat(ScaledVectors.dot(-(1 + 0x1p-29), x, 1, x)).isEqualTo(0x1p-60);
+    assertThat(ScaledVectors.dot(3, 5, 7, -2)).isEqualTo(11);
   }
 
   @Test

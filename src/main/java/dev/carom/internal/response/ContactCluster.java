@@ -254,7 +254,7 @@ public final class ContactCluster {
       if (pairs.mass(m) < INFINITE && (m.vx != shock.vx(i) || m.vy != shock.vy(i))) {
         m.vx = shock.vx(i);
         m.vy = shock.vy(i);
-        ObstacleResponse.stopsBeyondRange(m);
+        StopRule.stopsBeyondRange(m);
         m.last = MovingCircle.NOTHING;
         changed.add(m);
       }

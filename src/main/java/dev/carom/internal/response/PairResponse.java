@@ -197,8 +197,8 @@ public final class PairResponse {
       push(a, -1, massB, massA, nx, ny);
       push(b, 1, massA, massB, nx, ny);
     }
-    boolean aStops = ObstacleResponse.stopsBeyondRange(a);
-    boolean bStops = ObstacleResponse.stopsBeyondRange(b);
+    boolean aStops = StopRule.stopsBeyondRange(a);
+    boolean bStops = StopRule.stopsBeyondRange(b);
     if (aStops || bStops) {
       log.setOutcome(ImpactRows.STOPPED);
     } else if (halt) {
@@ -215,12 +215,12 @@ public final class PairResponse {
   /** Writes that two circles are in contact, the lower number first, and how they approach. */
   void report(MovingCircle a, MovingCircle b, ImpactRows log) {
     fast = exponent(a, b);
-    ux = ObstacleResponse.difference(a.vx, b.vx, fast);
-    uy = ObstacleResponse.difference(a.vy, b.vy, fast);
-    int large = ObstacleResponse.exponent(a.x, a.y, b.x, b.y, Math.max(Math.abs(ux), Math.abs(uy)));
-    nx = ObstacleResponse.difference(a.x, b.x, large);
-    ny = ObstacleResponse.difference(a.y, b.y, large);
-    un = scaled(ObstacleResponse.dot(ux, uy, nx, ny), fast);
+    ux = ScaledVectors.difference(a.vx, b.vx, fast);
+    uy = ScaledVectors.difference(a.vy, b.vy, fast);
+    int large = ScaledVectors.exponent(a.x, a.y, b.x, b.y, Math.max(Math.abs(ux), Math.abs(uy)));
+    nx = ScaledVectors.difference(a.x, b.x, large);
+    ny = ScaledVectors.difference(a.y, b.y, large);
+    un = scaled(ScaledVectors.dot(ux, uy, nx, ny), fast);
     double share = Coordinates.share(b.radius, a.radius);
     log.addPair(a.t, a.id, b.id);
     log.set(Coordinates.between(share, b.x, a.x), Coordinates.between(share, b.y, a.y), nx, ny, un);

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.response;
+
+import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.exact.UnitVector;
+import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleRows;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.Coordinates;
+import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.LineShape;
+import dev.carom.internal.sweep.PegShape;
+
+/**
+ * Where a circle touches an obstacle, and the normal there, of any length and without the radius:
+ * the perpendicular of a line for its side, the offset from the contact point to the centre for an
+ * endpoint or a peg, a unit vector of an axis for a wall.
+ *
+ * <p>The caller owns it, and reads the fields after {@link #locate}.
+ */
+final class ContactPoint {
+
+  /**
+   * An offset that is smaller than so much of a coordinate, or of one where the flight started, may
+   * be mere rounding: 2^10 ulps.
+   */
+  private static final double SMALL = 0x1p-43;
+
+  private final ObstacleTable obstacles;
+
+  /** The contact point. */
+  double x;
+
+  double y;
+
+  /** The normal, not of unit length. */
+  double nx;
+
+  double ny;
+
+  /** Where the flight started that ends here. */
+  private double startX;
+
+  private double startY;
+
+  ContactPoint(ObstacleTable obstacles) {
+    this.obstacles = obstacles;
+  }
+
+  /**
+   * Finds the contact point and the normal.
+   *
+   * @param m a circle that stands where it touches
+   * @param code the obstacle that it touches, with the contact that the circle holds
+   * @param fromX where the flight started that ended there
+   */
+  void locate(MovingCircle m, int code, double fromX, double fromY) {
+    startX = fromX;
+    startY = fromY;
+    if (Codes.isWall(code)) {
+      locateOnWall(m, code);
+      return;
+    }
+    ObstacleRows rows = obstacles.of(code);
+    if (Codes.isLine(code)) {
+      locateOnLine(m, rows.values, rows.offset(code));
+    } else {
+      locateOnPeg(m, rows.values, rows.offset(code));
+    }
+  }
+
+  private void locateOnWall(MovingCircle m, int code) {
+    double wall = obstacles.walls[code];
+    int inwards = Codes.inwards(code);
+    if (Codes.isVertical(code)) {
+      nx = inwards;
+      ny = 0;
+      x = wall;
+      y = m.y;
+    } else {
+      nx = 0;
+      ny = inwards;
+      x = m.x;
+      y = wall;
+    }
+  }
+
+  private void locateOnLine(MovingCircle m, double[] lines, int k) {
+    int contact = Contact.withoutTime(m.contact);
+    if (contact >= Contact.START) {
+      // Which end it is, no processor can foretell: its place is computed.
+      int end = k + (contact - Contact.START) * LineShape.END;
+      int other = 2 * k + LineShape.END - end;
+      locateOnEnd(
+          m,
+          lines[end + LineShape.AX],
+          lines[end + LineShape.AY],
+          lines[other + LineShape.AX],
+          lines[other + LineShape.AY]);
+      return;
+    }
+    double ax = lines[k + LineShape.AX];
+    double ay = lines[k + LineShape.AY];
+    double bx = lines[k + LineShape.BX];
+    double by = lines[k + LineShape.BY];
+    if (contact == Contact.LEFT) {
+      locateOnSide(m, ax, ay, bx, by, ay, bx, by, ax);
+    } else {
+      locateOnSide(m, ax, ay, bx, by, by, ax, ay, bx);
+    }
+  }
+
+  /**
+   * An end of a line, the other one being o. A point particle has no offset from it: its normal is
+   * the limit from before, that of the side where it came along that.
+   */
+  private void locateOnEnd(MovingCircle m, double x, double y, double ox, double oy) {
+    locateAt(m, x, y, 0);
+    if (m.radius == 0 && Predicates.dot(m.vx, m.vy, 0, 0, ox, oy, x, y) < 0) {
+      boolean left = Predicates.cross(m.vx, m.vy, 0, 0, ox, oy, x, y) > 0;
+      if (left) {
+        normal(m, y, ox, oy, x);
+      } else {
+        normal(m, oy, x, y, ox);
+      }
+    }
+  }
+
+  /**
+   * n is p - q, the perpendicular of w = b - a on the centre's side; the contact is its foot, s =
+   * (c - a).w / w.w.
+   */
+  private void locateOnSide(
+      MovingCircle m,
+      double ax,
+      double ay,
+      double bx,
+      double by,
+      double px,
+      double py,
+      double qx,
+      double qy) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double size = Math.max(Math.abs(wx), Math.abs(wy));
+    double s =
+        ScaledVectors.isSafe(size)
+            ? ((m.x - ax) * wx + (m.y - ay) * wy) / (wx * wx + wy * wy)
+            : Coordinates.fraction(
+                ax, ay, bx, by, Coordinates.within(m.x), Coordinates.within(m.y));
+    x = Coordinates.between(s, ax, bx);
+    y = Coordinates.between(s, ay, by);
+    normal(m, px, py, qx, qy);
+  }
+
+  private void locateOnPeg(MovingCircle m, double[] pegs, int k) {
+    locateAt(m, pegs[k + PegShape.X], pegs[k + PegShape.Y], pegs[k + PegShape.RADIUS]);
+  }
+
+  /**
+   * n is the offset from (cx, cy) to the centre; that of two points is the limit from before, -v;
+   * where the offset is lost in the rounding of the centre, it is the detector's normal.
+   */
+  private void locateAt(MovingCircle m, double cx, double cy, double radius) {
+    double share = Coordinates.share(radius, m.radius);
+    x = Coordinates.between(share, cx, Coordinates.within(m.x));
+    y = Coordinates.between(share, cy, Coordinates.within(m.y));
+    double radiusSum = radius + m.radius;
+    if (radiusSum == 0) {
+      normal(m, 0, 0, m.vx, m.vy);
+    } else if (radiusSum < SMALL * Math.max(size(cx, cy), size(startX, startY))) {
+      UnitVector n =
+          DiskSweep.normal(startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, 0, 0, m.cleared);
+      normal(m, n.x(), n.y(), 0, 0);
+    } else {
+      offset(m, cx, cy);
+    }
+  }
+
+  private static double size(double x, double y) {
+    return Math.max(Math.abs(x), Math.abs(y));
+  }
+
+  /**
+   * Keeps the offset from (cx, cy) to the true centre: it is smaller than the coordinates, and so
+   * has places that the rounded centre lacks. Without them its direction would be wrong by a
+   * rounding of the coordinates over the radius, and so would be the new velocity's.
+   */
+  private void offset(MovingCircle m, double cx, double cy) {
+    if (normal(m, m.x, m.y, cx, cy) == 0) {
+      nx += MovingCircle.lack(startX, m.vx, m.cleared, m.x);
+      ny += MovingCircle.lack(startY, m.vy, m.cleared, m.y);
+    }
+  }
+
+  /** Keeps the normal p - q; returns by which power of two it was divided. */
+  private int normal(MovingCircle m, double px, double py, double qx, double qy) {
+    double speed = Math.max(Math.abs(m.vx), Math.abs(m.vy));
+    int exponent = ScaledVectors.exponent(px, py, qx, qy, speed);
+    // + 0 turns -0 into 0.
+    nx = ScaledVectors.difference(px, qx, exponent) + 0.0;
+    ny = ScaledVectors.difference(py, qy, exponent) + 0.0;
+    return exponent;
+  }
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.response;
+
+import dev.carom.internal.sweep.Coordinates;
+
+/**
+ * Differences and products of vectors, also where these would leave the range of doubles: a
+ * difference is divided by a power of two, which for ordinary sizes is 1.
+ */
+public final class ScaledVectors {
+
+  /** Range of a normal's size, and of a speed, within which their products are safe. */
+  private static final double LEAST_SAFE = 0x1p-300;
+
+  private static final double MOST_SAFE = 0x1p300;
+
+  /** A normal is so many binary places above 1 for slow motion, whose own places may be few. */
+  private static final int SLOW = 60;
+
+  private ScaledVectors() {}
+
+  /** Whether products of numbers of this size are within the range of doubles. */
+  static boolean isSafe(double size) {
+    return size > LEAST_SAFE && size < MOST_SAFE;
+  }
+
+  /**
+   * By which power of two a normal p - q is to be divided, so that its products with velocities
+   * stay within the range of doubles: 0 for ordinary sizes.
+   */
+  static int exponent(double px, double py, double qx, double qy, double speed) {
+    double x = px - qx;
+    double y = py - qy;
+    double size = Math.max(Math.abs(x), Math.abs(y));
+    return isSafe(size) && isSafe(speed)
+        ? 0
+        : Math.getExponent(size) + (speed < 1 ? -SLOW : 3); // n below 1/4: |v.n| < 2 |v| / 4
+  }
+
+  /** (p - q) / 2^exponent; of what is beyond the range of doubles, the largest one. */
+  static double difference(double p, double q, int exponent) {
+    if (exponent == 0) {
+      return p - q;
+    }
+    double a = Coordinates.within(p);
+    double b = Coordinates.within(q);
+    double d = a - b;
+    return Math.abs(d) <= Double.MAX_VALUE
+        ? Math.scalb(d, -exponent)
+        : Math.scalb(a, -exponent) - Math.scalb(b, -exponent);
+  }
+
+  /** a.b to within two ulps, whatever cancels (W. Kahan's difference of products). */
+  public static double dot(double ax, double ay, double bx, double by) {
+    double p = ay * by;
+    return Math.fma(ax, bx, p) + Math.fma(ay, by, -p);
+  }
+}
