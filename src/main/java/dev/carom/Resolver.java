@@ -167,7 +167,7 @@ public final class Resolver {
     Check.notNull("velocity", velocity);
     Check.duration("maxTime", maxTime);
     Candidate first = tracer().first(CircleCast.mover(circle, velocity, 1), maxTime);
-    if (first == null || !first.isWithin(maxTime)) {
+    if (first == null) {
       return Optional.empty();
     }
     int code = first.code();

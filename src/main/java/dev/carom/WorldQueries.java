@@ -43,9 +43,7 @@ final class WorldQueries {
     MovingCircle mover = CircleCast.mover(circle, velocity, 1);
     Candidate obstacle = tracer(circle).first(mover, maxTime);
     Candidate first = collide ? queries.first(mover, obstacle, maxTime, now) : obstacle;
-    return first == null || !first.isWithin(maxTime)
-        ? Optional.empty()
-        : Optional.of(impact(first, now));
+    return first == null ? Optional.empty() : Optional.of(impact(first, now));
   }
 
   private Impact impact(Candidate first, double now) {

@@ -24,7 +24,7 @@ public record Candidate(
   }
 
   /** Whether it is exactly no later than the end maxTime of the window. */
-  public boolean isWithin(double maxTime) {
+  boolean isWithin(double maxTime) {
     return time < maxTime
         || (time == maxTime && exactTime.get().compare(ExactTime.of(maxTime)) <= 0);
   }

@@ -24,12 +24,12 @@ public final class CircleQueries {
 
   /**
    * The first contact of a cast with any circle that is no sensor, or with what was found before:
-   * of exactly simultaneous ones circles come last.
+   * exactly the earliest one, of exactly simultaneous ones circles come last.
    *
    * @param m the circle that is cast, at the start
-   * @param before a contact with something else, null for none
+   * @param before a contact with something else until maxTime, null for none
    * @param maxTime the end of the window, counted from now
-   * @return the contact, which may be later than maxTime by rounding; null for none
+   * @return the contact, null if there is none until maxTime
    */
   public Candidate first(MovingCircle m, Candidate before, double maxTime, double now) {
     Candidate first = before;
@@ -38,7 +38,7 @@ public final class CircleQueries {
       int slot = present.get(i);
       if (isThere(slot, now) && !registry.isSensor(slot)) {
         Candidate other = candidate(m, slot, first == null ? maxTime : first.time(), now);
-        if (other != null && (first == null || other.isBefore(first))) {
+        if (other != null && (first == null ? other.isWithin(maxTime) : other.isBefore(first))) {
           first = other;
         }
       }

@@ -20,9 +20,6 @@ public final class Tracer {
   private final BroadPhase search;
   private final ObstacleResponse response;
 
-  /** What is written where sensors are passed over. */
-  private final ImpactRows passed = new ImpactRows(1);
-
   /** Where the circle's obstacles are listed, or null to ask them all. */
   private final Grid grid;
 
@@ -34,21 +31,24 @@ public final class Tracer {
   }
 
   /**
-   * The first contact until a given time, or later by less than rounding: exactly the earliest one,
-   * sensors passed over. Null if there is none.
+   * The first contact until a given time: exactly the earliest one, sensors passed over. Null if
+   * there is none.
    *
    * @param mover at the start; it must stay as it is found
    */
   public Candidate first(MovingCircle mover, double maxTime) {
-    if (!search.cast(mover, grid, maxTime)) {
+    search.cast(mover, grid, maxTime);
+    if (mover.next == MovingCircle.NOTHING) {
       return null;
     }
-    return new Candidate(
-        mover.next,
-        mover.contact,
-        mover.cleared,
-        () -> search.exactTime(mover),
-        () -> hit(mover, mover.next, mover.cleared));
+    Candidate first =
+        new Candidate(
+            mover.next,
+            mover.contact,
+            mover.cleared,
+            () -> search.exactTime(mover),
+            () -> hit(mover, mover.next, mover.cleared));
+    return first.isWithin(maxTime) ? first : null;
   }
 
   /** Where a search found an impact. */
@@ -88,17 +88,12 @@ public final class Tracer {
 
   /** Looks for the next impact, past sensors; false if there is none until the given time. */
   private boolean next(MovingCircle mover, double end) {
-    search.extend(mover, grid, end - mover.t);
-    while (mover.due() <= end && mover.cleared < Double.POSITIVE_INFINITY) {
-      if (mover.next != MovingCircle.NOTHING && !obstacles.isSensor(mover.next)) {
+    do {
+      search.extendPastSensors(mover, grid, end - mover.t);
+      if (mover.due() <= end && mover.next != MovingCircle.NOTHING) {
         return true;
       }
-      if (mover.next != MovingCircle.NOTHING) {
-        passed.clear();
-        response.resolve(mover, passed);
-      }
-      search.extend(mover, grid, end - mover.t);
-    }
+    } while (mover.due() <= end && mover.cleared < Double.POSITIVE_INFINITY);
     return false;
   }
 

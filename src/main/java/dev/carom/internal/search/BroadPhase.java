@@ -141,21 +141,33 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   /**
-   * Finds what a mover hits first until the end of a window: exactly the earliest, of exactly equal
-   * times the first in order. Sensors are passed over.
-   *
-   * @return whether something is hit by then, or later by less than rounding; the mover tells what
+   * Extends what is known ahead of a mover as {@link #extend} does; sensors are not there for it.
    */
-  public boolean cast(MovingCircle mover, Grid grid, double end) {
-    setCasts(true);
+  public void extendPastSensors(MovingCircle mover, Grid grid, double needed) {
+    setPassesSensors(true);
+    try {
+      extend(mover, grid, needed);
+    } finally {
+      setPassesSensors(false);
+    }
+  }
+
+  /**
+   * Finds what a mover hits first, of equal rounded times exactly the earliest, of exactly equal
+   * ones the first in order. Sensors are not there for it.
+   *
+   * @param mover it is told what is hit, and when; NOTHING if that is later than the end by rounded
+   *     times
+   */
+  public void cast(MovingCircle mover, Grid grid, double end) {
+    setOrdersExactly(true);
     try {
       do {
-        extend(mover, grid, end);
+        extendPastSensors(mover, grid, end);
       } while (mover.next == MovingCircle.NOTHING && mover.cleared <= end && mover.cleared < NEVER);
     } finally {
-      setCasts(false);
+      setOrdersExactly(false);
     }
-    return mover.next != MovingCircle.NOTHING && mover.cleared <= end;
   }
 
   /**

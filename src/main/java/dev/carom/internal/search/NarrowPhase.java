@@ -20,8 +20,8 @@ import dev.carom.internal.sweep.WallSweep;
 /**
  * What does a flight hit first, of what it is asked about? The narrow search: the detector tells of
  * each thing whether and when it is hit; the earliest impact is kept, of equal times the smallest
- * code. A flight treats equal rounded times as simultaneous; a cast compares them exactly, and
- * passes over sensors.
+ * code. A flight treats equal rounded times as simultaneous; a cast compares them exactly. A cast
+ * and a trace pass over sensors.
  *
  * <p>Every question is put to the detector on the start of the flight, so that the answer does not
  * depend on the way in which the search comes to ask it.
@@ -37,8 +37,11 @@ abstract class NarrowPhase {
 
   boolean special;
 
-  /** Whether the search is for a cast. */
-  private boolean casts;
+  /** Whether sensors are passed over. */
+  private boolean passesSensors;
+
+  /** Whether impacts of equal rounded times are ordered by their exact ones. */
+  private boolean ordersExactly;
 
   /** Whether times and codes alone do not tell which impact is kept. */
   private boolean careful;
@@ -79,13 +82,18 @@ abstract class NarrowPhase {
   final void readAgain() {
     lines = obstacles.lines.values;
     special = obstacles.areSpecial();
-    careful = special || casts;
+    careful = special || ordersExactly;
   }
 
-  /** Begins or ends a cast. */
-  final void setCasts(boolean casts) {
-    this.casts = casts;
-    careful = special || casts;
+  /** Begins or ends a search that passes over sensors. */
+  final void setPassesSensors(boolean passes) {
+    passesSensors = passes;
+  }
+
+  /** Begins or ends a search that orders impacts exactly. */
+  final void setOrdersExactly(boolean exactly) {
+    ordersExactly = exactly;
+    careful = special || exactly;
   }
 
   /** Whether a flight, followed for ever from its start, meets a line or a peg. */
@@ -171,9 +179,14 @@ abstract class NarrowPhase {
     return lowCode + (UnitVectors.sign(v) + 1) / 2;
   }
 
-  /** The thing just hit cannot be hit again in this flight: it is convex. */
+  /**
+   * Whether something is not there for this search. The thing just hit cannot be hit again in this
+   * flight: it is convex.
+   */
   private boolean skipped(int code) {
-    return code == last || (jam != null && jam.makesInert(code));
+    return code == last
+        || (jam != null && jam.makesInert(code))
+        || (passesSensors && obstacles.isSensor(code));
   }
 
   /** Considers a line, as a rule at one look. */
@@ -250,16 +263,16 @@ abstract class NarrowPhase {
     }
   }
 
-  /** Whether an impact comes before the best one, in a cast or where some things are special. */
+  /** Whether an impact comes before the best one, where times and codes alone do not tell. */
   private boolean comesFirst(double t, int code, int contact) {
     boolean sensor = obstacles.isSensor(code);
-    if (sensor && (casts || wasSensed(t, code))) {
+    if (sensor && wasSensed(t, code)) {
       return false;
     }
     if (t != best || t == NEVER) {
       return t < best;
     }
-    return casts ? isEarlier(code, contact) : isBefore(sensor, code);
+    return ordersExactly ? isEarlier(code, contact) : isBefore(sensor, code);
   }
 
   /** Whether a sensor was met before, or was touched at the start: it is not met again. */
