@@ -107,22 +107,9 @@ final class CircleCast {
         kind,
         id,
         obstacle,
-        feature(kind, contact),
+        kind == ObstacleKind.WALL ? Feature.SIDE : Feature.of(Contact.part(contact)),
         new Vec2(hit.x(), hit.y()),
         new Vec2(hit.nx(), hit.ny()),
         hit.approachSpeed());
-  }
-
-  private static Feature feature(ObstacleKind kind, int contact) {
-    return switch (kind) {
-      case WALL -> Feature.SIDE;
-      case LINE ->
-          switch (contact & ~Contact.NOW) {
-            case Contact.START -> Feature.START;
-            case Contact.END -> Feature.END;
-            default -> Feature.SIDE;
-          };
-      case PEG, CIRCLE -> Feature.CIRCLE;
-    };
   }
 }

@@ -11,7 +11,6 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.sweep.LineShape;
-import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Kind;
@@ -38,7 +37,7 @@ public final class Editor {
   private final SizeLimits limits = new SizeLimits();
 
   /** The numbers of the obstacle that is added or moved, as its shape has them. */
-  private final double[] numbers = new double[ObstacleShape.MOST_NUMBERS];
+  private final double[] numbers = new double[ObstacleTable.MOST_NUMBERS];
 
   public Editor(SceneData scene, Engine engine, CircleRegistry registry) {
     collide = scene.collide;

@@ -27,7 +27,7 @@ final class SceneRow {
     kind = SceneRowKind.of(fields[0]);
     if (kind == null) {
       String reason = SceneText.quoted(fields[0]) + " is unknown: expected ";
-      throw error(0, reason + "wall, line, peg, circle or collide");
+      throw error(0, reason + SceneRowKind.words());
     }
     plain = countPlain();
   }

@@ -2,6 +2,7 @@
 package dev.carom.internal.io;
 
 import dev.carom.internal.state.ContactFlags;
+import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 
@@ -38,6 +39,13 @@ public enum SceneRowKind {
       }
     }
     return null;
+  }
+
+  /** What messages say is expected at the start of a row. */
+  static String words() {
+    String[] words = Arrays.stream(KINDS).map(kind -> kind.word).toArray(String[]::new);
+    int last = words.length - 1;
+    return String.join(", ", Arrays.copyOf(words, last)) + " or " + words[last];
   }
 
   /** How such a row looks; what stands in brackets may be left out. */

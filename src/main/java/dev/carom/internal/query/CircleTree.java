@@ -19,7 +19,11 @@ final class CircleTree {
   /** In units of the terms of a cross product: far more than its rounding. */
   private static final double ROUNDING = 0x1p-45;
 
-  // Of a box: left, bottom, right, top.
+  // The places of the sides of a box.
+  private static final int LEFT = 0;
+  private static final int BOTTOM = 1;
+  private static final int RIGHT = 2;
+  private static final int TOP = 3;
   private static final int BOX = 4;
 
   private final double[] circles;
@@ -97,17 +101,17 @@ final class CircleTree {
     double x = circles[row + SceneData.X];
     double y = circles[row + SceneData.Y];
     double r = circles[row + SceneData.RADIUS];
-    boxes[k] = Math.nextDown(x - r);
-    boxes[k + 1] = Math.nextDown(y - r);
-    boxes[k + 2] = Math.nextUp(x + r);
-    boxes[k + 3] = Math.nextUp(y + r);
+    boxes[k + LEFT] = Math.nextDown(x - r);
+    boxes[k + BOTTOM] = Math.nextDown(y - r);
+    boxes[k + RIGHT] = Math.nextUp(x + r);
+    boxes[k + TOP] = Math.nextUp(y + r);
   }
 
   private void include(int k, int other) {
-    boxes[k] = Math.min(boxes[k], boxes[other]);
-    boxes[k + 1] = Math.min(boxes[k + 1], boxes[other + 1]);
-    boxes[k + 2] = Math.max(boxes[k + 2], boxes[other + 2]);
-    boxes[k + 3] = Math.max(boxes[k + 3], boxes[other + 3]);
+    boxes[k + LEFT] = Math.min(boxes[k + LEFT], boxes[other + LEFT]);
+    boxes[k + BOTTOM] = Math.min(boxes[k + BOTTOM], boxes[other + BOTTOM]);
+    boxes[k + RIGHT] = Math.max(boxes[k + RIGHT], boxes[other + RIGHT]);
+    boxes[k + TOP] = Math.max(boxes[k + TOP], boxes[other + TOP]);
   }
 
   /** Finds all circles that come nearer to a segment than a radius, and some more. */
@@ -147,10 +151,10 @@ final class CircleTree {
    * half of its size, {@code |cross(w, c - a)| > |wx| hy + |wy| hx + r |w|}. NaN tells nothing.
    */
   private boolean isApart(int k) {
-    double x0 = boxes[k];
-    double y0 = boxes[k + 1];
-    double x1 = boxes[k + 2];
-    double y1 = boxes[k + 3];
+    double x0 = boxes[k + LEFT];
+    double y0 = boxes[k + BOTTOM];
+    double x1 = boxes[k + RIGHT];
+    double y1 = boxes[k + TOP];
     if (x0 > right || x1 < left || y0 > top || y1 < bottom) {
       return true;
     }

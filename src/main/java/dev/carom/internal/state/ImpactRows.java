@@ -26,6 +26,14 @@ public final class ImpactRows {
    */
   private static final int ROW = 6;
 
+  // Their places in the row.
+  private static final int TIME = 0;
+  private static final int CONTACT_X = 1;
+  private static final int CONTACT_Y = 2;
+  private static final int NX = 3;
+  private static final int NY = 4;
+  private static final int VN = 5;
+
   /** Ints of one row: circle, obstacle, and what is packed, see {@link #WHAT}. */
   private static final int INTS = 3;
 
@@ -64,7 +72,7 @@ public final class ImpactRows {
   // A row's numbers, in the order of time.
 
   public double time(int row) {
-    return numbers[at(row) * ROW];
+    return numbers[at(row) * ROW + TIME];
   }
 
   public int circle(int row) {
@@ -92,31 +100,31 @@ public final class ImpactRows {
   }
 
   public double x(int row) {
-    return numbers[at(row) * ROW + 1];
+    return numbers[at(row) * ROW + CONTACT_X];
   }
 
   public double y(int row) {
-    return numbers[at(row) * ROW + 2];
+    return numbers[at(row) * ROW + CONTACT_Y];
   }
 
   public double nx(int row) {
     int k = at(row) * ROW;
-    return numbers[k + 3] / length(k);
+    return numbers[k + NX] / length(k);
   }
 
   public double ny(int row) {
     int k = at(row) * ROW;
-    return numbers[k + 4] / length(k);
+    return numbers[k + NY] / length(k);
   }
 
   public double approachSpeed(int row) {
     int k = at(row) * ROW;
-    return Math.max(0, -numbers[k + 5] / length(k));
+    return Math.max(0, -numbers[k + VN] / length(k));
   }
 
   private double length(int k) {
-    double nx = numbers[k + 3];
-    double ny = numbers[k + 4];
+    double nx = numbers[k + NX];
+    double ny = numbers[k + NY];
     return Math.sqrt(nx * nx + ny * ny);
   }
 
@@ -140,7 +148,7 @@ public final class ImpactRows {
     }
     disorder |= Double.doubleToRawLongBits(time - latest);
     latest = time;
-    numbers[k] = time;
+    numbers[k + TIME] = time;
     int c = row * INTS;
     ints[c] = circle;
     ints[c + WHAT] = kind | feature << FEATURE;
@@ -158,11 +166,11 @@ public final class ImpactRows {
   public void set(double x, double y, double nx, double ny, double vn) {
     int k = (size - 1) * ROW;
     // The first and the last one first: then compilers need not ask whether the rest is in range.
-    numbers[k + 1] = Coordinates.within(x);
-    numbers[k + 5] = vn;
-    numbers[k + 2] = Coordinates.within(y);
-    numbers[k + 3] = nx;
-    numbers[k + 4] = ny;
+    numbers[k + CONTACT_X] = Coordinates.within(x);
+    numbers[k + VN] = vn;
+    numbers[k + CONTACT_Y] = Coordinates.within(y);
+    numbers[k + NX] = nx;
+    numbers[k + NY] = ny;
   }
 
   /** Sets the outcome of the row added last, which else is that the circle bounced. */

@@ -21,6 +21,10 @@ public final class ObstacleTable {
   /** The shape of each kind that has rows, by its {@link Kind}; walls have none. */
   private static final ObstacleShape[] SHAPES = {null, LineShape.INSTANCE, PegShape.INSTANCE};
 
+  /** The most numbers that an obstacle has, its restitution not counted. */
+  public static final int MOST_NUMBERS =
+      kindsOfRows().map(kind -> SHAPES[kind].restitution).max().orElseThrow();
+
   /** Where the walls stand, by their codes; null without bounds. */
   public final double[] walls;
 

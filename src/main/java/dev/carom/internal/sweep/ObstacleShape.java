@@ -15,9 +15,6 @@ import java.util.List;
  */
 public abstract class ObstacleShape {
 
-  /** The most numbers that a row has before the restitution. */
-  public static final int MOST_NUMBERS = 4;
-
   /** The places of the start of the spine. */
   public static final int X = 0;
 
