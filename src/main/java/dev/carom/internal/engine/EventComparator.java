@@ -4,6 +4,7 @@ package dev.carom.internal.engine;
 import dev.carom.internal.queue.EventOrder;
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.MovingCircle;
 
@@ -47,7 +48,7 @@ final class EventComparator implements EventOrder {
     return switch (EventScheduler.kind(codes, i)) {
       case EventKind.STATIC -> {
         int next = EventScheduler.next(codes, i);
-        yield next < 0 ? i : (long) next << 31 | i;
+        yield next < 0 ? i : Codes.rank(next, i);
       }
       case EventKind.PAIR -> {
         int j = CollisionPredictor.partner(codes, i);

@@ -67,15 +67,7 @@ public final class ObstacleResponse {
     boolean faint = stuck && StuckRule.isFaint(m, approach);
     m.jam = faint ? IgnoreList.with(m.jam, code) : IgnoreList.ofCircles(m.jam);
     if (stuck || e == 0) {
-      boolean back = StopRule.turnsBack(m, point.nx, point.ny, way, approach);
-      change(m, code, vn, 0, log);
-      boolean stops = back || (stuck && StopRule.isSpent(m));
-      if (stops) {
-        StopRule.stop(m);
-      }
-      if (stuck || stops) {
-        log.setOutcome(ImpactRows.JAMMED);
-      }
+      changeWithoutBounce(m, code, vn, way, stuck, log);
     } else {
       m.turn = 0;
       change(m, code, vn, e, log);
@@ -83,6 +75,21 @@ public final class ObstacleResponse {
     m.last = code;
     m.newFlight();
     return stuck && !faint ? STUCK : NEW_FLIGHT;
+  }
+
+  /** Changes the velocity by an impact of restitution 0, which may stop the circle. */
+  private void changeWithoutBounce(
+      MovingCircle m, int code, double vn, double way, boolean stuck, ImpactRows log) {
+    double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
+    boolean back = StopRule.turnsBack(m, point.nx, point.ny, way, approach);
+    change(m, code, vn, 0, log);
+    boolean stops = back || (stuck && StopRule.isSpent(m));
+    if (stops) {
+      StopRule.stop(m);
+    }
+    if (stuck || stops) {
+      log.setOutcome(ImpactRows.JAMMED);
+    }
   }
 
   /** Changes the velocity of a circle that approaches. */

@@ -89,7 +89,7 @@ public final class PairResponse {
    * meet that stands still. Sensors come first of all, since they change nothing.
    */
   public long rank(int i, int j) {
-    long rank = (long) Codes.circle(i) << 31 | j;
+    long rank = Codes.rank(Codes.circle(i), j);
     return isSilent(i, j) ? rank - Long.MAX_VALUE : rank;
   }
 

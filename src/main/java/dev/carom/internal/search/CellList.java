@@ -46,7 +46,7 @@ public final class CellList {
 
   /** Whether a pair, or a list that is no pair of lines, is a pair of other obstacles. */
   public static boolean areOthers(long pair) {
-    return second(pair) > 0 && !Codes.isLine(second(pair));
+    return Codes.isAfterLines(second(pair));
   }
 
   /** Where a longer list starts. */

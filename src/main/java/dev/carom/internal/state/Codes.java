@@ -29,6 +29,13 @@ public final class Codes {
   private static final int FIRST_PEG = 1 << 28;
   private static final int FIRST_CIRCLE = 1 << 29;
 
+  private static final int PART_SHIFT = 28;
+
+  private static final int RANK_SHIFT = 31;
+
+  /** How many parts there are, those of moving circles not counted. */
+  static final int PARTS = FIRST_CIRCLE >>> PART_SHIFT;
+
   private Codes() {}
 
   /** The code of thing i of a {@link Kind}. */
@@ -58,12 +65,32 @@ public final class Codes {
 
   /** The index of what a code stands for, among things of its kind. */
   public static int index(int code) {
-    return code - FIRST[kind(code)];
+    return code < FIRST_LINE
+        ? code
+        : code < FIRST_PEG
+            ? code - FIRST_LINE
+            : code < FIRST_CIRCLE ? code - FIRST_PEG : code - FIRST_CIRCLE;
+  }
+
+  /**
+   * The part of the range of all codes in which a code is: each kind but walls has parts of its
+   * own, and walls share that of lines.
+   */
+  static int part(int code) {
+    return code >>> PART_SHIFT;
   }
 
   /** The slot of a moving circle, by its code. */
   public static int slot(int circle) {
     return circle - FIRST_CIRCLE;
+  }
+
+  /**
+   * The rank of an impact among those of one time, the lowest first: by the code of what is hit,
+   * then by the circle that hits it.
+   */
+  public static long rank(int code, int circle) {
+    return (long) code << RANK_SHIFT | circle;
   }
 
   /** How many things of a {@link Kind} can have codes. */
@@ -79,6 +106,11 @@ public final class Codes {
 
   public static boolean isLine(int code) {
     return code >= FIRST_LINE && code < FIRST_PEG;
+  }
+
+  /** Whether a code belongs to a kind that comes after lines. */
+  public static boolean isAfterLines(int code) {
+    return code >= FIRST_PEG;
   }
 
   public static boolean isPeg(int code) {

@@ -23,6 +23,11 @@ public final class ObstacleRows {
    */
   private final int codeOfRow0;
 
+  /** Doubles of a row, and the place of the restitution in it. */
+  private final int width;
+
+  private final int restitution;
+
   /** The rows, by codes. */
   public double[] values;
 
@@ -49,6 +54,8 @@ public final class ObstacleRows {
   ObstacleRows(int kind, ObstacleShape shape) {
     this.kind = kind;
     this.shape = shape;
+    width = shape.row;
+    restitution = shape.restitution;
     codeOfRow0 = kind == Kind.LINE ? 0 : first();
   }
 
@@ -139,7 +146,7 @@ public final class ObstacleRows {
 
   /** The place of an obstacle's row in the values. */
   public int offset(int code) {
-    return (code - codeOfRow0) * shape.row;
+    return (code - codeOfRow0) * width;
   }
 
   /** A copy of a row. */
@@ -164,7 +171,7 @@ public final class ObstacleRows {
   }
 
   double restitution(int code) {
-    return values[offset(code) + shape.restitution];
+    return values[offset(code) + restitution];
   }
 
   public int traits(int code) {
@@ -228,7 +235,7 @@ public final class ObstacleRows {
 
   void setRestitution(int code, double e) {
     own();
-    values[offset(code) + shape.restitution] = e;
+    values[offset(code) + restitution] = e;
   }
 
   void setTraits(int code, int its) {

@@ -31,6 +31,9 @@ public final class ObstacleTable {
   public double boundsRestitution = 1;
   public int boundsTraits;
 
+  /** The rows of each kind, by the {@linkplain Codes#part part} of the codes. */
+  private final ObstacleRows[] byPart = new ObstacleRows[Codes.PARTS];
+
   /** The rows of each kind, by its {@link Kind}; null for the walls. */
   private final ObstacleRows[] byKind = new ObstacleRows[SHAPES.length];
 
@@ -49,6 +52,9 @@ public final class ObstacleTable {
     kinds = List.of(rows);
     System.arraycopy(rows, 0, byKind, Kind.LINE, rows.length);
     lines = byKind[Kind.LINE];
+    for (ObstacleRows each : rows) {
+      byPart[Codes.part(each.first())] = each;
+    }
     countSpecials();
   }
 
@@ -143,7 +149,7 @@ public final class ObstacleTable {
 
   /** The rows among which that of a code is; it is no wall. */
   public ObstacleRows of(int code) {
-    return Codes.isLine(code) ? lines : byKind[Codes.kind(code)];
+    return byPart[Codes.part(code)];
   }
 
   /** Whether an obstacle other than a wall was removed. */
