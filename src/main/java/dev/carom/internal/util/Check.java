@@ -2,14 +2,17 @@
 package dev.carom.internal.util;
 
 /**
- * Checks of what comes from outside. Each message names the thing, its value and what was expected;
- * each condition is written so that NaN fails it.
+ * Checks of arguments and of input data. Each message names the thing, its value and the
+ * expectation. Each condition is written so that NaN fails it.
  */
 public final class Check {
 
   private Check() {}
 
-  /** Refuses null by a {@link NullPointerException} that names the argument; returns the others. */
+  /**
+   * Throws a {@link NullPointerException} that names the argument if it is null; returns it
+   * otherwise.
+   */
   public static <T> T notNull(String name, T value) {
     if (value == null) {
       throw isNull(name);
@@ -45,14 +48,17 @@ public final class Check {
     }
   }
 
-  /** A mass: sums and quotients of two within these limits neither overflow nor underflow. */
+  /**
+   * Checks a mass. Within these limits, the sum and the quotient of two masses neither overflow nor
+   * underflow.
+   */
   public static void mass(String name, double value) {
     if (!((value >= 0x1p-500 && value <= 0x1p500) || value == Double.POSITIVE_INFINITY)) {
       throw refused(name, value, "a number from 2^-500 to 2^500, or infinity");
     }
   }
 
-  /** The sides of a rectangle that is wider and higher than 0. */
+  /** Checks the sides of a rectangle, which must be wider and higher than 0. */
   public static void bounds(double xmin, double ymin, double xmax, double ymax) {
     finite("xmin", xmin);
     finite("ymin", ymin);
@@ -66,7 +72,7 @@ public final class Check {
     }
   }
 
-  /** A length of time: 0 or more, {@code +infinity} included. */
+  /** Checks a length of time: 0 or more, {@code +infinity} included. */
   public static void duration(String name, double value) {
     if (!(value >= 0)) {
       throw refused(name, value, "at least 0 (infinity is allowed)");

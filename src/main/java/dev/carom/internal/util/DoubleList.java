@@ -3,7 +3,7 @@ package dev.carom.internal.util;
 
 import java.util.Arrays;
 
-/** A growing row of doubles. */
+/** A growable list of doubles. */
 public final class DoubleList {
 
   private double[] values = new double[16];

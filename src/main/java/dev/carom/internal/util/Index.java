@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.util;
 
-/** What stands in place of an index. */
+/** The value that stands for a missing index. */
 public final class Index {
 
-  /** No circle: the end of a list of indices, or an answer that there is none. */
+  /** No circle: the end of a linked list of indices, or a search without result. */
   public static final int NONE = -1;
 
   private Index() {}

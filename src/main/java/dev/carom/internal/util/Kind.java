@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.util;
 
-/** The kinds of things, by the ordinals of the public ones. */
+/** The kinds of obstacles and circles. The values equal the ordinals of the public enum. */
 public final class Kind {
 
   public static final int WALL = 0;
@@ -13,7 +13,7 @@ public final class Kind {
 
   private Kind() {}
 
-  /** What messages call thing i of a kind. */
+  /** The name of thing i of a kind in messages, as "line 3". */
   public static String nameOf(int kind, int i) {
     return NAMES[kind] + " " + i;
   }

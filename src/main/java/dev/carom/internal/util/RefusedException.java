@@ -2,8 +2,8 @@
 package dev.carom.internal.util;
 
 /**
- * What a check refused. Callers see an {@link IllegalArgumentException}; the reader of scene files
- * asks for the name of the property, to point at its place in the file.
+ * Thrown when a check fails. Callers of the library see an {@link IllegalArgumentException}. The
+ * reader of scene files asks for the name of the property, to point at its place in the file.
  */
 public final class RefusedException extends IllegalArgumentException {
 
@@ -22,17 +22,19 @@ public final class RefusedException extends IllegalArgumentException {
     this.reason = reason;
   }
 
-  /** The same refusal, its message led by the thing that the property belongs to. */
+  /**
+   * Returns the same refusal, with the name of the thing that has the property before the message.
+   */
   public RefusedException of(String thing) {
     return new RefusedException(property, reason, thing + ": ", this);
   }
 
-  /** The name of what was refused, as "radius". */
+  /** The name of the refused property, as "radius". */
   public String property() {
     return property;
   }
 
-  /** The message without the thing. */
+  /** The message without the name of the thing. */
   public String reason() {
     return reason;
   }
