@@ -3,7 +3,7 @@ package dev.carom.internal.io;
 
 import java.io.IOException;
 
-/** A row of a scene file does not follow the format. The message tells what is wrong. */
+/** Thrown when a row of a scene file does not follow the format. The message says what is wrong. */
 public final class RowException extends IOException {
 
   private static final long serialVersionUID = 1;
@@ -22,7 +22,10 @@ public final class RowException extends IOException {
     return line;
   }
 
-  /** Where the wrong field begins, from 1, or where the row ends that lacks a field. */
+  /**
+   * The column, from 1, at which the wrong field begins. If a field is missing, the column after
+   * the end of the row.
+   */
   public int column() {
     return column;
   }

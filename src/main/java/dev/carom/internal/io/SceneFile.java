@@ -18,17 +18,17 @@ import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.util.concurrent.ThreadLocalRandom;
 
-/** Scenes in files: see {@code Scene} for the format. */
+/** Reads and writes scene files. The format is documented at {@code Scene}. */
 public final class SceneFile {
 
-  /** As many as Linux follows. */
+  /** The longest chain of symbolic links that is followed: the limit of Linux. */
   private static final int MOST_LINKS = 40;
 
   private SceneFile() {}
 
   public static SceneData read(Path path) throws IOException {
     expectFile(path);
-    // A reader of its own, since those of Files stop at a comment that is not UTF-8.
+    // Not Files.newBufferedReader: its decoder throws at a comment that is not UTF-8.
     try (Reader in = new InputStreamReader(Files.newInputStream(path), StandardCharsets.UTF_8)) {
       return read(in);
     }
@@ -42,11 +42,11 @@ public final class SceneFile {
     expectFile(path);
     try {
       if (Files.exists(path) && !Files.isRegularFile(path)) {
-        writeDirectly(scene, path); // a pipe or a device: no file to spare
+        writeDirectly(scene, path); // a pipe or a device cannot be replaced by a file
       } else {
         replace(scene, target(path));
       }
-    } catch (IOException e) { // which names a draft, or nothing
+    } catch (IOException e) { // its message names the temporary file, or no file
       throw cannotBeWritten(path, e);
     }
   }
@@ -57,7 +57,7 @@ public final class SceneFile {
     }
   }
 
-  /** The file that symbolic links lead to, also where it is not there yet. */
+  /** The file at the end of the symbolic links, whether or not it exists. */
   private static Path target(Path path) throws IOException {
     Path target = path;
     for (int links = 0; Files.isSymbolicLink(target); links++) {
@@ -69,7 +69,10 @@ public final class SceneFile {
     return target;
   }
 
-  /** Its name is short, so that it fits wherever that of the target does. */
+  /**
+   * Writes a temporary file beside the target and renames it. Its name is short, so that it fits
+   * wherever the target's name does.
+   */
   private static void replace(SceneData scene, Path target) throws IOException {
     String random = Long.toHexString(ThreadLocalRandom.current().nextLong());
     Path draft = Files.createFile(target.resolveSibling("carom-" + random + ".tmp"));
@@ -83,7 +86,7 @@ public final class SceneFile {
     }
   }
 
-  /** Who may read a file that is there may read what replaces it, and no one else. */
+  /** Gives the replacement the permissions of the file that it replaces. */
   private static void keepAccess(Path target, Path draft) throws IOException {
     PosixFileAttributeView view = Files.getFileAttributeView(target, PosixFileAttributeView.class);
     if (Files.exists(target) && view != null) {
@@ -98,7 +101,7 @@ public final class SceneFile {
     return e;
   }
 
-  /** What happened, without the name of a file. */
+  /** The reason without the name of a file. */
   private static String reason(IOException e) {
     if (e instanceof NoSuchFileException) {
       return "no such folder";

@@ -18,7 +18,10 @@ final class SceneReader {
 
   private final SceneDataBuilder builder = new SceneDataBuilder();
 
-  /** Line and column of each circle's radius: what is wrong with it may show at the end only. */
+  /**
+   * Line and column of each circle's radius. A radius that is too small for a coordinate further
+   * down is detected only after the last row.
+   */
   private int[] radiusPlaces = new int[32];
 
   private int circles;
@@ -96,7 +99,10 @@ final class SceneReader {
     builder.collide = flag(row, 1, "collide", row.field(1));
   }
 
-  /** Refuses a second row of a kind; the line of the first one is 0 as long as there is none. */
+  /**
+   * Refuses a second row of a kind. {@code first} is the line of the earlier one, 0 if there is
+   * none.
+   */
   private static int only(SceneRow row, int first) throws RowException {
     if (first > 0) {
       throw row.error(
@@ -146,7 +152,7 @@ final class SceneReader {
     return response;
   }
 
-  /** The truth in a text of 0 or 1, which field i holds. */
+  /** Parses the text of field i, which must be 0 or 1. */
   private static boolean flag(SceneRow row, int i, String name, String text) throws RowException {
     if (!text.equals("0") && !text.equals("1")) {
       throw row.error(i, name + " is " + SceneText.quoted(text) + ": expected 0 or 1");

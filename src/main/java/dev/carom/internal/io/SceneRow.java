@@ -4,15 +4,15 @@ package dev.carom.internal.io;
 import dev.carom.internal.util.RefusedException;
 
 /**
- * One row of a scene file, cut into fields: the word for its kind, then the plain fields of that
- * kind, then those of the form key=value.
+ * One row of a scene file, split into fields: the word for the kind, the positional fields of that
+ * kind, then fields of the form key=value.
  */
 final class SceneRow {
 
   private final int line;
   private final String[] fields;
 
-  /** Where each field begins, from 1; and at the end where the row ends. */
+  /** The column, from 1, at which each field begins; last, the column after the end of the row. */
   private final int[] columns;
 
   private final SceneRowKind kind;
@@ -32,7 +32,7 @@ final class SceneRow {
     plain = countPlain();
   }
 
-  /** The row that stands on a line of text; null if there is none, or only a comment. */
+  /** Parses a line of text; null if it is blank or holds only a comment. */
   static SceneRow of(int line, String text) throws RowException {
     int comment = text.indexOf('#');
     int end = SceneText.end(text, 0, comment < 0 ? text.length() : comment);
@@ -51,7 +51,7 @@ final class SceneRow {
     columns[fields.length] = end + 1;
   }
 
-  /** Counts the fields before those of key=value, and checks that there are as many as needed. */
+  /** Counts the fields before the first key=value, and checks that the kind allows so many. */
   private int countPlain() throws RowException {
     int n = 1;
     while (n < size() && fields[n].indexOf('=') < 0) {
@@ -75,12 +75,11 @@ final class SceneRow {
     return line;
   }
 
-  /** The number of fields. */
   int size() {
     return fields.length;
   }
 
-  /** The number of fields before those of key=value. */
+  /** The number of fields before the first key=value. */
   int plain() {
     return plain;
   }
@@ -90,7 +89,7 @@ final class SceneRow {
     return fields[i];
   }
 
-  /** Where field i begins, from 1. */
+  /** The column, from 1, at which field i begins. */
   int column(int i) {
     return columns[i];
   }
@@ -109,7 +108,7 @@ final class SceneRow {
     return number(i, fields[i]);
   }
 
-  /** The key of field i, which stands after the plain ones. */
+  /** The key of field i, which must have the form key=value. */
   String key(int i) throws RowException {
     int equals = fields[i].indexOf('=');
     if (equals < 0) {
@@ -118,13 +117,13 @@ final class SceneRow {
     return fields[i].substring(0, SceneText.end(fields[i], 0, equals));
   }
 
-  /** What stands after the key of field i. */
+  /** The text after the equals sign of field i. */
   String value(int i) {
     String field = fields[i];
     return field.substring(SceneText.start(field, field.indexOf('=') + 1, field.length()));
   }
 
-  /** The finite number after the key of field i. */
+  /** The finite number after the equals sign of field i. */
   double option(int i) throws RowException {
     return number(i, value(i));
   }
@@ -138,12 +137,12 @@ final class SceneRow {
     return number;
   }
 
-  /** A mistake in field i, or at the end of the row if that is the number of fields. */
+  /** An error at field i, or at the end of the row if i is the number of fields. */
   RowException error(int i, String reason) {
     return new RowException(line, columns[i], reason);
   }
 
-  /** What a check refused, at the field that holds the property. */
+  /** Locates a refused value: an error at the field that holds the property. */
   RowException error(RefusedException refused) throws RowException {
     int i = kind.names().indexOf(refused.property());
     if (i < 0) {

@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 
-/** The rows that a scene file can have, each with the names of its fields. */
+/** The kinds of rows in a scene file, each with the names of its fields. */
 public enum SceneRowKind {
   WALL("wall,xmin,ymin,xmax,ymax"),
   LINE("line,ax,ay,bx,by"),
@@ -14,7 +14,7 @@ public enum SceneRowKind {
   CIRCLE("circle,x,y,radius,vx,vy[,mass]"),
   COLLIDE("collide,0|1");
 
-  /** The words for the responses, by their numbers in {@link ContactFlags}. */
+  /** The words for the responses, indexed by the constants of {@link ContactFlags}. */
   public static final List<String> RESPONSES = List.of("bounce", "halt", "sensor");
 
   private static final SceneRowKind[] KINDS = values();
@@ -31,7 +31,7 @@ public enum SceneRowKind {
     required = allowed - (shape.endsWith("]") ? 1 : 0);
   }
 
-  /** The kind whose rows begin with a given word; null if there is none. */
+  /** The kind whose rows begin with the given word; null if there is none. */
   static SceneRowKind of(String word) {
     for (SceneRowKind kind : KINDS) {
       if (kind.word.equals(word)) {
@@ -48,7 +48,7 @@ public enum SceneRowKind {
     return String.join(", ", Arrays.copyOf(words, last)) + " or " + words[last];
   }
 
-  /** How such a row looks; what stands in brackets may be left out. */
+  /** The form of such a row; a part in brackets is optional. */
   String shape() {
     return shape;
   }
@@ -58,12 +58,12 @@ public enum SceneRowKind {
     return Pattern.compile("\\[?,|]").splitAsStream(shape).toList();
   }
 
-  /** How many fields a row has at least. */
+  /** The least number of fields of a row. */
   int required() {
     return required;
   }
 
-  /** How many fields a row has at most, those of key=value not counted. */
+  /** The largest number of fields of a row, key=value fields not counted. */
   int allowed() {
     return allowed;
   }

@@ -8,7 +8,7 @@ final class SceneText {
 
   private SceneText() {}
 
-  /** How often a char stands before {@code end}. */
+  /** Counts a char in the text before {@code end}. */
   static int count(char c, String text, int end) {
     int count = 0;
     for (int i = text.indexOf(c); i >= 0 && i < end; i = text.indexOf(c, i + 1)) {
@@ -17,7 +17,10 @@ final class SceneText {
     return count;
   }
 
-  /** Where a text begins that stands between {@code from} and {@code to} with spaces around it. */
+  /**
+   * The index of the first char from {@code from} to {@code to} that is not a space or tab; {@code
+   * to} if there is none.
+   */
   static int start(String text, int from, int to) {
     int start = from;
     while (start < to && isSpace(text.charAt(start))) {
@@ -26,7 +29,10 @@ final class SceneText {
     return start;
   }
 
-  /** Where a text ends that stands between {@code from} and {@code to} with spaces around it. */
+  /**
+   * The index after the last char from {@code from} to {@code to} that is not a space or tab;
+   * {@code from} if there is none.
+   */
   static int end(String text, int from, int to) {
     int end = to;
     while (end > from && isSpace(text.charAt(end - 1))) {
@@ -40,9 +46,10 @@ final class SceneText {
   }
 
   /**
-   * The double nearest to a decimal or hex number; NaN for everything else, and beyond the range of
-   * a double. {@link Double#parseDouble} takes more than that, but what more it takes shows at the
-   * first or last char: control chars around the number, NaN, Infinity, and a type suffix (1.5f).
+   * Parses a decimal or hexadecimal number and rounds it to the nearest double. Any other text is
+   * NaN, and so is a number beyond the range of a double. {@link Double#parseDouble} accepts more:
+   * control chars around the number, NaN, Infinity, and a type suffix (1.5f). Each of these shows
+   * in the first or the last char.
    */
   static double finite(String text) {
     if (text.isEmpty() || !isFirst(text.charAt(0)) || !isLast(text.charAt(text.length() - 1))) {
@@ -65,8 +72,8 @@ final class SceneText {
   }
 
   /**
-   * A text between quotation marks, cut short, with escapes for quotation marks, for backslashes,
-   * and for what a terminal may not show.
+   * The text in quotation marks, cut after {@value #QUOTED_CHARS} chars. Quotation marks,
+   * backslashes, and all chars that are not printable ASCII are escaped.
    */
   static String quoted(String text) {
     StringBuilder quoted = new StringBuilder("\"");

@@ -48,7 +48,9 @@ final class SceneWriter {
     row.append(kind);
   }
 
-  /** {@link Double#toString(double)} has digits enough to read back the same bits. */
+  /**
+   * Writes numbers. {@link Double#toString(double)} has enough digits to read back the same bits.
+   */
   private void numbers(double... numbers) {
     for (double number : numbers) {
       row.append(',').append(number);

@@ -30,8 +30,8 @@ import java.util.zip.CRC32;
 import java.util.zip.CheckedInputStream;
 
 /**
- * Reads a snapshot, and trusts nothing: beside the check sum, each number is held to what a world
- * can have.
+ * Reads and validates a snapshot. Besides the check sum, each number is checked against the values
+ * that a world can hold.
  */
 public final class SnapshotReader {
 
@@ -41,7 +41,10 @@ public final class SnapshotReader {
   /** How many obstacles of each {@link Kind} have codes. */
   private final int[] counts = new int[Kind.CIRCLE];
 
-  /** What was said of circles, before all of them were read. */
+  /**
+   * Codes of circles that were read before the list of circles was complete. They are checked at
+   * the end.
+   */
   private final IntStream.Builder codesOfCircles = IntStream.builder();
 
   public SnapshotReader(InputStream in) {
@@ -112,7 +115,10 @@ public final class SnapshotReader {
     return ObstacleTable.walls(xmin, ymin, xmax, ymax);
   }
 
-  /** Rows of finite numbers that end in a restitution, all NaN for what was removed; and traits. */
+  /**
+   * Reads rows of finite numbers, each with a restitution at its end, and their traits. The row of
+   * a removed obstacle is NaN.
+   */
   private ObstacleRows rows(int kind) throws IOException {
     counts[kind] = count(Codes.limit(kind));
     DoubleList numbers = new DoubleList();
@@ -241,7 +247,10 @@ public final class SnapshotReader {
     return jam;
   }
 
-  /** A code of a circle is checked when all circles are read. */
+  /**
+   * Checks that a code exists. Codes of circles are collected and checked after all circles are
+   * read.
+   */
   private void checkCode(int code) throws IOException {
     if (Codes.isCircle(code)) {
       codesOfCircles.add(code);

@@ -13,15 +13,20 @@ import java.io.OutputStream;
 import java.util.zip.CRC32;
 import java.util.zip.CheckedOutputStream;
 
-/** Writes a snapshot: a mark, a version, its numbers in one order, and a check sum of all that. */
+/**
+ * Writes a snapshot: a magic number, a version, the numbers in a fixed order, and a check sum of
+ * all that precedes it.
+ */
 public final class SnapshotWriter {
 
-  /** "CAROM" and a byte that text does not hold. */
+  /** "CAROM" and a zero byte, which no text contains. */
   static final long MARK = 0x4341524F4D00L;
 
   static final int VERSION = 4;
 
-  /** Instead of the traits of what was removed, of which nothing else is written. */
+  /**
+   * Marks a removed obstacle: this byte stands for its traits, and nothing else of it is written.
+   */
   static final int GONE = -1;
 
   private final CRC32 sum = new CRC32();
@@ -76,7 +81,7 @@ public final class SnapshotWriter {
   private void circles(WorldState s) throws IOException {
     out.writeInt(s.registry().idLimit());
     out.writeInt(s.registry().count());
-    for (int i = 0; i < s.registry().count(); i++) { // a snapshot's roster is dense
+    for (int i = 0; i < s.registry().count(); i++) { // the slots of a snapshot are dense
       out.writeInt(s.registry().id(i));
       out.writeByte(s.registry().traits(i));
       out.writeDouble(s.registry().mass(i));

@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: Apache-2.0
-/** Scene files and snapshots, read and written. */
+/** Reads and writes scene files and snapshots. */
 package dev.carom.internal.io;
