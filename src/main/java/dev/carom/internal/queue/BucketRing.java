@@ -5,40 +5,43 @@ import dev.carom.internal.util.Index;
 import java.util.Arrays;
 
 /**
- * A ring of buckets of an {@link CalendarQueue}, each a list of circles, most of them empty or of
- * one circle. Buckets are numbered on without end; those that are one turn apart share a place, so
- * no more than one turn may be in use.
+ * The ring of buckets of a {@link CalendarQueue}. Each bucket is a linked list of circles; most are
+ * empty or hold one circle. Bucket numbers increase without end. Numbers one turn apart share a
+ * slot, so at most one turn may be in use.
  */
 final class BucketRing {
 
-  /** No circle. */
   private static final int NONE = Index.NONE;
 
-  /** No bucket: beyond all. */
+  /** No bucket: a number above all others. */
   static final int NOWHERE = Integer.MAX_VALUE;
 
-  /** Bits of a word: 2^6. */
+  /** The binary logarithm of the bits in a long. */
   private static final int WORD = 6;
 
-  /** The first circle of each list. */
+  /** The first circle of each bucket's list. */
   private final int[] heads;
 
-  /** A bit for each bucket, set where something was added since it was taken. */
+  /**
+   * One bit per bucket, set when a circle is added and cleared when the bucket is drained. A set
+   * bit may belong to an empty bucket.
+   */
   private final long[] filled;
 
-  /** Of each circle the one that is next in its list. */
+  /** The next circle in the list of each circle. */
   private final int[] after;
 
   /**
-   * Of each circle, by its number and one, the one before it in its list, if it is not the first.
+   * The previous circle in the list of circle i, at index i + 1. Undefined for the first circle of
+   * a list; entry 0 belongs to NONE and is never read.
    */
   private final int[] before;
 
   /**
-   * An empty ring.
+   * Creates an empty ring.
    *
-   * @param buckets how many, a power of two and at least 64
-   * @param circles room for so many
+   * @param buckets the number of buckets, a power of two and at least 64
+   * @param circles the number of circles
    */
   BucketRing(int buckets, int circles) {
     heads = new int[buckets];
@@ -53,12 +56,12 @@ final class BucketRing {
     int at = slot(bucket);
     int next = heads[at];
     after[i] = next;
-    before[next + 1] = i; // of NONE too, which nobody asks
+    before[next + 1] = i; // written for NONE, too: no branch
     heads[at] = i;
     filled[word(bucket >> WORD)] |= 1L << bucket;
   }
 
-  /** Takes a circle out of the bucket in which it is. */
+  /** Removes a circle from its bucket. */
   void remove(int bucket, int i) {
     int at = slot(bucket);
     int next = after[i];
@@ -76,17 +79,20 @@ final class BucketRing {
     return heads[slot(bucket)];
   }
 
-  /** The circle after another one in its list, or NONE; or what it was marked with. */
+  /**
+   * The circle after circle i in its list, or NONE; for a circle in no bucket, its {@linkplain
+   * #mark mark}.
+   */
   int next(int i) {
     return after[i];
   }
 
-  /** Marks a circle that is in no bucket, until it is in one. */
+  /** Marks a circle that is in no bucket. The mark holds until the circle is added to one. */
   void mark(int i, int mark) {
     after[i] = mark;
   }
 
-  /** Empties a bucket; returns its first circle, or NONE. */
+  /** Empties a bucket and returns its first circle, or NONE. */
   int drain(int bucket) {
     int at = slot(bucket);
     int i = heads[at];
@@ -95,7 +101,7 @@ final class BucketRing {
     return i;
   }
 
-  /** The first bucket from one on, within a turn, that may hold something, or NOWHERE. */
+  /** The first bucket within one turn from the given one that may hold a circle, or NOWHERE. */
   int filledFrom(int bucket) {
     int w = bucket >> WORD;
     int last = w + filled.length;
@@ -109,7 +115,7 @@ final class BucketRing {
     return (w << WORD) + Long.numberOfTrailingZeros(bits);
   }
 
-  // By the length, so that compilers know that both are in range.
+  // Masked by the length of the array, so that the compiler omits range checks.
 
   private int slot(int bucket) {
     return bucket & (heads.length - 1);

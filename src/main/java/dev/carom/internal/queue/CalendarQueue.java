@@ -6,26 +6,28 @@ import dev.carom.internal.util.Index;
 import java.util.Arrays;
 
 /**
- * A calendar of at most one event for each circle. Setting, moving and taking an event cost O(1) on
- * average, whatever their number.
+ * A calendar queue with at most one event per circle. Setting, moving and polling an event take
+ * O(1) on average, whatever the number of events.
  *
- * <p>A ring of buckets of equal length of time, some for each event, so that most hold one or none,
- * and a small heap for the current one and what is before it. The ring holds two spans of time, in
- * memory that stays in the cache. Later events wait in lists, one for each span, to which an event
- * is only added: one that is moved leaves its old entry behind, and whether an entry is still meant
- * shows when its list is dealt out, to the half of the ring that is through. Events beyond the last
- * span wait in one list more. When the calendar is through, or its heap is crowded, it begins anew,
- * with buckets as long as suits those that wait.
+ * <p>A ring of buckets of equal duration holds the events of two spans of time. There are several
+ * buckets per event, so most hold one event or none, and the ring stays in the cache. A small heap
+ * holds the events of the current bucket and of all before it.
+ *
+ * <p>Later events wait in overflow lists, one per span. These lists are append-only: a rescheduled
+ * event leaves its old entry behind. Stale entries are skipped when their list is distributed into
+ * the consumed half of the ring. One more list holds the events beyond the last span. When all
+ * spans are consumed, or the heap is crowded, a new round begins, with a bucket width that suits
+ * the waiting events.
  *
  * <p>Source of the calendar: G. Paul, A Complexity O(1) priority queue for event driven molecular
  * dynamics simulations, Journal of Computational Physics 221 (2007).
  */
 public final class CalendarQueue {
 
-  /** Is told which events come next, some time before they come. */
+  /** Receives the next events some time before they are polled, to prefetch their data. */
   public interface Prefetcher {
 
-    /** Takes notice of the circles whose events are next in a queue, in any order. */
+    /** Announces the circles whose events are next in the queue, in any order. */
     void next(CalendarQueue queue, int[] circles, int size);
   }
 
@@ -34,93 +36,102 @@ public final class CalendarQueue {
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   /**
-   * Events that an outlook is told of at a time, and at most where many are due at nearly one time:
-   * a core waits for some dozens of reads at once.
+   * Events per prefetch: a core has some dozens of reads in flight at once. More are announced, up
+   * to {@link #MOST_PREFETCHED}, if many are due at almost the same time.
    */
   private static final int PREFETCHED = 32;
 
   public static final int MOST_PREFETCHED = 2 * PREFETCHED;
 
-  /** Buckets of which an outlook is told at once. */
+  /** Buckets whose heads are collected before the rest of their lists. */
   private static final int PREFETCH_STEP = 8;
 
-  /** Buckets for each event in the mean time that events wait: what is next is told by a bit. */
+  /** Buckets per event within the mean waiting time. The next event is found by one set bit. */
   private static final int PER_EVENT = 4;
 
-  /** A round, in mean times that events wait: what begins anew each time is shared by many. */
+  /**
+   * Duration of a round in mean waiting times. A long round spreads the cost of beginning it over
+   * many events.
+   */
   private static final int ROUND_LENGTH = 16;
 
-  /** Spans of a round, as many as there are if not those of the next bounds are too long. */
+  /**
+   * The least number of spans in a round, and the number used unless the next limits shorten the
+   * spans.
+   */
   private static final int SPANS = 8;
 
   private static final int MOST_SPANS = 1 << 15;
 
-  /** Buckets of a round at most, lest their numbers be more than an int holds. */
+  /** The largest number of buckets in a round: bucket numbers must fit in an int. */
   private static final int MOST_BUCKETS = 1 << 30;
 
-  // Buckets of a span, unless there were too many spans: few enough to stay in the cache; and where
-  // the circles do not, so few that what is read of them to deal out a list still is when its turn
-  // comes.
+  // Buckets per span, as long as MOST_SPANS is not exceeded: so few that the ring stays in the
+  // cache. With prefetch the circles do not fit in the cache. Then there are so few that the values
+  // read when a list is distributed are still cached when their events are polled.
   private static final int LEAST_IN_SPAN = 32;
   private static final int MANY_IN_SPAN = 1 << 13;
   private static final int MANY_WITH_PREFETCH = 1 << 11;
 
-  /** More events than that in the heap are too many, unless they are at one time. */
+  /** With more events in the heap than this a new round begins, unless it just did. */
   private static final int HEAP_CROWDED = 32;
 
-  /** A sum of so small parts of times does not overflow. */
+  /** Scales waiting times so that their sum does not overflow. */
   private static final double WAIT_SCALE = 0x1p-32;
 
-  /** More than this many times longer than the next shorter one is a length of time too long. */
+  /**
+   * A mean waiting time is dominated by a few long ones if it exceeds the mean of those below it by
+   * more than this factor.
+   */
   private static final double SKEW_LIMIT = 8;
 
-  /** What an event is marked with that waits in a list. */
+  /** The mark of an event that waits in an overflow list. */
   private static final int IN_OVERFLOW = NONE - 1;
 
-  /** Or null. */
+  /** Null if nothing is prefetched. */
   private final Prefetcher prefetcher;
 
   private final int[] upcoming = new int[MOST_PREFETCHED + PREFETCH_STEP + 1];
 
-  /** Buckets before this one were told of, or need not be. */
+  /** The first bucket whose events have yet to be prefetched; NOWHERE without a prefetcher. */
   private int prefetchedTo;
 
-  /** When the event of each circle is due. */
+  /** The time of each circle's event, {@code +infinity} for none. */
   private final double[] times;
 
   private final BucketRing ring;
 
-  /** Buckets of a span: so many, which are 2 to this. */
+  /** The number of buckets in a span, and its binary logarithm. */
   private final int span;
 
   private final int inSpan;
 
   private final int spans;
 
-  /** One for each span, and one for what is beyond. */
+  /** One list for each span, then one for the events beyond the last span. */
   private final OverflowLists lists;
 
-  // The calendar's beginning, buckets in a unit of time, the current bucket, and the first one that
-  // is not on the ring yet.
+  // The start time of the round, buckets per unit of time, the current bucket, and the first bucket
+  // that is not on the ring yet.
   private double base = -1;
   private double perUnit = 0x1p1000;
   private int current = -1;
   private int end;
 
-  /** From this bucket on there is more to do than to take what it holds. */
+  /** From this bucket on, the ring has to be refilled or events have to be prefetched. */
   private int limit;
 
-  /** The events of the current bucket and of those before it. */
+  /** The events of the current bucket and of all buckets before it. */
   private final EventHeap heap;
 
-  /** Events taken since the calendar began, and how many there were then. */
+  /** Events polled since the round began, and events that the round began with. */
   private long polled;
 
   private int atFirst;
 
   private double polledTime;
 
-  /** What was read comes together here, for else it need not be read. */
+  /** Sink for prefetched values. Without a use of them the compiler would remove the loads. */
   @SuppressWarnings("UnusedVariable")
   private double read;
 
@@ -129,10 +140,11 @@ public final class CalendarQueue {
   }
 
   /**
-   * One that tells an outlook which events come next.
+   * Creates a queue that announces its next events.
    *
-   * @param prefetcher or null for none
-   * @param codes the ints of so many circles: it keeps their {@link CircleTable#PLACE}
+   * @param prefetcher null for none
+   * @param codes the int rows of that many circles; the queue keeps {@link CircleTable#HEAP_INDEX}
+   *     in them
    */
   public CalendarQueue(int count, EventOrder order, Prefetcher prefetcher, int[] codes) {
     this.prefetcher = prefetcher;
@@ -144,13 +156,13 @@ public final class CalendarQueue {
     spans = Math.max(SPANS, (int) (round >> inSpan));
     ring = new BucketRing(2 * span, count);
     lists = new OverflowLists(spans + 1, spans + 2 + count / 8);
-    end = spans << inSpan; // before the first round all is beyond
+    end = spans << inSpan; // before the first round every event is beyond the last span
     times = new double[count];
     Arrays.fill(times, NEVER);
     heap = new EventHeap(times, order, codes);
   }
 
-  /** The least n for which 2^n is no less than x. */
+  /** The least n with 2^n at least x. */
   private static int logarithm(long x) {
     return Long.SIZE - Long.numberOfLeadingZeros(x - 1);
   }
@@ -159,9 +171,9 @@ public final class CalendarQueue {
     return times[i];
   }
 
-  /** Sets the event of circle i, in place of the one it had; {@code +infinity} for none. */
+  /** Sets the event of circle i and replaces the previous one; {@code +infinity} for none. */
   public void set(int i, double time) {
-    if (times[i] != NEVER) { // most events were taken
+    if (times[i] != NEVER) { // false for most: their event was polled
       clear(i);
     }
     times[i] = time;
@@ -170,7 +182,9 @@ public final class CalendarQueue {
     }
   }
 
-  /** Takes out the event of circle i: to be done before anything changes what orders it. */
+  /**
+   * Removes the event of circle i. Must be called before anything changes that orders the event.
+   */
   public void clear(int i) {
     double time = times[i];
     if (time == NEVER) {
@@ -186,11 +200,7 @@ public final class CalendarQueue {
     times[i] = NEVER;
   }
 
-  /**
-   * Takes out the first event, if it is due by a given time.
-   *
-   * @return its circle, or NONE
-   */
+  /** Removes the first event if it is due by the given time. */
   public int poll(double last) {
     spread();
     while (heap.isEmpty()) {
@@ -201,7 +211,7 @@ public final class CalendarQueue {
       int i = ring.first(bucket);
       if (i == NONE || ring.next(i) != NONE) {
         turnTo(bucket);
-      } else { // as a rule it is alone
+      } else { // the usual case: the only event of its bucket
         return times[i] <= last ? pollAlone(bucket, i) : NONE;
       }
     }
@@ -239,14 +249,14 @@ public final class CalendarQueue {
     return i;
   }
 
-  /** When the event was due that was taken last. */
+  /** The time of the event polled last. */
   public double polledTime() {
     return polledTime;
   }
 
   /**
-   * Whether a time is earlier than those of all events; false too if that takes a longer look than
-   * at the current bucket.
+   * Whether a time is earlier than those of all events. May return false wrongly if the answer
+   * needs more than the current bucket.
    */
   public boolean isBeforeAll(double time) {
     return bucket(time) <= current && (heap.isEmpty() || time < times[heap.first()]);
@@ -272,18 +282,21 @@ public final class CalendarQueue {
     ring.mark(i, IN_OVERFLOW);
   }
 
-  /** Whether an entry of a list is still that of its circle. */
+  /** Whether an entry of an overflow list is not stale. */
   private boolean isCurrent(int i, double time) {
     return times[i] == time && ring.next(i) == IN_OVERFLOW;
   }
 
-  /** The next bucket that may hold something, or NOWHERE if no event is left. */
+  /** The next bucket that may hold an event, or NOWHERE if no event is left. */
   private int nextBucket() {
     int bucket = ring.filledFrom(current + 1);
     return bucket < limit ? bucket : goFurther(bucket);
   }
 
-  /** The same where the ring is empty, half of it is through, or it is time for an outlook. */
+  /**
+   * Continues {@link #nextBucket} where the ring is empty, half of it is consumed, or a prefetch is
+   * due.
+   */
   private int goFurther(int from) {
     int bucket = from;
     while (bucket == BucketRing.NOWHERE) {
@@ -311,13 +324,14 @@ public final class CalendarQueue {
     }
   }
 
-  /** Tells which events come next, from a bucket on. */
+  /** Announces the next events, from a bucket on. */
   private void prefetch(int from) {
     int size = 0;
     int bucket = from;
     while (bucket < end && size < PREFETCHED) {
       int heads = size;
-      // What is read of one circle does not depend on another one, as far as that can be.
+      // First the heads of some buckets, then their lists: as few reads as possible depend on
+      // another one.
       for (int k = 0; k < PREFETCH_STEP && bucket < end; k++) {
         size = addUpcoming(ring.first(bucket), size);
         bucket = ring.filledFrom(bucket + 1);
@@ -330,13 +344,13 @@ public final class CalendarQueue {
     prefetcher.next(this, upcoming, size);
   }
 
-  /** Adds a circle to those that are told of, if it is one; returns how many they are then. */
+  /** Appends a circle if it is one (NONE is not); returns the new size. Branch-free. */
   private int addUpcoming(int i, int size) {
     upcoming[size] = i;
     return size + 1 + (i >> 31);
   }
 
-  /** Goes on to the next span that has a list, the ring being empty; false if no event is left. */
+  /** Advances the empty ring to the next span that has entries; false if no event is left. */
   private boolean skip() {
     int following = end >> inSpan;
     while (following < spans && lists.isEmpty(following)) {
@@ -350,7 +364,7 @@ public final class CalendarQueue {
     return true;
   }
 
-  /** Deals out the list of the span that follows, to the half of the ring that is through. */
+  /** Distributes the list of the next span into the consumed half of the ring. */
   private void distributeOverflow() {
     int following = end >> inSpan;
     if (following == spans) {
@@ -370,7 +384,10 @@ public final class CalendarQueue {
     }
   }
 
-  /** Reads what is asked of the entries of a chunk, none of which waits for another one. */
+  /**
+   * Prefetches the values that are needed of the entries of a chunk. No read depends on another
+   * one.
+   */
   private void read(int chunk) {
     double sum = 0;
     for (int k = lists.start(chunk); k < chunk; k++) {
@@ -380,7 +397,7 @@ public final class CalendarQueue {
     read += sum;
   }
 
-  /** Puts the event of an entry, if it is still meant, where it belongs by now. */
+  /** Inserts the event of an entry, unless the entry is stale. */
   private void insertIfCurrent(int i, double time) {
     if (isCurrent(i, time)) {
       ring.mark(i, NONE);
@@ -388,7 +405,11 @@ public final class CalendarQueue {
     }
   }
 
-  /** Begins a new round if too many events are in the heap, and that was not tried just now. */
+  /**
+   * Begins a new round if the heap is crowded and more events were polled since the last round
+   * began than it began with. Events at exactly one time stay crowded, so this must not be tried
+   * each time.
+   */
   private void spread() {
     if (heap.size() > HEAP_CROWDED && polled > atFirst) {
       gather();
@@ -396,7 +417,7 @@ public final class CalendarQueue {
     }
   }
 
-  /** Lets all events wait with those beyond the last span. */
+  /** Moves all events to the list beyond the last span. */
   private void gather() {
     while (!heap.isEmpty()) {
       int i = heap.first();
@@ -424,7 +445,7 @@ public final class CalendarQueue {
     }
   }
 
-  /** Begins a new round with what waits beyond the last span; false if that is nothing. */
+  /** Begins a new round with the events beyond the last span; false if there are none. */
   private boolean begin() {
     int waiting = lists.drain(spans);
     if (waiting == OverflowLists.NONE) {
@@ -458,7 +479,11 @@ public final class CalendarQueue {
     return earliest < NEVER;
   }
 
-  /** Events in their mean time from the earliest on: all of them, or the most that are alike. */
+  /**
+   * Events per unit of time: the number of waiting events divided by their mean waiting time,
+   * counted from the earliest event. If a few wait far longer than the others, only the others
+   * count.
+   */
   private double density(int waiting, double earliest) {
     double limit = NEVER;
     double density = 0;

@@ -6,8 +6,9 @@ import dev.carom.internal.util.Index;
 import java.util.Arrays;
 
 /**
- * The few events of an {@link CalendarQueue} that are next, as a heap: of each circle one at most,
- * found by its place. What orders an event must not change while it is here.
+ * The binary heap of the next few events of a {@link CalendarQueue}, at most one per circle. Each
+ * circle's row holds the position of its event, so an event is found in O(1). Whatever orders an
+ * event must not change while the event is in the heap.
  */
 final class EventHeap {
 
@@ -15,10 +16,13 @@ final class EventHeap {
 
   private final EventOrder order;
 
-  /** When the event of each circle is due. */
+  /** The time of each circle's event. */
   private final double[] times;
 
-  /** The ints of circles; of each the place of its event here, or NONE. */
+  /**
+   * The int rows of the circles. {@link CircleTable#HEAP_INDEX} is the position of the circle's
+   * event in the heap, or NONE.
+   */
   private final int[] codes;
 
   private int[] heap = new int[16];
@@ -53,12 +57,12 @@ final class EventHeap {
     return indexOf(i) != NONE;
   }
 
-  /** The circle whose event is first. */
+  /** The circle with the first event. */
   int first() {
     return heap[0];
   }
 
-  /** Adds the event of circle i, whose time does not change while it is here. */
+  /** Adds the event of circle i. Its time must not change while it is in the heap. */
   void add(int i) {
     if (size == heap.length) {
       heap = Arrays.copyOf(heap, 2 * size);
@@ -66,12 +70,11 @@ final class EventHeap {
     up(size++, i);
   }
 
-  /** Takes out the event of circle i, which is here. */
+  /** Removes the event of circle i, which must be in the heap. */
   void remove(int i) {
     removeAt(indexOf(i));
   }
 
-  /** Takes out the first event. */
   void removeFirst() {
     setIndex(heap[0], NONE);
     size--;
@@ -98,7 +101,7 @@ final class EventHeap {
     setIndex(i, k);
   }
 
-  /** Puts an event at place k of the heap or above. */
+  /** Puts an event at position k, or above if it comes before its parent. */
   private void up(int k, int i) {
     int at = k;
     while (at > 0) {
@@ -112,7 +115,7 @@ final class EventHeap {
     put(at, i);
   }
 
-  /** Puts an event at place k of the heap or below. */
+  /** Puts an event at position k, or below if a child comes before it. */
   private void down(int k, int i) {
     int at = k;
     while (2 * at + 1 < size) {

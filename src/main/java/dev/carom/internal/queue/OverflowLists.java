@@ -4,33 +4,36 @@ package dev.carom.internal.queue;
 import java.util.Arrays;
 
 /**
- * Lists of entries of an {@link CalendarQueue}, each a circle and a time. A list is a chain of
- * chunks of entries, all full but the one to which entries are added; what is taken is given back,
- * and serves again while it is still in the cache.
+ * Append-only lists of entries of a {@link CalendarQueue}, each entry a circle and a time. A list
+ * is a chain of chunks. All chunks but the one that is appended to are full. Released chunks are
+ * reused first, while they are still in the cache.
  *
- * <p>A chunk is named by the end of its entries, one more than the place of its last one, which
- * tells how many it holds.
+ * <p>A chunk is named by the end of its entries, the index after its last one. So its name also
+ * gives the number of its entries.
  */
 final class OverflowLists {
 
-  /** The end of no chunk. */
+  /** The name of no chunk. */
   static final int NONE = 0;
 
-  /** Entries of a chunk: 2^4. */
+  /** The binary logarithm of the entries in a chunk. */
   private static final int SHIFT = 4;
 
   private static final int CHUNK = 1 << SHIFT;
 
-  /** Of each entry its time, and its circle as a whole number: they are read together. */
+  /**
+   * The time of each entry and, as a double, its circle. They are adjacent because they are read
+   * together.
+   */
   private double[] entries;
 
-  /** Of each list the end of the chunk to which it adds. */
+  /** The chunk that each list appends to. */
   private final int[] ends;
 
-  /** Of each chunk the end of the one that follows in its list. */
+  /** The chunk that follows each chunk in its list. */
   private int[] next;
 
-  /** The end of a free chunk, if it were full. */
+  /** The first free chunk, named as if it were full. */
   private int free;
 
   OverflowLists(int lists, int chunks) {
@@ -57,7 +60,7 @@ final class OverflowLists {
     ends[list] = k + 1;
   }
 
-  /** The start of a new chunk for a list that is full or empty. */
+  /** Links a new chunk into a list that is full or empty; returns the start of the chunk. */
   private int chunkAfter(int end) {
     if (free == NONE) {
       int chunks = next.length;
@@ -83,14 +86,14 @@ final class OverflowLists {
     return ends[list] == NONE;
   }
 
-  /** Takes a list's chunks: the end of the first one, or NONE. */
+  /** Empties a list; returns its first chunk, or NONE. */
   int drain(int list) {
     int end = ends[list];
     ends[list] = NONE;
     return end;
   }
 
-  /** Where the entries of a chunk start. */
+  /** The index of the first entry of a chunk. */
   int start(int end) {
     return (end - 1) & -CHUNK;
   }
@@ -99,7 +102,7 @@ final class OverflowLists {
     return next[start(end) >> SHIFT];
   }
 
-  /** Gives a chunk back, and returns the next one of its list. */
+  /** Frees a chunk; returns the next one of its list. */
   int release(int end) {
     int c = start(end) >> SHIFT;
     int following = next[c];
