@@ -3,10 +3,13 @@ package dev.carom.internal.sweep;
 
 import dev.carom.internal.util.Part;
 
-/** The codes of contacts: which part of a line or a disk is hit first, and if at once. */
+/**
+ * The codes of contacts: the part of a line or a disk that is hit first, and whether it is hit at
+ * once.
+ */
 public final class Contact {
 
-  /** In place of a contact: plain doubles do not tell, so the detector is to be asked. */
+  /** No contact code: plain doubles leave the answer open, so the detector must decide. */
   public static final int DOUBT = -1;
 
   /** No impact. */

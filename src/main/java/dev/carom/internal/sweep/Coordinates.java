@@ -6,7 +6,7 @@ public final class Coordinates {
 
   private Coordinates() {}
 
-  /** A coordinate; of one beyond the range of doubles, the largest one. */
+  /** Clamps a coordinate to the range of finite doubles. */
   public static double within(double x) {
     return Math.abs(x) <= Double.MAX_VALUE
         ? x
@@ -25,14 +25,14 @@ public final class Coordinates {
     return Double.isInfinite(w) ? (1 - s) * a + s * b : Math.fma(s, w, a);
   }
 
-  /** The same with s held within 0..1: an end itself where it leaves that, a where it is NaN. */
+  /** The same with s clamped to 0..1: exactly a or b beyond an end, and a if s is NaN. */
   public static double onSegment(double s, double a, double b) {
     return !(s > 0) ? a : s >= 1 ? b : between(s, a, b);
   }
 
   /**
-   * Where p projects on the line from a to b: s = (p - a).w / w.w with w = b - a, as cosine times
-   * lengths; NaN for zero length.
+   * The projection of p on the line from a to b, as a fraction: s = (p - a).w / w.w with w = b - a.
+   * It is computed as a cosine times lengths; NaN for zero length.
    */
   public static double fraction(double ax, double ay, double bx, double by, double px, double py) {
     double half = Double.isInfinite(bx - ax) || Double.isInfinite(by - ay) ? 0.5 : 1;
@@ -45,7 +45,7 @@ public final class Coordinates {
     double ux = wx / w;
     double uy = wy / w;
     double along = d == 0 ? 0 : (dx / d) * ux + (dy / d) * uy;
-    // Lengths last: their quotient may be infinite.
+    // The quotient of the lengths comes last: it may be infinite.
     return along == 0 ? 0 * ux : along / (ux * ux + uy * uy) * (d / w);
   }
 }

@@ -23,7 +23,7 @@ public final class DiskSweep {
 
   private DiskSweep() {}
 
-  /** Whether two disks touch while approaching, now or later. */
+  /** The contact of two disks that touch while approaching: NOW, LATER or MISS. */
   public static int contact(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
       double vx2, double vy2) {
@@ -128,7 +128,7 @@ public final class DiskSweep {
         : Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).exactTime();
   }
 
-  /** The time by more steps, from t on, and by exact numbers if none of them tells. */
+  /** Refines the time t by more steps; exact numbers decide if no step can. */
   private static double refined(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
       double vx2, double vy2, double T, double start) {
@@ -180,7 +180,7 @@ public final class DiskSweep {
             + 2 * (x * xl + y * yl - r * rl));
   }
 
-  /** What d + u t on one axis leaves behind when it is rounded, below 4 u of its terms. */
+  /** The rounding error of d + u t on one axis, below 4 u of its terms. */
   static double terms(double x1, double x2, double v1, double v2, double t) {
     double d = x1 - x2;
     double u = v1 - v2;
@@ -190,8 +190,8 @@ public final class DiskSweep {
   }
 
   /**
-   * The sign of the time of an impact that comes LATER, less the end T of a window, as far as plain
-   * doubles tell: +1 later, -1 earlier, 0 in doubt.
+   * Compares the time of a LATER impact with the end T of a window, in plain doubles: +1 later, -1
+   * earlier, 0 in doubt.
    */
   public static int compareTime(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,

@@ -5,17 +5,18 @@ import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.UnitVector;
 
 /**
- * Where a moving disk meets something, of which the detector told the contact and the time.
+ * The contact point, the normal and the approach speed where a moving disk meets a line, a wall or
+ * a disk. The detector has found the contact code and the time.
  *
- * @param x the x coordinate of the contact point; of one beyond the range of doubles, the largest
+ * @param x the x coordinate of the contact point; the largest double if it is beyond the range
  * @param y its y coordinate
- * @param nx the x component of the unit normal, from what is hit to the disk
+ * @param nx the x component of the unit normal, which points to the disk
  * @param ny its y component
  * @param approachSpeed the speed along the normal at which the distance falls; it may be infinite
  */
 public record Hit(double x, double y, double nx, double ny, double approachSpeed) {
 
-  /** That of a line, by a contact and a time of {@link SegmentSweep}. */
+  /** The hit on a line, from a contact and a time of {@link SegmentSweep}. */
   public static Hit ofLine(
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
       double by, int contact, double t) {
@@ -27,7 +28,7 @@ public record Hit(double x, double y, double nx, double ny, double approachSpeed
     };
   }
 
-  /** That of an end (x, y), the other one being o. */
+  /** The hit on the endpoint (x, y) of a line whose other endpoint is o. */
   private static Hit ofEnd(
       double px, double py, double r, double vx, double vy, double x, double y, double ox,
       double oy, double t) {
@@ -38,13 +39,17 @@ public record Hit(double x, double y, double nx, double ny, double approachSpeed
     return of(x, y, n, vx, vy, 0, 0);
   }
 
-  /** Whether a point particle comes to an end over the line's side, not from beyond the end. */
+  /**
+   * Whether a point particle reaches an endpoint along the line's side, not from beyond the end.
+   */
   private static boolean slides(
       double vx, double vy, double x, double y, double ox, double oy) {
     return Predicates.dot(vx, vy, 0, 0, ox, oy, x, y) < 0;
   }
 
-  /** The side's normal, against the velocity: the limit of the normals from before. */
+  /**
+   * The normal of the side, against the velocity: the limit of the normals for radii that go to 0.
+   */
   private static UnitVector slideNormal(
       double vx, double vy, double x, double y, double ox, double oy) {
     int drift = Predicates.cross(ox, oy, x, y, vx, vy, 0, 0);
@@ -61,7 +66,7 @@ public record Hit(double x, double y, double nx, double ny, double approachSpeed
     return of(x, y, n, vx, vy, 0, 0);
   }
 
-  /** That of the wall with a given code, at the given coordinate. */
+  /** The hit on the wall with a given code, at the given coordinate. */
   public static Hit ofWall(
       double px, double py, double vx, double vy, int code, double wall, double t) {
     if (code <= WallSweep.RIGHT) {
@@ -70,14 +75,14 @@ public record Hit(double x, double y, double nx, double ny, double approachSpeed
     return new Hit(place(px, vx, t), wall, 0, vy < 0 ? 1 : -1, Math.abs(vy));
   }
 
-  /** That of disk 1 and disk 2, by a contact and a time of {@link DiskSweep}. */
+  /** The hit of disk 1 on disk 2, from a contact and a time of {@link DiskSweep}. */
   public static Hit ofDisks(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
       double vx2, double vy2, int contact, double t) {
     UnitVector n = DiskSweep.normal(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t);
     double x;
     double y;
-    if (contact == Contact.NOW) { // their distance is divided as their radii
+    if (contact == Contact.NOW) { // in the ratio of the radii
       double share = Coordinates.share(r2, r1);
       x = Coordinates.between(share, x2, x1);
       y = Coordinates.between(share, y2, y1);

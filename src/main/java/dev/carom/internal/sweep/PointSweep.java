@@ -8,8 +8,9 @@ import static dev.carom.internal.exact.DoubleDouble.sumTail;
 import dev.carom.internal.exact.PrecisionCounters;
 
 /**
- * When a moving disk meets a point at rest, an end of a line: {@link DiskSweep#time} of a second
- * disk that has neither radius nor velocity, whose terms are left out here as they are 0.
+ * The time at which a moving disk meets a point at rest, such as an endpoint of a line. This is
+ * {@link DiskSweep#time} with a second disk of radius 0 and velocity 0. The terms that are 0 are
+ * left out.
  */
 public final class PointSweep {
 
@@ -17,16 +18,16 @@ public final class PointSweep {
 
   private PointSweep() {}
 
-  /** The correctly rounded time of an impact that comes later. */
+  /** The correctly rounded time of a {@link Contact#LATER} impact. */
   public static double time(
       double px, double py, double r, double vx, double vy, double x, double y) {
     return time(px, py, r, vx, vy, x, y, SegmentFilter.timeOfEnd(px, py, r, vx, vy, x, y));
   }
 
   /**
-   * The same, from the plain root on.
+   * The same, given the plain root.
    *
-   * @param root what {@link SegmentFilter#timeOfEnd} tells
+   * @param root the result of {@link SegmentFilter#timeOfEnd}
    */
   public static double time(
       double px, double py, double r, double vx, double vy, double x, double y, double root) {
@@ -38,7 +39,7 @@ public final class PointSweep {
     return DiskSweep.time(Contact.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, NEVER);
   }
 
-  /** The same as far as one step from the plain root tells, else NaN or infinity. */
+  /** The same by one step from the plain root; NaN or infinity if one step does not decide. */
   static double firstStep(
       double px, double py, double r, double vx, double vy, double x, double y, double t) {
     double dx = px - x;
@@ -48,7 +49,7 @@ public final class PointSweep {
     double w = dd + rr;
     double a = vx * vx + vy * vy;
     double k = vx * dy - vy * dx;
-    // Nothing here waits for t but the residue.
+    // Only the residue depends on t, so the rest is computed while the root is still being taken.
     double half = 0.5 / Math.sqrt(a * rr - k * k);
     double c = residue(px, py, r, vx, vy, x, y, t) * half;
     double error = TimeOfImpact.stepError(w, a, half, TimeOfImpact.firstLean(a, w, half), c);

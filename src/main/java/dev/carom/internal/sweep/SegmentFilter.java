@@ -2,9 +2,9 @@
 package dev.carom.internal.sweep;
 
 /**
- * A disk that moves against a resting line, as far as a look in plain doubles tells: most contacts
- * of a {@link SegmentSweep}, and roughly when they come. What comes out is certain; whatever is
- * near a limit is left in DOUBT, for the detector to tell.
+ * A filter in plain doubles for a disk that moves against a resting line. It finds most contacts of
+ * a {@link SegmentSweep}, and approximately when they come. Its answers are certain; whatever is
+ * near a limit is left in DOUBT, for the detector to decide.
  *
  * <p>The bounds of {@link SegmentSweep} and {@link TimeOfImpact} are 17 u of the sums of terms at
  * most, u = 2^-53. So a value above {@link #CLEAR} of them has its sign, and an error in proportion
@@ -12,13 +12,13 @@ package dev.carom.internal.sweep;
  */
 public final class SegmentFilter {
 
-  /** The error of a time, in proportion, is less than a quarter of this. */
+  /** The relative error of a time is less than a quarter of this. */
   public static final double TIME_ERROR = 0x1p-26;
 
-  /** Above so much of the sum of its terms a value is not in doubt. */
+  /** A value above this fraction of the sum of its terms has a certain sign. */
   private static final double CLEAR = 0x1p-20;
 
-  /** Nor by underflow, of numbers of {@link #LEAST_SAFE} to {@link #MOST_SAFE}. */
+  /** Covers underflow, for numbers from {@link #LEAST_SAFE} to {@link #MOST_SAFE}. */
   private static final double TINY = 0x1p-400;
 
   private static final double LEAST_SAFE = 0x1p-150;
@@ -27,7 +27,7 @@ public final class SegmentFilter {
   private SegmentFilter() {}
 
   /**
-   * The margin of all lines for a flight; NaN where no look can tell.
+   * The margin of doubt for all lines during one flight; NaN if the filter cannot decide anything.
    *
    * @param speed at least |v|, at most twice that
    * @param size at least the sum of the largest coordinate of the lines, |px|, |py| and r
@@ -42,9 +42,9 @@ public final class SegmentFilter {
   }
 
   /**
-   * What is hit first, as {@link SegmentSweep#contact} tells, but nothing NOW; or DOUBT.
+   * The contact that is hit first, as in {@link SegmentSweep#contact} but never NOW; or DOUBT.
    *
-   * @param margin of all lines; infinite to tell of none that it is hit
+   * @param margin from {@link #margin}; with an infinite one no line is reported as hit
    */
   public static int contact(
       double px,
@@ -82,7 +82,7 @@ public final class SegmentFilter {
     return part(side, px, py, r, vx, vy, ax, ay, bx, by, margin * ww + TINY);
   }
 
-  /** Of a centre that starts outside of the strip, on the given side, and comes nearer. */
+  /** The contact of a centre that starts outside the strip, on the given side, and approaches. */
   private static int part(
       double side,
       double px,
@@ -102,7 +102,7 @@ public final class SegmentFilter {
     double yy = y * Math.abs(y);
     double a = (px - ax) * vy - (py - ay) * vx;
     double b = (px - bx) * vy - (py - by) * vx;
-    // The side, which is known late, is not waited for by what comes before.
+    // The side is known late, so it is multiplied in last.
     double scale = side * ww;
     double beyondStart = Math.fma(a * Math.abs(a), scale, yy);
     double beyondEnd = Math.fma(b * Math.abs(b), scale, yy);
@@ -119,7 +119,8 @@ public final class SegmentFilter {
   }
 
   /**
-   * Of a centre outside of the strip: it is further from an end than r by 2^-21 of the distance.
+   * The contact with an endpoint, of a centre outside the strip. The centre is further from the
+   * endpoint than r by at least 2^-21 of the distance.
    */
   private static int endpoint(
       int end, double px, double py, double r, double vx, double vy, double x, double y) {
@@ -141,7 +142,7 @@ public final class SegmentFilter {
     return vx * dx + vy * dy < 0 ? end : Contact.MISS;
   }
 
-  /** The time of a contact that a look told, see {@link #TIME_ERROR}. */
+  /** The approximate time of a contact that this filter found; its error is {@link #TIME_ERROR}. */
   public static double time(
       int contact,
       double px,
@@ -168,8 +169,8 @@ public final class SegmentFilter {
   }
 
   /**
-   * The plain root of {@link TimeOfImpact}, of a disk that enters the one of radius r around (x,
-   * y).
+   * The plain root of {@link TimeOfImpact}: the time at which the centre enters the disk of radius
+   * r around (x, y).
    */
   static double timeOfEnd(
       double px, double py, double r, double vx, double vy, double x, double y) {

@@ -53,7 +53,10 @@ public final class SegmentSweep {
 
   private SegmentSweep() {}
 
-  /** What is hit first, at any time from 0 on: a feature, with NOW where it is hit at once. */
+  /**
+   * The part of the line that is hit first, at any time from 0 on, with NOW added for time 0; or
+   * MISS.
+   */
   public static int contact(
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
       double by) {
@@ -178,7 +181,7 @@ public final class SegmentSweep {
     };
   }
 
-  /** The sign of cross(w, v): towards which side of the line the centre drifts. */
+  /** The sign of cross(w, v): the side of the line towards which the centre moves. */
   private static int drift(double vx, double vy, double ax, double ay, double bx, double by) {
     double c0 = (bx - ax) * vy;
     double c1 = (by - ay) * vx;

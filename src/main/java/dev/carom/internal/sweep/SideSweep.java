@@ -11,12 +11,13 @@ import dev.carom.internal.exact.Exact;
 import dev.carom.internal.exact.PrecisionCounters;
 
 /**
- * When a moving disk meets the flat side of a line that {@link SegmentSweep#contact} found it to
- * meet: {@code |cross(w, d)| - |cross(w, v)| t = r |w|}, with {@code w = b - a}, {@code d = p - a}.
+ * The time at which a moving disk hits the flat side of a line, once {@link SegmentSweep#contact}
+ * has found that it does: {@code |cross(w, d)| - |cross(w, v)| t = r |w|}, with {@code w = b - a},
+ * {@code d = p - a}.
  */
 public final class SideSweep {
 
-  /** Corrections before exact numbers take over. */
+  /** The number of corrections before exact numbers take over. */
   private static final int STEPS = 3;
 
   /** Range within which underflow stays far below the bounds of a step. */
@@ -71,11 +72,11 @@ public final class SideSweep {
   }
 
   /**
-   * The correctly rounded time of impact: a rough one, corrected by {@link #step} until the
-   * correction is known well enough to round; if it never is (a gap lost to cancellation), exact
-   * numbers decide.
+   * Refines an approximate time of impact to the correctly rounded one. {@link #step} corrects it
+   * until the correction is known well enough to round. If it never is (a gap lost to
+   * cancellation), exact numbers decide.
    *
-   * @param rough any time from 0 on; the nearer to the impact, the sooner it is known
+   * @param rough any time from 0 on; the nearer to the impact, the fewer corrections are needed
    */
   public static double refined(
       int side, double px, double py, double r, double vx, double vy, double ax, double ay,
@@ -105,11 +106,12 @@ public final class SideSweep {
   }
 
   /**
-   * What is left of the gap at time t, over the speed, both times |w|: {@code h - r |w| = (h^2 -
-   * r^2 w.w) / (h + r |w|)}, {@code h = side cross(w, e)}, {@code e = d + v t}. All that cancels is
-   * kept as head and tail; one division does for two. Its divisor stays within the doubles: h and r
-   * |w| are below {@link #MOST_SAFE}, the speed below MOST over a time from {@link #LEAST_SAFE} on,
-   * and where it underflows, the squares have done so before, to nothing left.
+   * The correction of a time t: the remaining gap over the speed, both times |w|:
+   * {@code h - r |w| = (h^2 - r^2 w.w) / (h + r |w|)}, {@code h = side cross(w, e)},
+   * {@code e = d + v t}. All that cancels is kept as head and tail; one division does for two. Its
+   * divisor stays within the doubles: h and r |w| are below {@link #MOST_SAFE}, the speed below
+   * MOST over a time from {@link #LEAST_SAFE} on, and where it underflows, the squares have done so
+   * before, to nothing left.
    *
    * @param scaledRadius fl(r |w|)
    */
@@ -187,9 +189,9 @@ public final class SideSweep {
   }
 
   /**
-   * The sign of the time of impact less the end T of the window, as far as plain doubles tell: +1
-   * later, -1 earlier, 0 in doubt. It is that of {@code c |c| - r^2 w.w}, {@code c = |cross(w, d)|
-   * - |cross(w, v)| T}.
+   * Compares the time of impact with the end T of the window, in plain doubles: +1 later, -1
+   * earlier, 0 in doubt. The result is the sign of {@code c |c| - r^2 w.w},
+   * {@code c = |cross(w, d)| - |cross(w, v)| T}.
    */
   public static int compareTime(
       int side, double px, double py, double r, double vx, double vy, double ax, double ay,

@@ -98,7 +98,7 @@ public final class SphereSweep {
     return g < 0;
   }
 
-  /** The time by more steps, from t on, and by exact numbers if none of them tells. */
+  /** Refines the time t by more steps; exact numbers decide if no step can. */
   private static double refined(
       double x1, double y1, double z1, double r1, double vx1, double vy1, double vz1, double x2,
       double y2, double z2, double r2, double vx2, double vy2, double vz2, double T,

@@ -4,9 +4,9 @@ package dev.carom.internal.sweep;
 import dev.carom.internal.exact.Predicates;
 
 /**
- * When does a moving point first come to the distance r from a resting one? It is what the sweeps
- * of disks and of spheres share. With the offset d and the velocity u, in two dimensions or three,
- * that is the smaller root t of
+ * When does a moving point first come to the distance r from a resting one? The sweeps of disks
+ * and of spheres share this question. With the offset d and the velocity u, in two dimensions or
+ * three, the answer is the smaller root t of
  *
  * <pre>
  *   |d + u t|^2 - r^2 = a t^2 + 2 b t + g = 0    a = u.u,  b = u.d,  g = d.d - r^2
@@ -32,7 +32,10 @@ import dev.carom.internal.exact.Predicates;
  */
 public final class TimeOfImpact {
 
-  /** Steps after the first before exact numbers take over; near a graze the first is a poor one. */
+  /**
+   * The number of steps after the first one before exact numbers take over. Near a graze the first
+   * step is a poor one.
+   */
   static final int STEPS = 4;
 
   /** b: differences 1 + 1, product 1, sums 2: 5 u, and one more for second order and the sum. */
@@ -71,7 +74,7 @@ public final class TimeOfImpact {
     return Math.fma(DOT_BOUND, terms, TINY);
   }
 
-  /** Of w = d.d + r^2. */
+  /** The error bound of g, from w = d.d + r^2. */
   static double gapBound(double w) {
     return Math.fma(GAP_BOUND, w, TINY);
   }
@@ -81,9 +84,9 @@ public final class TimeOfImpact {
   }
 
   /**
-   * The sign of the time of impact less the end T of the window, as far as plain doubles tell: +1
-   * later, -1 earlier, 0 in doubt. Later if at T, at the offset e = d + u T, the distance still
-   * falls, {@code u.e < 0}, and is above r; earlier if it does not fall, or is below.
+   * Compares the time of impact with the end T of the window, in plain doubles: +1 later, -1
+   * earlier, 0 in doubt. Later if at T, at the offset e = d + u T, the distance still falls,
+   * {@code u.e < 0}, and is above r; earlier if it does not fall, or is below.
    *
    * @param ue u.e
    * @param leans the sum of the absolute values of its terms, with |d| + |u T| for e
@@ -156,7 +159,7 @@ public final class TimeOfImpact {
   /** t + c to the nearest double, NaN if the error of c leaves that open. */
   static double rounded(double t, double c, double error) {
     double low = t + (c - error);
-    // What lies between rounds alike, and is known sooner.
+    // All values in between round alike, and this one is available earlier.
     return low == t + (c + error) ? t + c : Double.NaN;
   }
 }

@@ -14,7 +14,7 @@ public final class UnitVectors {
 
   private UnitVectors() {}
 
-  /** +1 or -1 by the bit of the sign: a branch on it could not be foretold. 0 has a sign too. */
+  /** +1 or -1 by the sign bit, which 0 has, too. Branch-free, as the sign is unpredictable. */
   public static int sign(double value) {
     return (int) (Double.doubleToRawLongBits(value) >> 63) | 1;
   }

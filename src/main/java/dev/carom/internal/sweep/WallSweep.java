@@ -18,7 +18,7 @@ import dev.carom.internal.exact.PrecisionCounters;
  */
 public final class WallSweep {
 
-  /** The ids of the walls; that of the upper wall of an axis follows that of the lower one. */
+  /** The ids of the walls. On each axis, the upper wall's id is one more than the lower wall's. */
   public static final int LEFT = 0;
 
   public static final int RIGHT = 1;
@@ -40,8 +40,8 @@ public final class WallSweep {
     if (v == 0) {
       return Double.POSITIVE_INFINITY;
     }
-    // s = h + l, exactly; h is the nearest double, so h > r or h < r tells of s too. Signs by
-    // multiplication: which of two walls is ahead, no processor can foretell.
+    // s = h + l, exactly; h is the nearest double, so the sign of h - r is that of s - r. Signs by
+    // multiplication: a branch on which of two walls is ahead would be unpredictable.
     double sign = Math.copySign(1, v);
     double ahead = wall - p;
     double h = sign * ahead;
@@ -54,8 +54,8 @@ public final class WallSweep {
     double gl = differenceTail(h, r, g) + l;
     double gap = g + gl;
     double t = gap / speed;
-    // The quotient's remainder is exact; gl is rounded, by u^2 of h at most. The reciprocal does
-    // not wait for it, as a division would.
+    // The quotient's remainder is exact; gl is rounded, by u^2 of h at most. Multiplying by the
+    // reciprocal shortens the latency: a division would have to wait for the remainder.
     double rest = (Math.fma(-t, speed, g) + gl) * (1 / speed);
     double error = 0x1p-50 * Math.abs(rest) + 0x1p-104 * (h / speed);
     double low = t + (rest - error);
