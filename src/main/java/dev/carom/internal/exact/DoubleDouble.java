@@ -3,8 +3,9 @@ package dev.carom.internal.exact;
 
 
 /**
- * What a rounded operation left behind. A value of about 106 bits is kept as two doubles, head and
- * tail: the head is the rounded result, the tail what these functions return.
+ * Double-double arithmetic: the rounding errors of operations on doubles. A value of about 106 bits
+ * is kept as two doubles, head and tail. The head is the rounded result; the tail is what these
+ * functions return.
  *
  * <p>The differences and products of two doubles are represented exactly so, as long as nothing
  * underflows. Sources: T. J. Dekker, A floating-point technique for extending the available

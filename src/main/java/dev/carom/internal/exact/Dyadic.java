@@ -4,8 +4,9 @@ package dev.carom.internal.exact;
 import java.math.BigInteger;
 
 /**
- * An exact number {@code m 2^e}. Every finite double is one, and sums, differences and products of
- * them are again: the signs of polynomials in doubles are decided here without rounding.
+ * An exact dyadic number {@code m 2^e}. Every finite double is one, and so are sums, differences
+ * and products of dyadic numbers. So the signs of polynomials in doubles are decided here without
+ * rounding.
  */
 public final class Dyadic {
 
@@ -117,7 +118,7 @@ public final class Dyadic {
     }
     int unit = Math.max(top, Double.MIN_EXPONENT) - 52;
     long integer = m.shiftLeft(e - unit).longValueExact();
-    // At most 53 bits times a power of two in range: exact, in two steps since 2^unit may
+    // At most 53 bits times a power of two in range, so this is exact. Two steps, as 2^unit may
     // underflow.
     return Math.scalb((double) integer, unit);
   }

@@ -3,12 +3,12 @@ package dev.carom.internal.exact;
 
 
 /**
- * The last rung: the polynomials of a sweep on exact numbers, and times of impact with as many
- * digits as are asked for. Slow (some microseconds) and always right.
+ * The highest precision: the polynomials of a sweep in exact numbers, and times of impact with any
+ * number of digits. Slow (some microseconds) and always right.
  */
 public final class Exact {
 
-  /** Digits of a time of impact, in bits, before it is rounded. */
+  /** Bits of a time of impact before it is rounded. */
   private static final int BITS = 128;
 
   private Exact() {}
@@ -41,7 +41,7 @@ public final class Exact {
   }
 
   /**
-   * A moving disk or sphere against a resting one; of two moving ones, the first seen from the
+   * A moving disk or sphere against a resting one. Of two moving ones, d and u are relative to the
    * second.
    */
   public record Disks(Vector d, Vector u, Dyadic r) {
@@ -63,7 +63,8 @@ public final class Exact {
     }
 
     /**
-     * The sign of t - m for the time of impact t: where the distance falls, it orders the times.
+     * The sign of t - m for the time of impact t: -1 if the distance rises at m, else the sign of
+     * the polynomial at m.
      */
     public int compareTime(Dyadic m) {
       if (dot(u, d).plus(u.square().times(m)).sign() > 0) {
@@ -220,7 +221,7 @@ public final class Exact {
     return a.x.times(b.x).plus(a.y.times(b.y)).plus(a.z.times(b.z));
   }
 
-  /** In the plane z is 0. */
+  /** A vector of exact numbers; z is 0 in the plane. */
   private record Vector(Dyadic x, Dyadic y, Dyadic z) {
 
     Dyadic square() {
@@ -239,7 +240,7 @@ public final class Exact {
       return square().sign() == 0 ? 0 : square().magnitude() / 2 + 1;
     }
 
-    /** Of a vector in the plane. */
+    /** The unit vector of a vector in the plane. */
     UnitVector unit() {
       Dyadic length = square().sqrt(BITS);
       return new UnitVector(quotient(x, length), quotient(y, length));

@@ -6,11 +6,11 @@ package dev.carom.internal.exact;
  * form of the times at walls, lines, pegs and circles alike.
  *
  * <p>It decides which of two impacts is earlier when their rounded times are equal. Rounding is
- * monotone, so different rounded times already tell; exact times are needed for equal ones only.
+ * monotone, so different rounded times already decide the order; only equal ones need exact times.
  */
 public record ExactTime(Dyadic p, Dyadic q, Dyadic d) {
 
-  /** 0: the circle touches or overlaps at the start. */
+  /** Time 0: the circle touches or overlaps at the start. */
   public static final ExactTime ZERO = of(0);
 
   /** The value of a finite double. */

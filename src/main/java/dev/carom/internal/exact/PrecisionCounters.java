@@ -2,9 +2,10 @@
 package dev.carom.internal.exact;
 
 /**
- * Counts which rung of precision answers. Nothing is counted unless the system property {@code
- * dev.carom.rungs} is true when this class is loaded; if it is not, the counting vanishes from the
- * compiled code, for {@link #COUNT} is then a constant null. Not safe for use by several threads.
+ * Counts how often each level of precision gives the answer. Nothing is counted unless the system
+ * property {@code dev.carom.rungs} is true when this class is loaded. If it is not, {@link #COUNT}
+ * is a constant null, and the counting vanishes from the compiled code. Not safe for use by several
+ * threads.
  */
 public final class PrecisionCounters {
 
@@ -17,19 +18,19 @@ public final class PrecisionCounters {
   /** Decisions that double-double left open too. */
   public long exactDecisions;
 
-  /** Square roots of doubles: one for each time of impact but those of walls. */
+  /** Square roots of doubles: one for each time of impact, except at walls. */
   public long roots;
 
-  /** Corrections of a time of impact after the first one, but of walls. */
+  /** Corrections of a time of impact after the first one, except at walls. */
   long steps;
 
-  /** Times of impact, walls' included, that double-double could not round. */
+  /** Times of impact, including those at walls, that double-double could not round. */
   public long exactTimes;
 
   /** Normals of a moving disk that double-double could not round. */
   long exactNormals;
 
-  /** How often the broad search looked at a circle and a line or peg together. */
+  /** Pairs of a circle and a line or peg that the broad phase tested. */
   public long pairTests;
 
   private PrecisionCounters() {}

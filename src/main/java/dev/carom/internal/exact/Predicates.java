@@ -10,12 +10,12 @@ import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.SegmentSweep;
 
 /**
- * The signs of the five polynomials on which every decision of a sweep rests: the door through
- * which a doubtful decision of {@code SegmentSweep} and {@code DiskSweep} goes to more precision.
+ * The signs of the five polynomials on which every decision of a sweep rests. {@code SegmentSweep}
+ * and {@code DiskSweep} call them only for decisions that plain doubles leave open.
  *
- * <p>Each is asked only after plain doubles left it open. It is evaluated in double-double, with a
- * bound; if that leaves it open too, exactly ({@link Dyadic}). Vectors are given as two points,
- * head and tail, whose difference they are: {@code (ax - bx, ay - by)} is exact as a double-double.
+ * <p>Each sign is first evaluated in double-double with an error bound. If the bound leaves it open
+ * too, it is evaluated exactly ({@link Dyadic}). Vectors are given as two points, head and tail,
+ * whose difference they are: {@code (ax - bx, ay - by)} is exact as a double-double.
  *
  * <p>The bound. Let {@code u = 2^-53} and let M be the sum of the absolute values of a polynomial's
  * terms. Differences are exact as head and tail. A cross or dot product errs by at most 64 u^2 M
@@ -34,7 +34,7 @@ public final class Predicates {
   /** 512 u^2 = 2^9 2^-106. */
   private static final double BOUND = 0x1p-97;
 
-  /** Least sum of terms beneath whose bound underflow stays: 2^-97 2^-600 > 2^-768. */
+  /** The least sum of terms whose bound exceeds all underflow: 2^-97 2^-600 > 2^-768. */
   private static final double TINY = 0x1p-600;
 
   /** Largest factor of a term. */
@@ -54,7 +54,8 @@ public final class Predicates {
     double py = ay - by;
     double qx = cx - dx;
     double qy = cy - dy;
-    // What is at rest, or moves as the other does: a difference is 0 only if it is so exactly.
+    // A vector is exactly 0 for an object at rest or two equal velocities: a difference of doubles
+    // rounds to 0 only if it is 0.
     if ((px == 0 && py == 0) || (qx == 0 && qy == 0)) {
       return 0;
     }

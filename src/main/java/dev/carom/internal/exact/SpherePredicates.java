@@ -9,10 +9,10 @@ import static dev.carom.internal.exact.DoubleDouble.sumTail;
 import dev.carom.internal.sweep.SphereSweep;
 
 /**
- * The decisions of {@code SphereSweep} that plain doubles left open: {@link Predicates} with a
- * third coordinate, on the same two rungs. A third term adds 36 u^2 of itself at most, and a square
- * of a cross product in space, of three, 4 u^2 more: all stays below 400 u^2 of the sum of the
- * terms.
+ * The decisions of {@code SphereSweep} that plain doubles leave open: {@link Predicates} with a
+ * third coordinate, in double-double and then exactly. A third term adds 36 u^2 of itself at most,
+ * and a square of a cross product in space, of three, 4 u^2 more: all stays below 400 u^2 of the
+ * sum of the terms.
  */
 public final class SpherePredicates {
 

@@ -2,7 +2,7 @@
 package dev.carom.internal.exact;
 
 /**
- * A vector of length 1.
+ * A unit vector in the plane.
  *
  * @param x the first component
  * @param y the second component
