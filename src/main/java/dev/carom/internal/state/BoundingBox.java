@@ -2,8 +2,8 @@
 package dev.carom.internal.state;
 
 /**
- * The rectangle in which the circles of a scene move: its bounds, or if it has none, the one in
- * which their centres are.
+ * The rectangle in which the circles of a scene move: its bounds, or without bounds the bounding
+ * box of the centres.
  */
 public record BoundingBox(double left, double bottom, double right, double top) {
 

@@ -5,19 +5,22 @@ import dev.carom.internal.util.Kind;
 import java.util.Arrays;
 
 /**
- * The circles of a world, and what does not move of them: mass and {@link ContactFlags}. Callers
- * name a circle by its id, which is not used again; the engine, by its slot in arrays, which are
- * made dense anew when most slots are of circles that were removed. Who has the larger id has the
- * larger slot, so that what the order of slots decides does not depend on that.
+ * The circles of a world, with what does not move: their masses and {@link ContactFlags}. Callers
+ * name a circle by its id, which is never reused. The engine names it by its slot, an array index.
+ * The arrays are compacted when most slots belong to removed circles. The order of slots is the
+ * order of ids, so whatever the order of slots decides does not depend on compaction.
  */
 public final class CircleRegistry {
 
-  /** One more than the largest id: its code is the largest number. */
+  /** The limit of ids: the code of the largest id is the largest int. */
   public static final int ID_LIMIT = Codes.limit(Kind.CIRCLE);
 
   private static final int NONE = -1;
 
-  /** So many more circles are counted where slots of removed ones are: a few are no burden. */
+  /**
+   * Slots of removed circles that are tolerated besides the share of {@link #slack}: few cost
+   * nothing.
+   */
   private static final int SPARE_SLOTS = 1024;
 
   /** See {@link EngineOptions}. */
@@ -28,13 +31,13 @@ public final class CircleRegistry {
   /** How many circles have infinite mass. */
   private int infinite;
 
-  /** Whether the scene uses the same array of masses. */
+  /** Whether the scene uses the same array of masses, which then must not be changed. */
   private boolean shared;
 
-  /** Null if no circle has any. */
+  /** The {@link ContactFlags} of each slot; null if no circle has any. */
   private byte[] traits;
 
-  /** Which were removed; null as long as none was. */
+  /** Which slots belong to removed circles; null as long as none does. */
   private boolean[] gone;
 
   /** One more than the last slot. */
@@ -42,12 +45,12 @@ public final class CircleRegistry {
 
   private LiveCodes present;
 
-  /** The id of each slot, ascending; null while it is its number. */
+  /** The id of each slot, ascending; null while each id equals its slot. */
   private int[] ids;
 
   private int idLimit;
 
-  /** Where an id was found last: the next one asked for is often the next one. */
+  /** The slot found last. The next id asked for is often the one after it. */
   private int found;
 
   public CircleRegistry(SceneData scene, double slack) {
@@ -66,7 +69,7 @@ public final class CircleRegistry {
     set(other);
   }
 
-  /** Circles with the given ids, ascending and below their end. */
+  /** Creates a registry of circles with the given ids, which are ascending and below the limit. */
   public CircleRegistry(double[] masses, byte[] traits, int[] ids, int idLimit) {
     slack = EngineOptions.CHOSEN.slack();
     this.masses = masses;
@@ -78,7 +81,7 @@ public final class CircleRegistry {
     return new CircleRegistry(this);
   }
 
-  /** Takes over the circles that another one, or this one, holds, without room between them. */
+  /** Copies the circles of another registry, or of this one, into adjacent slots. */
   public void set(CircleRegistry other) {
     int[] slots = other.slots();
     int[] theirIds = other.ids();
@@ -99,7 +102,7 @@ public final class CircleRegistry {
   private void assign(int[] theirIds, int theirEnd) {
     end = theirIds.length;
     idLimit = theirEnd;
-    ids = end == idLimit ? null : theirIds; // else they are all there
+    ids = end == idLimit ? null : theirIds; // null if no id is missing
     gone = null;
     present = new LiveCodes(0, end);
     found = 0;
@@ -118,7 +121,7 @@ public final class CircleRegistry {
     return masses[slot] == Double.POSITIVE_INFINITY ? 1 : 0;
   }
 
-  /** Whether so many slots are of circles that were removed that arrays are to be made dense. */
+  /** Whether so many slots belong to removed circles that the arrays should be compacted. */
   public boolean isSparse() {
     return end - count() > slack * (count() + SPARE_SLOTS);
   }
@@ -128,12 +131,15 @@ public final class CircleRegistry {
     return present.count();
   }
 
-  /** Their slots, those of some that are gone too, until the next change. */
+  /**
+   * The slots of the circles. Slots of some removed circles may linger. Valid until the next
+   * change.
+   */
   public LiveCodes present() {
     return present;
   }
 
-  /** The slots of the circles that are there by now, ascending. */
+  /** The slots of the live circles, ascending. */
   public int[] slots() {
     return present.stream(slot -> !contains(slot)).toArray();
   }
@@ -144,7 +150,7 @@ public final class CircleRegistry {
 
   // Ids.
 
-  /** The ids of the circles that are there by now, ascending. */
+  /** The ids of the live circles, ascending. */
   public int[] ids() {
     int[] slots = slots();
     Arrays.setAll(slots, k -> id(slots[k]));
@@ -161,7 +167,7 @@ public final class CircleRegistry {
     return ids == null ? slot : ids[slot];
   }
 
-  /** The slot of the circle with an id, for any number; below 0 if there is none. */
+  /** The slot of the circle with an id, which may be any int; negative if there is none. */
   public int slot(int id) {
     if (id < 0 || id >= idLimit) {
       return NONE;
@@ -171,7 +177,7 @@ public final class CircleRegistry {
   }
 
   private int find(int id) {
-    int slot = found; // once: snapshots are asked by several threads
+    int slot = found; // a single read: several threads may query one snapshot
     if (slot + 1 < end && ids[slot + 1] == id) {
       slot++;
     } else if (slot >= end || ids[slot] != id) {
@@ -181,7 +187,7 @@ public final class CircleRegistry {
     return slot;
   }
 
-  /** The id of the last circle that is there up to a slot, below 0 if there is none. */
+  /** The id of the last live circle up to a slot; negative if there is none. */
   public int lastId(int slot) {
     int last = slot;
     while (last >= 0 && !contains(last)) {
@@ -190,7 +196,10 @@ public final class CircleRegistry {
     return last < 0 ? NONE : id(last);
   }
 
-  /** What a mover knows of other circles, by their ids; nothing of one that was removed. */
+  /**
+   * Converts the slots of other circles in a circle's state to ids, for a snapshot. Drops a removed
+   * one.
+   */
   public void toIds(MovingCircle m) {
     if (Codes.isCircle(m.last)) {
       int slot = Codes.slot(m.last);
@@ -201,7 +210,7 @@ public final class CircleRegistry {
     }
   }
 
-  /** The opposite of {@link #toIds}. */
+  /** The inverse of {@link #toIds}. */
   public void toSlots(MovingCircle m) {
     if (Codes.isCircle(m.last)) {
       m.last = Codes.circle(slot(Codes.slot(m.last)));

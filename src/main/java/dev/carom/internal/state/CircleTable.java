@@ -4,18 +4,19 @@ package dev.carom.internal.state;
 import java.util.Arrays;
 
 /**
- * The flights of all circles in flat arrays: each as its start, with what is known ahead of it
- * among the things that stand still. A circle is loaded into the one {@link MovingCircle},
+ * The flights of all circles in flat arrays. A row holds the start of a flight and the prediction
+ * of its next impact with a static obstacle. A circle is loaded into the one {@link MovingCircle},
  * advanced, and stored.
  */
 public final class CircleTable {
 
-  // Doubles of one circle in state, after those of its flight.
+  // Columns of a circle in state, after those of its flight.
   public static final int CLEARED = FlightRow.SIZE;
   static final int RESTITUTION = 8;
   static final int STATE = 9;
 
-  // And of one that collides: its first meeting foreseen, as Meetings says, and its cell.
+  // Further columns of a circle that collides: its next predicted collision, see
+  // CollisionPredictor, and its cell.
   public static final int MEETING = 9;
   public static final int MEETING_TAIL = 10;
   public static final int TAU = 11;
@@ -23,13 +24,16 @@ public final class CircleTable {
   public static final int ROW = 13;
   private static final int COLLIDING_STATE = 16;
 
-  /** Doubles before the first circle: large arrays then have each 8 of them in one cache line. */
+  /**
+   * Doubles before the first circle. In a large array each group of 8 doubles then fills one cache
+   * line.
+   */
   private static final int ALIGNMENT = 6;
 
-  /** Ints before the first circle, for the same. */
+  /** Ints before the first circle, for the same reason. */
   private static final int CODES_ALIGNMENT = 12;
 
-  // Ints of one circle in codes.
+  // Columns of a circle in codes.
   public static final int LAST = 0;
   public static final int NEXT = 1;
 
@@ -40,8 +44,9 @@ public final class CircleTable {
   public static final int STUCK = 4;
   static final int CODES = 5;
 
-  // And of one that collides: whom it meets, that one's count then, and its own count of changes;
-  // who follows it in its cell's list; its event's place in the heap, and kind; its cell's place.
+  // Further columns of a circle that collides: its partner in the predicted collision, the
+  // partner's change count at that time, and its own change count; the next circle in its cell's
+  // list; its event's position in the heap, and kind; the index of its cell.
   public static final int PARTNER = 5;
   public static final int PARTNER_COUNT = 6;
   public static final int COUNT = 7;
@@ -53,14 +58,14 @@ public final class CircleTable {
   /** The way in which it next leaves a cell, see {@code CellExit}. */
   public static final int WAY = 12;
 
-  /** A cache line of ints for each circle that collides, of which 13 are used. */
+  /** The ints of a circle that collides fill one cache line; 13 of them are used. */
   private static final int COLLIDING_CODES = 16;
 
   public int count;
 
-  // Who plays the events of circles that collide takes these two in hand and passes them on: a
-  // compiler would else load them anew, with their lengths, wherever it has lost sight of them, and
-  // ask again whether a circle is in their range. They stay the same until one is added.
+  // The collision loop copies these two references into locals and passes them on. Read as fields
+  // they would be reloaded, and their ranges checked again, after every call that is not inlined.
+  // They change only when a circle is added.
   public double[] state;
   public int[] codes;
 
@@ -70,20 +75,20 @@ public final class CircleTable {
   private final int codeStride;
 
   /**
-   * When a circle needs attention: its next impact, or the end of what is known ahead of it; of
-   * circles that ignore each other only.
+   * The next event time of each circle: its next impact, or the end of its prediction. Used only by
+   * circles that ignore each other.
    */
   public final DueTimes due;
 
   /** The walls around all circles, as {@link ObstacleTable#walls}. */
   public double[] walls;
 
-  /** Of stuck circles; null until there is one. */
+  /** The ignore list of each jammed circle; null until there is one. */
   public IgnoreList[] jams;
 
   public final MovingCircle mover = new MovingCircle();
 
-  /** Circles that ignore each other. */
+  /** A table of circles that ignore each other. */
   public CircleTable(int count) {
     this(count, false);
   }
@@ -99,17 +104,17 @@ public final class CircleTable {
     due = new DueTimes(collide ? 0 : count);
   }
 
-  /** Circles that collide; when one needs attention stands in a queue. */
+  /** A table of circles that collide. A queue holds their event times. */
   public static CircleTable colliding(int count) {
     return new CircleTable(count, true);
   }
 
-  /** How many circles there is room for. */
+  /** The number of circles for which there is room. */
   public int capacity() {
     return (codes.length - firstCode) / codeStride;
   }
 
-  /** Forgets all circles. */
+  /** Removes all circles. */
   public void clear() {
     due.clear();
     jams = null;
@@ -117,7 +122,8 @@ public final class CircleTable {
   }
 
   /**
-   * Adds one more circle; its numbers are to be stored. Where arrays are too small, they change.
+   * Adds one more circle, whose numbers are to be stored. Replaces the arrays if they are too
+   * small.
    */
   public void add() {
     if (count == capacity()) {
@@ -132,27 +138,30 @@ public final class CircleTable {
     count++;
   }
 
-  /** Where the doubles of circle i begin. */
+  /** The index of the first double of circle i. */
   public int at(int i) {
     return first + i * stride;
   }
 
-  /** Where the ints of circle i begin. */
+  /** The index of the first int of circle i. */
   public int codesAt(int i) {
     return firstCode + i * codeStride;
   }
 
-  /** Where the doubles of a circle that collides begin, by a stride that compilers know. */
+  /**
+   * The index of the first double of a circle that collides. The stride is a constant for the
+   * compiler.
+   */
   public static int collidingAt(int i) {
     return ALIGNMENT + i * COLLIDING_STATE;
   }
 
-  /** Where its ints begin. */
+  /** The index of the first int of a circle that collides. */
   public static int collidingCodesAt(int i) {
     return CODES_ALIGNMENT + i * COLLIDING_CODES;
   }
 
-  /** Puts circle i of a scene at the start of its first flight, into the mover only. */
+  /** Starts the first flight of circle i of a scene in {@link #mover}, without storing it. */
   public void start(SceneData scene, int i) {
     mover.start(
         i, scene.x(i), scene.y(i), scene.radius(i), scene.vx(i), scene.vy(i), scene.restitution(i));
@@ -207,7 +216,7 @@ public final class CircleTable {
     m.jam = jam(i);
   }
 
-  /** Reads a circle from the row of doubles that begins at k, and that of ints at c. */
+  /** Reads a circle from its row of doubles at k and its row of ints at c. */
   static void get(MovingCircle m, double[] state, int k, int[] codes, int c) {
     FlightRow.get(m, state, k);
     m.cleared = state[k + CLEARED];
@@ -217,13 +226,13 @@ public final class CircleTable {
     m.lookahead = codes[c + LOOKAHEAD];
     int word = codes[c + CONTACT];
     ContactWord.recall(word, m);
-    // Where nothing is ahead, the sensor met last stands in its place.
+    // Without a next impact this column holds the code of the sensor met last.
     int next = codes[c + NEXT];
     m.next = Math.max(next, MovingCircle.NOTHING);
     m.contact = next < 0 ? MovingCircle.NOTHING - next : ContactWord.contact(word);
   }
 
-  /** Writes a circle to the row of doubles that begins at k, and that of ints at c. */
+  /** Writes a circle to its row of doubles at k and its row of ints at c. */
   static void put(MovingCircle m, double[] state, int k, int[] codes, int c) {
     int next = m.next;
     int contact = m.contact;
@@ -234,7 +243,7 @@ public final class CircleTable {
     FlightRow.put(m, state, k);
     state[k + CLEARED] = m.cleared;
     state[k + RESTITUTION] = m.restitution;
-    // The first and the last one first: then compilers check the range of the others with them.
+    // The first and the last column first: then compilers check the range of the others with them.
     codes[c + LAST] = m.last;
     codes[c + STUCK] = m.stuck;
     codes[c + NEXT] = next;
@@ -243,8 +252,8 @@ public final class CircleTable {
   }
 
   /**
-   * Loads a circle that collides for a meeting, without what was found ahead of it: where it begins
-   * a new flight, that is forgotten.
+   * Loads a circle for a collision, without its prediction: the new flight that begins there
+   * forgets it.
    */
   public void loadForMeeting(double[] s, int[] c, int i, MovingCircle m) {
     int k = collidingAt(i);
@@ -261,19 +270,21 @@ public final class CircleTable {
     storeAndSetDue(i, mover);
   }
 
-  /** Stores a circle that ignores others, and when it needs attention. */
+  /** Stores a circle that ignores others, and sets its next event time. */
   public void storeAndSetDue(int i, MovingCircle m) {
     store(i, m);
     due.set(i, m.due());
   }
 
-  /** Stores a circle, and leaves its {@link #due} to the caller. */
+  /** Stores a circle without setting its time in {@link #due}. */
   public void store(int i, MovingCircle m) {
     put(m, state, at(i), codes, codesAt(i));
     setJam(i, m.jam);
   }
 
-  /** Stores a circle that collides where a new flight begins, and nothing is known ahead yet. */
+  /**
+   * Stores a circle that collides at the start of a new flight, for which nothing is predicted yet.
+   */
   public void storeNewFlight(double[] s, int[] c, int i, MovingCircle m) {
     int k = collidingAt(i);
     FlightRow.put(m, s, k);

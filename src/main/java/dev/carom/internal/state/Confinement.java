@@ -2,32 +2,32 @@
 package dev.carom.internal.state;
 
 /**
- * Keeps circles within the bounds where the clock cannot: a circle so fast that it flies far
- * between two doubles of time would seem to be beyond the wall that it hits between them.
+ * Keeps circles within the bounds where the clock is too coarse. A circle that flies far between
+ * two adjacent doubles of time would otherwise appear beyond the wall that it hits between them.
  *
- * <p>A place beyond a wall by more than rounding, in a flight that began inside of that wall, is
- * that of contact with it. All other places stay as they are, to the bit.
+ * <p>A position that is beyond a wall by more than rounding, in a flight that began inside that
+ * wall, is replaced by the position of contact. All other positions stay as they are, to the bit.
  */
 final class Confinement {
 
-  /** So many ulps of the largest coordinate may be mere rounding. */
+  /** The rounding error of a position, in ulps of the largest coordinate. */
   private static final int ULPS = 4;
 
   private Confinement() {}
 
   /**
-   * The x coordinate of a centre.
+   * The confined x coordinate of a centre.
    *
    * @param walls as {@link ObstacleTable#walls}, may be null
-   * @param start where the flight began
-   * @param x where it is, as computed
+   * @param start x at the start of the flight
+   * @param x the computed coordinate
    * @param r the radius
    */
   static double x(double[] walls, double start, double x, double r) {
     return walls == null ? x : between(walls[Codes.LEFT], walls[Codes.RIGHT], start, x, r);
   }
 
-  /** The y coordinate of a centre. */
+  /** The confined y coordinate of a centre. */
   static double y(double[] walls, double start, double y, double r) {
     return walls == null ? y : between(walls[Codes.BOTTOM], walls[Codes.TOP], start, y, r);
   }

@@ -4,9 +4,9 @@ package dev.carom.internal.state;
 import dev.carom.internal.sweep.Contact;
 
 /**
- * One int that holds the contact ahead of a circle, and what is remembered of its impacts at one
- * place. From the lowest bit on: the {@link Contact} (4 bits), the turn of the last impact plus 1
- * (2 bits), whether the circle is driven (1 bit), nothing (1 bit), and the exponent of the largest
+ * One int for the contact of a circle's next impact and the history of its impacts at one place.
+ * From the lowest bit on: the {@link Contact} (4 bits), the turn of the last impact plus 1 (2
+ * bits), whether the circle is driven (1 bit), unused (1 bit), and the exponent of the largest
  * speed (24 bits).
  */
 public final class ContactWord {
@@ -19,25 +19,24 @@ public final class ContactWord {
 
   private ContactWord() {}
 
-  /** The word of a circle, with a contact ahead of it, or 0. */
+  /** Encodes a circle's history of impacts with a contact, 0 for none. */
   static int of(MovingCircle m, int contact) {
     int driven = m.driven ? DRIVEN : 0;
     return m.speedExponent << EXPONENT_SHIFT | driven | (m.turn + 1) << TURN_SHIFT | contact;
   }
 
-  /** The contact that a word holds. */
   static int contact(int word) {
     return word & CONTACT;
   }
 
-  /** Sets what a circle remembers of its impacts; the contact is left out. */
+  /** Decodes the history of impacts into a circle, without the contact. */
   static void recall(int word, MovingCircle m) {
     m.speedExponent = word >> EXPONENT_SHIFT;
     m.driven = (word & DRIVEN) != 0;
     m.turn = (word >> TURN_SHIFT & TURN) - 1;
   }
 
-  /** Whether a number can be a word without a contact. */
+  /** Whether a number is a valid word without a contact. */
   public static boolean isValid(int word) {
     MovingCircle m = new MovingCircle();
     recall(word, m);

@@ -4,11 +4,10 @@ package dev.carom.internal.state;
 import java.util.Arrays;
 
 /**
- * When each of many circles needs attention next. Of many of them also the earliest of these times
- * for each {@value #BLOCK} in a row that were quiet: where nothing happens to them, one comparison
- * tells.
+ * The next event time of each circle. With many circles, each block of {@value #BLOCK} also has a
+ * lower bound of its times. So one comparison passes over a block without an event.
  *
- * <p>Times are kept as their bits: those of numbers that are not negative stand in the same order.
+ * <p>Times are kept as their bits: the bits of doubles that are at least 0 have the same order.
  */
 public final class DueTimes {
 
@@ -16,17 +15,17 @@ public final class DueTimes {
 
   private static final int BLOCK = 1 << SHIFT;
 
-  /** Up to this many circles each is looked at: measured, blocks gain nothing. */
+  /** With at most this many circles each one is tested: measured, blocks gain nothing. */
   private static final int SCAN_LIMIT = 1024;
 
   private static final long NEVER_BITS = Double.doubleToRawLongBits(Double.POSITIVE_INFINITY);
 
   private long[] due;
 
-  /** For each block a time at or before its earliest. */
+  /** A lower bound of the times in each block. */
   private long[] earliest;
 
-  /** For circles 0 .. count - 1, of which nothing is known yet. */
+  /** Creates the times of circles 0 .. count - 1, all {@code +infinity}. */
   DueTimes(int count) {
     due = new long[count];
     earliest = new long[blocks(count)];
@@ -37,12 +36,12 @@ public final class DueTimes {
     return (circles + BLOCK - 1) >> SHIFT;
   }
 
-  /** Circles, those to come included. */
+  /** The number of circles for which there is room. */
   public int size() {
     return due.length;
   }
 
-  /** No circle needs attention ever again. */
+  /** Removes all events. */
   void clear() {
     Arrays.fill(due, NEVER_BITS);
     Arrays.fill(earliest, NEVER_BITS);
@@ -72,8 +71,7 @@ public final class DueTimes {
   }
 
   /**
-   * The first circle from i on that needs attention until the given time; {@link #size} if there is
-   * none.
+   * The first circle from i on with an event until the given time; {@link #size} if there is none.
    */
   public int next(int i, double end) {
     long last = Double.doubleToRawLongBits(end + 0.0);
@@ -143,7 +141,7 @@ public final class DueTimes {
     return k;
   }
 
-  /** Looks up the earliest time of a block in which nothing happened. */
+  /** Recomputes the lower bound of a block that has no event in this step. */
   private void refresh(int from, int to) {
     long first = NEVER_BITS;
     for (int k = from; k < to; k++) {

@@ -2,12 +2,12 @@
 package dev.carom.internal.state;
 
 /**
- * The machinery that a world chose for its scene.
+ * The search structures that a world chose for its scene.
  *
  * @param collide whether its circles collide with each other
  * @param obstacles the number of lines and pegs
- * @param grids the number of grids, one for each power of two among the circles' radii; 0 if each
- *     obstacle is looked at
+ * @param grids the number of grids, one for each power of two among the circles' radii; 0 if every
+ *     obstacle is tested
  * @param cells the number of cells of all grids together
  */
 public record EngineDescription(boolean collide, int obstacles, int grids, int cells) {

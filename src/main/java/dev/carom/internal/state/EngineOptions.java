@@ -2,23 +2,23 @@
 package dev.carom.internal.state;
 
 /**
- * How a world finds what is hit first. Chosen by the scene, or forced by a test: it changes the
- * cost and no bit of the result.
+ * Options that choose the search structures of a world. The defaults are chosen by the scene; tests
+ * force others. They change the cost and no bit of the result.
  *
  * @param grid whether grids may be used
  * @param cell the size of their cells, 0 to have it chosen
- * @param pairCells how many times the largest diameter the cells of circles that collide measure
- * @param slack how many times as many circles as there are, and some more, may be removed before
- *     arrays are made dense
- * @param budget how much of the usual work a call may do
+ * @param pairCells the width of the cells for circles that collide, in largest diameters
+ * @param slack how many removed circles are tolerated before arrays are compacted, as a multiple of
+ *     the live ones and a constant
+ * @param budget the work that a call may do, as a multiple of the usual budget
  */
 public record EngineOptions(
     boolean grid, double cell, double pairCells, double slack, double budget) {
 
-  /** Chosen by the scene. */
+  /** All options are chosen by the scene. */
   public static final EngineOptions CHOSEN = new EngineOptions(true, 0, 1, 1, 1);
 
-  /** Every obstacle is looked at. */
+  /** No grid: every obstacle is tested. */
   public static final EngineOptions EACH = new EngineOptions(false, 0, 1, 1, 1);
 
   public static EngineOptions cells(double cell) {

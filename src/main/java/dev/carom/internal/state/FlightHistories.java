@@ -6,9 +6,10 @@ import java.util.Arrays;
 import java.util.Deque;
 
 /**
- * The tracks of all circles of a recording, found by id. Memory follows the flights that are kept,
- * not the ids that were given: of removed circles as many flights are kept in all as the largest
- * number of circles that were there at once may have, and those removed first are dropped first.
+ * The flight histories of all circles of a recording, by id. Memory depends on the flights that are
+ * kept, not on the ids that were given. All removed circles together keep at most as many flights
+ * as the largest number of circles that ever existed at once may keep. Those removed first are
+ * dropped first.
  */
 final class FlightHistories {
 
@@ -16,17 +17,17 @@ final class FlightHistories {
 
   private final int most;
 
-  /** The ids of all tracks, ascending; tracks that were dropped are null. */
+  /** The ids of all histories, ascending. A dropped history is null. */
   private int[] ids = new int[FIRST_ROOM];
 
   private FlightHistory[] tracks = new FlightHistory[FIRST_ROOM];
   private int size;
   private int dropped;
 
-  /** Where an id was found last: the next one asked for is often the same, or the next one. */
+  /** The index found last. The next id asked for is often the same, or the one after it. */
   private int found;
 
-  /** The ids of circles that were removed, in that order, and how many flights are kept of them. */
+  /** The ids of removed circles in order of removal, and the number of flights kept of them. */
   private final Deque<Integer> removed = new ArrayDeque<>();
 
   private long flightsOfRemoved;
@@ -34,10 +35,10 @@ final class FlightHistories {
   private int present;
   private int mostPresent;
 
-  /** The earliest time of which everything is known, once something was dropped. */
+  /** The earliest time from which all histories are complete, once something was dropped. */
   private double start = Double.NEGATIVE_INFINITY;
 
-  /** Of so many flights of each circle at most. */
+  /** Creates histories of at most that many flights per circle. */
   FlightHistories(int most) {
     this.most = most;
   }
@@ -46,13 +47,15 @@ final class FlightHistories {
     return start;
   }
 
-  /** The track of a circle, for any number; null if there is none. */
+  /** The history of a circle, for any int; null if there is none. */
   FlightHistory get(int id) {
     int k = find(id);
     return k < 0 ? null : tracks[k];
   }
 
-  /** Adds a flight of a circle; the first one of each circle comes in the order of their ids. */
+  /**
+   * Adds a flight of a circle. The first flights of circles must be added in order of their ids.
+   */
   void add(int id, double[] numbers, int k) {
     FlightHistory track = get(id);
     if (track == null) {
@@ -76,7 +79,7 @@ final class FlightHistories {
     return tracks[size++];
   }
 
-  /** Ends the track of a circle. */
+  /** Ends the history of a circle. */
   void remove(int id, double now) {
     FlightHistory track = get(id);
     track.end(now);
@@ -99,7 +102,7 @@ final class FlightHistories {
     }
   }
 
-  /** Makes the arrays dense anew. */
+  /** Compacts the arrays. */
   private void pack() {
     int left = size - dropped;
     int[] idsLeft = new int[left + FIRST_ROOM];
@@ -118,10 +121,10 @@ final class FlightHistories {
     found = 0;
   }
 
-  /** The place of an id, below 0 if there is none. */
+  /** The index of an id; negative if there is none. */
   private int find(int id) {
     if (id >= 0 && id < size && ids[id] == id) {
-      return id; // as long as none was dropped
+      return id; // true as long as no history was dropped
     }
     if (found + 1 < size && ids[found + 1] == id) {
       found++;

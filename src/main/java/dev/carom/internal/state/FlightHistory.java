@@ -3,7 +3,10 @@ package dev.carom.internal.state;
 
 import java.util.Arrays;
 
-/** The recorded flights of one circle, the oldest dropped where there is no room. */
+/**
+ * The recorded flights of one circle, in a ring buffer that drops the oldest flight when it is
+ * full.
+ */
 public final class FlightHistory {
 
   /** Doubles of one flight. */
@@ -17,19 +20,19 @@ public final class FlightHistory {
   private int size;
   private boolean dropped;
 
-  /** The flight that was found last: as a rule the next question is about it, too. */
+  /** The flight found last. The next query is usually about the same one. */
   private int found;
 
-  /** When the circle was removed. */
+  /** The time at which the circle was removed. */
   private double end = Double.POSITIVE_INFINITY;
 
-  /** Of so many flights at most. */
+  /** Creates a history of at most that many flights. */
   FlightHistory(int most) {
     this.most = most;
     flights = new double[Math.min(most, FIRST_ROOM) * FLIGHT];
   }
 
-  /** Adds a flight; the oldest one gives way if there is no room. */
+  /** Adds a flight; drops the oldest one if there is no room. */
   void add(double[] numbers, int k) {
     if (size == most) {
       oldest = oldest + 1 == most ? 0 : oldest + 1;
@@ -41,7 +44,7 @@ public final class FlightHistory {
     System.arraycopy(numbers, k, flights, at(size++), FLIGHT);
   }
 
-  /** Ends it: no flight is added any more. */
+  /** Ends the history: no flight is added after this. */
   void end(double now) {
     end = now;
     if (!dropped) {
@@ -49,7 +52,7 @@ public final class FlightHistory {
     }
   }
 
-  /** When the circle was removed; infinite while it is there. */
+  /** The time at which the circle was removed; infinite while it exists. */
   double end() {
     return end;
   }
@@ -59,12 +62,12 @@ public final class FlightHistory {
     return size;
   }
 
-  /** Whether flights were dropped for want of room. */
+  /** Whether flights were dropped for lack of room. */
   boolean hasDropped() {
     return dropped;
   }
 
-  /** When the oldest flight that is left starts. */
+  /** The start time of the oldest flight that is kept. */
   double start() {
     return startOf(0);
   }
@@ -73,7 +76,7 @@ public final class FlightHistory {
     return flights[at(i) + FlightRow.T];
   }
 
-  /** The place of the flight at a time that is not before the start: the last one begun by then. */
+  /** The index of the last flight that began by a time, which is not before the start. */
   public int find(double t) {
     if (!isAt(found, t)) {
       found = search(t);
@@ -127,7 +130,9 @@ public final class FlightHistory {
     return flights[k + FlightRow.RADIUS];
   }
 
-  /** The place of flight i, from the oldest on; where flights were dropped, room is a ring. */
+  /**
+   * The index of flight i, counted from the oldest. Once flights were dropped, the array is a ring.
+   */
   private int at(int i) {
     int place = oldest + i;
     return (place >= most ? place - most : place) * FLIGHT;

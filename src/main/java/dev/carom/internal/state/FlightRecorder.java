@@ -4,7 +4,7 @@ package dev.carom.internal.state;
 import java.util.Arrays;
 import java.util.function.IntUnaryOperator;
 
-/** Records the flights of circles, and where lines and pegs were at their changes. */
+/** Records the flights of circles, and the positions of lines and pegs at each change. */
 public final class FlightRecorder {
 
   private final int most;
@@ -15,40 +15,40 @@ public final class FlightRecorder {
   private double begin;
   private double end;
 
-  // Flights of a step that may still be rolled back: their circles, and their numbers.
+  // Flights of a step that may still be rolled back: the ids of their circles, and their rows.
   private int[] pendingIds = new int[16];
   private double[] pending = new double[16 * FlightHistory.FLIGHT];
   private int pendings;
 
   /**
-   * A recorder that has yet to {@linkplain #begin begin}.
+   * Creates a recorder that has yet to {@linkplain #begin begin}.
    *
-   * @param most how many flights to keep of each circle, and changes of each line and peg
-   * @param ids the id of the circle at a slot
+   * @param most the number of flights to keep of each circle, and of changes of each line and peg
+   * @param ids maps the slot of a circle to its id
    */
   public FlightRecorder(int most, IntUnaryOperator ids) {
     this.most = most;
     this.ids = ids;
   }
 
-  /** From when on everything is known. */
+  /** The earliest time from which the recording is complete. */
   public double start() {
     return Math.max(begin, Math.max(obstacles.start(), tracks.start()));
   }
 
-  /** Up to when everything is known. */
+  /** The time up to which the recording is complete. */
   public double end() {
     return end;
   }
 
-  /** The track of a circle that was there at a given time, null if none is known. */
+  /** The history of a circle that existed at a given time; null if none is known. */
   public FlightHistory track(int id, double t) {
     FlightHistory track = tracks.get(id);
     boolean known = track != null && t >= track.start() && t < track.end() && t <= end;
     return known ? track : null;
   }
 
-  /** The row of the line or peg that had a code at a given time, null if nothing had it then. */
+  /** The row of a line or peg at a given time; null if it did not exist then. */
   public double[] obstacle(int code, double t) {
     return obstacles.at(code, t);
   }
@@ -58,7 +58,10 @@ public final class FlightRecorder {
     return walls;
   }
 
-  /** Forgets all, and begins at a given time, with what stands still then. */
+  /**
+   * Discards the recording, and begins a new one at a given time with the static obstacles of that
+   * time.
+   */
   public void begin(double now, ObstacleTable here) {
     tracks = new FlightHistories(most);
     obstacles = new ObstacleHistory(here, most);
@@ -68,7 +71,7 @@ public final class FlightRecorder {
     pendings = 0;
   }
 
-  /** Notes a flight of the step in hand. */
+  /** Adds a flight of the current step, which {@link #undo} may still drop. */
   public void note(MovingCircle m) {
     if (pendings == pendingIds.length) {
       pendingIds = Arrays.copyOf(pendingIds, 2 * pendings);
@@ -79,18 +82,18 @@ public final class FlightRecorder {
     pendings++;
   }
 
-  /** Drops what was noted in the step in hand. */
+  /** Drops the flights of the current step. */
   public void undo() {
     pendings = 0;
   }
 
-  /** Adds a flight for good. */
+  /** Adds a flight that cannot be undone. */
   public void add(MovingCircle m) {
     note(m);
     keep();
   }
 
-  /** The step in hand is done: the world stands at a given time. */
+  /** Commits the flights of the current step, which ended at a given time. */
   public void advance(double now) {
     keep();
     end = now;
@@ -103,7 +106,7 @@ public final class FlightRecorder {
     pendings = 0;
   }
 
-  /** Notes that a line or a peg is new, elsewhere, or gone. */
+  /** Records that a line or a peg was added, changed or removed. */
   public void noteObstacle(int code, ObstacleTable here, double now) {
     obstacles.note(code, here, now);
   }

@@ -2,8 +2,8 @@
 package dev.carom.internal.state;
 
 /**
- * The numbers of a flight: where it started, how it moves, when it started, and the radius of the
- * circle. Every array that holds flights begins a row with them, in this order.
+ * The columns of a flight: its start position, velocity, start time, and the radius of the circle.
+ * A row of any array of flights begins with them, in this order.
  */
 public final class FlightRow {
 
@@ -18,14 +18,14 @@ public final class FlightRow {
   public static final int TL = 5;
   public static final int RADIUS = 6;
 
-  /** How many numbers these are. */
+  /** The number of columns. */
   public static final int SIZE = 7;
 
   private FlightRow() {}
 
   /** Writes the flight of a circle to the row that begins at k. */
   static void put(MovingCircle m, double[] rows, int k) {
-    // The first and the last one first: then compilers check the range of the others with them.
+    // The first and the last column first: then compilers check the range of the others with them.
     rows[k + X] = m.x;
     rows[k + RADIUS] = m.radius;
     rows[k + Y] = m.y;

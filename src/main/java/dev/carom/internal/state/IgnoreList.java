@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.function.IntUnaryOperator;
 
 /**
- * The things that are inert for a jammed circle: not there, until it gets away or something comes
- * from further off. Immutable; null stands for none.
+ * The obstacles and circles that a jammed circle ignores, until it gets away or something
+ * approaches from further off. Immutable; null stands for an empty list.
  */
 public final class IgnoreList {
 
@@ -27,17 +27,20 @@ public final class IgnoreList {
     return entry < 0;
   }
 
-  /** A jam, or none yet, with one more thing. */
+  /** Adds a code to a list, which may be null. */
   public static IgnoreList with(IgnoreList jam, int code) {
     return withEntry(jam, code);
   }
 
-  /** A jam, or none yet, of a circle that an infinite mass crushed, which passes over it. */
+  /**
+   * Adds an infinite mass that crushed the circle. The circle ignores it while it passes over the
+   * circle.
+   */
   public static IgnoreList crushedBy(IgnoreList jam, int code) {
     return withEntry(jam, ~code);
   }
 
-  /** A jam, or none yet, with one more entry. */
+  /** Adds an entry, a code or its complement, to a list, which may be null. */
   public static IgnoreList withEntry(IgnoreList jam, int entry) {
     if (jam == null) {
       return new IgnoreList(new int[] {entry});
@@ -50,7 +53,7 @@ public final class IgnoreList {
     return new IgnoreList(more);
   }
 
-  /** What is left of a jam when the obstacles are dropped. */
+  /** Removes all obstacles; null if nothing is left. */
   public static IgnoreList ofCircles(IgnoreList jam) {
     if (jam == null) {
       return null;
@@ -63,7 +66,7 @@ public final class IgnoreList {
     return Codes.isCircle(code(entry));
   }
 
-  /** What is left of it without one thing, null for nothing. */
+  /** Removes one code; null if nothing is left. */
   public IgnoreList without(int code) {
     int[] left = Arrays.stream(entries).filter(entry -> code(entry) != code).toArray();
     return left.length == 0 ? null : new IgnoreList(left);
@@ -105,7 +108,7 @@ public final class IgnoreList {
     return contains(~code);
   }
 
-  /** Whether a thing is inert, or crushed the circle. */
+  /** Whether the circle ignores a code, or was crushed by it. */
   public boolean concerns(int code) {
     return contains(code) || contains(~code);
   }

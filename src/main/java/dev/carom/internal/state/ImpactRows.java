@@ -7,12 +7,12 @@ import dev.carom.internal.util.Part;
 import java.util.Arrays;
 
 /**
- * The impacts of a step, one row each, in the order of time once sorted. Circles are named by their
- * slots.
+ * The impacts of a step, one row each, in order of time after {@link #sort}. Circles are named by
+ * their slots.
  */
 public final class ImpactRows {
 
-  // Outcomes: the ordinals of the public ones.
+  // Outcomes: the ordinals of the public enum.
   public static final int BOUNCED = 0;
   public static final int HALTED = 1;
   public static final int SENSED = 2;
@@ -22,7 +22,7 @@ public final class ImpactRows {
 
   /**
    * Doubles of one row: time, contact x and y, normal n of any length, and v.n before the impact.
-   * The root that makes n a unit vector is taken by who reads it.
+   * The square root that makes n a unit vector is taken only when the normal is read.
    */
   private static final int ROW = 6;
 
@@ -34,7 +34,7 @@ public final class ImpactRows {
   private static final int NY = 4;
   private static final int VN = 5;
 
-  /** Ints of one row: circle, obstacle, and what is packed, see {@link #WHAT}. */
+  /** Ints of one row: circle, obstacle, and three packed ordinals, see {@link #WHAT}. */
   private static final int INTS = 3;
 
   private static final int OBSTACLE = 1;
@@ -52,13 +52,13 @@ public final class ImpactRows {
 
   private final TimeOrder order;
 
-  /** Below 0 if a row arrived that is earlier than the one before it: told without a branch. */
+  /** Negative if a row was added that is earlier than its predecessor. Computed branch-free. */
   private long disorder;
 
-  /** The time of the row that arrived last. */
+  /** The time of the row added last. */
   private double latest;
 
-  /** With room for some rows; it grows as needed. */
+  /** Creates a log with room for some rows. It grows as needed. */
   public ImpactRows(int rows) {
     numbers = new double[rows * ROW];
     ints = new int[rows * INTS];
@@ -69,7 +69,7 @@ public final class ImpactRows {
     return size;
   }
 
-  // A row's numbers, in the order of time.
+  // The columns. Row 0 is the earliest one after sort.
 
   public double time(int row) {
     return numbers[at(row) * ROW + TIME];
@@ -165,7 +165,7 @@ public final class ImpactRows {
   /** Completes the row added last, with a normal of any length and v.n. */
   public void set(double x, double y, double nx, double ny, double vn) {
     int k = (size - 1) * ROW;
-    // The first and the last one first: then compilers need not ask whether the rest is in range.
+    // The first and the last column first: then compilers need not check the range of the rest.
     numbers[k + CONTACT_X] = Coordinates.within(x);
     numbers[k + VN] = vn;
     numbers[k + CONTACT_Y] = Coordinates.within(y);
@@ -173,14 +173,14 @@ public final class ImpactRows {
     numbers[k + NY] = ny;
   }
 
-  /** Sets the outcome of the row added last, which else is that the circle bounced. */
+  /** Sets the outcome of the row added last, which is BOUNCED by default. */
   public void setOutcome(int outcome) {
     int k = (size - 1) * INTS + WHAT;
     ints[k] = (ints[k] & (1 << OUTCOME) - 1) | outcome << OUTCOME;
   }
 
   /**
-   * Puts the rows into the order of time. Stable: rows arrive circle by circle, and those of one
+   * Sorts the rows by time. The sort is stable: rows arrive circle by circle, and those of one
    * circle as they happened.
    */
   public void sort() {

@@ -6,8 +6,9 @@ import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
 /**
- * The codes of all lines, pegs or circles that are there, ascending, and of no more that are gone:
- * what looks at each costs nothing for all that ever was there. A range, until many are gone.
+ * The codes of all live lines, pegs or circles, ascending. Removed codes may linger but never
+ * outnumber live ones, so iterating is O(live). Codes are stored as a range until many of them are
+ * removed.
  */
 public final class LiveCodes {
 
@@ -15,31 +16,31 @@ public final class LiveCodes {
   private int size;
   private int gone;
 
-  /** Null while they are a range. */
+  /** The codes; null while they are a range. */
   private int[] codes;
 
-  /** All from a code on. */
+  /** A range of codes from {@code from} on. */
   LiveCodes(int from, int size) {
     this.from = from;
     this.size = size;
   }
 
-  /** How many are listed. */
+  /** The number of listed codes, removed ones included. */
   public int size() {
     return size;
   }
 
-  /** How many are there. */
+  /** The number of live codes. */
   public int count() {
     return size - gone;
   }
 
-  /** The code that has so many before it; its thing may be gone. */
+  /** The listed code at an index; it may be removed. */
   public int get(int i) {
     return codes == null ? from + i : codes[i];
   }
 
-  /** Those that are there. */
+  /** The live codes. */
   public IntStream stream(IntPredicate isGone) {
     return IntStream.range(0, size).map(this::get).filter(isGone.negate());
   }
@@ -51,7 +52,7 @@ public final class LiveCodes {
     return copy;
   }
 
-  /** Adds a code that is larger than any before. */
+  /** Adds a code that is larger than all others. */
   void add(int code) {
     if (codes != null) {
       if (size == codes.length) {
@@ -62,7 +63,7 @@ public final class LiveCodes {
     size++;
   }
 
-  /** Takes notice that so many more are gone. */
+  /** Counts that many more codes as removed. */
   void removed(int more, IntPredicate isGone) {
     gone += more;
     if (gone > size - gone) {

@@ -5,32 +5,37 @@ import dev.carom.internal.exact.DoubleDouble;
 import dev.carom.internal.sweep.Contact;
 
 /**
- * One circle in flight: the state that {@code BroadPhase} looks ahead from and {@link
- * ObstacleResponse} changes. A world loads a circle into its one mover, lets it advance, and stores
+ * One circle in flight: {@code BroadPhase} predicts its next impact, and {@code ObstacleResponse}
+ * resolves it. A world loads a circle from its arrays into one such object, advances it, and stores
  * it again.
  *
- * <p>Times are kept as head and tail, the nearest double and what it leaves: about 106 bits. So an
- * impact is placed as accurately after a million frames as after one, and a sum of times does not
- * depend on how the steps were cut.
+ * <p>Times are kept as head and tail: the nearest double and the remainder, about 106 bits in all.
+ * So an impact is placed as accurately after a million frames as after one, and a sum of times does
+ * not depend on how the steps were cut.
  */
 public final class MovingCircle {
 
   /** The sum of weights of impacts at one place beyond which a circle is stuck. */
   public static final int STUCK_LIMIT = 1 << 24;
 
-  /** Nothing hit yet, or since the last edit. */
+  /** No obstacle or circle: nothing was hit yet, or nothing since the last edit. */
   public static final int NOTHING = -1;
 
   /**
-   * How far a first search may look ahead, in halves of a cell at the pace, where less is asked
-   * for; each further one, twice that.
+   * How far the first search of a flight looks ahead where less is needed, in halves of a cell at
+   * the Manhattan speed. Each further search may look twice as far.
    */
   static final int FIRST_LOOKAHEAD = 64;
 
-  /** The same for a flight that an edit began: another edit may cut it short. */
+  /**
+   * The same for a flight that an edit began. It is short, as another edit may end the flight soon.
+   */
   public static final int EDITED_LOOKAHEAD = 1;
 
-  /** The flight: where it started, how it moves, and when it started. */
+  /**
+   * The flight: the position at its start, its velocity, and the time of its start as head and
+   * tail.
+   */
   public double x;
 
   public double y;
@@ -43,31 +48,36 @@ public final class MovingCircle {
   public double radius;
   public double restitution;
 
-  /** How long the flight has lasted. */
+  /** How long the previous flight lasted. */
   public double flown;
 
-  /** Whether the time that the flight lasted is too short for its clock. */
+  /** Whether the previous flight was too short to advance the clock. */
   public boolean standsStill;
 
-  /** What was hit last: it is not there for this flight. */
+  /** The code of the obstacle or circle hit last, which this flight cannot hit again. */
   public int last;
 
-  /** What is inert for the circle, which is stuck between things; as a rule null. */
+  /**
+   * The obstacles and circles that a jammed circle ignores; null for a circle that is not jammed.
+   */
   public IgnoreList jam;
 
-  /** Up to where the flight is known to be free, counted from its start. */
+  /** The flight is known to be free of impacts up to this time, counted from its start. */
   public double cleared;
 
-  /** What is hit at {@link #cleared}, or NOTHING if the search went no further. */
+  /**
+   * The code of the next impact, at {@link #cleared}; NOTHING if the search ended there without
+   * one.
+   */
   public int next;
 
   /**
-   * How the detector names that contact, see {@link Contact}; if there is none, the code of the
-   * sensor that was met at {@link #cleared}, else 0.
+   * The contact of the next impact, see {@link Contact}. Without a next impact, the code of the
+   * sensor met at {@link #cleared}, or 0.
    */
   public int contact;
 
-  /** Cells that the next search may go beyond what is asked for. */
+  /** How far the next search looks ahead where less is needed, see {@link #FIRST_LOOKAHEAD}. */
   public int lookahead;
 
   /** The weight of the successive impacts at one place, see {@code StuckRule}. */
@@ -76,16 +86,22 @@ public final class MovingCircle {
   /** The exponent of the largest speed in these impacts. */
   public int speedExponent;
 
-  /** Which way the last of them, of restitution 0, turned the velocity: 1 left, -1 right, or 0. */
+  /**
+   * The turn of the velocity in the last of them, if its restitution was 0: 1 left, -1 right; else
+   * 0.
+   */
   public int turn;
 
   /** Whether one of them was with an infinite mass that moved towards the circle. */
   public boolean driven;
 
-  /** Whether infinite masses overlap a circle that they crushed; known while they meet. */
+  /**
+   * Whether infinite masses that crushed this circle still overlap it. Set only while a collision
+   * is resolved.
+   */
   public boolean crushed;
 
-  /** Puts a circle at the start of its first flight, at time 0. */
+  /** Starts the first flight of a circle, at time 0. */
   public void start(
       int id, double x, double y, double radius, double vx, double vy, double restitution) {
     this.id = id;
@@ -102,11 +118,11 @@ public final class MovingCircle {
   }
 
   /**
-   * Begins a new flight at a given time, from where the circle is then, as an edit does.
+   * Begins a new flight at a given time, from the position at that time, as an edit does.
    *
    * @param now the head of that time, which is not before the flight that ends
    * @param tail its tail
-   * @param walls which it does not leave, as {@link ObstacleTable#walls}
+   * @param walls the walls that it does not leave, as {@link ObstacleTable#walls}
    */
   public void restart(double now, double tail, double[] walls) {
     double dt = (now - t) + (tail - tl);
@@ -118,14 +134,14 @@ public final class MovingCircle {
     lookahead = EDITED_LOOKAHEAD;
   }
 
-  /** Forgets what was hit: the next impact may be with anything. */
+  /** Forgets what was hit last, so that the next impact may be with anything. */
   public void forget() {
     last = NOTHING;
     leavePlace();
     speedExponent = Double.MIN_EXPONENT;
   }
 
-  /** Begins to count impacts anew, at the place where the circle is. */
+  /** Resets the count of impacts at one place. */
   public void leavePlace() {
     jam = null;
     stuck = 0;
@@ -133,15 +149,17 @@ public final class MovingCircle {
     driven = false;
   }
 
-  /** Whether a number can be the weight of impacts at one place. */
+  /** Whether a number is a valid weight of impacts at one place. */
   public static boolean isStuckWeight(int weight) {
     return weight >= 0 && weight <= STUCK_LIMIT + 1;
   }
 
   /**
-   * Forgets one thing that is to change, and returns whether it had to do with it.
+   * Forgets an obstacle or a circle that is about to change; returns whether the flight referred to
+   * it.
    *
-   * @param sensedCode if it is next: of the sensors at its time, up to which code those were met
+   * @param sensedCode used if it is the next impact: of the sensors met at that time, those with a
+   *     code up to this one were reported
    */
   public boolean forget(int code, int sensedCode) {
     boolean knew = last == code || next == code || (jam != null && jam.concerns(code));
@@ -153,14 +171,14 @@ public final class MovingCircle {
       contact = sensedCode;
     }
     if (jam != null && jam.concerns(code)) {
-      // The rest stays inert: it would be hit where the flight began, before the edit.
+      // The rest stays ignored: it would be hit at the start of the flight, before the edit.
       jam = jam.without(code);
       stuck = jam == null ? 0 : stuck;
     }
     return knew;
   }
 
-  /** Forgets what was found ahead. */
+  /** Forgets the prediction, for a new flight. */
   public void newFlight() {
     flown = 0;
     cleared = 0;
@@ -169,12 +187,15 @@ public final class MovingCircle {
     lookahead = FIRST_LOOKAHEAD;
   }
 
-  /** How far a time is into a flight: one that begins at its head may begin after it. */
+  /**
+   * The time since the start of a flight. At least 0: a flight may start later than the head of its
+   * time.
+   */
   public static double since(double t, double tl, double now) {
     return Math.max(0, now - t - tl);
   }
 
-  /** When something is to be done: at the next impact, or where what is known ahead ends. */
+  /** The time of the next impact, or at which the prediction ends. */
   public double due() {
     return cleared == Double.POSITIVE_INFINITY ? cleared : after(cleared);
   }
@@ -189,11 +210,13 @@ public final class MovingCircle {
     return sum(t, tl, dt);
   }
 
-  /** The latest time from the start of the flight, at least 0, of which the clock tells now. */
+  /**
+   * The longest duration, at least 0, after which the rounded time is not later than {@code now}.
+   */
   public double latestBy(double now) {
     double since = since(t, tl, now);
     double error = 2 * Math.ulp(now);
-    // Of numbers at least 0 the bits are in the same order.
+    // The bits of doubles that are at least 0 have the same order as the doubles.
     long by = Double.doubleToRawLongBits(Math.max(0, since - error));
     long later = Double.doubleToRawLongBits(since + error);
     while (later - by > 1) {
@@ -225,23 +248,22 @@ public final class MovingCircle {
     return DoubleDouble.sumTail(s, l, head);
   }
 
-  /** from + v dt - to, for to = fl(from + v dt): what the rounded place lacks. */
+  /** from + v dt - to, for to = fl(from + v dt): the rounding error of a position. */
   public static double lack(double from, double v, double dt, double to) {
     double d = from - to;
     return Math.fma(v, dt, d) + DoubleDouble.differenceTail(from, to, d);
   }
 
-  /** Whether the flight started at that time, by its clock. */
+  /** Whether the flight started at exactly that time of the clock. */
   public boolean isAt(double head, double tail) {
     return head == t && tail == tl;
   }
 
   /**
-   * Flies on for one length of time and then another, to a new start of a flight whose time is
-   * known.
+   * Advances by one duration and then another, to the start of a new flight at a known time.
    *
-   * @param standsStill whether the second is too short for the clock
-   * @param walls which it does not leave, as {@link ObstacleTable#walls}
+   * @param standsStill whether the second duration is too short to advance the clock
+   * @param walls the walls that it does not leave, as {@link ObstacleTable#walls}
    */
   public void advance(
       double first, double second, double head, double tail, boolean standsStill, double[] walls) {
@@ -253,7 +275,7 @@ public final class MovingCircle {
     this.standsStill = standsStill && flown == second;
   }
 
-  /** Flies on for dt, to a new start of a flight. */
+  /** Advances by dt, to the start of a new flight. */
   public void advance(double dt) {
     x = Math.fma(vx, dt, x);
     y = Math.fma(vy, dt, y);

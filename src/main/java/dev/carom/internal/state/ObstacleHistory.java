@@ -8,10 +8,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Where lines and pegs were during a recording: what was there first, and each change since. */
+/** The lines and pegs during a recording: those at its start, and each change since. */
 final class ObstacleHistory {
 
-  /** The row of a thing from a time on; null where it is gone. */
+  /** The row of an obstacle from a time on; null once it is removed. */
   private static final class Change {
 
     final double from;
@@ -27,7 +27,7 @@ final class ObstacleHistory {
   private final int most;
   private final Map<Integer, List<Change>> changes = new HashMap<>();
 
-  /** What was removed, in that order, and how many changes are kept of it. */
+  /** The codes of removed obstacles in order of removal, and the number of changes kept of them. */
   private final Deque<Integer> removed = new ArrayDeque<>();
 
   private long changesOfRemoved;
@@ -35,13 +35,16 @@ final class ObstacleHistory {
   private int present;
   private int mostPresent;
 
-  /** From when on everything is known: later than the start once changes were dropped. */
+  /**
+   * The earliest time from which the history is complete: later than the start of the recording
+   * once changes were dropped.
+   */
   private double start = Double.NEGATIVE_INFINITY;
 
   /**
-   * Begins with what is there.
+   * Begins a recording with the current obstacles.
    *
-   * @param most how many changes to keep of each thing; beyond that the oldest are dropped
+   * @param most the number of changes to keep of each obstacle; the oldest are dropped
    */
   ObstacleHistory(ObstacleTable now, int most) {
     first = now.copy();
@@ -54,7 +57,7 @@ final class ObstacleHistory {
     return start;
   }
 
-  /** Notes that a line or a peg is new, elsewhere, or gone, from a given time on. */
+  /** Records that a line or a peg was added, changed or removed at a given time. */
   void note(int code, ObstacleTable now, double t) {
     List<Change> ofThis = changes.computeIfAbsent(code, this::newChanges);
     boolean gone = now.isGone(code);
@@ -76,7 +79,7 @@ final class ObstacleHistory {
     return new ArrayList<>();
   }
 
-  /** Notes that a thing is gone; those that went first are dropped if there is no room. */
+  /** Counts an obstacle as removed, and drops those removed first if there is no room. */
   private void remove(int code, int itsChanges) {
     present--;
     removed.add(code);
@@ -93,11 +96,11 @@ final class ObstacleHistory {
     changesOfRemoved -= dropped.size();
     start = Math.max(start, last.from);
     if (isFirst(code)) {
-      changes.put(code, List.of(last)); // else it would seem to be there still
+      changes.put(code, List.of(last)); // else it would still seem to exist
     }
   }
 
-  /** The row of what had a code at a given time, null if nothing had it then. */
+  /** The row of an obstacle at a given time; null if it did not exist then. */
   double[] at(int code, double t) {
     List<Change> ofThis = changes.getOrDefault(code, List.of());
     for (int i = ofThis.size() - 1; i >= 0; i--) {
@@ -108,7 +111,7 @@ final class ObstacleHistory {
     return isFirst(code) ? first.row(code) : null;
   }
 
-  /** Whether a thing was there when the recording began. */
+  /** Whether an obstacle existed when the recording began. */
   private boolean isFirst(int code) {
     return code < first.of(code).end && !first.isGone(code);
   }

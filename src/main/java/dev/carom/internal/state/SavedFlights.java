@@ -3,50 +3,55 @@ package dev.carom.internal.state;
 
 import java.util.Arrays;
 
-/**
- * What determines the flights of all circles that are there, in flat arrays, for a {@link
- * WorldState}.
- */
+/** The saved flights of all live circles, in flat arrays, for a {@link WorldState}. */
 public final class SavedFlights {
 
-  // Doubles of one circle, after those of its flight.
+  // Columns of a circle, after those of its flight.
   public static final int RESTITUTION = FlightRow.SIZE;
 
-  /** Until when, from the start of the flight, sensors among lines and pegs were reported. */
+  /**
+   * Contacts with sensors among lines and pegs were reported up to this time, from the start of the
+   * flight.
+   */
   public static final int SENSED = 8;
 
-  // The last meeting with another circle that was only reported, as head and tail.
+  // The last contact of two circles that a sensor reported, as head and tail.
   private static final int MEETING = 9;
   private static final int MEETING_TAIL = 10;
 
-  /** How many doubles these are. */
+  /** The number of doubles. */
   public static final int NUMBERS = 11;
 
-  // Ints of one circle.
+  // The ints of a circle.
   public static final int LAST = 0;
   public static final int STUCK = 1;
 
-  /** Of the sensors met just at {@link #SENSED}, up to which code they were reported. */
+  /**
+   * Of the sensors met at exactly {@link #SENSED}, those with a code up to this one were reported.
+   */
   public static final int SENSED_CODE = 2;
 
   private static final int PARTNER = 3;
 
-  /** See {@link ContactWord}; without a contact. */
+  /** A {@link ContactWord} without a contact. */
   private static final int MEMORY = 4;
 
-  /** How many ints these are. */
+  /** The number of ints. */
   public static final int CODES = 5;
 
-  /** Of each circle, ascending. */
+  /** The ids of the circles, ascending. */
   private final int[] ids;
 
   public final double[] numbers;
   public final int[] codes;
 
-  /** Null where no circle is jammed. */
+  /** The ignore list of each jammed circle; null if no circle is jammed. */
   public IgnoreList[] jams;
 
-  /** The tail of the time of the next edit, where an edit comes after events of other circles. */
+  /**
+   * The tail of the time of the next edit. It is above 0 if events after the head of that time
+   * precede the edit.
+   */
   public double tailOfEdit;
 
   public SavedFlights(int[] ids, double[] numbers, int[] codes, IgnoreList[] jams) {
@@ -56,7 +61,7 @@ public final class SavedFlights {
     this.jams = jams;
   }
 
-  /** Those of circles with these ids, to be {@link #put}. */
+  /** Creates rows for circles with these ids, to be filled by {@link #put}. */
   public SavedFlights(int[] ids) {
     this(ids, new double[ids.length * NUMBERS], new int[ids.length * CODES], null);
   }
@@ -66,10 +71,11 @@ public final class SavedFlights {
   }
 
   /**
-   * Puts in the circle that is number i of those that are there.
+   * Saves the flight of the i-th live circle.
    *
-   * @param sensed up to when, from the start of the flight, sensors were reported
-   * @param sensedCode of those met just then, up to which one
+   * @param sensed contacts with sensors were reported up to this time, from the start of the flight
+   * @param sensedCode of the sensors met at exactly that time, those with a code up to this one
+   *     were reported
    */
   public void put(int i, MovingCircle m, double sensed, int sensedCode) {
     int k = i * NUMBERS;
@@ -87,7 +93,10 @@ public final class SavedFlights {
     }
   }
 
-  /** Puts in the last meeting that this circle sensed; a head of -1 for none. */
+  /**
+   * Saves the last contact of the i-th circle that a sensor among circles reported; a head of -1
+   * for none.
+   */
   public void putSensed(int i, double head, double tail, int partner) {
     numbers[i * NUMBERS + MEETING] = head;
     numbers[i * NUMBERS + MEETING_TAIL] = head < 0 ? 0 : tail;
@@ -106,7 +115,9 @@ public final class SavedFlights {
     return codes[i * CODES + PARTNER];
   }
 
-  /** Takes that circle out into a mover, whose id stays, with nothing known ahead of it. */
+  /**
+   * Loads the flight of the i-th circle, without a prediction. The id of the moving circle stays.
+   */
   public void get(int i, MovingCircle m) {
     int k = i * NUMBERS;
     int c = i * CODES;

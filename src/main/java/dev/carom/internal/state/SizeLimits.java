@@ -4,8 +4,9 @@ package dev.carom.internal.state;
 import dev.carom.internal.util.Check;
 
 /**
- * The largest coordinate and the least radius that were ever in a world. Rounding of positions
- * could carry a circle through a line whose radius is below 2^10 ulps of the largest coordinate.
+ * The largest coordinate and the least radius that a world ever had. A radius must be at least 2^10
+ * ulps of the largest coordinate: below that, rounding of positions could carry a circle through a
+ * line.
  */
 public final class SizeLimits {
 
@@ -29,18 +30,17 @@ public final class SizeLimits {
     return least;
   }
 
-  /** Takes over what another one holds. */
   public void set(SizeLimits other) {
     largest = other.largest;
     least = other.least;
   }
 
-  /** The least radius that may stand beside a coordinate of this size. */
+  /** The least radius that is allowed together with a coordinate of this size. */
   public static double leastRadius(double coordinate) {
     return LEAST_RADIUS_ULPS * Math.ulp(coordinate);
   }
 
-  /** Refuses a coordinate that is not finite, or too large for the circles that are there. */
+  /** Refuses a coordinate that is not finite, or too large for the least radius. */
   public void checkCoordinate(String name, double value) {
     Check.finite(name, value);
     if (leastRadius(value) > least) {
@@ -51,7 +51,10 @@ public final class SizeLimits {
     }
   }
 
-  /** Refuses the radius of a circle at (x, y) that is not positive, or too small. */
+  /**
+   * Refuses the radius of a circle at (x, y) that is not positive, or too small for the largest
+   * coordinate.
+   */
   public void checkRadius(double radius, double x, double y) {
     Check.positive("radius", radius);
     double size = Math.max(largest, Math.max(Math.abs(x), Math.abs(y)));

@@ -4,38 +4,43 @@ package dev.carom.internal.state;
 import java.util.Arrays;
 
 /**
- * The rows of a log in the order of time, found by a stable sort. Times within a step are spread
- * about evenly, so each row is first thrown into one of as many slots of time as there are rows;
- * insertion then has little to move, and where it has (times in heaps), rows are merged instead. A
- * few rows are ranked.
+ * The order of a log's rows by time, found by a stable sort. Times within a step are spread about
+ * evenly. So rows are first distributed over as many time slots as there are rows, and a final
+ * insertion sort moves little. If times cluster, it would move much, and a merge sort replaces it.
+ * A few rows are sorted by counting, see {@link #rank}.
  */
 final class TimeOrder {
 
-  /** Up to so many rows each is compared with each; merging starts from as many. */
+  /** Up to this many rows, each is compared with each. Merging starts from runs of this length. */
   private static final int INSERTION_SORT_SIZE = 16;
 
-  /** Moves a row of an insertion that is given up: what merging takes, for a million rows. */
+  /** Moves per row after which insertion is abandoned: the cost of merging a million rows. */
   private static final int MOVES = 20;
 
-  /** The rows in order; before {@link #sort}, as they arrived. */
+  /** The row numbers in order; before {@link #sort}, in order of arrival. */
   int[] rows;
 
   private int[] merged;
 
-  /** For each slot, where the next of its rows goes; of a few rows, where each goes. */
+  /** The position of the next row of each slot; in {@link #rank}, the position of each row. */
   private int[] ends;
 
   private double[] numbers;
   private final int stride;
 
-  /** Of the rows of an array that is to be filled: so many doubles each, the time first. */
+  /**
+   * Creates the order of the rows of an array, which is still empty.
+   *
+   * @param numbers rows that begin with their time
+   * @param stride doubles of a row
+   */
   TimeOrder(double[] numbers, int stride) {
     this.stride = stride;
     rows = new int[0];
     extend(numbers);
   }
 
-  /** Takes a longer array, which begins with the same rows. */
+  /** Replaces the array by a longer one that begins with the same rows. */
   final void extend(double[] numbers) {
     this.numbers = numbers;
     int capacity = numbers.length / stride;
@@ -44,7 +49,7 @@ final class TimeOrder {
     ends = new int[capacity];
   }
 
-  /** Sorts the first rows, which stand as they arrived. */
+  /** Sorts the first rows, which are in order of arrival. */
   void sort(int size) {
     if (size <= INSERTION_SORT_SIZE) {
       rank(size);
@@ -56,7 +61,7 @@ final class TimeOrder {
     }
   }
 
-  /** Counts for each of a few rows how many come before it: without a branch on times. */
+  /** Counts, for each of a few rows, the rows before it. Branch-free on times. */
   private void rank(int size) {
     int[] before = ends;
     for (int i = 0; i < size; i++) {
@@ -101,12 +106,14 @@ final class TimeOrder {
     }
   }
 
-  /** Later times have no lower slots; what is not a number, 0 / 0, counts as slot 0. */
+  /** The slot of a row. Later times have no lower slots; NaN, from 0 / 0, counts as slot 0. */
   private int slot(int row, double low, double perTime, int size) {
     return Math.min((int) ((time(row) - low) * perTime), size - 1);
   }
 
-  /** Sorts a part, unless that takes more moves than allowed. */
+  /**
+   * Sorts a part; false if that takes more moves than allowed, with the part left in some order.
+   */
   private boolean insert(int from, int to, long most) {
     long left = most;
     for (int i = from + 1; i < to && left >= 0; i++) {

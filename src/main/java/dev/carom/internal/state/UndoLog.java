@@ -4,8 +4,8 @@ package dev.carom.internal.state;
 import java.util.Arrays;
 
 /**
- * The circles that a step has advanced, as they were at its start. When a step runs out of its
- * budget they are put back, and the step is taken anew to an earlier time.
+ * The state of all circles that a step has advanced, as it was at the start of the step. A step
+ * that exhausts its budget restores these circles and is repeated to an earlier time.
  */
 public final class UndoLog {
 
@@ -14,10 +14,10 @@ public final class UndoLog {
   private double[] state;
   private int[] codes;
 
-  /** Of jammed circles; null as long as there was none. */
+  /** The ignore lists of jammed circles; null as long as none was jammed. */
   private IgnoreList[] jams;
 
-  /** With room for some circles; it grows as needed. */
+  /** Creates a log with room for some circles. It grows as needed. */
   public UndoLog(int circles) {
     int capacity = Math.max(1, circles);
     this.circles = new int[capacity];
@@ -29,7 +29,7 @@ public final class UndoLog {
     size = 0;
   }
 
-  /** Saves a circle, before it is advanced for the first time. */
+  /** Saves a circle. To be called before the step first advances it. */
   public void save(MovingCircle m) {
     if (size == circles.length) {
       grow();
@@ -49,7 +49,7 @@ public final class UndoLog {
     jams[size] = jam;
   }
 
-  /** Puts all saved circles back, and forgets them. */
+  /** Restores all saved circles, and clears the log. */
   public void restore(CircleTable table) {
     MovingCircle m = table.mover;
     for (int row = 0; row < size; row++) {

@@ -2,14 +2,14 @@
 package dev.carom.internal.state;
 
 /**
- * Everything that determines the future of a world. Two are equal if they hold the same, to the
- * bit.
+ * Everything that determines the future of a world. Two states are equal if they are the same to
+ * the bit.
  *
  * @param now the time of the world
  * @param collide whether circles collide with each other
  * @param obstacles the walls, lines and pegs
  * @param registry the circles
- * @param limits the largest coordinate and the least radius that were ever in the world
+ * @param limits the largest coordinate and the least radius that the world ever had
  * @param flights the flights of the circles
  */
 public record WorldState(
