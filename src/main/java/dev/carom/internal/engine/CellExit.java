@@ -14,7 +14,7 @@ final class CellExit {
 
   private static final long ONE = Double.doubleToRawLongBits(1);
 
-  /** So many cells from the origin, a coordinate no longer tells one cell from the next. */
+  /** Beyond this many cells from the origin, a coordinate cannot distinguish adjacent cells. */
   private static final double FARTHEST = 0x1p48;
 
   private static final int NEGATIVE = 1;

@@ -21,19 +21,19 @@ import java.util.Arrays;
 import java.util.Collection;
 
 /**
- * Circles that collide: event after event, in the order of time.
+ * The engine for circles that collide: it handles event after event, in order of time.
  *
- * <p>Which event of a circle is next, and the order of all, is for {@link EventScheduler}. When a
- * circle's velocity changes, its count goes up, and what was foreseen for it is foreseen anew; that
- * another circle foresaw a meeting with it is noticed there by the count.
+ * <p>{@link EventScheduler} finds the next event of each circle, and the order of all. When a
+ * circle's velocity changes, its change count goes up and its next event is predicted anew. Another
+ * circle's predicted collision with it is then stale, which shows by the count.
  *
- * <p>When two circles meet depends on their two flights alone: the search starts where the later
- * one starts, from the place of the other one then. So neither the cells through which they found
- * each other nor the steps of the caller change a bit of it.
+ * <p>The time at which two circles collide depends on their two flights alone. The search starts at
+ * the start of the later flight, from the position of the other circle at that time. So neither the
+ * cells through which they found each other nor the steps of the caller change a bit of it.
  */
 public final class CollidingEngine extends Engine {
 
-  /** Events in one call, and so many more for each circle. */
+  /** The budget of events in one call, and its increase for each circle. */
   private static final int EVENTS_PER_CALL = 2_000_000;
 
   private static final int EVENTS_PER_CIRCLE = 1_000;
@@ -48,26 +48,27 @@ public final class CollidingEngine extends Engine {
   private double reached;
 
   /**
-   * The time of the last crossing. If it is also that of the last event, the crossing may be
-   * further on by what rounding took: then some cells are those of a moment later.
+   * The time of the last cell crossing. If it is also the time of the last event, the true crossing
+   * may be slightly later by rounding. Then some circles are already in the cells of that later
+   * moment.
    */
   private double crossed;
 
-  /** When a flight began last, or a sensor reported a meeting, as head and tail. */
+  /** The time of the last start of a flight or contact reported by a sensor, as head and tail. */
   private double lastEvent;
 
   private double lastEventTail;
 
-  /** The end of this step. */
+  /** The end of the current step. */
   private double end;
 
   /** Whether this step ends at the first impact. */
   private boolean stopsAtImpact;
 
-  /** Whether there are no lines and no pegs, in this step. */
+  /** Whether this step has no lines and no pegs. */
   private boolean nothingInside;
 
-  /** Whether an edit needs more room or other cells than there are. */
+  /** Whether an edit needs more room or other cells than exist. */
   private boolean outgrown;
 
   private final SensorPairs sensed = new SensorPairs();
@@ -87,7 +88,7 @@ public final class CollidingEngine extends Engine {
     begin();
   }
 
-  /** Foresees everything anew, from the flights. */
+  /** Rebuilds the scheduler and all predictions from the flights. */
   private void begin() {
     crossed = Double.NaN;
     nothingInside = staticScene.obstacles.size() == 0;
@@ -144,7 +145,7 @@ public final class CollidingEngine extends Engine {
       }
       advanceClock(scheduler.polledTime());
       int kind = EventScheduler.kind(c, i);
-      if (kind >= EventKind.CROSSING) { // most are
+      if (kind >= EventKind.CROSSING) { // most events are crossings
         cross(s, c, i, kind - EventKind.CROSSING);
       } else {
         handle(s, c, i, kind);
@@ -152,7 +153,10 @@ public final class CollidingEngine extends Engine {
     }
   }
 
-  /** The circle with the most impacts in the log; if that is empty, the one whose event is next. */
+  /**
+   * The circle with the most impacts in the log; if the log is empty, the circle with the next
+   * event.
+   */
   private int busiest() {
     if (log.size() == 0) {
       return scheduler.first();
@@ -172,7 +176,8 @@ public final class CollidingEngine extends Engine {
   }
 
   /**
-   * Goes on to a time. A crossing may be noticed late by rounding: time does not go back for it.
+   * Advances the clock to a time. Rounding may delay the notice of a crossing; time does not go
+   * back for it.
    */
   private void advanceClock(double time) {
     if (time > reached) {
@@ -180,7 +185,6 @@ public final class CollidingEngine extends Engine {
     }
   }
 
-  /** Handles an event other than a crossing. */
   private void handle(double[] s, int[] c, int i, int kind) {
     switch (kind) {
       case EventKind.STATIC -> meetObstacle(i);
@@ -277,7 +281,7 @@ public final class CollidingEngine extends Engine {
     }
   }
 
-  /** Notes that a sensor reported what circle i met: one of two. */
+  /** Records the contact predicted of circle i, one of the two, which a sensor reported. */
   private void report(int low, int high, int i) {
     double head = CollisionPredictor.time(circles.state, i);
     double tail = CollisionPredictor.tail(circles.state, i);
@@ -286,7 +290,7 @@ public final class CollidingEngine extends Engine {
     sensed.report(high, head, tail, low);
   }
 
-  /** Advances two circles to the meeting predicted of circle i. */
+  /** Advances two circles to the collision predicted of circle i. */
   private static void advanceToMeeting(
       double[] s, MovingCircle a, MovingCircle b, int i, double[] walls) {
     double tau = CollisionPredictor.tau(s, i);
@@ -300,7 +304,7 @@ public final class CollidingEngine extends Engine {
     b.advance(ofB, tau, head, tail, standsStill, walls);
   }
 
-  /** Puts a circle on its new flight. */
+  /** Starts a new flight of a circle. */
   private void startFlight(double[] s, int[] c, int i, MovingCircle m) {
     circles.storeNewFlight(s, c, i, m);
     scheduler.comeBack(s, i);
@@ -316,7 +320,7 @@ public final class CollidingEngine extends Engine {
     lastEvent = head;
   }
 
-  /** Resolves all contacts of stuck circles, and of those that touch them, at once. */
+  /** Resolves all contacts of stuck circles, and of all that touch them, at once. */
   private void resolveContacts(int... hit) {
     MovingCircle[] first = Arrays.stream(hit).mapToObj(this::copy).toArray(MovingCircle[]::new);
     Collection<MovingCircle> members = cluster.resolve(log, first);
@@ -329,7 +333,7 @@ public final class CollidingEngine extends Engine {
     members.forEach(m -> scheduler.predict(m.id));
   }
 
-  /** What is near the circles, by their cells and the grid of the obstacles. */
+  /** Finds neighbours by the cells of the circles and the grid of the obstacles. */
   private final class Vicinity implements ContactCluster.Vicinity {
 
     @Override
@@ -355,8 +359,8 @@ public final class CollidingEngine extends Engine {
   }
 
   /**
-   * Circles that were inert for a jammed one are there again if it now runs into them; not infinite
-   * masses that crushed it, until they have left it.
+   * Removes from a jammed circle's ignore list the circles that it now approaches or leaves by more
+   * than rounding. Infinite masses that crushed it stay in the list until they have left it.
    */
   private void reactivate(int i) {
     IgnoreList jam = circles.jam(i);
@@ -375,14 +379,18 @@ public final class CollidingEngine extends Engine {
     circles.jams[i] = jam;
   }
 
-  /** Notes that a circle changed: what others foresaw with it does not hold, nor what it met. */
+  /**
+   * Marks a circle as changed: predictions of collisions with it are stale, and its sensor contacts
+   * are forgotten.
+   */
   private void invalidate(int[] c, int i) {
     c[CircleTable.collidingCodesAt(i) + CircleTable.COUNT]++;
     sensed.forget(i);
   }
 
   /**
-   * Looks for the next obstacle ahead of a circle, unless that is done or none can be in its cell.
+   * Predicts a circle's next impact with an obstacle, unless that is known or its cell can hold
+   * none.
    */
   private void findNextObstacle(double[] s, int[] c, int i) {
     boolean nothingNear = nothingInside && scheduler.isInside(s, i);
@@ -397,7 +405,7 @@ public final class CollidingEngine extends Engine {
 
   @Override
   void beginFlight(MovingCircle m) {
-    // The new flight begins now, so it needs all cells as they are now.
+    // The new flight begins now, so all cells must be those of now.
     outgrown |= crossed == reached;
     int i = m.id;
     if (i == circles.count) {
@@ -417,7 +425,7 @@ public final class CollidingEngine extends Engine {
     leaveJamsOfInfinite(i);
   }
 
-  /** Lets a circle look ahead and around anew with the next step, when all edits are done. */
+  /** Schedules a new prediction of a circle for the next step, when all edits are done. */
   private void repredict(int i) {
     if (!outgrown) {
       scheduler.edit(i, reached);
@@ -429,7 +437,7 @@ public final class CollidingEngine extends Engine {
     return lastTail(now);
   }
 
-  /** The tail of the last event, if that was now; its circle may be gone. */
+  /** The tail of the last event if that was now, even if its circle was removed since. */
   private double lastTail(double now) {
     return lastEvent == now ? Math.max(0, lastEventTail) : 0;
   }
@@ -445,14 +453,14 @@ public final class CollidingEngine extends Engine {
     }
   }
 
-  /** An infinite mass that changed its way is there again for circles that it crushed. */
+  /** Lets circles that an infinite mass crushed collide with it again, as its velocity changed. */
   private void leaveJamsOfInfinite(int i) {
     if (circles.jams != null && registry.mass(i) == Double.POSITIVE_INFINITY) {
       leaveJams(Codes.circle(i));
     }
   }
 
-  /** Whom a circle was jammed with is not held by it when it is gone. */
+  /** Removes a code from all ignore lists. */
   private void leaveJams(int code) {
     LiveCodes present = registry.present();
     for (int k = 0; k < present.size(); k++) {

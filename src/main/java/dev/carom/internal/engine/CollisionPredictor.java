@@ -12,22 +12,23 @@ import dev.carom.internal.sweep.TimeOfImpact;
 import dev.carom.internal.util.Index;
 
 /**
- * The first meeting that is foreseen of each circle: when, with whom, and the other's count of
- * changes then.
+ * Predicts the next collision of each circle: its time, its partner, and the partner's change count
+ * at the prediction.
  *
- * <p>When two circles meet depends on their two flights alone: it is the detector's answer, counted
- * from the later one's start, from the place of the other one then. So neither the cells through
- * which they found each other nor the steps of the caller change a bit of it.
+ * <p>The time at which two circles collide depends on their two flights alone. It is the detector's
+ * answer, counted from the start of the later flight, from the position of the other circle at that
+ * time. So neither the cells through which they found each other nor the steps of the caller change
+ * a bit of it.
  *
- * <p>Most circles that are near do not meet, and of those that meet only the first matters. Plain
- * doubles pass over the others, as long as bounds of their errors allow it; the detector decides
- * where they do not, and gives the time of the one that is left, once that is needed.
+ * <p>Most circles that are near do not collide, and of those that do only the first matters. Plain
+ * doubles exclude the others wherever bounds of their errors allow it. The detector decides the
+ * remaining cases. It computes the time of the first collision only when that is needed.
  */
 final class CollisionPredictor {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /** The time of a meeting that is known by bounds only. */
+  /** The time of a collision that is known by bounds only. */
   private static final double OPEN = Double.NaN;
 
   // Bounds of b and discriminant, the same as in DiskSweep with more to spare.
@@ -41,7 +42,7 @@ final class CollisionPredictor {
    */
   private static final double APART_BOUND = 16 * 0x1p-53;
 
-  /** Added to u.u and r^2, it outweighs what underflow takes from one and the other multiplies. */
+  /** Added to u.u and r^2: more than underflow can take from one of them, times the other. */
   private static final double SMALL = 0x1p-990;
 
   /**
@@ -55,22 +56,22 @@ final class CollisionPredictor {
   /** t = g / (sqrt(discriminant) - b) errs by less than 2^4 u 2^20 = 2^-29 of itself. */
   private static final double TIME_BOUND = 0x1p-28;
 
-  /** What a sum of a time and t errs by, far more than its rounding and its tail. */
+  /** The error bound of the sum of a time and t, far more than its rounding and its tail. */
   private static final double SUM_BOUND = 0x1p-50;
 
-  /** Half of what takes the bits of -infinity, as a whole number, to 0. */
+  /** Half of the number that, added to the bits of -infinity, gives 0. */
   private static final long HALF_OF_REST = 1L << 51;
 
   private final CircleTable circles;
   private final PairResponse pairs;
   private final SensorPairs sensed;
 
-  // The first meeting found so far, of which the rest stands where it is kept: with whom, and when
-  // it is at the latest.
+  // The first collision found so far: its partner, and the latest time at which it may come. The
+  // rest is in the circle's row.
   private int partner;
   private double high;
 
-  /** The time of the meeting that is looked at, and of the first one so far. */
+  /** The time of the candidate, and of the first collision so far. */
   private final MeetingTime candidate = new MeetingTime();
 
   private final MeetingTime first = new MeetingTime();
@@ -81,7 +82,7 @@ final class CollisionPredictor {
     this.pairs = pairs;
   }
 
-  /** When circle i meets another one, at the earliest; it is the time itself once refined. */
+  /** The earliest time at which circle i may collide; the exact time once it is refined. */
   static double time(double[] s, int i) {
     return s[CircleTable.collidingAt(i) + CircleTable.MEETING];
   }
@@ -90,12 +91,12 @@ final class CollisionPredictor {
     return s[CircleTable.collidingAt(i) + CircleTable.MEETING_TAIL];
   }
 
-  /** Whether the time of what was foreseen of circle i is known by bounds only. */
+  /** Whether the time of circle i's predicted collision is known by bounds only. */
   static boolean isOpen(double[] s, int i) {
     return Double.isNaN(tau(s, i));
   }
 
-  /** How long after the later one of the two flights' starts. */
+  /** The duration from the start of the later flight to the collision. */
   static double tau(double[] s, int i) {
     return s[CircleTable.collidingAt(i) + CircleTable.TAU];
   }
@@ -104,7 +105,7 @@ final class CollisionPredictor {
     return codes[CircleTable.collidingCodesAt(i) + CircleTable.PARTNER];
   }
 
-  /** Whether the partner is still on the flight with which it was foreseen. */
+  /** Whether the prediction is not stale: the partner is still on the same flight. */
   static boolean isValid(int[] codes, int i) {
     int c = CircleTable.collidingCodesAt(i);
     int j = codes[c + CircleTable.PARTNER];
@@ -112,7 +113,9 @@ final class CollisionPredictor {
         == codes[CircleTable.collidingCodesAt(j) + CircleTable.COUNT];
   }
 
-  /** Whether that has to be refined, since its bounds do not tell if it comes before a time. */
+  /**
+   * Whether the prediction must be refined, as its bounds do not decide if it comes before a time.
+   */
   static boolean isInDoubt(double[] s, int[] codes, int i, double time) {
     int a = CircleTable.collidingAt(i);
     double low = s[a + CircleTable.MEETING];
@@ -121,13 +124,19 @@ final class CollisionPredictor {
         && isValid(codes, i);
   }
 
-  /** How much later a meeting may be that is open, if at the earliest and the flight's start. */
+  /**
+   * The width of the bounds of an unrefined collision, from its earliest time and the start of the
+   * flight.
+   */
   private static double doubt(double low, double start) {
-    // low was the time less its error, and t at most the time from the flight's start.
+    // low is the time less its error, and t at most the time since the flight's start.
     return (low - start) * (4 * TIME_BOUND) + low * (4 * SUM_BOUND);
   }
 
-  /** Finds the time of what was foreseen of circle i, which is open and holds. */
+  /**
+   * Computes the time of circle i's predicted collision, which is known by bounds only and not
+   * stale.
+   */
   void refine(double[] s, int[] codes, int i) {
     int a = CircleTable.collidingAt(i);
     find(first, s, i, partner(codes, i), true);
@@ -137,12 +146,12 @@ final class CollisionPredictor {
   }
 
   /**
-   * Looks whether circle i meets one of some others before what is foreseen of it.
+   * Tests whether circle i collides with one of some others before its predicted collision.
    *
-   * @param found the others, as {@link NeighborGrid} finds them; those that it cannot meet are
-   *     taken out
-   * @return false if what was foreseen does not hold and stands in the way of telling: then all are
-   *     to be looked at {@linkplain #predictAmong anew}
+   * @param found the others, as {@link NeighborGrid} finds them; those that it cannot hit are
+   *     removed
+   * @return false if the prediction is stale and the answer depends on it: then all neighbours are
+   *     to be tested {@linkplain #predictAmong anew}
    */
   boolean predictEarlier(double[] s, int[] codes, int i, int[] found, int size) {
     int left = size == 0 ? 0 : filterPairs(s, codes, i, found, size);
@@ -163,8 +172,8 @@ final class CollisionPredictor {
   }
 
   /**
-   * Forgets what was foreseen of circle i, and foresees it among those that {@link #filterPairs}
-   * left.
+   * Discards the prediction of circle i, and predicts its collision among those that {@link
+   * #filterPairs} left.
    */
   void predictAmong(double[] s, int[] codes, int i, int[] found, int left) {
     setFirst(s, i, Index.NONE, NEVER, NEVER, 0, 0);
@@ -175,11 +184,11 @@ final class CollisionPredictor {
   }
 
   /**
-   * Adds those that follow in the lists, and takes out those that circle i certainly does not meet:
-   * they do not approach, or pass. Written without a branch, for the answers cannot be foretold,
-   * and each waits for a chain of operations.
+   * Appends the circles that follow in the lists, and removes those that circle i certainly does
+   * not hit: they do not approach, or they pass. Branch-free, as the answers are unpredictable and
+   * each has the latency of a chain of operations.
    *
-   * @return how many are left
+   * @return the number of circles left
    */
   static int filterPairs(double[] s, int[] codes, int i, int[] found, int size) {
     int a = CircleTable.collidingAt(i);
@@ -202,7 +211,8 @@ final class CollisionPredictor {
       double r = ri + s[c + FlightRow.RADIUS];
       double vxj = s[c + FlightRow.VX];
       double vyj = s[c + FlightRow.VY];
-      // By how much j starts later than i, and i later than j; 0 for the one that does not.
+      // The delay of j's start against i's, and of i's against j's; 0 for the one that is not
+      // later.
       double later = (s[c + FlightRow.T] - ti) + (s[c + FlightRow.TL] - tli);
       double ofI = positive(later);
       double ofJ = ofI - later;
@@ -216,7 +226,7 @@ final class CollisionPredictor {
       double arr = Math.fma(ux, ux, Math.fma(uy, uy, SMALL)) * Math.fma(r, r, SMALL);
       double ky = uy * dx;
       double cross = Math.fma(ux, dy, -ky);
-      // No less than |ux dy| + |uy dx|. What underflow takes times m is below TINY + its bound.
+      // No less than |ux dy| + |uy dx|. The loss by underflow times m is below TINY + its bound.
       double m = Math.fma(2, Math.abs(ky), Math.abs(cross));
       double near =
           Math.fma(-cross, cross, arr)
@@ -229,23 +239,26 @@ final class CollisionPredictor {
     return left;
   }
 
-  /** x, or 0 if it is negative, without a branch. */
+  /** x, or 0 if x is negative; branch-free. */
   static double positive(double x) {
     long bits = Double.doubleToRawLongBits(x);
     return Double.longBitsToDouble(bits & ~(bits >> 63));
   }
 
-  /** Below 0 if x is, and a finite number; else at least 0. */
+  /** Negative if x is negative and finite; else at least 0. */
   private static long below(double x) {
-    // As whole numbers, -infinity and what is no number are from -2^52 on.
+    // As integers, -infinity and negative NaNs are from -2^52 on.
     return (Double.doubleToRawLongBits(x) >> 1) + HALF_OF_REST;
   }
 
-  /** Keeps j as what circle i meets first, if that is so; false as in {@link #predictEarlier}. */
+  /**
+   * Makes j the partner of circle i if it collides with it first; false as in {@link
+   * #predictEarlier}.
+   */
   private boolean consider(double[] s, int[] codes, int i, int j, int before) {
     int a = CircleTable.collidingAt(i);
     int c = CircleTable.collidingAt(j);
-    // The first and the last one first: then compilers need not ask whether the rest is in range.
+    // The first and the last column first: then compilers need not check the range of the rest.
     double xi = s[a + FlightRow.X];
     double low = s[a + CircleTable.MEETING];
     double xj = s[c + FlightRow.X];
@@ -305,8 +318,8 @@ final class CollisionPredictor {
   }
 
   /**
-   * Keeps what circle i meets first so far: with whom, from when to when it may be, and, if that is
-   * not OPEN, how long after the later start it is, and the tail of the time.
+   * Stores the first collision of circle i so far: its partner and the bounds of its time. If tau
+   * is not OPEN, also the duration from the later start, and the tail of the time.
    */
   private void setFirst(
       double[] s, int i, int j, double low, double high, double tau, double tail) {
@@ -328,8 +341,8 @@ final class CollisionPredictor {
   }
 
   /**
-   * Compares the meeting of i and j with the first one so far by their times; false as in {@link
-   * #predictEarlier}.
+   * Compares the exact time of the collision of i and j with the first one so far; false as in
+   * {@link #predictEarlier}.
    */
   private boolean compareExactly(
       double[] s, int[] codes, int i, int j, int before, boolean silent) {
@@ -355,15 +368,16 @@ final class CollisionPredictor {
     return true;
   }
 
-  /** Of two meetings of circle i at one time: whether that with j comes before that with k. */
+  /** Whether, at equal times, the collision of i with j comes before that with k. */
   private boolean comesFirst(int i, int j, int k) {
     return k == Index.NONE
         || pairs.rank(Math.min(i, j), Math.max(i, j)) < pairs.rank(Math.min(i, k), Math.max(i, k));
   }
 
   /**
-   * Whether a meeting that is only reported still has to be: it was if both have been on their
-   * flights since. A sensor does not report what touches it when a flight starts.
+   * Whether a contact without a response has yet to be reported. It was reported before if both
+   * circles are still on the same flights. A sensor does not report what it touches at the start of
+   * a flight.
    */
   private boolean isEntered(MeetingTime time, int i, int j) {
     return (time.tau > 0 || !pairs.isSensor(i, j))
@@ -371,14 +385,14 @@ final class CollisionPredictor {
   }
 
   /**
-   * Finds when two circles meet.
+   * Computes the time at which two circles collide.
    *
-   * @param known whether they are known to meet, but not at once
+   * @param known whether they are known to collide, but not at once
    */
   private static void find(MeetingTime found, double[] s, int i, int j, boolean known) {
     int a = CircleTable.collidingAt(Math.min(i, j));
     int b = CircleTable.collidingAt(Math.max(i, j));
-    // The first and the last one first, as in consider.
+    // The first and the last column first, as in consider.
     double x1 = s[a + FlightRow.X];
     double r1 = s[a + FlightRow.RADIUS];
     double x2 = s[b + FlightRow.X];
@@ -387,7 +401,7 @@ final class CollisionPredictor {
     double vy1 = s[a + FlightRow.VY];
     double vx2 = s[b + FlightRow.VX];
     double vy2 = s[b + FlightRow.VY];
-    // By how much the second starts later than the first, and the first than the second.
+    // The delay of the second start against the first, and of the first against the second.
     double later =
         (s[b + FlightRow.T] - s[a + FlightRow.T]) + (s[b + FlightRow.TL] - s[a + FlightRow.TL]);
     double earlier = 0 - later;
@@ -399,13 +413,13 @@ final class CollisionPredictor {
     x2 = Math.fma(vx2, of2, x2);
     double y2 = Math.fma(vy2, of2, s[b + FlightRow.Y]);
     if (!(Math.abs(x1 - x2) + Math.abs(y1 - y2) < NEVER)) {
-      found.tau = NEVER; // one of them is beyond the range of doubles
+      found.tau = NEVER; // a position is beyond the range of doubles
       return;
     }
     int contact =
         known ? Contact.LATER : DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
     double tau = DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
-    // The later start and tau, as head and tail.
+    // The later start plus tau, as head and tail.
     double t = s[late + FlightRow.T];
     double sum = t + tau;
     double l = sumTail(t, tau, sum) + s[late + FlightRow.TL];
@@ -414,7 +428,10 @@ final class CollisionPredictor {
     found.tail = sumTail(sum, l, found.head);
   }
 
-  /** When two circles meet: how long after the later start of a flight, and as head and tail. */
+  /**
+   * The time of a collision: the duration from the start of the later flight, and the time as head
+   * and tail.
+   */
   private static final class MeetingTime {
     double tau;
     double head;

@@ -9,20 +9,22 @@ import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.sweep.LineShape;
 
 /**
- * The circles that are due in a step, of many that ignore each other: found some at a time, to read
- * at once what these will need, namely their flights, the lines that they hit, and the lists of the
- * cells around. A circle by itself waits for memory once for each of these; the reads of several do
- * not depend on each other, so their waits overlap. Nothing changes but what is in the cache.
+ * Finds the circles that are due in a step, some at a time, and prefetches what they will need:
+ * their flights, the lines that they hit, and the lists of the cells around. Used for many circles
+ * that ignore each other.
+ *
+ * <p>A single circle pays the latency of each of these reads in turn. The reads of several circles
+ * are independent, so their latencies overlap. Nothing changes but the content of the cache.
  */
 public final class DuePrefetcher {
 
-  /** From so many circles on they and their lines are more than a core's own cache holds. */
+  /** From this number on, the circles and their lines exceed a core's own cache. */
   public static final int LEAST_CIRCLES = 1 << 12;
 
-  /** Circles found at a time: measured, of 8 to 64 the gain is the same. */
+  /** Circles found at a time. Measured: 8 to 64 gain the same. */
   private static final int BATCH = 16;
 
-  /** Where more than half of all are due, memory is read in its order, and need not be ahead. */
+  /** If more than half of all circles are due, memory is read in order and needs no prefetch. */
   private static final int DENSE_SPAN = 2 * BATCH;
 
   private final CircleTable circles;
@@ -30,13 +32,13 @@ public final class DuePrefetcher {
   private final int[] found = new int[BATCH];
   private int size;
 
-  /** The number of those found that were told. */
+  /** The number of found circles that were returned. */
   private int returned;
 
-  /** Where to look for more. */
+  /** The circle from which to search on. */
   private int from;
 
-  /** What was read comes together here, for else it need not be read. */
+  /** Sink for prefetched values. Without a use of them the compiler would remove the loads. */
   @SuppressWarnings("UnusedVariable")
   private long sum;
 
@@ -45,7 +47,7 @@ public final class DuePrefetcher {
     this.staticScene = staticScene;
   }
 
-  /** The first circle that is due until the given time; {@link DueTimes#size} if none is. */
+  /** The first circle that is due until the given time; {@link DueTimes#size} if there is none. */
   public int first(double end) {
     from = 0;
     find(end);
@@ -53,7 +55,7 @@ public final class DuePrefetcher {
   }
 
   /**
-   * The next one.
+   * The next circle that is due; {@link DueTimes#size} if there is none.
    *
    * @param end not later than in the call before
    */

@@ -17,11 +17,11 @@ import dev.carom.internal.util.Kind;
 import dev.carom.internal.util.RefusedException;
 
 /**
- * Changes a world between steps. Everything is checked before anything is changed, so that a
- * refused edit leaves the world as it was.
+ * Edits a world between steps. All arguments are checked before anything changes, so a refused edit
+ * leaves the world as it was.
  *
- * <p>An edited circle begins a new flight now, and is searched for when the next step needs it: any
- * number of edits between two steps cost one search.
+ * <p>An edited circle begins a new flight now. Its next impact is searched for when the next step
+ * needs it: any number of edits between two steps cost one search.
  */
 public final class Editor {
 
@@ -56,7 +56,7 @@ public final class Editor {
     }
   }
 
-  /** A copy of what rounding allows. */
+  /** A copy of the limits of size. */
   public SizeLimits limits() {
     return new SizeLimits(limits.largest(), limits.least());
   }
@@ -139,7 +139,7 @@ public final class Editor {
     }
   }
 
-  /** Refuses to add a thing when all ids of its kind were given. */
+  /** Refuses to add an obstacle or a circle when all ids of its kind were given. */
   private static void checkId(int kind, int id, int limit) {
     if (id >= limit) {
       throw new IllegalStateException(
@@ -158,7 +158,10 @@ public final class Editor {
     Check.finite("vy", vy);
   }
 
-  /** A refusal, led by the name of the thing: of one to be added, the id that it would get. */
+  /**
+   * A refusal with the name of the obstacle or circle before its message. A new one is named by the
+   * id that it would get.
+   */
   private static RefusedException named(RefusedException e, int kind, int id) {
     return e.of(kind == Kind.WALL ? "bounds" : Kind.nameOf(kind, id));
   }
@@ -169,7 +172,7 @@ public final class Editor {
         : named(e, Codes.kind(code), Codes.index(code));
   }
 
-  /** A circle at the start of a new flight, now. */
+  /** Loads a circle at the start of a new flight, now. */
   private MovingCircle restarted(int slot, double now) {
     circles.load(slot, mover);
     mover.restart(now, engine.tailOfEdit(mover, now), obstacles.walls);
@@ -247,7 +250,7 @@ public final class Editor {
     }
   }
 
-  // Anything.
+  // Obstacles and circles.
 
   public void remove(int code, double now) {
     if (Codes.isCircle(code)) {

@@ -14,8 +14,9 @@ import dev.carom.internal.state.SceneData;
 import dev.carom.internal.util.Index;
 
 /**
- * What moves the circles of a world: one way if they ignore each other, another if they collide.
- * Between steps a world may edit them; what it asks for is checked.
+ * Advances the circles of a world. There is one engine for circles that ignore each other and one
+ * for circles that collide. Between steps a world may edit the circles; {@link Editor} has then
+ * checked the arguments.
  */
 public abstract class Engine {
 
@@ -25,10 +26,10 @@ public abstract class Engine {
   final ObstacleResponse response;
   final ImpactRows log;
 
-  /** Whether the budget was spent in the last {@link #advance}. */
+  /** Whether the last {@link #advance} exhausted the budget. */
   public boolean unfinished;
 
-  /** If so, the slot of the circle that spent it. */
+  /** The slot of the circle that exhausted the budget, if {@link #unfinished}. */
   public int spender = Index.NONE;
 
   /** Null unless flights are recorded. */
@@ -49,50 +50,49 @@ public abstract class Engine {
   }
 
   /**
-   * Advances all circles to the given time, or, if the budget of work is spent first, to an earlier
-   * one.
-   *
-   * @return the time reached
+   * Advances all circles to the given time, or to an earlier one if the budget of work is
+   * exhausted.
    */
   public abstract double advance(double end);
 
   /**
-   * The same up to the first impact: to the first double that is not before it, at most to the
+   * Advances all circles to the first double that is not before the next impact, but at most to the
    * given time.
    */
   public abstract double advanceToImpact(double end);
 
-  /** What is used, in words. */
+  /** The search structures in use, in words. */
   public abstract String engineDescription();
 
   /**
-   * Begins a new flight of a circle, whose id may be the next one, with what a mover holds.
+   * Begins a new flight of a circle, which may be a new one.
    *
-   * @param m a mover at the start of a flight, now
+   * @param m the state at the start of the flight, now
    */
   abstract void beginFlight(MovingCircle m);
 
   /**
-   * An edit comes after all that happened by now, some of it later than now by what rounding took.
+   * The tail of the time of an edit. An edit comes after all events up to now, and rounding may
+   * have placed some of these slightly after now.
    *
    * @return the tail of the time of an edit of this circle now
    */
   abstract double tailOfEdit(MovingCircle m, double now);
 
-  /** Takes a circle out. */
+  /** Removes a circle. */
   abstract void remove(int i);
 
-  /** Stores a circle of which less is known ahead than before. */
+  /** Stores a circle whose prediction was shortened. */
   abstract void store(int i, MovingCircle m);
 
-  /** Makes grids anew where edits made them poor. */
+  /** Rebuilds grids that edits have made inefficient. */
   final void prepare() {
     staticScene.prepare(circles, registry);
   }
 
   // Lines and pegs.
 
-  /** Forgets a line or a peg that is to be elsewhere, otherwise there, or gone. */
+  /** Discards all predictions about a line or a peg that is about to change. */
   final void forget(int code) {
     int sensed = staticScene.sensedBefore(code);
     LiveCodes present = registry.present();
@@ -106,8 +106,8 @@ public abstract class Engine {
   }
 
   /**
-   * Takes notice that a line or a peg is new, elsewhere, or otherwise there than before: circles
-   * whose flight meets it begin a new one now.
+   * Handles a line or a peg that was added or changed. Circles whose flight hits it begin a new
+   * flight now.
    */
   final void appeared(int code, double now) {
     changed(code, now);
@@ -125,7 +125,7 @@ public abstract class Engine {
     }
   }
 
-  /** Takes notice that a line or a peg is gone, after it was forgotten. */
+  /** Handles the removal of a line or a peg, after {@link #forget}. */
   final void disappeared(int code, double now) {
     changed(code, now);
   }
@@ -139,7 +139,7 @@ public abstract class Engine {
 
   // Time.
 
-  /** Records new flights, or none for null; those of now first. */
+  /** Sets the recorder of flights, which first receives the current ones; null to stop. */
   public final void record(FlightRecorder recorder) {
     this.recorder = recorder;
     if (recorder != null) {
@@ -153,7 +153,7 @@ public abstract class Engine {
   /** The flights of all circles. */
   public SavedFlights save(double now) {
     if (staticScene.obstacles.haveSensors()) {
-      staticScene.prepare(circles, registry); // to search for those that were met
+      staticScene.prepare(circles, registry); // the search for met sensors needs the grids
     }
     SavedFlights states = new SavedFlights(registry.ids());
     int[] slots = registry.slots();
@@ -165,7 +165,7 @@ public abstract class Engine {
     return states;
   }
 
-  /** Takes over other flights: those of all circles that are in the roster by now. */
+  /** Replaces all flights by saved ones, which are those of the circles in the registry. */
   public void restore(SavedFlights flights, double now) {
     circles.clear();
     MovingCircle m = circles.mover;
@@ -179,7 +179,7 @@ public abstract class Engine {
     }
   }
 
-  /** Makes arrays dense anew in which most slots are of circles that were removed. */
+  /** Compacts arrays in which most slots belong to removed circles. */
   public void compact(double now) {
     SavedFlights flights = save(now);
     registry.set(registry);

@@ -9,8 +9,8 @@ import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.MovingCircle;
 
 /**
- * The order of events whose rounded times are equal: by the tails of their times, then by kind
- * (wall, line, peg, pair), then by the numbers of what meets.
+ * The order of events with equal rounded times: by the tails of their times, then by kind (wall,
+ * line, peg, pair), then by the codes of what collides.
  */
 final class EventComparator implements EventOrder {
 
@@ -58,12 +58,18 @@ final class EventComparator implements EventOrder {
     };
   }
 
-  /** Of a meeting and a crossing at one time: if the meeting is first, or is to be refined. */
+  /**
+   * Whether a circle's collision comes before its cell crossing at the same rounded time. True for
+   * a collision that is still to be refined.
+   */
   boolean isMeetingBeforeCrossing(int i) {
     return CollisionPredictor.tail(state, i) < crossingTail(i);
   }
 
-  /** Of a meeting and an obstacle at one time: if the meeting is first, or is to be refined. */
+  /**
+   * Whether a circle's collision comes before its impact with an obstacle at the same rounded time.
+   * True for a collision that is still to be refined.
+   */
   boolean isMeetingBeforeObstacle(int i) {
     double meeting = CollisionPredictor.tail(state, i);
     double obstacle = obstacleTail(i);
@@ -71,7 +77,7 @@ final class EventComparator implements EventOrder {
         || (meeting == obstacle && pairs.isSilent(i, CollisionPredictor.partner(codes, i)));
   }
 
-  /** The tail of the time of the obstacle ahead. */
+  /** The tail of the time of the next impact with an obstacle. */
   private double obstacleTail(int i) {
     return EventScheduler.next(codes, i) < 0
         ? FIRST
@@ -82,7 +88,7 @@ final class EventComparator implements EventOrder {
     return tailAfter(i, neighbors.untilCrossing(state, i));
   }
 
-  /** The tail of the time that is so long after the start of a circle's flight. */
+  /** The tail of the time at a given duration after the start of a circle's flight. */
   private double tailAfter(int i, double after) {
     int a = CircleTable.collidingAt(i);
     double t = state[a + FlightRow.T];

@@ -4,16 +4,19 @@ package dev.carom.internal.engine;
 /** The kinds of events among circles that collide. */
 public final class EventKind {
 
-  /** A circle meets something that stands still, or the end of what is known of that. */
+  /** A circle hits a static obstacle, or its prediction of the next one ends. */
   static final int STATIC = 0;
 
-  /** A circle meets another one. */
+  /** Two circles collide. */
   static final int PAIR = 1;
 
-  /** A circle is to be looked at anew after an edit. */
+  /** A circle needs a new prediction after an edit. */
   static final int EDIT = 2;
 
-  /** A circle leaves its cell; this kind and those above it tell over which edge. */
+  /**
+   * A circle leaves its cell. This value and those above it also encode the way, see {@link
+   * CellExit}.
+   */
   public static final int CROSSING = 3;
 
   private EventKind() {}

@@ -7,18 +7,20 @@ import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.FlightRow;
 
 /**
- * Reads what the next events will need, for many of them at once: whom they concern, with their
- * masses and times, the lists of the cells around, and the circles listed there. An event by itself
- * waits for memory once for each of these; the reads of many events do not depend on each other, so
- * their waits overlap, the more of them the less is to be computed in between. Nothing changes but
- * what is in the cache.
+ * Prefetches what the next events will need, for many events at once: the flights, masses and times
+ * of their circles, the lists of the cells around, and the circles listed there.
+ *
+ * <p>A single event pays the latency of each of these reads in turn. The reads of many events are
+ * independent, so their latencies overlap. The less is computed between the reads, the more they
+ * overlap. Nothing changes but the content of the cache.
  */
 public final class EventPrefetcher implements CalendarQueue.Prefetcher {
 
-  /** From so many circles on their flights are more than a core's own cache holds: measured. */
+  /** From this number on, the flights exceed a core's own cache: measured. */
   static final int LEAST_CIRCLES = 1 << 13;
 
-  // Cells whose lists are gone through where a flight begins anew, and where one goes on.
+  // The number of cells whose lists are needed: for an event that begins a flight, and for a
+  // crossing.
   private static final int AROUND = 9;
   private static final int AHEAD = 5;
 
@@ -26,16 +28,16 @@ public final class EventPrefetcher implements CalendarQueue.Prefetcher {
   private final CircleRegistry registry;
   private final NeighborGrid neighbors;
 
-  /** Those on whom something is to be done, with their partners where two meet. */
+  /** Circles with an event other than a crossing, then their partners in collisions. */
   private final int[] concerned = new int[2 * CalendarQueue.MOST_PREFETCHED + 1];
 
-  /** Those that only go on into another cell. */
+  /** Circles that only cross into another cell. */
   private final int[] crossing = new int[CalendarQueue.MOST_PREFETCHED + 1];
 
-  /** The lists that will be needed: their places, and then their first circles. */
+  /** The lists that will be needed: first their indices, later their first circles. */
   private final int[] lists = new int[AROUND * 2 * CalendarQueue.MOST_PREFETCHED];
 
-  /** What was read comes together here, for else it need not be read. */
+  /** Sink for prefetched values. Without a use of them the compiler would remove the loads. */
   @SuppressWarnings("UnusedVariable")
   private double sum;
 
@@ -54,7 +56,7 @@ public final class EventPrefetcher implements CalendarQueue.Prefetcher {
     int crossings = 0;
     int others = 0;
     for (int k = 0; k < size; k++) {
-      // Which it is cannot be foretold: it is written down for both.
+      // The kind is unpredictable, so the circle is written to both arrays, and one end advances.
       int isOther = (kind(ids[k]) - EventKind.CROSSING) >>> 31;
       concerned[others] = ids[k];
       others += isOther;
@@ -73,7 +75,7 @@ public final class EventPrefetcher implements CalendarQueue.Prefetcher {
     sum += read + listed(firsts(end, crossings));
   }
 
-  /** Adds whom the first circles that are concerned meet, and returns the end. */
+  /** Appends the partners of the first circles that collide; returns the new end. */
   private int addPartners(int others) {
     int end = others;
     for (int k = 0; k < others; k++) {
@@ -84,7 +86,7 @@ public final class EventPrefetcher implements CalendarQueue.Prefetcher {
     return end;
   }
 
-  /** Reads the cache lines of a circle's record: two of doubles, and one of ints. */
+  /** Reads the three cache lines of a circle's row: two of doubles, one of ints. */
   private double flight(int i) {
     int a = CircleTable.collidingAt(i);
     return circles.state[a + FlightRow.X] + circles.state[a + CircleTable.MEETING] + kind(i);
@@ -114,7 +116,7 @@ public final class EventPrefetcher implements CalendarQueue.Prefetcher {
     }
   }
 
-  /** Reads the lists at these places, and returns how many. */
+  /** Replaces the index of each list by its first circle; returns the number of lists. */
   private int firsts(int concerns, int crossings) {
     for (int k = 0; k < concerns; k++) {
       neighbors.cells(concerned[k]).firsts(lists, AROUND * k, AROUND * (k + 1));
@@ -126,7 +128,7 @@ public final class EventPrefetcher implements CalendarQueue.Prefetcher {
     return from + AHEAD * crossings;
   }
 
-  /** Reads the first circles of so many lists. */
+  /** Reads the first circles of that many lists. */
   private double listed(int size) {
     double read = 0;
     for (int k = 0; k < size; k++) {

@@ -11,13 +11,13 @@ import dev.carom.internal.util.Index;
 import java.util.Arrays;
 
 /**
- * What happens next among circles that collide: the cells in which they are, the collision that is
- * predicted of each, and the queue of their events. Each circle has one event in the queue, the
- * earliest of three: it meets an obstacle (or the end of what is known of obstacles), it meets
+ * Schedules the next event of each circle that collides. It owns the cells of the circles, the
+ * predictor of collisions, and the event queue. Each circle has one event in the queue, the
+ * earliest of three: it hits an obstacle (or its prediction of obstacles ends), it collides with
  * another circle, or it leaves a cell.
  *
- * <p>The three depend on each other and on the room in the table of circles. So they are made
- * together, and together made anew when an edit needs more room or other cells.
+ * <p>The three parts depend on each other and on the capacity of the circle table. So they are
+ * created together, and replaced together when an edit needs more room or other cells.
  */
 final class EventScheduler {
 
@@ -30,14 +30,14 @@ final class EventScheduler {
   private final double[] state;
   private final int[] codes;
 
-  // What searches among neighbors found, of one circle and of another.
+  // The neighbours found of one circle, and of another.
   private final int[] found;
   private final int[] foundOfOther;
 
   /**
-   * A scheduler without any event.
+   * Creates a scheduler without events.
    *
-   * @param diameters how many times the largest diameter a cell measures
+   * @param diameters the width of a cell in largest diameters
    */
   EventScheduler(
       CircleTable circles,
@@ -64,14 +64,14 @@ final class EventScheduler {
     return c[CircleTable.collidingCodesAt(i) + CircleTable.KIND];
   }
 
-  /** Whether the event of circle j is its meeting with circle i, as both are now. */
+  /** Whether the event of circle j is its collision with circle i, and not stale. */
   static boolean isSame(int[] c, int i, int j) {
     return kind(c, j) == EventKind.PAIR
         && CollisionPredictor.partner(c, j) == i
         && CollisionPredictor.isValid(c, j);
   }
 
-  /** Whether the next obstacle of a circle is known, or that there is none near. */
+  /** Whether a circle's next obstacle is predicted, or the absence of near ones. */
   static boolean isObstacleKnown(double[] s, int[] c, int i) {
     return cleared(s, i) > 0 || next(c, i) >= 0;
   }
@@ -80,7 +80,7 @@ final class EventScheduler {
     return s[CircleTable.collidingAt(i) + CircleTable.CLEARED];
   }
 
-  /** The obstacle ahead of a circle; negative for none. */
+  /** The code of a circle's next obstacle; negative for none. */
   static int next(int[] c, int i) {
     return c[CircleTable.collidingCodesAt(i) + CircleTable.NEXT];
   }
@@ -88,7 +88,7 @@ final class EventScheduler {
   // The queue.
 
   /**
-   * Takes out the first event, if it is due by a given time; {@link #polledTime} is its time.
+   * Removes the first event if it is due by a given time; {@link #polledTime} is its time.
    *
    * @return its circle, or {@link Index#NONE}
    */
@@ -111,22 +111,24 @@ final class EventScheduler {
     return i != Index.NONE && queue.time(i) <= end;
   }
 
-  /** Takes out the event of a circle: to be done before anything changes what orders it. */
+  /**
+   * Removes the event of a circle. Must be called before anything changes that orders the event.
+   */
   void cancel(int i) {
     queue.clear(i);
   }
 
   /**
-   * Finds the exact time of the collision predicted of circle i, whose event was just taken out.
+   * Computes the exact time of the collision predicted of circle i, whose event was just polled.
    *
-   * @return whether it comes by a given time, and before all other events; if not, it is scheduled
-   *     anew, and so is that of its partner j if it is the same
+   * @return whether the collision comes by a given time and before all other events; if not, it is
+   *     rescheduled, and so is the event of its partner j if that is the same collision
    */
   boolean confirm(double[] s, int[] c, int i, int j, double end) {
     predictor.refine(s, c, i);
     boolean isOfBoth = isSame(c, i, j);
     if (isOfBoth) {
-      queue.clear(j); // else that event would seem to come first
+      queue.clear(j); // otherwise the same event would seem to be earlier
     }
     double time = CollisionPredictor.time(s, i);
     if (time <= end && queue.isBeforeAll(time)) {
@@ -141,7 +143,7 @@ final class EventScheduler {
 
   // Predictions.
 
-  /** Predicts anew which circle a circle meets first, and schedules its first event. */
+  /** Predicts a circle's next collision anew, and schedules its first event. */
   void predict(int i) {
     double[] s = state;
     int[] c = codes;
@@ -153,7 +155,7 @@ final class EventScheduler {
 
   /**
    * The same for two circles: first the branch-free part of both, then the part that branches. So
-   * the latencies of one overlap with those of the other.
+   * the latencies of both overlap.
    */
   void predict(double[] s, int[] c, int i, int j) {
     int size = neighbors.find(c, i, found);
@@ -169,15 +171,18 @@ final class EventScheduler {
   }
 
   /**
-   * Moves a circle into the cell that it enters; {@link #predictAfterCrossing} is to follow.
+   * Moves a circle into the cell that it enters; {@link #predictAfterCrossing} must follow.
    *
-   * @return how many circles are near that were not before
+   * @return the number of new neighbours
    */
   int cross(double[] s, int[] c, int i, int way) {
     return neighbors.cross(s, c, i, way, found);
   }
 
-  /** Predicts whether a circle meets one of those that {@link #cross} found, and schedules it. */
+  /**
+   * Updates a circle's prediction for the neighbours that {@link #cross} found, and schedules its
+   * event.
+   */
   void predictAfterCrossing(double[] s, int[] c, int i, int size) {
     double crossing = neighbors.nextCrossing(s, c, i);
     if (predictor.predictEarlier(s, c, i, found, size)) {
@@ -187,24 +192,26 @@ final class EventScheduler {
     }
   }
 
-  /** Schedules the first event of a circle, of which everything is predicted. */
+  /** Schedules the first event of a circle whose predictions are complete. */
   void schedule(int i) {
     schedule(state, codes, i, neighbors.nextCrossing(state, codes, i));
   }
 
   private void schedule(double[] s, int[] c, int i, double crossing) {
     double obstacle = obstacle(s, c, i);
-    // What is refined only when its turn comes is then still before the crossing and the obstacle.
+    // A collision that is refined only when it is polled is then certainly before crossing and
+    // obstacle.
     if (CollisionPredictor.isInDoubt(s, c, i, obstacle < crossing ? obstacle : crossing)) {
       predictor.refine(s, c, i);
     }
     double meeting = CollisionPredictor.time(s, i);
     double time = Math.min(crossing, meeting);
-    // Branch-free, as it is unpredictable. If nothing ever happens, there is no event of any kind.
+    // Branch-free, as it is unpredictable. If all times are infinite, the kind does not matter.
     int pair = (int) (Double.doubleToRawLongBits(meeting - crossing) >> 63);
     int cross = EventKind.CROSSING + c[CircleTable.collidingCodesAt(i) + CircleTable.WAY];
     int kind = cross ^ ((cross ^ EventKind.PAIR) & pair);
-    // Within one stored time a fast circle could go on through the cells behind what it hits.
+    // Within one rounded time a fast circle could otherwise go on through the cells behind what it
+    // hits.
     if (meeting == crossing && meeting < NEVER && order.isMeetingBeforeCrossing(i)) {
       kind = EventKind.PAIR;
     }
@@ -217,7 +224,7 @@ final class EventScheduler {
     put(c, i, time, kind);
   }
 
-  /** When the obstacle ahead is met, or what is known of obstacles ends. */
+  /** The time of the next impact with an obstacle, or at which the prediction of obstacles ends. */
   private static double obstacle(double[] s, int[] c, int i) {
     int a = CircleTable.collidingAt(i);
     double cleared = s[a + CircleTable.CLEARED];
@@ -233,24 +240,24 @@ final class EventScheduler {
 
   // Cells and edits.
 
-  /** Whether a circle meets no wall before it next leaves its cell. */
+  /** Whether a circle hits no wall before it next leaves its cell. */
   boolean isInside(double[] s, int i) {
     return neighbors.isInside(s, i);
   }
 
-  /** Lists a circle anew where its new flight starts, if it is not listed there. */
+  /** Lists a circle in the cell where its new flight starts, if it is not listed there. */
   void comeBack(double[] s, int i) {
     neighbors.comeBack(s, i);
   }
 
-  /** Takes a circle out of its cells, and its event out of the queue. */
+  /** Removes a circle from its cells, and its event from the queue. */
   void remove(int i) {
     queue.clear(i);
     neighbors.leave(i);
   }
 
   /**
-   * Lists a circle in the cells where it is at a given time.
+   * Lists a circle in the cell of its position at a given time.
    *
    * @return false if its radius is none for which the cells were made
    */
@@ -258,13 +265,16 @@ final class EventScheduler {
     return neighbors.enter(i, now);
   }
 
-  /** Lets a circle be predicted anew at the given time, when all edits are done. */
+  /** Schedules a new prediction of a circle at the given time, when all edits are done. */
   void edit(int i, double time) {
     queue.clear(i);
     put(codes, i, time, EventKind.EDIT);
   }
 
-  /** The circles in the cell of a circle and in those around it, maybe itself; a new array. */
+  /**
+   * The circles in the cell of a circle and in those around it, maybe including itself; a new
+   * array.
+   */
   int[] near(int i) {
     int end = neighbors.find(codes, i, found);
     for (int k = 0; k < end; k++) {

@@ -7,9 +7,9 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Kind;
 
 /**
- * The ids by which callers name the things of a world. Those of a kind begin at 0, and one is not
- * used again when its thing is removed; within, a {@link Kind} and an id, of a circle its slot, are
- * one code, see {@link Codes} and {@link CircleRegistry}.
+ * The ids by which callers name obstacles and circles. The ids of each kind begin at 0 and are
+ * never reused. Internally a {@link Kind} and an id (for a circle, its slot) form one code, see
+ * {@link Codes} and {@link CircleRegistry}.
  */
 public final class Handles {
 
@@ -21,7 +21,7 @@ public final class Handles {
     this.obstacles = obstacles;
   }
 
-  /** Whether something is there, for any number. */
+  /** Whether an id, which may be any int, exists. */
   public boolean contains(int kind, int id) {
     return switch (kind) {
       case Kind.WALL -> obstacles.walls != null && id >= 0 && Codes.isWall(id);
@@ -39,7 +39,7 @@ public final class Handles {
     };
   }
 
-  /** The slot of a circle that is there; any other id is refused. */
+  /** The slot of a circle; refuses an id that does not exist. */
   public int circle(int id) {
     int slot = registry.slot(id);
     if (slot < 0) {
@@ -48,7 +48,7 @@ public final class Handles {
     return slot;
   }
 
-  /** The code of a thing that is there; any other id is refused. */
+  /** The code of an obstacle or a circle; refuses an id that does not exist. */
   public int checked(int kind, int id) {
     if (!contains(kind, id)) {
       throw missing(kind, id);

@@ -13,19 +13,21 @@ import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.UndoLog;
 
 /**
- * The flights of circles that ignore each other. Each circle is alone, so each is advanced to the
- * end of a step at once, without a queue; one comparison tells that nothing happens to it in a
- * step.
+ * The engine for circles that ignore each other. Each circle is advanced to the end of a step on
+ * its own, without a queue. A circle without an event in the step costs one comparison.
  */
 public final class IndependentEngine extends Engine {
 
-  /** Circles that a step may advance before the journal grows. */
+  /** Circles that a step may advance before the undo log grows. */
   private static final int JOURNAL = 1024;
 
-  /** Impacts that all circles may make together in one call, as World tells. */
+  /**
+   * The budget of impacts of all circles together in one call, as the documentation of World states
+   * it.
+   */
   private static final int IMPACTS_PER_CALL = 2_000_000;
 
-  /** Impacts that each circle may make in a call, however many the others made. */
+  /** The budget of impacts that each circle has in a call, however many the others made. */
   private static final int IMPACTS_PER_CIRCLE = 1_000;
 
   private final long impactsPerCall;
@@ -34,7 +36,7 @@ public final class IndependentEngine extends Engine {
   private final UndoLog undoLog;
   private final DuePrefetcher prefetcher;
 
-  /** Impacts made in this pass, and exact work that takes as long. */
+  /** Impacts made in this pass, and exact work in units of impacts. */
   private long spent;
 
   public IndependentEngine(
@@ -58,8 +60,8 @@ public final class IndependentEngine extends Engine {
   }
 
   /**
-   * Advances all circles to the given time, or, if one of them makes as many impacts as allowed
-   * before, to the time of the last of these.
+   * Advances all circles to the given time. If a circle exhausts the budget earlier, all are
+   * advanced to the time of its last impact instead.
    *
    * @return the time reached
    */
@@ -91,7 +93,8 @@ public final class IndependentEngine extends Engine {
   }
 
   /**
-   * The first double that is not before the next impact; infinite if there is none until a time.
+   * The first double that is not before the next impact; infinite if no impact comes until the
+   * given time.
    */
   private double nextImpact(double end) {
     DueTimes due = circles.due;
@@ -111,7 +114,10 @@ public final class IndependentEngine extends Engine {
     }
   }
 
-  /** Advances all to the given time, or to where the first of those stands that spent theirs. */
+  /**
+   * Advances all circles to the given time, or to the earliest time at which one exhausts its
+   * budget.
+   */
   private double pass(double goal) {
     spent = 0;
     ExactBudget work = ExactBudget.ofThread();
@@ -135,9 +141,9 @@ public final class IndependentEngine extends Engine {
   }
 
   /**
-   * Resolves the mover's impacts until the given time.
+   * Resolves a circle's impacts until the given time.
    *
-   * @return the time of the last one if the allowance was spent, else {@code +infinity}
+   * @return the time of the last one if the budget is exhausted, else {@code +infinity}
    */
   private double resolveUntil(MovingCircle m, ExactBudget work, double end) {
     long allowance = Math.max(impactsPerCircle, impactsPerCall - spent);
@@ -151,7 +157,7 @@ public final class IndependentEngine extends Engine {
           spent += allowance;
           return reached;
         }
-        reached = due; // with a sensor no new flight begins
+        reached = due; // a sensor begins no new flight
         if (response.resolve(m, log) != ObstacleResponse.SENSED && recorder != null) {
           recorder.note(m);
         }
@@ -176,7 +182,7 @@ public final class IndependentEngine extends Engine {
     }
   }
 
-  /** Only what happened to the circle itself is to be before. */
+  /** Circles ignore each other, so only the circle's own events must precede an edit. */
   @Override
   double tailOfEdit(MovingCircle m, double now) {
     return m.t == now ? Math.max(0, m.tl) : 0;

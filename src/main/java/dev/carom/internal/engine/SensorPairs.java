@@ -6,17 +6,18 @@ import dev.carom.internal.state.SavedFlights;
 import java.util.Arrays;
 
 /**
- * The last meeting of each circle's flight that a sensor reported: it and those before it are not
- * reported again. Meetings stand in the order of time (head, tail), then of the partner.
+ * The last contact of two circles that a sensor reported, for each circle's flight. This contact
+ * and all earlier ones are not reported again. Contacts are ordered by time (head, tail), then by
+ * partner.
  */
 public final class SensorPairs {
 
-  // Null until there is one; a head of -1 stands for none.
+  // Null until a contact is reported; a head of -1 stands for none.
   private double[] heads;
   private double[] tails;
   private int[] partners;
 
-  /** Notes that circle i met a partner. */
+  /** Records a reported contact of circle i with a partner. */
   public void report(int i, double head, double tail, int partner) {
     if (heads == null) {
       heads = new double[0];
@@ -35,7 +36,7 @@ public final class SensorPairs {
     partners[i] = partner;
   }
 
-  /** Begins a new flight of circle i. */
+  /** Forgets the contacts of circle i, which begins a new flight. */
   public void forget(int i) {
     if (heads != null && i < heads.length) {
       heads[i] = -1;
@@ -46,7 +47,7 @@ public final class SensorPairs {
     heads = null;
   }
 
-  /** Whether a meeting of circle i is still to be reported. */
+  /** Whether a contact of circle i has yet to be reported. */
   public boolean isNew(int i, double head, double tail, int partner) {
     if (heads == null || i >= heads.length || head != heads[i]) {
       return heads == null || i >= heads.length || head > heads[i];
@@ -54,7 +55,10 @@ public final class SensorPairs {
     return tail != tails[i] ? tail > tails[i] : partner > partners[i];
   }
 
-  /** Takes down, as number k, what circle i sensed; a partner that is gone, as who is before it. */
+  /**
+   * Saves the last reported contact of circle i as number k. A removed partner is saved as the live
+   * circle before it.
+   */
   public void save(int i, CircleRegistry registry, int k, SavedFlights states) {
     if (heads != null && i < heads.length) {
       states.putSensed(k, heads[i], tails[i], registry.lastId(partners[i]));
@@ -63,7 +67,7 @@ public final class SensorPairs {
     }
   }
 
-  /** Takes over what circle i, number i of those that are there, sensed. */
+  /** Restores the last reported contact of circle i, which is number i of the live ones. */
   public void restore(int i, CircleRegistry registry, SavedFlights states) {
     double head = states.sensedHead(i);
     if (head >= 0) {

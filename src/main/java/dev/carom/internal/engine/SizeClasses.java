@@ -9,30 +9,37 @@ import java.util.Deque;
 import java.util.TreeMap;
 
 /**
- * Circles by size: a class for each power of two among the radii, but neighbouring ones share a
- * class as long as their circles do not crowd its cells. Ten octaves of circles far apart, each
- * with cells of its own, would else make a small circle cross ten grids from one collision to the
- * next; measured, so is a quadtree, which visits more nodes than a grid has cells.
+ * Classes of circles by size, each with its own cells. There is one class per power of two among
+ * the radii, but neighbouring ones share a class as long as their circles do not crowd its cells.
+ * Otherwise a small circle among ten octaves of sparse circles would cross ten grids from one
+ * collision to the next. A quadtree was measured: it is slower, as it visits more nodes than a grid
+ * has cells.
  */
 public final class SizeClasses {
 
-  /** Wider than a diameter, so that a crossing may be noticed late by rounding. */
+  /** Makes a cell wider than a diameter, as rounding may delay the notice of a crossing. */
   private static final double SLACK = 1 + 0x1p-20;
 
-  /** And by so much of the largest coordinate: 16 ulps, more than a place and an edge err by. */
+  /**
+   * Widens a cell by this part of the largest coordinate: 16 ulps, more than a position and an edge
+   * err by.
+   */
   private static final double ROUNDING = 0x1p-48;
 
   /**
-   * So many diameters apart circles are sparse, and cells as wide as their mean distance: measured.
-   * Small circles among large ones would else cross thousands of cells of their own size from one
-   * collision to the next.
+   * Circles further apart than this many diameters are sparse: their cells are as wide as their
+   * mean distance. Measured. Small circles among large ones would otherwise cross thousands of
+   * cells of their own size from one collision to the next.
    */
   private static final double SPARSE = 3;
 
-  /** So many circles a cell are no crowd yet: measured. */
+  /** The number of circles per cell that is no crowd yet: measured. */
   private static final double CROWD = 2;
 
-  /** An octave of radii: how many, the largest, and how many it and all smaller ones have. */
+  /**
+   * An octave of radii: the number of its circles, their largest radius, and the number of circles
+   * in it and all smaller octaves.
+   */
   private static final class Octave {
     private int members;
     private double largest;
@@ -49,7 +56,7 @@ public final class SizeClasses {
   private final double slack;
   private final double diameters;
 
-  /** Of each class, the smallest first: the largest radius, and the width of a cell. */
+  /** The largest radius of each class and the width of its cells, the smallest class first. */
   public final double[] radii;
 
   public final double[] widths;
@@ -60,8 +67,8 @@ public final class SizeClasses {
   private final int[] classes;
 
   /**
-   * @param ids of the circles
-   * @param diameters how many of the largest diameters a cell is wide, at least 1
+   * @param ids the slots of the circles
+   * @param diameters the width of a cell in largest diameters, at least 1
    */
   public SizeClasses(CircleTable circles, int[] ids, BoundingBox extent, double diameters) {
     area = extent.area();
@@ -78,7 +85,7 @@ public final class SizeClasses {
     widths = heads.stream().mapToDouble(this::width).toArray();
   }
 
-  /** The largest octave of each class; tells each octave its class. */
+  /** The largest octave of each class. Assigns each octave its class. */
   private Deque<Octave> heads() {
     int listed = 0;
     for (Octave octave : octaves.values()) {
@@ -109,12 +116,12 @@ public final class SizeClasses {
     return (distance > SPARSE * diameter ? distance : diameter) + slack;
   }
 
-  /** By so much a place and an edge may err. */
+  /** The error bound of a position and an edge. */
   public double slack() {
     return slack;
   }
 
-  /** The class of a radius, or -1 if it is none of those from which the classes were made. */
+  /** The class of a radius; -1 if the classes were made without it. */
   public int of(double radius) {
     int octave = Arrays.binarySearch(exponents, Math.getExponent(radius));
     return octave < 0 || radius > radii[classes[octave]] ? -1 : classes[octave];

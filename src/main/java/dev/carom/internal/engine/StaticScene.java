@@ -17,8 +17,8 @@ import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 
 /**
- * What stands still around the circles of a world: the obstacles, the grids over them, and the
- * search among them.
+ * The static obstacles of a world, the grids over them, and the search for the next impact with
+ * them.
  */
 public final class StaticScene {
 
@@ -26,13 +26,13 @@ public final class StaticScene {
   private final Grids grids;
   public final BroadPhase search;
 
-  /** The grid of all circles, while they share one; null where none is used. */
+  /** The grid of all circles, while they share one; null if none is used. */
   private Grid shared;
 
-  /** Else the grid of each one's class of radius; null while they share one. */
+  /** The grid of each circle, by its class of radii; null while all share one. */
   private Grid[] own;
 
-  /** The circles that there is room for. */
+  /** The number of circles for which there is room. */
   private int room;
 
   public StaticScene(SceneData scene, EngineOptions options) {
@@ -54,7 +54,7 @@ public final class StaticScene {
     }
   }
 
-  /** The grid of a circle; null where none is used. */
+  /** The grid of a circle; null if none is used. */
   public Grid grid(int i) {
     return own == null ? shared : own[i];
   }
@@ -73,27 +73,27 @@ public final class StaticScene {
     return grids.model(collide);
   }
 
-  /** Extends what is known ahead of a circle; see {@link BroadPhase#extend}. */
+  /** Extends the prediction of a circle; see {@link BroadPhase#extend}. */
   void extend(MovingCircle m, double needed) {
     search.extend(m, grid(m.id), needed);
   }
 
-  /** The codes of the obstacles that may touch a circle where it is, and maybe of others. */
+  /** The codes of all obstacles that may touch a circle at its position, and maybe of others. */
   int[] near(MovingCircle m) {
     return search.near(m, grid(m.id));
   }
 
-  /** A grid for circles of at least this radius; null if there is none now. */
+  /** A grid for circles of at least this radius; null if there is none. */
   public Grid gridAtLeast(double radius) {
     return grids.atLeast(radius);
   }
 
-  /** Whether a flight, followed for ever from its start, meets a line or a peg. */
+  /** Whether a flight, if it never ended, would hit a line or a peg. */
   boolean meets(MovingCircle m, int code) {
     return search.meets(m, code);
   }
 
-  /** Takes notice of a circle's radius, which may be new. */
+  /** Registers a circle's radius, which may be new. */
   public void setRadius(int i, double radius) {
     if (i >= room) {
       room = 2 * i + 4;
@@ -104,13 +104,13 @@ public final class StaticScene {
     }
   }
 
-  /** Takes notice that a line or a peg is new, elsewhere, or gone. */
+  /** Updates the grids and the search after a line or a peg was added, changed or removed. */
   public void changed(int code) {
     grids.changed(code);
     search.lookAgain(code);
   }
 
-  /** Makes grids anew where edits made them poor. */
+  /** Rebuilds grids that edits have made inefficient. */
   public void prepare(CircleTable circles, CircleRegistry registry) {
     if (grids.areStale()) {
       int[] slots = registry.slots();
@@ -119,7 +119,7 @@ public final class StaticScene {
     }
   }
 
-  /** Takes over other obstacles. */
+  /** Replaces the obstacles. */
   public void restore(ObstacleTable other) {
     if (!obstacles.equals(other)) {
       grids.forget();
@@ -131,9 +131,9 @@ public final class StaticScene {
   }
 
   /**
-   * Saves, as number k, what determines a circle's flight. Sensors met by now were reported, up to
-   * the next impact if that is due now. How far ahead a search went must not show: two worlds that
-   * are alike have equal snapshots, whenever each of them searched last.
+   * Saves the flight of circle k. All sensors met by now count as reported, up to the next impact
+   * if that is due now. The save must not depend on how far ahead a search went: two equal worlds
+   * have equal snapshots, whenever each of them searched last.
    */
   public void save(int k, MovingCircle m, double now, SavedFlights states) {
     if (!obstacles.haveSensors()) {
@@ -151,7 +151,11 @@ public final class StaticScene {
     }
   }
 
-  /** If a search found this code ahead: of the sensors met at its time, up to which one. */
+  /**
+   * The highest code among the sensors met at the time of the next impact that count as reported.
+   *
+   * @param code the code of the next impact
+   */
   public int sensedBefore(int code) {
     return obstacles.isSensor(code) ? code - 1 : Integer.MAX_VALUE;
   }

@@ -1,3 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/** Stepping: circles that ignore each other, circles that collide, and edits between steps. */
+/**
+ * The event engine: steps of circles that ignore each other and of circles that collide, and edits
+ * between steps.
+ */
 package dev.carom.internal.engine;
