@@ -6,7 +6,6 @@ import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
-import dev.carom.internal.sweep.SphereSweep;
 
 /**
  * The decisions of {@code SphereSweep} that plain doubles leave open: {@link Predicates} with a

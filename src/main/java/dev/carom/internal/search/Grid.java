@@ -175,10 +175,11 @@ public final class Grid {
   }
 
   private void include(double[] box, ObstacleRows rows, int k) {
-    double inflatedRadius = radius + rows.shape.radius(rows.values, k);
+    double[] values = rows.values;
+    double inflatedRadius = radius + rows.shape.radius(values, k);
     int end = k + rows.shape.toEnd;
-    include(box, rows.values[k + ObstacleShape.X], rows.values[k + ObstacleShape.Y], inflatedRadius);
-    include(box, rows.values[end + ObstacleShape.X], rows.values[end + ObstacleShape.Y], inflatedRadius);
+    include(box, values[k + ObstacleShape.X], values[k + ObstacleShape.Y], inflatedRadius);
+    include(box, values[end + ObstacleShape.X], values[end + ObstacleShape.Y], inflatedRadius);
   }
 
   private static void include(double[] box, double x, double y, double radius) {
