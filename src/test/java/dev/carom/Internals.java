@@ -3,6 +3,8 @@ package dev.carom;
 
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.WorldState;
 
@@ -30,5 +32,20 @@ public final class Internals {
   /** The circles of a world, as its engine holds them. */
   public static CircleTable circles(World world) {
     return world.circles;
+  }
+
+  /** A snapshot that holds a state. */
+  public static Snapshot snapshot(WorldState state) {
+    return new Snapshot(state);
+  }
+
+  /** The log that shows some rows. */
+  public static ImpactLog log(ImpactRows rows) {
+    return new ImpactLog(rows);
+  }
+
+  /** The record of an obstacle. */
+  public static Obstacle record(ObstacleTable obstacles, int code) {
+    return PublicRecords.of(obstacles, code);
   }
 }

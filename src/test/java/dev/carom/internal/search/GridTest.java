@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.search;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.search.CellList;
-import dev.carom.internal.search.Grid;
+import dev.carom.Internals;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Kind;
@@ -20,11 +21,14 @@ class GridTest {
   /** The obstacles span (0, 0) to (80, 40); the grid has the radius and a ring of cells more. */
   private static Grid grid() {
     return new Grid(
-        ObstacleTable.of(Scene.builder().line(0, 0, 80, 0).line(0, 40, 80, 40).build().data), 4, 8);
+        ObstacleTable.of(
+            Internals.data(Scene.builder().line(0, 0, 80, 0).line(0, 40, 80, 40).build())),
+        4,
+        8);
   }
 
   private static Grid gridOf(SceneBuilder scene) {
-    return new Grid(ObstacleTable.of(scene.build().data), 4, 8);
+    return new Grid(ObstacleTable.of(Internals.data(scene.build())), 4, 8);
   }
 
   @Test

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.state;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Circle;
+import dev.carom.Internals;
+import dev.carom.Line;
+import dev.carom.Scene;
 import dev.carom.internal.response.ScaledVectors;
-import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.ContactFlags;
-import dev.carom.internal.state.LiveCodes;
-import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Kind;
 import java.util.List;
 import java.util.Random;
@@ -18,15 +18,15 @@ import org.junit.jupiter.api.Test;
 class ObstacleTableTest {
 
   private static ObstacleTable obstacles() {
-    return ObstacleTable.of(
+    Scene scene =
         Scene.builder()
             .bounds(0, 0, 9, 9)
             .line(1, 2, 3, 4)
             .line(2, 3, 4, 5)
             .peg(5, 6, 1)
             .peg(6, 7, 1)
-            .build()
-            .data);
+            .build();
+    return ObstacleTable.of(Internals.data(scene));
   }
 
   @Test
@@ -117,10 +117,11 @@ class ObstacleTableTest {
   /** An added line leaves room for others behind it, a read one does not. */
   @Test
   void equalOnesHaveOneHashCodeWhateverTheirRoom() {
-    ObstacleTable grown = ObstacleTable.of(Scene.builder().line(1, 2, 3, 4).build().data);
+    ObstacleTable grown =
+        ObstacleTable.of(Internals.data(Scene.builder().line(1, 2, 3, 4).build()));
     grown.add(Kind.LINE, 2, 3, 4, 5);
     ObstacleTable read =
-        ObstacleTable.of(Scene.builder().line(1, 2, 3, 4).line(2, 3, 4, 5).build().data);
+        ObstacleTable.of(Internals.data(Scene.builder().line(1, 2, 3, 4).line(2, 3, 4, 5).build()));
     assertThat(grown).isEqualTo(read).hasSameHashCodeAs(read);
   }
 
@@ -135,8 +136,8 @@ class ObstacleTableTest {
   @Test
   void whatIsAddedIsWhereItWasPut() {
     ObstacleTable more = obstacles();
-    assertThat(PublicRecords.of(more, more.add(Kind.PEG, 3, 4, 2))).isEqualTo(new Circle(3, 4, 2));
-    assertThat(PublicRecords.of(more, more.add(Kind.LINE, 3, 4, 2, 1)))
+    assertThat(Internals.record(more, more.add(Kind.PEG, 3, 4, 2))).isEqualTo(new Circle(3, 4, 2));
+    assertThat(Internals.record(more, more.add(Kind.LINE, 3, 4, 2, 1)))
         .isEqualTo(new Line(3, 4, 2, 1));
     assertThat(more.size()).isEqualTo(6);
   }
@@ -144,12 +145,15 @@ class ObstacleTableTest {
   /** Both ends of a line count; of a peg, its centre. */
   @Test
   void theExtentIsTheLargestCoordinate() {
-    assertThat(ObstacleTable.of(Scene.builder().line(-9, 2, 3, 4).build().data).extent())
+    assertThat(ObstacleTable.of(Internals.data(Scene.builder().line(-9, 2, 3, 4).build())).extent())
         .isEqualTo(9);
-    assertThat(ObstacleTable.of(Scene.builder().line(1, 2, 3, -8).build().data).extent())
+    assertThat(ObstacleTable.of(Internals.data(Scene.builder().line(1, 2, 3, -8).build())).extent())
         .isEqualTo(8);
-    assertThat(ObstacleTable.of(Scene.builder().peg(1, -2, 50).build().data).extent()).isEqualTo(2);
-    assertThat(ObstacleTable.of(Scene.builder().bounds(0, 0, 9, 9).build().data).extent()).isZero();
+    assertThat(ObstacleTable.of(Internals.data(Scene.builder().peg(1, -2, 50).build())).extent())
+        .isEqualTo(2);
+    assertThat(
+            ObstacleTable.of(Internals.data(Scene.builder().bounds(0, 0, 9, 9).build())).extent())
+        .isZero();
   }
 
   @Test

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.response;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.carom.internal.response.ObstacleResponse;
-import dev.carom.internal.response.PairResponse;
-import dev.carom.internal.response.StuckRule;
+import dev.carom.ImpactLog;
+import dev.carom.Internals;
+import dev.carom.Outcome;
+import dev.carom.Response;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
@@ -25,7 +28,7 @@ class PairResponseTest {
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
   private final ImpactRows rows = new ImpactRows(16);
-  private final ImpactLog log = new ImpactLog(rows);
+  private final ImpactLog log = Internals.log(rows);
   private final MovingCircle a = new MovingCircle();
   private final MovingCircle b = new MovingCircle();
 
@@ -34,7 +37,7 @@ class PairResponseTest {
     for (double mass : masses) {
       scene.circle(0, 0, 1, 0, 0).mass(mass);
     }
-    return new PairResponse(new CircleRegistry(scene.build().data, 1));
+    return new PairResponse(new CircleRegistry(Internals.data(scene.build()), 1));
   }
 
   /** The first circle at the origin, the second where the angle says, both of radius 1. */
@@ -320,7 +323,7 @@ class PairResponseTest {
   void whoHaltsGoesOnAlongsideWhatItDoesNotApproach() {
     Scene scene =
         Scene.builder().circle(0, 0, 1, 0, 0).response(Response.HALT).circle(2, 0, 1, 0, 0).build();
-    collide(new PairResponse(new CircleRegistry(scene.data, 1)), 0, 3, 1, 3, 0);
+    collide(new PairResponse(new CircleRegistry(Internals.data(scene), 1)), 0, 3, 1, 3, 0);
     assertThat(a.vx).isEqualTo(3);
     assertThat(b.vx).isEqualTo(3);
   }

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.engine;
 
 import static dev.carom.ObstacleKind.CIRCLE;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import dev.carom.internal.engine.Editor;
-import dev.carom.internal.engine.Engine;
-import dev.carom.internal.engine.IndependentEngine;
+import dev.carom.ImpactLog;
+import dev.carom.Internals;
+import dev.carom.Run;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.Snapshot;
+import dev.carom.Timeline;
+import dev.carom.World;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
@@ -35,7 +40,7 @@ class IdLimitTest {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).collide(collide);
     scene.circle(20, 50, 3, 4, 0).circle(50, 50, 3, 0, 0).circle(80, 50, 3, -4, 1);
     World world = new World(scene.build());
-    WorldState s = world.snapshot().state;
+    WorldState s = Internals.state(world.snapshot());
     CircleRegistry registry =
         new CircleRegistry(
             new double[] {1, 2, 3}, new byte[3], new int[] {0, 7, idLimit - 1}, idLimit);
@@ -46,7 +51,7 @@ class IdLimitTest {
             s.flights().codes,
             s.flights().jams);
     world.restore(
-        new Snapshot(
+        Internals.snapshot(
             new WorldState(s.now(), collide, s.obstacles(), registry, s.limits(), flights)));
     return world;
   }
@@ -100,10 +105,11 @@ class IdLimitTest {
   @Test
   void noMoreLinesAndPegsThanIdsAreAdded() {
     Scene scene = Scene.builder().line(1, 2, 3, 4).peg(5, 6, 7).build();
-    CircleRegistry registry = new CircleRegistry(scene.data, 1);
+    CircleRegistry registry = new CircleRegistry(Internals.data(scene), 1);
     Engine engine =
-        new IndependentEngine(scene.data, registry, EngineOptions.CHOSEN, new ImpactRows(1));
-    Editor editor = new Editor(scene.data, engine, registry);
+        new IndependentEngine(
+            Internals.data(scene), registry, EngineOptions.CHOSEN, new ImpactRows(1));
+    Editor editor = new Editor(Internals.data(scene), engine, registry);
     ObstacleTable obstacles = engine.staticScene.obstacles;
     obstacles.lines.end = Codes.line(LINES);
     obstacles.ofKind(Kind.PEG).end = Codes.peg(PEGS);

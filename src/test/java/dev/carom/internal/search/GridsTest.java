@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.search;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.search.Grid;
-import dev.carom.internal.search.Grids;
+import dev.carom.Internals;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
@@ -28,7 +29,8 @@ class GridsTest {
   }
 
   private static Grids grids(Scene scene) {
-    return new Grids(scene.data, ObstacleTable.of(scene.data), EngineOptions.CHOSEN);
+    return new Grids(
+        Internals.data(scene), ObstacleTable.of(Internals.data(scene)), EngineOptions.CHOSEN);
   }
 
   @Test
@@ -132,7 +134,7 @@ class GridsTest {
     change(grids, LOOSE + 1);
     Grid old = grids.of(3);
     CircleTable circles = new CircleTable(1);
-    circles.start(scene.data, 0);
+    circles.start(Internals.data(scene), 0);
     circles.storeAndSetDue(0);
     grids.remake(circles, new int[] {0});
     assertThat(grids.of(3)).isNotNull().isNotSameAs(old);

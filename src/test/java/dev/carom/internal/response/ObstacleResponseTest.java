@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.response;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import dev.carom.internal.response.ObstacleResponse;
-import dev.carom.internal.response.StopRule;
-import dev.carom.internal.response.StuckRule;
+import dev.carom.ImpactLog;
+import dev.carom.Internals;
+import dev.carom.Outcome;
+import dev.carom.Scene;
+import dev.carom.World;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
@@ -24,9 +26,10 @@ class ObstacleResponseTest {
   private static final int NEARLY = StuckRule.LIMIT - StuckRule.ELASTIC;
 
   private final ObstacleResponse response =
-      new ObstacleResponse(ObstacleTable.of(Scene.builder().line(0, 0, 10, 10).build().data));
+      new ObstacleResponse(
+          ObstacleTable.of(Internals.data(Scene.builder().line(0, 0, 10, 10).build())));
   private final ImpactRows rows = new ImpactRows(1);
-  private final ImpactLog log = new ImpactLog(rows);
+  private final ImpactLog log = Internals.log(rows);
   private final MovingCircle m = new MovingCircle();
 
   /** On the upper side, in no time, after impacts of that weight. */
@@ -90,7 +93,7 @@ class ObstacleResponseTest {
   /** The first line turns it to the left, the second to the right: it would never end. */
   @Test
   void withoutBounceItStopsWhenItIsTurnedBack() {
-    ObstacleResponse wedge = new ObstacleResponse(ObstacleTable.of(wedge(0).data));
+    ObstacleResponse wedge = new ObstacleResponse(ObstacleTable.of(Internals.data(wedge(0))));
     m.start(0, 0, 5, 1, 0, -1, 1);
     hitInWedge(wedge, 0, Contact.LEFT);
     assertThat(m.vy).isEqualTo(-0.8);
@@ -103,7 +106,7 @@ class ObstacleResponseTest {
 
   @Test
   void itGoesOnIfItCameFromElsewhere() {
-    ObstacleResponse wedge = new ObstacleResponse(ObstacleTable.of(wedge(0).data));
+    ObstacleResponse wedge = new ObstacleResponse(ObstacleTable.of(Internals.data(wedge(0))));
     m.start(0, 0, 5, 1, 0, -1, 1);
     hitInWedge(wedge, 0, Contact.LEFT);
     m.next = Codes.line(1);
@@ -125,7 +128,7 @@ class ObstacleResponseTest {
             .line(0, 0, -20, 10)
             .restitution(0)
             .build();
-    ObstacleResponse wedge = new ObstacleResponse(ObstacleTable.of(wide.data));
+    ObstacleResponse wedge = new ObstacleResponse(ObstacleTable.of(Internals.data(wide)));
     m.start(0, 0, 5, 1, 0, -1, 1);
     hitInWedge(wedge, 0, Contact.LEFT);
     hitInWedge(wedge, 1, Contact.RIGHT);
@@ -156,7 +159,8 @@ class ObstacleResponseTest {
   @Test
   void slidingIsToApproachByRoundingOfTheSpeedAtMost() {
     ObstacleResponse level =
-        new ObstacleResponse(ObstacleTable.of(Scene.builder().line(0, 0, 8, 0).build().data));
+        new ObstacleResponse(
+            ObstacleTable.of(Internals.data(Scene.builder().line(0, 0, 8, 0).build())));
     slide(level, 0x1p48, -1);
     assertThat(m.jam.makesInert(Codes.line(0))).isTrue();
     slide(level, 0x1p48, -1.0001);
@@ -166,7 +170,8 @@ class ObstacleResponseTest {
   @Test
   void soItIsAlongAnUprightLine() {
     ObstacleResponse upright =
-        new ObstacleResponse(ObstacleTable.of(Scene.builder().line(5, 5, 5, -3).build().data));
+        new ObstacleResponse(
+            ObstacleTable.of(Internals.data(Scene.builder().line(5, 5, 5, -3).build())));
     slide(upright, -1, 0x1p48);
     assertThat(m.jam.makesInert(Codes.line(0))).isTrue();
     slide(upright, -1.0001, 0x1p48);

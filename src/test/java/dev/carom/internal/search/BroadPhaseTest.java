@@ -1,8 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.search;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Circle;
+import dev.carom.Impact;
+import dev.carom.ImpactLog;
+import dev.carom.Internals;
+import dev.carom.Line;
+import dev.carom.ObstacleKind;
+import dev.carom.Resolver;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.SweptCircle;
+import dev.carom.Vec2;
+import dev.carom.World;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.sweep.WallSweep;
 import java.util.ArrayList;
@@ -299,7 +311,7 @@ class BroadPhaseTest {
     double x = Math.nextDown(100.0);
     SceneBuilder builder = Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 1, 1, 0);
     builder.line(x, 40, x, 60).line(x, 40, x, 60);
-    World world = new World(builder.build(), EngineOptions.cells(10));
+    World world = Internals.world(builder.build(), EngineOptions.cells(10));
     world.step(1);
     world.remove(ObstacleKind.LINE, 0);
     ImpactLog log = step(world, 50);
@@ -354,8 +366,8 @@ class BroadPhaseTest {
       double x = from + r + t;
       Scene scene =
           Scene.builder().line(-1, -9, 150, -9).line(x, -1, x, 1).circle(from, 0, r, 1, 0).build();
-      World first = new World(scene, EngineOptions.cells(1));
-      World edited = new World(scene, EngineOptions.cells(1));
+      World first = Internals.world(scene, EngineOptions.cells(1));
+      World edited = Internals.world(scene, EngineOptions.cells(1));
       edited.setVelocity(0, 1, 0);
       for (World world : List.of(first, edited)) {
         ImpactLog log = step(world, 200);

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.query;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.carom.Circle;
+import dev.carom.Internals;
+import dev.carom.Line;
+import dev.carom.ObstacleKind;
+import dev.carom.Response;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.SweptCircle;
 import dev.carom.internal.exact.Predicates;
-import dev.carom.internal.query.Proximity;
-import dev.carom.internal.query.Warnings;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
 import java.time.Duration;
@@ -206,21 +212,21 @@ class WarningsTest {
   /** The rule in its own words, without an index. */
   private static List<String> ofEachPair(Scene scene) {
     List<String> warnings = new ArrayList<>();
-    Proximity proximity = new Proximity(ObstacleTable.of(scene.data));
+    Proximity proximity = new Proximity(ObstacleTable.of(Internals.data(scene)));
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle circle = scene.circle(i);
-      ObstacleTable obstacles = ObstacleTable.of(scene.data);
+      ObstacleTable obstacles = ObstacleTable.of(Internals.data(scene));
       for (int code : proximity.overlapping(circle.x(), circle.y(), circle.radius()).toArray()) {
         boolean isLeft = Codes.isPeg(code) || !obstacles.isOneWay(code);
         if (!isLeft) {
-          Line l = (Line) PublicRecords.of(obstacles, code);
+          Line l = (Line) Internals.record(obstacles, code);
           isLeft =
               Predicates.cross(
                       l.bx(), l.by(), l.ax(), l.ay(), circle.x(), circle.y(), l.ax(), l.ay())
                   > 0;
         }
         if (isLeft) {
-          warnings.add(Warnings.text(scene.data, i, code));
+          warnings.add(Warnings.text(Internals.data(scene), i, code));
         }
       }
       for (int j = i + 1; j < scene.circleCount() && scene.collide(); j++) {
@@ -231,7 +237,7 @@ class WarningsTest {
         if (!sensor
             && SweptCircle.overlaps(
                 circle.x(), circle.y(), circle.radius(), o.x(), o.y(), o.radius())) {
-          warnings.add(Warnings.text(scene.data, i, Codes.circle(j)));
+          warnings.add(Warnings.text(Internals.data(scene), i, Codes.circle(j)));
         }
       }
     }
