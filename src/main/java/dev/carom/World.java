@@ -218,9 +218,10 @@ public final class World {
    * advanceTo}.
    *
    * <pre>{@code
-   * World world = new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
-   * while (world.advanceToImpact(20) == StopReason.IMPACT) {
-   *   System.out.println(world.impacts().kind(0) + " at " + world.now()); // WALL at 5.0, at 15.0
+   * World world =
+   *     new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
+   * while (world.advanceToImpact(10) == StopReason.IMPACT) {
+   *   System.out.println(world.impacts().kind(0) + " at " + world.now()); // WALL at 5.0
    * }
    * }</pre>
    *
