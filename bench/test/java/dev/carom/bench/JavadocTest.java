@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.carom.Scene;
 import java.io.IOException;
 import java.io.StringReader;
+import java.lang.reflect.Field;
+import java.lang.reflect.Method;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -22,8 +24,12 @@ import org.junit.jupiter.api.io.TempDir;
 class JavadocTest {
 
   private static final Path SOURCES = Path.of("../src/main/java/dev/carom");
+  private static final Path GUIDES = Path.of("../src/main/javadoc/dev.carom/dev/carom/doc-files");
   private static final Pattern SAMPLE =
       Pattern.compile("<pre>\\{@code\\n(.*?)\\n[ *]*\\}</pre>", Pattern.DOTALL);
+  private static final Pattern RECIPE =
+      Pattern.compile("<pre><code>(.*?)</code></pre>", Pattern.DOTALL);
+  private static final Pattern LINK = Pattern.compile("href=\"([^\":]*)\"");
   private static final Pattern PRINTED =
       Pattern.compile("System\\.out\\.println\\(.*\\); // (.*)$", Pattern.MULTILINE);
   private static final Pattern SCENE =
@@ -36,9 +42,69 @@ class JavadocTest {
   @TestFactory
   Stream<DynamicTest> samplesPrintWhatTheySay() throws IOException {
     List<DynamicTest> tests =
-        sources().flatMap(file -> samples(file).map(text -> test(file, text))).toList();
+        texts().flatMap(file -> samples(file).map(text -> test(file, text))).toList();
     assertThat(tests).hasSizeGreaterThan(7);
     return tests.stream();
+  }
+
+  @Test
+  void eachRecipeIsAProgram() throws IOException {
+    String[] recipes = read(GUIDES.resolve("recipes.html")).split("<h2 ", -1);
+    assertThat(recipes).hasSizeGreaterThan(6);
+    for (int i = 1; i < recipes.length; i++) {
+      assertThat(recipes[i]).containsPattern(RECIPE);
+    }
+  }
+
+  @Test
+  void linksLeadSomewhere() throws IOException {
+    for (Path file : texts().toList()) {
+      boolean guide = file.startsWith(GUIDES);
+      for (String link : find(LINK, read(file)).toList()) {
+        String target = guide ? Path.of("doc-files", link).normalize().toString() : link;
+        if (link.startsWith("#")) {
+          target = (guide ? "doc-files/" + file.getFileName() : "package-summary.html") + link;
+        }
+        assertThat(leads(target)).as("%s: %s", file, link).isTrue();
+      }
+    }
+  }
+
+  /** Whether a page of the Javadoc, named from the folder of the package, has what is linked. */
+  private static boolean leads(String target) {
+    String page = target.replaceAll("#.*", "");
+    String anchor = target.contains("#") ? target.substring(target.indexOf('#') + 1) : "";
+    if (target.contains("stylesheet.css")) {
+      return true; // which the tool writes
+    }
+    boolean guide = page.startsWith("doc-files/");
+    String source = page.replace(".html", ".java").replace("package-summary", "package-info");
+    Path file = guide ? GUIDES.resolve(page.substring(10)) : SOURCES.resolve(source);
+    if (anchor.isEmpty()) {
+      return Files.exists(file);
+    }
+    return (guide || source.equals("package-info.java"))
+        ? read(file).contains("id=\"" + anchor + "\"")
+        : isMember(page.replace(".html", ""), anchor);
+  }
+
+  private static boolean isMember(String type, String anchor) {
+    try {
+      Class<?> found = Class.forName("dev.carom." + type);
+      return Stream.concat(
+              Stream.of(found.getMethods()).map(JavadocTest::anchor),
+              Stream.of(found.getFields()).map(Field::getName))
+          .anyMatch(anchor::equals);
+    } catch (ClassNotFoundException e) {
+      return false;
+    }
+  }
+
+  private static String anchor(Method method) {
+    return method.getName()
+        + Stream.of(method.getParameterTypes())
+            .map(Class::getTypeName)
+            .collect(Collectors.joining(",", "(", ")"));
   }
 
   private DynamicTest test(Path file, String text) {
@@ -62,12 +128,14 @@ class JavadocTest {
 
   @Test
   void picturesAreThereAndToldInWords() throws IOException {
-    Path pictures = Path.of("../src/main/javadoc/dev.carom/dev/carom/doc-files");
     String all = sources().map(JavadocTest::read).collect(Collectors.joining());
     List<String> shown = find(PICTURE, all).distinct().toList();
     assertThat(all.split("<img ", -1)).hasSize((int) find(PICTURE, all).count() + 1);
-    try (Stream<Path> files = Files.list(pictures)) {
-      assertThat(files.map(file -> "doc-files/" + file.getFileName()))
+    try (Stream<Path> files = Files.list(GUIDES)) {
+      assertThat(
+              files
+                  .filter(file -> file.toString().endsWith(".svg"))
+                  .map(file -> "doc-files/" + file.getFileName()))
           .containsExactlyInAnyOrderElementsOf(shown);
     }
   }
@@ -78,8 +146,22 @@ class JavadocTest {
     }
   }
 
+  /** The sources with their Javadoc, and the guides beside it. */
+  private static Stream<Path> texts() throws IOException {
+    try (Stream<Path> files = Files.list(GUIDES)) {
+      List<Path> guides = files.filter(file -> file.toString().endsWith(".html")).sorted().toList();
+      return Stream.concat(sources(), guides.stream());
+    }
+  }
+
   private static Stream<String> samples(Path file) {
-    return find(SAMPLE, read(file)).map(JavadocTest::plain);
+    String text = read(file);
+    return Stream.concat(
+        find(SAMPLE, text).map(JavadocTest::plain), find(RECIPE, text).map(JavadocTest::unescaped));
+  }
+
+  private static String unescaped(String html) {
+    return html.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&");
   }
 
   private static Stream<String> find(Pattern pattern, String text) {
