@@ -20,13 +20,15 @@ import java.util.Arrays;
 import java.util.Optional;
 
 /**
- * A scene in motion: circles that fly straight, bounce off lines, pegs and bounds, and collide with
- * each other or ignore each other, as the scene says.
+ * A {@code World} moves the circles of a {@link Scene}. They fly straight, bounce off lines, pegs
+ * and walls, and collide with each other or ignore each other, as the scene says.
  *
  * <pre>{@code
  * World world =
  *     new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
- * world.step(6);
+ * if (!world.step(6)) {
+ *   throw new IllegalStateException("unfinished at " + world.now());
+ * }
  * ImpactLog impacts = world.impacts();
  * for (int i = 0; i < impacts.size(); i++) {
  *   System.out.println(impacts.kind(i) + " at " + impacts.time(i)); // WALL at 5.0
@@ -34,67 +36,26 @@ import java.util.Optional;
  * System.out.println(world.x(0) + " at " + world.now()); // 82.0 at 6.0
  * }</pre>
  *
- * <p>A circle's flight is kept as its start until its next impact; places are computed from it when
- * they are asked for, never accumulated. A step resolves every impact in it, each at its own
- * moment, any number of them; so how a run is cut into steps changes no bit of it. An impact whose
- * time equals the end of a step belongs to that step.
+ * <ol>
+ *   <li><b>No impact is lost.</b> A step resolves all impacts in it, each at its own moment, at any
+ *       speed. There is no threshold, positions are never corrected, and nothing jitters.
+ *   <li><b>Steps do not matter.</b> However a run to the same time is cut into steps, it gives the
+ *       same bits. The same run gives the same bits on every Java virtual machine.
+ *   <li><b>A step always ends.</b> It returns false if its budget of work is spent, and the next
+ *       one goes on. A circle that would bounce at one place without end stops bouncing there, and
+ *       the log says {@link Outcome#JAMMED}.
+ * </ol>
  *
- * <p><b>No jitter, and no threshold against it.</b> What touches without coming nearer is no
- * impact, and the thing just hit cannot be hit again before a velocity changes: it is convex, and
- * the motion after the response does not lead into it, so no later moment of the flight can. Places
- * are computed from a flight's start and are never corrected. So circles in contact stay as they
- * are, to the bit, however long; one that approaches however slowly bounces once.
+ * <p>A step goes on for a time span ({@link #step step}), to a time ({@link #advanceTo advanceTo})
+ * or to the next impact ({@link #advanceToImpact advanceToImpact}). Between steps a world can be
+ * edited, asked ({@link #cast cast}, {@link #trace trace}, {@link #nearest nearest}, {@link
+ * #overlapping(ObstacleKind, Circle) overlapping}), saved ({@link #snapshot}) and recorded ({@link
+ * #record record}). A world belongs to one thread at a time. Different worlds share nothing that
+ * changes.
  *
- * <p><b>It ends.</b> Some scenes would make infinitely many impacts in finite time: a wedge, a gap
- * of exactly one diameter, a ball that comes to rest, two bumpers. A circle is <i>stuck</i> when
- * its own impacts at one place have too much weight, whoever else is there and however time is cut
- * into steps. At one place means: it moved by less than 2^-39 of its coordinates since its last
- * impact, or, if that impact was not elastic, by less than 2^-16 of its radius. 1,024 elastic
- * impacts with obstacles have that weight, or 16,384 with circles; others weigh more, the more
- * energy they take or add, so that speeds fall or grow there by a factor of 2^16 at most.
- *
- * <p>The impacts of a stuck circle have restitution 0, and it and all circles in contact with it
- * are resolved at once: they get the velocities nearest to those before, weighted by the masses,
- * with which no contact approaches (the inelastic shock of J. J. Moreau). Contacts that then
- * approach by no more than rounding are not there for each other, until an impact makes the two
- * approach or part by more. Such rows of the log are {@link Outcome#JAMMED}. The next impact at
- * another place ends it.
- *
- * <p><b>Infinite mass.</b> Nothing deflects a circle of infinite mass; two of them pass through
- * each other, and each approach is one row of the log ({@link Outcome#PASSED}). One that presses a
- * circle against something that cannot give way <i>crushes</i> it: the circle stops where it is,
- * and the infinite mass passes over it; meanwhile others find the circle as if it had infinite
- * mass. Nothing else is pressed through anything.
- *
- * <p><b>Budget.</b> One call of {@link #step step} or {@link #advanceTo advanceTo} does so much
- * work and no more. If circles ignore each other, each may make 1,000 impacts, and all together
- * 2,000,000 besides; if they collide, all together may take 2,000,000 + 1,000 x circles events
- * (impacts, and circles that leave a cell). Exact arithmetic counts too: one impact for each 2,048
- * bits of the numbers that it makes. If that is not enough, the call returns false, unfinished,
- * with the whole world at an earlier time, nothing dropped; the next call goes on.
- *
- * <p><b>Accuracy.</b> Each question is answered exactly on the doubles with which it is asked, and
- * each impact's state is rounded once; a scene multiplies such roundings from impact to impact. The
- * clock has 106 bits: where circles collide so fast that one crosses its own size in less than the
- * last of them, at some 1e31 sizes a unit of time, many meetings come at one time of the clock, and
- * which of them is resolved first may depend on the machinery and on a {@link #restore restore}. A
- * circle so fast that it would leave the bounds between two times of the clock is told to be at the
- * wall. A circle that flies out of the range of doubles has infinite coordinates from then on, and
- * hits nothing; one that an impact would make faster than doubles can tell stops. In the log a
- * coordinate beyond that range is the largest one.
- *
- * <p><b>Between steps</b> it can be edited: what is there can be changed, moved, added and removed,
- * from now on, and after all that has happened: {@link #now()} is a rounded time, and the last
- * impacts may be later by up to half an ulp of it; until then a circle is told to be where such an
- * impact left it. A circle that is edited begins a new flight; any number of edits between two
- * steps cost it one search. To add or move a line or a peg asks every circle once whether its
- * flight meets it. An edit that is refused leaves the world as it was, and no edit changes the log
- * of the last step. The future can be saved and gone back to ({@link #snapshot}), the past be
- * looked at ({@link #record record}).
- *
- * <p>Uses +, -, *, /, sqrt and fma only, in a fixed order: the same run gives the same bits on
- * every Java virtual machine. Not safe for use by several threads; worlds do not share anything
- * mutable.
+ * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, budget, stuck
+ * circles, infinite mass, accuracy. <a href="doc-files/recipes.html">Recipes</a>: frames and
+ * netcode, a paddle, a piston, pockets, an aiming line, periodic cells.
  */
 public final class World {
 
@@ -124,7 +85,7 @@ public final class World {
   /**
    * Sets a scene in motion, at time 0.
    *
-   * @param scene what is there
+   * @param scene the scene at time 0
    */
   public World(Scene scene) {
     this(scene, EngineOptions.CHOSEN);
@@ -148,7 +109,7 @@ public final class World {
   }
 
   /**
-   * The scene from which this world started.
+   * Returns the scene from which this world started.
    *
    * @return the scene
    */
@@ -157,7 +118,7 @@ public final class World {
   }
 
   /**
-   * The time at which the world stands.
+   * Returns the time at which the world stands.
    *
    * @return at least 0
    */
@@ -166,10 +127,18 @@ public final class World {
   }
 
   /**
-   * Goes on for a given time, to the double nearest to {@code now() + dt}.
+   * Advances the world by a time span, to the double nearest to {@code now() + dt}.
    *
-   * @param dt 0, or more than about 1e-16 of the time now
-   * @return whether the world got there; false if its budget of work was spent before
+   * <p>All impacts until then are resolved, and {@link #impacts} lists them. If the budget of work
+   * is spent first, the world stands at an earlier time, with nothing dropped, and the next call
+   * goes on from there: see <a href="doc-files/rules.html#unfinished">unfinished steps</a>.
+   *
+   * <p>Programs that count frames call {@link #advanceTo advanceTo} instead, whose times do not
+   * drift: see <a href="doc-files/recipes.html#frames">frames and netcode</a>.
+   *
+   * @param dt the time span: 0, or enough to move the clock on, more than about 1e-16 of {@link
+   *     #now}
+   * @return true if the world reached that time, false if its budget of work was spent before
    * @throws IllegalArgumentException if dt is NaN or negative, or the time it leads to is infinite;
    *     or if dt is more than 0 and that time is still now: a loop of such steps would never end
    */
@@ -184,10 +153,15 @@ public final class World {
   }
 
   /**
-   * Goes on to a given time, exactly.
+   * Advances the world to a given time, exactly.
    *
-   * @param t at least {@link #now()}
-   * @return whether the world got there; false if its budget of work was spent before
+   * <p>All impacts until then are resolved, and {@link #impacts} lists them. If the budget of work
+   * is spent first, the world stands at an earlier time, with nothing dropped; call again with the
+   * same time, or with a later one. See <a href="doc-files/rules.html#unfinished">unfinished
+   * steps</a>.
+   *
+   * @param t the time, finite and at least {@link #now()}
+   * @return true if the world reached that time, false if its budget of work was spent before
    * @throws IllegalArgumentException if t is NaN, infinite, or earlier than now
    */
   public boolean advanceTo(double t) {
@@ -208,14 +182,11 @@ public final class World {
   }
 
   /**
-   * Advances to the next impact, or to a given time if that is first. The world stops at the first
-   * double that is not before the impact on the world's clock of 106 bits, so edits take effect
-   * after it. The log holds all impacts up to there; several are possible within one double. A
-   * contact that a sensor reports counts as an impact.
+   * Advances the world to the next impact, or to a given time if that is first.
    *
-   * <p>For paddles, portals and sounds: whatever the program does at an impact happens at its
-   * moment. Calls in a row give the same impacts, to the bit, as one call of {@link #advanceTo
-   * advanceTo}.
+   * <p>A program that acts on impacts, such as a paddle, a portal or a sound, can so act at the
+   * moment of each. Calls in a row give the same impacts, to the bit, as one call of {@link
+   * #advanceTo advanceTo}. A contact that a sensor reports counts as an impact.
    *
    * <pre>{@code
    * World world =
@@ -225,8 +196,12 @@ public final class World {
    * }
    * }</pre>
    *
-   * @param t the latest time, at least {@link #now()}
-   * @return why the world stopped: at an impact, at the time t, or for want of budget
+   * <p>The world stops at the first double that is not before the impact on the world's clock of
+   * 106 bits, so edits take effect after it. The log holds all impacts up to there; several are
+   * possible within one double.
+   *
+   * @param t the latest time, finite and at least {@link #now()}
+   * @return why the world stopped: at an impact, at the time t, or because its budget was spent
    * @throws IllegalArgumentException if t is NaN, infinite, or earlier than now
    */
   public StopReason advanceToImpact(double t) {
@@ -240,7 +215,7 @@ public final class World {
   }
 
   /**
-   * The circle that spent the budget of the last step: the one with the most impacts in it.
+   * Returns the circle that spent the budget of the last step: the one with the most impacts in it.
    *
    * @return its id; -1 if that step was finished
    */
@@ -265,18 +240,17 @@ public final class World {
   }
 
   /**
-   * The impacts of the last step, which edits leave as they are.
+   * Returns the log of the last step, with a row for each impact. Edits do not change it.
    *
-   * @return always the same log; its rows are valid until the next step, or {@link #restore
-   *     restore}
+   * @return always the same log; its rows are valid until the next step or {@link #restore restore}
    */
   public ImpactLog impacts() {
     return log;
   }
 
   /**
-   * The number of circles. Once one was removed, their ids are no longer 0 to this number less 1:
-   * ask {@link #ids ids} for them.
+   * Returns the number of circles. Their ids are 0 to this number less 1 until a circle is removed;
+   * from then on {@link #ids ids} lists them.
    *
    * @return at least 0
    */
@@ -285,9 +259,9 @@ public final class World {
   }
 
   /**
-   * The x coordinate of a circle's centre now.
+   * Returns the x coordinate of a circle's centre now.
    *
-   * @param id the circle
+   * @param id the id of the circle
    * @return the coordinate; infinite once the circle has left the range of doubles
    * @throws IndexOutOfBoundsException if there is no such circle
    */
@@ -296,9 +270,9 @@ public final class World {
   }
 
   /**
-   * The y coordinate of a circle's centre now.
+   * Returns the y coordinate of a circle's centre now.
    *
-   * @param id the circle
+   * @param id the id of the circle
    * @return the coordinate; infinite once the circle has left the range of doubles
    * @throws IndexOutOfBoundsException if there is no such circle
    */
@@ -307,9 +281,9 @@ public final class World {
   }
 
   /**
-   * The x component of a circle's velocity now.
+   * Returns the x component of a circle's velocity now.
    *
-   * @param id the circle
+   * @param id the id of the circle
    * @return the component
    * @throws IndexOutOfBoundsException if there is no such circle
    */
@@ -318,9 +292,9 @@ public final class World {
   }
 
   /**
-   * The y component of a circle's velocity now.
+   * Returns the y component of a circle's velocity now.
    *
-   * @param id the circle
+   * @param id the id of the circle
    * @return the component
    * @throws IndexOutOfBoundsException if there is no such circle
    */
@@ -329,9 +303,9 @@ public final class World {
   }
 
   /**
-   * The radius of a circle.
+   * Returns the radius of a circle.
    *
-   * @param id the circle
+   * @param id the id of the circle
    * @return more than 0
    * @throws IndexOutOfBoundsException if there is no such circle
    */
@@ -340,9 +314,9 @@ public final class World {
   }
 
   /**
-   * The mass of a circle.
+   * Returns the mass of a circle.
    *
-   * @param id the circle
+   * @param id the id of the circle
    * @return 2^-500 to 2^500, or infinity
    * @throws IndexOutOfBoundsException if there is no such circle
    */
@@ -351,9 +325,9 @@ public final class World {
   }
 
   /**
-   * A line as it is now.
+   * Returns a line as it is now.
    *
-   * @param id the line
+   * @param id the id of the line
    * @return the line
    * @throws IndexOutOfBoundsException if there is no such line
    */
@@ -362,9 +336,9 @@ public final class World {
   }
 
   /**
-   * A peg as it is now.
+   * Returns a peg as it is now.
    *
-   * @param id the peg
+   * @param id the id of the peg
    * @return the peg
    * @throws IndexOutOfBoundsException if there is no such peg
    */
@@ -373,10 +347,10 @@ public final class World {
   }
 
   /**
-   * The restitution of something now; that of an impact is the product of the two parties'
-   * restitutions.
+   * Returns the restitution of a circle or an obstacle now. The restitution of an impact is the
+   * product of those of the two parties.
    *
-   * @param kind its kind; the four walls have the same one
+   * @param kind its kind; the four walls share one restitution
    * @param id its id
    * @return at least 0; 1 is elastic
    * @throws IndexOutOfBoundsException if there is no such thing
@@ -386,9 +360,9 @@ public final class World {
   }
 
   /**
-   * What happens now when a circle meets something.
+   * Returns the response of a circle or an obstacle now: what happens at an impact with it.
    *
-   * @param kind its kind; the four walls have the same response
+   * @param kind its kind; the four walls share one response
    * @param id its id
    * @return the response; of a circle, to other circles
    * @throws IndexOutOfBoundsException if there is no such thing
@@ -398,10 +372,10 @@ public final class World {
   }
 
   /**
-   * Whether a line is a one-way line now; see {@link SceneBuilder#oneWay}.
+   * Tells whether a line is a one-way line now; see {@link SceneBuilder#oneWay}.
    *
-   * @param id the line
-   * @return whether it is there only for circles that come from its left
+   * @param id the id of the line
+   * @return true if only circles that come from its left hit it
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public boolean oneWay(int id) {
@@ -409,24 +383,26 @@ public final class World {
   }
 
   /**
-   * Whether something is there. The ids of a kind begin at 0, with the things of the scene in its
-   * order; each thing that is added gets the next one, and the id of one that was removed is not
-   * used again. Ids end at 268,435,452 for lines, 268,435,456 for pegs and 1,610,612,736 for
-   * circles: some 300 days of 60 new circles a second.
+   * Tells whether a circle or an obstacle exists.
+   *
+   * <p>The ids of a kind begin at 0, with the things of the scene in its order. Each thing that is
+   * added gets the next id. The id of a removed thing is not used again. A world can give
+   * 268,435,452 ids of lines, 268,435,456 of pegs and 1,610,612,736 of circles: some 300 days of 60
+   * new circles a second.
    *
    * @param kind its kind; walls have the ids 0..3
-   * @param id its id, any number
-   * @return false if it was removed, or never was
+   * @param id any number
+   * @return false if it was removed, or never existed
    */
   public boolean contains(ObstacleKind kind, int id) {
     return ids.contains(number(kind), id);
   }
 
   /**
-   * The ids of all things of a kind.
+   * Returns the ids of all things of a kind.
    *
    * @param kind a kind
-   * @return those of what is there now, ascending; a new array
+   * @return the ids of those that exist now, ascending, in a new array
    */
   public int[] ids(ObstacleKind kind) {
     Check.notNull("kind", kind);
@@ -434,26 +410,26 @@ public final class World {
   }
 
   /**
-   * Where the ids of a kind end: every thing of that kind that is there, or was, has a smaller one.
+   * Returns one more than the largest id that was ever given to a thing of a kind.
    *
    * @param kind a kind
-   * @return one more than the largest id ever given
+   * @return the limit: every thing of that kind has, or had, a smaller id
    */
   public int idLimit(ObstacleKind kind) {
     return ids.end(number(kind));
   }
 
   /**
-   * The machinery that this world chose for its scene, in words: the least that is still exact.
-   * Results do not depend on it, to the bit; only the cost of a step does.
+   * Describes the engine that this world chose for its scene: the smallest one that is still exact.
+   * The engine decides the cost of a step, and no bit of its results.
    *
-   * @return a phrase to be read, not to be taken apart
+   * @return a phrase for people; its form may change
    */
   public String engineDescription() {
     return engine.engineDescription();
   }
 
-  /** The code of a thing that is there; any other id is refused. */
+  /** Returns the code of a thing that exists; any other id is refused. */
   private int code(ObstacleKind kind, int id) {
     return ids.checked(number(kind), id);
   }
@@ -465,21 +441,24 @@ public final class World {
   // Questions.
 
   /**
-   * The first impact of a circle that need not be in this world: with what stands still here, and,
-   * if circles collide, with the circles as they move now. Nothing moves. Sensors are passed over.
-   * A circle of radius 0 is a ray; the centre exactly on that of a circle does not meet it, so one
-   * can ask for a circle of this world. Where circles collide it looks at every one of them; it
-   * allocates.
+   * Finds the first impact of a moving circle with this world as it is now. Nothing moves, and the
+   * circle need not belong to the world.
    *
-   * <p>The earliest impact is found as if in real arithmetic on the given doubles and on the places
-   * and velocities that this world tells of its circles. Of exactly simultaneous impacts walls come
+   * <p>The circle meets walls, lines and pegs, and, if circles collide in this world, the circles
+   * too, each as it moves now. It passes through sensors. A circle of radius 0 is a ray. A circle
+   * that is exactly concentric with one of this world does not meet it, so a program can ask for a
+   * circle of the world itself.
+   *
+   * <p>The earliest impact is found as if in real arithmetic, on the given doubles and on the
+   * positions and velocities that this world reports. Of exactly simultaneous impacts walls come
    * first, then lines, then pegs, then circles, each by id. A {@link #step step} instead treats
-   * impacts with equal rounded times as simultaneous.
+   * impacts with equal rounded times as simultaneous. Where circles collide, a cast looks at every
+   * circle. It allocates.
    *
    * @param circle the circle now
    * @param velocity its velocity
-   * @param maxTime the end of the window from now on, at least 0, {@code +infinity} included
-   * @return the impact, its time counted from now; empty if there is none until maxTime
+   * @param maxTime how far to look ahead, from now on: at least 0, {@code +infinity} included
+   * @return the impact, with its time counted from now; empty if there is none until maxTime
    * @throws IllegalArgumentException if maxTime is NaN or negative
    */
   public Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime) {
@@ -490,17 +469,21 @@ public final class World {
   }
 
   /**
-   * The way of a circle among what stands still here, with its next bounces: an aiming line.
-   * Nothing moves, and other circles are not there; sensors are passed over. It ends at impact
-   * 100,000; one that would go on is not {@linkplain Trajectory#complete complete}.
+   * Follows a circle along its path among the walls, lines and pegs of this world, bounces
+   * included. Nothing moves.
    *
-   * @param circle the circle at the start; of radius 0 too
+   * <p>The circle passes through sensors and through all other circles. For an aiming line that
+   * ends at the first ball in the way, see <a href="doc-files/recipes.html#aiming">an aiming line
+   * that sees balls</a>. A path has at most 100,000 impacts; one that would go on is not
+   * {@linkplain Trajectory#complete complete}.
+   *
+   * @param circle the circle at the start; its radius may be 0
    * @param velocity its velocity at the start
    * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
-   * @param duration how long to go on, finite and at least 0
-   * @param bounces how many impacts to resolve, at least 0; the way ends where the next one would
-   *     come
-   * @return its flights and impacts; times count from now
+   * @param duration how long to follow it, finite and at least 0
+   * @param bounces how many impacts to resolve, at least 0; the path ends where the next one would
+   *     be
+   * @return its flights and impacts, with times counted from now
    * @throws IllegalArgumentException if the restitution or the duration is NaN, infinite or
    *     negative, or the number of bounces negative
    */
@@ -515,9 +498,12 @@ public final class World {
   }
 
   /**
-   * The thing of a kind that is nearest to a point; of equally near ones the one of the smallest
-   * id. Distances are computed in plain doubles: to a wall, a line, or the rim of a peg or a circle
-   * from outside; 0 inside of those. It looks at every thing of the kind, and allocates.
+   * Finds the thing of a kind that is nearest to a point. Of equally near ones it is the one with
+   * the smallest id.
+   *
+   * <p>Distances are computed in plain doubles: to a wall, to a line, or to the rim of a peg or
+   * circle. Inside of a peg or circle the distance is 0. The search looks at every thing of the
+   * kind, and allocates.
    *
    * @param kind which kind of thing
    * @param x the x coordinate of the point, finite
@@ -533,9 +519,11 @@ public final class World {
   }
 
   /**
-   * What overlaps a disk: has points inside of it, not only on its rim. Decided exactly, for
-   * circles on their places as {@link #x} and {@link #y} give them. It looks at every thing of the
-   * kind, and allocates.
+   * Finds the things of a kind that overlap a disk: they have points inside of it, not only on its
+   * rim.
+   *
+   * <p>The answer is exact, for circles at the positions that {@link #x} and {@link #y} give. The
+   * search looks at every thing of the kind, and allocates.
    *
    * @param kind which kind of thing
    * @param disk the disk
@@ -548,8 +536,8 @@ public final class World {
   }
 
   /**
-   * What overlaps a box: has points inside of it, not only on its edge. Decided exactly, as for a
-   * disk.
+   * Finds the things of a kind that overlap a box: they have points inside of it, not only on its
+   * edge. The answer is exact, as for a disk.
    *
    * @param kind which kind of thing
    * @param box the box
@@ -564,10 +552,10 @@ public final class World {
   // Edits.
 
   /**
-   * Sets the velocity of a circle, from now on. What it touches may be hit again at once, if it now
-   * moves towards it.
+   * Sets the velocity of a circle, from now on. If the circle now approaches something that it
+   * touches, it bounces at once.
    *
-   * @param id the circle
+   * @param id the id of the circle
    * @param vx the x component, finite
    * @param vy the y component, finite
    * @throws IndexOutOfBoundsException if there is no such circle
@@ -578,39 +566,45 @@ public final class World {
   }
 
   /**
-   * Puts a circle elsewhere; nothing on the way is hit. If it overlaps something there, it hits it
-   * at once if it approaches it, and is let go if it does not: see {@link SweptCircle}.
+   * Moves a circle to another place at once. It hits nothing on the way.
    *
-   * @param id the circle
+   * <p>If it overlaps something at the new place, it is not pushed out. If it approaches that
+   * thing, it bounces at once; otherwise it flies on. {@link SweptCircle#separation(Circle, Line)
+   * SweptCircle.separation} tells by how much to move it to be clear.
+   *
+   * @param id the id of the circle
    * @param x the x coordinate of the centre, finite
    * @param y the y coordinate of the centre, finite
    * @throws IndexOutOfBoundsException if there is no such circle
    * @throws IllegalArgumentException if a coordinate is NaN or infinite, or so large that 2^10 ulps
-   *     of it exceed the least radius that was ever in this world
+   *     of it exceed the smallest radius that was ever in this world
    */
   public void setPosition(int id, double x, double y) {
     editor.setPosition(ids.circle(id), x, y, now);
   }
 
   /**
-   * Sets the radius of a circle, from now on; its centre stays.
+   * Sets the radius of a circle, from now on. Its centre stays.
    *
-   * @param id the circle
-   * @param radius finite, more than 0, and at least 2^10 ulps of the largest coordinate of anything
-   *     that was ever put into this world
+   * @param id the id of the circle
+   * @param radius finite, more than 0, and at least 2^10 ulps of the largest coordinate that was
+   *     ever in this world
    * @throws IndexOutOfBoundsException if there is no such circle
-   * @throws IllegalArgumentException if the radius is refused
+   * @throws IllegalArgumentException if the radius is NaN, infinite, not positive, or smaller than
+   *     that
    */
   public void setRadius(int id, double radius) {
     editor.setRadius(ids.circle(id), radius, now);
   }
 
   /**
-   * Sets the mass of a circle, from now on. It has no effect as long as circles ignore each other.
-   * One that becomes infinitely heavy, or ceases to be, begins a new flight: what it hit last, or
-   * passed through, can be hit again.
+   * Sets the mass of a circle, from now on. Masses have no effect as long as circles ignore each
+   * other.
    *
-   * @param id the circle
+   * <p>If the mass becomes infinite, or ceases to be, the circle begins a new flight: it can again
+   * hit the circle or obstacle that it hit last or passed through.
+   *
+   * @param id the id of the circle
    * @param m a number from 2^-500 to 2^500, or infinity
    * @throws IndexOutOfBoundsException if there is no such circle
    * @throws IllegalArgumentException if m is NaN or out of these limits
@@ -620,8 +614,8 @@ public final class World {
   }
 
   /**
-   * Sets the restitution of something, from now on. That of an impact is the product of the two
-   * parties' restitutions.
+   * Sets the restitution of a circle or an obstacle, from now on. The restitution of an impact is
+   * the product of those of the two parties.
    *
    * @param kind its kind; for {@link ObstacleKind#WALL} it is set for all four walls
    * @param id its id
@@ -635,16 +629,17 @@ public final class World {
   }
 
   /**
-   * Sets what happens at something, from now on. A circle begins a new flight, and so does one
-   * whose flight meets the line or peg: if that becomes a sensor, one that it touches or overlaps
-   * now has been met before.
+   * Sets the response of a circle or an obstacle, from now on: what happens at an impact with it.
+   *
+   * <p>The circle begins a new flight. If a line or a peg is changed, every circle whose flight
+   * meets it does so. A sensor that a circle touches or overlaps when its flight begins is not
+   * reported: see {@link Response#SENSOR}.
    *
    * @param kind its kind; for {@link ObstacleKind#WALL} it is set for all four walls
    * @param id its id
    * @param response the response; of a circle, to other circles
    * @throws IndexOutOfBoundsException if there is no such thing
    * @throws IllegalArgumentException if the walls would become a {@link Response#SENSOR}
-   * @throws NullPointerException if the response is null
    */
   public void setResponse(ObstacleKind kind, int id, Response response) {
     int code = code(kind, id);
@@ -655,8 +650,8 @@ public final class World {
   /**
    * Makes a line a one-way line, from now on, or an ordinary one; see {@link SceneBuilder#oneWay}.
    *
-   * @param id the line
-   * @param oneWay whether it is one
+   * @param id the id of the line
+   * @param oneWay true for a one-way line
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public void setOneWay(int id, boolean oneWay) {
@@ -664,17 +659,17 @@ public final class World {
   }
 
   /**
-   * Adds a circle now: elastic, of mass 1.
+   * Adds a circle now. It is elastic and has mass 1.
    *
    * @param x the x coordinate of the centre, finite
    * @param y the y coordinate of the centre, finite
-   * @param radius finite, more than 0, and at least 2^10 ulps of the largest coordinate of anything
-   *     that was ever put into this world
+   * @param radius finite, more than 0, and at least 2^10 ulps of the largest coordinate that was
+   *     ever in this world
    * @param vx the x component of the velocity, finite
    * @param vy the y component of the velocity, finite
    * @return its id
-   * @throws IllegalArgumentException if a number is NaN or infinite, the radius too small, or a
-   *     coordinate too large, as by {@link #setPosition setPosition}
+   * @throws IllegalArgumentException if a number is NaN or infinite, the radius not positive or too
+   *     small, or a coordinate too large, as by {@link #setPosition setPosition}
    * @throws IllegalStateException if this world gave all ids of circles: 1,610,612,736
    */
   public int addCircle(double x, double y, double radius, double vx, double vy) {
@@ -682,8 +677,8 @@ public final class World {
   }
 
   /**
-   * Adds a line now: elastic, solid from both sides. Circles whose flight would meet it begin a new
-   * one.
+   * Adds a line now. It is elastic, and solid from both sides. Circles whose flight meets it begin
+   * a new flight.
    *
    * @param ax the x coordinate of the start, finite
    * @param ay the y coordinate of the start, finite
@@ -691,7 +686,7 @@ public final class World {
    * @param by the y coordinate of the end, finite
    * @return its id
    * @throws IllegalArgumentException if a coordinate is NaN or infinite, or so large that 2^10 ulps
-   *     of it exceed the least radius that was ever in this world
+   *     of it exceed the smallest radius that was ever in this world
    * @throws IllegalStateException if this world gave all ids of lines: 268,435,452
    */
   public int addLine(double ax, double ay, double bx, double by) {
@@ -699,9 +694,13 @@ public final class World {
   }
 
   /**
-   * Puts a line elsewhere; a circle on the way is not hit, see {@link #setPosition setPosition}.
+   * Moves a line to another place at once. A moved line teleports: it pushes nothing and hits
+   * nothing on the way.
    *
-   * @param id the line
+   * <p>A circle that it then overlaps bounces if it approaches the line, and flies on otherwise. To
+   * push circles, see <a href="doc-files/recipes.html#piston">a piston</a>.
+   *
+   * @param id the id of the line
    * @param ax the x coordinate of the start, finite
    * @param ay the y coordinate of the start, finite
    * @param bx the x coordinate of the end, finite
@@ -714,14 +713,14 @@ public final class World {
   }
 
   /**
-   * Adds a peg now, an elastic one. Circles whose flight would meet it begin a new one.
+   * Adds a peg now. It is elastic. Circles whose flight meets it begin a new flight.
    *
    * @param x the x coordinate of the centre, finite
    * @param y the y coordinate of the centre, finite
    * @param radius finite and at least 0
    * @return its id
    * @throws IllegalArgumentException if a coordinate or the radius is NaN or infinite, the radius
-   *     negative, or a coordinate so large that 2^10 ulps of it exceed the least radius that was
+   *     negative, or a coordinate so large that 2^10 ulps of it exceed the smallest radius that was
    *     ever in this world
    * @throws IllegalStateException if this world gave all ids of pegs: 268,435,456
    */
@@ -730,9 +729,10 @@ public final class World {
   }
 
   /**
-   * Puts a peg elsewhere; a circle on the way is not hit, see {@link #setPosition setPosition}.
+   * Moves a peg to another place at once, and sets its radius. Like a {@linkplain #moveLine moved
+   * line} it pushes nothing and hits nothing on the way.
    *
-   * @param id the peg
+   * @param id the id of the peg
    * @param x the x coordinate of the centre, finite
    * @param y the y coordinate of the centre, finite
    * @param radius finite and at least 0
@@ -744,12 +744,13 @@ public final class World {
   }
 
   /**
-   * Removes a circle, a line or a peg. No search looks at it any more, and of a circle nothing is
-   * left but that its id is not used again; the row of a line or a peg stays in memory, some 50
-   * bytes, and in snapshots, a byte.
+   * Removes a circle, a line or a peg. Its id is not used again.
+   *
+   * <p>No search looks at it any more. Of a circle nothing else is left. Of a line or a peg a row
+   * stays in memory, some 50 bytes, and a byte in snapshots.
    *
    * @param kind its kind
-   * @param id its id, which is not used again
+   * @param id its id
    * @throws IndexOutOfBoundsException if there is no such thing
    * @throws IllegalArgumentException if the kind is {@link ObstacleKind#WALL}
    */
@@ -767,7 +768,7 @@ public final class World {
   // Time.
 
   /**
-   * A copy of everything that determines the future.
+   * Returns a copy of everything that determines the future of this world.
    *
    * @return the snapshot, which no later step or edit changes
    */
@@ -783,14 +784,16 @@ public final class World {
   }
 
   /**
-   * Goes to where a snapshot was taken: of this world, or of another one, whose scene may be
-   * another as long as the bounds are equal. Circles, lines and pegs are then those of the
-   * snapshot, with its ids; the log is empty, and a timeline begins anew. If the snapshot is
+   * Returns this world to the moment of a snapshot.
+   *
+   * <p>The snapshot may come from another world and another scene, as long as the bounds are equal
+   * and circles collide in both or in neither. Circles, lines and pegs are then those of the
+   * snapshot, with its ids. The log is empty, and a recording begins anew. If the snapshot is
    * refused, nothing changes.
    *
    * @param snapshot the snapshot
-   * @throws IllegalArgumentException if it was taken in a world with other bounds, or where circles
-   *     collide and here they do not, or the other way round
+   * @throws IllegalArgumentException if it was taken in a world with other bounds, or if circles
+   *     collide in only one of the two worlds
    */
   public void restore(Snapshot snapshot) {
     WorldState state = Check.notNull("snapshot", snapshot).state;
@@ -818,18 +821,18 @@ public final class World {
   }
 
   /**
-   * Records the flights of all circles from now on; without it, none are. A recording that was
-   * going on stops, and its timeline stays as it is.
+   * Starts to record the flights of all circles, from now on. A recording that was going on stops,
+   * and its timeline stays as it is.
    *
-   * <p>What is kept of a circle stays when it is removed, within a budget: all removed circles
-   * together have {@code most} flights for each circle of the largest number that was there at one
-   * time. Beyond that the circles that were removed first are dropped, and {@link Timeline#start}
-   * is later. Changes of removed lines and pegs have a budget by the same rule. So a recording
-   * takes no more memory for all that came and went than for what was there.
+   * <p>The flights of a removed circle are kept within a budget: all removed circles together have
+   * {@code most} flights for each circle of the largest number that existed at one time. Beyond
+   * that, the circles that were removed first are dropped, and {@link Timeline#start} is later.
+   * Changes of removed lines and pegs have a budget by the same rule. So the memory of a recording
+   * is bounded, however many things come and go.
    *
-   * @param most how many flights to keep of each circle, at least 1, and how many changes of each
-   *     line and peg; beyond that the oldest ones are dropped. An edit begins a flight: where each
-   *     frame edits something, this is a number of frames
+   * @param most how many flights to keep of each circle, and how many changes of each line and peg,
+   *     at least 1; beyond that the oldest ones are dropped. An edit begins a flight: if each frame
+   *     edits a circle, this is a number of frames
    * @return the timeline, which goes on as the world does
    * @throws IllegalArgumentException if most is below 1
    */
@@ -843,16 +846,16 @@ public final class World {
     return new Timeline(recorder);
   }
 
-  /** Stops to record, if it does; the timeline stays as it is. */
+  /** Stops a recording, if there is one. Its timeline stays as it is. */
   public void stopRecording() {
     recorder = null;
     engine.record(null);
   }
 
   /**
-   * What is there and when, for a debugger.
+   * Describes the world for a debugger: its time, what it holds, and the impacts of the last step.
    *
-   * @return a text to be read, not to be taken apart
+   * @return a text for people; its form may change
    */
   @Override
   public String toString() {

@@ -1,35 +1,51 @@
 // SPDX-License-Identifier: Apache-2.0
 
 /**
- * Circles that move and bounce: against lines and their endpoints, against pegs and walls, and
- * against each other. Every impact inside a step is found and resolved at its own moment, whatever
- * the speed.
+ * Carom moves circles that bounce: off lines and their endpoints, off pegs and walls, and off each
+ * other. It finds every impact exactly, and resolves it at its own moment, whatever the speed.
  *
- * <h2>Four layers</h2>
+ * <p>A first program, after {@code import dev.carom.*;}. A circle of radius 5 flies to the right at
+ * speed 20, hits a line at time 0.5, and is back where it began at time 1:
  *
- * Each uses only those before it, and is of use without those after it.
+ * <pre>{@code
+ * World world =
+ *     new World(Scene.builder().line(0, 0, 0, 10).circle(-15, 4, 5, 20, 0).build());
+ * System.out.println(world.step(1)); // true
+ * System.out.println(world.impacts().time(0) + ", " + world.x(0)); // 0.5, -15.0
+ * }</pre>
+ *
+ * <p>Take it where circles are all that moves, and where wrong, missed or trembling bounces matter:
+ * billiards, pinball, breakout, gases, particles, replays, netcode. Take an engine of rigid bodies
+ * for rotation, friction, joints, stacks of boxes, or bodies that are no circles.
+ *
+ * <p>Guides: <a href="doc-files/recipes.html">Recipes</a> for common tasks, and <a
+ * href="doc-files/rules.html">Rules and limits</a> for what can go wrong.
+ *
+ * <h2 id="layers">Four layers</h2>
+ *
+ * Each layer uses only those before it, and is useful without those after it.
  *
  * <ol>
- *   <li>Geometry: the records {@link dev.carom.Vec2}, and as {@link dev.carom.Obstacle}s {@link
- *       dev.carom.Circle}, {@link dev.carom.Line}, {@link dev.carom.Endpoint} and {@link
- *       dev.carom.Bounds}. They are checked when they are made, so no other method meets a NaN in
- *       one.
- *   <li>Detector: {@link dev.carom.SweptCircle} answers when a moving circle meets an obstacle or
- *       another circle. Its hot form takes and returns doubles, {@code +infinity} for never; its
- *       friendly form returns an {@link dev.carom.Impact}, which tells the {@link
- *       dev.carom.ObstacleKind} and the {@link dev.carom.Feature} that was hit. {@link
- *       dev.carom.SweptSphere} answers for two spheres in space.
+ *   <li>Geometry: the records {@link dev.carom.Vec2}, {@link dev.carom.Circle}, {@link
+ *       dev.carom.Line}, {@link dev.carom.Endpoint} and {@link dev.carom.Bounds}. All but the first
+ *       are {@link dev.carom.Obstacle}s. They are checked when they are made, so no other method
+ *       meets a NaN in one.
+ *   <li>Detector: {@link dev.carom.SweptCircle} tells when a moving circle hits an obstacle or
+ *       another circle. Its hot form takes and returns doubles, {@code +infinity} for never. Its
+ *       friendly form returns an {@link dev.carom.Impact}, with the {@link dev.carom.ObstacleKind}
+ *       and the {@link dev.carom.Feature} that was hit. {@link dev.carom.SweptSphere} answers for
+ *       two spheres in space.
  *   <li>Resolver: {@link dev.carom.Resolver} follows one circle through given obstacles for a given
- *       time, all bounces included: its way is a {@link dev.carom.Trajectory}. It also tells what
- *       an impact does to the velocities of one circle, or of two.
- *   <li>World: a {@link dev.carom.Scene}, made by a {@link dev.carom.SceneBuilder} or read from a
- *       file, says what is there at time 0, and with which {@link dev.carom.Response}; a {@link
- *       dev.carom.World} sets it in motion, and its {@link dev.carom.ImpactLog} tells what hit
- *       what; a {@link dev.carom.Snapshot} holds all that determines its future, a {@link
+ *       time, all bounces included, and returns its {@link dev.carom.Trajectory}. It also computes
+ *       the velocities of one circle, or of two, after an impact.
+ *   <li>World: a {@link dev.carom.Scene} describes what exists at time 0, and with which {@link
+ *       dev.carom.Response}. A {@link dev.carom.SceneBuilder} makes it, or a file. A {@link
+ *       dev.carom.World} sets it in motion, and its {@link dev.carom.ImpactLog} lists the impacts.
+ *       A {@link dev.carom.Snapshot} holds all that determines its future, a {@link
  *       dev.carom.Timeline} its past.
  * </ol>
  *
- * One question to each, in turn:
+ * The program above asks the world. The same question to each of the other layers:
  *
  * <pre>{@code
  * Line line = new Line(0, 0, 0, 10);
@@ -39,87 +55,137 @@
  * Vec2 velocity = new Vec2(20, 0);
  * System.out.println(SweptCircle.cast(circle, velocity, line, 1).get().time()); // 0.5
  *
- * Trajectory way = Resolver.of(List.of(line)).trace(circle, velocity, 1);
- * System.out.println(way.end()); // Vec2[x=-15.0, y=4.0]
- *
- * World world =
- *     new World(Scene.builder().line(0, 0, 0, 10).circle(-15, 4, 5, 20, 0).build());
- * world.step(1);
- * System.out.println(world.x(0) + ", " + world.impacts().size()); // -15.0, 1
+ * Trajectory path = Resolver.of(List.of(line)).trace(circle, velocity, 1);
+ * System.out.println(path.end()); // Vec2[x=-15.0, y=4.0]
  * }</pre>
  *
- * <h2>What is promised</h2>
+ * <h2 id="guarantees">Guarantees</h2>
  *
  * <ul>
- *   <li>Every decision, hit or miss, side or end, is that of real arithmetic on the given doubles;
- *       the time of impact is the correctly rounded one.
- *   <li>All impacts inside a step are resolved, each at its own moment, any number of them; how a
- *       run is cut into steps changes no bit of it.
- *   <li>There is no threshold below which a bounce is dropped, no cap on speed, no slop; positions
- *       are never nudged, and what touches does not jitter.
- *   <li>A step costs what happens in it. It allocates nothing, unless it records, its log or
- *       another list grows, exact arithmetic has to decide, a circle jams, or edits made grids or
- *       arrays stale.
- *   <li>It always ends: where impacts at one place would go on for ever, the circle is stuck, its
- *       contacts act at once without bounce, and the log says so; a step that runs out of its
- *       budget says that it is unfinished.
+ *   <li>Every decision, hit or miss, side or end, is that of real arithmetic on the given doubles.
+ *       The time of impact is the correctly rounded one.
+ *   <li>A step resolves all impacts in it, each at its own moment, any number of them. However a
+ *       run to the same time is cut into steps, it gives the same bits.
+ *   <li>There is no threshold below which a bounce is dropped, no cap on speed, and no slop.
+ *       Positions are never corrected, and circles in contact do not jitter.
+ *   <li>A step costs what happens in it. It allocates nothing, with these exceptions: the world
+ *       records; its log or another list grows; exact arithmetic has to decide; a circle jams;
+ *       edits made grids or arrays stale.
+ *   <li>A step always ends. If its budget is spent, it returns false and the next call goes on. A
+ *       circle that would bounce at one place without end stops bouncing there, and the log says
+ *       so.
+ * </ul>
+ *
+ * <h2 id="conventions">Conventions</h2>
+ *
+ * <ul>
+ *   <li>Units are the caller's: any unit of length, any unit of time, and speeds in the one per the
+ *       other. No tuned constant makes a unit too large or too small.
+ *   <li>The x axis points right. Whether y points up or down changes nothing but the names of two
+ *       walls: the bottom one is that at the smaller y.
+ *   <li>A normal points from the obstacle to the circle; of two circles, from the second to the
+ *       first.
+ *   <li>Lines are solid from both sides. The direction of a line matters for three things: which
+ *       end is the {@linkplain dev.carom.Feature#START start}, {@linkplain
+ *       dev.carom.SceneBuilder#oneWay one-way lines}, and the {@linkplain
+ *       dev.carom.SweptCircle#separation(Circle, Line) separation} of a centre exactly on the line.
+ *   <li>The restitution of an impact is the product of those of the two parties.
+ *   <li>An impact is the first moment at which the distance is at most the radius and falling. To
+ *       touch and leave, or to slide along, is none. To overlap and approach is one, at once.
  * </ul>
  *
  * <p><img src="doc-files/line.svg" alt="A circle that touches the side of a line, and one that
  * touches its end: the normal points from the line to the centre" style="max-width:100%">
  *
- * <h2>Conventions</h2>
+ * <h2 id="errors">Errors</h2>
  *
  * <ul>
- *   <li>Units are the caller's: any unit of length, any unit of time, speeds in the one per the
- *       other. There are no tuned constants that a unit could be too large or too small for.
- *   <li>The x axis points right. Whether y points up or down changes nothing but the names of two
- *       walls: the bottom one is that at the smaller y.
- *   <li>A normal is a unit vector from the obstacle to the circle; of two circles, from the second
- *       to the first. Lines are solid from both sides; their direction matters for which end is
- *       called {@linkplain dev.carom.Feature#START start}, for {@linkplain
- *       dev.carom.SceneBuilder#oneWay one-way lines}, and for the {@linkplain
- *       dev.carom.SweptCircle#separation(Circle, Line) separation} of a centre exactly on the line.
- *   <li>Restitution acts along the normal: 1 is elastic, 0 keeps no motion along it, above 1 is a
- *       bumper. That of an impact is the product of the two parties'.
- *   <li>An impact is the first moment at which the distance is at most the radius and falling. To
- *       touch and leave, or to slide along, is none; to overlap and come nearer is one, at once.
- *       Positions are never corrected.
- *   <li>Numbers out of their range throw {@link java.lang.IllegalArgumentException}, numbers of
- *       things that do not exist {@link java.lang.IndexOutOfBoundsException}; a timeline refuses
- *       ids and times alike by {@link java.lang.IllegalArgumentException}. A builder's call out of
- *       order is an {@link java.lang.IllegalStateException}, and so is a thing to be added when all
- *       ids of its kind were given. The messages name the thing, the value and what was expected. A
- *       null is a {@link java.lang.NullPointerException}.
+ *   <li>A number out of its range throws an {@link java.lang.IllegalArgumentException}.
+ *   <li>The id of a thing that does not exist, and the number of a row that does not exist, throw
+ *       an {@link java.lang.IndexOutOfBoundsException}. A timeline instead throws an {@link
+ *       java.lang.IllegalArgumentException} for ids and times alike.
+ *   <li>A builder's call out of order throws an {@link java.lang.IllegalStateException}. So does
+ *       adding a thing when all ids of its kind were given.
+ *   <li>A null argument, or a null in a list, throws a {@link java.lang.NullPointerException}. The
+ *       methods do not repeat this.
+ *   <li>A scene file with a mistake throws a {@link dev.carom.SceneFormatException}.
  * </ul>
  *
- * <h2>Determinism</h2>
+ * The messages name the thing, the value and what was expected. A refused argument changes nothing.
  *
- * Trajectories are computed with {@code + - * /}, square root and fused multiply-add alone, in a
- * fixed order: the same scene gives the same impacts, bit for bit, on every Java 17 or newer
- * virtual machine. Without fused multiply-add in hardware, or with {@code -XX:-UseFMA}, the bits
- * are the same, but each one is computed by big numbers: a frame of the experiment ({@code
- * base-1.csv}) then took 1.8 ms instead of 1.1 us. Nor does it matter how the time is cut into
- * steps, as long as it ends at the same moment and nothing is edited between.
+ * <h2 id="determinism">Determinism</h2>
  *
- * <h2>Threads</h2>
+ * The same scene and the same calls give the same impacts, bit for bit, on every Java 17 or newer
+ * virtual machine. Trajectories are computed with {@code + - * /}, square root and fused
+ * multiply-add alone, in a fixed order. The bits do not depend on how the time is cut into steps,
+ * as long as it ends at the same moment and nothing is edited between. {@link
+ * dev.carom.World#advanceTo World.advanceTo} names that moment exactly.
  *
- * Records, scenes, resolvers, trajectories, snapshots and all static methods may be used by any
- * number of threads at once. A {@link dev.carom.World}, with its log and its timeline, and a {@link
- * dev.carom.SceneBuilder} belong to one thread at a time; different worlds share nothing that
+ * <p>Without fused multiply-add in hardware, or with {@code -XX:-UseFMA}, the bits are the same,
+ * but each one is computed by big numbers: a frame of the experiment ({@code base-1.csv}) then took
+ * 1.8 ms instead of 1.1 us.
+ *
+ * <h2 id="threads">Threads</h2>
+ *
+ * Any number of threads may use records, scenes, resolvers, trajectories, snapshots and all static
+ * methods at once. A {@link dev.carom.World}, with its log and its timeline, belongs to one thread
+ * at a time, and so does a {@link dev.carom.SceneBuilder}. Different worlds share nothing that
  * changes, even if they are made of the same scene.
  *
- * <h2>What the method gives up</h2>
+ * <h2 id="limits">Limits</h2>
  *
  * <ul>
- *   <li>Only circles move, and straight on between impacts: no rotation, friction, stacking,
- *       polygons or forces. Gravity and steering are velocities that the caller sets between steps.
+ *   <li>Only circles move, and straight on between impacts. There is no rotation, friction,
+ *       stacking, polygon or force. Gravity and steering are velocities that the caller sets
+ *       between steps.
+ *   <li>Lines and pegs do not move by themselves. Between steps they can be {@linkplain
+ *       dev.carom.World#moveLine moved}, which pushes nothing. A circle of infinite mass pushes.
  *   <li>Nothing comes to rest by a threshold. A circle caught in a narrow place costs every one of
- *       its bounces; where they would never end, the world stops them by a rule and reports it.
+ *       its bounces. Where they would never end, the world stops them by a rule and reports it.
  *   <li>Each question is answered for the doubles that it is asked with, but a trajectory is a
- *       chain of rounded states, and every bounce off a curved obstacle magnifies what went before.
+ *       chain of rounded states, and every bounce off a curved obstacle magnifies the errors
+ *       before.
  *   <li>A scene refuses circles so small, beside its coordinates, that rounding could carry one
  *       through a line.
  * </ul>
+ *
+ * <h2 id="glossary">Glossary</h2>
+ *
+ * <dl>
+ *   <dt>budget
+ *   <dd>The work that one step may do. If it is spent, the step returns false, unfinished: see <a
+ *       href="doc-files/rules.html#unfinished">unfinished steps</a>.
+ *   <dt>flight
+ *   <dd>The straight motion of one circle between two impacts. An edit of the circle begins a new
+ *       one.
+ *   <dt>id
+ *   <dd>The number that names a line, a peg or a circle of a world. The ids of each kind begin at
+ *       0, and an id is not used again. Inside the library a circle also has a <i>slot</i>, a row
+ *       of its tables; slots are used again, and no method shows them.
+ *   <dt>impact
+ *   <dd>The moment at which a circle reaches an obstacle or another circle that it approaches; also
+ *       the {@linkplain dev.carom.Impact record} of it.
+ *   <dt>jam
+ *   <dd>A stuck circle and what it touches jam each other: they ignore each other while they
+ *       approach by no more than rounding error. See <a href="doc-files/rules.html#stuck">stuck
+ *       circles</a>.
+ *   <dt>normal
+ *   <dd>The unit vector at a contact, from the obstacle to the circle.
+ *   <dt>one-way
+ *   <dd>A line that is solid for circles that come from its left, and does not exist for others.
+ *   <dt>peg
+ *   <dd>A circle that does not move. Its radius may be 0: a point.
+ *   <dt>restitution
+ *   <dd>The factor by which an impact scales the speed along the normal: 1 is elastic, 0 keeps no
+ *       motion along it, above 1 is a bumper.
+ *   <dt>sensor
+ *   <dd>A line, peg or circle that reports contacts and lets circles pass: {@link
+ *       dev.carom.Response#SENSOR}.
+ *   <dt>stuck
+ *   <dd>A circle is stuck when it made too many impacts at one place: see <a
+ *       href="doc-files/rules.html#stuck">stuck circles</a>.
+ *   <dt>unfinished
+ *   <dd>A step that returned false: the world stands at an earlier time than was asked for.
+ * </dl>
  */
 package dev.carom;
