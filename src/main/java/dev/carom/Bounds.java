@@ -4,9 +4,11 @@ package dev.carom;
 import dev.carom.internal.util.Check;
 
 /**
- * An axis-parallel rectangle that keeps circles inside. Its four walls are half-planes: the left
- * one is everything with {@code x <= xmin}, also above and below the rectangle. Also the box that
- * is asked about in {@link World#overlapping(ObstacleKind, Bounds)}.
+ * {@code Bounds} are an axis-parallel rectangle that keeps circles inside. The four walls are
+ * half-planes: the left one is everything with {@code x <= xmin}, also above and below the
+ * rectangle.
+ *
+ * <p>In {@link World#overlapping(ObstacleKind, Bounds)} they are the box that is asked about.
  *
  * @param xmin the x coordinate of the left wall, finite
  * @param ymin the y coordinate of the bottom wall, finite

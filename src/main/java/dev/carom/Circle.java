@@ -4,7 +4,7 @@ package dev.carom;
 import dev.carom.internal.util.Check;
 
 /**
- * A disk: the one that moves, or, as an obstacle, a peg.
+ * A {@code Circle} is a disk: one that moves, or, as an obstacle, a peg.
  *
  * @param x the x coordinate of the centre, finite
  * @param y the y coordinate of the centre, finite
@@ -28,7 +28,7 @@ public record Circle(double x, double y, double radius) implements Obstacle {
   }
 
   /**
-   * A circle around a given point.
+   * Makes a circle around a given point.
    *
    * @param center the centre
    * @param radius finite and at least 0
@@ -39,7 +39,7 @@ public record Circle(double x, double y, double radius) implements Obstacle {
   }
 
   /**
-   * The centre.
+   * Returns the centre of this circle.
    *
    * @return the point (x, y)
    */

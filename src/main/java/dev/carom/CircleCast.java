@@ -66,7 +66,9 @@ final class CircleCast {
     return Optional.of(impact(t, ObstacleKind.WALL, id, bounds, 0, hit));
   }
 
-  /** Of two walls whose rounded times are equal: whether the horizontal one is exactly earlier. */
+  /**
+   * Tells of two walls with equal rounded times whether the horizontal one is exactly earlier.
+   */
   private static boolean isEarlierInY(Circle circle, Vec2 v, double wallX, double wallY) {
     ExactTime tx = WallSweep.exactTime(circle.x(), circle.radius(), v.x(), wallX);
     ExactTime ty = WallSweep.exactTime(circle.y(), circle.radius(), v.y(), wallY);

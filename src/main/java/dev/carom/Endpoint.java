@@ -4,7 +4,7 @@ package dev.carom;
 import dev.carom.internal.util.Check;
 
 /**
- * An end of a line: a static circle of radius zero.
+ * An {@code Endpoint} is an end of a line: a static circle of radius zero.
  *
  * @param x the x coordinate, finite
  * @param y the y coordinate, finite

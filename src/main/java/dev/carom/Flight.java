@@ -13,7 +13,7 @@ package dev.carom;
 record Flight(double t0, double x0, double y0, double vx, double vy) {
 
   /**
-   * Where the centre is at a given time.
+   * Returns the centre at a given time.
    *
    * @param t a time, as a rule at or after {@link #t0()}
    * @return the centre {@code (x0, y0) + (vx, vy) (t - t0)}; a coordinate beyond the range of

@@ -5,32 +5,32 @@ import dev.carom.internal.state.ImpactRows;
 import java.util.function.IntUnaryOperator;
 
 /**
- * The impacts of a world's last step, one row each, read without allocation. Valid until the next
- * step of that world, which overwrites it.
+ * An {@code ImpactLog} lists the impacts of a world's last step, one row each. Reading it allocates
+ * nothing. The next step of that world overwrites it.
  *
- * <p>Rows stand in the order of time, and are numbered from 0. At equal times, where circles ignore
- * each other: by the id of the circle, and those of one circle as they happened; where they
- * collide: in the order in which they were resolved, see {@link ObstacleKind}.
+ * <p>Rows are numbered from 0, in the order of time. At equal times the order depends on the world.
+ * Where circles ignore each other, it is by the id of the circle, and the impacts of one circle
+ * stand as they happened. Where circles collide, it is the order in which the impacts were
+ * resolved, see {@link ObstacleKind}.
  *
- * <p>A row takes some 70 bytes. A log has room for the longest step that there was, or up to twice
- * that, and keeps it; how many rows a step can have is bounded by its budget of work, see {@link
- * World}.
+ * <p>A row takes some 70 bytes. A log keeps room for the longest step so far, or up to twice that.
+ * The <a href="doc-files/rules.html#unfinished">budget of work</a> bounds the rows of a step.
  */
 public final class ImpactLog {
 
   private static final Outcome[] OUTCOMES = Outcome.values();
 
-  /** Rows that {@link #toString} tells. */
+  /** The number of rows that {@link #toString} prints. */
   private static final int ROWS_SHOWN = 10;
 
   private static final int CIRCLE = ObstacleKind.CIRCLE.ordinal();
 
   private final ImpactRows rows;
 
-  /** The id of the circle that a row names by its slot. */
+  /** Maps the slot of a circle, by which a row names it, to its id. */
   private final IntUnaryOperator ids;
 
-  /** Of circles whose slots are their ids. */
+  /** Makes a log for circles whose slots are their ids. */
   ImpactLog(ImpactRows rows) {
     this(rows, IntUnaryOperator.identity());
   }
@@ -41,7 +41,7 @@ public final class ImpactLog {
   }
 
   /**
-   * The number of impacts.
+   * Returns the number of impacts.
    *
    * @return at least 0
    */
@@ -50,7 +50,7 @@ public final class ImpactLog {
   }
 
   /**
-   * When.
+   * Returns the time of an impact.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return the time of impact on the world's clock, the nearest double
@@ -61,10 +61,10 @@ public final class ImpactLog {
   }
 
   /**
-   * Which circle.
+   * Returns the id of the circle.
    *
    * @param row a row, 0..{@link #size()} - 1
-   * @return its id; of two circles that collide, the smaller one
+   * @return its id; of two circles that collide, the smaller id
    * @throws IndexOutOfBoundsException if there is no such row
    */
   public int circle(int row) {
@@ -72,7 +72,7 @@ public final class ImpactLog {
   }
 
   /**
-   * The kind of thing it hit.
+   * Returns the kind of thing that the circle hit.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return the kind
@@ -83,7 +83,7 @@ public final class ImpactLog {
   }
 
   /**
-   * Which thing of that kind it hit.
+   * Returns the id of the thing that the circle hit.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return the id of the line, peg or other circle; of a wall 0 left, 1 right, 2 bottom, 3 top
@@ -95,7 +95,7 @@ public final class ImpactLog {
   }
 
   /**
-   * The part of the obstacle that was hit.
+   * Returns the part of the obstacle that was hit.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return the feature
@@ -106,7 +106,7 @@ public final class ImpactLog {
   }
 
   /**
-   * The x coordinate of the contact point, see {@link Impact#point}.
+   * Returns the x coordinate of the contact point, see {@link Impact#point}.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return the coordinate
@@ -117,7 +117,7 @@ public final class ImpactLog {
   }
 
   /**
-   * The y coordinate of the contact point, see {@link Impact#point}.
+   * Returns the y coordinate of the contact point, see {@link Impact#point}.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return the coordinate
@@ -128,7 +128,7 @@ public final class ImpactLog {
   }
 
   /**
-   * The x component of the unit normal, which points from the obstacle to the circle.
+   * Returns the x component of the unit normal, which points from the obstacle to the circle.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return the component
@@ -139,7 +139,7 @@ public final class ImpactLog {
   }
 
   /**
-   * The y component of the unit normal, which points from the obstacle to the circle.
+   * Returns the y component of the unit normal, which points from the obstacle to the circle.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return the component
@@ -150,7 +150,7 @@ public final class ImpactLog {
   }
 
   /**
-   * The speed at which the circle approached the obstacle, along the normal.
+   * Returns the speed along the normal at which the circle approached the obstacle.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return at least 0
@@ -161,7 +161,7 @@ public final class ImpactLog {
   }
 
   /**
-   * What the impact did.
+   * Returns the outcome: what the impact did.
    *
    * @param row a row, 0..{@link #size()} - 1
    * @return the outcome
@@ -172,7 +172,7 @@ public final class ImpactLog {
   }
 
   /**
-   * The first rows, for a debugger.
+   * Describes the first rows for a debugger.
    *
    * @return the number of rows, then up to ten of them, one a line: time, circle, what it hit and
    *     the feature of that, approach speed

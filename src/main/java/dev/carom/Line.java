@@ -5,8 +5,8 @@ import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.util.Check;
 
 /**
- * A static segment of finite length and zero thickness, solid from both sides, as in {@code
- * java.awt.geom.Line2D}. Zero length is allowed: the line is then a point, its start.
+ * A {@code Line} is a static segment of finite length and zero thickness, as in {@code
+ * java.awt.geom.Line2D}. It is solid from both sides. A line of zero length is a point, its start.
  *
  * @param ax the x coordinate of the start, finite
  * @param ay the y coordinate of the start, finite
@@ -32,7 +32,7 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
   }
 
   /**
-   * A line between two points.
+   * Makes a line between two points.
    *
    * @param start the start
    * @param end the end
@@ -42,7 +42,7 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
   }
 
   /**
-   * The first end.
+   * Returns the first end of this line.
    *
    * @return the point (ax, ay)
    */
@@ -51,7 +51,7 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
   }
 
   /**
-   * The second end.
+   * Returns the second end of this line.
    *
    * @return the point (bx, by)
    */
@@ -60,7 +60,7 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
   }
 
   /**
-   * The length of this line.
+   * Returns the length of this line.
    *
    * @return {@code |b - a|}, 0 for a line that is a point; infinite if it exceeds the range of a
    *     double
@@ -70,8 +70,10 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
   }
 
   /**
-   * The point of this segment that is nearest to a given point: {@code a + s (b - a)} with {@code s
-   * = (p - a).(b - a) / |b - a|^2}, held within 0..1. Computed in plain doubles.
+   * Returns the point of this segment that is nearest to a given point.
+   *
+   * <p>It is {@code a + s (b - a)} with {@code s = (p - a).(b - a) / |b - a|^2}, held within 0..1.
+   * Computed in plain doubles.
    *
    * @param p any point
    * @return the nearest point; an end itself where s leaves 0..1; the start if this line has length
@@ -83,10 +85,11 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
   }
 
   /**
-   * The point of the infinite line through both ends that is nearest to a given point: the foot of
-   * the perpendicular, {@code a + s (b - a)} with {@code s = (p - a).(b - a) / |b - a|^2}. The
-   * published algorithm that the benchmark replays starts from this point. Computed in plain
-   * doubles.
+   * Returns the point of the infinite line through both ends that is nearest to a given point.
+   *
+   * <p>It is the foot of the perpendicular, {@code a + s (b - a)} with {@code s = (p - a).(b - a) /
+   * |b - a|^2}. The published algorithm that the benchmark replays starts from this point. Computed
+   * in plain doubles.
    *
    * @param p any point
    * @return the foot, also beyond the ends; the start if this line has length zero

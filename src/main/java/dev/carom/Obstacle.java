@@ -2,7 +2,8 @@
 package dev.carom;
 
 /**
- * What a moving circle can hit: a {@link Line}, one of its {@link Endpoint}s, a peg (a static
- * {@link Circle}) or the walls of {@link Bounds}. Obstacles do not move.
+ * An {@code Obstacle} is something that a moving circle can hit: a {@link Line}, one of its {@link
+ * Endpoint}s, a peg (a static {@link Circle}) or the walls of {@link Bounds}. Obstacles do not
+ * move.
  */
 public sealed interface Obstacle permits Line, Endpoint, Circle, Bounds {}

@@ -4,8 +4,8 @@ package dev.carom;
 import dev.carom.internal.util.Kind;
 
 /**
- * The kinds of things: what a circle hits, and what ids belong to. Simultaneous impacts are taken
- * in this order.
+ * An {@code ObstacleKind} is the kind of thing that a circle hits, and that ids belong to. Of
+ * simultaneous impacts, those of the first kind in this list come first.
  */
 public enum ObstacleKind {
   /** A wall of the bounds: number 0 is the left one, 1 the right, 2 the bottom, 3 the top one. */
@@ -19,12 +19,12 @@ public enum ObstacleKind {
 
   private static final ObstacleKind[] ALL = values();
 
-  /** The kind with a given number, {@link #ordinal()}. */
+  /** Returns the kind with a given number, {@link #ordinal()}. */
   static ObstacleKind of(int number) {
     return ALL[number];
   }
 
-  /** What messages call thing i of this kind. */
+  /** Returns the name that messages use for thing i of this kind. */
   String nameOf(int i) {
     return Kind.nameOf(ordinal(), i);
   }

@@ -1,26 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-/** What an impact did to the circles that met: one for each row of an {@link ImpactLog}. */
+/**
+ * An {@code Outcome} says what an impact did to the circles that met. Each row of an {@link
+ * ImpactLog} has one.
+ */
 public enum Outcome {
-  /** The motion along the normal turned round, scaled by the restitution. */
+  /** The motion along the normal was reversed and scaled by the restitution. */
   BOUNCED,
 
   /** The motion along the normal stopped: one of the two has {@link Response#HALT}. */
   HALTED,
 
-  /** Nothing: one of the two is a {@link Response#SENSOR}, and the circle flew on. */
+  /** Nothing changed: one of the two is a {@link Response#SENSOR}, and the circle flew on. */
   SENSED,
 
-  /** Nothing: both have infinite mass, and passed through each other. */
+  /** Nothing changed: both have infinite mass, and passed through each other. */
   PASSED,
 
   /**
-   * A circle made too many impacts at one place and lost what led to more of them, or all things
-   * that it touches there acted at once; see {@link World} on circles that are stuck.
+   * The circle was stuck, or in contact with a stuck one, and was resolved without bounce.
+   *
+   * <p>A circle is stuck after too many impacts at one place. See <a
+   * href="doc-files/rules.html#stuck">stuck circles</a>.
    */
   JAMMED,
 
-  /** The circle stopped, since doubles cannot tell the speed that it would have had. */
+  /** The circle stopped, because doubles cannot hold the speed that it would have had. */
   STOPPED
 }

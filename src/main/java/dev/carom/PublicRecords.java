@@ -34,12 +34,12 @@ final class PublicRecords {
         : new Bounds(walls[Codes.LEFT], walls[Codes.BOTTOM], walls[Codes.RIGHT], walls[Codes.TOP]);
   }
 
-  /** What messages say of the bounds with these walls, which may be null. */
+  /** Returns the words that messages use for the bounds with these walls, which may be null. */
   static String describe(double[] walls) {
     return walls == null ? "none" : bounds(walls).toString();
   }
 
-  /** Where the walls of bounds stand, by their codes. */
+  /** Returns the places of the walls of bounds, by their codes. */
   static double[] walls(Bounds b) {
     return ObstacleTable.walls(b.xmin(), b.ymin(), b.xmax(), b.ymax());
   }

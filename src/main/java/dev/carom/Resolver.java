@@ -23,9 +23,9 @@ import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
 /**
- * Reflects a circle and continues: the way of one circle among obstacles for a given time, with all
- * its bounces. For game loops of your own and aiming lines; no world is needed. Immutable, safe for
- * use by several threads.
+ * A {@code Resolver} follows one circle among obstacles for a given time, with all its bounces. It
+ * needs no world, and serves game loops of your own and aiming lines. Immutable, safe for use by
+ * several threads.
  *
  * <pre>{@code
  * Resolver resolver = Resolver.of(List.of(new Line(0, 0, 100, 0), new Circle(50, 40, 5)));
@@ -34,18 +34,18 @@ import java.util.stream.IntStream;
  * System.out.println(path.at(4.5)); // Vec2[x=23.5, y=2.0]
  * }</pre>
  *
- * <p>Where circles meet each other too, {@link SweptCircle#pair SweptCircle.pair} tells when, and
- * {@link #respond respond} what becomes of their velocities.
+ * <p>For circles that meet each other, {@link SweptCircle#pair SweptCircle.pair} gives the time,
+ * and {@link #respond respond} the velocities afterwards.
  *
- * <p>The first impacts are those of {@link SweptCircle}; of simultaneous ones walls come first,
- * then lines, then pegs and endpoints, each in their order. {@link #cast cast} compares times
- * exactly; {@link #trace trace}, as {@link World#step World.step}, treats impacts with equal
- * rounded times as simultaneous. The thing just hit cannot be hit again before another one is. A
- * circle that gets stuck is treated as {@link World} describes.
+ * <p>Impacts are those of {@link SweptCircle}. Of simultaneous ones walls come first, then lines,
+ * then pegs and endpoints, each in their order. {@link #cast cast} compares times exactly; {@link
+ * #trace trace}, like {@link World#step World.step}, treats impacts with equal rounded times as
+ * simultaneous. The thing just hit cannot be hit again before another one is. A circle that gets
+ * stuck follows the <a href="doc-files/rules.html#stuck">rule for stuck circles</a>.
  */
 public final class Resolver {
 
-  /** Impacts in one trace, exact arithmetic counted as {@link World} describes. */
+  /** The most impacts of one trace; exact arithmetic counts as in a world's budget. */
   static final int IMPACTS_PER_TRACE = 100_000;
 
   private final ObstacleTable obstacles;
@@ -54,7 +54,7 @@ public final class Resolver {
   private final IntFunction<Obstacle> records;
 
   /**
-   * Resolves among the obstacles of a table.
+   * Makes a resolver among the obstacles of a table.
    *
    * @param records the obstacle that a code stands for
    */
@@ -64,7 +64,7 @@ public final class Resolver {
   }
 
   /**
-   * Resolves among elastic obstacles.
+   * Makes a resolver among elastic obstacles.
    *
    * @param obstacles lines, pegs, endpoints and at most one bounds
    * @return the resolver
@@ -101,7 +101,7 @@ public final class Resolver {
     }
   }
 
-  /** The record that was given for a code: an endpoint is a peg in the table. */
+  /** Returns the record that was given for a code: an endpoint is a peg in the table. */
   private static Obstacle record(
       ObstacleTable table, int code, List<Obstacle> lines, List<Obstacle> pegs) {
     return switch (Codes.kind(code)) {
@@ -112,13 +112,16 @@ public final class Resolver {
   }
 
   /**
-   * The way of an elastic circle. It ends at impact 100,000, exact arithmetic counted as {@link
-   * World} describes; one that would go on is not {@linkplain Trajectory#complete complete}.
+   * Follows an elastic circle along its path, bounces included.
+   *
+   * <p>A path has at most 100,000 impacts, and exact arithmetic counts as in the <a
+   * href="doc-files/rules.html#unfinished">budget of a step</a>. One that would go on is not
+   * {@linkplain Trajectory#complete complete}.
    *
    * @param circle the circle at the start
    * @param velocity its velocity at the start
-   * @param duration how long to go on, finite and at least 0
-   * @return its flights and impacts; times count from the start
+   * @param duration how long to follow it, finite and at least 0
+   * @return its flights and impacts, with times counted from the start
    * @throws IllegalArgumentException if the duration is NaN, infinite or negative
    */
   public Trajectory trace(Circle circle, Vec2 velocity, double duration) {
@@ -126,16 +129,16 @@ public final class Resolver {
   }
 
   /**
-   * The way of a circle with a restitution of its own, with its next bounces: an aiming line. It
-   * ends at impact 100,000 as the other one does.
+   * Follows a circle with a restitution of its own along its path, up to a number of bounces. The
+   * limit of 100,000 impacts holds here too.
    *
    * @param circle the circle at the start
    * @param velocity its velocity at the start
    * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
-   * @param duration how long to go on, finite and at least 0
-   * @param bounces how many impacts to resolve, at least 0; the way ends where the next one would
-   *     come
-   * @return its flights and impacts; times count from the start
+   * @param duration how long to follow it, finite and at least 0
+   * @param bounces how many impacts to resolve, at least 0; the path ends where the next one would
+   *     be
+   * @return its flights and impacts, with times counted from the start
    * @throws IllegalArgumentException if the restitution or the duration is NaN, infinite or
    *     negative, or the number of bounces negative
    */
@@ -152,9 +155,11 @@ public final class Resolver {
   }
 
   /**
-   * The first impact of a circle: of {@link SweptCircle#cast SweptCircle.cast} with each obstacle,
-   * the earliest, as if in real arithmetic on the given doubles; of exactly simultaneous ones the
-   * first in the order above. A circle of radius 0 is a ray.
+   * Finds the first impact of a moving circle with the obstacles. A circle of radius 0 is a ray.
+   *
+   * <p>It is the earliest of the impacts that {@link SweptCircle#cast SweptCircle.cast} gives for
+   * each obstacle, as if in real arithmetic on the given doubles. Of exactly simultaneous ones it
+   * is the first in the order above.
    *
    * @param circle the circle at the start
    * @param velocity its velocity
@@ -177,9 +182,11 @@ public final class Resolver {
   }
 
   /**
-   * The obstacle nearest to a point; of equally near ones the first: walls, then lines, then pegs
-   * and endpoints, each in their order. Distances are computed in plain doubles: to a wall, a line,
-   * or the rim of a peg from outside; 0 inside of a peg.
+   * Finds the obstacle that is nearest to a point. Of equally near ones it is the first: walls,
+   * then lines, then pegs and endpoints, each in their order.
+   *
+   * <p>Distances are computed in plain doubles: to a wall, to a line, or to the rim of a peg.
+   * Inside of a peg the distance is 0.
    *
    * @param point the point
    * @return the obstacle, empty if there is none
@@ -191,7 +198,8 @@ public final class Resolver {
   }
 
   /**
-   * What overlaps a disk: has points inside of it, not only on its rim. Decided exactly.
+   * Finds the obstacles that overlap a disk: they have points inside of it, not only on its rim.
+   * The answer is exact.
    *
    * @param disk the disk
    * @return the obstacles: the bounds once, however many walls overlap, then lines, then pegs and
@@ -203,7 +211,8 @@ public final class Resolver {
   }
 
   /**
-   * What overlaps a box: has points inside of it, not only on its edge. Decided exactly.
+   * Finds the obstacles that overlap a box: they have points inside of it, not only on its edge.
+   * The answer is exact.
    *
    * @param box the box
    * @return the obstacles, as for a disk
@@ -213,7 +222,10 @@ public final class Resolver {
     return things(new Proximity(obstacles).overlapping(PublicRecords.walls(box)));
   }
 
-  /** What codes stand for. Walls come first: those after the first one are the same bounds. */
+  /**
+   * Returns the obstacles that codes stand for. Walls come first: those after the first one are the
+   * same bounds.
+   */
   private List<Obstacle> things(IntStream codes) {
     List<Obstacle> things = new ArrayList<>();
     for (int code : codes.toArray()) {
@@ -230,8 +242,10 @@ public final class Resolver {
   }
 
   /**
-   * Reflects a velocity: {@code v - (1 + e) (v.n) / (n.n) n} if it points against the normal, which
-   * is decided exactly.
+   * Reflects a velocity at a surface, if it points against the surface's normal.
+   *
+   * <p>The result is {@code v - (1 + e) (v.n) / (n.n) n}. Whether the velocity points against the
+   * normal is decided exactly.
    *
    * @param velocity the velocity before
    * @param normal the normal, of any length but zero, pointing away from the obstacle
@@ -265,19 +279,21 @@ public final class Resolver {
   }
 
   /**
-   * The velocities of two circles after an impact, as {@link SweptSphere#respond
-   * SweptSphere.respond} gives those of two spheres. Along the line of centres {@code d = c1 - c2}
-   * the relative velocity {@code u = v1 - v2} is turned round and scaled by e, with
+   * Computes the velocities of two circles after an impact, in place.
+   *
+   * <p>Along the line of centres {@code d = c1 - c2} the relative velocity {@code u = v1 - v2} is
+   * reversed and scaled by e, with
    *
    * <pre>
    *   J = (1 + e) (u.d) / (d.d),  v1 -= m2 / (m1 + m2) J d,  v2 += m1 / (m1 + m2) J d
    * </pre>
    *
-   * For loops of your own, which keep their circles where they like; nothing is allocated, unless
-   * exact arithmetic has to decide whether they approach.
+   * It serves loops of your own, which keep their circles where they like. It allocates nothing,
+   * unless exact arithmetic has to decide whether the circles approach. {@link SweptSphere#respond
+   * SweptSphere.respond} does the same for two spheres.
    *
    * <pre>{@code
-   * // CircleTable of radius 5: the first comes at 4 a second, the second rests 20 to the right.
+   * // Circles of radius 5: the first comes at 4 a second, the second rests 20 to the right.
    * double[] v = {4, 0, 0, 0};
    * double t = SweptCircle.pair(0, 0, 5, v[0], v[1], 20, 0, 5, v[2], v[3], 10);
    * double x1 = 0 + v[0] * t;

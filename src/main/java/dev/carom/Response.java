@@ -2,41 +2,46 @@
 package dev.carom;
 
 /**
- * What happens when a circle meets something.
+ * A {@code Response} says what happens when a circle meets something.
  *
- * <p>With a line, a peg or the bounds it is their response that counts; between two circles {@link
- * #SENSOR} if either has it, else {@link #HALT} if either has it, else {@link #BOUNCE}.
+ * <p>At a line, a peg or a wall the response of that obstacle counts. Between two circles it is
+ * {@link #SENSOR} if either has it, else {@link #HALT} if either has it, else {@link #BOUNCE}.
  *
  * <p><img src="doc-files/restitution.svg" alt="A circle bounces off a line: at restitution 1 as
  * steeply as it came, at 0.5 less so, at 0 it slides along" style="max-width:100%">
  */
 public enum Response {
   /**
-   * The motion along the normal turns round, scaled by the restitution: elastic at 1, inelastic
+   * The motion along the normal is reversed and scaled by the restitution: elastic at 1, inelastic
    * below.
    */
   BOUNCE,
 
   /**
-   * The motion along the normal stops, for both circles of a pair; what is left of it slides along.
-   * Where the other circle has an infinite mass, which nothing deflects, the circle takes over that
-   * one's motion along the normal instead.
+   * The motion along the normal stops, for both circles of a pair. The motion across it stays: the
+   * circle slides along.
+   *
+   * <p>A circle of infinite mass is not deflected: a circle that halts at it takes over its motion
+   * along the normal instead.
    */
   HALT,
 
   /**
-   * The meeting is reported in the log, and nothing else happens: the circle flies on. It is
-   * reported when the distance falls to the radius, and again only after it exceeded the radius; a
-   * flight that starts in touch with a sensor, or inside, has met it before. (A circle that an edit
-   * sets on a new flight at the very time of the report starts where rounding puts it: if that is
-   * outside by an ulp, it meets the sensor again.) The bounds cannot have it: they keep circles
-   * inside.
+   * The contact is reported in the log, and the circle flies on unchanged.
+   *
+   * <p>A contact is reported when the distance falls to the radius. It is reported again only after
+   * the distance exceeded the radius. A flight that starts in touch with a sensor, or inside of it,
+   * counts as reported already: the circle must leave before the next report. The bounds cannot be
+   * a sensor, because they keep circles inside.
+   *
+   * <p>One case is left to rounding: an edit at the very time of a report puts the circle where
+   * rounding puts it. If that is outside by an ulp, the sensor is reported once more.
    */
   SENSOR;
 
   private static final Response[] ALL = values();
 
-  /** The response with a given number, {@link #ordinal()}. */
+  /** Returns the response with a given number, {@link #ordinal()}. */
   static Response of(int number) {
     return ALL[number];
   }

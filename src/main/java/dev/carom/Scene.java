@@ -17,11 +17,11 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What is there at time 0: at most one bounds, any number of lines, pegs and moving circles, each
- * with its restitution. Immutable, checked as a whole when it is built, safe to share between
- * threads; a {@link World} sets it in motion.
+ * A {@code Scene} describes what exists at time 0: at most one bounds, and any number of lines,
+ * pegs and moving circles. A {@link World} sets it in motion.
  *
- * <p>Things of one kind are numbered from 0 in the order in which they were added.
+ * <p>A scene is immutable, checked as a whole when it is built, and safe to share between threads.
+ * Things of one kind are numbered from 0 in the order in which they were added.
  *
  * <pre>{@code
  * Scene scene = Scene.builder()
@@ -42,30 +42,31 @@ import java.util.Optional;
  * line,300,200,500,400,restitution=0.9
  * # x, y, radius
  * peg,600,300,25
- * # x, y, radius, vx, vy and, if need be, the mass
+ * # x, y, radius, vx, vy and optionally the mass
  * circle,100,100,10,4,3
  * </pre>
  *
  * <ul>
- *   <li>Things of one kind are numbered from 0 in the order of their rows; the kinds may be mixed.
+ *   <li>Things of one kind are numbered from 0 in the order of their rows. The kinds may be mixed.
  *   <li>A number is decimal or a hex float ({@code 0x1.8p-3}), read to the nearest double. NaN,
  *       infinities and numbers beyond the range of a double are refused.
- *   <li>{@code wall} is the {@linkplain Bounds bounds}; there is at most one such row.
- *   <li>The mass of a circle is 1 if not given; {@code inf} or {@code Infinity} stand for an
- *       infinite one. It has no effect as long as circles ignore each other.
- *   <li>{@code collide,1} says that circles collide with each other; with {@code collide,0}, or
- *       without such a row, they ignore each other.
- *   <li>Any row but {@code collide} may end in {@code restitution=NUMBER}; without it, it is 1.
- *   <li>Any row but {@code collide} may end in {@code response=bounce}, {@code halt} or {@code
- *       sensor}, of the bounds not the last of them, see {@link Response}; a line's row in {@code
- *       oneway=1}, see {@link SceneBuilder#oneWay()}.
- *   <li>Blank lines, spaces and tabs around fields, {@code #} comments on lines of their own or
- *       after a row, either kind of line end, and a byte order mark are passed over.
+ *   <li>{@code wall} is the {@linkplain Bounds bounds}. There is at most one such row.
+ *   <li>The mass of a circle is 1 if it is left out. {@code inf} or {@code Infinity} is an infinite
+ *       mass. Masses have no effect as long as circles ignore each other.
+ *   <li>{@code collide,1} makes circles collide with each other. With {@code collide,0}, or without
+ *       such a row, they ignore each other.
+ *   <li>Any row but {@code collide} may end in {@code restitution=NUMBER}. Without it, it is 1.
+ *   <li>Any row but {@code collide} may end in {@code response=bounce}, {@code response=halt} or
+ *       {@code response=sensor}, see {@link Response}. The bounds cannot be a sensor.
+ *   <li>The row of a line may end in {@code oneway=1}, see {@link SceneBuilder#oneWay()}.
+ *   <li>The reader skips blank lines, spaces and tabs around fields, {@code #} comments on lines of
+ *       their own or after a row, and a byte order mark. It takes either kind of line end.
  * </ul>
  *
- * <p>Everything else is a {@link SceneFormatException} whose message names file, line, column, what
- * stands there and what was expected, as {@code scene.csv:12:31: radius is "abc": expected a finite
- * number}; nothing is loaded then. What is written reads back as an equal scene, to the bit.
+ * <p>Everything else is a {@link SceneFormatException}, and nothing is loaded. Its message names
+ * file, line, column, the text found there and what was expected, as in {@code scene.csv:12:31:
+ * radius is "abc": expected a finite number}. A scene that is written reads back as an equal scene,
+ * to the bit.
  */
 public final class Scene {
 
@@ -90,7 +91,7 @@ public final class Scene {
    * @param path the file
    * @return the scene
    * @throws SceneFormatException if the file does not follow the format, or holds what {@link
-   *     SceneBuilder} refuses; it tells the line and the column
+   *     SceneBuilder} refuses; it gives the line and the column
    * @throws IOException if the file cannot be read
    */
   public static Scene read(Path path) throws IOException {
@@ -103,13 +104,13 @@ public final class Scene {
   }
 
   /**
-   * Reads a scene.
+   * Reads a scene from a reader, to its end.
    *
-   * @param in where to read, to its end; it is not closed
-   * @param name what to call it in messages
+   * @param in where to read; it is not closed
+   * @param name the name to use in messages
    * @return the scene
    * @throws SceneFormatException if the text does not follow the format, or holds what {@link
-   *     SceneBuilder} refuses; it tells the line and the column
+   *     SceneBuilder} refuses; it gives the line and the column
    * @throws IOException if reading fails
    */
   public static Scene read(Reader in, String name) throws IOException {
@@ -123,12 +124,13 @@ public final class Scene {
   }
 
   /**
-   * Writes this scene to a file; one that stands there is replaced, at the end and as a whole, so
-   * that a failure leaves it as it was, and nothing beside it. Symbolic links stay, and who may
-   * read the file stays the same.
+   * Writes this scene to a file. An existing file is replaced at the end and as a whole.
+   *
+   * <p>So a failure leaves the old file as it was, and no other file beside it. Symbolic links
+   * stay, and so do the permissions of the file.
    *
    * @param path the file
-   * @throws IOException if the file cannot be written; the message names it, and why
+   * @throws IOException if the file cannot be written; the message names the file and the reason
    */
   public void write(Path path) throws IOException {
     SceneFile.write(data, Check.notNull("path", path));
@@ -145,7 +147,7 @@ public final class Scene {
   }
 
   /**
-   * The number of moving circles.
+   * Returns the number of moving circles.
    *
    * @return at least 0
    */
@@ -154,7 +156,7 @@ public final class Scene {
   }
 
   /**
-   * The number of lines.
+   * Returns the number of lines.
    *
    * @return at least 0
    */
@@ -163,7 +165,7 @@ public final class Scene {
   }
 
   /**
-   * The number of pegs.
+   * Returns the number of pegs.
    *
    * @return at least 0
    */
@@ -172,7 +174,7 @@ public final class Scene {
   }
 
   /**
-   * A circle as it stands at time 0.
+   * Returns a circle as it stands at time 0.
    *
    * @param i its number, 0..{@link #circleCount()} - 1
    * @return the circle
@@ -184,7 +186,7 @@ public final class Scene {
   }
 
   /**
-   * The velocity of a circle at time 0.
+   * Returns the velocity of a circle at time 0.
    *
    * @param i its number, 0..{@link #circleCount()} - 1
    * @return the velocity
@@ -196,7 +198,7 @@ public final class Scene {
   }
 
   /**
-   * The mass of a circle; without effect as long as circles ignore each other.
+   * Returns the mass of a circle. It has no effect as long as circles ignore each other.
    *
    * @param i its number, 0..{@link #circleCount()} - 1
    * @return greater than 0, infinite for a circle that nothing deflects
@@ -207,7 +209,7 @@ public final class Scene {
   }
 
   /**
-   * A line.
+   * Returns a line of this scene.
    *
    * @param i its number, 0..{@link #lineCount()} - 1
    * @return the line
@@ -218,7 +220,7 @@ public final class Scene {
   }
 
   /**
-   * A peg.
+   * Returns a peg of this scene.
    *
    * @param i its number, 0..{@link #pegCount()} - 1
    * @return the peg
@@ -229,10 +231,10 @@ public final class Scene {
   }
 
   /**
-   * The restitution of something; that of an impact is the product of the two parties'
-   * restitutions.
+   * Returns the restitution of a circle or an obstacle. The restitution of an impact is the product
+   * of those of the two parties.
    *
-   * @param kind its kind; the four walls have the same one
+   * @param kind its kind; the four walls share one restitution
    * @param i its number: of a wall 0..3, else from 0 to the number of such things less 1
    * @return at least 0; 1, elastic, unless another was set
    * @throws IndexOutOfBoundsException if there is no such thing
@@ -245,9 +247,9 @@ public final class Scene {
   }
 
   /**
-   * What happens when a circle meets something.
+   * Returns the response of a circle or an obstacle: what happens at an impact with it.
    *
-   * @param kind its kind; the four walls have the same response
+   * @param kind its kind; the four walls share one response
    * @param i its number: of a wall 0..3, else from 0 to the number of such things less 1
    * @return the response, {@link Response#BOUNCE} unless another was set; of a circle, to other
    *     circles
@@ -258,11 +260,10 @@ public final class Scene {
   }
 
   /**
-   * Whether a line is there only for circles that come from its left; see {@link
-   * SceneBuilder#oneWay()}.
+   * Tells whether a line is a one-way line; see {@link SceneBuilder#oneWay()}.
    *
    * @param i its number, 0..{@link #lineCount()} - 1
-   * @return false unless it was set
+   * @return true if only circles that come from its left hit it
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public boolean oneWay(int i) {
@@ -270,16 +271,16 @@ public final class Scene {
   }
 
   /**
-   * The bounds.
+   * Returns the bounds of this scene.
    *
-   * @return the rectangle that keeps circles inside, empty if the scene is open
+   * @return the rectangle that keeps circles inside; empty if the scene is open
    */
   public Optional<Bounds> bounds() {
     return Optional.ofNullable(PublicRecords.bounds(data.obstacles.walls));
   }
 
   /**
-   * Whether circles collide with each other.
+   * Tells whether circles collide with each other.
    *
    * @return false if they ignore each other
    */
@@ -288,9 +289,11 @@ public final class Scene {
   }
 
   /**
-   * A resolver among the lines, pegs and bounds of this scene, with their restitutions and
-   * responses. It passes through sensors, and meets one-way lines from their left only. The circles
-   * of the scene are not there.
+   * Makes a resolver among the lines, pegs and bounds of this scene, with their restitutions and
+   * responses.
+   *
+   * <p>It passes through sensors, and meets one-way lines from their left only. It does not know
+   * the circles of the scene.
    *
    * @return a new resolver
    */
@@ -300,27 +303,29 @@ public final class Scene {
   }
 
   /**
-   * What is likely a mistake, though it is legal: circles that begin where things overlap them.
-   * These are a circle that is not wholly within the bounds; one that overlaps a line or a peg;
-   * and, where circles collide, two that overlap. Decided exactly; to touch is not to overlap.
+   * Lists what is legal but likely a mistake: circles that overlap something at time 0.
    *
-   * <p>What a circle passes through is left out: sensors; a one-way line, unless the centre is
-   * strictly left of it; and of two circles, both of infinite mass.
+   * <p>These are a circle that is not wholly within the bounds, a circle that overlaps a line or a
+   * peg, and, where circles collide, two circles that overlap. The decision is exact; to touch is
+   * not to overlap.
    *
-   * <p>Each text names the circle, the other thing, the distance of the centre from it, rounded,
-   * and the least distance that was expected. They stand in the order of the circles; of one
-   * circle, first the walls (left, right, bottom, top), then lines, pegs, and circles with larger
-   * numbers. At most 10,000 are listed. They are computed with each call; 100,000 circles among
-   * 100,000 lines take some seconds.
+   * <p>Things that the circle passes through are left out: sensors; a one-way line, unless the
+   * centre is strictly left of it; and, of two circles, both of infinite mass.
    *
-   * @return the warnings, to be read by people; unmodifiable, empty if there are none
+   * <p>Each text names the circle, the other thing, the rounded distance of the centre from it, and
+   * the least distance that was expected. The texts follow the order of the circles. Those of one
+   * circle name walls first (left, right, bottom, top), then lines, pegs, and circles with larger
+   * numbers. At most 10,000 are listed. Each call computes them anew; 100,000 circles among 100,000
+   * lines take some seconds.
+   *
+   * @return the warnings, for people to read; unmodifiable, empty if there are none
    */
   public List<String> warnings() {
     return Warnings.of(data);
   }
 
   /**
-   * Two scenes are equal if they hold the same things in the same order, to the bit.
+   * Tells whether another scene holds the same things in the same order, to the bit.
    *
    * @param other any object
    * @return whether it is an equal scene
@@ -342,7 +347,7 @@ public final class Scene {
             circleCount(), lineCount(), pegCount(), PublicRecords.describe(data.obstacles.walls));
   }
 
-  /** The {@link ContactFlags} of a thing that is there. */
+  /** Returns the {@link ContactFlags} of a thing that exists. */
   private int traits(ObstacleKind kind, int i) {
     return kind == ObstacleKind.CIRCLE
         ? ContactFlags.of(data.circleTraits, i)
@@ -357,7 +362,7 @@ public final class Scene {
     };
   }
 
-  /** A number of a thing that is there. */
+  /** Returns the number of a thing that exists; any other one is refused. */
   private int at(ObstacleKind kind, int i) {
     int count = count(Check.notNull("kind", kind));
     if (i < 0 || i >= count) {

@@ -6,11 +6,8 @@ import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Kind;
 
 /**
- * Collects the things of a {@link Scene}. Each call adds one thing, or gives the thing added last a
- * property. What is refused is refused at once, with a message that names the thing, its number,
- * its value and what was expected, and leaves the builder as it was; only a radius that is too
- * small beside the scene's coordinates is refused by {@link #build}, when all of them are known.
- * Not safe for use by several threads.
+ * A {@code SceneBuilder} collects the things of a {@link Scene}. Each call adds one thing, or gives
+ * the thing added last a property.
  *
  * <pre>{@code
  * Scene scene = Scene.builder()
@@ -22,6 +19,11 @@ import dev.carom.internal.util.Kind;
  *     .build();
  * System.out.println(scene.oneWay(0) + ", " + scene.mass(0)); // true, 2.0
  * }</pre>
+ *
+ * <p>A call with a wrong value throws at once and leaves the builder as it was. The message names
+ * the thing, its number, its value and what was expected. Only a radius that is too small beside
+ * the scene's coordinates is refused later, by {@link #build}, when all coordinates are known. Not
+ * safe for use by several threads.
  */
 public final class SceneBuilder {
 
@@ -61,7 +63,7 @@ public final class SceneBuilder {
   }
 
   /**
-   * Adds a peg, a circle that stands still.
+   * Adds a peg: a circle that does not move.
    *
    * @param x the x coordinate of the centre, finite
    * @param y the y coordinate of the centre, finite
@@ -79,7 +81,7 @@ public final class SceneBuilder {
    *
    * @param x the x coordinate of the centre at time 0, finite
    * @param y the y coordinate of the centre at time 0, finite
-   * @param radius finite and greater than 0
+   * @param radius finite and greater than 0; see also {@link #build}
    * @param vx the x component of the velocity, finite
    * @param vy the y component of the velocity, finite
    * @return this builder
@@ -92,7 +94,7 @@ public final class SceneBuilder {
 
   /**
    * Sets the restitution of the thing added last; without it, it is 1. The restitution of an impact
-   * is the product of the two parties' restitutions.
+   * is the product of those of the two parties.
    *
    * @param e finite and at least 0: 1 is elastic, 0 keeps no motion along the normal, above 1 is a
    *     bumper
@@ -106,7 +108,8 @@ public final class SceneBuilder {
   }
 
   /**
-   * Sets what happens at the thing added last; without it, circles bounce.
+   * Sets the response of the thing added last: what happens at an impact with it. Without it,
+   * circles bounce.
    *
    * @param response the response; of a circle, to other circles
    * @return this builder
@@ -120,10 +123,13 @@ public final class SceneBuilder {
   }
 
   /**
-   * Makes the line just added a one-way line. It is solid, ends included, for a flight that starts
-   * with the centre strictly left of it (seen from its start to its end, as in {@code cross(b - a,
-   * p - a) > 0}) and moves against its left normal; for every other flight it is not there. A line
-   * of zero length has no left: it never is.
+   * Makes the line just added a one-way line: circles that come from its left bounce, all others
+   * pass.
+   *
+   * <p>Left is as seen from the start of the line to its end, as in {@code cross(b - a, p - a) >
+   * 0}. The line is solid, ends included, for a flight that starts with the centre strictly left of
+   * it and moves against its left normal. For every other flight it does not exist. A line of zero
+   * length has no left, so no circle ever hits it.
    *
    * <p><img src="doc-files/one-way.svg" alt="A line from a to b: a circle that comes from its left
    * bounces, one that comes from its right passes" style="max-width:100%">
@@ -151,9 +157,9 @@ public final class SceneBuilder {
   }
 
   /**
-   * Lets circles collide with each other; without it they ignore each other.
+   * Makes circles collide with each other; without it they ignore each other.
    *
-   * @param collide whether they do
+   * @param collide true if they collide
    * @return this builder
    */
   public SceneBuilder collide(boolean collide) {
@@ -162,8 +168,9 @@ public final class SceneBuilder {
   }
 
   /**
-   * Makes the scene of all that was added. The builder can be used further. Circles may overlap
-   * each other and what stands still: {@link Scene#warnings} lists those that do.
+   * Makes the scene of all that was added. The builder can be used further.
+   *
+   * <p>Circles may overlap each other and obstacles: {@link Scene#warnings} lists those that do.
    *
    * @return the scene
    * @throws IllegalArgumentException if the radius of a circle is below 2^10 ulps of the largest

@@ -5,8 +5,9 @@ import dev.carom.internal.io.RowException;
 import java.io.IOException;
 
 /**
- * A scene file does not follow the format of {@link Scene}, or holds what {@link SceneBuilder}
- * refuses. It tells the place of the mistake, so that an editor can point at it.
+ * A {@code SceneFormatException} reports a scene file that does not follow the format of {@link
+ * Scene}, or holds what {@link SceneBuilder} refuses. It gives the place of the mistake, so that an
+ * editor can point at it.
  *
  * <p>The message names the file, the line, the column, the text found there and what was expected:
  * {@code scene.csv:12:31: radius is "abc": expected a finite number}.
@@ -34,7 +35,7 @@ public final class SceneFormatException extends IOException {
   }
 
   /**
-   * The file that was read.
+   * Returns the file that was read.
    *
    * @return its path or name, as given to {@link Scene#read(java.nio.file.Path) Scene.read}
    */
@@ -43,7 +44,7 @@ public final class SceneFormatException extends IOException {
   }
 
   /**
-   * The line of the mistake.
+   * Returns the line of the mistake.
    *
    * @return its number, from 1
    */
@@ -52,8 +53,8 @@ public final class SceneFormatException extends IOException {
   }
 
   /**
-   * The column of the mistake: where the wrong field begins, or where the row ends that lacks a
-   * field.
+   * Returns the column of the mistake. It is where the wrong field begins, or where the row ends
+   * that lacks a field.
    *
    * @return its number in chars, from 1; a byte order mark does not count
    */

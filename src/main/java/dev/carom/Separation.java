@@ -26,12 +26,12 @@ record Separation(double x, double y) {
 
   private static final UnitVector ALONG_X = new UnitVector(1, 0);
 
-  /** Whether a circle whose centre is at (x, y) overlaps the obstacle. */
+  /** Tells whether a circle whose centre is at (x, y) overlaps the obstacle. */
   private interface Overlap {
     boolean at(double x, double y);
   }
 
-  /** That of a circle from a disk. */
+  /** Returns the separation of a circle from a disk. */
   static Separation ofDisk(double x, double y, double r, double cx, double cy, double radius) {
     Overlap overlap = (atX, atY) -> DiskSweep.overlaps(atX, atY, r, cx, cy, radius);
     if (!overlap.at(x, y)) {
@@ -46,7 +46,7 @@ record Separation(double x, double y) {
     return out(x, y, overlap, n, radiusSum - distance, size + radiusSum);
   }
 
-  /** That of a circle from a line. */
+  /** Returns the separation of a circle from a line. */
   static Separation ofLine(
       double x, double y, double r, double ax, double ay, double bx, double by) {
     Overlap overlap = (atX, atY) -> SegmentSweep.overlaps(atX, atY, r, ax, ay, bx, by);

@@ -10,25 +10,26 @@ import java.io.InputStream;
 import java.io.OutputStream;
 
 /**
- * A copy of everything that determines the future of a {@link World}: for save games, and for going
- * back when a network tells what should have happened. Immutable, safe for use by several threads.
+ * A {@code Snapshot} is a copy of everything that determines the future of a {@link World}. It
+ * serves saved games, and netcode that goes back to play a late input. Immutable, safe for use by
+ * several threads.
  *
  * <pre>{@code
  * World world =
  *     new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
  * Snapshot saved = world.snapshot();
- * world.step(6);
+ * System.out.println(world.step(6) + ", " + world.x(0)); // true, 82.0
  * world.restore(saved);
  * world.setVelocity(0, 0, 3);
- * world.step(6);
- * System.out.println(world.x(0) + ", " + world.y(0)); // 50.0, 68.0
+ * System.out.println(world.step(6) + ", " + world.y(0)); // true, 68.0
  * }</pre>
  *
- * <p>A world into which a snapshot is restored goes on as the one it was taken from, bit for bit;
- * equal snapshots mean equal futures. Two worlds with equal snapshots that get the same edits and
- * steps have equal snapshots at every moment, so a game can compare two machines. What a world
- * remembers only to be fast is not in it: after {@link World#restore World.restore} the next step
- * searches once for every circle. Nor is the log of the last step.
+ * <p>A world into which a snapshot is restored goes on as the one it was taken from, bit for bit.
+ * Equal snapshots mean equal futures. Two worlds with equal snapshots that get the same edits and
+ * steps have equal snapshots at every moment, so a game can compare two machines.
+ *
+ * <p>Two things are not in it: the log of the last step, and caches. So after {@link World#restore
+ * World.restore} the next step searches once for every circle.
  */
 public final class Snapshot {
 
@@ -39,7 +40,7 @@ public final class Snapshot {
   }
 
   /**
-   * The time at which it was taken.
+   * Returns the time at which the snapshot was taken.
    *
    * @return at least 0
    */
@@ -53,17 +54,18 @@ public final class Snapshot {
    * @param in where to read, buffered for speed; it is not closed, and read no further than the
    *     snapshot goes
    * @return the snapshot
-   * @throws IOException if reading fails, or what is read is not a whole snapshot as {@link #write}
-   *     wrote it, of a version that this library knows; the message tells what is wrong
+   * @throws IOException if reading fails, or if the bytes are not a whole snapshot, written by
+   *     {@link #write} in a version that this library knows; the message says what is wrong
    */
   public static Snapshot read(InputStream in) throws IOException {
     return new Snapshot(new SnapshotReader(Check.notNull("in", in)).read());
   }
 
   /**
-   * Writes this snapshot in a format of its own, with a version and a check sum: 125 bytes a circle
-   * (4 more for each thing that it is jammed by), 41 a line, 33 a peg, 1 for each line or peg that
-   * was removed, and about 110 for the rest.
+   * Writes this snapshot in a format of its own, with a version and a check sum.
+   *
+   * <p>It takes 125 bytes a circle, 41 a line, 33 a peg, 1 for each line or peg that was removed,
+   * and about 110 for the rest. A circle takes 4 more for each thing that it is jammed by.
    *
    * @param out where to write, buffered for speed; it is neither flushed nor closed
    * @throws IOException if writing fails
@@ -73,9 +75,12 @@ public final class Snapshot {
   }
 
   /**
-   * Two snapshots are equal if they hold the same, to the bit; then their futures are equal (but
-   * where circles that collide outrun the clock, see {@link World} on accuracy). Those of two
-   * worlds that went the same way in steps of different lengths are equal, too.
+   * Tells whether another snapshot holds the same, to the bit. Then the futures of the two are
+   * equal.
+   *
+   * <p>Worlds that went the same way in steps of different lengths have equal snapshots. The
+   * exception to equal futures are circles that collide so fast that they <a
+   * href="doc-files/rules.html#extreme">outrun the clock</a>.
    *
    * @param other any object
    * @return whether it is an equal snapshot

@@ -8,8 +8,8 @@ import dev.carom.internal.util.Check;
 import java.util.Optional;
 
 /**
- * The detector: when does a moving circle first touch an obstacle, or another moving circle? Pure
- * functions, without a world.
+ * {@code SweptCircle} is the detector: it tells when a moving circle first touches an obstacle or
+ * another moving circle. Pure functions, without a world.
  *
  * <pre>{@code
  * // A circle of radius 5 at (-15, 4), 20 a second to the right; a line from (0, 0) to (0, 10).
@@ -19,38 +19,37 @@ import java.util.Optional;
  * System.out.println(impact.feature() + ", " + impact.normal()); // SIDE, Vec2[x=-1.0, y=0.0]
  * }</pre>
  *
+ * <p>There are two forms. The hot form takes and returns doubles, {@code +infinity} for never. It
+ * allocates nothing, unless a query is so close to a tie that only exact arithmetic decides it. The
+ * friendly form, {@code cast}, takes records and returns the {@link Impact}.
+ *
  * <p><img src="doc-files/line.svg" alt="A circle that touches the side of a line, and one that
  * touches its end: the normal points from the line to the centre, which lies on a capsule around
  * the line" style="max-width:100%">
  *
- * <p>An impact is the smallest t in the closed window [0, maxTime] at which the distance between
- * the two is at most the radius and falling (strictly; judged just after t at t = 0, just before it
- * later). So:
+ * <p>An impact is the smallest t in the closed window [0, maxTime] at which the distance between the
+ * two is at most the radius and falling. Falling is strict, and judged just after t at t = 0, just
+ * before it later. So:
  *
  * <ul>
  *   <li>apart and meeting within the window: an impact at the moment of first contact;
  *   <li>touching or overlapping at the start and moving inward: an impact at 0; positions are never
- *       nudged;
+ *       corrected;
  *   <li>touching or overlapping at the start and moving apart, along, or not at all: none;
  *   <li>a graze, which reaches the radius with no speed along the normal: none;
- *   <li>the centre exactly on a line, endpoint or peg's centre at the start: none, it cannot come
- *       nearer;
+ *   <li>the centre exactly on a line, on an endpoint or on a peg's centre at the start: none, since it
+ *       cannot come nearer;
  *   <li>a point particle (radius 0) that reaches an obstacle later: an impact.
  * </ul>
  *
- * <p>Whether there is an impact, and which feature or wall is hit, is decided as if in real
- * arithmetic on the given doubles; a projection exactly on an end of a line is that end, a line of
- * zero length is its start. The time is the correctly rounded one. A time beyond the range of
- * doubles exceeds every finite maxTime; with {@code maxTime = +infinity} it is {@code +infinity},
- * which is a miss too.
+ * <p>Whether there is an impact, and which feature or wall is hit, is decided as if in real arithmetic
+ * on the given doubles. A projection exactly on an end of a line is that end; a line of zero length is
+ * its start. The time is the correctly rounded one. A time beyond the range of doubles exceeds every
+ * finite maxTime; with {@code maxTime = +infinity} it is {@code +infinity}, which is a miss too.
  *
- * <p>The hot form takes and returns doubles, {@code +infinity} = never, and allocates nothing
- * unless a query is so close to a tie that only exact arithmetic decides it. The friendly form,
- * {@code cast}, takes records and returns the {@link Impact}.
- *
- * <p>In all of them lengths share one unit, times another; coordinates and velocities are finite,
- * radii finite and at least 0, the window's end maxTime at least 0, {@code +infinity} included;
- * anything else is an {@link IllegalArgumentException} that names it.
+ * <p>Lengths share one unit, times another. Coordinates and velocities are finite, radii finite and at
+ * least 0. The end of the window, maxTime, is at least 0, {@code +infinity} included. Anything else is
+ * an {@link IllegalArgumentException} that names it.
  *
  * <p>Method: a circle against a segment is a point against a capsule, its Minkowski sum with a disk
  * (C. Ericson, Real-Time Collision Detection, 2005, 5.5). Decisions are signs of polynomials that
@@ -62,7 +61,7 @@ public final class SweptCircle {
   private SweptCircle() {}
 
   /**
-   * A moving circle against a line.
+   * Returns the time at which a moving circle hits a line.
    *
    * @param px the x coordinate of the centre
    * @param py the y coordinate of the centre
@@ -89,7 +88,7 @@ public final class SweptCircle {
   }
 
   /**
-   * A moving circle against a peg, or against a single endpoint: a peg of radius 0.
+   * Returns the time at which a moving circle hits a peg, or a single endpoint: a peg of radius 0.
    *
    * @param px the x coordinate of the centre
    * @param py the y coordinate of the centre
@@ -117,7 +116,7 @@ public final class SweptCircle {
   }
 
   /**
-   * A moving circle against the four walls around it.
+   * Returns the time at which a moving circle hits the first of the four walls around it.
    *
    * @param px the x coordinate of the centre
    * @param py the y coordinate of the centre
@@ -149,7 +148,7 @@ public final class SweptCircle {
   }
 
   /**
-   * Two moving circles.
+   * Returns the time at which two moving circles hit each other.
    *
    * @param x1 the x coordinate of the first circle's centre
    * @param y1 the y coordinate of the first circle's centre
@@ -183,14 +182,13 @@ public final class SweptCircle {
   }
 
   /**
-   * A moving circle against an obstacle of any kind.
+   * Finds the first impact of a moving circle with an obstacle of any kind.
    *
    * @param circle the circle at the start of its motion
    * @param velocity its velocity
    * @param obstacle a line, an endpoint, a peg or bounds; of bounds the wall that is hit first is
-   *     reported, as {@link Feature#SIDE}: exactly the earliest one, the vertical one of two that
-   * are
-   *     hit at exactly the same time
+   *     reported, as {@link Feature#SIDE}: exactly the earliest one, and the vertical one of two that
+   *     are hit at exactly the same time
    * @param maxTime the end of the window
    * @return the impact, empty for a miss
    * @throws IllegalArgumentException if maxTime is NaN or negative
@@ -212,7 +210,7 @@ public final class SweptCircle {
   }
 
   /**
-   * Two moving circles.
+   * Finds the first impact of two moving circles with each other.
    *
    * @param first the first circle at the start of its motion
    * @param v1 its velocity
@@ -233,7 +231,7 @@ public final class SweptCircle {
   }
 
   /**
-   * Whether two circles overlap: the distance of their centres is less than r1 + r2, exactly.
+   * Tells whether two circles overlap: the distance of their centres is less than r1 + r2, exactly.
    * Touching is not overlapping.
    *
    * @param x1 the x coordinate of the first circle's centre
@@ -242,7 +240,7 @@ public final class SweptCircle {
    * @param x2 the x coordinate of the second circle's centre
    * @param y2 the y coordinate of the second circle's centre
    * @param r2 the radius of the second circle
-   * @return whether they overlap
+   * @return true if they overlap
    * @throws IllegalArgumentException if a number is outside its range
    */
   public static boolean overlaps(
@@ -259,11 +257,13 @@ public final class SweptCircle {
   }
 
   /**
-   * The least translation that moves a circle out of another one, or out of a peg, so that they
-   * touch: from the other's centre, of concentric ones along +x. If x and y are added to the
-   * circle's centre in doubles, the two do not {@linkplain #overlaps overlap}. To make sure of that
-   * it may exceed the least translation, by at most 8 ulps of the sum of the largest coordinate and
-   * the radii.
+   * Returns the least translation that moves a circle out of another circle, or out of a peg, so that
+   * they touch.
+   *
+   * <p>It points away from the other's centre, or along +x if the two are concentric. If x and y are
+   * added to the circle's centre in doubles, the two do not {@linkplain #overlaps overlap}. To make sure
+   * of that it may exceed the least translation, by at most 8 ulps of the sum of the largest coordinate
+   * and the radii.
    *
    * @param circle the circle to be moved
    * @param other the one that stays
@@ -280,11 +280,13 @@ public final class SweptCircle {
   }
 
   /**
-   * The least translation that moves a circle out of a line, ends included, so that they touch:
-   * from the line's nearest point, along its left normal if the centre is exactly on it, and along
-   * +x if the line has no length either. If x and y are added to the circle's centre in doubles,
-   * its distance from the line is not less than its radius. To make sure of that it may exceed the
-   * least translation, by at most 8 ulps of the sum of the largest coordinate and the radius.
+   * Returns the least translation that moves a circle out of a line, ends included, so that they touch.
+   *
+   * <p>It points away from the line's nearest point. If the centre is exactly on the line, it points
+   * along the line's left normal, or along +x if the line has no length. If x and y are added to the
+   * circle's centre in doubles, its distance from the line is not less than its radius. To make sure of
+   * that it may exceed the least translation, by at most 8 ulps of the sum of the largest coordinate and
+   * the radius.
    *
    * @param circle the circle to be moved
    * @param line the line

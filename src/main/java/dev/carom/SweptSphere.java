@@ -7,22 +7,21 @@ import dev.carom.internal.sweep.SphereSweep;
 import dev.carom.internal.util.Check;
 
 /**
- * The detector in space: when do two moving spheres first touch, do they overlap, and how do they
- * part? Pure functions on doubles, without a world.
+ * {@code SweptSphere} is the detector in space: it tells when two moving spheres first touch, whether
+ * they overlap, and how they part. Pure functions on doubles, without a world.
  *
  * <pre>{@code
  * // Two spheres of radius 1, 10 apart, that approach each other at 4 units a second.
  * System.out.println(SweptSphere.pair(0, 0, 0, 1, 4, 0, 0, 10, 0, 0, 1, 0, 0, 0, 5)); // 2.0
  * }</pre>
  *
- * <p>An impact is defined as by {@link SweptCircle}, whose mathematics this shares: hit or miss is
- * that of real arithmetic on the given doubles, exact ties included, and the time is the correctly
- * rounded one. Spheres whose centres move in a plane z = constant are answered as circles, bit for
- * bit.
+ * <p>{@link SweptCircle} defines an impact, and its mathematics serve here too. Hit or miss is that of
+ * real arithmetic on the given doubles, exact ties included, and the time is the correctly rounded
+ * one. Spheres whose centres move in a plane z = constant are answered as circles, bit for bit.
  *
- * <p>Lengths share one unit, times another; coordinates and velocities are finite, radii finite and
- * at least 0, the window's end maxTime at least 0, {@code +infinity} included; anything else is an
- * {@link IllegalArgumentException} that names it. Nothing is allocated, unless a query is so close
+ * <p>Lengths share one unit, times another. Coordinates and velocities are finite, radii finite and at
+ * least 0. The end of the window, maxTime, is at least 0, {@code +infinity} included. Anything else is
+ * an {@link IllegalArgumentException} that names it. Nothing is allocated, unless a query is so close
  * to a tie that only exact arithmetic decides it.
  *
  * <p>Method: seen from the second sphere the first one's centre is a point that moves against a
@@ -33,7 +32,7 @@ public final class SweptSphere {
   private SweptSphere() {}
 
   /**
-   * Two moving spheres.
+   * Returns the time at which two moving spheres hit each other.
    *
    * @param x1 the x coordinate of the first sphere's centre
    * @param y1 the y coordinate of the first sphere's centre
@@ -63,7 +62,7 @@ public final class SweptSphere {
   }
 
   /**
-   * Whether two spheres overlap: the distance of their centres is less than r1 + r2, exactly.
+   * Tells whether two spheres overlap: the distance of their centres is less than r1 + r2, exactly.
    * Touching is not overlapping.
    *
    * @param x1 the x coordinate of the first sphere's centre
@@ -84,16 +83,18 @@ public final class SweptSphere {
   }
 
   /**
-   * The velocities of two spheres after an impact. Along the line of centres {@code d = c1 - c2}
-   * the relative velocity {@code u = v1 - v2} is turned round and scaled by e, with
+   * Computes the velocities of two spheres after an impact, in place.
+   *
+   * <p>Along the line of centres {@code d = c1 - c2} the relative velocity {@code u = v1 - v2} is
+   * reversed and scaled by e, with
    *
    * <pre>
    *   J = (1 + e) (u.d) / (d.d),  v1 -= m2 / (m1 + m2) J d,  v2 += m1 / (m1 + m2) J d
    * </pre>
    *
    * (H. Goldstein, Classical Mechanics, 1980, 3.11). Each component is rounded once, after d and u
-   * were; beyond the range of doubles it is infinite. A sphere of infinite mass goes on as it was;
-   * two of them pass through each other. Spheres that do not approach each other, {@code u.d >= 0},
+   * were; beyond the range of doubles it is infinite. A sphere of infinite mass goes on as it was; two
+   * of them pass through each other. Spheres that do not approach each other, {@code u.d >= 0},
    * concentric ones among them, keep their velocities.
    *
    * @param x1 the x coordinate of the first sphere's centre

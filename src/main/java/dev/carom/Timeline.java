@@ -9,23 +9,26 @@ import dev.carom.internal.util.Kind;
 import java.util.Optional;
 
 /**
- * The recorded flights of a world's circles: where each was, and how it moved, at any moment from
- * the start of the recording to now, forwards and backwards, to the bit as the world gave it when
- * it stood there: after the edits of that moment, and the impacts that they brought about at once.
- * It takes 56 bytes a flight, so its size follows the impacts, not the steps; it is bounded, and so
- * is what is kept of circles that were removed: see {@link World#record World.record}. Where lines
- * and pegs were is recorded too, at their changes.
+ * A {@code Timeline} holds the recorded flights of a world's circles. It tells where each circle
+ * was, and how it moved, at any moment from the start of the recording to now.
  *
  * <pre>{@code
  * World world =
  *     new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
  * Timeline past = world.record(100);
- * world.step(6);
- * System.out.println(past.x(0, 2.5) + ", " + past.x(0, 5.5)); // 70.0, 86.0
+ * System.out.println(world.step(6) + ", " + past.x(0, 2.5) + ", " + past.x(0, 5.5)); // true, 70.0, 86.0
  * }</pre>
  *
- * <p>A world records what it does itself, and edits; when a snapshot is restored into it, the
- * recording begins anew. Not safe for use by several threads.
+ * <p>Answers are those that the world gave when it stood there, to the bit: after the edits of that
+ * moment, and after the impacts that they caused at once. The places of lines and pegs are recorded
+ * too, at their changes.
+ *
+ * <p>A flight takes 56 bytes, so the size follows the impacts and not the steps. The size is
+ * bounded, and so is the part that is kept of removed circles: see {@link World#record
+ * World.record}.
+ *
+ * <p>A world records its steps and its edits. When a snapshot is restored into it, the recording
+ * begins anew. Not safe for use by several threads.
  */
 public final class Timeline {
 
@@ -36,7 +39,7 @@ public final class Timeline {
   }
 
   /**
-   * From when on everything is known.
+   * Returns the time from which on everything is known.
    *
    * @return the time at which the recording began; later, if its bound made it drop flights, or
    *     circles that were removed
@@ -46,7 +49,7 @@ public final class Timeline {
   }
 
   /**
-   * Up to when everything is known.
+   * Returns the time up to which everything is known.
    *
    * @return the time of the world, or that at which it stopped to record
    */
@@ -55,18 +58,18 @@ public final class Timeline {
   }
 
   /**
-   * Whether a circle was there at a given time, and is recorded.
+   * Tells whether a circle existed at a given time, and is recorded.
    *
-   * @param id the circle, any number
-   * @param t a time, any number
-   * @return whether it can be asked for
+   * @param id any number
+   * @param t any number
+   * @return true if this timeline can be asked for it
    */
   public boolean contains(int id, double t) {
     return recorder.track(id, t) != null;
   }
 
   /**
-   * The x coordinate of a circle's centre at a given time.
+   * Returns the x coordinate of a circle's centre at a given time.
    *
    * @param id the circle
    * @param t a time within the recording
@@ -79,7 +82,7 @@ public final class Timeline {
   }
 
   /**
-   * The y coordinate of a circle's centre at a given time.
+   * Returns the y coordinate of a circle's centre at a given time.
    *
    * @param id the circle
    * @param t a time within the recording
@@ -92,7 +95,7 @@ public final class Timeline {
   }
 
   /**
-   * The x component of a circle's velocity at a given time; at an impact, the one after it.
+   * Returns the x component of a circle's velocity at a given time; at an impact, the one after it.
    *
    * @param id the circle
    * @param t a time within the recording
@@ -105,7 +108,7 @@ public final class Timeline {
   }
 
   /**
-   * The y component of a circle's velocity at a given time; at an impact, the one after it.
+   * Returns the y component of a circle's velocity at a given time; at an impact, the one after it.
    *
    * @param id the circle
    * @param t a time within the recording
@@ -118,7 +121,7 @@ public final class Timeline {
   }
 
   /**
-   * The radius of a circle at a given time.
+   * Returns the radius of a circle at a given time.
    *
    * @param id the circle
    * @param t a time within the recording
@@ -131,7 +134,7 @@ public final class Timeline {
   }
 
   /**
-   * A line as it was at a given time.
+   * Returns a line as it was at a given time.
    *
    * @param id the line
    * @param t a time within the recording
@@ -147,7 +150,7 @@ public final class Timeline {
   }
 
   /**
-   * A peg as it was at a given time.
+   * Returns a peg as it was at a given time.
    *
    * @param id the peg
    * @param t a time within the recording

@@ -13,8 +13,9 @@ import java.util.function.IntFunction;
 import java.util.stream.Stream;
 
 /**
- * The way of one circle among obstacles: straight from impact to impact. Times count from its
- * start. A coordinate beyond the range of doubles is given as the largest one. Immutable.
+ * A {@code Trajectory} is the path of one circle among obstacles: straight from impact to impact.
+ * Times count from its start. A coordinate beyond the range of doubles is given as the largest one.
+ * Immutable.
  */
 public final class Trajectory {
 
@@ -32,7 +33,7 @@ public final class Trajectory {
   }
 
   /**
-   * The way that a tracer found.
+   * Returns the path that a tracer found.
    *
    * @param records the obstacle that a code stands for
    */
@@ -64,7 +65,7 @@ public final class Trajectory {
   }
 
   /**
-   * The impacts on the way, in the order of time.
+   * Returns the impacts on the path, in the order of time.
    *
    * @return an immutable list
    */
@@ -73,7 +74,7 @@ public final class Trajectory {
   }
 
   /**
-   * The time covered.
+   * Returns the time that the path covers.
    *
    * @return at least 0
    */
@@ -82,7 +83,7 @@ public final class Trajectory {
   }
 
   /**
-   * Whether it covers what was asked for.
+   * Tells whether the path goes on as long as was asked for.
    *
    * @return false if the budget of impacts was spent before; the duration is then the time of the
    *     last impact
@@ -92,8 +93,8 @@ public final class Trajectory {
   }
 
   /**
-   * The corners of the way, to be joined by straight lines: the centre at the start, at each
-   * impact, and at the end.
+   * Returns the corners of the path: the centre at the start, at each impact, and at the end.
+   * Straight lines join them.
    *
    * @return two points more than there are impacts
    */
@@ -102,7 +103,7 @@ public final class Trajectory {
   }
 
   /**
-   * Where the centre is at a given time.
+   * Returns the centre at a given time.
    *
    * @param t a time, 0..{@link #duration()}
    * @return the centre
@@ -113,7 +114,7 @@ public final class Trajectory {
   }
 
   /**
-   * The velocity at a given time; at an impact, the one after it.
+   * Returns the velocity at a given time; at an impact, the one after it.
    *
    * @param t a time, 0..{@link #duration()}
    * @return the velocity
@@ -125,7 +126,7 @@ public final class Trajectory {
   }
 
   /**
-   * Where the trajectory ends.
+   * Returns the centre at the end of the path.
    *
    * @return the centre at the time {@link #duration()}
    */
@@ -133,7 +134,7 @@ public final class Trajectory {
     return at(duration);
   }
 
-  /** The last flight that starts at or before t. */
+  /** Returns the last flight that starts at or before t. */
   private Flight flightAt(double t) {
     if (!(t >= 0 && t <= duration)) {
       throw Check.refused("t", t, "a time from 0 to the trajectory's duration, " + duration);
@@ -152,7 +153,7 @@ public final class Trajectory {
   }
 
   /**
-   * Two trajectories are equal if they lead the same way, by the same impacts, to the bit.
+   * Tells whether another trajectory takes the same path, with the same impacts, to the bit.
    *
    * @param other any object
    * @return whether it is an equal trajectory

@@ -5,10 +5,10 @@ import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.util.Check;
 
 /**
- * A point or a vector of the plane: a position, a velocity or a direction.
+ * A {@code Vec2} is a point or a vector of the plane: a position, a velocity or a direction.
  *
  * <p>Units are the caller's: lengths in one unit of length, velocities in that unit per unit of
- * time. The x axis points right; whether y points up or down is the caller's choice, see the
+ * time. The x axis points right. Whether y points up or down is the caller's choice: see the
  * conventions of {@linkplain dev.carom this package}.
  *
  * @param x the first component, finite
@@ -16,7 +16,7 @@ import dev.carom.internal.util.Check;
  */
 public record Vec2(double x, double y) {
 
-  /** The origin, and the velocity of rest. */
+  /** The origin, which is also the velocity of a circle at rest. */
   public static final Vec2 ZERO = new Vec2(0, 0);
 
   /**
@@ -31,13 +31,15 @@ public record Vec2(double x, double y) {
     Check.finite("y", y);
   }
 
-  /** The point (x, y), with coordinates {@linkplain Coordinates#within within} the doubles. */
+  /**
+   * Returns the point (x, y), with coordinates {@linkplain Coordinates#within within} the doubles.
+   */
   static Vec2 within(double x, double y) {
     return new Vec2(Coordinates.within(x), Coordinates.within(y));
   }
 
   /**
-   * The length of this vector.
+   * Returns the length of this vector.
    *
    * @return {@code sqrt(x^2 + y^2)}, without intermediate overflow; infinite if it exceeds the
    *     range of a double

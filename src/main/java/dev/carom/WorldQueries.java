@@ -18,7 +18,7 @@ import dev.carom.internal.util.Index;
 import java.util.Optional;
 import java.util.stream.IntStream;
 
-/** What can be asked of a world without moving anything. */
+/** Answers questions about a world. Nothing moves by them. */
 final class WorldQueries {
 
   private final ObstacleTable obstacles;

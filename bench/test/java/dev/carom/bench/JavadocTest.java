@@ -10,8 +10,10 @@ import java.lang.reflect.Field;
 import java.lang.reflect.Method;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -29,7 +31,11 @@ class JavadocTest {
       Pattern.compile("<pre>\\{@code\\n(.*?)\\n[ *]*\\}</pre>", Pattern.DOTALL);
   private static final Pattern RECIPE =
       Pattern.compile("<pre><code>(.*?)</code></pre>", Pattern.DOTALL);
+  private static final Pattern UNCHECKED =
+      Pattern.compile("^ *(\\w+\\.(?:step|advanceTo)\\w*\\(.*\\);)", Pattern.MULTILINE);
   private static final Pattern LINK = Pattern.compile("href=\"([^\":]*)\"");
+  private static final Pattern COMMENT =
+      Pattern.compile("/\\*\\*(.*?)\\*/\\s*(?:@Override\\s*)?(.*)", Pattern.DOTALL);
   private static final Pattern PRINTED =
       Pattern.compile("System\\.out\\.println\\(.*\\); // (.*)$", Pattern.MULTILINE);
   private static final Pattern SCENE =
@@ -45,6 +51,13 @@ class JavadocTest {
         texts().flatMap(file -> samples(file).map(text -> test(file, text))).toList();
     assertThat(tests).hasSizeGreaterThan(7);
     return tests.stream();
+  }
+
+  /** A step may return unfinished: no sample shows a call whose answer is thrown away. */
+  @Test
+  void samplesLookAtWhatAStepReturns() throws IOException {
+    assertThat(texts().flatMap(JavadocTest::samples).flatMap(text -> find(UNCHECKED, text)))
+        .isEmpty();
   }
 
   @Test
@@ -105,6 +118,46 @@ class JavadocTest {
         + Stream.of(method.getParameterTypes())
             .map(Class::getTypeName)
             .collect(Collectors.joining(",", "(", ")"));
+  }
+
+  /** Of types and members of the public package: short, no riddle, and methods say what they do. */
+  @Test
+  void firstSentencesAreComplete() throws IOException {
+    List<String> wrong = new ArrayList<>();
+    try (Stream<Path> files = Files.list(SOURCES)) {
+      for (Path file : files.filter(f -> f.toString().endsWith(".java")).toList()) {
+        for (String part : read(file).split("(?=/\\*\\*)", -1)) {
+          Matcher comment = COMMENT.matcher(part);
+          if (comment.lookingAt()) {
+            String sentence = firstSentence(comment.group(1));
+            String declaration = comment.group(2).lines().findFirst().orElse("");
+            if (!isComplete(sentence, declaration)) {
+              wrong.add(file.getFileName() + ": " + sentence);
+            }
+          }
+        }
+      }
+    }
+    assertThat(wrong).isEmpty();
+  }
+
+  private static boolean isComplete(String sentence, String declaration) {
+    int words = sentence.split(" ", -1).length;
+    boolean method = declaration.matches(" *public (?!.*record |.*class |.*=).*\\(.*");
+    return words >= 3
+        && words <= 28
+        && !sentence.matches("(What|Who|Whether|Of|When|Which|How|Where|Why|That|Those)\\b.*")
+        && (!method || sentence.matches("[A-Z][a-z]+s\\b.*"));
+  }
+
+  private static String firstSentence(String comment) {
+    String text =
+        plain(comment)
+            .replaceAll("\\{@\\w+ (\\S*?)( [^}]*)?\\}", "$1")
+            .replaceAll("(?s)\n@.*|<p>.*|<pre>.*|<ul>.*", "")
+            .replaceAll("\\s+", " ")
+            .strip();
+    return text.replaceAll("(?<=[.?!]) .*", "");
   }
 
   private DynamicTest test(Path file, String text) {
