@@ -21,7 +21,7 @@ import java.util.function.IntConsumer;
  * Draws a scene and its circles on anything that Java can draw on: a window, an image, an SVG. What
  * is solid is dark, what moves is blue; an arrow starts at the centre of its circle and ends where
  * the centre would be some time later, were nothing in the way. A circle that glows is orange with
- * a heavier outline.
+ * a heavier outline; one that was given a colour has that one.
  *
  * <p>Widths are in pixels at any scale, and nothing is so small that it vanishes. Immutable.
  */
@@ -37,18 +37,20 @@ public final class SceneDrawing {
   private static final double MARGIN = 20;
 
   private static final double ARROWHEAD = 5;
-  private static final Color ARROW = Style.mix(Style.BLUE, Style.INK, 0.5);
 
   private final Scene scene;
   private final Rectangle2D extent;
   private final double arrowTime;
   private final double margin;
+  private final Style.Scheme scheme;
 
-  private SceneDrawing(Scene scene, Rectangle2D extent, double arrowTime, double margin) {
+  private SceneDrawing(
+      Scene scene, Rectangle2D extent, double arrowTime, double margin, Style.Scheme scheme) {
     this.scene = scene;
     this.extent = extent;
     this.arrowTime = arrowTime;
     this.margin = margin;
+    this.scheme = scheme;
   }
 
   /**
@@ -60,7 +62,8 @@ public final class SceneDrawing {
   public static SceneDrawing of(Scene scene) {
     Rectangle2D extent = SceneExtent.of(scene);
     double longest = LONGEST_ARROW * Math.hypot(extent.getWidth(), extent.getHeight());
-    return new SceneDrawing(scene, extent, roundDown(longest / fastest(scene)), MARGIN);
+    double time = roundDown(longest / fastest(scene));
+    return new SceneDrawing(scene, extent, time, MARGIN, Style.Scheme.LIGHT);
   }
 
   /**
@@ -70,7 +73,7 @@ public final class SceneDrawing {
    * @return the drawing, to the same scale
    */
   public SceneDrawing withScene(Scene other) {
-    return new SceneDrawing(other, extent, arrowTime, margin);
+    return new SceneDrawing(other, extent, arrowTime, margin, scheme);
   }
 
   /**
@@ -80,7 +83,7 @@ public final class SceneDrawing {
    * @return the drawing
    */
   public SceneDrawing withArrowTime(double time) {
-    return new SceneDrawing(scene, extent, time, margin);
+    return new SceneDrawing(scene, extent, time, margin, scheme);
   }
 
   /**
@@ -90,7 +93,17 @@ public final class SceneDrawing {
    * @return the drawing
    */
   public SceneDrawing withMargin(double pixels) {
-    return new SceneDrawing(scene, extent, arrowTime, pixels);
+    return new SceneDrawing(scene, extent, arrowTime, pixels, scheme);
+  }
+
+  /**
+   * The same in other colours.
+   *
+   * @param other for light or dark
+   * @return the drawing
+   */
+  public SceneDrawing withScheme(Style.Scheme other) {
+    return new SceneDrawing(scene, extent, arrowTime, margin, other);
   }
 
   /**
@@ -164,7 +177,7 @@ public final class SceneDrawing {
     Bounds b = scene.bounds().get();
     Rectangle2D floor = new Rectangle2D.Double();
     floor.setFrameFromDiagonal(point(map, b.xmin(), b.ymin()), point(map, b.xmax(), b.ymax()));
-    g.setColor(Style.FLOOR);
+    g.setColor(scheme.floor());
     g.fill(floor);
     double half = Style.FIRM / 2; // the inner edge of the line is the wall
     floor.setFrameFromDiagonal(
@@ -172,13 +185,13 @@ public final class SceneDrawing {
         floor.getMinY() - half,
         floor.getMaxX() + half,
         floor.getMaxY() + half);
-    g.setColor(Style.INK);
+    g.setColor(scheme.ink());
     g.setStroke(Style.line(Style.FIRM));
     g.draw(floor);
   }
 
   private void obstacles(Graphics2D g, AffineTransform map) {
-    g.setColor(Style.INK);
+    g.setColor(scheme.ink());
     g.setStroke(Style.line(Style.FIRM));
     for (int i = 0; i < scene.pegCount(); i++) {
       Circle peg = scene.peg(i);
@@ -204,12 +217,15 @@ public final class SceneDrawing {
     }
   }
 
-  private static void circle(Graphics2D g, AffineTransform map, Still still, int i) {
+  private void circle(Graphics2D g, AffineTransform map, Still still, int i) {
     Ellipse2D disk = disk(map, still.x(i), still.y(i), still.radius(i));
     boolean glows = still.glows(i);
-    g.setColor(glows ? Style.veil(Style.ORANGE, 0.8) : Style.veil(Style.SKY, 0.4));
+    Color own = still.color(i);
+    Color rest = own == null ? Style.veil(Style.SKY, 0.4) : own;
+    g.setColor(glows ? Style.veil(Style.ORANGE, 0.8) : rest);
     g.fill(disk);
-    g.setColor(glows ? Style.VERMILION : Style.BLUE);
+    Color rim = own == null ? scheme.rim() : Style.mix(own, scheme.ink(), 0.35);
+    g.setColor(glows ? Style.VERMILION : rim);
     g.setStroke(Style.line(glows ? Style.FIRM : Style.THIN));
     g.draw(disk);
   }
@@ -221,7 +237,7 @@ public final class SceneDrawing {
     }
     Point2D from = ahead(map, still, i, 0);
     Point2D to = ahead(map, still, i, arrowTime);
-    g.setColor(ARROW);
+    g.setColor(Style.mix(scheme.rim(), scheme.ink(), 0.5));
     g.setStroke(Style.line(Style.THIN));
     g.draw(new Line2D.Double(from, between(from, to, 1 - Math.min(1, 3 / from.distance(to)))));
     g.fill(head(from, to));

@@ -3,7 +3,10 @@ package dev.carom.bench.charts;
 
 import dev.carom.Scene;
 import dev.carom.World;
+import java.awt.Color;
 import java.util.BitSet;
+import java.util.function.IntFunction;
+import java.util.function.IntPredicate;
 
 /** The circles of a scene at one moment, kept: where they are, how they move, which ones glow. */
 public final class Still {
@@ -13,9 +16,11 @@ public final class Still {
 
   private final double[] numbers;
   private final BitSet glowing = new BitSet();
+  private final Color[] colors;
 
   private Still(int circles) {
     numbers = new double[CIRCLE * circles];
+    colors = new Color[circles];
   }
 
   /**
@@ -64,6 +69,42 @@ public final class Still {
     return still;
   }
 
+  /**
+   * The same circles, some of which glow.
+   *
+   * @param glows whether the circle of that number does
+   * @return its circles; their colours stay
+   */
+  public Still glowing(IntPredicate glows) {
+    Still still = copy();
+    for (int i = 0; i < count(); i++) {
+      still.glowing.set(i, glows.test(i));
+    }
+    return still;
+  }
+
+  /**
+   * The same circles in colours.
+   *
+   * @param color of the circle of that number; null for the usual one
+   * @return its circles; those that glow still do
+   */
+  public Still colored(IntFunction<Color> color) {
+    Still still = copy();
+    for (int i = 0; i < count(); i++) {
+      still.colors[i] = color.apply(i);
+    }
+    return still;
+  }
+
+  private Still copy() {
+    Still still = new Still(count());
+    System.arraycopy(numbers, 0, still.numbers, 0, numbers.length);
+    System.arraycopy(colors, 0, still.colors, 0, colors.length);
+    still.glowing.or(glowing);
+    return still;
+  }
+
   private void set(int i, double x, double y, double radius, double vx, double vy) {
     int k = CIRCLE * i;
     numbers[k] = x;
@@ -100,6 +141,11 @@ public final class Still {
 
   double vy(int i) {
     return numbers[CIRCLE * i + 4];
+  }
+
+  /** Null for the usual one. */
+  Color color(int i) {
+    return colors[i];
   }
 
   boolean glows(int i) {

@@ -15,6 +15,33 @@ import java.awt.font.FontRenderContext;
  */
 public final class Style {
 
+  /**
+   * The colours of a drawing that depend on whether it is light or dark.
+   *
+   * @param paper what everything is drawn on
+   * @param floor the inside of a scene
+   * @param ink text and obstacles
+   * @param quiet text beside the point, still readable on the paper
+   * @param grid lines of a grid
+   * @param rim the outline of a circle
+   */
+  public record Scheme(Color paper, Color floor, Color ink, Color quiet, Color grid, Color rim) {
+
+    /** Dark on light: that of charts and of printed pictures. */
+    public static final Scheme LIGHT =
+        new Scheme(Style.PAPER, Style.FLOOR, Style.INK, Style.QUIET, Style.GRID, Style.BLUE);
+
+    /** Light on dark, for windows. */
+    public static final Scheme DARK =
+        new Scheme(
+            new Color(0x1B1D21),
+            new Color(0x24272C),
+            new Color(0xE8E6E1),
+            new Color(0xA3A8AF),
+            new Color(0x3A3F46),
+            Style.SKY);
+  }
+
   /** Okabe-Ito blue. */
   public static final Color BLUE = new Color(0x0072B2);
 

@@ -95,6 +95,21 @@ class SceneDrawingTest {
   }
 
   @Test
+  void aCircleHasTheColourThatItWasGivenUnlessItGlows() {
+    Still green = Still.of(SCENE).colored(i -> Style.GREEN);
+    SceneDrawing drawing = SceneDrawing.of(SCENE).withArrowTime(0);
+    assertThat(at(draw(drawing, green), 80, 48)).isEqualTo(Style.GREEN);
+    Color glowing = at(draw(drawing, green.glowing(i -> true)), 80, 48);
+    assertThat(glowing.getRed()).isGreaterThan(glowing.getGreen());
+  }
+
+  @Test
+  void aDarkSchemeHasALightInkOnADarkFloor() {
+    SceneDrawing dark = SceneDrawing.of(SCENE).withScheme(Style.Scheme.DARK);
+    assertThat(at(draw(dark, Still.of(SCENE)), 80, 15)).isEqualTo(Style.Scheme.DARK.floor());
+  }
+
+  @Test
   void nothingIsDrawnOutsideTheArea() {
     Scene open = Scene.builder().circle(0, 0, 1, 0, 0).circle(1, 0, 1, 0, -1000).build();
     World world = new World(open);
