@@ -81,6 +81,11 @@ final class SceneOptions {
         .formatted(seed, circles, crosses, Decimals.plain(radius), speeds);
   }
 
+  /** A short name for the scene: its file without the folder, or what it was generated from. */
+  String title() {
+    return file == null || file.getFileName() == null ? name() : file.getFileName().toString();
+  }
+
   Scene scene() throws IOException, CannotPlaceException {
     if (file == null) {
       return generator().scene();

@@ -4,6 +4,7 @@ package dev.carom.bench.cli;
 import dev.carom.Scene;
 import dev.carom.bench.charts.Style;
 import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.view.Look;
 import dev.carom.bench.view.Player;
 import dev.carom.bench.view.ViewWindow;
 import java.io.IOException;
@@ -20,8 +21,9 @@ import picocli.CommandLine.Spec;
     description = {
       "Opens a window on the experiment, or on a scene file.",
       "Run, pause, one frame, one impact; scrub through the past; trails, normals, coordinates;"
-          + " drag circles, lines and their ends; load and save.",
-      "Space runs and pauses, the right arrow goes on by one frame, I by one impact."
+          + " zoom and pan; drag, throw, add and delete; load and save.",
+      "Space runs and pauses, the right arrow goes on by one frame, I by one impact; ? tells all"
+          + " keys."
     },
     mixinStandardHelpOptions = true,
     sortOptions = false)
@@ -45,7 +47,8 @@ final class ViewCommand implements Callable<Integer> {
     Windows.show(
         () -> {
           Style.requireFonts();
-          return ViewWindow.of("Carom: " + scenes.name(), new Player(scene, dt));
+          Look.install();
+          return ViewWindow.of(scenes.title(), new Player(scene, dt));
         });
     return 0;
   }

@@ -7,39 +7,71 @@ import dev.carom.ObstacleKind;
 import dev.carom.Vec2;
 import dev.carom.World;
 
-/** What the mouse holds: a circle, a line as a whole, or one of its ends. */
+/**
+ * What the mouse holds: a circle, a peg, a line as a whole, or one of its ends. A circle that is
+ * let go of while it moves is thrown.
+ */
 final class Grip {
 
   private enum Part {
-    CIRCLE,
-    LINE,
-    START,
-    END
+    CIRCLE(ObstacleKind.CIRCLE),
+    PEG(ObstacleKind.PEG),
+    LINE(ObstacleKind.LINE),
+    START(ObstacleKind.LINE),
+    END(ObstacleKind.LINE);
+
+    private final ObstacleKind kind;
+
+    Part(ObstacleKind kind) {
+      this.kind = kind;
+    }
   }
+
+  private static final double NANOS_A_TICK = 1e9 / 60;
+
+  /** A mouse that rested for so long before it let go throws nothing. */
+  private static final long STILL = 80_000_000;
 
   private final Player player;
   private final Part part;
   private final int id;
-  private Vec2 last;
 
-  private Grip(Player player, Part part, int id, Vec2 at) {
+  /** Of a circle, before it was held. */
+  private final Vec2 velocity;
+
+  private Vec2 last;
+  private Vec2 place;
+  private Vec2 pace = Vec2.ZERO;
+  private long moved;
+  private boolean carried;
+
+  private Grip(Player player, Part part, int id, Vec2 at, Vec2 place, Vec2 velocity) {
     this.player = player;
     this.part = part;
     this.id = id;
+    this.velocity = velocity;
+    this.place = place;
     last = at;
   }
 
   /**
-   * Takes hold of what lies at a point: circles first.
+   * Takes hold of what lies at a point: circles first, then pegs.
    *
    * @param reach how far beside it the point may lie
    * @return null if nothing is there
    */
   static Grip at(Player player, Vec2 point, double reach) {
     World world = player.look();
-    int[] circles = world.overlapping(ObstacleKind.CIRCLE, new Circle(point.x(), point.y(), reach));
-    if (circles.length > 0) {
-      return new Grip(player, Part.CIRCLE, circles[circles.length - 1], point);
+    Circle around = new Circle(point.x(), point.y(), reach);
+    int circle = last(world.overlapping(ObstacleKind.CIRCLE, around));
+    if (circle >= 0) {
+      Vec2 place = new Vec2(world.x(circle), world.y(circle));
+      Vec2 velocity = new Vec2(world.vx(circle), world.vy(circle));
+      return new Grip(player, Part.CIRCLE, circle, point, place, velocity);
+    }
+    int peg = last(world.overlapping(ObstacleKind.PEG, around));
+    if (peg >= 0) {
+      return new Grip(player, Part.PEG, peg, point, world.peg(peg).center(), Vec2.ZERO);
     }
     int id = world.nearest(ObstacleKind.LINE, point.x(), point.y());
     if (id < 0 || distance(world.line(id).closestPoint(point), point) > reach) {
@@ -50,27 +82,90 @@ final class Grip {
         distance(new Vec2(line.ax(), line.ay()), point) <= reach
             ? Part.START
             : distance(new Vec2(line.bx(), line.by()), point) <= reach ? Part.END : Part.LINE;
-    return new Grip(player, part, id, point);
+    return new Grip(player, part, id, point, point, Vec2.ZERO);
+  }
+
+  private static int last(int[] ids) {
+    return ids.length == 0 ? -1 : ids[ids.length - 1];
   }
 
   private static double distance(Vec2 a, Vec2 b) {
     return Math.hypot(a.x() - b.x(), a.y() - b.y());
   }
 
-  /** Moves it along with the mouse. */
-  void drag(Vec2 to) {
-    World world = player.editable();
-    double dx = to.x() - last.x();
-    double dy = to.y() - last.y();
+  /** What kind of thing it is. */
+  ObstacleKind kind() {
+    return part.kind;
+  }
+
+  int id() {
+    return id;
+  }
+
+  /** The circle as it is, with its velocity; null of anything else. */
+  String about() {
+    if (part != Part.CIRCLE) {
+      return null;
+    }
+    World world = player.look();
+    double speed = Math.hypot(world.vx(id), world.vy(id));
+    return String.format(
+        "circle %d at %.6g, %.6g; speed %.4g; radius %.4g",
+        id, world.x(id), world.y(id), speed, world.radius(id));
+  }
+
+  /** Moves it along with the mouse, at a time of the clock in nanoseconds. */
+  void drag(Vec2 to, long nanos) {
+    Vec2 by = new Vec2(to.x() - last.x(), to.y() - last.y());
     last = to;
+    double ticks = Math.max(1, nanos - moved) / NANOS_A_TICK;
+    Vec2 now = new Vec2(by.x() / ticks, by.y() / ticks);
+    // The mean with the motion before: single events of a mouse are rough.
+    pace =
+        nanos - moved > STILL
+            ? Vec2.ZERO
+            : new Vec2((pace.x() + now.x()) / 2, (pace.y() + now.y()) / 2);
+    moved = nanos;
+    move(by);
+  }
+
+  private void move(Vec2 by) {
+    Vec2 to = new Vec2(place.x() + by.x(), place.y() + by.y());
     if (part == Part.CIRCLE) {
-      player.moveCircle(id, world.x(id) + dx, world.y(id) + dy);
+      player.moveCircle(id, to.x(), to.y());
+    } else if (part == Part.PEG) {
+      player.movePeg(id, to.x(), to.y());
+    } else {
+      Line l = player.look().line(id);
+      double a = part == Part.END ? 0 : 1;
+      double b = part == Part.START ? 0 : 1;
+      player.moveLine(
+          id,
+          new Line(
+              l.ax() + a * by.x(), l.ay() + a * by.y(), l.bx() + b * by.x(), l.by() + b * by.y()));
+    }
+    place = to;
+  }
+
+  /** Keeps a circle where the mouse is while the world goes on. */
+  void hold() {
+    if (part == Part.CIRCLE) {
+      player.throwCircle(id, 0, 0);
+      player.moveCircle(id, place.x(), place.y());
+      carried = true;
+    }
+  }
+
+  /** Lets go at a time of the clock: a circle flies on as the mouse moved, or as it did before. */
+  void release(long nanos) {
+    if (part != Part.CIRCLE) {
       return;
     }
-    Line l = world.line(id);
-    double a = part == Part.END ? 0 : 1;
-    double b = part == Part.START ? 0 : 1;
-    player.moveLine(
-        id, new Line(l.ax() + a * dx, l.ay() + a * dy, l.bx() + b * dx, l.by() + b * dy));
+    boolean thrown = nanos - moved <= STILL && !pace.equals(Vec2.ZERO);
+    if (thrown) {
+      player.throwCircle(id, pace.x() / player.frame(), pace.y() / player.frame());
+    } else if (carried) {
+      player.throwCircle(id, velocity.x(), velocity.y());
+    }
   }
 }

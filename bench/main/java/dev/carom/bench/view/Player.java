@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.view;
 
-import dev.carom.ImpactLog;
 import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Timeline;
 import dev.carom.World;
+import dev.carom.bench.charts.Still;
 import dev.carom.bench.charts.WorldScene;
-import java.util.ArrayDeque;
-import java.util.Deque;
+import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
  * A run of a scene that can be stopped, looked at from its beginning to now, and changed by hand.
@@ -22,21 +24,26 @@ public final class Player {
   /** Flights that are kept of each circle. */
   private static final int FLIGHTS = 10_000;
 
-  /** Impacts that are remembered. */
-  private static final int MARKS = 100_000;
-
   /** How many frames are searched for the next impact. */
   private static final double HORIZON = 1e6;
 
+  /** Frames after which a tick looks at the clock. */
+  private static final double CHUNK = 16;
+
+  /** A tick ends after this time, so that the window still answers. */
+  private static final long TICK_NANOS = 50_000_000;
+
   private final double frame;
-  private final Deque<Mark> marks = new ArrayDeque<>();
+  private final EditTimes jumps = new EditTimes();
+  private RunHistory history = new RunHistory();
   private Scene beginning;
   private World world;
   private Timeline past;
+  private World look;
   private double shown;
   private double speed = 1;
   private boolean running;
-  private long impacts;
+  private int edits;
 
   /**
    * Starts with a scene at time 0, at rest.
@@ -55,8 +62,8 @@ public final class Player {
    * @param scene the scene
    */
   public void load(Scene scene) {
-    beginning = scene;
     begin(scene);
+    beginning = scene;
   }
 
   /** Starts anew with the scene that was loaded last. */
@@ -67,9 +74,15 @@ public final class Player {
   private void begin(Scene scene) {
     world = new World(scene);
     past = world.record(FLIGHTS);
-    marks.clear();
-    impacts = 0;
+    history = new RunHistory();
+    jumps.clear();
     shown = 0;
+    changed();
+  }
+
+  private void changed() {
+    look = null;
+    edits++;
   }
 
   /**
@@ -99,7 +112,7 @@ public final class Player {
     this.speed = speed;
   }
 
-  /** Goes on by one tick, if it runs. */
+  /** Goes on by one tick, if it runs: less far if that takes too long. */
   public void tick() {
     if (running) {
       goTo(shown + speed * frame);
@@ -113,24 +126,26 @@ public final class Player {
   }
 
   private void goTo(double t) {
-    if (t > world.now()) {
-      advance(t);
-      shown = world.now();
-    } else {
+    look = null;
+    if (t <= world.now()) {
       shown = t;
+      return;
     }
+    long end = System.nanoTime() + TICK_NANOS;
+    boolean reached = true;
+    while (reached && world.now() < t && System.nanoTime() < end) {
+      reached = advance(Math.min(t, world.now() + CHUNK * frame));
+    }
+    shown = world.now();
   }
 
-  private void advance(double t) {
-    world.advanceTo(t); // if it stops before, it goes on with the next tick
-    ImpactLog log = world.impacts();
-    impacts += log.size();
-    for (int row = 0; row < log.size(); row++) {
-      marks.add(Mark.of(log, row));
-    }
-    while (marks.size() > MARKS) {
-      marks.remove();
-    }
+  /** If the world stops before, it goes on with the next call. */
+  private boolean advance(double t) {
+    double from = world.now();
+    long start = System.nanoTime();
+    boolean reached = world.advanceTo(t);
+    history.add(from, world.now(), System.nanoTime() - start, world.impacts());
+    return reached;
   }
 
   /**
@@ -140,23 +155,27 @@ public final class Player {
    */
   public boolean nextImpact() {
     running = false;
-    for (Mark mark : marks) {
-      if (mark.time() > shown) {
-        shown = Math.min(mark.time(), world.now());
-        return true;
-      }
+    look = null;
+    double recorded = history.next(shown);
+    if (recorded < Double.POSITIVE_INFINITY) {
+      shown = Math.min(recorded, world.now());
+      return true;
     }
     double t = timeOfNextImpact();
     if (t == Double.POSITIVE_INFINITY) {
       return false;
     }
-    long before = impacts;
+    long before = allImpacts();
     advance(t);
-    while (impacts == before) { // the log's time is the nearest double, which may be earlier
+    while (allImpacts() == before) { // the log's time is the nearest double, which may be earlier
       advance(Math.nextUp(world.now()));
     }
     shown = world.now();
     return true;
+  }
+
+  private long allImpacts() {
+    return history.impacts(Double.POSITIVE_INFINITY);
   }
 
   /** A second world looks ahead, so that this one need not come back. */
@@ -179,6 +198,7 @@ public final class Player {
    */
   public void seek(double t) {
     running = false;
+    look = null;
     shown = Math.max(start(), Math.min(end(), t));
   }
 
@@ -209,13 +229,18 @@ public final class Player {
     return Math.max(shown, start());
   }
 
+  /** Whether what is shown is where the run ends. */
+  private boolean isPresent() {
+    return shown() >= world.now();
+  }
+
   /**
-   * The impacts so far.
+   * The impacts up to the moment shown.
    *
    * @return at least 0
    */
   public long impacts() {
-    return impacts;
+    return isPresent() ? allImpacts() : history.impacts(shown());
   }
 
   /**
@@ -224,8 +249,31 @@ public final class Player {
    * @return a scene
    */
   public Scene scene() {
-    boolean present = shown() == world.now();
-    return present ? WorldScene.of(world) : WorldScene.of(world, past, shown());
+    return isPresent() ? WorldScene.of(world) : WorldScene.of(world, past, shown());
+  }
+
+  /** The ids of the circles of {@link #scene}, in their order there. */
+  int[] circleIds() {
+    double t = shown();
+    return isPresent()
+        ? Arrays.stream(world.ids(ObstacleKind.CIRCLE))
+            .filter(id -> Double.isFinite(world.x(id)) && Double.isFinite(world.y(id)))
+            .toArray()
+        : IntStream.range(0, circles())
+            .filter(
+                id ->
+                    past.contains(id, t)
+                        && Double.isFinite(past.x(id, t))
+                        && Double.isFinite(past.y(id, t)))
+            .toArray();
+  }
+
+  /** The circles of the moment shown; those that hit something in the last frames glow. */
+  Still still(Scene scene, double frames) {
+    Set<Integer> lately = new HashSet<>();
+    marks(frames * frame, Integer.MAX_VALUE).forEach(mark -> lately.add(mark.circle()));
+    int[] ids = circleIds();
+    return Still.of(scene).glowing(i -> lately.contains(ids[i]));
   }
 
   /**
@@ -237,9 +285,15 @@ public final class Player {
     return world.engineDescription();
   }
 
-  /** The impacts of the time before the moment shown. */
-  List<Mark> marks(double time) {
-    return marks.stream().filter(m -> m.time() <= shown() && m.time() > shown() - time).toList();
+  /** The impacts of a time before the moment shown, at most so many of the newest, in order. */
+  List<Mark> marks(double time, int most) {
+    double upTo = isPresent() ? Double.POSITIVE_INFINITY : shown();
+    return history.marks(shown() - time, upTo, most);
+  }
+
+  /** What it cost to come to the moment shown. */
+  TickCost cost() {
+    return history.cost(shown(), frame);
   }
 
   /** The time of a frame at speed 1. */
@@ -257,18 +311,35 @@ public final class Player {
     return world.idLimit(ObstacleKind.CIRCLE);
   }
 
+  /** When a circle last jumped, up to the moment shown; minus infinity if it did not. */
+  double lastJump(int id) {
+    return jumps.last(id, shown());
+  }
+
+  /** Grows with each edit, and with each new run. */
+  int edits() {
+    return edits;
+  }
+
   // Edits.
 
   /** A world that stands at what is shown, to be asked only. */
   World look() {
-    return shown() < world.now() ? new World(scene()) : world;
+    if (isPresent()) {
+      return world;
+    }
+    if (look == null) {
+      look = new World(scene());
+    }
+    return look;
   }
 
   /** The world that goes on, with what is shown as its present: what came later is dropped. */
-  World editable() {
-    if (shown() < world.now()) {
+  private World editable() {
+    if (!isPresent()) {
       begin(scene());
     }
+    changed();
     return world;
   }
 
@@ -281,6 +352,18 @@ public final class Player {
    */
   public void moveCircle(int id, double x, double y) {
     editable().setPosition(id, x, y);
+    jumps.add(id, world.now());
+  }
+
+  /**
+   * Gives a circle another velocity.
+   *
+   * @param id the circle
+   * @param vx the x component, finite
+   * @param vy the y component, finite
+   */
+  public void throwCircle(int id, double vx, double vy) {
+    editable().setVelocity(id, vx, vy);
   }
 
   /**
@@ -291,5 +374,60 @@ public final class Player {
    */
   public void moveLine(int id, Line to) {
     editable().moveLine(id, to.ax(), to.ay(), to.bx(), to.by());
+  }
+
+  /**
+   * Puts a peg elsewhere.
+   *
+   * @param id the peg
+   * @param x the x coordinate of its centre, finite
+   * @param y the y coordinate of its centre, finite
+   */
+  public void movePeg(int id, double x, double y) {
+    World now = editable();
+    now.movePeg(id, x, y, now.peg(id).radius());
+  }
+
+  /**
+   * Adds a circle.
+   *
+   * @param x the x coordinate of its centre, finite
+   * @param y the y coordinate of its centre, finite
+   * @param radius finite and greater than 0
+   * @param vx the x component of its velocity, finite
+   * @param vy the y component of its velocity, finite
+   */
+  public void addCircle(double x, double y, double radius, double vx, double vy) {
+    editable().addCircle(x, y, radius, vx, vy);
+  }
+
+  /**
+   * Adds a line.
+   *
+   * @param line where
+   */
+  public void addLine(Line line) {
+    editable().addLine(line.ax(), line.ay(), line.bx(), line.by());
+  }
+
+  /**
+   * Adds a peg.
+   *
+   * @param x the x coordinate of its centre, finite
+   * @param y the y coordinate of its centre, finite
+   * @param radius finite and at least 0
+   */
+  public void addPeg(double x, double y, double radius) {
+    editable().addPeg(x, y, radius);
+  }
+
+  /**
+   * Removes something.
+   *
+   * @param kind not {@link ObstacleKind#WALL}
+   * @param id of what is there
+   */
+  public void remove(ObstacleKind kind, int id) {
+    editable().remove(kind, id);
   }
 }

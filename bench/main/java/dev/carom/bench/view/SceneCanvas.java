@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.view;
 
+import dev.carom.Circle;
+import dev.carom.ObstacleKind;
+import dev.carom.Scene;
 import dev.carom.Vec2;
-import dev.carom.bench.charts.Style;
+import java.awt.Cursor;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -10,11 +13,15 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.NoninvertibleTransformException;
 import java.awt.geom.Point2D;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
+import javax.swing.SwingUtilities;
 
 /** The scene in the window, and the mouse on it. */
 final class SceneCanvas extends JComponent {
@@ -24,73 +31,207 @@ final class SceneCanvas extends JComponent {
   /** How far beside a line the mouse still takes hold of it, in pixels. */
   private static final double REACH = 7;
 
+  /** Pixels between the figures and the rim. */
+  private static final int INSET = 8;
+
+  /** How much a notch of the wheel enlarges. */
+  private static final double NOTCH = 1.2;
+
+  /** Of the shown part, the radius of a new circle where there is none to take it from. */
+  private static final double RADIUS = 1.0 / 60;
+
   private final transient Player player;
   private final transient Consumer<String> changed;
-  private transient ScenePainter painter;
+  private final transient ScenePainter painter;
+  private Tool tool = Tool.HAND;
   private transient Grip grip;
+  private transient Draft draft;
+  private Point mouse;
+  private Point panned;
 
   /** Changes are told, with a message if something was refused. */
   SceneCanvas(Player player, Consumer<String> changed) {
     this.player = player;
     this.changed = changed;
     painter = new ScenePainter(player.scene());
-    setPreferredSize(new Dimension(840, 640));
-    MouseAdapter mouse =
-        new MouseAdapter() {
-          @Override
-          public void mousePressed(MouseEvent e) {
-            press(e.getPoint());
-          }
+    setPreferredSize(new Dimension(1084, 660));
+    setMinimumSize(new Dimension(100, 100));
+    MouseAdapter adapter = new CanvasMouse();
+    addMouseListener(adapter);
+    addMouseMotionListener(adapter);
+    addMouseWheelListener(adapter);
+  }
 
-          @Override
-          public void mouseDragged(MouseEvent e) {
-            drag(e.getPoint());
-          }
+  /** Hands on what the mouse does. */
+  private final class CanvasMouse extends MouseAdapter {
 
-          @Override
-          public void mouseReleased(MouseEvent e) {
-            grip = null;
-          }
-        };
-    addMouseListener(mouse);
-    addMouseMotionListener(mouse);
+    @Override
+    public void mousePressed(MouseEvent e) {
+      if (SwingUtilities.isLeftMouseButton(e)) {
+        press(e.getPoint());
+      } else {
+        panned = e.getPoint();
+      }
+    }
+
+    @Override
+    public void mouseDragged(MouseEvent e) {
+      hover(e.getPoint());
+      drag(e.getPoint());
+    }
+
+    @Override
+    public void mouseReleased(MouseEvent e) {
+      release();
+    }
+
+    @Override
+    public void mouseClicked(MouseEvent e) {
+      if (e.getClickCount() == 2 && tool == Tool.HAND && under(e.getPoint()) == null) {
+        fit();
+        changed.accept("");
+      }
+    }
+
+    @Override
+    public void mouseMoved(MouseEvent e) {
+      hover(e.getPoint());
+    }
+
+    @Override
+    public void mouseExited(MouseEvent e) {
+      hover(null);
+    }
+
+    @Override
+    public void mouseWheelMoved(MouseWheelEvent e) {
+      zoom(Math.pow(NOTCH, -e.getPreciseWheelRotation()), e.getPoint());
+    }
   }
 
   /** Takes the size from what is there now. */
   void fit() {
-    ScenePainter fitting = new ScenePainter(player.scene());
-    for (ScenePainter.Layer layer : ScenePainter.Layer.values()) {
-      fitting.set(layer, painter.shows(layer));
-    }
-    painter = fitting;
+    painter.fit(player.scene());
     grip = null;
+    draft = null;
   }
 
   ScenePainter painter() {
     return painter;
   }
 
+  void setTool(Tool tool) {
+    this.tool = tool;
+    setCursor(
+        Cursor.getPredefinedCursor(
+            tool == Tool.HAND ? Cursor.DEFAULT_CURSOR : Cursor.CROSSHAIR_CURSOR));
+  }
+
   private Rectangle area() {
     return new Rectangle(0, 0, getWidth(), getHeight());
   }
 
-  /** Takes hold of what lies under a point of the canvas. */
-  void press(Point at) {
-    double reach = REACH / painter.transform(area()).getScaleX();
-    grip = Grip.at(player, plane(at), reach);
+  /** Enlarges what is shown, around a point. */
+  void zoom(double factor, Point at) {
+    painter.viewport().zoom(factor, at, area());
+    repaint();
   }
 
-  /** Moves what is held. */
-  void drag(Point at) {
-    if (grip == null) {
-      return;
+  /** Enlarges what is shown, around the middle. */
+  void zoom(double factor) {
+    zoom(factor, new Point(getWidth() / 2, getHeight() / 2));
+  }
+
+  /** Takes hold of what lies under a point of the canvas, or begins to add something there. */
+  void press(Point at) {
+    if (tool == Tool.HAND) {
+      grip = under(at);
+      panned = grip == null ? at : null;
+    } else if (tool == Tool.DELETE) {
+      deleteAt(at);
+    } else {
+      draft = new Draft(tool, plane(at), plane(at), usualRadius());
     }
+  }
+
+  /** The radius of a circle of the scene: the last one's. */
+  private double usualRadius() {
+    Scene scene = player.scene();
+    int circles = scene.circleCount();
+    double shown = Math.max(getWidth(), getHeight()) / scale();
+    return circles > 0 ? scene.circle(circles - 1).radius() : RADIUS * shown;
+  }
+
+  /** Removes what lies under a point. */
+  void deleteAt(Point at) {
+    Grip found = under(at);
+    if (found != null) {
+      attempt(() -> player.remove(found.kind(), found.id()));
+    }
+  }
+
+  /** Removes what lies under the mouse. */
+  void deleteUnderMouse() {
+    if (mouse != null) {
+      deleteAt(mouse);
+    }
+  }
+
+  private Grip under(Point at) {
+    return Grip.at(player, plane(at), REACH / scale());
+  }
+
+  private double scale() {
+    return painter.transform(area()).getScaleX();
+  }
+
+  /** Moves what is held, or the view. */
+  void drag(Point at) {
+    if (grip != null) {
+      attempt(() -> grip.drag(plane(at), System.nanoTime()));
+    } else if (draft != null) {
+      draft = draft.to(plane(at));
+      repaint();
+    } else if (panned != null) {
+      painter.viewport().pan(at.getX() - panned.getX(), at.getY() - panned.getY());
+      panned = at;
+      repaint();
+    }
+  }
+
+  /** Lets go, or adds what was drawn. */
+  void release() {
+    if (grip != null) {
+      attempt(() -> grip.release(System.nanoTime()));
+    } else if (draft != null) {
+      Draft done = draft;
+      draft = null;
+      attempt(() -> done.add(player));
+    }
+    grip = null;
+    panned = null;
+  }
+
+  /** Keeps what is held where it is; before each tick. */
+  void hold() {
+    if (grip != null) {
+      grip.hold();
+    }
+  }
+
+  private void attempt(Runnable edit) {
     try {
-      grip.drag(plane(at));
+      edit.run();
       changed.accept("");
     } catch (IllegalArgumentException e) {
       changed.accept(e.getMessage());
     }
+  }
+
+  /** Tells what is under the mouse; null if the mouse is elsewhere. */
+  void hover(Point at) {
+    mouse = at;
+    repaint();
   }
 
   private Vec2 plane(Point at) {
@@ -105,9 +246,50 @@ final class SceneCanvas extends JComponent {
   }
 
   @Override
-  protected void paintComponent(Graphics g) {
-    g.setColor(Style.PAPER);
-    g.fillRect(0, 0, getWidth(), getHeight());
-    painter.draw((Graphics2D) g, area(), player);
+  protected void paintComponent(Graphics to) {
+    Graphics2D g = (Graphics2D) to.create();
+    try {
+      g.setColor(painter.scheme().paper());
+      g.fillRect(0, 0, getWidth(), getHeight());
+      painter.draw(g, area(), player);
+      if (draft != null) {
+        painter.draft(g, area(), player, draft);
+      }
+      if (painter.shows(ScenePainter.Layer.FIGURES)) {
+        Rectangle inside = area();
+        inside.grow(-INSET, -INSET);
+        Notes.draw(g, figures(), getWidth(), 0, inside, painter.scheme());
+      }
+      Notes.draw(g, hovered(), tipX(), tipY(), area(), painter.scheme());
+    } finally {
+      g.dispose();
+    }
+  }
+
+  /** What is to be read in the corner, of the moment that is shown. */
+  List<String> figures() {
+    List<String> lines = new ArrayList<>(player.cost().lines());
+    lines.add(Plural.of(player.circleIds().length, "circle"));
+    lines.addAll(List.of(player.engineDescription().split(", ")));
+    return lines;
+  }
+
+  private double tipX() {
+    return mouse == null ? 0 : mouse.getX() + 14;
+  }
+
+  private double tipY() {
+    return mouse == null ? 0 : mouse.getY() + 18;
+  }
+
+  /** What is to be read beside the mouse. */
+  List<String> hovered() {
+    if (mouse == null || draft != null || panned != null) {
+      return List.of();
+    }
+    Vec2 at = plane(mouse);
+    int[] circles =
+        player.look().overlapping(ObstacleKind.CIRCLE, new Circle(at.x(), at.y(), 1 / scale()));
+    return circles.length == 0 ? List.of() : List.of(under(mouse).about().split("; "));
   }
 }

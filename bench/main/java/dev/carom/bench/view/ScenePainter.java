@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.view;
 
+import dev.carom.Circle;
+import dev.carom.Line;
 import dev.carom.Scene;
-import dev.carom.Timeline;
+import dev.carom.Vec2;
 import dev.carom.bench.charts.SceneDrawing;
-import dev.carom.bench.charts.Still;
 import dev.carom.bench.charts.Style;
 import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
@@ -22,29 +23,66 @@ final class ScenePainter {
 
   /** What can be shown besides the scene. */
   enum Layer {
-    TRAILS,
-    NORMALS,
-    GRID,
-    ARROWS
+    TRAILS("Trails", "Show where the circles were lately"),
+    NORMALS("Normals", "Show the normal of each impact of late"),
+    GRID("Grid", "Show coordinates"),
+    ARROWS("Arrows", "Show where the circles go"),
+    FIGURES("Figures", "Show what frames and impacts take");
+
+    private final String label;
+    private final String tip;
+
+    Layer(String label, String tip) {
+      this.label = label;
+      this.tip = tip;
+    }
+
+    String label() {
+      return label;
+    }
+
+    String tip() {
+      return tip;
+    }
   }
+
+  static final double MARGIN = 26;
 
   /** How far back trails and normals reach, in frames. */
   private static final double FRAMES = 40;
 
-  /** Points of all trails together: what a frame has time for. */
-  private static final int POINTS = 40_000;
+  /** How long a circle glows after an impact, in frames. */
+  private static final double GLOW = 5;
 
-  private static final int MOST_POINTS = 160;
+  /** More normals at a time hide the scene. */
+  private static final int NORMALS = 200;
+
   private static final double NORMAL = 22;
 
-  private final SceneDrawing drawing;
-  private final double arrowTime;
-  private final Set<Layer> layers = EnumSet.of(Layer.NORMALS);
+  private final Set<Layer> layers = EnumSet.of(Layer.TRAILS, Layer.FIGURES);
+  private final Viewport viewport = new Viewport(MARGIN);
+  private SceneDrawing drawing;
+  private double arrowTime;
+  private Style.Scheme scheme = Style.Scheme.LIGHT;
 
   ScenePainter(Scene scene) {
+    fit(scene);
+  }
+
+  /** Shows the whole of a scene. */
+  void fit(Scene scene) {
     SceneDrawing fitting = SceneDrawing.of(scene);
     arrowTime = fitting.arrowTime();
-    drawing = fitting.withMargin(26);
+    drawing = fitting.withMargin(MARGIN);
+    viewport.reset();
+  }
+
+  void setScheme(Style.Scheme scheme) {
+    this.scheme = scheme;
+  }
+
+  Style.Scheme scheme() {
+    return scheme;
   }
 
   void set(Layer layer, boolean visible) {
@@ -59,53 +97,34 @@ final class ScenePainter {
     return layers.contains(layer);
   }
 
+  Viewport viewport() {
+    return viewport;
+  }
+
   /** The map from the scene to pixels. */
   AffineTransform transform(Rectangle2D area) {
-    return drawing.transform(area);
+    return drawing.transform(viewport.area(area));
   }
 
   void draw(Graphics2D g, Rectangle2D area, Player player) {
     Style.smooth(g);
+    g.clip(area);
     AffineTransform map = transform(area);
     Scene scene = player.scene();
     double time = shows(Layer.ARROWS) ? arrowTime : 0;
-    drawing.withScene(scene).withArrowTime(time).draw(g, area, Still.of(scene));
+    drawing
+        .withScheme(scheme)
+        .withScene(scene)
+        .withArrowTime(time)
+        .draw(g, viewport.area(area), player.still(scene, GLOW));
     if (shows(Layer.GRID)) {
       grid(g, map, area);
     }
     if (shows(Layer.TRAILS)) {
-      trails(g, map, player);
+      new Trails(player, FRAMES * player.frame()).draw(g, map, scheme.rim());
     }
     if (shows(Layer.NORMALS)) {
       normals(g, map, player);
-    }
-  }
-
-  /** Where the circles were, from the recording: a trail turns where the circle did. */
-  private static void trails(Graphics2D g, AffineTransform map, Player player) {
-    Timeline past = player.past();
-    int points = Math.max(2, Math.min(MOST_POINTS, POINTS / Math.max(1, player.circles())));
-    double end = player.shown();
-    double begin = Math.max(past.start(), end - FRAMES * player.frame());
-    g.setColor(Style.veil(Style.BLUE, 0.45));
-    g.setStroke(Style.line(Style.THIN));
-    for (int id = 0; id < player.circles(); id++) {
-      Path2D trail = new Path2D.Double();
-      for (int i = 0; i <= points; i++) {
-        double t = i == points ? end : begin + (end - begin) * i / points;
-        if (past.contains(id, t) && Double.isFinite(past.x(id, t) + past.y(id, t))) {
-          append(trail, past.x(id, t), past.y(id, t));
-        }
-      }
-      g.draw(map.createTransformedShape(trail));
-    }
-  }
-
-  private static void append(Path2D path, double x, double y) {
-    if (path.getCurrentPoint() == null) {
-      path.moveTo(x, y);
-    } else {
-      path.lineTo(x, y);
     }
   }
 
@@ -113,8 +132,8 @@ final class ScenePainter {
   private static void normals(Graphics2D g, AffineTransform map, Player player) {
     double reach = FRAMES * player.frame();
     g.setStroke(Style.line(Style.FIRM));
-    for (Mark mark : player.marks(reach)) {
-      double age = (player.shown() - mark.time()) / reach;
+    for (Mark mark : player.marks(reach, NORMALS)) {
+      double age = Math.max(0, (player.shown() - mark.time()) / reach);
       g.setColor(Style.veil(Style.VERMILION, 1 - 0.8 * age));
       Point2D p = map.transform(new Point2D.Double(mark.x(), mark.y()), null);
       double nx = NORMAL * mark.nx();
@@ -125,7 +144,7 @@ final class ScenePainter {
   }
 
   /** Lines of round coordinates, with their numbers. */
-  private static void grid(Graphics2D g, AffineTransform map, Rectangle2D area) {
+  private void grid(Graphics2D g, AffineTransform map, Rectangle2D area) {
     Rectangle2D plane;
     try {
       plane = map.createInverse().createTransformedShape(area).getBounds2D();
@@ -137,16 +156,16 @@ final class ScenePainter {
     g.setStroke(Style.line(Style.HAIR));
     for (double i = Math.ceil(plane.getMinX() / step); i * step < plane.getMaxX(); i++) {
       double x = map.transform(new Point2D.Double(i * step, 0), null).getX();
-      g.setColor(Style.veil(Style.QUIET, 0.35));
+      g.setColor(Style.veil(scheme.quiet(), 0.35));
       g.draw(new Line2D.Double(x, area.getMinY(), x, area.getMaxY()));
-      g.setColor(Style.QUIET);
+      g.setColor(scheme.quiet());
       g.drawString(label(i * step), (float) x + 2, (float) area.getMaxY() - 4);
     }
     for (double i = Math.ceil(plane.getMinY() / step); i * step < plane.getMaxY(); i++) {
       double y = map.transform(new Point2D.Double(0, i * step), null).getY();
-      g.setColor(Style.veil(Style.QUIET, 0.35));
+      g.setColor(Style.veil(scheme.quiet(), 0.35));
       g.draw(new Line2D.Double(area.getMinX(), y, area.getMaxX(), y));
-      g.setColor(Style.QUIET);
+      g.setColor(scheme.quiet());
       g.drawString(label(i * step), (float) area.getMinX() + 2, (float) y - 2);
     }
   }
@@ -164,5 +183,29 @@ final class ScenePainter {
 
   private static String label(double x) {
     return Math.rint(x) == x ? String.valueOf((long) x) : String.valueOf((float) x);
+  }
+
+  /** What is about to be added; of a circle, the way that it would take, too. */
+  void draft(Graphics2D g, Rectangle2D area, Player player, Draft draft) {
+    AffineTransform map = transform(area);
+    g.setColor(Style.VERMILION);
+    g.setStroke(Style.line(Style.FIRM));
+    if (draft.tool() == Tool.LINE) {
+      Line l = draft.line();
+      g.draw(map.createTransformedShape(new Line2D.Double(l.ax(), l.ay(), l.bx(), l.by())));
+      return;
+    }
+    Circle c = draft.circle();
+    double r = c.radius();
+    g.draw(map.createTransformedShape(new Ellipse2D.Double(c.x() - r, c.y() - r, 2 * r, 2 * r)));
+    if (draft.tool() == Tool.CIRCLE && draft.length() > 0) {
+      Path2D way = new Path2D.Double();
+      way.moveTo(c.x(), c.y());
+      for (Vec2 p : draft.way(player).points()) {
+        way.lineTo(p.x(), p.y());
+      }
+      g.setStroke(Style.dashes(Style.THIN, 6, 5));
+      g.draw(map.createTransformedShape(way));
+    }
   }
 }

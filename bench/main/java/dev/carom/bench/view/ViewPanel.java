@@ -4,41 +4,56 @@ package dev.carom.bench.view;
 import dev.carom.Scene;
 import dev.carom.bench.view.ScenePainter.Layer;
 import java.awt.BorderLayout;
-import java.awt.FlowLayout;
+import java.awt.Dimension;
 import java.awt.event.ActionEvent;
-import java.awt.event.KeyEvent;
-import java.io.IOException;
-import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 import javax.swing.AbstractAction;
+import javax.swing.AbstractButton;
 import javax.swing.BorderFactory;
+import javax.swing.ButtonGroup;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
-import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
+import javax.swing.JToggleButton;
 import javax.swing.KeyStroke;
 
 /**
  * A player with its buttons: what stands in the window. Space runs and pauses, the right arrow goes
- * on by one frame, I by one impact; circles, lines and their ends can be dragged.
+ * on by one frame, I by one impact; all keys are told by {@link #keys}.
  */
 public final class ViewPanel extends JPanel {
 
   private static final long serialVersionUID = 1;
 
-  /** Positions of the slider. */
+  /** Positions of the slider of time. */
   private static final int SLIDER = 10_000;
 
-  private static final Double[] SPEEDS = {0.01, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 10.0, 100.0};
+  /** Steps of the slider of speed in a factor of ten. */
+  private static final int DECADE = 100;
+
+  private static final int DECADES = 3;
+
+  private static final double CLOSER = 1.5;
+
+  /** Of the slider of speed, in pixels. */
+  private static final int SPEED_WIDTH = 140;
 
   private final transient Player player;
   private final SceneCanvas canvas;
+  private final transient List<KeyAction> keys = new ArrayList<>();
+  private final JPanel bar = new JPanel(new WrapLayout(6, 4));
   private final JButton run = new JButton();
-  private final JSlider slider = new JSlider(0, SLIDER, 0);
+  private final JSlider time = new JSlider(0, SLIDER, 0);
+  private final JSlider speed = new JSlider(-DECADES * DECADE, DECADES * DECADE, 0);
+  private final JLabel factor = new JLabel();
   private final JLabel status = new JLabel(" ");
+  private transient Consumer<String> titled = title -> {};
   private boolean refreshing;
   private String message = "";
 
@@ -51,67 +66,157 @@ public final class ViewPanel extends JPanel {
     super(new BorderLayout());
     this.player = player;
     canvas = new SceneCanvas(player, this::told);
-    add(buttons(), BorderLayout.NORTH);
+    makeBar();
+    add(bar, BorderLayout.NORTH);
     add(canvas, BorderLayout.CENTER);
     add(foot(), BorderLayout.SOUTH);
     refresh();
   }
 
   /** Nothing takes the focus, so that the keys always reach the panel. */
-  private JComponent buttons() {
-    JPanel bar = new JPanel(new FlowLayout(FlowLayout.LEFT, 6, 4));
-    run.addActionListener(event -> act(() -> player.setRunning(!player.isRunning())));
-    bar.add(run);
-    bind(KeyEvent.VK_SPACE, run);
-    bar.add(button("Frame", KeyEvent.VK_RIGHT, player::stepFrame));
-    bar.add(button("Impact", KeyEvent.VK_I, this::nextImpact));
-    bar.add(button("Restart", KeyEvent.VK_R, player::restart));
-    JComboBox<Double> speeds = new JComboBox<>(SPEEDS);
-    speeds.setSelectedItem(1.0);
-    speeds.setFocusable(false);
-    speeds.addActionListener(event -> player.setSpeed((Double) speeds.getSelectedItem()));
-    bar.add(new JLabel("Speed"));
-    bar.add(speeds);
-    for (Layer layer : Layer.values()) {
-      String name = layer.name().charAt(0) + layer.name().substring(1).toLowerCase(Locale.ROOT);
-      JCheckBox box = new JCheckBox(name, canvas.painter().shows(layer));
-      box.setFocusable(false);
-      box.addActionListener(event -> show(layer, box.isSelected()));
-      bar.add(box);
+  private void makeBar() {
+    addButton(run, ToolIcon.RUN, key("SPACE", "Space", "Run", "Run or pause", this::toggleRunning));
+    addButton(
+        new JButton(),
+        ToolIcon.FRAME,
+        key("RIGHT", "Right", "Frame", "Go on by one frame", player::stepFrame));
+    addButton(
+        new JButton(),
+        ToolIcon.IMPACT,
+        key("I", "I", "Impact", "Go on to the next impact", this::nextImpact));
+    addButton(
+        new JButton(),
+        ToolIcon.RESTART,
+        key("R", "R", "Restart", "Begin again with the scene as it was loaded", player::restart));
+    key("LEFT", "Left", "Back", "Go back by one frame", this::stepBack);
+    addSpeed();
+    addTools();
+    addLayers();
+    addButton(new JButton(), ToolIcon.FIT, key("0", "0", "Fit", "Show the whole scene", this::fit));
+    key("PLUS", "+", "Closer", "Enlarge; so does the wheel", () -> canvas.zoom(CLOSER));
+    alias("EQUALS", "ADD", "shift EQUALS");
+    key("MINUS", "-", "Farther", "Make smaller; so does the wheel", () -> canvas.zoom(1 / CLOSER));
+    alias("SUBTRACT");
+    key("DELETE", "Delete", "Delete", "Delete what is under the mouse", canvas::deleteUnderMouse);
+    alias("BACK_SPACE");
+    bar.addComponentListener(new Rewrap(this));
+  }
+
+  private KeyAction key(String key, String label, String name, String tip, Runnable action) {
+    KeyAction made = KeyAction.of(key, label, name, tip, () -> act(action));
+    keys.add(made);
+    bind(key, made.action());
+    return made;
+  }
+
+  /** Further keys for the last action. */
+  private void alias(String... more) {
+    for (String key : more) {
+      bind(key, keys.get(keys.size() - 1).action());
     }
-    return bar;
   }
 
-  private JButton button(String name, int key, Runnable action) {
-    JButton button = new JButton(name);
-    button.addActionListener(event -> act(action));
-    bind(key, button);
-    return button;
-  }
-
-  private void bind(int key, JButton button) {
-    button.setFocusable(false);
-    String name = "key " + key;
-    getInputMap(WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke(key, 0), name);
+  private void bind(String key, Runnable action) {
+    getInputMap(WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke(key), key);
     getActionMap()
         .put(
-            name,
+            key,
             new AbstractAction() {
               private static final long serialVersionUID = 1;
 
               @Override
               public void actionPerformed(ActionEvent e) {
-                button.doClick(0);
+                action.run();
               }
             });
+  }
+
+  private void addButton(AbstractButton button, ToolIcon icon, KeyAction action) {
+    button.setText(action.name());
+    button.setIcon(icon);
+    button.setToolTipText(action.hint());
+    button.setFocusable(false);
+    button.addActionListener(event -> action.action().run());
+    bar.add(button);
+  }
+
+  private void addSpeed() {
+    speed.setFocusable(false);
+    speed.setName("Speed");
+    speed.setPreferredSize(new Dimension(SPEED_WIDTH, speed.getPreferredSize().height));
+    speed.setToolTipText("How fast it runs, from 1/1000 to 1000 times (Up and Down)");
+    speed.addChangeListener(event -> setSpeed());
+    bar.add(new JLabel("Speed"));
+    bar.add(speed);
+    bar.add(factor);
+    setSpeed();
+    factor.setPreferredSize(new JLabel("1/1000 ").getPreferredSize());
+    key("UP", "Up", "Faster", "Run faster", () -> speed.setValue(speed.getValue() + DECADE / 4));
+    key(
+        "DOWN",
+        "Down",
+        "Slower",
+        "Run slower",
+        () -> speed.setValue(speed.getValue() - DECADE / 4));
+  }
+
+  private void setSpeed() {
+    double value = Math.pow(10, speed.getValue() / (double) DECADE);
+    player.setSpeed(value);
+    factor.setText(value < 1 ? "1/" + rounded(1 / value) : rounded(value));
+  }
+
+  private static String rounded(double x) {
+    return String.format(Locale.ROOT, x < 10 && Math.rint(x) != x ? "%.1f" : "%.0f", x);
+  }
+
+  private void addTools() {
+    ButtonGroup group = new ButtonGroup();
+    for (Tool tool : Tool.values()) {
+      JToggleButton button = new JToggleButton("", tool == Tool.HAND);
+      String number = String.valueOf(tool.ordinal() + 1);
+      group.add(button);
+      Runnable choose =
+          () -> {
+            button.setSelected(true);
+            canvas.setTool(tool);
+          };
+      addButton(
+          button,
+          ToolIcon.valueOf(tool.name()),
+          key(number, number, tool.label(), tool.tip(), choose));
+      button.setText("");
+      button.setName(tool.name());
+    }
+  }
+
+  private void addLayers() {
+    for (Layer layer : Layer.values()) {
+      JCheckBox box = new JCheckBox("", canvas.painter().shows(layer));
+      String letter = layer.label().substring(0, 1);
+      Runnable toggle = () -> show(layer, !canvas.painter().shows(layer), box);
+      KeyAction action = key(letter, letter, layer.label(), layer.tip(), toggle);
+      box.setText(action.name());
+      box.setToolTipText(action.hint());
+      box.setFocusable(false);
+      box.addActionListener(event -> action.action().run());
+      bar.add(box);
+    }
+  }
+
+  private void show(Layer layer, boolean visible, JCheckBox box) {
+    canvas.painter().set(layer, visible);
+    box.setSelected(visible);
   }
 
   private JComponent foot() {
     JPanel foot = new JPanel(new BorderLayout());
     foot.setBorder(BorderFactory.createEmptyBorder(2, 8, 4, 8));
-    slider.setFocusable(false);
-    slider.addChangeListener(event -> scrub());
-    foot.add(slider, BorderLayout.NORTH);
+    time.setFocusable(false);
+    time.setName("Time");
+    time.setToolTipText("Which moment is shown: drag it into the past");
+    time.addChangeListener(event -> scrub());
+    foot.add(time, BorderLayout.NORTH);
     foot.add(status, BorderLayout.SOUTH);
     return foot;
   }
@@ -122,82 +227,102 @@ public final class ViewPanel extends JPanel {
     refresh();
   }
 
+  private void toggleRunning() {
+    player.setRunning(!player.isRunning());
+  }
+
+  private void stepBack() {
+    player.seek(player.shown() - player.frame());
+  }
+
   private void nextImpact() {
     if (!player.nextImpact()) {
       message = "no impact ahead";
     }
   }
 
+  private void fit() {
+    canvas.fit();
+  }
+
   private void scrub() {
     if (!refreshing) {
-      double share = slider.getValue() / (double) SLIDER;
+      double share = time.getValue() / (double) SLIDER;
       player.seek(player.start() + share * (player.end() - player.start()));
       refresh();
     }
   }
 
-  private void told(String text) {
+  /** Shows a message in the status line, after something changed. */
+  void told(String text) {
     message = text;
-    refresh();
-  }
-
-  private void show(Layer layer, boolean visible) {
-    canvas.painter().set(layer, visible);
     refresh();
   }
 
   /** Goes on by one tick of the timer. */
   public void tick() {
     if (player.isRunning()) {
+      canvas.hold();
       player.tick();
       refresh();
     }
   }
 
   /**
-   * Loads a scene file. If that fails, the status line says why, and nothing changes.
+   * Starts another scene, at rest.
    *
-   * @param file the file
+   * @param title of the window
+   * @param scene what is there
+   * @throws IllegalArgumentException if no world can be made of it; then nothing changes
    */
-  public void load(Path file) {
-    try {
-      player.load(Scene.read(file));
-      canvas.fit();
-      told("loaded " + file);
-    } catch (IOException e) {
-      told(e.toString());
-    }
+  public void play(String title, Scene scene) {
+    player.load(scene);
+    player.setRunning(false);
+    canvas.fit();
+    titled.accept(title);
+    told("");
   }
 
   /**
-   * Saves what is shown as a scene file. If that fails, the status line says why.
+   * Says who is to be told which scene is shown.
    *
-   * @param file the file
+   * @param listener takes its title
    */
-  public void save(Path file) {
-    try {
-      player.scene().write(file);
-      told("saved " + file);
-    } catch (IOException e) {
-      told(e.toString());
-    }
+  public void onTitle(Consumer<String> listener) {
+    titled = listener;
+  }
+
+  /** Tells the title of what is shown. */
+  void setTitle(String title) {
+    titled.accept(title);
+  }
+
+  /** Draws light on dark, or dark on light. */
+  void setDark(boolean dark) {
+    canvas.painter().setScheme(Look.scheme(dark));
+    refresh();
   }
 
   private void refresh() {
     refreshing = true;
     run.setText(player.isRunning() ? "Pause" : "Run");
+    run.setIcon(player.isRunning() ? ToolIcon.PAUSE : ToolIcon.RUN);
     double length = player.end() - player.start();
     double share = length > 0 ? (player.shown() - player.start()) / length : 1;
-    slider.setValue((int) Math.round(SLIDER * share));
-    String moment = player.shown() < player.end() ? " of %.3f (past)".formatted(player.end()) : "";
+    time.setValue((int) Math.round(SLIDER * share));
+    String moment =
+        player.shown() < player.end()
+            ? String.format(Locale.ROOT, " of %.3f (past)", player.end())
+            : "";
     status.setText(
-        "time %.3f%s, %,d impacts; %s%s"
-            .formatted(
-                player.shown(),
-                moment,
-                player.impacts(),
-                player.engineDescription(),
-                message.isEmpty() ? "" : "; " + message));
+        String.format(
+            Locale.ROOT,
+            "time %.3f%s, %s; %s%s",
+            player.shown(),
+            moment,
+            Plural.of(player.impacts(), "impact"),
+            player.engineDescription(),
+            message.isEmpty() ? "" : "; " + message));
     refreshing = false;
     canvas.repaint();
   }
@@ -210,5 +335,15 @@ public final class ViewPanel extends JPanel {
   /** Where the scene is drawn. */
   SceneCanvas canvas() {
     return canvas;
+  }
+
+  /** What is shown. */
+  Player player() {
+    return player;
+  }
+
+  /** What each key does. */
+  List<KeyAction> keys() {
+    return List.copyOf(keys);
   }
 }

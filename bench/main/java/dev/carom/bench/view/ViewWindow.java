@@ -1,57 +1,138 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.view;
 
-import java.nio.file.Path;
-import java.util.function.Consumer;
-import javax.swing.JFileChooser;
+import java.awt.Dimension;
+import java.awt.Toolkit;
+import java.awt.event.ActionEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import javax.swing.AbstractAction;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
+import javax.swing.JOptionPane;
 import javax.swing.KeyStroke;
 import javax.swing.Timer;
 
-/** The window around a {@link ViewPanel}: its menu, its timer. */
+/** The window around a {@link ViewPanel}: its menus, its dialogs, its timer. */
 public final class ViewWindow {
 
   private static final int MILLIS = 1000 / 60;
+  private static final Dimension SIZE = new Dimension(1100, 800);
+  private static final Dimension LEAST = new Dimension(420, 320);
+  private static final String NAME = "Carom";
 
-  private ViewWindow() {}
+  private final JFrame frame = new JFrame();
+  private final ViewPanel panel;
+  private final SceneFiles files;
+
+  private ViewWindow(String title, Player player) {
+    panel = new ViewPanel(player);
+    files = new SceneFiles(panel, new SwingDialogs(frame));
+    panel.onTitle(this::setTitle);
+    setTitle(title);
+    frame.add(panel);
+    frame.setJMenuBar(menus());
+    frame.setMinimumSize(LEAST);
+    frame.setSize(SIZE);
+  }
 
   /**
    * Makes the window; on the event thread, and where there is a screen.
    *
-   * @param title of the window
+   * @param title of what is shown: the file's name, say
    * @param player what it shows
    * @return the window, to be shown
    */
   public static JFrame of(String title, Player player) {
-    JFrame frame = new JFrame(title);
-    ViewPanel panel = new ViewPanel(player);
-    frame.add(panel);
-    JMenu file = new JMenu("File");
-    file.add(item("Open scene...", "ctrl O", frame, JFileChooser.OPEN_DIALOG, panel::load));
-    file.add(item("Save as scene...", "ctrl S", frame, JFileChooser.SAVE_DIALOG, panel::save));
-    JMenuBar bar = new JMenuBar();
-    bar.add(file);
-    frame.setJMenuBar(bar);
-    frame.pack();
-    new Timer(MILLIS, event -> panel.tick()).start();
-    return frame;
-  }
-
-  private static JMenuItem item(
-      String name, String keys, JFrame frame, int dialog, Consumer<Path> action) {
-    JMenuItem item = new JMenuItem(name);
-    item.setAccelerator(KeyStroke.getKeyStroke(keys));
-    item.addActionListener(
-        event -> {
-          JFileChooser chooser = new JFileChooser(Path.of("").toAbsolutePath().toFile());
-          chooser.setDialogType(dialog);
-          if (chooser.showDialog(frame, null) == JFileChooser.APPROVE_OPTION) {
-            action.accept(chooser.getSelectedFile().toPath());
+    ViewWindow window = new ViewWindow(title, player);
+    Timer timer = new Timer(MILLIS, event -> window.tick());
+    window.frame.addWindowListener(
+        new WindowAdapter() {
+          @Override
+          public void windowClosed(WindowEvent e) {
+            timer.stop();
           }
         });
+    timer.start();
+    return window.frame;
+  }
+
+  private void tick() {
+    panel.tick();
+    Toolkit.getDefaultToolkit().sync(); // else some desktops show every other frame
+  }
+
+  private void setTitle(String title) {
+    frame.setTitle(title + " - " + NAME);
+  }
+
+  private JMenuBar menus() {
+    JMenu file = new JMenu("File");
+    file.setMnemonic('F');
+    file.add(item("Open scene...", "ctrl O", files::open));
+    file.add(item("Save as scene...", "ctrl S", files::save));
+    file.addSeparator();
+    file.add(item("Close", "ctrl W", frame::dispose));
+    JMenu view = new JMenu("View");
+    view.setMnemonic('V');
+    JCheckBoxMenuItem dark = new JCheckBoxMenuItem("Dark");
+    dark.setAccelerator(KeyStroke.getKeyStroke("ctrl D"));
+    dark.addActionListener(event -> setDark(dark.isSelected()));
+    view.add(dark);
+    JMenu help = new JMenu("Help");
+    help.setMnemonic('H');
+    help.add(item("Keys and mouse", "F1", this::showKeys));
+    help.add(item("About", null, this::showAbout));
+    bindQuestionMark();
+    JMenuBar bar = new JMenuBar();
+    bar.add(file);
+    bar.add(view);
+    bar.add(help);
+    return bar;
+  }
+
+  private static JMenuItem item(String name, String keys, Runnable action) {
+    JMenuItem item = new JMenuItem(name);
+    item.setAccelerator(KeyStroke.getKeyStroke(keys));
+    item.addActionListener(event -> action.run());
     return item;
+  }
+
+  private void setDark(boolean dark) {
+    Look.set(dark);
+    panel.setDark(dark);
+  }
+
+  /** By the sign: where it lies differs from keyboard to keyboard. */
+  private void bindQuestionMark() {
+    panel.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke('?'), "help");
+    panel
+        .getActionMap()
+        .put(
+            "help",
+            new AbstractAction() {
+              private static final long serialVersionUID = 1;
+
+              @Override
+              public void actionPerformed(ActionEvent e) {
+                showKeys();
+              }
+            });
+  }
+
+  private void showKeys() {
+    show("Keys and mouse", HelpPage.html(panel.keys()));
+  }
+
+  private void showAbout() {
+    show("About", HelpPage.about());
+  }
+
+  private void show(String title, String html) {
+    JOptionPane.showMessageDialog(frame, html, title, JOptionPane.PLAIN_MESSAGE);
   }
 }

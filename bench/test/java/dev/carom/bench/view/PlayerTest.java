@@ -2,6 +2,7 @@
 package dev.carom.bench.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.offset;
 
 import dev.carom.Circle;
@@ -53,11 +54,11 @@ class PlayerTest {
     assertThat(player.impacts()).isEqualTo(1);
     assertThat(player.nextImpact()).isTrue();
     assertThat(player.shown()).isEqualTo(15);
-    assertThat(player.marks(1)).containsExactly(new Mark(15, 0, 30, 1, 0));
+    assertThat(player.marks(1, 9)).containsExactly(new Mark(15, 0, 0, 30, 1, 0));
     player.seek(2);
     assertThat(player.nextImpact()).as("a recorded one").isTrue();
     assertThat(player.shown()).isEqualTo(5);
-    assertThat(player.impacts()).isEqualTo(2);
+    assertThat(player.impacts()).isEqualTo(1);
   }
 
   @Test
@@ -112,13 +113,13 @@ class PlayerTest {
   @Test
   void takesHoldOfCirclesLinesAndEnds() {
     assertThat(Grip.at(player, new Vec2(5, 50), 2)).isNull();
-    Grip.at(player, new Vec2(55, 35), 2).drag(new Vec2(56, 36));
+    Grip.at(player, new Vec2(55, 35), 2).drag(new Vec2(56, 36), 0);
     assertThat(player.scene().circle(0)).isEqualTo(new Circle(51, 31, 10));
-    Grip.at(player, new Vec2(40, 11), 2).drag(new Vec2(41, 16));
+    Grip.at(player, new Vec2(40, 11), 2).drag(new Vec2(41, 16), 0);
     assertThat(player.scene().line(0)).isEqualTo(new Line(21, 15, 61, 15));
-    Grip.at(player, new Vec2(60.5, 15), 2).drag(new Vec2(60.5, 20));
+    Grip.at(player, new Vec2(60.5, 15), 2).drag(new Vec2(60.5, 20), 0);
     assertThat(player.scene().line(0)).isEqualTo(new Line(21, 15, 61, 20));
-    Grip.at(player, new Vec2(21, 15), 2).drag(new Vec2(20, 15));
+    Grip.at(player, new Vec2(21, 15), 2).drag(new Vec2(20, 15), 0);
     assertThat(player.scene().line(0)).isEqualTo(new Line(20, 15, 61, 20));
   }
 
@@ -128,5 +129,128 @@ class PlayerTest {
     player.seek(7);
     Grip.at(player, new Vec2(74, 30), 2);
     assertThat(player.end()).isEqualTo(20);
+  }
+
+  @Test
+  void countsTheImpactsUpToTheMomentShown() {
+    run(20);
+    assertThat(player.impacts()).isEqualTo(2);
+    player.seek(14.9);
+    assertThat(player.impacts()).isEqualTo(1);
+    player.seek(4.9);
+    assertThat(player.impacts()).isZero();
+    player.seek(20);
+    assertThat(player.impacts()).isEqualTo(2);
+  }
+
+  @Test
+  void tellsWhatTheTicksUpToTheMomentShownCost() {
+    assertThat(player.cost().lines()).isEmpty();
+    run(20);
+    assertThat(player.cost())
+        .extracting(TickCost::ticks, TickCost::impacts)
+        .containsExactly(20, 2L);
+    player.seek(7);
+    assertThat(player.cost()).extracting(TickCost::ticks, TickCost::impacts).containsExactly(7, 1L);
+    assertThat(player.cost().frames()).isEqualTo(7);
+    assertThat(player.cost().nanos()).isPositive();
+  }
+
+  @Test
+  void averagesOverASecondOfTicks() {
+    assertThat(new TickCost(60, 120, 1_200_000, 30).lines())
+        .containsExactly("10.0 µs a frame", "30.0 impacts a second", "40,000 ns an impact");
+    assertThat(new TickCost(60, 60, 600, 0).lines())
+        .containsExactly("0.01 µs a frame", "0.00 impacts a second");
+  }
+
+  @Test
+  void showsAtMostSoManyNormalsTheNewest() {
+    run(100);
+    assertThat(player.marks(100, 3)).extracting(Mark::time).containsExactly(75.0, 85.0, 95.0);
+    assertThat(player.marks(12, 3)).extracting(Mark::time).containsExactly(95.0);
+  }
+
+  @Test
+  void aSceneThatIsRefusedLeavesTheOldOne() {
+    run(3);
+    assertThatThrownBy(() -> player.load(null)).isInstanceOf(RuntimeException.class);
+    assertThat(player.shown()).isEqualTo(3);
+    player.restart();
+    assertThat(player.scene()).isEqualTo(TO_AND_FRO);
+  }
+
+  @Test
+  void aCircleThatIsLetGoOfWhileItMovesIsThrown() {
+    long tick = 1_000_000_000 / 60;
+    Grip grip = Grip.at(player, new Vec2(50, 30), 2);
+    for (int i = 0; i < 30; i++) {
+      grip.drag(new Vec2(50 + 0.5 * i, 30), i * tick);
+    }
+    grip.release(30 * tick);
+    assertThat(player.scene().velocity(0).x()).isCloseTo(0.5, offset(1e-6));
+    assertThat(player.scene().velocity(0).y()).isZero();
+  }
+
+  @Test
+  void aCircleThatIsLetGoOfAtRestFliesOnAsBefore() {
+    Grip grip = Grip.at(player, new Vec2(50, 30), 2);
+    grip.drag(new Vec2(52, 30), 10);
+    grip.hold();
+    assertThat(player.scene().velocity(0)).isEqualTo(Vec2.ZERO);
+    grip.release(1_000_000_000);
+    assertThat(player.scene().velocity(0)).isEqualTo(new Vec2(8, 0));
+    assertThat(player.scene().circle(0).x()).isEqualTo(52);
+  }
+
+  @Test
+  void whatIsHeldStaysWhileTheWorldGoesOn() {
+    Grip grip = Grip.at(player, new Vec2(50, 30), 2);
+    player.setRunning(true);
+    for (int i = 0; i < 5; i++) {
+      grip.hold();
+      player.tick();
+    }
+    assertThat(player.shown()).isEqualTo(5);
+    assertThat(x()).isEqualTo(50);
+  }
+
+  @Test
+  void addsAndRemoves() {
+    new Draft(Tool.CIRCLE, new Vec2(20, 40), new Vec2(50, 40), 5).add(player);
+    assertThat(player.scene().circle(1)).isEqualTo(new Circle(20, 40, 5));
+    assertThat(player.scene().velocity(1)).isEqualTo(new Vec2(1, 0));
+    new Draft(Tool.LINE, new Vec2(80, 10), new Vec2(90, 20), 5).add(player);
+    assertThat(player.scene().line(1)).isEqualTo(new Line(80, 10, 90, 20));
+    new Draft(Tool.LINE, new Vec2(80, 10), new Vec2(80, 10), 5).add(player);
+    assertThat(player.scene().lineCount()).isEqualTo(2);
+    new Draft(Tool.PEG, new Vec2(30, 50), new Vec2(33, 54), 5).add(player);
+    assertThat(player.scene().peg(0)).isEqualTo(new Circle(30, 50, 5));
+    Grip peg = Grip.at(player, new Vec2(30, 50), 2);
+    peg.drag(new Vec2(31, 50), 0);
+    assertThat(player.scene().peg(0)).isEqualTo(new Circle(31, 50, 5));
+    player.remove(peg.kind(), peg.id());
+    assertThat(player.scene().pegCount()).isZero();
+  }
+
+  @Test
+  void aDraftShowsTheWayThatTheCircleTakes() {
+    Draft draft = new Draft(Tool.CIRCLE, new Vec2(20, 40), new Vec2(170, 40), 5);
+    double turn = draft.way(player).points().get(1).x();
+    draft.add(player);
+    player.seek(player.end());
+    run(15);
+    assertThat(turn).isEqualTo(95);
+    assertThat(player.scene().circle(1).x()).isEqualTo(95);
+  }
+
+  @Test
+  void knowsWhenACircleJumped() {
+    run(3);
+    player.moveCircle(0, 40, 40);
+    run(3);
+    assertThat(player.lastJump(0)).isEqualTo(3);
+    player.seek(2);
+    assertThat(player.lastJump(0)).isEqualTo(Double.NEGATIVE_INFINITY);
   }
 }

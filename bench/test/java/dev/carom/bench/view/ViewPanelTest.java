@@ -4,7 +4,6 @@ package dev.carom.bench.view;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.offset;
 
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.bench.view.ScenePainter.Layer;
 import java.awt.Color;
@@ -13,18 +12,20 @@ import java.awt.Container;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.NoninvertibleTransformException;
+import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
-import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JSlider;
+import javax.swing.JToggleButton;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -41,8 +42,6 @@ class ViewPanelTest {
 
   private final Player player = new Player(SCENE, 1);
   private final ViewPanel panel = new ViewPanel(player);
-
-  @TempDir private Path folder;
 
   @BeforeEach
   void layOut() {
@@ -80,6 +79,10 @@ class ViewPanelTest {
     }
   }
 
+  private JSlider slider(String name) {
+    return all(JSlider.class).stream().filter(s -> name.equals(s.getName())).findFirst().get();
+  }
+
   private JButton button(String text) {
     return all(JButton.class).stream().filter(b -> text.equals(b.getText())).findFirst().get();
   }
@@ -107,10 +110,10 @@ class ViewPanelTest {
     button("Frame").doClick();
     assertThat(player.shown()).isEqualTo(3);
     button("Impact").doClick();
-    assertThat(panel.status()).startsWith("time 5.000, 1 impacts");
+    assertThat(panel.status()).startsWith("time 5.000, 1 impact;");
     button("Restart").doClick();
     assertThat(player.end()).isZero();
-    all(JComboBox.class).get(0).setSelectedItem(10.0);
+    slider("Speed").setValue(100);
     button("Run").doClick();
     panel.tick();
     assertThat(player.shown()).isEqualTo(10);
@@ -120,10 +123,12 @@ class ViewPanelTest {
   void scrubs() {
     button("Impact").doClick();
     button("Impact").doClick();
-    JSlider slider = all(JSlider.class).get(0);
+    JSlider slider = slider("Time");
     assertThat(slider.getValue()).isEqualTo(slider.getMaximum());
     slider.setValue(slider.getMaximum() / 3);
-    assertThat(panel.status()).startsWith("time 4.999 of 15.000 (past)");
+    assertThat(panel.status()).startsWith("time 4.999 of 15.000 (past), 0 impacts");
+    button("Impact").doClick();
+    assertThat(panel.status()).startsWith("time 5.000 of 15.000 (past), 1 impact;");
     assertThat(player.end()).isEqualTo(15);
   }
 
@@ -131,12 +136,9 @@ class ViewPanelTest {
   @EnumSource
   void showsEachLayer(Layer layer) {
     button("Impact").doClick();
-    String name = layer.name();
+    String name = layer.label();
     JCheckBox box =
-        all(JCheckBox.class).stream()
-            .filter(b -> name.equalsIgnoreCase(b.getText()))
-            .findAny()
-            .get();
+        all(JCheckBox.class).stream().filter(b -> name.equals(b.getText())).findAny().get();
     int[] before = paint();
     box.doClick();
     assertThat(paint()).isNotEqualTo(before);
@@ -163,31 +165,152 @@ class ViewPanelTest {
     assertThat(player.scene().circle(0).y()).isCloseTo(30 - 50 / scale, offset(1e-9));
   }
 
+  /** Three places far apart, all at one moment: a trail would be a line between them. */
   @Test
-  void savesWhatIsShownAndLoadsIt() throws Exception {
-    button("Impact").doClick();
-    button("Impact").doClick();
-    player.seek(5);
-    Path file = folder.resolve("now.csv");
-    panel.save(file);
-    Scene saved = Scene.read(file);
-    assertThat(saved.circle(0).x()).isEqualTo(90);
-    assertThat(saved.velocity(0).x()).isEqualTo(-8);
-    assertThat(saved.restitution(ObstacleKind.LINE, 0)).isEqualTo(0.5);
-    panel.load(file);
-    assertThat(player.scene()).isEqualTo(saved);
-    assertThat(panel.status()).endsWith("loaded " + file);
+  void draggingLeavesNoTrail() {
+    SceneCanvas canvas = panel.canvas();
+    button("Frame").doClick();
+    Point middle = new Point(canvas.getWidth() / 2 + 8, canvas.getHeight() / 2);
+    canvas.press(middle);
+    canvas.drag(new Point(middle.x, middle.y - 120));
+    canvas.drag(new Point(middle.x, middle.y + 120));
+    canvas.drag(middle);
+    int[] with = paint();
+    JCheckBox trails =
+        all(JCheckBox.class).stream().filter(b -> "Trails".equals(b.getText())).findAny().get();
+    trails.doClick();
+    assertThat(paint()).isEqualTo(with);
   }
 
   @Test
-  void tellsWhatIsWrongWithAFile() throws Exception {
-    Path file = folder.resolve("bad.csv");
-    Files.writeString(file, "circle,1,2,x,0,0\n");
-    panel.load(file);
-    assertThat(panel.status()).contains("bad.csv:1:12: radius is \"x\"");
-    assertThat(player.scene()).isEqualTo(SCENE);
-    panel.save(folder.resolve("no/such/folder.csv"));
-    assertThat(panel.status()).contains("folder.csv");
+  void zoomsAroundTheMouseAndPans() {
+    SceneCanvas canvas = panel.canvas();
+    Rectangle area = new Rectangle(canvas.getSize());
+    Point at = new Point(200, 150);
+    Point2D before = inverse(canvas.painter().transform(area), at);
+    double scale = canvas.painter().transform(area).getScaleX();
+    canvas.zoom(3, at);
+    assertThat(canvas.painter().transform(area).getScaleX()).isCloseTo(3 * scale, offset(1e-9));
+    assertThat(inverse(canvas.painter().transform(area), at).distance(before)).isLessThan(1e-9);
+    canvas.press(at);
+    canvas.drag(new Point(230, 110));
+    canvas.release();
+    Point2D after = inverse(canvas.painter().transform(area), new Point(230, 110));
+    assertThat(after.distance(before)).isLessThan(1e-9);
+    button("Fit").doClick();
+    assertThat(canvas.painter().transform(area).getScaleX()).isEqualTo(scale);
+  }
+
+  private static Point2D inverse(AffineTransform map, Point at) {
+    try {
+      return map.inverseTransform(new Point2D.Double(at.x, at.y), null);
+    } catch (NoninvertibleTransformException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  @Test
+  void tellsWhatIsUnderTheMouse() {
+    SceneCanvas canvas = panel.canvas();
+    canvas.hover(new Point(canvas.getWidth() / 2, canvas.getHeight() / 2));
+    assertThat(canvas.hovered())
+        .containsExactly("circle 0 at 50.0000, 30.0000", "speed 8.000", "radius 10.00");
+    canvas.hover(new Point(1, 1));
+    assertThat(canvas.hovered()).isEmpty();
+    canvas.hover(null);
+    assertThat(canvas.hovered()).isEmpty();
+  }
+
+  @Test
+  void addsWithEachToolAndDeletes() {
+    SceneCanvas canvas = panel.canvas();
+    Point from = new Point(canvas.getWidth() / 2, canvas.getHeight() / 2 - 200);
+    for (Tool tool : List.of(Tool.CIRCLE, Tool.LINE, Tool.PEG)) {
+      toggle(tool).doClick();
+      canvas.press(from);
+      canvas.drag(new Point(from.x + 40, from.y));
+      int[] drawn = paint();
+      canvas.drag(new Point(from.x + 60, from.y + 30));
+      assertThat(paint()).as("%s is shown before it is added", tool).isNotEqualTo(drawn);
+      canvas.release();
+    }
+    assertThat(player.scene())
+        .extracting(Scene::circleCount, Scene::lineCount, Scene::pegCount)
+        .containsExactly(2, 2, 1);
+    toggle(Tool.DELETE).doClick();
+    canvas.press(from);
+    canvas.press(from);
+    canvas.press(from);
+    assertThat(player.scene())
+        .extracting(Scene::circleCount, Scene::lineCount, Scene::pegCount)
+        .containsExactly(1, 1, 0);
+  }
+
+  private JToggleButton toggle(Tool tool) {
+    return all(JToggleButton.class).stream()
+        .filter(b -> tool.name().equals(b.getName()))
+        .findFirst()
+        .get();
+  }
+
+  @Test
+  void showsFiguresOfTheMomentShown() {
+    button("Run").doClick();
+    panel.tick();
+    assertThat(panel.canvas().figures())
+        .hasSize(5)
+        .contains("0.00 impacts a second", "1 circle", "circles that ignore each other");
+    assertThat(panel.canvas().figures().get(0)).matches("[0-9.,]+ µs a frame");
+    for (int i = 0; i < 5; i++) {
+      panel.tick();
+    }
+    assertThat(panel.canvas().figures()).contains("10.0 impacts a second");
+    slider("Time").setValue(0);
+    assertThat(panel.canvas().figures()).doesNotContain("10.0 impacts a second");
+  }
+
+  @Test
+  void theSpeedGoesFromAThousandthToAThousand() {
+    JSlider speed = slider("Speed");
+    speed.setValue(speed.getMinimum());
+    button("Run").doClick();
+    panel.tick();
+    assertThat(player.shown()).isEqualTo(0.001);
+    speed.setValue(speed.getMaximum());
+    panel.tick();
+    assertThat(player.shown()).isEqualTo(1000.001);
+  }
+
+  @Test
+  void eachKeyHasAHintAndStandsInTheHelp() {
+    String help = HelpPage.html(panel.keys());
+    assertThat(panel.keys())
+        .hasSizeGreaterThan(20)
+        .allSatisfy(
+            key -> assertThat(help).contains("<b>" + key.label() + "</b></td><td>" + key.tip()));
+    assertThat(panel.keys()).extracting(KeyAction::label).doesNotHaveDuplicates();
+    assertThat(all(AbstractButton.class))
+        .allSatisfy(button -> assertThat(button.getToolTipText()).matches(".+ \\(.+\\)"));
+  }
+
+  @Test
+  void theToolBarWraps() {
+    JComponent bar = (JComponent) panel.getComponent(0);
+    int row = bar.getPreferredSize().height;
+    bar.setSize(300, row);
+    assertThat(bar.getPreferredSize().height).isGreaterThan(3 * row);
+    assertThat(bar.getPreferredSize().width).isLessThanOrEqualTo(300);
+    bar.setSize(300, bar.getPreferredSize().height);
+    bar.doLayout();
+    assertThat(bar.getComponents())
+        .allSatisfy(c -> assertThat(new Rectangle(bar.getSize()).contains(c.getBounds())).isTrue());
+  }
+
+  @Test
+  void darkIsDark() {
+    Color light = new Color(paint()[0]);
+    panel.setDark(true);
+    assertThat(new Color(paint()[0]).getGreen()).isLessThan(light.getGreen() - 150);
   }
 
   @Test

@@ -7,16 +7,19 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import dev.carom.Circle;
 import dev.carom.Scene;
 import dev.carom.bench.experiment.Crosses;
+import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
+import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
 import java.io.File;
+import java.util.Arrays;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
 import javax.imageio.ImageIO;
@@ -49,6 +52,7 @@ class ViewWindowTest {
   }
 
   private void show() {
+    Look.install();
     frame = ViewWindow.of("Test", player);
     frame.setLocation(0, 0);
     frame.setVisible(true);
@@ -104,16 +108,69 @@ class ViewWindowTest {
     assertThat(get(() -> player.isRunning())).isFalse();
     type(KeyEvent.VK_I);
     assertThat(get(() -> player.shown())).isGreaterThan(reached);
-    EventQueue.invokeAndWait(this::tickAllBoxes);
     keep("view");
   }
 
-  private void tickAllBoxes() {
-    for (JCheckBox box : ViewPanelTest.all(panel(), JCheckBox.class)) {
-      if (!box.isSelected()) {
-        box.doClick();
-      }
-    }
+  /** By its menu and the keys of its layers; the window narrow, so that its tool bar wraps. */
+  @Test
+  void goesDarkAndNarrow() throws Exception {
+    player.setRunning(true);
+    robot.delay(1_000);
+    robot.keyPress(KeyEvent.VK_CONTROL);
+    type(KeyEvent.VK_D);
+    robot.keyRelease(KeyEvent.VK_CONTROL);
+    type(KeyEvent.VK_SPACE);
+    type(KeyEvent.VK_N);
+    type(KeyEvent.VK_A);
+    type(KeyEvent.VK_G);
+    JCheckBox normals = get(() -> ViewPanelTest.all(panel(), JCheckBox.class).get(1));
+    assertThat(get(normals::isSelected)).isTrue();
+    keep("dark");
+    int row = get(() -> panel().getComponent(0).getHeight());
+    EventQueue.invokeAndWait(() -> frame.setSize(560, 480));
+    robot.delay(500);
+    assertThat(get(() -> panel().getComponent(0).getHeight())).isGreaterThan(row);
+    keep("narrow");
+    EventQueue.invokeAndWait(() -> Look.set(false));
+  }
+
+  @Test
+  void tellsItsKeys() throws Exception {
+    type(KeyEvent.VK_F1);
+    robot.delay(500);
+    keep("help");
+    assertThat(get(() -> openDialogs())).isEqualTo(1);
+    type(KeyEvent.VK_ENTER);
+    robot.delay(300);
+    assertThat(get(() -> openDialogs())).isZero();
+  }
+
+  private int openDialogs() {
+    return (int) Arrays.stream(frame.getOwnedWindows()).filter(Window::isVisible).count();
+  }
+
+  @Test
+  void zoomsThrowsAndAdds() throws Exception {
+    Point corner = get(() -> panel().canvas().getLocationOnScreen());
+    Dimension size = get(() -> panel().canvas().getSize());
+    Point middle = new Point(corner.x + size.width / 2, corner.y + size.height / 2);
+    robot.mouseMove(middle.x, middle.y);
+    robot.mouseWheel(-6);
+    robot.delay(300);
+    type(KeyEvent.VK_2);
+    press(middle);
+    robot.mouseMove(middle.x + 60, middle.y - 40);
+    robot.mouseMove(middle.x + 160, middle.y - 90);
+    robot.delay(300);
+    keep("draft");
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    robot.waitForIdle();
+    assertThat(get(() -> player.scene().circleCount())).isEqualTo(101);
+    type(KeyEvent.VK_1);
+    robot.mouseMove(middle.x, middle.y);
+    robot.delay(300);
+    assertThat(get(() -> panel().canvas().hovered())).isNotEmpty();
+    keep("hover");
   }
 
   @Test

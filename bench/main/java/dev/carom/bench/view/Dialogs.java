@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.view;
+
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** What the window asks its user, and tells. */
+interface Dialogs {
+
+  /** A file to be read; empty if none was chosen. */
+  Optional<Path> chooseToOpen();
+
+  /** A file to be written; empty if none was chosen. */
+  Optional<Path> chooseToSave();
+
+  /** Whether a question is answered with yes. */
+  boolean confirms(String question);
+
+  /** Shows an error until it was read. */
+  void shows(String title, String error);
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.view;
+
+import dev.carom.ImpactLog;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+
+/**
+ * The impacts of a run and what its ticks cost, by time, so that the figures of any moment can be
+ * told. Its memory is bounded: the oldest impacts and ticks go first, but all impacts are counted.
+ */
+final class RunHistory {
+
+  /** Impacts, or ticks, that are kept. */
+  private static final int KEPT = 100_000;
+
+  /** Ticks over which figures are averaged: a second. */
+  private static final int WINDOW = 60;
+
+  /**
+   * A call that moved the world on.
+   *
+   * @param from the time of the world before
+   * @param to its time after
+   * @param nanos how long the call took
+   * @param impacts how many there were
+   */
+  private record Tick(double from, double to, long nanos, int impacts) {}
+
+  private List<Mark> marks = new ArrayList<>();
+  private List<Tick> ticks = new ArrayList<>();
+
+  /** Impacts that are no longer kept. */
+  private long dropped;
+
+  void add(double from, double to, long nanos, ImpactLog log) {
+    for (int row = 0; row < log.size(); row++) {
+      marks.add(Mark.of(log, row));
+    }
+    ticks.add(new Tick(from, to, nanos, log.size()));
+    int before = marks.size();
+    marks = bounded(marks);
+    dropped += before - marks.size();
+    ticks = bounded(ticks);
+  }
+
+  /** The newest ones, once there are twice as many as are kept. */
+  private static <T> List<T> bounded(List<T> list) {
+    int size = list.size();
+    return size < 2 * KEPT ? list : new ArrayList<>(list.subList(size - KEPT, size));
+  }
+
+  /** The impacts up to a time. */
+  long impacts(double time) {
+    return dropped + upTo(marks, Mark::time, time);
+  }
+
+  /** The impacts after a time and up to another one, at most so many of the newest, in order. */
+  List<Mark> marks(double after, double upTo, int most) {
+    int end = upTo(marks, Mark::time, upTo);
+    int begin = Math.max(upTo(marks, Mark::time, after), end - most);
+    return List.copyOf(marks.subList(Math.min(begin, end), end));
+  }
+
+  /** The time of the first impact after a time, infinity if none is known. */
+  double next(double after) {
+    int i = upTo(marks, Mark::time, after);
+    return i < marks.size() ? marks.get(i).time() : Double.POSITIVE_INFINITY;
+  }
+
+  /** What it cost to reach a moment: the mean of the last second of ticks. */
+  TickCost cost(double time, double frame) {
+    int end = Math.min(ticks.size(), upTo(ticks, Tick::from, Math.nextDown(time)));
+    long nanos = 0;
+    long impacts = 0;
+    double frames = 0;
+    List<Tick> window = ticks.subList(Math.max(0, end - WINDOW), end);
+    for (Tick tick : window) {
+      nanos += tick.nanos();
+      impacts += tick.impacts();
+      frames += (tick.to() - tick.from()) / frame;
+    }
+    return new TickCost(window.size(), frames, nanos, impacts);
+  }
+
+  /** How many of a list, ascending by a key, have at most that key. */
+  private static <T> int upTo(List<T> list, ToDoubleFunction<T> key, double most) {
+    int low = 0;
+    int high = list.size();
+    while (low < high) {
+      int middle = (low + high) >>> 1;
+      if (key.applyAsDouble(list.get(middle)) <= most) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
+  }
+}

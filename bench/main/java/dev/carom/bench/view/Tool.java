@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.view;
+
+/** What the mouse does on the scene. */
+enum Tool {
+  /** Drags what is there, throws circles, and pans. */
+  HAND("Hand", "Drag circles, lines, their ends and pegs; throw a circle; drag the floor to pan"),
+  /** Adds circles. */
+  CIRCLE("Circle", "Add a circle: press, draw its velocity, release"),
+  /** Adds lines. */
+  LINE("Line", "Add a line: press at one end, release at the other"),
+  /** Adds pegs. */
+  PEG("Peg", "Add a peg: press at its centre, release at its rim"),
+  /** Removes what is clicked. */
+  DELETE("Delete", "Delete the circle, line or peg that is clicked");
+
+  private final String label;
+  private final String tip;
+
+  Tool(String label, String tip) {
+    this.label = label;
+    this.tip = tip;
+  }
+
+  String label() {
+    return label;
+  }
+
+  String tip() {
+    return tip;
+  }
+}
