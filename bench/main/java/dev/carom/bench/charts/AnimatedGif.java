@@ -22,7 +22,7 @@ import javax.imageio.stream.ImageOutputStream;
  * Images of one size as a GIF that plays for ever. All share one palette, and each holds only the
  * pixels that changed to the eye, the others being transparent: that makes the file small.
  */
-final class AnimatedGif {
+public final class AnimatedGif {
 
   private static final String STREAM = "javax_imageio_gif_stream_1.0";
   private static final String IMAGE = "javax_imageio_gif_image_1.0";
@@ -44,8 +44,10 @@ final class AnimatedGif {
    * @param colorCount a power of two from 4 to 128
    * @param delay of each image in hundredths of a second
    * @param rest of the last image, before all begins again, in hundredths of a second
+   * @return the bytes
+   * @throws IOException if this Java cannot write GIF
    */
-  static byte[] of(List<BufferedImage> images, int colorCount, int delay, int rest)
+  public static byte[] of(List<BufferedImage> images, int colorCount, int delay, int rest)
       throws IOException {
     return new AnimatedGif(images, colorCount).write(delay, rest);
   }

@@ -3,19 +3,30 @@ package dev.carom.bench.cli;
 
 import dev.carom.Scene;
 import dev.carom.bench.charts.Style;
+import dev.carom.bench.duel.Duel;
+import dev.carom.bench.duel.Preset;
+import dev.carom.bench.duel.Rival;
 import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.reference.Reference;
+import dev.carom.bench.results.WholeFile;
+import dev.carom.bench.view.DuelMovie;
 import dev.carom.bench.view.Look;
 import dev.carom.bench.view.Player;
 import dev.carom.bench.view.ViewWindow;
 import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
 
-/** Opens a window on a scene. */
+/** Opens a window on a scene, alone or beside another method. */
 @Command(
     name = "view",
     description = {
@@ -23,7 +34,8 @@ import picocli.CommandLine.Spec;
       "Run, pause, one frame, one impact; scrub through the past; trails, normals, coordinates;"
           + " zoom and pan; drag, throw, add and delete; load and save.",
       "Space runs and pauses, the right arrow goes on by one frame, I by one impact; ? tells all"
-          + " keys."
+          + " keys.",
+      "With --against another method plays the same scene beside Carom."
     },
     mixinStandardHelpOptions = true,
     sortOptions = false)
@@ -40,16 +52,103 @@ final class ViewCommand implements Callable<Integer> {
       description = "The time of a frame at speed 1, 60 a second (default: ${DEFAULT-VALUE}).")
   private double dt;
 
+  @Option(
+      names = "--preset",
+      paramLabel = "NAME",
+      converter = Presets.class,
+      description =
+          "Show a scene in which methods fail within five seconds: fast, gap, corner, shallow,"
+              + " slow, wedge or row.")
+  private Preset preset;
+
+  @Option(
+      names = "--against",
+      paramLabel = "METHOD",
+      converter = Rivals.class,
+      description =
+          "Let another method play the same scene: box2d, dyn4j, jbox2d, published, substeps;"
+              + " or, at their best, box2d-best, dyn4j-best, jbox2d-best.")
+  private Rival rival;
+
+  @Option(
+      names = "--record",
+      paramLabel = "FILE",
+      description = "Write both sides as an animated GIF instead of opening a window.")
+  private Path record;
+
+  @Option(
+      names = "--frames",
+      paramLabel = "N",
+      defaultValue = "300",
+      description = "Frames that are recorded (default: ${DEFAULT-VALUE}).")
+  private int frames;
+
   @Override
   public Integer call() throws IOException, CannotPlaceException {
     Bounded.positive("--dt", dt, spec);
-    Scene scene = scenes.scene();
-    Windows.show(
-        () -> {
-          Style.requireFonts();
-          Look.install();
-          return ViewWindow.of(scenes.title(), new Player(scene, dt));
-        });
+    Bounded.atLeast(0, "--frames", frames, spec);
+    check();
+    Scene scene = preset == null ? scenes.scene() : preset.scene();
+    String title = preset == null ? scenes.title() : preset.about();
+    Reference truth = preset == null || rival == null ? null : preset.truth();
+    if (record == null) {
+      Player.warmUp(scene);
+      Windows.show(
+          () -> {
+            Style.requireFonts();
+            Look.install();
+            return ViewWindow.of(title, new Player(scene, dt), truth, rival);
+          });
+    } else {
+      Style.requireFonts();
+      OutputFile.prepare(record);
+      Duel.warmUp(scene, rival);
+      try (Duel duel = new Duel(scene, rival, truth)) {
+        WholeFile.write(record, DuelMovie.gif(duel, title, frames));
+      }
+    }
     return 0;
+  }
+
+  private void check() {
+    if (preset != null && scenes.isGiven()) {
+      throw usage("--preset excludes the options of other scenes");
+    }
+    if (record != null && rival == null) {
+      throw usage("--record records both sides: --against is missing");
+    }
+    if (rival != null && dt != 1) {
+      throw usage("--against plays frames of 1 unit of time: --dt is " + dt);
+    }
+  }
+
+  private ParameterException usage(String message) {
+    return new ParameterException(spec.commandLine(), message);
+  }
+
+  private static <E extends Enum<E>> E byName(E[] values, String word) {
+    return Arrays.stream(values)
+        .filter(each -> each.toString().equals(word))
+        .findFirst()
+        .orElseThrow(
+            () ->
+                new TypeConversionException(
+                    "'%s' is none of %s".formatted(word, Arrays.toString(values))));
+  }
+
+  /** Finds a rival by its name. */
+  static final class Rivals implements ITypeConverter<Rival> {
+    @Override
+    public Rival convert(String word) {
+      return byName(Rival.values(), word);
+    }
+  }
+
+  /** Finds a preset by its name. */
+  static final class Presets implements ITypeConverter<Preset> {
+    @Override
+    public Preset convert(String word) {
+      return byName(Preset.values(), word);
+    }
   }
 }

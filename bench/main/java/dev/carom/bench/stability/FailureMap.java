@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.stability;
 
+import dev.carom.Scene;
+import dev.carom.bench.reference.Reference;
 import java.util.List;
 
 /**
@@ -43,6 +45,28 @@ public record FailureMap(String name, String heading, String run, Axis x, Axis y
 
   private FailureMap thinned() {
     return new FailureMap(name, heading, run, x.thinned(), y.thinned(), maker);
+  }
+
+  /**
+   * The scene of a cell, to be looked at.
+   *
+   * @param column which value of {@link #x}
+   * @param row which value of {@link #y}
+   * @return the scene at time 0
+   */
+  public Scene scene(int column, int row) {
+    return cell(row * x.values().length + column).scene();
+  }
+
+  /**
+   * What really happens in a cell.
+   *
+   * @param column which value of {@link #x}
+   * @param row which value of {@link #y}
+   * @return its course; null if impacts pile up so that none was found
+   */
+  public Reference truth(int column, int row) {
+    return cell(row * x.values().length + column).truth();
   }
 
   /** How many cells it has. */

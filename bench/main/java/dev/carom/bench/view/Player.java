@@ -33,6 +33,9 @@ public final class Player {
   /** A tick ends after this time, so that the window still answers. */
   private static final long TICK_NANOS = 50_000_000;
 
+  private static final long WARM_UP_NANOS = 400_000_000;
+  private static final int WARM_UP_FRAMES = 1000;
+
   private final double frame;
   private final EditTimes jumps = new EditTimes();
   private RunHistory history = new RunHistory();
@@ -69,6 +72,23 @@ public final class Player {
   /** Starts anew with the scene that was loaded last. */
   public void restart() {
     begin(beginning);
+  }
+
+  /**
+   * Runs a scene for a moment in another world, so that the virtual machine compiles what moves it:
+   * otherwise the first seconds would time its interpreter.
+   *
+   * @param scene the scene
+   */
+  public static void warmUp(Scene scene) {
+    long end = System.nanoTime() + WARM_UP_NANOS;
+    while (System.nanoTime() < end) {
+      World world = new World(scene);
+      world.record(FLIGHTS);
+      for (int frame = 1; frame <= WARM_UP_FRAMES && System.nanoTime() < end; frame++) {
+        world.step(1);
+      }
+    }
   }
 
   private void begin(Scene scene) {

@@ -43,6 +43,7 @@ final class SceneCanvas extends JComponent {
   private final transient Player player;
   private final transient Consumer<String> changed;
   private final transient ScenePainter painter;
+  private boolean duelling;
   private Tool tool = Tool.HAND;
   private transient Grip grip;
   private transient Draft draft;
@@ -105,8 +106,13 @@ final class SceneCanvas extends JComponent {
 
     @Override
     public void mouseWheelMoved(MouseWheelEvent e) {
-      zoom(Math.pow(NOTCH, -e.getPreciseWheelRotation()), e.getPoint());
+      zoom(factor(e), e.getPoint());
     }
+  }
+
+  /** How much a turn of the wheel enlarges. */
+  static double factor(MouseWheelEvent e) {
+    return Math.pow(NOTCH, -e.getPreciseWheelRotation());
   }
 
   /** Takes the size from what is there now. */
@@ -125,6 +131,11 @@ final class SceneCanvas extends JComponent {
     setCursor(
         Cursor.getPredefinedCursor(
             tool == Tool.HAND ? Cursor.DEFAULT_CURSOR : Cursor.CROSSHAIR_CURSOR));
+  }
+
+  /** In a duel the score tells what takes how long. */
+  void setDuelling(boolean duelling) {
+    this.duelling = duelling;
   }
 
   private Rectangle area() {
@@ -255,7 +266,7 @@ final class SceneCanvas extends JComponent {
       if (draft != null) {
         painter.draft(g, area(), player, draft);
       }
-      if (painter.shows(ScenePainter.Layer.FIGURES)) {
+      if (painter.shows(ScenePainter.Layer.FIGURES) && !duelling) {
         Rectangle inside = area();
         inside.grow(-INSET, -INSET);
         Notes.draw(g, figures(), getWidth(), 0, inside, painter.scheme());

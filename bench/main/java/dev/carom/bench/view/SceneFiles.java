@@ -26,7 +26,7 @@ final class SceneFiles {
   /** Shows a scene. */
   void open(Path file) {
     try {
-      panel.play(name(file), Scene.read(file));
+      panel.play(name(file), Scene.read(file), null);
       panel.told("loaded " + file);
     } catch (SceneFormatException e) {
       String place = e.file() + ":" + e.line() + ":" + e.column() + ": ";

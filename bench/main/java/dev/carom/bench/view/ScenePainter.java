@@ -4,9 +4,12 @@ package dev.carom.bench.view;
 import dev.carom.Circle;
 import dev.carom.Line;
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
 import dev.carom.bench.charts.SceneDrawing;
+import dev.carom.bench.charts.Still;
 import dev.carom.bench.charts.Style;
+import dev.carom.bench.duel.PlayedFrame;
 import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
@@ -15,8 +18,11 @@ import java.awt.geom.NoninvertibleTransformException;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Set;
+import java.util.function.IntFunction;
 
 /** Draws what a player shows, and beside it what was asked for. */
 final class ScenePainter {
@@ -49,7 +55,7 @@ final class ScenePainter {
   static final double MARGIN = 26;
 
   /** How far back trails and normals reach, in frames. */
-  private static final double FRAMES = 40;
+  static final double FRAMES = 40;
 
   /** How long a circle glows after an impact, in frames. */
   private static final double GLOW = 5;
@@ -107,24 +113,46 @@ final class ScenePainter {
   }
 
   void draw(Graphics2D g, Rectangle2D area, Player player) {
+    Scene scene = player.scene();
+    draw(g, area, scene, player.still(scene, GLOW), Trails.of(player, FRAMES * player.frame()));
+    if (shows(Layer.NORMALS)) {
+      normals(g, transform(area), player);
+    }
+  }
+
+  /** One side of a duel: circles that are lost are red. */
+  void draw(Graphics2D g, Rectangle2D area, Scene scene, IntFunction<PlayedFrame> side, int frame) {
+    PlayedFrame played = side.apply(frame);
+    SceneBuilder finite = Scene.builder();
+    List<Integer> ids = new ArrayList<>();
+    for (int i = 0; i < played.circles(); i++) {
+      if (Double.isFinite(played.x(i)) && Double.isFinite(played.y(i))) {
+        double vx = Double.isFinite(played.vx(i)) ? played.vx(i) : 0;
+        double vy = Double.isFinite(played.vy(i)) ? played.vy(i) : 0;
+        finite.circle(played.x(i), played.y(i), scene.circle(i).radius(), vx, vy);
+        ids.add(i);
+      }
+    }
+    Still still =
+        Still.of(finite.build())
+            .colored(i -> played.isLost(ids.get(i)) ? Style.veil(Style.VERMILION, 0.85) : null);
+    draw(g, area, scene, still, Trails.of(side, frame, (int) FRAMES));
+  }
+
+  private void draw(Graphics2D g, Rectangle2D area, Scene scene, Still still, Trails trails) {
     Style.smooth(g);
     g.clip(area);
     AffineTransform map = transform(area);
-    Scene scene = player.scene();
-    double time = shows(Layer.ARROWS) ? arrowTime : 0;
     drawing
         .withScheme(scheme)
         .withScene(scene)
-        .withArrowTime(time)
-        .draw(g, viewport.area(area), player.still(scene, GLOW));
+        .withArrowTime(shows(Layer.ARROWS) ? arrowTime : 0)
+        .draw(g, viewport.area(area), still);
     if (shows(Layer.GRID)) {
       grid(g, map, area);
     }
     if (shows(Layer.TRAILS)) {
-      new Trails(player, FRAMES * player.frame()).draw(g, map, scheme.rim());
-    }
-    if (shows(Layer.NORMALS)) {
-      normals(g, map, player);
+      trails.draw(g, map, scheme.rim());
     }
   }
 

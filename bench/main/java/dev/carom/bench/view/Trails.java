@@ -3,12 +3,14 @@ package dev.carom.bench.view;
 
 import dev.carom.Timeline;
 import dev.carom.bench.charts.Style;
+import dev.carom.bench.duel.PlayedFrame;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Path2D;
+import java.util.function.IntFunction;
 
-/** Where circles were lately, from the recording: a trail turns where the circle did, and fades. */
+/** Where circles were lately, as lines that fade. */
 final class Trails {
 
   /** Points of all trails together: what a frame has time for. */
@@ -18,19 +20,60 @@ final class Trails {
   private static final int SHADES = 8;
   private static final double BOLDEST = 0.8;
 
-  private final Player player;
-  private final Timeline past;
-  private final double begin;
-  private final double end;
-  private final int points;
+  /** Tells where a circle was. */
+  @FunctionalInterface
+  private interface Course {
 
-  Trails(Player player, double time) {
-    this.player = player;
-    past = player.past();
-    end = player.shown();
-    begin = Math.max(past.start(), end - time);
-    int most = POINTS / Math.max(1, player.circles());
-    points = Math.max(SHADES, Math.min(MOST_POINTS, most)) / SHADES * SHADES;
+    /** Sets its place at a point of its trail; false if it was not there, or no trail began yet. */
+    boolean find(int circle, int point, double[] place);
+  }
+
+  private final int circles;
+  private final int points;
+  private final Course course;
+
+  private Trails(int circles, int points, Course course) {
+    this.circles = circles;
+    this.points = points;
+    this.course = course;
+  }
+
+  /** Those of a recording: a trail turns where the circle did, and begins after the last jump. */
+  static Trails of(Player player, double time) {
+    Timeline past = player.past();
+    int circles = player.circles();
+    int most = Math.min(MOST_POINTS, POINTS / Math.max(1, circles));
+    int points = Math.max(SHADES, most) / SHADES * SHADES;
+    double end = player.shown();
+    double begin = Math.max(past.start(), end - time);
+    return new Trails(
+        circles,
+        points,
+        (id, point, place) -> {
+          double t = point == points ? end : begin + (end - begin) * point / points;
+          if (t < player.lastJump(id) || !past.contains(id, t)) {
+            return false;
+          }
+          place[0] = past.x(id, t);
+          place[1] = past.y(id, t);
+          return true;
+        });
+  }
+
+  /** Those of a duel: straight from frame to frame. */
+  static Trails of(IntFunction<PlayedFrame> frames, int end, int length) {
+    return new Trails(
+        frames.apply(end).circles(),
+        length,
+        (i, point, place) -> {
+          int frame = end - length + point;
+          if (frame < 0) {
+            return false;
+          }
+          place[0] = frames.apply(frame).x(i);
+          place[1] = frames.apply(frame).y(i);
+          return true;
+        });
   }
 
   void draw(Graphics2D g, AffineTransform map, Color color) {
@@ -40,8 +83,8 @@ final class Trails {
       g.setStroke(Style.line(Style.HAIR + boldness * (Style.FIRM - Style.HAIR)));
       int from = shade * points / SHADES;
       int to = (shade + 1) * points / SHADES;
-      for (int id = 0; id < player.circles(); id++) {
-        Path2D part = part(id, from, to);
+      for (int i = 0; i < circles; i++) {
+        Path2D part = part(i, from, to);
         if (part.getCurrentPoint() != null) {
           g.draw(map.createTransformedShape(part));
         }
@@ -49,19 +92,15 @@ final class Trails {
     }
   }
 
-  /** From one point of the trail to another one; what lies before the last jump is left out. */
-  private Path2D part(int id, int from, int to) {
-    double jump = player.lastJump(id);
+  private Path2D part(int circle, int from, int to) {
     Path2D path = new Path2D.Double();
-    for (int i = from; i <= to; i++) {
-      double t = i == points ? end : begin + (end - begin) * i / points;
-      if (t >= jump && past.contains(id, t)) {
-        double x = past.x(id, t);
-        double y = past.y(id, t);
+    double[] place = new double[2];
+    for (int point = from; point <= to; point++) {
+      if (course.find(circle, point, place) && Double.isFinite(place[0] + place[1])) {
         if (path.getCurrentPoint() == null) {
-          path.moveTo(x, y);
-        } else if (Double.isFinite(x + y)) {
-          path.lineTo(x, y);
+          path.moveTo(place[0], place[1]);
+        } else {
+          path.lineTo(place[0], place[1]);
         }
       }
     }

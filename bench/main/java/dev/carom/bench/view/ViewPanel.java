@@ -2,9 +2,13 @@
 package dev.carom.bench.view;
 
 import dev.carom.Scene;
+import dev.carom.bench.duel.Duel;
+import dev.carom.bench.duel.Rival;
+import dev.carom.bench.reference.Reference;
 import dev.carom.bench.view.ScenePainter.Layer;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.GridLayout;
 import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,6 +20,7 @@ import javax.swing.BorderFactory;
 import javax.swing.ButtonGroup;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -41,17 +46,29 @@ public final class ViewPanel extends JPanel {
 
   private static final double CLOSER = 1.5;
 
+  /** Frames a tick that slow engines still keep up with. */
+  private static final double MOST_IN_DUEL = 10;
+
+  /** Among the rivals: nobody. */
+  private static final String ALONE = "nobody";
+
   /** Of the slider of speed, in pixels. */
   private static final int SPEED_WIDTH = 140;
 
   private final transient Player player;
   private final SceneCanvas canvas;
+  private final transient Arena arena;
+  private final JPanel panes = new JPanel(new GridLayout(1, 0, 1, 0));
+  private final RivalPane rivalPane;
+  private final ScorePane scorePane;
+  private final JComboBox<Object> rivals = new JComboBox<>();
   private final transient List<KeyAction> keys = new ArrayList<>();
   private final JPanel bar = new JPanel(new WrapLayout(6, 4));
   private final JButton run = new JButton();
   private final JSlider time = new JSlider(0, SLIDER, 0);
   private final JSlider speed = new JSlider(-DECADES * DECADE, DECADES * DECADE, 0);
   private final JLabel factor = new JLabel();
+  private final JPanel foot = new JPanel(new BorderLayout());
   private final JLabel status = new JLabel(" ");
   private transient Consumer<String> titled = title -> {};
   private boolean refreshing;
@@ -66,9 +83,13 @@ public final class ViewPanel extends JPanel {
     super(new BorderLayout());
     this.player = player;
     canvas = new SceneCanvas(player, this::told);
+    arena = new Arena(player);
+    rivalPane = new RivalPane(arena, canvas);
+    scorePane = new ScorePane(arena, canvas);
     makeBar();
+    panes.add(canvas);
     add(bar, BorderLayout.NORTH);
-    add(canvas, BorderLayout.CENTER);
+    add(panes, BorderLayout.CENTER);
     add(foot(), BorderLayout.SOUTH);
     refresh();
   }
@@ -90,6 +111,7 @@ public final class ViewPanel extends JPanel {
         key("R", "R", "Restart", "Begin again with the scene as it was loaded", player::restart));
     key("LEFT", "Left", "Back", "Go back by one frame", this::stepBack);
     addSpeed();
+    addRivals();
     addTools();
     addLayers();
     addButton(new JButton(), ToolIcon.FIT, key("0", "0", "Fit", "Show the whole scene", this::fit));
@@ -161,13 +183,61 @@ public final class ViewPanel extends JPanel {
   }
 
   private void setSpeed() {
-    double value = Math.pow(10, speed.getValue() / (double) DECADE);
+    double chosen = Math.pow(10, speed.getValue() / (double) DECADE);
+    double value = arena.isOpen() ? Math.min(MOST_IN_DUEL, chosen) : chosen;
     player.setSpeed(value);
     factor.setText(value < 1 ? "1/" + rounded(1 / value) : rounded(value));
   }
 
   private static String rounded(double x) {
     return String.format(Locale.ROOT, x < 10 && Math.rint(x) != x ? "%.1f" : "%.0f", x);
+  }
+
+  private void addRivals() {
+    rivals.addItem(ALONE);
+    for (Rival rival : Rival.values()) {
+      rivals.addItem(rival);
+    }
+    rivals.setFocusable(false);
+    rivals.setToolTipText("Who plays the same scene beside Carom, from the moment shown (B)");
+    rivals.addActionListener(event -> act(this::begin));
+    // What the engines call a frame is one unit of time.
+    rivals.setEnabled(player.frame() == 1);
+    bar.add(new JLabel("Against"));
+    bar.add(rivals);
+    key("B", "B", "Against", "Play beside the next method", this::nextRival);
+  }
+
+  private void nextRival() {
+    if (rivals.isEnabled()) {
+      rivals.setSelectedIndex((rivals.getSelectedIndex() + 1) % rivals.getItemCount());
+    }
+  }
+
+  private void begin() {
+    Rival rival = rivals.getSelectedItem() instanceof Rival chosen ? chosen : null;
+    if (rival != null) {
+      Duel.warmUp(player.scene(), rival);
+    }
+    arena.challenge(rival);
+    setSpeed();
+    panes.remove(rivalPane);
+    canvas.setDuelling(rival != null);
+    foot.remove(scorePane);
+    if (rival != null) {
+      panes.add(rivalPane);
+      foot.add(scorePane, BorderLayout.NORTH);
+    }
+    revalidate();
+  }
+
+  /**
+   * Lets another method play the same scene beside this library, from the moment shown.
+   *
+   * @param rival who; null for nobody
+   */
+  public void challenge(Rival rival) {
+    rivals.setSelectedItem(rival == null ? ALONE : rival);
   }
 
   private void addTools() {
@@ -210,14 +280,15 @@ public final class ViewPanel extends JPanel {
   }
 
   private JComponent foot() {
-    JPanel foot = new JPanel(new BorderLayout());
-    foot.setBorder(BorderFactory.createEmptyBorder(2, 8, 4, 8));
+    JPanel controls = new JPanel(new BorderLayout());
+    controls.setBorder(BorderFactory.createEmptyBorder(2, 8, 4, 8));
     time.setFocusable(false);
     time.setName("Time");
     time.setToolTipText("Which moment is shown: drag it into the past");
     time.addChangeListener(event -> scrub());
-    foot.add(time, BorderLayout.NORTH);
-    foot.add(status, BorderLayout.SOUTH);
+    controls.add(time, BorderLayout.NORTH);
+    controls.add(status, BorderLayout.SOUTH);
+    foot.add(controls, BorderLayout.SOUTH);
     return foot;
   }
 
@@ -273,11 +344,13 @@ public final class ViewPanel extends JPanel {
    *
    * @param title of the window
    * @param scene what is there
+   * @param truth its true course; null if that is not known
    * @throws IllegalArgumentException if no world can be made of it; then nothing changes
    */
-  public void play(String title, Scene scene) {
+  public void play(String title, Scene scene, Reference truth) {
     player.load(scene);
     player.setRunning(false);
+    arena.setTruth(scene, truth);
     canvas.fit();
     titled.accept(title);
     told("");
@@ -325,6 +398,10 @@ public final class ViewPanel extends JPanel {
             message.isEmpty() ? "" : "; " + message));
     refreshing = false;
     canvas.repaint();
+    if (arena.isOpen()) {
+      rivalPane.repaint();
+      scorePane.repaint();
+    }
   }
 
   /** What the status line says. */
@@ -335,6 +412,16 @@ public final class ViewPanel extends JPanel {
   /** Where the scene is drawn. */
   SceneCanvas canvas() {
     return canvas;
+  }
+
+  /** The duel beside the player. */
+  Arena arena() {
+    return arena;
+  }
+
+  /** The scores of the duel. */
+  ScorePane scores() {
+    return scorePane;
   }
 
   /** What is shown. */

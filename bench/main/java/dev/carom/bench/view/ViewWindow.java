@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.view;
 
+import dev.carom.bench.duel.Rival;
+import dev.carom.bench.reference.Reference;
 import java.awt.Dimension;
 import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
@@ -27,11 +29,13 @@ public final class ViewWindow {
 
   private final JFrame frame = new JFrame();
   private final ViewPanel panel;
+  private final Dialogs dialogs;
   private final SceneFiles files;
 
   private ViewWindow(String title, Player player) {
     panel = new ViewPanel(player);
-    files = new SceneFiles(panel, new SwingDialogs(frame));
+    dialogs = new SwingDialogs(frame);
+    files = new SceneFiles(panel, dialogs);
     panel.onTitle(this::setTitle);
     setTitle(title);
     frame.add(panel);
@@ -48,13 +52,29 @@ public final class ViewWindow {
    * @return the window, to be shown
    */
   public static JFrame of(String title, Player player) {
+    return of(title, player, null, null);
+  }
+
+  /**
+   * Makes the window with a duel in it; on the event thread, and where there is a screen.
+   *
+   * @param title of what is shown: the file's name, say
+   * @param player what it shows
+   * @param truth what really happens in its scene; null if that is not known
+   * @param rival who plays beside it; null for nobody
+   * @return the window, to be shown
+   */
+  public static JFrame of(String title, Player player, Reference truth, Rival rival) {
     ViewWindow window = new ViewWindow(title, player);
+    window.panel.arena().setTruth(player.scene(), truth);
+    window.panel.challenge(rival);
     Timer timer = new Timer(MILLIS, event -> window.tick());
     window.frame.addWindowListener(
         new WindowAdapter() {
           @Override
           public void windowClosed(WindowEvent e) {
             timer.stop();
+            window.panel.arena().close();
           }
         });
     timer.start();
@@ -90,6 +110,7 @@ public final class ViewWindow {
     bindQuestionMark();
     JMenuBar bar = new JMenuBar();
     bar.add(file);
+    bar.add(new SceneMenu(panel, dialogs).menu());
     bar.add(view);
     bar.add(help);
     return bar;
