@@ -154,7 +154,9 @@ public final class Duel implements AutoCloseable {
             "deepest overlap: " + number(played.penetration()) + " radii",
             played.penetration() > DEEP),
         energy(played, frame),
-        compared ? error(played, frame) : new ScoreLine("error: the truth is not known", false),
+        compared
+            ? error(played, frame)
+            : new ScoreLine("error: the truth is not known here", false),
         new ScoreLine(
             Double.isNaN(played.micros())
                 ? "time: no frame yet"
@@ -175,14 +177,9 @@ public final class Duel implements AutoCloseable {
     double[] errors = errors(played, frame);
     double worst = errors[errors.length - 1];
     String whom = isKnown(frame) ? "the truth" : "Carom";
+    String median = number(errors[(errors.length - 1) / 2]);
     return new ScoreLine(
-        "error: "
-            + number(worst)
-            + " radii at worst, "
-            + number(errors[(errors.length - 1) / 2])
-            + " median, against "
-            + whom,
-        worst > FAR);
+        "error against " + whom + ": " + number(worst) + " radii, median " + median, worst > FAR);
   }
 
   /**
@@ -210,7 +207,7 @@ public final class Duel implements AutoCloseable {
     if (x == 0 || Double.isInfinite(x)) {
       return x == 0 ? "0" : "infinitely many";
     }
-    String format = x < 0.001 ? "%.0e" : x < 10 ? "%.3f" : x < 100 ? "%.1f" : "%,.0f";
+    String format = x < 0.01 ? "%.0e" : x < 10 ? "%.2f" : x < 100 ? "%.1f" : "%,.0f";
     return String.format(Locale.ROOT, format, x).replace("e-0", "e-");
   }
 

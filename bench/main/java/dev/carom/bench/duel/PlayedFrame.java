@@ -117,7 +117,7 @@ public final class PlayedFrame {
   /**
    * What a frame took.
    *
-   * @return the mean of the last second of frames, in microseconds; NaN at the start
+   * @return the median of the last second of frames, in microseconds; NaN at the start
    */
   public double micros() {
     return micros;

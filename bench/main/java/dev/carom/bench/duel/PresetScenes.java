@@ -72,13 +72,13 @@ final class PresetScenes {
     return scene.build();
   }
 
-  /** Circles in narrow shafts, at 0.1 to 0.6 a frame. */
+  /** Circles between two lines each, at 0.1 to 0.6 a frame. */
   static Scene slow() {
     SceneBuilder scene = box();
     for (int i = 0; i < 6; i++) {
-      double x = 60 + 56 * i;
-      scene.line(x - 20, 120, x + 20, 120).line(x - 20, 160, x + 20, 160);
-      scene.circle(x, 130 + i, RADIUS, 0, -0.1 * (i + 1));
+      double x = 35 + 66 * i;
+      scene.line(x - 28, 90, x + 28, 90).line(x - 28, 210, x + 28, 210);
+      scene.circle(x, 130 + 4 * i, 2.5 * RADIUS, 0, -0.1 * (i + 1));
     }
     return scene.build();
   }

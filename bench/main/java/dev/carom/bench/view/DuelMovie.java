@@ -52,6 +52,8 @@ public final class DuelMovie {
    */
   public static byte[] gif(Duel duel, String title, int frames) throws IOException {
     DuelMovie movie = new DuelMovie(duel, title);
+    duel.carom(frames); // all of it before the first image is drawn, which would cost it its caches
+    duel.rival(frames);
     List<BufferedImage> images = new ArrayList<>();
     for (int frame = 0; frame <= frames; frame += STRIDE) {
       images.add(movie.image(frame));

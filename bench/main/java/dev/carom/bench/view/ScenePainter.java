@@ -33,7 +33,7 @@ final class ScenePainter {
     NORMALS("Normals", "Show the normal of each impact of late"),
     GRID("Grid", "Show coordinates"),
     ARROWS("Arrows", "Show where the circles go"),
-    FIGURES("Figures", "Show what frames and impacts take");
+    FIGURES("Figures", "Show what frames and impacts take, with the drawing in between");
 
     private final String label;
     private final String tip;

@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import dev.carom.Circle;
 import dev.carom.Scene;
+import dev.carom.bench.duel.Preset;
+import dev.carom.bench.duel.Rival;
+import dev.carom.bench.duel.ScoreLine;
 import dev.carom.bench.experiment.Crosses;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -25,6 +28,7 @@ import java.util.concurrent.FutureTask;
 import javax.imageio.ImageIO;
 import javax.swing.JCheckBox;
 import javax.swing.JFrame;
+import javax.swing.JMenu;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -53,6 +57,7 @@ class ViewWindowTest {
 
   private void show() {
     Look.install();
+    Player.warmUp(player.scene());
     frame = ViewWindow.of("Test", player);
     frame.setLocation(0, 0);
     frame.setVisible(true);
@@ -132,6 +137,57 @@ class ViewWindowTest {
     assertThat(get(() -> panel().getComponent(0).getHeight())).isGreaterThan(row);
     keep("narrow");
     EventQueue.invokeAndWait(() -> Look.set(false));
+  }
+
+  @Test
+  void playsBesideAnotherMethodAndGoesBack() throws Exception {
+    EventQueue.invokeAndWait(
+        () -> {
+          panel().play("Row", Preset.ROW.scene(), Preset.ROW.truth());
+          panel().challenge(Rival.BOX2D);
+        });
+    type(KeyEvent.VK_SPACE);
+    robot.delay(3_000);
+    type(KeyEvent.VK_SPACE);
+    keep("duel");
+    assertThat(get(() -> panel().scores().scores().get(0))).noneMatch(ScoreLine::bad);
+    assertThat(get(() -> panel().scores().scores().get(1))).anyMatch(ScoreLine::bad);
+    for (int i = 0; i < 5; i++) {
+      type(KeyEvent.VK_LEFT);
+    }
+    int frame = get(() -> panel().arena().frame());
+    assertThat(get(() -> panel().arena().duel().carom(frame).x(3)))
+        .isEqualTo(get(() -> player.scene().circle(3).x()));
+    type(KeyEvent.VK_B);
+    keep("duel-next");
+    assertThat(get(() -> panel().arena().duel().rival())).isEqualTo(Rival.DYN4J);
+  }
+
+  @Test
+  void showsTheScenesOfItsMenu() throws Exception {
+    JMenu scenes = get(() -> frame.getJMenuBar().getMenu(1));
+    JMenu maps = get(() -> (JMenu) scenes.getItem(2));
+    JMenu corners = get(() -> (JMenu) maps.getItem(2));
+    JMenu row = get(() -> (JMenu) corners.getItem(1));
+    EventQueue.invokeAndWait(() -> row.getItem(2).doClick());
+    EventQueue.invokeAndWait(() -> panel().challenge(Rival.DYN4J));
+    type(KeyEvent.VK_SPACE);
+    robot.delay(600);
+    type(KeyEvent.VK_SPACE);
+    assertThat(get(() -> frame.getTitle())).startsWith("opening of the corner, degrees: ");
+    keep("map");
+    Point bar = get(() -> frame.getJMenuBar().getMenu(1).getLocationOnScreen());
+    press(new Point(bar.x + 10, bar.y + 8));
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    robot.delay(400);
+    type(KeyEvent.VK_DOWN);
+    type(KeyEvent.VK_DOWN);
+    type(KeyEvent.VK_RIGHT);
+    robot.delay(400);
+    keep("menu");
+    type(KeyEvent.VK_ESCAPE);
+    type(KeyEvent.VK_ESCAPE);
+    type(KeyEvent.VK_ESCAPE);
   }
 
   @Test
