@@ -5,6 +5,7 @@ import dev.carom.Bounds;
 import dev.carom.Circle;
 import dev.carom.Line;
 import dev.carom.Scene;
+import dev.carom.Vec2;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
@@ -140,6 +141,20 @@ public final class SceneDrawing {
     double x = area.getCenterX() - scale * extent.getCenterX();
     double y = area.getCenterY() + scale * extent.getCenterY();
     return new AffineTransform(scale, 0, 0, -scale, x, y);
+  }
+
+  /**
+   * The place in the scene that lies at a point of an area, as of a mouse.
+   *
+   * @param area in pixels
+   * @param share the point, in shares of the width from the left and of the height from the bottom
+   * @return the place
+   */
+  public Vec2 place(Rectangle2D area, Vec2 share) {
+    double scale = scale(area.getWidth(), area.getHeight());
+    double x = extent.getCenterX() + (share.x() - 0.5) * area.getWidth() / scale;
+    double y = extent.getCenterY() + (share.y() - 0.5) * area.getHeight() / scale;
+    return new Vec2(x, y);
   }
 
   private double scale(double width, double height) {

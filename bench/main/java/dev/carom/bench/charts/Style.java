@@ -40,6 +40,16 @@ public final class Style {
             new Color(0xA3A8AF),
             new Color(0x3A3F46),
             Style.SKY);
+
+    /**
+     * The same with another floor.
+     *
+     * @param other the inside of a scene
+     * @return the scheme
+     */
+    public Scheme withFloor(Color other) {
+      return new Scheme(paper, other, ink, quiet, grid, rim);
+    }
   }
 
   /** Okabe-Ito blue. */

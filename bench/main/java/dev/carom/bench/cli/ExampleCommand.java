@@ -7,7 +7,9 @@ import dev.carom.bench.examples.Example;
 import dev.carom.bench.examples.ExampleWindow;
 import dev.carom.bench.examples.Examples;
 import dev.carom.bench.results.WholeFile;
+import dev.carom.bench.view.Look;
 import java.awt.Dimension;
+import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -32,6 +34,9 @@ import picocli.CommandLine.TypeConversionException;
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class ExampleCommand implements Callable<Integer> {
+
+  /** The height of the line under a picture, in pixels. */
+  private static final int HINT = 30;
 
   @Spec private CommandSpec spec;
 
@@ -66,7 +71,12 @@ final class ExampleCommand implements Callable<Integer> {
       Bounded.atLeast(0, "--frames", frames == null ? 0 : frames, spec);
       draw();
     } else {
-      Windows.show(() -> ExampleWindow.of("Carom: " + name.about(), name.start()));
+      Windows.show(
+          () -> {
+            Style.requireFonts();
+            Look.install();
+            return ExampleWindow.of("Carom: " + name.about(), name.start());
+          });
     }
     return 0;
   }
@@ -81,15 +91,20 @@ final class ExampleCommand implements Callable<Integer> {
   private void draw() throws IOException {
     Style.requireFonts();
     OutputFile.prepare(png);
-    Example example = name.start();
-    int count = frames == null ? name.frames() : frames;
-    for (int i = 0; i < count; i++) {
-      example.frame();
-    }
+    Example example = name.after(frames == null ? name.frames() : frames);
     Dimension size = example.size();
-    Rectangle2D area = new Rectangle2D.Double(0, 0, size.width, size.height);
-    Picture still = new Picture(size.width, size.height, name.about(), g -> example.draw(g, area));
+    Picture still =
+        new Picture(size.width, size.height + HINT, name.about(), g -> draw(g, example));
     WholeFile.write(png, still.png());
+  }
+
+  /** The example, and under it what its window says there. */
+  private static void draw(Graphics2D g, Example example) {
+    Dimension size = example.size();
+    g.setColor(Style.INK);
+    g.setFont(Style.font(HINT / 2.0));
+    g.drawString(example.hint(), HINT / 2, size.height + HINT - HINT / 3);
+    example.draw(g, new Rectangle2D.Double(0, 0, size.width, size.height));
   }
 
   /** Finds an example by its name. */

@@ -10,6 +10,7 @@ import dev.carom.bench.charts.SceneDrawing;
 import dev.carom.bench.charts.Still;
 import dev.carom.bench.charts.Style;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
@@ -38,6 +39,7 @@ public final class AimingLine implements Example {
           .build();
   private final World world = new World(scene);
   private final SceneDrawing drawing = SceneDrawing.of(scene).withMargin(8).withArrowTime(0);
+  private Rectangle2D shown = new Rectangle(size());
   private Vec2 aim = new Vec2(SPEED * 0.8, SPEED * 0.6);
 
   /**
@@ -62,8 +64,9 @@ public final class AimingLine implements Example {
 
   @Override
   public void point(Vec2 at) {
-    double dx = at.x() * 400 - world.x(BALL);
-    double dy = at.y() * 300 - world.y(BALL);
+    Vec2 to = drawing.place(shown, at);
+    double dx = to.x() - world.x(BALL);
+    double dy = to.y() - world.y(BALL);
     double distance = Math.sqrt(dx * dx + dy * dy);
     if (distance > 0) {
       aim = new Vec2(SPEED * dx / distance, SPEED * dy / distance);
@@ -80,9 +83,15 @@ public final class AimingLine implements Example {
   }
 
   @Override
+  public String hint() {
+    return "Move the mouse to aim, click to shoot: the ball takes the way of the line.";
+  }
+
+  @Override
   public void draw(Graphics2D g, Rectangle2D area) {
+    shown = area;
     AffineTransform map = drawing.transform(area);
-    drawing.draw(g, area, Still.of(world));
+    drawing.draw(g, area, Still.of(world).colored(i -> Style.ORANGE));
     Trajectory line = line();
     Path2D way = new Path2D.Double();
     for (Vec2 p : line.points()) {

@@ -1,63 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.examples;
 
-import dev.carom.ImpactLog;
+import dev.carom.Circle;
+import dev.carom.Impact;
 import dev.carom.ObstacleKind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
+import dev.carom.Vec2;
 import dev.carom.World;
 import dev.carom.bench.charts.SceneDrawing;
 import dev.carom.bench.charts.Still;
+import dev.carom.bench.charts.Style;
 import dev.carom.bench.charts.WorldScene;
-import java.awt.Dimension;
+import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import java.util.Optional;
 
 /**
- * A billiards break, in metres and seconds: a cue ball runs into fifteen others that lie as close
- * as they can. The cloth slows them down: friction is a velocity that is set between frames. A
- * pocket is a peg that lets balls through and reports them; they are taken off the table.
+ * Billiards, in metres and seconds. Friction is a velocity that is set between frames, a pocket a
+ * sensor; the aiming line asks the world what the cue ball would hit first, balls included.
  */
 public final class Billiards implements Example {
 
-  private static final double LENGTH = 2.54;
   private static final double WIDTH = 1.27;
+  private static final double LENGTH = 2 * WIDTH;
   private static final double RADIUS = 0.028575;
-  private static final int ROWS = 5;
-
-  /** A ball is in when its rim comes to this disk: small, as pockets are seen from the cloth. */
-  private static final double POCKET = 0.03;
-
-  private static final double BALLS = 0.95;
-  private static final double CUSHION = 0.8;
-
-  /** What rolling takes off the speed: a hundredth of what gravity would. */
-  private static final double SLOWING = 0.1;
-
-  private static final double DT = 1.0 / FRAMES;
+  private static final int CUE = 0;
+  private static final double POCKET = 0.03; // a ball is in when its rim comes to this disk
+  private static final double SLOWING = 0.4; // off the speed, in metres a second each second
+  private static final double HARDEST = 8; // metres a second, for a drag of a metre
+  private static final Color[] COLORS = {Style.ORANGE, Style.BLUE, Style.VERMILION, Style.YELLOW};
 
   private final World world;
   private final SceneDrawing drawing;
-  private int pocketed;
+  private Rectangle2D shown = new Rectangle2D.Double(0, 0, 840, 640);
+  private Vec2 from;
+  private Vec2 mouse = new Vec2(LENGTH, WIDTH / 2);
 
-  /**
-   * Sets up the table.
-   *
-   * @param speed of the cue ball in metres per second, finite
-   * @param aside how far its way lies beside the middle, in metres
-   */
-  public Billiards(double speed, double aside) {
-    SceneBuilder scene = Scene.builder().bounds(0, 0, LENGTH, WIDTH).restitution(CUSHION);
-    scene.collide(true);
+  /** Sets up the table: fifteen balls lie as close as they can. */
+  public Billiards() {
+    SceneBuilder scene = Scene.builder().bounds(0, 0, LENGTH, WIDTH).restitution(0.8).collide(true);
     for (int i = 0; i < 6; i++) {
-      double x = i % 3 * LENGTH / 2;
-      scene.peg(x, i < 3 ? 0 : WIDTH, POCKET).response(Response.SENSOR);
+      scene.peg(i % 3 * LENGTH / 2, i < 3 ? 0 : WIDTH, POCKET).response(Response.SENSOR);
     }
-    // The product of the two is the restitution of a pair.
-    double each = StrictMath.sqrt(BALLS);
-    scene.circle(LENGTH / 4, WIDTH / 2 + aside, RADIUS, speed, 0).restitution(each);
-    for (int row = 0; row < ROWS; row++) {
+    double each = StrictMath.sqrt(0.95); // the product of the two is the restitution of a pair
+    scene.circle(LENGTH / 4, WIDTH / 2, RADIUS, 0, 0).restitution(each);
+    for (int row = 0; row < 5; row++) {
       for (int i = 0; i <= row; i++) {
         double x = 0.75 * LENGTH + row * StrictMath.sqrt(3) * RADIUS * 1.0001;
         double y = WIDTH / 2 + (2 * i - row) * RADIUS * 1.0001;
@@ -65,73 +57,93 @@ public final class Billiards implements Example {
       }
     }
     world = new World(scene.build());
-    drawing = SceneDrawing.of(world.scene()).withMargin(10).withArrowTime(0.1);
-  }
-
-  /** A break at 8 metres per second, a hair beside the middle. */
-  public Billiards() {
-    this(8, 0.003);
+    Style.Scheme cloth = Style.Scheme.LIGHT.withFloor(Style.mix(Style.GREEN, Color.WHITE, 0.5));
+    drawing = SceneDrawing.of(world.scene()).withScheme(cloth).withMargin(24).withArrowTime(0);
   }
 
   @Override
   public void frame() {
-    slow();
-    world.step(DT);
-    ImpactLog impacts = world.impacts();
-    for (int row = 0; row < impacts.size(); row++) {
-      if (impacts.kind(row) == ObstacleKind.PEG) {
-        pocket(impacts.circle(row));
+    for (int id : world.ids(ObstacleKind.CIRCLE)) { // the cloth; what is slower stops
+      double speed = Math.sqrt(world.vx(id) * world.vx(id) + world.vy(id) * world.vy(id));
+      double left = speed > 0 ? Math.max(0, 1 - SLOWING / FRAMES / speed) : 0;
+      world.setVelocity(id, left * world.vx(id), left * world.vy(id));
+    }
+    world.step(1.0 / FRAMES);
+    for (int row = 0; row < world.impacts().size(); row++) {
+      int ball = world.impacts().circle(row);
+      if (world.impacts().kind(row) == ObstacleKind.PEG
+          && world.contains(ObstacleKind.CIRCLE, ball)) {
+        if (ball == CUE) { // back to the table
+          world.setPosition(CUE, LENGTH / 4, WIDTH / 2);
+          world.setVelocity(CUE, 0, 0);
+        } else {
+          world.remove(ObstacleKind.CIRCLE, ball);
+        }
       }
     }
   }
 
-  /** Takes as much off each speed as friction does in a frame; what is slower stops. */
-  private void slow() {
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
-      if (speed(id) > 0) {
-        double left = Math.max(0, 1 - SLOWING * DT / speed(id));
-        world.setVelocity(id, left * world.vx(id), left * world.vy(id));
-      }
-    }
+  /** What a shot would hit first; nothing while the cue ball rolls. */
+  Optional<Impact> target() {
+    Circle cue = new Circle(world.x(CUE), world.y(CUE), RADIUS);
+    boolean rests = world.vx(CUE) == 0 && world.vy(CUE) == 0;
+    return rests ? world.cast(cue, shot(), Double.POSITIVE_INFINITY) : Optional.empty();
   }
 
-  private double speed(int id) {
-    return Math.sqrt(world.vx(id) * world.vx(id) + world.vy(id) * world.vy(id));
+  private Vec2 shot() {
+    Vec2 to = from == null ? mouse : from;
+    Vec2 at = from == null ? new Vec2(world.x(CUE), world.y(CUE)) : mouse;
+    return new Vec2(HARDEST * (to.x() - at.x()), HARDEST * (to.y() - at.y()));
   }
 
-  private void pocket(int ball) {
-    if (world.contains(ObstacleKind.CIRCLE, ball)) { // else in two pockets in one frame
-      world.remove(ObstacleKind.CIRCLE, ball);
-      pocketed++;
-    }
-  }
-
-  /**
-   * The world, to look at.
-   *
-   * @return the table
-   */
-  public World world() {
+  World world() {
     return world;
   }
 
-  /**
-   * The balls that are off the table.
-   *
-   * @return at least 0
-   */
-  public int pocketed() {
-    return pocketed;
+  @Override
+  public void point(Vec2 at) {
+    mouse = drawing.place(shown, at);
   }
 
   @Override
-  public Dimension size() {
-    return new Dimension(500, 260);
+  public void press() {
+    from = mouse;
+  }
+
+  @Override
+  public void release() {
+    world.setVelocity(CUE, shot().x(), shot().y());
+    from = null;
+  }
+
+  @Override
+  public String hint() {
+    return "Press anywhere, drag back as with a cue, and let go: the longer, the harder.";
   }
 
   @Override
   public void draw(Graphics2D g, Rectangle2D area) {
+    shown = area;
     Scene now = WorldScene.of(world);
-    drawing.withScene(now).draw(g, area, Still.of(now));
+    int[] ids = world.ids(ObstacleKind.CIRCLE);
+    Still balls = Still.of(now).colored(i -> ids[i] == CUE ? Color.WHITE : COLORS[ids[i] % 4]);
+    drawing.withScene(now).draw(g, area, balls);
+    target().ifPresent(impact -> aim(g, area, impact));
+  }
+
+  private void aim(Graphics2D g, Rectangle2D area, Impact impact) {
+    double x = world.x(CUE) + shot().x() * impact.time();
+    double y = world.y(CUE) + shot().y() * impact.time();
+    g.transform(drawing.transform(area));
+    g.setColor(Style.INK);
+    g.setStroke(Style.dashes(0.005, 0.02, 0.015));
+    g.draw(new Line2D.Double(world.x(CUE), world.y(CUE), x, y));
+    g.setStroke(Style.line(0.005));
+    g.draw(new Ellipse2D.Double(x - RADIUS, y - RADIUS, 2 * RADIUS, 2 * RADIUS));
+    if (impact.obstacle() instanceof Circle ball && impact.kind() == ObstacleKind.CIRCLE) {
+      double toX = ball.x() - 0.25 * impact.normal().x();
+      double toY = ball.y() - 0.25 * impact.normal().y();
+      g.draw(new Line2D.Double(ball.x(), ball.y(), toX, toY));
+    }
   }
 }

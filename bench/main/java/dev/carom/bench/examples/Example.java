@@ -29,8 +29,15 @@ public interface Example {
    * @return in pixels
    */
   default Dimension size() {
-    return new Dimension(420, 320);
+    return new Dimension(840, 640);
   }
+
+  /**
+   * What there is to do.
+   *
+   * @return one line, to stand under the picture
+   */
+  String hint();
 
   /**
    * The mouse moved; examples without a player take no notice.
@@ -41,4 +48,15 @@ public interface Example {
 
   /** The mouse was pressed. */
   default void press() {}
+
+  /** The mouse was released. */
+  default void release() {}
+
+  /**
+   * A key was pressed or released.
+   *
+   * @param code as {@link java.awt.event.KeyEvent} has it
+   * @param down whether it was pressed
+   */
+  default void key(int code, boolean down) {}
 }

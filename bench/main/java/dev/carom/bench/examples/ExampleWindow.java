@@ -3,12 +3,20 @@ package dev.carom.bench.examples;
 
 import dev.carom.Vec2;
 import dev.carom.bench.charts.Style;
+import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.event.KeyAdapter;
+import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
+import javax.swing.JLabel;
 import javax.swing.Timer;
 
 /** A window in which an example runs. */
@@ -18,28 +26,13 @@ public final class ExampleWindow extends JComponent {
 
   private final transient Example example;
 
-  ExampleWindow(Example example) {
+  private ExampleWindow(Example example) {
     this.example = example;
     setPreferredSize(example.size());
-    MouseAdapter mouse =
-        new MouseAdapter() {
-          @Override
-          public void mouseMoved(MouseEvent e) {
-            example.point(
-                new Vec2(e.getX() / (double) getWidth(), 1 - e.getY() / (double) getHeight()));
-          }
-
-          @Override
-          public void mousePressed(MouseEvent e) {
-            example.press();
-          }
-        };
-    addMouseListener(mouse);
-    addMouseMotionListener(mouse);
   }
 
   /**
-   * Makes a window in which an example goes on.
+   * Makes a window in which an example goes on, with its hint below.
    *
    * @param title of the window
    * @param example what runs in it
@@ -47,13 +40,29 @@ public final class ExampleWindow extends JComponent {
    */
   public static JFrame of(String title, Example example) {
     JFrame frame = new JFrame(title);
+    JComponent view;
     if (example instanceof GameLoop loop) {
-      frame.add(loop.component()); // it brings its own timer
+      view = loop.component(); // it brings its own timer
     } else {
       ExampleWindow window = new ExampleWindow(example);
-      frame.add(window);
-      new Timer(1000 / Example.FRAMES, event -> window.frame()).start();
+      Timer timer = new Timer(1000 / Example.FRAMES, event -> window.frame());
+      timer.start();
+      frame.addWindowListener(
+          new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent e) {
+              timer.stop();
+            }
+          });
+      view = window;
     }
+    view.addMouseListener(new Mouse(example));
+    view.addMouseMotionListener(new Mouse(example));
+    frame.addKeyListener(new Keys(example));
+    JLabel hint = new JLabel(example.hint());
+    hint.setBorder(BorderFactory.createEmptyBorder(6, 10, 6, 10));
+    frame.add(view);
+    frame.add(hint, BorderLayout.SOUTH);
     frame.pack();
     return frame;
   }
@@ -69,5 +78,58 @@ public final class ExampleWindow extends JComponent {
     g.setColor(Style.PAPER);
     g.fillRect(0, 0, getWidth(), getHeight());
     example.draw((Graphics2D) g, getBounds());
+  }
+
+  /** Hands on the mouse, in shares of the component. */
+  private static final class Mouse extends MouseAdapter {
+
+    private final Example example;
+
+    Mouse(Example example) {
+      this.example = example;
+    }
+
+    @Override
+    public void mouseMoved(MouseEvent e) {
+      Component on = e.getComponent();
+      example.point(
+          new Vec2(e.getX() / (double) on.getWidth(), 1 - e.getY() / (double) on.getHeight()));
+    }
+
+    @Override
+    public void mouseDragged(MouseEvent e) {
+      mouseMoved(e);
+    }
+
+    @Override
+    public void mousePressed(MouseEvent e) {
+      mouseMoved(e);
+      example.press();
+    }
+
+    @Override
+    public void mouseReleased(MouseEvent e) {
+      example.release();
+    }
+  }
+
+  /** Hands on the keys. */
+  private static final class Keys extends KeyAdapter {
+
+    private final Example example;
+
+    Keys(Example example) {
+      this.example = example;
+    }
+
+    @Override
+    public void keyPressed(KeyEvent e) {
+      example.key(e.getKeyCode(), true);
+    }
+
+    @Override
+    public void keyReleased(KeyEvent e) {
+      example.key(e.getKeyCode(), false);
+    }
   }
 }

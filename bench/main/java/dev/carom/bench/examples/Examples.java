@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.examples;
 
+import dev.carom.Vec2;
 import java.util.Locale;
 
 /** The examples by name. */
@@ -8,11 +9,15 @@ public enum Examples {
   /** See {@link Breakout}. */
   BREAKOUT("a paddle is a line that moves between frames", 900),
   /** See {@link Billiards}. */
-  BILLIARDS("a break; friction is a velocity set between frames", 90),
+  BILLIARDS("an aiming line that sees balls; friction is a velocity set between frames", 900),
   /** See {@link Relaxation}. */
   GAS("speeds relax to those of Maxwell and Boltzmann", 200),
   /** See {@link AimingLine}. */
   AIM("the way that a shot would take, bounces included", 0),
+  /** See {@link SinaiBilliard}. */
+  SINAI("two orbits that start a trillionth apart", 530),
+  /** See {@link PiCollisions}. */
+  PI("pi by counting collisions", 345),
   /** See {@link GameLoop}. */
   LOOP("fixed steps in a Swing timer, with gravity", 100),
   /** See {@link Threads}. */
@@ -55,9 +60,34 @@ public enum Examples {
       case BILLIARDS -> new Billiards();
       case GAS -> new Relaxation();
       case AIM -> new AimingLine();
+      case SINAI -> new SinaiBilliard();
+      case PI -> new PiCollisions();
       case LOOP -> new GameLoop();
       case THREADS -> new Threads();
     };
+  }
+
+  /**
+   * Starts it and goes on to what a picture shows; at billiards somebody plays the break.
+   *
+   * @param count how many frames
+   * @return it, after those frames
+   */
+  public Example after(int count) {
+    Example example = start();
+    if (this == BILLIARDS && count > 0) {
+      example.point(new Vec2(0.5, 0.5));
+      example.press();
+      example.point(new Vec2(0.15, 0.501));
+      example.release();
+    }
+    for (int i = 0; i < count; i++) {
+      example.frame();
+    }
+    if (this == BILLIARDS) {
+      example.point(new Vec2(0.765, 0.52)); // at a ball
+    }
+    return example;
   }
 
   /** Its name in small letters. */

@@ -9,10 +9,12 @@ import dev.carom.bench.charts.SceneDrawing;
 import dev.carom.bench.charts.Still;
 import dev.carom.bench.charts.Style;
 import dev.carom.bench.charts.WorldScene;
+import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
+import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.Timer;
 
@@ -32,6 +34,7 @@ public final class GameLoop implements Example {
   /** After a longer pause the game goes on where it was, and does not run after the clock. */
   static final long MOST = 20 * STEP;
 
+  private static final List<Color> COLORS = List.of(Style.ORANGE, Style.GREEN, Style.PURPLE);
   private static final double DT = STEP / 1e9;
   private static final double GRAVITY = -600;
 
@@ -63,12 +66,8 @@ public final class GameLoop implements Example {
     drawing = SceneDrawing.of(scene).withArrowTime(0).withMargin(8);
   }
 
-  /**
-   * Goes on.
-   *
-   * @param nanos the time that has passed since the last call, at least 0
-   */
-  public void elapse(long nanos) {
+  /** Goes on by the time that has passed since the last call. */
+  void elapse(long nanos) {
     rest = Math.min(rest + nanos, MOST);
     while (rest >= STEP) {
       step();
@@ -83,21 +82,12 @@ public final class GameLoop implements Example {
     world.step(DT);
   }
 
-  /**
-   * The moment that is shown.
-   *
-   * @return at most a step before the world's
-   */
-  public double shown() {
+  /** The moment that is shown, at most a step before the world's. */
+  double shown() {
     return Math.max(past.start(), world.now() - DT + rest / 1e9);
   }
 
-  /**
-   * The world, to look at.
-   *
-   * @return what moves
-   */
-  public World world() {
+  World world() {
     return world;
   }
 
@@ -106,10 +96,23 @@ public final class GameLoop implements Example {
     elapse(1_000_000_000 / FRAMES);
   }
 
+  /** Throws all balls up. */
+  @Override
+  public void press() {
+    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+      world.setVelocity(id, world.vx(id), -GRAVITY * 0.6);
+    }
+  }
+
+  @Override
+  public String hint() {
+    return "Click to throw the balls up; the game keeps its time whatever the timer does.";
+  }
+
   @Override
   public void draw(Graphics2D g, Rectangle2D area) {
     Scene then = WorldScene.of(world, past, shown());
-    drawing.withScene(then).draw(g, area, Still.of(then));
+    drawing.withScene(then).draw(g, area, Still.of(then).colored(COLORS::get));
   }
 
   /**

@@ -7,7 +7,7 @@ import dev.carom.World;
 import dev.carom.bench.charts.SceneDrawing;
 import dev.carom.bench.charts.Still;
 import dev.carom.bench.charts.Style;
-import java.awt.Dimension;
+import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
@@ -59,12 +59,8 @@ public final class Relaxation implements Example {
     world.step(1);
   }
 
-  /**
-   * The speeds now.
-   *
-   * @return of each circle, at least 0
-   */
-  public double[] speeds() {
+  /** The speeds now. */
+  double[] speeds() {
     double[] speeds = new double[CIRCLES];
     for (int i = 0; i < CIRCLES; i++) {
       speeds[i] = Math.sqrt(world.vx(i) * world.vx(i) + world.vy(i) * world.vy(i));
@@ -72,29 +68,42 @@ public final class Relaxation implements Example {
     return speeds;
   }
 
-  /**
-   * The share of the circles that the law gives speeds up to a limit.
-   *
-   * @param v a speed, at least 0
-   * @return from 0 to 1
-   */
-  public static double law(double v) {
+  /** The share of the circles that the law gives speeds up to a limit. */
+  static double law(double v) {
     return -Math.expm1(-v * v);
   }
 
+  /** All speeds become 1 again; the directions stay. */
   @Override
-  public Dimension size() {
-    return new Dimension(540, 260);
+  public void press() {
+    double[] speeds = speeds();
+    for (int i = 0; i < CIRCLES; i++) {
+      world.setVelocity(i, world.vx(i) / speeds[i], world.vy(i) / speeds[i]);
+    }
+  }
+
+  @Override
+  public String hint() {
+    return "Watch the speeds, from blue to red, take the curve; click to make all of them 1 again.";
   }
 
   @Override
   public void draw(Graphics2D g, Rectangle2D area) {
-    double left = area.getHeight();
-    drawing.draw(g, new Rectangle2D.Double(area.getX(), area.getY(), left, left), Still.of(world));
+    double left = 0.64 * area.getWidth();
+    double[] speeds = speeds();
+    Rectangle2D square = new Rectangle2D.Double(area.getX(), area.getY(), left, area.getHeight());
+    drawing.draw(g, square, Still.of(world).colored(i -> color(speeds[i])));
+    double right = area.getWidth() - left;
     histogram(
         g,
-        new Rectangle2D.Double(
-            area.getX() + left + 20, area.getY() + 24, area.getWidth() - left - 40, left - 62));
+        new Rectangle2D.Double(area.getX() + left + 10, area.getCenterY() - 140, right - 30, 280));
+  }
+
+  /** From blue for what rests over yellow for the mean to red. */
+  private static Color color(double v) {
+    return v < 1
+        ? Style.mix(Style.BLUE, Style.YELLOW, v)
+        : Style.mix(Style.YELLOW, Style.VERMILION, Math.min(1, v - 1));
   }
 
   /** Bars for what is, a curve for the law; both as densities. */

@@ -51,6 +51,11 @@ public final class Threads implements Example {
   }
 
   @Override
+  public String hint() {
+    return "Watch: one thread moves the blue circles, another one the orange ones.";
+  }
+
+  @Override
   public void draw(Graphics2D g, Rectangle2D area) {
     drawing.draw(g, area, Still.of(Scene.builder().build())); // what stands still
     AffineTransform map = drawing.transform(area);

@@ -4,6 +4,7 @@ package dev.carom.bench.charts;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Scene;
+import dev.carom.Vec2;
 import dev.carom.World;
 import java.awt.Color;
 import java.awt.Dimension;
@@ -128,5 +129,6 @@ class SceneDrawingTest {
     Point2D point = new Point2D.Double(30, 50);
     Point2D back = drawing.transform(AREA).inverseTransform(point, null);
     assertThat(back).isEqualTo(new Point2D.Double(10, 30));
+    assertThat(drawing.place(AREA, new Vec2(30 / 140.0, 50 / 100.0))).isEqualTo(new Vec2(10, 30));
   }
 }

@@ -68,7 +68,7 @@ class CaromBenchTest {
         "rungs --queries 0              | --queries is 0: expected at least 1",
         "view --dt 0                    | --dt is 0.0: expected a finite number",
         "threads --threads 0            | --threads is 0: expected at least 1",
-        "example nosuch                 | 'nosuch' is none of [breakout, billiards, gas, aim, loop",
+        "example nosuch                 | 'nosuch' is none of [breakout, billiards, gas, aim, sinai",
         "example --png a.png            | NAME is missing: expected one of [breakout, billiards,",
         "simulate --scene a --frames 1 --positions b.csv --impacts ./b.csv | --impacts is ./b.csv: exp",
         "simulate --scene a --frames 1 --positions ./a | --positions is ./a: expected another file",
