@@ -8,6 +8,7 @@ import dev.carom.bench.duel.Preset;
 import dev.carom.bench.duel.Rival;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.reference.Reference;
+import dev.carom.bench.reference.References;
 import dev.carom.bench.results.WholeFile;
 import dev.carom.bench.view.DuelMovie;
 import dev.carom.bench.view.Look;
@@ -90,7 +91,7 @@ final class ViewCommand implements Callable<Integer> {
     check();
     Scene scene = preset == null ? scenes.scene() : preset.scene();
     String title = preset == null ? scenes.title() : preset.about();
-    Reference truth = preset == null || rival == null ? null : preset.truth();
+    Reference truth = rival == null ? null : truth(scene);
     if (record == null) {
       Player.warmUp(scene);
       Windows.show(
@@ -108,6 +109,19 @@ final class ViewCommand implements Callable<Integer> {
       }
     }
     return 0;
+  }
+
+  /** Null where it is not known. */
+  private Reference truth(Scene scene) throws IOException {
+    if (preset != null) {
+      return preset.truth();
+    }
+    for (String name : References.SCENES) {
+      if (References.scene(name).equals(scene)) {
+        return References.load(name);
+      }
+    }
+    return null;
   }
 
   private void check() {

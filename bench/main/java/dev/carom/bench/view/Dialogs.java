@@ -13,8 +13,8 @@ interface Dialogs {
   /** A file to be written; empty if none was chosen. */
   Optional<Path> chooseToSave();
 
-  /** Whether a question is answered with yes. */
-  boolean confirms(String question);
+  /** Whether a file that is there is to be replaced. */
+  boolean replaces(String question);
 
   /** Shows an error until it was read. */
   void shows(String title, String error);

@@ -47,7 +47,7 @@ final class SceneFiles {
 
   /** Saves what is shown as a scene; a file that is there is replaced only if the user says so. */
   void save(Path file) {
-    if (Files.exists(file) && !dialogs.confirms(name(file) + " is there already. Replace it?")) {
+    if (Files.exists(file) && !dialogs.replaces(name(file) + " is there already. Replace it?")) {
       return;
     }
     try {

@@ -2,6 +2,7 @@
 package dev.carom.bench.view;
 
 import dev.carom.bench.duel.Preset;
+import dev.carom.bench.duel.Rival;
 import dev.carom.bench.examples.ExampleWindow;
 import dev.carom.bench.examples.Examples;
 import dev.carom.bench.reference.References;
@@ -30,7 +31,9 @@ final class SceneMenu {
     menu.add(experiment);
     JMenu failures = new JMenu("Where methods fail");
     for (Preset preset : Preset.values()) {
-      failures.add(item(SceneChoice.of(preset)));
+      JMenuItem item = item(SceneChoice.of(preset));
+      item.addActionListener(event -> showWhoFails());
+      failures.add(item);
     }
     menu.add(failures);
     JMenu maps = new JMenu("Maps of failures");
@@ -62,6 +65,13 @@ final class SceneMenu {
     JMenuItem item = new JMenuItem(choice.title());
     item.addActionListener(event -> show(choice));
     return item;
+  }
+
+  /** Alone such a scene has little to tell. */
+  private void showWhoFails() {
+    if (!panel.arena().isOpen()) {
+      panel.challenge(Rival.BOX2D);
+    }
   }
 
   private void show(SceneChoice choice) {

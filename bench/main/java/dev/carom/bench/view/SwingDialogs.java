@@ -36,9 +36,18 @@ final class SwingDialogs implements Dialogs {
   }
 
   @Override
-  public boolean confirms(String question) {
+  public boolean replaces(String question) {
+    String[] answers = {"Replace", "Keep"};
     int answer =
-        JOptionPane.showConfirmDialog(window, question, "Carom", JOptionPane.YES_NO_OPTION);
+        JOptionPane.showOptionDialog(
+            window,
+            question,
+            "Carom",
+            JOptionPane.YES_NO_OPTION,
+            JOptionPane.QUESTION_MESSAGE,
+            null,
+            answers,
+            answers[1]); // what Enter does loses nothing
     return answer == JOptionPane.YES_OPTION;
   }
 

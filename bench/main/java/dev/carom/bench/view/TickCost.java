@@ -22,7 +22,7 @@ record TickCost(int ticks, double frames, long nanos, long impacts) {
     if (ticks == 0) {
       return List.of();
     }
-    String frame = number(nanos / NANOS_A_MICRO / frames) + " µs a frame";
+    String frame = number(nanos / NANOS_A_MICRO / frames) + " µs a frame, between drawings";
     String rate = number(impacts / (double) ticks * TICKS_A_SECOND) + " impacts a second";
     return impacts == 0
         ? List.of(frame, rate)

@@ -159,9 +159,10 @@ class PlayerTest {
   @Test
   void averagesOverASecondOfTicks() {
     assertThat(new TickCost(60, 120, 1_200_000, 30).lines())
-        .containsExactly("10.0 µs a frame", "30.0 impacts a second", "40,000 ns an impact");
+        .containsExactly(
+            "10.0 µs a frame, between drawings", "30.0 impacts a second", "40,000 ns an impact");
     assertThat(new TickCost(60, 60, 600, 0).lines())
-        .containsExactly("0.01 µs a frame", "0.00 impacts a second");
+        .containsExactly("0.01 µs a frame, between drawings", "0.00 impacts a second");
   }
 
   @Test

@@ -50,7 +50,7 @@ class SceneFilesTest {
     }
 
     @Override
-    public boolean confirms(String question) {
+    public boolean replaces(String question) {
       questions.add(question);
       return yes;
     }

@@ -260,7 +260,7 @@ class ViewPanelTest {
     assertThat(panel.canvas().figures())
         .hasSize(5)
         .contains("0.00 impacts a second", "1 circle", "circles that ignore each other");
-    assertThat(panel.canvas().figures().get(0)).matches("[0-9.,]+ µs a frame");
+    assertThat(panel.canvas().figures().get(0)).matches("[0-9.,]+ µs a frame, between drawings");
     for (int i = 0; i < 5; i++) {
       panel.tick();
     }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import dev.carom.Circle;
 import dev.carom.Scene;
+import dev.carom.Vec2;
 import dev.carom.bench.duel.Preset;
 import dev.carom.bench.duel.Rival;
 import dev.carom.bench.duel.ScoreLine;
@@ -22,6 +23,8 @@ import java.awt.event.KeyEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
 import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.Callable;
 import java.util.concurrent.FutureTask;
@@ -32,6 +35,7 @@ import javax.swing.JMenu;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Opens the window and uses it by keys and mouse. Skipped where there is no screen; {@code xvfb-run
@@ -113,6 +117,7 @@ class ViewWindowTest {
     assertThat(get(() -> player.isRunning())).isFalse();
     type(KeyEvent.VK_I);
     assertThat(get(() -> player.shown())).isGreaterThan(reached);
+    type(KeyEvent.VK_N);
     keep("view");
   }
 
@@ -192,13 +197,60 @@ class ViewWindowTest {
 
   @Test
   void tellsItsKeys() throws Exception {
-    type(KeyEvent.VK_F1);
+    robot.keyPress(KeyEvent.VK_SHIFT);
+    type(KeyEvent.VK_SLASH); // the question mark of the display's keyboard
+    robot.keyRelease(KeyEvent.VK_SHIFT);
     robot.delay(500);
     keep("help");
     assertThat(get(() -> openDialogs())).isEqualTo(1);
     type(KeyEvent.VK_ENTER);
     robot.delay(300);
     assertThat(get(() -> openDialogs())).isZero();
+  }
+
+  @Test
+  void showsWhereABadFileIsWrongAndAsksBeforeAFileIsReplaced(@TempDir Path folder)
+      throws Exception {
+    Path bad = folder.resolve("bad.csv");
+    Files.writeString(bad, "circle,100,100,10,1,1\nline,1,2,x,4\n");
+    SceneFiles files = get(() -> new SceneFiles(panel(), new SwingDialogs(frame)));
+    EventQueue.invokeLater(() -> files.open(bad));
+    robot.delay(700);
+    assertThat(get(() -> openDialogs())).isEqualTo(1);
+    keep("bad-file");
+    type(KeyEvent.VK_ENTER);
+    robot.delay(300);
+    assertThat(get(() -> player.scene().circleCount())).as("the old scene").isEqualTo(100);
+    EventQueue.invokeLater(() -> files.save(bad));
+    robot.delay(700);
+    keep("replace");
+    type(KeyEvent.VK_ENTER);
+    robot.delay(300);
+    assertThat(bad).content().startsWith("circle,100,100,10,1,1");
+    EventQueue.invokeLater(() -> files.save(bad));
+    robot.delay(700);
+    type(KeyEvent.VK_TAB);
+    type(KeyEvent.VK_SPACE);
+    robot.delay(500);
+    assertThat(Scene.read(bad).circleCount()).isEqualTo(100);
+    assertThat(get(() -> frame.getTitle())).isEqualTo("bad.csv - Carom");
+  }
+
+  @Test
+  void throwsACircle() throws Exception {
+    Point corner = get(() -> panel().canvas().getLocationOnScreen());
+    Point2D at = get(this::lastCircle);
+    Point circle = new Point(corner.x + (int) at.getX(), corner.y + (int) at.getY());
+    robot.setAutoDelay(16);
+    press(circle);
+    for (int i = 1; i <= 10; i++) {
+      robot.mouseMove(circle.x + 6 * i, circle.y);
+    }
+    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+    robot.waitForIdle();
+    Vec2 velocity = get(() -> player.scene().velocity(99));
+    assertThat(velocity.x()).isBetween(0.5, 50.0);
+    assertThat(Math.abs(velocity.y())).isLessThan(0.01);
   }
 
   private int openDialogs() {
