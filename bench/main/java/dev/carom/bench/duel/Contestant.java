@@ -129,7 +129,7 @@ final class Contestant implements AutoCloseable {
     return solid.passes(before.x(i), before.y(i), x, y, speed);
   }
 
-  /** Of a circle in those after it, in its own radii. */
+  /** The deepest overlap of a circle with those after it, in its own radii. */
   private double depthInOthers(double[] states, BitSet lost, int i) {
     double deepest = 0;
     for (int j = i + 1; scene.collide() && j < scene.circleCount(); j++) {

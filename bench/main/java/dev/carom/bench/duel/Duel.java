@@ -39,8 +39,8 @@ public final class Duel implements AutoCloseable {
    * Starts a duel.
    *
    * @param scene the scene at frame 0
-   * @param rival who plays it, too
-   * @param truth what really happens in it; null if that is not known
+   * @param rival the method that plays it, too
+   * @param truth its true course; null if that is not known
    */
   public Duel(Scene scene, Rival rival, Reference truth) {
     this.scene = scene;
@@ -55,7 +55,7 @@ public final class Duel implements AutoCloseable {
    * first seconds would time its interpreter.
    *
    * @param scene the scene
-   * @param rival who plays it, too
+   * @param rival the method that plays it, too
    */
   public static void warmUp(Scene scene, Rival rival) {
     for (Contender contender : List.of(Rival.carom(), rival.contender())) {
@@ -82,7 +82,7 @@ public final class Duel implements AutoCloseable {
   }
 
   /**
-   * Who plays beside this library.
+   * The rival of this library.
    *
    * @return the rival
    */
@@ -91,7 +91,7 @@ public final class Duel implements AutoCloseable {
   }
 
   /**
-   * What this library did.
+   * The state of this library's circles.
    *
    * @param frame the number of the frame, 0 for the start
    * @return the circles at its end
@@ -101,7 +101,7 @@ public final class Duel implements AutoCloseable {
   }
 
   /**
-   * What the rival did.
+   * The state of the rival's circles.
    *
    * @param frame the number of the frame, 0 for the start
    * @return the circles at its end; those of the last frame before it failed, if it did

@@ -3,7 +3,7 @@ package dev.carom.bench.duel;
 
 import java.util.BitSet;
 
-/** The circles of a scene at the end of a frame, by one method, and what went wrong up to it. */
+/** The circles of a scene at the end of a frame, by one method, and the failures up to it. */
 public final class PlayedFrame {
 
   /** Doubles of one circle: x, y, vx, vy. */
@@ -115,7 +115,7 @@ public final class PlayedFrame {
   }
 
   /**
-   * What a frame took.
+   * The time of a frame.
    *
    * @return the median of the last second of frames, in microseconds; NaN at the start
    */

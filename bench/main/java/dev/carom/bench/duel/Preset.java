@@ -38,7 +38,7 @@ public enum Preset {
   }
 
   /**
-   * What happens in it.
+   * The title of the scene.
    *
    * @return a phrase
    */
@@ -56,7 +56,7 @@ public enum Preset {
   }
 
   /**
-   * What really happens in it, computed in as many digits as it takes: that takes up to a second.
+   * The true course, computed in as many digits as it needs: that takes up to a second.
    *
    * @return its course over five seconds; null where impacts pile up, so that there is none
    */

@@ -6,7 +6,7 @@ import dev.carom.bench.methods.Methods;
 import dev.carom.bench.peers.Contenders;
 import java.util.Locale;
 
-/** Who can be seen beside this library, by name. */
+/** The methods that can play beside this library, by name. */
 public enum Rival {
   /** Box2D as libGDX carries it. */
   BOX2D("Box2D, as it comes", "gdx-box2d-defaults"),
@@ -34,7 +34,7 @@ public enum Rival {
   }
 
   /**
-   * What to call it in a heading.
+   * Its name in headings.
    *
    * @return a phrase
    */

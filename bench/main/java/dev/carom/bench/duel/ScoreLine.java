@@ -4,7 +4,7 @@ package dev.carom.bench.duel;
 /**
  * A line of a score.
  *
- * @param text what is to be read
- * @param bad whether it tells of something that went wrong
+ * @param text the words
+ * @param bad whether it reports a failure
  */
 public record ScoreLine(String text, boolean bad) {}

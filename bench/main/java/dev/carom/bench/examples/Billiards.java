@@ -83,7 +83,7 @@ public final class Billiards implements Example {
     }
   }
 
-  /** What a shot would hit first; nothing while the cue ball rolls. */
+  /** The first impact of a shot; none while the cue ball rolls. */
   Optional<Impact> target() {
     Circle cue = new Circle(world.x(CUE), world.y(CUE), RADIUS);
     boolean rests = world.vx(CUE) == 0 && world.vy(CUE) == 0;

@@ -33,7 +33,7 @@ public interface Example {
   }
 
   /**
-   * What there is to do.
+   * The instruction for a player.
    *
    * @return one line, to stand under the picture
    */

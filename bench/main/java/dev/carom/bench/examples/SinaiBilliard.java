@@ -23,7 +23,7 @@ import java.awt.geom.Rectangle2D;
  */
 public final class SinaiBilliard implements Example {
 
-  /** Of the two circles at the start. */
+  /** The distance of the two circles at the start. */
   static final double APART = 1e-12;
 
   private static final double SIDE = 100;

@@ -24,13 +24,13 @@ final class Arena {
     this.player = player;
   }
 
-  /** Chooses who plays beside the player; null for nobody. */
+  /** Chooses the rival; null for none. */
   void challenge(Rival chosen) {
     rival = chosen;
     begin();
   }
 
-  /** Says what really happens in a scene, from its start. */
+  /** Sets the true course of a scene, from its start. */
   void setTruth(Scene scene, Reference course) {
     known = scene;
     truth = course;
@@ -53,7 +53,7 @@ final class Arena {
     }
   }
 
-  /** Whether somebody plays. */
+  /** Whether a rival plays. */
   boolean isOpen() {
     return duel != null;
   }

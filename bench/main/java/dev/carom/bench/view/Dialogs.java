@@ -4,7 +4,7 @@ package dev.carom.bench.view;
 import java.nio.file.Path;
 import java.util.Optional;
 
-/** What the window asks its user, and tells. */
+/** The questions and messages of the window. */
 interface Dialogs {
 
   /** A file to be read; empty if none was chosen. */

@@ -39,7 +39,7 @@ record Draft(Tool tool, Vec2 from, Vec2 to, double radius) {
     return new Line(from, to);
   }
 
-  /** Of a new circle: the further the mouse went, the faster. */
+  /** The velocity of a new circle: the further the mouse went, the faster. */
   Vec2 velocity(Player player) {
     double time = FRAMES * player.frame();
     return new Vec2((to.x() - from.x()) / time, (to.y() - from.y()) / time);

@@ -26,7 +26,7 @@ public final class DuelMovie {
   /** Frames from image to image. */
   private static final int STRIDE = 2;
 
-  /** Of an image, in hundredths of a second: two frames at 60 a second, about. */
+  /** The time of an image in hundredths of a second: two frames at 60 a second, about. */
   private static final int DELAY = 3;
 
   private static final int REST = 150;
@@ -45,7 +45,7 @@ public final class DuelMovie {
    * Plays a duel and draws every second frame.
    *
    * @param duel the duel, at any frame
-   * @param title what is to be read above
+   * @param title the heading
    * @param frames how many, at least 0
    * @return the bytes of a GIF file, {@value #WIDTH} pixels wide
    * @throws IOException if this Java cannot write GIF

@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.TreeSet;
 
-/** When circles were put elsewhere by hand: there they jumped, and left no trail. */
+/** The times at which circles were moved by hand: they jumped then, and left no trail. */
 final class EditTimes {
 
   private final Map<Integer, TreeSet<Double>> times = new HashMap<>();

@@ -8,8 +8,8 @@ import dev.carom.Vec2;
 import dev.carom.World;
 
 /**
- * What the mouse holds: a circle, a peg, a line as a whole, or one of its ends. A circle that is
- * let go of while it moves is thrown.
+ * The thing that the mouse holds: a circle, a peg, a line as a whole, or one of its ends. A circle
+ * that is let go of while it moves is thrown.
  */
 final class Grip {
 
@@ -30,13 +30,13 @@ final class Grip {
   private static final double NANOS_A_TICK = 1e9 / 60;
 
   /** A mouse that rested for so long before it let go throws nothing. */
-  private static final long STILL = 80_000_000;
+  private static final long STILL = 120_000_000;
 
   private final Player player;
   private final Part part;
   private final int id;
 
-  /** Of a circle, before it was held. */
+  /** The velocity of a circle before it was held. */
   private final Vec2 velocity;
 
   private Vec2 last;
@@ -93,7 +93,7 @@ final class Grip {
     return Math.hypot(a.x() - b.x(), a.y() - b.y());
   }
 
-  /** What kind of thing it is. */
+  /** The kind of the thing. */
   ObstacleKind kind() {
     return part.kind;
   }

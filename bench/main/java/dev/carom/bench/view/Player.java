@@ -4,6 +4,7 @@ package dev.carom.bench.view;
 import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.Scene;
+import dev.carom.StopReason;
 import dev.carom.Timeline;
 import dev.carom.World;
 import dev.carom.bench.charts.Still;
@@ -185,11 +186,7 @@ public final class Player {
     if (t == Double.POSITIVE_INFINITY) {
       return false;
     }
-    long before = allImpacts();
     advance(t);
-    while (allImpacts() == before) { // the log's time is the nearest double, which may be earlier
-      advance(Math.nextUp(world.now()));
-    }
     shown = world.now();
     return true;
   }
@@ -198,17 +195,12 @@ public final class Player {
     return history.impacts(Double.POSITIVE_INFINITY);
   }
 
-  /** A second world looks ahead, so that this one need not come back. */
+  /** A second world looks ahead: where nothing is hit, this one stays where it is. */
   private double timeOfNextImpact() {
     World ahead = new World(world.scene());
     ahead.restore(world.snapshot());
-    for (double dt = frame; dt <= HORIZON * frame; dt *= 2) {
-      ahead.step(dt);
-      if (ahead.impacts().size() > 0) {
-        return ahead.impacts().time(0);
-      }
-    }
-    return Double.POSITIVE_INFINITY;
+    StopReason reason = ahead.advanceToImpact(world.now() + HORIZON * frame);
+    return reason == StopReason.IMPACT ? ahead.now() : Double.POSITIVE_INFINITY;
   }
 
   /**
@@ -249,7 +241,7 @@ public final class Player {
     return Math.max(shown, start());
   }
 
-  /** Whether what is shown is where the run ends. */
+  /** Whether the end of the run is shown. */
   private boolean isPresent() {
     return shown() >= world.now();
   }
@@ -311,7 +303,7 @@ public final class Player {
     return history.marks(shown() - time, upTo, most);
   }
 
-  /** What it cost to come to the moment shown. */
+  /** The cost of coming to the moment shown. */
   TickCost cost() {
     return history.cost(shown(), frame);
   }

@@ -8,7 +8,7 @@ import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Rectangle2D;
 import javax.swing.JComponent;
 
-/** What the rival of a duel does, shown like the player's scene. */
+/** The rival's side of a duel, drawn like the player's scene. */
 final class RivalPane extends JComponent {
 
   private static final long serialVersionUID = 1;

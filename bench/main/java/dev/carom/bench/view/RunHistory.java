@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.function.ToDoubleFunction;
 
 /**
- * The impacts of a run and what its ticks cost, by time, so that the figures of any moment can be
- * told. Its memory is bounded: the oldest impacts and ticks go first, but all impacts are counted.
+ * The impacts of a run and the costs of its ticks, by time, for the figures of any moment. Its
+ * memory is bounded: the oldest impacts and ticks go first, but all impacts are counted.
  */
 final class RunHistory {
 
@@ -69,7 +69,7 @@ final class RunHistory {
     return i < marks.size() ? marks.get(i).time() : Double.POSITIVE_INFINITY;
   }
 
-  /** What it cost to reach a moment: the mean of the last second of ticks. */
+  /** The cost of reaching a moment: the last second of ticks. */
   TickCost cost(double time, double frame) {
     int end = Math.min(ticks.size(), upTo(ticks, Tick::from, Math.nextDown(time)));
     long nanos = 0;

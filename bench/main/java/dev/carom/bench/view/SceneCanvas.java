@@ -19,6 +19,7 @@ import java.awt.geom.NoninvertibleTransformException;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
@@ -37,7 +38,7 @@ final class SceneCanvas extends JComponent {
   /** How much a notch of the wheel enlarges. */
   private static final double NOTCH = 1.2;
 
-  /** Of the shown part, the radius of a new circle where there is none to take it from. */
+  /** The radius of a first circle, as a part of the width that is shown. */
   private static final double RADIUS = 1.0 / 60;
 
   private final transient Player player;
@@ -78,12 +79,17 @@ final class SceneCanvas extends JComponent {
     @Override
     public void mouseDragged(MouseEvent e) {
       hover(e.getPoint());
-      drag(e.getPoint());
+      drag(e.getPoint(), nanos(e));
     }
 
     @Override
     public void mouseReleased(MouseEvent e) {
-      release();
+      release(nanos(e));
+    }
+
+    /** The time at which the mouse did it: it may be handled later. */
+    private long nanos(MouseEvent e) {
+      return TimeUnit.MILLISECONDS.toNanos(e.getWhen());
     }
 
     @Override
@@ -196,10 +202,10 @@ final class SceneCanvas extends JComponent {
     return painter.transform(area()).getScaleX();
   }
 
-  /** Moves what is held, or the view. */
-  void drag(Point at) {
+  /** Moves what is held, or the view, at a time of the clock in nanoseconds. */
+  void drag(Point at, long nanos) {
     if (grip != null) {
-      attempt(() -> grip.drag(plane(at), System.nanoTime()));
+      attempt(() -> grip.drag(plane(at), nanos));
     } else if (draft != null) {
       draft = draft.to(plane(at));
       repaint();
@@ -210,10 +216,10 @@ final class SceneCanvas extends JComponent {
     }
   }
 
-  /** Lets go, or adds what was drawn. */
-  void release() {
+  /** Lets go, or adds what was drawn, at a time of the clock in nanoseconds. */
+  void release(long nanos) {
     if (grip != null) {
-      attempt(() -> grip.release(System.nanoTime()));
+      attempt(() -> grip.release(nanos));
     } else if (draft != null) {
       Draft done = draft;
       draft = null;
@@ -277,7 +283,7 @@ final class SceneCanvas extends JComponent {
     }
   }
 
-  /** What is to be read in the corner, of the moment that is shown. */
+  /** The text in the corner, for the moment that is shown. */
   List<String> figures() {
     List<String> lines = new ArrayList<>(player.cost().lines());
     lines.add(Plural.of(player.circleIds().length, "circle"));
@@ -293,7 +299,7 @@ final class SceneCanvas extends JComponent {
     return mouse == null ? 0 : mouse.getY() + 18;
   }
 
-  /** What is to be read beside the mouse. */
+  /** The text beside the mouse. */
   List<String> hovered() {
     if (mouse == null || draft != null || panned != null) {
       return List.of();

@@ -15,7 +15,7 @@ import java.util.function.Supplier;
  *
  * @param title its name
  * @param scene makes the scene
- * @param truth tells what really happens in it; null if that is not known
+ * @param truth computes or reads its true course; the result may be null
  */
 record SceneChoice(String title, Supplier<Scene> scene, Supplier<Reference> truth) {
 

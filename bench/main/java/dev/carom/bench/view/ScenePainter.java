@@ -24,10 +24,10 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.IntFunction;
 
-/** Draws what a player shows, and beside it what was asked for. */
+/** Draws the scene of a player or of a duel, and the chosen layers over it. */
 final class ScenePainter {
 
-  /** What can be shown besides the scene. */
+  /** The layers that can be shown over the scene. */
   enum Layer {
     TRAILS("Trails", "Show where the circles were lately"),
     NORMALS("Normals", "Show the normal of each impact of late"),
@@ -213,7 +213,7 @@ final class ScenePainter {
     return Math.rint(x) == x ? String.valueOf((long) x) : String.valueOf((float) x);
   }
 
-  /** What is about to be added; of a circle, the way that it would take, too. */
+  /** Draws a thing that is about to be added; for a circle, also the way that it would take. */
   void draft(Graphics2D g, Rectangle2D area, Player player, Draft draft) {
     AffineTransform map = transform(area);
     g.setColor(Style.VERMILION);

@@ -9,7 +9,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 
-/** Draws the score of one side of a duel: who plays, and what went wrong; that is red. */
+/** Draws the score of one side of a duel; failures are red. */
 final class ScoreBoard {
 
   /** Pixels that a score takes. */

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * What some ticks cost.
+ * The cost of some ticks.
  *
  * @param ticks how many, at 60 a second
  * @param frames the frames that they went on, in all

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.view;
 
-/** What the mouse does on the scene. */
+/** The tools of the mouse. */
 enum Tool {
   /** Drags what is there, throws circles, and pans. */
   HAND("Hand", "Drag circles, lines, their ends and pegs; throw a circle; drag the floor to pan"),

@@ -10,7 +10,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Path2D;
 import java.util.function.IntFunction;
 
-/** Where circles were lately, as lines that fade. */
+/** The last places of circles, as lines that fade. */
 final class Trails {
 
   /** Points of all trails together: what a frame has time for. */

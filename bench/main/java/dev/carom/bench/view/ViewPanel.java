@@ -52,7 +52,7 @@ public final class ViewPanel extends JPanel {
   /** Among the rivals: nobody. */
   private static final String ALONE = "nobody";
 
-  /** Of the slider of speed, in pixels. */
+  /** The width of the slider of speed, in pixels. */
   private static final int SPEED_WIDTH = 140;
 
   private final transient Player player;
@@ -199,7 +199,7 @@ public final class ViewPanel extends JPanel {
       rivals.addItem(rival);
     }
     rivals.setFocusable(false);
-    rivals.setToolTipText("Who plays the same scene beside Carom, from the moment shown (B)");
+    rivals.setToolTipText("Choose a method that plays the same scene, from the moment shown (B)");
     rivals.addActionListener(event -> act(this::begin));
     // What the engines call a frame is one unit of time.
     rivals.setEnabled(player.frame() == 1);
@@ -234,7 +234,7 @@ public final class ViewPanel extends JPanel {
   /**
    * Lets another method play the same scene beside this library, from the moment shown.
    *
-   * @param rival who; null for nobody
+   * @param rival the method; null for none
    */
   public void challenge(Rival rival) {
     rivals.setSelectedItem(rival == null ? ALONE : rival);
@@ -357,9 +357,9 @@ public final class ViewPanel extends JPanel {
   }
 
   /**
-   * Says who is to be told which scene is shown.
+   * Sets the listener for the title of the scene.
    *
-   * @param listener takes its title
+   * @param listener takes the title
    */
   public void onTitle(Consumer<String> listener) {
     titled = listener;
@@ -404,7 +404,7 @@ public final class ViewPanel extends JPanel {
     }
   }
 
-  /** What the status line says. */
+  /** The text of the status line. */
   String status() {
     return status.getText();
   }
@@ -424,12 +424,12 @@ public final class ViewPanel extends JPanel {
     return scorePane;
   }
 
-  /** What is shown. */
+  /** The player. */
   Player player() {
     return player;
   }
 
-  /** What each key does. */
+  /** The actions of the keys. */
   List<KeyAction> keys() {
     return List.copyOf(keys);
   }

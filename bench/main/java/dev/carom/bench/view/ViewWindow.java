@@ -47,7 +47,7 @@ public final class ViewWindow {
   /**
    * Makes the window; on the event thread, and where there is a screen.
    *
-   * @param title of what is shown: the file's name, say
+   * @param title the name of the scene, such as that of its file
    * @param player what it shows
    * @return the window, to be shown
    */
@@ -58,10 +58,10 @@ public final class ViewWindow {
   /**
    * Makes the window with a duel in it; on the event thread, and where there is a screen.
    *
-   * @param title of what is shown: the file's name, say
+   * @param title the name of the scene, such as that of its file
    * @param player what it shows
-   * @param truth what really happens in its scene; null if that is not known
-   * @param rival who plays beside it; null for nobody
+   * @param truth the true course of its scene; null if that is not known
+   * @param rival the method that plays beside it; null for none
    * @return the window, to be shown
    */
   public static JFrame of(String title, Player player, Reference truth, Rival rival) {

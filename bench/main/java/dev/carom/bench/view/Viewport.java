@@ -4,7 +4,7 @@ package dev.carom.bench.view;
 import java.awt.Point;
 import java.awt.geom.Rectangle2D;
 
-/** Which part of a scene is shown, and how large: what wheel and hand change. */
+/** The part of a scene that is shown, and its scale: wheel and hand change them. */
 final class Viewport {
 
   private static final double LEAST = 0.1;

@@ -160,7 +160,7 @@ class ViewPanelTest {
     Point middle = new Point(canvas.getWidth() / 2, canvas.getHeight() / 2);
     double scale = canvas.painter().transform(new Rectangle(canvas.getSize())).getScaleX();
     canvas.press(middle);
-    canvas.drag(new Point(middle.x - 100, middle.y + 50));
+    canvas.drag(new Point(middle.x - 100, middle.y + 50), 0);
     assertThat(player.scene().circle(0).x()).isCloseTo(50 - 100 / scale, offset(1e-9));
     assertThat(player.scene().circle(0).y()).isCloseTo(30 - 50 / scale, offset(1e-9));
   }
@@ -172,9 +172,9 @@ class ViewPanelTest {
     button("Frame").doClick();
     Point middle = new Point(canvas.getWidth() / 2 + 8, canvas.getHeight() / 2);
     canvas.press(middle);
-    canvas.drag(new Point(middle.x, middle.y - 120));
-    canvas.drag(new Point(middle.x, middle.y + 120));
-    canvas.drag(middle);
+    canvas.drag(new Point(middle.x, middle.y - 120), 0);
+    canvas.drag(new Point(middle.x, middle.y + 120), 0);
+    canvas.drag(middle, 0);
     int[] with = paint();
     JCheckBox trails =
         all(JCheckBox.class).stream().filter(b -> "Trails".equals(b.getText())).findAny().get();
@@ -193,8 +193,8 @@ class ViewPanelTest {
     assertThat(canvas.painter().transform(area).getScaleX()).isCloseTo(3 * scale, offset(1e-9));
     assertThat(inverse(canvas.painter().transform(area), at).distance(before)).isLessThan(1e-9);
     canvas.press(at);
-    canvas.drag(new Point(230, 110));
-    canvas.release();
+    canvas.drag(new Point(230, 110), 0);
+    canvas.release(0);
     Point2D after = inverse(canvas.painter().transform(area), new Point(230, 110));
     assertThat(after.distance(before)).isLessThan(1e-9);
     button("Fit").doClick();
@@ -228,11 +228,11 @@ class ViewPanelTest {
     for (Tool tool : List.of(Tool.CIRCLE, Tool.LINE, Tool.PEG)) {
       toggle(tool).doClick();
       canvas.press(from);
-      canvas.drag(new Point(from.x + 40, from.y));
+      canvas.drag(new Point(from.x + 40, from.y), 0);
       int[] drawn = paint();
-      canvas.drag(new Point(from.x + 60, from.y + 30));
+      canvas.drag(new Point(from.x + 60, from.y + 30), 0);
       assertThat(paint()).as("%s is shown before it is added", tool).isNotEqualTo(drawn);
-      canvas.release();
+      canvas.release(0);
     }
     assertThat(player.scene())
         .extracting(Scene::circleCount, Scene::lineCount, Scene::pegCount)

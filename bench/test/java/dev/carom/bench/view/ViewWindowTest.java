@@ -208,6 +208,10 @@ class ViewWindowTest {
     assertThat(get(() -> openDialogs())).isZero();
   }
 
+  private int openDialogs() {
+    return (int) Arrays.stream(frame.getOwnedWindows()).filter(Window::isVisible).count();
+  }
+
   @Test
   void showsWhereABadFileIsWrongAndAsksBeforeAFileIsReplaced(@TempDir Path folder)
       throws Exception {
@@ -236,25 +240,26 @@ class ViewWindowTest {
     assertThat(get(() -> frame.getTitle())).isEqualTo("bad.csv - Carom");
   }
 
+  /** On a machine that is busy the mouse may rest too long before it lets go. */
   @Test
   void throwsACircle() throws Exception {
-    Point corner = get(() -> panel().canvas().getLocationOnScreen());
-    Point2D at = get(this::lastCircle);
-    Point circle = new Point(corner.x + (int) at.getX(), corner.y + (int) at.getY());
+    Vec2 before = get(() -> player.scene().velocity(99));
     robot.setAutoDelay(16);
-    press(circle);
-    for (int i = 1; i <= 10; i++) {
-      robot.mouseMove(circle.x + 6 * i, circle.y);
+    Vec2 after = before;
+    for (int attempt = 0; attempt < 5 && after.equals(before); attempt++) {
+      Point corner = get(() -> panel().canvas().getLocationOnScreen());
+      Point2D at = get(this::lastCircle);
+      Point circle = new Point(corner.x + (int) at.getX(), corner.y + (int) at.getY());
+      press(circle);
+      for (int i = 1; i <= 10; i++) {
+        robot.mouseMove(circle.x + 6 * i, circle.y);
+      }
+      robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+      robot.waitForIdle();
+      after = get(() -> player.scene().velocity(99));
     }
-    robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
-    robot.waitForIdle();
-    Vec2 velocity = get(() -> player.scene().velocity(99));
-    assertThat(velocity.x()).isBetween(0.5, 50.0);
-    assertThat(Math.abs(velocity.y())).isLessThan(0.01);
-  }
-
-  private int openDialogs() {
-    return (int) Arrays.stream(frame.getOwnedWindows()).filter(Window::isVisible).count();
+    assertThat(after.x()).isBetween(0.5, 50.0);
+    assertThat(Math.abs(after.y())).isLessThan(0.01);
   }
 
   @Test
