@@ -23,6 +23,12 @@ final class Contestant implements AutoCloseable {
   /** Frames whose median time is told: a second. */
   private static final int WINDOW = 60;
 
+  /**
+   * Frames that are played at a time: between two drawings a single one would find the caches of
+   * the processor empty, and its time would tell of that.
+   */
+  private static final int BATCH = 16;
+
   private static final int STATE = 4;
   private static final double NANOS_A_MICRO = 1e3;
 
@@ -57,9 +63,10 @@ final class Contestant implements AutoCloseable {
     }
   }
 
-  /** Why it cannot play, or no longer. */
-  Optional<String> failure() {
-    return Optional.ofNullable(failure);
+  /** Why it cannot play, or no longer at a frame. */
+  Optional<String> failure(int frame) {
+    boolean plays = method != null && frame <= last();
+    return plays ? Optional.empty() : Optional.ofNullable(failure);
   }
 
   /** The number of the last frame that was played. */
@@ -69,8 +76,11 @@ final class Contestant implements AutoCloseable {
 
   /** The state at the end of a frame, 0 for the start; it is played if need be. */
   PlayedFrame at(int frame) {
-    while (last() < frame && failure == null) {
-      play();
+    if (last() < frame) {
+      int end = Math.max(frame, last() + BATCH);
+      while (last() < end && failure == null) {
+        play();
+      }
     }
     return frames.get(Math.max(0, Math.min(frame, last()) - dropped));
   }

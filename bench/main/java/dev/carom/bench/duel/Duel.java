@@ -66,7 +66,7 @@ public final class Duel implements AutoCloseable {
           for (int frame = 0; frame < Preset.FRAMES && System.nanoTime() < end; frame++) {
             contestant.at(frame);
           }
-          plays = contestant.failure().isEmpty();
+          plays = contestant.failure(0).isEmpty();
         }
       }
     }
@@ -111,15 +111,6 @@ public final class Duel implements AutoCloseable {
   }
 
   /**
-   * Why the rival does not play the scene, or no longer.
-   *
-   * @return empty if it plays
-   */
-  public Optional<String> failure() {
-    return other.failure();
-  }
-
-  /**
    * The score of this library.
    *
    * @param frame the number of the frame, 0 for the start
@@ -138,8 +129,9 @@ public final class Duel implements AutoCloseable {
    */
   public List<ScoreLine> rivalScore(int frame) {
     PlayedFrame played = rival(frame);
-    return failure().isPresent()
-        ? List.of(new ScoreLine("does not play: " + failure().get(), true))
+    Optional<String> failure = other.failure(frame);
+    return failure.isPresent()
+        ? List.of(new ScoreLine("does not play: " + failure.get(), true))
         : score(played, frame, true);
   }
 

@@ -117,7 +117,7 @@ public final class PlayedFrame {
   /**
    * The time of a frame.
    *
-   * @return the median of the last second of frames, in microseconds; NaN at the start
+   * @return the median of the last 60 frames, in microseconds; NaN at the start
    */
   public double micros() {
     return micros;
