@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.function.Supplier;
 
 /** Small scenes in which methods fail, each in its own way, within five seconds. */
+@SuppressWarnings("ImmutableEnumChecker") // each maker is a static method
 public enum Preset {
   /** Fast circles before thin lines. */
   FAST("Fast circles before thin lines", true, PresetScenes::fast),
