@@ -11,6 +11,11 @@ public abstract class LineDetector {
 
   LineDetector() {}
 
+  /** Whether it counts its square roots. */
+  boolean countsRoots() {
+    return true;
+  }
+
   /**
    * A moving circle against a line.
    *

@@ -31,6 +31,22 @@ public final class Methods {
           "",
           scene -> new EventDriven(scene, new TextbookDetector()));
 
+  /** The quadratic of the textbooks in double, with a grid as this library has one. */
+  public static final Contender TEXTBOOK_GRID =
+      new Contender(
+          "textbook-grid",
+          "textbook-grid",
+          "",
+          scene -> new EventDriven(scene, new TextbookDetector(), true));
+
+  /** This library's own test in plain doubles, with its grid and without its contract. */
+  public static final Contender PLAIN_GRID =
+      new Contender(
+          "plain-grid",
+          "plain-grid",
+          "",
+          scene -> new EventDriven(scene, new PlainDetector(), true));
+
   /** The overlap test at the end of the frame: one substep. */
   public static final Contender OVERLAP =
       new Contender("overlap", "overlap", "", scene -> parts(scene, 1));
@@ -47,7 +63,7 @@ public final class Methods {
    */
   public static List<Contender> all() {
     List<Contender> all = new ArrayList<>(List.of(CAROM, POSTER, POSTER_DOUBLE));
-    all.addAll(List.of(TEXTBOOK_FLOAT, TEXTBOOK_DOUBLE));
+    all.addAll(List.of(TEXTBOOK_FLOAT, TEXTBOOK_DOUBLE, TEXTBOOK_GRID, PLAIN_GRID));
     for (int exponent = -2; exponent >= LEAST_TOLERANCE; exponent -= 2) {
       all.add(advancement(exponent));
     }

@@ -5,6 +5,11 @@ package dev.carom.bench.methods;
 final class PlainDetector extends LineDetector {
 
   @Override
+  boolean countsRoots() {
+    return false;
+  }
+
+  @Override
   public double time(
       double px,
       double py,
@@ -16,6 +21,7 @@ final class PlainDetector extends LineDetector {
       double bx,
       double by,
       double end) {
+    pairTests++;
     return PlainSweptCircle.line(px, py, r, vx, vy, ax, ay, bx, by, end);
   }
 }

@@ -70,6 +70,7 @@ public final class Survey {
   public static List<Contender> contenders() {
     List<Contender> all = new ArrayList<>(List.of(Methods.CAROM, Methods.POSTER));
     all.addAll(List.of(Methods.POSTER_DOUBLE, Methods.TEXTBOOK_FLOAT, Methods.TEXTBOOK_DOUBLE));
+    all.add(Methods.PLAIN_GRID);
     all.addAll(List.of(Methods.advancement(-6), Methods.OVERLAP, Methods.substeps(16)));
     all.addAll(Peers.all());
     return List.copyOf(all);

@@ -29,7 +29,7 @@ class StabilityCommandTest {
     assertThat(folder.resolve("new/fails-mass.svg")).isNotEmptyFile();
     assertThat(ResultsCsv.read(folder.resolve("new/stability.csv")))
         .filteredOn(row -> row.metric().equals("stability_outcome"))
-        .hasSize(14 * 25)
+        .hasSize(15 * 25)
         .extracting(Row::scene)
         .containsOnly("stability:mass");
   }

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Scene;
+import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.experiment.Crosses;
 import java.util.List;
 import java.util.stream.Stream;
 import org.assertj.core.data.Offset;
@@ -13,12 +15,18 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class MethodsTest {
 
   private static final List<Contender> IN_DOUBLES =
       List.of(
-          Methods.CAROM, Methods.POSTER_DOUBLE, Methods.TEXTBOOK_DOUBLE, Methods.advancement(-12));
+          Methods.CAROM,
+          Methods.POSTER_DOUBLE,
+          Methods.TEXTBOOK_DOUBLE,
+          Methods.TEXTBOOK_GRID,
+          Methods.PLAIN_GRID,
+          Methods.advancement(-12));
 
   private static final List<Contender> IN_FLOATS = List.of(Methods.POSTER, Methods.TEXTBOOK_FLOAT);
 
@@ -250,8 +258,54 @@ class MethodsTest {
         .hasMessage("circle 0 makes impacts without end");
   }
 
+  /** A control for the grid must differ in nothing but the grid. */
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3})
+  void theGridChangesNoBitAndSparesWork(long seed) throws CannotPlaceException {
+    Scene scene = new Crosses(40, 30, 10, 1, 30, seed).scene();
+    Method all = Methods.TEXTBOOK_DOUBLE.start(scene);
+    Method cells = Methods.TEXTBOOK_GRID.start(scene);
+    long pairsOfAll = 0;
+    long pairsOfCells = 0;
+
+    for (int frame = 0; frame < 200; frame++) {
+      all.frame();
+      cells.frame();
+      pairsOfAll += all.pairTests();
+      pairsOfCells += cells.pairTests();
+      for (int i = 0; i < scene.circleCount(); i++) {
+        assertThat(cells.x(i)).isEqualTo(all.x(i));
+        assertThat(cells.y(i)).isEqualTo(all.y(i));
+      }
+    }
+
+    assertThat(pairsOfCells).isLessThan(pairsOfAll / 4);
+  }
+
+  /** From outside, along the grid, away from it, and past it. */
+  @Test
+  void aCircleMayComeFromOutsideTheGrid() {
+    Scene scene =
+        Scene.builder()
+            .line(0, 0, 10, 0)
+            .line(0, 40, 10, 40)
+            .circle(5, -1000, 1, 0, 100)
+            .circle(-1000, 20, 1, 100, 0)
+            .circle(5, -1000, 1, 0, -100)
+            .circle(2000, -1000, 1, 1, 100)
+            .build();
+
+    Method cells = after(20, Methods.TEXTBOOK_GRID, scene);
+    Method all = after(20, Methods.TEXTBOOK_DOUBLE, scene);
+
+    for (int i = 0; i < scene.circleCount(); i++) {
+      assertThat(cells.y(i)).isEqualTo(all.y(i));
+    }
+    assertThat(cells.vy(0)).isEqualTo(-100);
+  }
+
   @Test
   void idsAreUnique() {
-    assertThat(Methods.all()).extracting(Contender::id).doesNotHaveDuplicates().hasSize(20);
+    assertThat(Methods.all()).extracting(Contender::id).doesNotHaveDuplicates().hasSize(22);
   }
 }
