@@ -11,7 +11,7 @@ import java.util.Arrays;
  *
  * <p>A circle's arrays hold the start of its flight; {@code age} is the time since then.
  */
-final class EventDriven extends PlainMethod {
+class EventDriven extends PlainMethod {
 
   /** More impacts of one circle in one frame than are taken for a scene that comes to an end. */
   static final int MOST_IMPACTS = 4_000_000;
@@ -19,7 +19,7 @@ final class EventDriven extends PlainMethod {
   /** As many of them in a row at one time are no more. */
   static final int MOST_AT_ONCE = 10_000;
 
-  private static final double NEVER = Double.POSITIVE_INFINITY;
+  static final double NEVER = Double.POSITIVE_INFINITY;
   private static final int WALL_X = -1;
   private static final int WALL_Y = -2;
 
@@ -43,11 +43,16 @@ final class EventDriven extends PlainMethod {
     age = new double[circles];
     due = new double[circles];
     hit = new int[circles];
+  }
+
+  /** Finds the first impact of each circle: to be called once, before the first frame. */
+  final EventDriven started() {
     Arrays.setAll(hit, this::search);
+    return this;
   }
 
   @Override
-  public void frame() {
+  public final void frame() {
     impacts = 0;
     wallImpacts = 0;
     detector.squareRoots = 0;
@@ -110,8 +115,7 @@ final class EventDriven extends PlainMethod {
     double first = wallTime;
     int what = wall;
     for (int k = 0; k < lines; k++) {
-      double t =
-          detector.time(x[i], y[i], radius[i], vx[i], vy[i], ax[k], ay[k], bx[k], by[k], first);
+      double t = test(i, k, first);
       if (t < first) {
         first = t;
         what = k;
@@ -119,6 +123,11 @@ final class EventDriven extends PlainMethod {
     }
     due[i] = first;
     return what;
+  }
+
+  /** When a circle touches a line, infinite if not before another impact. */
+  double test(int i, int k, double first) {
+    return detector.time(x[i], y[i], radius[i], vx[i], vy[i], ax[k], ay[k], bx[k], by[k], first);
   }
 
   /** From cell to cell, until one is left after the first impact found so far, or the grid is. */
@@ -143,7 +152,7 @@ final class EventDriven extends PlainMethod {
       int c = row * grid.columns + column;
       for (int n = grid.starts[c]; n < grid.starts[c + 1]; n++) {
         int k = grid.listed[n];
-        double t = detector.time(px, py, radius[i], ux, uy, ax[k], ay[k], bx[k], by[k], first);
+        double t = test(i, k, first);
         if (t < first) {
           first = t;
           what = k;

@@ -29,7 +29,7 @@ public final class Methods {
           "textbook-double",
           "textbook-double",
           "",
-          scene -> new EventDriven(scene, new TextbookDetector()));
+          scene -> new EventDriven(scene, new TextbookDetector()).started());
 
   /** The quadratic of the textbooks in double, with a grid as this library has one. */
   public static final Contender TEXTBOOK_GRID =
@@ -37,15 +37,11 @@ public final class Methods {
           "textbook-grid",
           "textbook-grid",
           "",
-          scene -> new EventDriven(scene, new TextbookDetector(), true));
+          scene -> new EventDriven(scene, new TextbookDetector(), true).started());
 
   /** This library's own test in plain doubles, with its grid and without its contract. */
   public static final Contender PLAIN_GRID =
-      new Contender(
-          "plain-grid",
-          "plain-grid",
-          "",
-          scene -> new EventDriven(scene, new PlainDetector(), true));
+      new Contender("plain-grid", "plain-grid", "", scene -> new PlainGridMethod(scene).started());
 
   /** The overlap test at the end of the frame: one substep. */
   public static final Contender OVERLAP =
@@ -100,6 +96,6 @@ public final class Methods {
         String.format(Locale.ROOT, "advancement-1e%d", exponent),
         "advancement",
         String.format(Locale.ROOT, "tolerance=1e%d", exponent),
-        scene -> new EventDriven(scene, new AdvancementDetector(tolerance)));
+        scene -> new EventDriven(scene, new AdvancementDetector(tolerance)).started());
   }
 }
