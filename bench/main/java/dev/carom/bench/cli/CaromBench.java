@@ -24,6 +24,7 @@ import picocli.CommandLine.ParameterException;
       SweepCommand.class,
       StabilityCommand.class,
       ScaleCommand.class,
+      FeaturesCommand.class,
       GasCommand.class,
       SimulateCommand.class,
       CastCommand.class,

@@ -56,14 +56,15 @@ final class ReportCommand implements Callable<Integer> {
 
   @Option(
       names = "--quick",
-      description = "One scene, fewer settings and queries, shorter replays: 3 to 4 minutes.")
+      description = "One scene, fewer settings and queries, shorter replays: about 5 minutes.")
   private boolean quick;
 
   @Option(
       names = "--scenes",
       paramLabel = "NAME",
       split = ",",
-      description = "Play these scenes only (default: all); questions and sweep stay.")
+      description =
+          "Play these scenes (default: all, and base-1 with --quick); questions and sweep stay.")
   private List<String> scenes;
 
   @Option(
@@ -112,17 +113,23 @@ final class ReportCommand implements Callable<Integer> {
   }
 
   private List<Part> chosen() {
-    List<Part> parts = new ArrayList<>(Parts.of(quick));
+    List<Part> parts = new ArrayList<>(ofScenes());
     for (int fork = 0; fork < Parts.FORKS; fork++) {
       parts.add(SeriesParts.sweep(fork, quick));
     }
     for (int fork = 0; fork < Parts.FORKS; fork++) {
       parts.add(SeriesParts.scale(fork, quick));
     }
+    for (int fork = 0; fork < Parts.FORKS; fork++) {
+      parts.add(SeriesParts.features(fork, quick));
+    }
     parts.addAll(StabilityPart.all(quick));
+    return untimed ? PartChoice.untimed(parts) : parts;
+  }
+
+  private List<Part> ofScenes() {
     try {
-      List<Part> ofScenes = scenes == null ? parts : PartChoice.ofScenes(parts, scenes);
-      return untimed ? PartChoice.untimed(ofScenes) : ofScenes;
+      return scenes == null ? Parts.of(quick) : Parts.of(quick, scenes);
     } catch (IllegalArgumentException e) {
       throw refused(e.getMessage());
     }

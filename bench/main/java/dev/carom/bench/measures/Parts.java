@@ -3,8 +3,10 @@ package dev.carom.bench.measures;
 
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.LineContender;
+import dev.carom.bench.methods.Methods;
 import dev.carom.bench.methods.RungCounts;
 import dev.carom.bench.peers.Contenders;
+import dev.carom.bench.peers.Peers;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -43,9 +45,6 @@ public final class Parts {
           "advancement-1e-2",
           "substeps-4",
           "substeps-64",
-          "dyn4j-defaults",
-          "jbox2d-defaults",
-          "gdx-box2d-defaults",
           "advancement-1e-6",
           "closest-point-16",
           "closest-point-4096");
@@ -66,23 +65,40 @@ public final class Parts {
    * @throws IllegalStateException if the library has been used without being counted
    */
   public static List<Part> of(boolean quick) {
+    return of(quick, quick ? SCENES.subList(0, 1) : SCENES);
+  }
+
+  /**
+   * The parts of some scenes, and those that belong to none.
+   *
+   * @param quick whether minutes must do
+   * @param scenes their names
+   * @return parts, as above
+   * @throws IllegalArgumentException if there is no such scene; the message names all there are
+   */
+  public static List<Part> of(boolean quick, List<String> scenes) {
+    for (String name : scenes) {
+      if (!SCENES.contains(name)) {
+        throw new IllegalArgumentException(
+            "--scenes has " + name + ": expected " + String.join(", ", SCENES));
+      }
+    }
     RungCounts.enable();
     List<Part> parts = new ArrayList<>();
-    scenes(quick).forEach(scene -> addScene(parts, scene, quick));
+    scenes.forEach(scene -> addScene(parts, scene, quick));
+    colliding().forEach(contender -> parts.add(new GasPart(Subjects.GAS, contender)));
+    parts.add(new RungPart(scenes, quick ? 1_000 : 20_000));
     for (String name : Queries.classes()) {
       parts.add(new QueryPart(name, quick ? 1_000 : 20_000));
     }
     for (int fork = 0; fork < FORKS; fork++) {
       parts.add(queryTimes(fork, quick));
-      for (String scene : scenes(quick)) {
-        parts.add(frameTimes(scene, fork, quick));
+      for (String scene : scenes) {
+        parts.add(frameTimes(scene, contenders(scene, quick), fork, quick));
       }
+      parts.add(frameTimes(Subjects.GAS, colliding(), fork, quick));
     }
     return List.copyOf(parts);
-  }
-
-  private static List<String> scenes(boolean quick) {
-    return quick ? SCENES.subList(0, 1) : SCENES;
   }
 
   private static void addScene(List<Part> parts, String scene, boolean quick) {
@@ -104,8 +120,8 @@ public final class Parts {
     return new QueryTimePart(fork, ids, quick ? QUICK_QUERY_WARM_UP_MILLIS : QUERY_WARM_UP_MILLIS);
   }
 
-  private static Part frameTimes(String scene, int fork, boolean quick) {
-    List<Contender> contenders = contenders(scene, quick);
+  private static Part frameTimes(
+      String scene, List<Contender> contenders, int fork, boolean quick) {
     return quick
         ? new TimePart(scene, fork, contenders, 2, QUICK_WARM_UP_MILLIS)
         : new TimePart(scene, fork, contenders, 3, WARM_UP_MILLIS);
@@ -120,6 +136,14 @@ public final class Parts {
     return all.filter(c -> !quick || !LATER.contains(c.id())).toList();
   }
 
+  /** Those that know pairs of circles. */
+  private static List<Contender> colliding() {
+    List<Contender> all = new ArrayList<>(List.of(Methods.CAROM, Methods.OVERLAP));
+    all.addAll(List.of(Methods.substeps(16), Methods.substeps(64)));
+    all.addAll(Peers.all());
+    return all;
+  }
+
   /**
    * What a quick comparison leaves out, for people.
    *
@@ -128,6 +152,6 @@ public final class Parts {
   public static String leftOut() {
     return "the short run leaves out the scenes "
         + String.join(", ", SCENES.subList(1, SCENES.size()))
-        + ", peers at their defaults, and most values of knobs";
+        + " (unless --scenes names them), and most values of knobs";
   }
 }

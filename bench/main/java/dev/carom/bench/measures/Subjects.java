@@ -4,6 +4,7 @@ package dev.carom.bench.measures;
 import dev.carom.Scene;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
+import dev.carom.bench.experiment.Gas;
 import dev.carom.bench.reference.Reference;
 import dev.carom.bench.reference.References;
 import dev.carom.bench.reference.Truth;
@@ -27,6 +28,9 @@ final class Subjects {
   /** The first canonical scene with circles small enough to reach the sides of the crosses. */
   static final String SMALL = "base-1-r5";
 
+  /** Circles that collide, and nothing else but walls. */
+  static final String GAS = "gas";
+
   private static final String FOLDER = "/dev/carom/bench/scenes/";
   private static final double SMALL_RADIUS = 5;
 
@@ -45,13 +49,27 @@ final class Subjects {
   }
 
   static Scene scene(String name) {
-    return name.equals(SMALL) ? crosses(SMALL_RADIUS, 1, 10, 1) : stored(name);
+    return switch (name) {
+      case SMALL -> crosses(SMALL_RADIUS, 1, 10, 1);
+      case GAS -> gas(1);
+      default -> stored(name);
+    };
+  }
+
+  /** A fifth of the area is covered, and a circle goes on average 1.25 radii a frame. */
+  private static Scene gas(long seed) {
+    try {
+      return new Gas(100, 0.2, 1, false, seed).scene();
+    } catch (CannotPlaceException e) {
+      throw new IllegalStateException("so thin a gas has room for all its circles", e);
+    }
   }
 
   /** Scenes of the same kind to play in between, so that none is learnt by heart. */
   static List<Scene> others(String name) {
     return switch (name) {
       case SMALL -> List.of(crosses(SMALL_RADIUS, 1, 10, 2), crosses(SMALL_RADIUS, 1, 10, 3));
+      case GAS -> List.of(gas(2), gas(3));
       case "fast-1" -> List.of(crosses(10, 20, 100, 2), crosses(10, 20, 100, 3));
       default -> List.of(crosses(10, 1, 10, 4), crosses(10, 1, 10, 5));
     };

@@ -61,7 +61,8 @@ public record Footprint(int circles, double perCircle, double perLine) {
     }
   }
 
-  private static long used() {
+  /** What the heap holds after some collections. */
+  static long used() {
     for (int i = 0; i < COLLECTIONS; i++) {
       System.gc();
     }

@@ -6,9 +6,12 @@ import dev.carom.bench.measures.Part;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The sweep and the scale as parts of the report, each cut into forks. */
+/** The sweep, the scale and the features as parts of the report, each cut into forks. */
 public final class SeriesParts {
 
+  private static final int ROUNDS = 101;
+  private static final int QUICK_ROUNDS = 31;
+  private static final int FEATURES_WARM_UP_MILLIS = 2000;
   private static final int REPLAYS = 5;
   private static final int QUICK_REPLAYS = 2;
   private static final int QUICK_SWEEP_WARM_UP_MILLIS = 1000;
@@ -51,6 +54,23 @@ public final class SeriesParts {
       options.add("--no-memory");
     }
     return part("scale", quick ? 2 : 90, fork, options);
+  }
+
+  /**
+   * One round of what the features of a scene cost.
+   *
+   * @param fork the number of the virtual machine, from 0; the first one measures memory, too
+   * @param quick whether short rounds will do
+   * @return the part
+   */
+  public static Part features(int fork, boolean quick) {
+    List<String> options = new ArrayList<>();
+    options.addAll(List.of("--rounds", Integer.toString(quick ? QUICK_ROUNDS : ROUNDS)));
+    options.addAll(List.of("--warm-up", Integer.toString(FEATURES_WARM_UP_MILLIS)));
+    if (fork > 0) {
+      options.add("--no-memory");
+    }
+    return part("features", quick ? 3 : 4, fork, options);
   }
 
   private static Part part(String command, double seconds, int fork, List<String> options) {

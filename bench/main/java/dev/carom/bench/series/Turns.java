@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.series;
 
-import dev.carom.bench.methods.Contender;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
@@ -19,8 +18,8 @@ final class Turns {
   }
 
   /** Each of them plays once. */
-  void round(Collection<Contender> contenders, Consumer<Contender> play) {
-    List<Contender> order = new ArrayList<>(contenders);
+  <T> void round(Collection<T> contenders, Consumer<? super T> play) {
+    List<T> order = new ArrayList<>(contenders);
     Collections.shuffle(order, random);
     order.forEach(play);
   }

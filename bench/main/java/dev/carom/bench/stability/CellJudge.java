@@ -20,18 +20,37 @@ final class CellJudge {
 
   private CellJudge() {}
 
-  static CellOutcome of(Contender contender, Cell cell) {
+  /**
+   * What became of a run.
+   *
+   * @param outcome its class
+   * @param worst how far a circle was from its true place at the end of a frame, at most, in radii;
+   *     infinite if the run has no end or the speed at its end is wrong
+   */
+  record Judged(CellOutcome outcome, double worst) {
+
+    private static Judged lost(CellOutcome outcome) {
+      return new Judged(outcome, Double.POSITIVE_INFINITY);
+    }
+
+    /** Whether it was never farther away than so many radii. */
+    boolean isWithin(double radii) {
+      return worst <= radii;
+    }
+  }
+
+  static Judged of(Contender contender, Cell cell) {
     if (cell.truth() == null) {
-      return CellOutcome.NO_ANSWER;
+      return Judged.lost(CellOutcome.NO_ANSWER);
     }
     try (Method method = contender.start(cell.scene())) {
       return play(method, cell);
     } catch (UnsupportedOperationException | IllegalArgumentException | IllegalStateException e) {
-      return CellOutcome.NO_ANSWER;
+      return Judged.lost(CellOutcome.NO_ANSWER);
     }
   }
 
-  private static CellOutcome play(Method method, Cell cell) {
+  private static Judged play(Method method, Cell cell) {
     Reference truth = cell.truth();
     double worst = 0;
     for (int frame = 1; frame <= truth.frames(); frame++) {
@@ -40,18 +59,20 @@ final class CellJudge {
         double x = method.x(i);
         double y = method.y(i);
         if (!Double.isFinite(x) || !Double.isFinite(y) || cell.fence().isBeyond(x, y)) {
-          return CellOutcome.ESCAPED;
+          return Judged.lost(CellOutcome.ESCAPED);
         }
         double error = Math.hypot(x - truth.x(frame, i), y - truth.y(frame, i));
         worst = Math.max(worst, error / cell.scene().circle(i).radius());
       }
     }
     if (speedError(method, truth) > LOST * fastest(cell.scene())) {
-      return CellOutcome.LOST_SPEED;
+      return Judged.lost(CellOutcome.LOST_SPEED);
     }
-    return worst <= RIGHT
-        ? CellOutcome.RIGHT
-        : worst <= DRIFTED ? CellOutcome.DRIFTED : CellOutcome.FAR_OFF;
+    CellOutcome outcome =
+        worst <= RIGHT
+            ? CellOutcome.RIGHT
+            : worst <= DRIFTED ? CellOutcome.DRIFTED : CellOutcome.FAR_OFF;
+    return new Judged(outcome, worst);
   }
 
   private static double speedError(Method method, Reference truth) {

@@ -31,6 +31,11 @@ public final class Survey {
   /** The name of the series, by cells from the lower left, or by values. */
   public static final String CELL = "at";
 
+  /** The metric of the cells in which no circle was ever farther off than the stat, in radii. */
+  public static final String WITHIN = "stability_within";
+
+  private static final List<Double> LIMITS = List.of(CellJudge.RIGHT, 0.1);
+
   private static final String ONE = "1";
 
   private final FailureMap map;
@@ -82,9 +87,14 @@ public final class Survey {
     } catch (UnsupportedOperationException e) {
       rows.add(row(contender, "failure", e.getMessage(), Double.NaN));
     }
-    double[] outcomes =
-        cells.stream().mapToDouble(cell -> CellJudge.of(contender, cell).ordinal()).toArray();
+    List<CellJudge.Judged> judged =
+        cells.stream().map(cell -> CellJudge.of(contender, cell)).toList();
+    double[] outcomes = judged.stream().mapToDouble(j -> j.outcome().ordinal()).toArray();
     series(rows, contender, OUTCOME, outcomes);
+    for (double radii : LIMITS) {
+      long within = judged.stream().filter(j -> j.isWithin(radii)).count();
+      rows.add(row(contender, WITHIN, Double.toString(radii), within));
+    }
   }
 
   private void series(List<Row> rows, Contender contender, String metric, double[] values) {

@@ -36,6 +36,7 @@ class PartChoiceTest {
           new Named("time/base-1/fork-0"),
           SeriesParts.sweep(0, true),
           SeriesParts.scale(0, true),
+          SeriesParts.features(0, true),
           StabilityPart.all(true).get(0));
 
   @Test
@@ -47,23 +48,20 @@ class PartChoiceTest {
   }
 
   @Test
-  void whatPlaysNoSceneStaysWhicheverAreChosen() {
-    assertThat(PartChoice.ofScenes(ALL, List.of("base-2")))
+  void aShortRunPlaysTheScenesThatItIsAskedFor() {
+    assertThat(Parts.of(true, List.of("base-2", "radii")))
         .extracting(Part::id)
-        .containsExactly(
-            "scene/base-2/carom",
-            "query/grazing",
-            "query-time/fork-0",
-            "sweep/fork-0",
-            "scale/fork-0",
-            "stability/angle");
+        .contains("scene/base-2/carom", "scene/radii/carom", "time/radii/fork-0", "time/gas/fork-4")
+        .noneMatch(id -> id.contains("base-1"))
+        .contains("query/grazing", "query-time/fork-0", "gas/gas/carom", "rungs/all");
   }
 
   @Test
   void aSceneThatThereIsNotIsRefused() {
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> PartChoice.ofScenes(ALL, List.of("base-1", "base-7")))
-        .withMessage("--scenes has base-7: expected base-1, base-2");
+        .isThrownBy(() -> Parts.of(true, List.of("base-1", "base-7")))
+        .withMessage(
+            "--scenes has base-7: expected base-1, base-1-r5, fast-1, radii, base-2, base-3");
   }
 
   @Test
@@ -71,14 +69,14 @@ class PartChoiceTest {
     List<Part> all = new ArrayList<>(Parts.of(false));
     assertThat(all)
         .extracting(Part::id)
-        .allMatch(id -> id.matches("(scene/.+|query|query-time|time/.+)/[^/]+"));
+        .allMatch(id -> id.matches("(scene/.+|gas/.+|rungs|query|query-time|time/.+)/[^/]+"));
     assertThat(PartChoice.untimed(all)).hasSizeBetween(100, all.size() - 20);
   }
 
   /** In seconds; the sweep comes on top of it. */
   @Test
   void theEstimatesOfBothRunsAreWithinTheirLimits() {
-    assertThat(Parts.of(true).stream().mapToDouble(Part::seconds).sum()).isBetween(60.0, 150.0);
+    assertThat(Parts.of(true).stream().mapToDouble(Part::seconds).sum()).isBetween(60.0, 300.0);
     assertThat(Parts.of(false).stream().mapToDouble(Part::seconds).sum()).isBetween(600.0, 2600.0);
   }
 }

@@ -25,7 +25,7 @@ class CaromEverywhereTest {
       Cell cell = map.cell(i);
       if (cell.limit() == CellLimit.NONE) {
         within++;
-        CellOutcome outcome = CellJudge.of(Methods.CAROM, cell);
+        CellOutcome outcome = CellJudge.of(Methods.CAROM, cell).outcome();
         if (outcome != CellOutcome.RIGHT) {
           wrong.add("cell " + i + ": " + outcome);
         }

@@ -83,7 +83,7 @@ class CellJudgeTest {
   }
 
   private static CellOutcome judged(DoubleUnaryOperator place, double speed) {
-    return CellJudge.of(new Contender("fake", "fake", "", new Fake(place, speed)), CELL);
+    return CellJudge.of(new Contender("fake", "fake", "", new Fake(place, speed)), CELL).outcome();
   }
 
   private static double truth(double frame) {
@@ -97,6 +97,17 @@ class CellJudgeTest {
     assertThat(judged(t -> truth(t) + (t == 3 ? 0.0101 : 0), 2)).isEqualTo(CellOutcome.DRIFTED);
     assertThat(judged(t -> truth(t) - (t == 3 ? 9.99 : 0), 2)).isEqualTo(CellOutcome.DRIFTED);
     assertThat(judged(t -> truth(t) - (t == 3 ? 10.01 : 0), 2)).isEqualTo(CellOutcome.FAR_OFF);
+  }
+
+  /** 10 units are a radius; whose speed is wrong, or who is outside, is within no distance. */
+  @Test
+  void howFarOffItWasIsToldForAnyLimit() {
+    Contender off =
+        new Contender("fake", "fake", "", new Fake(t -> truth(t) + (t == 3 ? 0.5 : 0), 2));
+    assertThat(CellJudge.of(off, CELL).isWithin(0.051)).isTrue();
+    assertThat(CellJudge.of(off, CELL).isWithin(0.049)).isFalse();
+    Contender slow = new Contender("fake", "fake", "", new Fake(CellJudgeTest::truth, 1));
+    assertThat(CellJudge.of(slow, CELL).isWithin(100)).isFalse();
   }
 
   @Test
@@ -125,7 +136,7 @@ class CellJudgeTest {
             scene -> {
               throw new UnsupportedOperationException("not this one");
             });
-    assertThat(CellJudge.of(refuses, CELL)).isEqualTo(CellOutcome.NO_ANSWER);
+    assertThat(CellJudge.of(refuses, CELL).outcome()).isEqualTo(CellOutcome.NO_ANSWER);
     DoubleUnaryOperator endless =
         t -> {
           throw new IllegalStateException("circle 0 makes impacts without end");

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.report.FeatureFigures;
+import dev.carom.bench.report.Origin;
+import dev.carom.bench.results.Results;
+import dev.carom.bench.results.Row;
+import dev.carom.bench.series.Features;
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** What each thing that a scene uses costs. */
+@Command(
+    name = "features",
+    description = {
+      "Measures what each thing that a scene uses costs, in time a frame and in memory: circles"
+          + " alone, walls, lines, sensors, a recording, edits, collisions."
+    },
+    mixinStandardHelpOptions = true,
+    sortOptions = false)
+final class FeaturesCommand implements Callable<Integer> {
+
+  @Spec private CommandSpec spec;
+
+  @Mixin private SeriesOptions series;
+
+  @Option(
+      names = "--rounds",
+      paramLabel = "N",
+      defaultValue = "101",
+      description =
+          "In which the scenes take turns, 600 frames each; the time is the median over them"
+              + " (default: ${DEFAULT-VALUE}).")
+  private int rounds;
+
+  @Option(
+      names = "--warm-up",
+      paramLabel = "MILLIS",
+      defaultValue = "2000",
+      description = "How long they play before that (default: ${DEFAULT-VALUE}).")
+  private int warmUpMillis;
+
+  @Option(names = "--no-memory", description = "Do not measure what a world takes of memory.")
+  private boolean noMemory;
+
+  @Override
+  public Integer call() throws IOException, CannotPlaceException {
+    Bounded.atLeast(1, "--rounds", rounds, spec);
+    Bounded.atLeast(0, "--warm-up", warmUpMillis, spec);
+    series.prepare();
+    List<Row> rows =
+        new Features(series.seed(), series.turns()).run(rounds, warmUpMillis, !noMemory);
+    series.write(rows);
+    Results results = new Results(Origin.of(Map.of("features", series.seed()), "", false), rows);
+    spec.commandLine().getOut().print(new FeatureFigures(results).table().text());
+    spec.commandLine().getOut().flush();
+    return 0;
+  }
+}

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.series;
+
+import dev.carom.Circle;
+import dev.carom.Line;
+import dev.carom.Response;
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.Vec2;
+import dev.carom.World;
+import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.experiment.Crosses;
+import dev.carom.bench.results.Row;
+import java.lang.ref.Reference;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * What each thing that a scene uses costs this library: the time of a frame and the memory of a
+ * world, of the canonical circles with ever more around them. The time is that of a whole replay,
+ * divided by its frames; the memory is what a world holds at the end of a replay.
+ */
+public final class Features {
+
+  /** The metric of the times of a frame. */
+  public static final String TIME = "feature_time";
+
+  /** The metric of the memory of a world. */
+  public static final String MEMORY = "feature_memory";
+
+  /** The metric of the impacts of a frame. */
+  public static final String IMPACTS = "feature_impacts";
+
+  /** What the scenes' names begin with. */
+  public static final String SCENE = "feature:";
+
+  private static final String METHOD = "carom";
+  private static final int FRAMES = 600;
+  private static final int WORLDS = 64;
+  private static final int RECORDED = 1_000_000;
+  private static final int FEW_LINES = 8;
+
+  /** What is done before each frame. */
+  @FunctionalInterface
+  private interface Action {
+    void before(World world, int frame);
+  }
+
+  private record Use(String name, Scene scene, boolean recorded, Action action) {
+
+    Use(String name, Scene scene) {
+      this(name, scene, false, (world, frame) -> {});
+    }
+
+    World play(int[] impacts) {
+      World world = new World(scene);
+      if (recorded) {
+        world.record(RECORDED);
+      }
+      for (int frame = 0; frame < FRAMES; frame++) {
+        action.before(world, frame);
+        if (!world.step(1)) {
+          throw new IllegalStateException(name + ": a step was unfinished at " + world.now());
+        }
+        impacts[0] += world.impacts().size();
+      }
+      return world;
+    }
+  }
+
+  private final List<Use> uses = new ArrayList<>();
+  private final Turns turns;
+
+  /**
+   * Prepares the scenes.
+   *
+   * @param seed of the canonical scene
+   * @param turns seed of the order in which the scenes take turns
+   * @throws CannotPlaceException if the canonical scene of this seed has no room
+   */
+  public Features(long seed, long turns) throws CannotPlaceException {
+    this.turns = new Turns(turns);
+    Scene canonical = Crosses.canonical(seed).scene();
+    uses.add(new Use("circles", part(canonical, false, 0, Response.BOUNCE)));
+    uses.add(new Use("walls", part(canonical, true, 0, Response.BOUNCE)));
+    uses.add(new Use("few-lines", part(canonical, true, FEW_LINES, Response.BOUNCE)));
+    uses.add(new Use("lines", canonical));
+    int all = canonical.lineCount();
+    uses.add(new Use("sensors", part(canonical, true, all, Response.SENSOR)));
+    uses.add(new Use("recording", canonical, true, (world, frame) -> {}));
+    uses.add(new Use("steering", canonical, false, Features::steer));
+    uses.add(new Use("moving-line", canonical, false, Features::move));
+    uses.add(new Use("collisions", colliding(canonical).build()));
+  }
+
+  private static Scene part(Scene whole, boolean walls, int lines, Response response) {
+    SceneBuilder builder = builder(whole, walls);
+    for (int k = 0; k < lines; k++) {
+      Line line = whole.line(k);
+      builder.line(line.ax(), line.ay(), line.bx(), line.by()).response(response);
+    }
+    return circles(builder, whole).build();
+  }
+
+  private static SceneBuilder colliding(Scene whole) {
+    return circles(builder(whole, true).collide(true), whole);
+  }
+
+  private static SceneBuilder builder(Scene whole, boolean walls) {
+    SceneBuilder builder = Scene.builder();
+    if (walls) {
+      whole.bounds().ifPresent(b -> builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax()));
+    }
+    return builder;
+  }
+
+  private static SceneBuilder circles(SceneBuilder builder, Scene whole) {
+    for (int i = 0; i < whole.circleCount(); i++) {
+      Circle circle = whole.circle(i);
+      Vec2 v = whole.velocity(i);
+      builder.circle(circle.x(), circle.y(), circle.radius(), v.x(), v.y());
+    }
+    return builder;
+  }
+
+  /** One circle a frame gets the opposite velocity. */
+  private static void steer(World world, int frame) {
+    int circle = frame % world.circleCount();
+    world.setVelocity(circle, -world.vx(circle), -world.vy(circle));
+  }
+
+  /** One line goes to and fro. */
+  private static void move(World world, int frame) {
+    Line line = world.line(0);
+    int way = frame % 2 == 0 ? 1 : -1;
+    world.moveLine(0, line.ax() + way, line.ay(), line.bx() + way, line.by());
+  }
+
+  /**
+   * Measures.
+   *
+   * @param rounds in which the scenes take turns
+   * @param warmUpMillis how long they do before anything is measured
+   * @param memory whether memory is measured, too
+   * @return the rows
+   */
+  public List<Row> run(int rounds, int warmUpMillis, boolean memory) {
+    List<Row> rows = new ArrayList<>();
+    if (memory) {
+      uses.forEach(use -> rows.add(row(use, MEMORY, "mean", bytes(use), "bytes", WORLDS)));
+    }
+    long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(warmUpMillis);
+    while (System.nanoTime() < deadline) {
+      uses.forEach(use -> use.play(new int[1]));
+    }
+    Map<Use, double[]> nanos = new LinkedHashMap<>();
+    Map<Use, int[]> impacts = new LinkedHashMap<>();
+    uses.forEach(use -> nanos.put(use, new double[rounds]));
+    for (int i = 0; i < rounds; i++) {
+      int round = i;
+      turns.round(
+          uses,
+          use -> {
+            int[] count = new int[1];
+            long start = System.nanoTime();
+            use.play(count);
+            nanos.get(use)[round] = (double) (System.nanoTime() - start) / FRAMES;
+            impacts.put(use, count);
+          });
+    }
+    for (Use use : uses) {
+      double median = SeriesRows.median(nanos.get(use));
+      rows.add(row(use, TIME, "median", median, "ns", (long) rounds * FRAMES));
+      double mean = (double) impacts.get(use)[0] / FRAMES;
+      rows.add(row(use, IMPACTS, "mean", mean, "1", FRAMES));
+    }
+    return rows;
+  }
+
+  private static Row row(Use use, String metric, String stat, double value, String unit, long n) {
+    return new Row(SCENE + use.name, METHOD, "", metric, stat, value, unit, n, 0);
+  }
+
+  /** Many worlds, for one alone is small beside what else comes and goes on the heap. */
+  private static double bytes(Use use) {
+    use.play(new int[1]);
+    long before = Footprint.used();
+    World[] worlds = new World[WORLDS];
+    for (int i = 0; i < WORLDS; i++) {
+      worlds[i] = use.play(new int[1]);
+    }
+    try {
+      return Math.max(0, (double) (Footprint.used() - before) / WORLDS);
+    } finally {
+      Reference.reachabilityFence(worlds);
+    }
+  }
+}

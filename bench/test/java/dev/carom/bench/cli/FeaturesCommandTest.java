@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.bench.results.ResultsCsv;
+import dev.carom.bench.results.Row;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class FeaturesCommandTest {
+
+  @Test
+  void whatIsUsedCostsTimeAndMemory(@TempDir Path folder) throws IOException {
+    Path csv = folder.resolve("features.csv");
+    Cli run = Cli.run("features", "--rounds", 5, "--warm-up", 200, "--csv", csv);
+
+    assertThat(run.exitCode()).isZero();
+    assertThat(run.out())
+        .containsPattern("100 circles, nothing to hit +[0-9.]+ [nµ]s +0 +- +\\d+ KiB")
+        .containsPattern("walls, and the circles collide +[0-9.]+ [nµ]s +[0-9.]+ ");
+    List<Row> rows = ResultsCsv.read(csv);
+    assertThat(value(rows, "circles", "feature_time"))
+        .isLessThan(value(rows, "lines", "feature_time"));
+    assertThat(value(rows, "circles", "feature_impacts")).isZero();
+    assertThat(value(rows, "sensors", "feature_impacts")).isPositive();
+    assertThat(value(rows, "lines", "feature_memory"))
+        .isLessThan(value(rows, "recording", "feature_memory"));
+  }
+
+  private static double value(List<Row> rows, String use, String metric) {
+    return rows.stream()
+        .filter(row -> row.scene().equals("feature:" + use) && row.metric().equals(metric))
+        .mapToDouble(Row::value)
+        .findFirst()
+        .orElseThrow();
+  }
+
+  @Test
+  void noRoundsAreRefused() {
+    assertThat(Cli.run("features", "--rounds", 0).err())
+        .contains("--rounds is 0: expected at least 1");
+  }
+}
