@@ -23,8 +23,10 @@ final class CurvePanel {
   private final Graphics2D g;
   private final Axes axes;
   private final Marks marks;
+  private final DecadeAxis heights;
 
-  private CurvePanel(Graphics2D g, Axes axes, Marks marks) {
+  private CurvePanel(Graphics2D g, Axes axes, Marks marks, DecadeAxis heights) {
+    this.heights = heights;
     this.g = g;
     this.axes = axes;
     this.marks = marks;
@@ -69,7 +71,7 @@ final class CurvePanel {
         new Rectangle2D.Double(
             where.getX(), where.getY(), where.getWidth() - names, where.getHeight());
     Axes axes = Axes.draw(g, inner, places, heights);
-    CurvePanel panel = new CurvePanel(g, axes, marks);
+    CurvePanel panel = new CurvePanel(g, axes, marks, heights);
     curves.forEach(curve -> panel.band(curve, curves.size()));
     curves.forEach(panel::line);
     panel.names(curves);
@@ -119,10 +121,23 @@ final class CurvePanel {
     double next = axes.area().getMinX() + SPACING * phase(curve);
     for (double[] point : points) {
       if (point[0] >= next && !Double.isNaN(point[1])) {
-        marks.draw(g, curve.method(), point[0], point[1], false);
+        String text = text(curve, point[0]);
+        Hover.over(g, text, () -> marks.draw(g, curve.method(), point[0], point[1], false));
         next = point[0] + SPACING;
       }
     }
+  }
+
+  private String text(Curve curve, double at) {
+    int i = 0;
+    while (i < curve.x().length - 1 && axes.x(curve.x()[i]) < at) {
+      i++;
+    }
+    return "%s at %s: %s"
+        .formatted(
+            (marks.name(curve.method()) + " " + curve.knob()).strip(),
+            Durations.number(curve.x()[i], 3),
+            heights.text(curve.middle()[i]));
   }
 
   /** Shapes of lines that run together do not cover each other. */

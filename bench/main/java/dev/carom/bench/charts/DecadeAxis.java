@@ -27,6 +27,7 @@ final class DecadeAxis extends LogAxis {
   private final int lowest;
   private final int highest;
   private final transient DoubleFunction<String> text;
+  private transient DoubleFunction<String> unit = value -> Durations.number(value, 3);
 
   private DecadeAxis(int lowest, int highest, DoubleFunction<String> text) {
     super(null);
@@ -57,11 +58,22 @@ final class DecadeAxis extends LogAxis {
     return covering(smallest, largest, nanos -> Durations.text(nanos, 1));
   }
 
+  /** How a value between ticks is written. */
+  DecadeAxis withTexts(DoubleFunction<String> exact) {
+    unit = exact;
+    return this;
+  }
+
   /** Leaves room, as shares of the decades' length, before the first and after the last decade. */
   DecadeAxis withGutters(double before, double after) {
     double decades = highest - lowest;
     setRange(Math.pow(10, lowest - before * decades), Math.pow(10, highest + after * decades));
     return this;
+  }
+
+  /** A value with three digits, as its ticks are written. */
+  String text(double value) {
+    return unit.apply(value);
   }
 
   /** The end of the scale, where the gutter before it begins. */

@@ -11,6 +11,7 @@ package dev.carom.bench.charts;
  * @param work the median: a time in nanoseconds or a count; NaN if there is none
  * @param high the 95th percentile
  * @param hollow whether it is a peer at its defaults
+ * @param usual an error that few are above, where a whisker to the worst one begins; NaN for none
  */
 public record Dot(
     String method,
@@ -19,7 +20,20 @@ public record Dot(
     double low,
     double work,
     double high,
-    boolean hollow) {
+    boolean hollow,
+    double usual) {
+
+  /** A dot without a whisker to the side. */
+  public Dot(
+      String method,
+      String knob,
+      double error,
+      double low,
+      double work,
+      double high,
+      boolean hollow) {
+    this(method, knob, error, low, work, high, hollow, Double.NaN);
+  }
 
   /** Whether it stands in the gutter of those that failed. */
   boolean failed() {

@@ -14,6 +14,9 @@ final class DotNames {
   /** Marks nearer than this, in px, cover each other. */
   private static final double COVERED = 7;
 
+  /** In small panels there is room for so many names at one place. */
+  private static final int MOST = 2;
+
   private record Name(double x, double y, String text) {
 
     boolean isAt(Name other) {
@@ -47,10 +50,13 @@ final class DotNames {
       List<Name> here = left.stream().filter(first::isAt).toList();
       left.removeAll(here);
       String text = here.stream().map(Name::text).collect(Collectors.joining(", "));
-      labels.add(first.x, first.y, text, Style.bold(scale * 12), Style.INK, 0);
+      if (scale < 1 && here.size() > MOST) {
+        text = here.get(0).text + ", and " + (here.size() - 1) + " more";
+      }
+      labels.add(first.x, first.y, text, Style.bold(Math.round(scale * 12)), Style.INK, 0);
     }
     for (Name knob : knobs) {
-      labels.add(knob.x, knob.y, knob.text, Style.font(scale * 11), Style.QUIET, 1);
+      labels.add(knob.x, knob.y, knob.text, Style.font(11), Style.QUIET, 1);
     }
   }
 }

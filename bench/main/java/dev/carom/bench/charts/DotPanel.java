@@ -8,7 +8,9 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.function.DoubleFunction;
 
 /**
  * Work against precision of one scene or one class of queries: a dot for each setting, those of one
@@ -21,6 +23,7 @@ final class DotPanel {
   private static final double DOT = 6;
   private static final double WHISKER = 3;
   private static final double CLUSTER = 14;
+  private static final double SIDE_BY_SIDE = 2.4 * DOT;
 
   private final Graphics2D g;
   private final Axes axes;
@@ -29,11 +32,14 @@ final class DotPanel {
   private final List<Dot> dots;
   private final DotLabels labels;
   private final DotNames names;
+  private final boolean small;
+  private DoubleFunction<String> workText = value -> Durations.number(value, 3);
 
   private DotPanel(
       Graphics2D g, Axes axes, DecadeAxis errors, Marks marks, List<Dot> dots, double scale) {
     this.g = g;
     names = new DotNames(scale);
+    small = scale < 1;
     this.axes = axes;
     this.errors = errors;
     this.marks = marks;
@@ -73,6 +79,7 @@ final class DotPanel {
       double scale) {
     Axes axes = Axes.draw(g, where, errors, work);
     DotPanel panel = new DotPanel(g, axes, errors, marks, dots, scale);
+    panel.workText = work::text;
     panel.gutters();
     panel.budget(budget);
     panel.staircase();
@@ -134,20 +141,19 @@ final class DotPanel {
 
   private double x(Dot dot) {
     if (dot.failed()) {
-      return (axes.x(errors.most()) + axes.area().getMaxX()) / 2 + aside(dot);
+      return aside(dot);
     }
     return dot.exact() ? (axes.x(errors.least()) + axes.area().getMinX()) / 2 : axes.x(dot.error());
   }
 
-  /** Of failures at nearly one height, every second one stands a little to the side. */
+  /** Failures stand side by side from left to right, so that none covers another. */
   private double aside(Dot dot) {
-    double y = y(dot);
-    long before =
-        dots.stream()
-            .limit(dots.indexOf(dot))
-            .filter(other -> other.failed() && Math.abs(y(other) - y) < 2 * DOT)
-            .count();
-    return before % 2 == 0 ? 0 : -2.2 * DOT;
+    List<Dot> failed = dots.stream().filter(Dot::failed).toList();
+    double left = axes.x(errors.most()) + DOT + 2;
+    double right = axes.area().getMaxX() - DOT - 2;
+    double each = Math.min(SIDE_BY_SIDE, (right - left) / Math.max(1, failed.size() - 1));
+    double first = (left + right - (failed.size() - 1) * each) / 2;
+    return first + failed.indexOf(dot) * each;
   }
 
   /** Something that took no time at all cannot be had: what has none stands at the top. */
@@ -213,16 +219,46 @@ final class DotPanel {
   private void dots(List<Dot> ofMethod) {
     for (Dot dot : ofMethod) {
       whisker(dot);
+      tail(dot);
     }
     for (Dot dot : ofMethod) {
-      if (dot.failed()) {
-        marks.drawFailure(g, dot.method(), x(dot), y(dot));
-      } else {
-        marks.draw(g, dot.method(), x(dot), y(dot), dot.hollow());
-      }
+      Hover.over(g, text(dot), () -> mark(dot));
       labels.avoid(x(dot), y(dot), DOT);
     }
     name(ofMethod);
+  }
+
+  private void mark(Dot dot) {
+    if (dot.failed()) {
+      marks.drawFailure(g, dot.method(), x(dot), y(dot));
+    } else {
+      marks.draw(g, dot.method(), x(dot), y(dot), dot.hollow());
+    }
+  }
+
+  private String text(Dot dot) {
+    String work = Double.isFinite(dot.work()) ? workText.apply(dot.work()) : "no time";
+    String error = dot.failed() ? "failed" : error(dot.error());
+    return (marks.name(dot.method()) + " " + dot.knob()).strip() + ": " + work + ", " + error;
+  }
+
+  private static String error(double value) {
+    return value == 0 || (value > 1e-3 && value < 1e6)
+        ? Durations.number(value, 2)
+        : String.format(Locale.ROOT, "%.1e", value);
+  }
+
+  /** To the left, down to the error that only few are above. */
+  private void tail(Dot dot) {
+    if (dot.failed() || dot.exact() || !(dot.usual() < dot.error())) {
+      return;
+    }
+    double from = axes.x(Math.max(errors.least(), dot.usual()));
+    double y = y(dot);
+    g.setColor(Style.veil(marks.of(dot.method()).color(), 0.7));
+    g.setStroke(Style.line(Style.THIN));
+    g.draw(new Line2D.Double(from, y, x(dot), y));
+    g.draw(new Line2D.Double(from, y - WHISKER, from, y + WHISKER));
   }
 
   /** Below the dot in the gutter, too: a failure has a time. */
@@ -264,12 +300,12 @@ final class DotPanel {
   private void name(Dot first, Dot last, boolean named) {
     String between = first.hollow() ? ", " : " .. ";
     String knobs = first.equals(last) ? first.knob() : first.knob() + between + last.knob();
-    String whole = (first.method() + " " + knobs).strip();
+    String whole = (marks.name(first.method()) + " " + (small ? "" : knobs)).strip();
     double x = (x(first) + x(last)) / 2;
     double y = (y(first) + y(last)) / 2;
     if (named) {
       names.method(x, y, whole);
-    } else {
+    } else if (!small) {
       names.knob(x, y, first.hollow() ? whole : knobs);
     }
   }

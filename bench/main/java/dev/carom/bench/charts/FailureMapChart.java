@@ -23,7 +23,7 @@ public final class FailureMapChart {
    * @param share what stands beside its name
    * @param classes by cells from the lower left, row by row: numbers of {@link FailureSigns}
    */
-  public record Panel(String method, String knob, String share, List<Integer> classes) {}
+  public record Board(String method, String knob, String share, List<Integer> classes) {}
 
   /**
    * One side of all panels.
@@ -33,26 +33,25 @@ public final class FailureMapChart {
    */
   public record Side(String label, List<String> ticks) {}
 
-  private static final int MOST_COLUMNS = 4;
-  private static final int NARROW_COLUMNS = 2;
-  private static final double LEFT = 66;
-  private static final double RIGHT = 16;
-  private static final double SPACE = 14;
-  private static final double HEAD = 22;
-  private static final double CELL = 11;
-  private static final double LEGEND = 34;
-  private static final double FOOT = 44;
-  private static final double LEGEND_LINE = 20;
+  private static final int COLUMNS = 3;
+  private static final double LEFT = 58;
+  private static final double RIGHT = 6;
+  private static final double SPACE = 10;
+  private static final double HEAD = 31;
+  private static final double CELL = 7;
+  private static final double LEGEND = 26;
+  private static final double FOOT = 40;
+  private static final double LEGEND_LINE = 18;
 
-  private final String title;
-  private final String subtitle;
+  private final String description;
   private final Side x;
   private final Side y;
   private final List<String> legend;
   private final List<Boolean> limited;
-  private final List<Panel> panels;
-  private final int width;
-  private final int columns;
+  private final List<Board> panels;
+  private final Marks marks;
+  private final int width = Picture.PANEL;
+  private final int columns = COLUMNS;
 
   /** The width of a panel. */
   private final double wide;
@@ -60,8 +59,8 @@ public final class FailureMapChart {
   /**
    * Takes what is drawn.
    *
-   * @param title what the reader is to take home
-   * @param subtitle what is shown
+   * @param description what it shows, for those who cannot see it
+   * @param marks how methods are named
    * @param x the lower side
    * @param y the left side
    * @param legend the names of the classes, then that of the dark corner
@@ -69,48 +68,29 @@ public final class FailureMapChart {
    * @param panels the methods
    */
   public FailureMapChart(
-      String title,
-      String subtitle,
+      String description,
+      Marks marks,
       Side x,
       Side y,
       List<String> legend,
       List<Boolean> limited,
-      List<Panel> panels) {
-    this(title, subtitle, x, y, legend, limited, panels, Picture.WIDE);
-  }
-
-  private FailureMapChart(
-      String title,
-      String subtitle,
-      Side x,
-      Side y,
-      List<String> legend,
-      List<Boolean> limited,
-      List<Panel> panels,
-      int width) {
-    this.title = title;
-    this.subtitle = subtitle;
+      List<Board> panels) {
+    this.description = description;
+    this.marks = marks;
     this.x = x;
     this.y = y;
     this.legend = List.copyOf(legend);
     this.limited = List.copyOf(limited);
     this.panels = List.copyOf(panels);
-    this.width = width;
-    columns = width < Picture.WIDE ? NARROW_COLUMNS : MOST_COLUMNS;
     wide = (width - LEFT - RIGHT - (columns - 1) * SPACE) / columns;
   }
 
   /**
    * Draws it.
    *
-   * @param pixels {@link Picture#WIDE} or {@link Picture#NARROW}
    * @return the picture
    */
-  public Picture picture(int pixels) {
-    return new FailureMapChart(title, subtitle, x, y, legend, limited, panels, pixels).picture();
-  }
-
-  private Picture picture() {
+  public Picture picture() {
     int bands = (panels.size() + columns - 1) / columns;
     double each = HEAD + CELL * y.ticks.size() + 6;
     double head = Picture.measured(this::head);
@@ -118,7 +98,7 @@ public final class FailureMapChart {
     return new Picture(
         width,
         height,
-        title + ". " + subtitle,
+        description,
         g -> {
           double below = head(g);
           for (int i = 0; i < panels.size(); i++) {
@@ -139,18 +119,18 @@ public final class FailureMapChart {
 
   /** Titles and legend; tells where they end. */
   private double head(Graphics2D g) {
-    return legend(g, Heading.draw(g, width, title, subtitle)) + LEGEND;
+    return legend(g, 0) + LEGEND;
   }
 
   /** Tells where its last line begins. */
   private double legend(Graphics2D g, double above) {
     double top = above;
-    double left = 16;
-    g.setFont(Style.font(12));
+    double left = 4;
+    g.setFont(Style.font(11));
     for (int i = 0; i < legend.size(); i++) {
       double text = g.getFontMetrics().stringWidth(legend.get(i));
-      if (left > 16 && left + 18 + text > width - RIGHT) {
-        left = 16;
+      if (left > 4 && left + 18 + text > width - RIGHT) {
+        left = 4;
         top += LEGEND_LINE;
       }
       Rectangle2D box = new Rectangle2D.Double(left, top + 4, 13, 13);
@@ -160,25 +140,25 @@ public final class FailureMapChart {
       FailureSigns.sign(g, List.of(box), number);
       FailureSigns.corner(g, isClass ? List.of() : List.of(box), number);
       g.setColor(Style.INK);
-      g.setFont(Style.font(12));
+      g.setFont(Style.font(11));
       g.drawString(legend.get(i), (float) (left + 18), (float) (top + 15));
-      left += 18 + text + 18;
+      left += 18 + text + 12;
     }
     return top;
   }
 
-  private void panel(Graphics2D g, Panel panel, double left, double top) {
-    g.setFont(Style.font(11));
-    double share = g.getFontMetrics().stringWidth(panel.share);
-    g.setColor(Style.QUIET);
-    g.drawString(panel.share, (float) (left + wide - share), (float) (top + HEAD - 6));
-    String name = (panel.method + " " + panel.knob).strip();
-    g.setFont(Style.bold(12));
-    double length = g.getFontMetrics().stringWidth(name);
-    double room = wide - share - 8;
-    g.setFont(Style.bold(Math.min(12, 12 * room / length)));
+  private void panel(Graphics2D g, Board panel, double left, double top) {
+    String name = marks.name(panel.method);
+    g.setFont(Style.bold(11));
+    if (g.getFontMetrics().stringWidth(name) > wide) {
+      g.setFont(Style.font(11));
+    }
     g.setColor(Marks.isOurs(panel.method) ? Style.BLUE : Style.INK);
-    g.drawString(name, (float) left, (float) (top + HEAD - 6));
+    g.drawString(name, (float) left, (float) (top + HEAD - 18));
+    g.setFont(Style.font(11));
+    g.setColor(Style.QUIET);
+    String note = (panel.knob + " " + panel.share).strip();
+    g.drawString(note, (float) left, (float) (top + HEAD - 5));
     cells(g, panel.classes, left, top + HEAD);
   }
 
@@ -247,8 +227,8 @@ public final class FailureMapChart {
 
   private void heights(Graphics2D g, double top) {
     int rows = y.ticks.size();
-    int step = 1 + (rows - 1) / 8;
-    g.setFont(Style.font(10.5));
+    int step = 1 + (int) (rows / (CELL * rows / 15));
+    g.setFont(Style.font(11));
     g.setColor(Style.INK);
     for (int i = 0; i < rows; i += step) {
       String tick = y.ticks.get(i);
@@ -260,7 +240,7 @@ public final class FailureMapChart {
   private void places(Graphics2D g, double left, double top) {
     int cells = x.ticks.size();
     double each = wide / cells;
-    g.setFont(Style.font(10.5));
+    g.setFont(Style.font(11));
     g.setColor(Style.INK);
     int step = step(g, each);
     for (int i = 0; i < cells; i += step) {
@@ -288,14 +268,14 @@ public final class FailureMapChart {
   }
 
   private void labels(Graphics2D g, double bottom, double height) {
-    g.setFont(Style.font(12));
+    g.setFont(Style.font(11));
     g.setColor(Style.QUIET);
     double middle = LEFT + (width - LEFT - RIGHT) / 2;
     double text = g.getFontMetrics().stringWidth(x.label);
     g.drawString(x.label, (float) (middle - text / 2), (float) (bottom + 30));
     AffineTransform upright = g.getTransform();
     double tall = g.getFontMetrics().stringWidth(y.label);
-    g.translate(22, bottom - height / 2 + tall / 2);
+    g.translate(12, bottom - height / 2 + tall / 2);
     g.rotate(-Math.PI / 2);
     g.drawString(y.label, 0f, 0f);
     g.setTransform(upright);

@@ -64,10 +64,11 @@ final class LineLabels {
     if (marks != null) {
       marks.draw(g, label.text(), left + 4, y, false);
       left += 13;
-      g.setFont(Style.bold(11.5));
+      g.setFont(Style.bold(11));
       g.setColor(Style.INK);
-      g.drawString(label.text(), left, (float) y + 4);
-      left += g.getFontMetrics().stringWidth(label.text()) + 5;
+      String name = marks.name(label.text());
+      g.drawString(name, left, (float) y + 4);
+      left += g.getFontMetrics().stringWidth(name) + 4;
       g.setColor(Style.QUIET);
       g.setFont(Style.font(11));
       g.drawString(label.detail(), left, (float) y + 4);

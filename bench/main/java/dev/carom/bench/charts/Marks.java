@@ -12,6 +12,7 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.UnaryOperator;
 
 /** The colour and the shape of each method, the same in all charts of one report. */
 public final class Marks {
@@ -22,7 +23,23 @@ public final class Marks {
   private static final double RADIUS = 5;
 
   private static final List<Color> COLORS =
-      List.of(Style.ORANGE, Style.GREEN, Style.VERMILION, Style.PURPLE, Style.SKY, Style.INK);
+      List.of(
+          Style.ORANGE,
+          Style.GREEN,
+          Style.VERMILION,
+          Style.PURPLE,
+          Style.SKY,
+          Style.INK,
+          Style.BROWN,
+          Style.TEAL,
+          Style.BRICK,
+          Style.PLUM,
+          Style.SLATE,
+          Style.OLIVE,
+          Style.STONE,
+          Style.ROSE,
+          Style.MOSS,
+          Style.SAND);
 
   /** Corners, and how far the first one is turned from straight up; a star has its notches. */
   private static final List<Shape> SHAPES =
@@ -40,7 +57,7 @@ public final class Marks {
    *
    * @param color of its lines and dots
    * @param shape of its dots, around the origin
-   * @param dashed whether its lines are, since an earlier method has their colour
+   * @param dashed whether its lines are
    */
   record Mark(Color color, Shape shape, boolean dashed) {
 
@@ -51,6 +68,7 @@ public final class Marks {
   }
 
   private final Map<String, Mark> marks = new LinkedHashMap<>();
+  private final UnaryOperator<String> names;
 
   /**
    * Hands out marks. Twenty and more methods have different ones.
@@ -58,15 +76,26 @@ public final class Marks {
    * @param methods their labels, in an order that says which mark
    */
   public Marks(Collection<String> methods) {
+    this(methods, UnaryOperator.identity());
+  }
+
+  /**
+   * The same, for methods that are named to people by other words than in files.
+   *
+   * @param methods their labels
+   * @param names the words for a label
+   */
+  public Marks(Collection<String> methods, UnaryOperator<String> names) {
+    this.names = names;
     int next = 0;
     for (String method : methods) {
       if (isOurs(method)) {
         marks.put(method, new Mark(Style.BLUE, circle(), false));
       } else {
-        // 6 and 7 have no common divisor: 42 pairs.
+        // 16 and 7 have no common divisor: 112 pairs.
         Color color = COLORS.get(next % COLORS.size());
         Shape shape = SHAPES.get(next % SHAPES.size());
-        marks.put(method, new Mark(color, shape, next >= COLORS.size()));
+        marks.put(method, new Mark(color, shape, next % 2 == 1));
         next++;
       }
     }
@@ -74,6 +103,11 @@ public final class Marks {
 
   static boolean isOurs(String method) {
     return method.equals(OURS);
+  }
+
+  /** How a method is called where people read. */
+  String name(String method) {
+    return names.apply(method);
   }
 
   Mark of(String method) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.charts;
 
+import java.awt.Font;
 import java.awt.Graphics2D;
+import java.awt.font.FontRenderContext;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -10,6 +12,8 @@ import java.math.RoundingMode;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
 import java.util.function.ToDoubleFunction;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import org.jfree.svg.SVGGraphics2D;
 import org.jfree.svg.SVGHints;
@@ -28,11 +32,19 @@ public record Picture(int width, int height, String title, Consumer<Graphics2D> 
   /** The width of charts on pages and in files. */
   public static final int WIDE = 900;
 
-  /** The width of charts for narrow screens, which scale them but little. */
-  public static final int NARROW = 440;
+  /** The width of small charts: one fills a telephone, and three stand side by side on a desk. */
+  public static final int PANEL = 380;
 
   /** Pixels of an image for each pixel of the picture: sharp on dense screens too. */
   private static final int DENSITY = 2;
+
+  private static final Pattern TEXT =
+      Pattern.compile("<text ([^>]*)font-size: ?(\\d+)px([^>]*)>([^<]*)</text>");
+
+  /** Texts with fewer letters need no fitting. */
+  private static final int SHORT = 4;
+
+  private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
 
   private static final String FONTS = "Helvetica, Arial, DejaVu Sans, sans-serif";
 
@@ -101,7 +113,37 @@ public record Picture(int width, int height, String title, Consumer<Graphics2D> 
     paint(g);
     g.setRenderingHint(SVGHints.KEY_END_GROUP, "picture");
     ViewBox whole = new ViewBox(0, 0, width, height); // lets a page scale it
-    return g.getSVGElement(null, true, whole, null, null);
+    String element = g.getSVGElement(null, true, whole, null, null);
+    return fitted(element.replaceAll("<g id='" + Hover.GROUP + "[0-9]+'>", "<g>"));
+  }
+
+  /** Texts get the lengths that they were laid out with, whatever font a reader has. */
+  private static String fitted(String svg) {
+    return TEXT.matcher(svg)
+        .replaceAll(
+            match -> {
+              int size = Integer.parseInt(match.group(2));
+              boolean bold = match.group(1).contains("bold") || match.group(3).contains("bold");
+              String text = plain(match.group(4));
+              if (text.length() < SHORT) {
+                return Matcher.quoteReplacement(match.group());
+              }
+              Font font = bold ? Style.bold(size) : Style.font(size);
+              double length = font.getStringBounds(text, CONTEXT).getWidth();
+              return Matcher.quoteReplacement(
+                  match
+                      .group()
+                      .replaceFirst("<text ", "<text textLength='" + shorten(length) + "' "));
+            });
+  }
+
+  private static String plain(String escaped) {
+    return escaped
+        .replace("&lt;", "<")
+        .replace("&gt;", ">")
+        .replace("&quot;", "\"")
+        .replace("&apos;", "'")
+        .replace("&amp;", "&");
   }
 
   private void paint(Graphics2D g) {

@@ -4,6 +4,7 @@ package dev.carom.bench.charts;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,15 +15,14 @@ import java.util.Map;
  */
 public final class ScaleChart {
 
-  private static final int HEAD = 72;
-  private static final int NARROW_HEAD = 110;
-  private static final int PANEL = 330;
-  private static final int COLUMNS = 2;
-  private static final double TITLE = 22;
-  private static final double NAMES = 130;
+  private static final int PANEL = 300;
+  private static final double NAMES = 132;
+  private static final double RING = 16;
 
-  private final String title;
-  private final String subtitle;
+  /** How the titles of panels end whose times are those of a frame. */
+  public static final String FRAME = "a frame";
+
+  private final String description;
   private final Marks marks;
   private final Map<String, List<Curve>> panels;
   private final double limit;
@@ -30,16 +30,15 @@ public final class ScaleChart {
   /**
    * Takes what is drawn.
    *
-   * @param title what the reader is to take home
-   * @param subtitle what is shown
+   * @param description what it shows, for those who cannot see it
    * @param marks how methods are drawn
    * @param panels the lines of each panel, by its title; NaN where a frame took too long
-   * @param limit the time of a frame that is too long, in nanoseconds
+   * @param limit the time of a frame that is too long, in nanoseconds: where rings stand, in the
+   *     panels whose title ends in {@link #FRAME}
    */
   public ScaleChart(
-      String title, String subtitle, Marks marks, Map<String, List<Curve>> panels, double limit) {
-    this.title = title;
-    this.subtitle = subtitle;
+      String description, Marks marks, Map<String, List<Curve>> panels, double limit) {
+    this.description = description;
     this.marks = marks;
     this.panels = new LinkedHashMap<>(panels);
     this.limit = limit;
@@ -48,45 +47,48 @@ public final class ScaleChart {
   /**
    * Draws it.
    *
-   * @param width {@link Picture#WIDE} or {@link Picture#NARROW}
-   * @return the picture
+   * @return its panels
    */
-  public Picture picture(int width) {
-    int columns = width < Picture.WIDE ? 1 : COLUMNS;
-    int rows = (panels.size() + columns - 1) / columns;
-    int height = (columns == 1 ? NARROW_HEAD : HEAD) + rows * PANEL;
-    return new Picture(width, height, title + ". " + subtitle, g -> paint(g, width, columns));
+  public List<Panel> panels() {
+    return panels.entrySet().stream()
+        .map(
+            panel -> {
+              boolean limited = panel.getKey().endsWith(FRAME);
+              return new Panel(
+                  panel.getKey(),
+                  new Picture(
+                      Picture.PANEL, PANEL, description, g -> panel(g, panel.getValue(), limited)));
+            })
+        .toList();
   }
 
-  private void paint(Graphics2D g, int whole, int columns) {
-    double top = Heading.draw(g, whole, title, subtitle);
-    double width = (whole - 20.0) / columns;
-    int i = 0;
-    for (Map.Entry<String, List<Curve>> panel : panels.entrySet()) {
-      double x = 10 + i % columns * width;
-      int row = i / columns;
-      double y = top + row * (PANEL - 4.0);
-      g.setFont(Style.bold(13));
-      g.setColor(Style.INK);
-      g.drawString(panel.getKey(), (float) x + 6, (float) y + 15);
-      Rectangle2D where = new Rectangle2D.Double(x, y + TITLE, width - 6, PANEL - TITLE - 12);
-      panel(g, where, panel.getValue());
-      i++;
-    }
-  }
-
-  private void panel(Graphics2D g, Rectangle2D where, List<Curve> curves) {
-    boolean timeOut = curves.stream().anyMatch(ScaleChart::isCut);
+  private void panel(Graphics2D g, List<Curve> curves, boolean limited) {
+    boolean timeOut = limited && curves.stream().anyMatch(ScaleChart::isCut);
     double[] others = timeOut ? new double[] {limit} : new double[0];
     DecadeAxis circles =
         DecadeAxis.covering(
             curves.stream().flatMapToDouble(c -> Arrays.stream(c.x())), ScaleChart::count);
+    circles.setLabel("number of circles");
     DecadeAxis times = CurvePanel.heights(curves, null, v -> Durations.text(v, 1), others);
+    times.withTexts(v -> Durations.text(v, 3));
+    Rectangle2D where = new Rectangle2D.Double(2, 0, Picture.PANEL - 4, PANEL - 4);
     Axes axes = CurvePanel.draw(g, where, NAMES, circles, times, marks, curves);
+    if (timeOut) {
+      rings(g, axes, curves);
+    }
+  }
+
+  /** Those that meet at one place stand above each other. */
+  private void rings(Graphics2D g, Axes axes, List<Curve> curves) {
+    Map<Double, Integer> taken = new HashMap<>();
     for (Curve curve : curves) {
       for (int i = 0; i < curve.x().length; i++) {
         if (Double.isNaN(curve.middle()[i])) {
-          marks.drawFailure(g, curve.method(), axes.x(curve.x()[i]), axes.y(limit));
+          int below = taken.merge(curve.x()[i], 1, Integer::sum) - 1;
+          double x = axes.x(curve.x()[i]);
+          double y = axes.y(limit) + below * RING;
+          String text = marks.name(curve.method()) + ": longer than " + Durations.text(limit, 3);
+          Hover.over(g, text, () -> marks.drawFailure(g, curve.method(), x, y));
         }
       }
     }

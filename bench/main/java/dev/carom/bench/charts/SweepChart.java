@@ -14,15 +14,10 @@ import java.util.Map;
  */
 public final class SweepChart {
 
-  private static final int COLUMNS = 2;
-  private static final int HEAD = 72;
-  private static final int NARROW_HEAD = 150;
-  private static final int PANEL = 330;
-  private static final double TITLE = 22;
-  private static final double NAMES = 120;
+  private static final int PANEL = 290;
+  private static final double NAMES = 148;
 
-  private final String title;
-  private final String subtitle;
+  private final String description;
   private final Marks marks;
   private final Map<String, List<Curve>> panels;
   private final double goal;
@@ -31,22 +26,19 @@ public final class SweepChart {
   /**
    * Takes what is drawn.
    *
-   * @param title what the reader is to take home
-   * @param subtitle what is shown
+   * @param description what it shows, for those who cannot see it
    * @param marks how methods are drawn
    * @param panels the lines of each panel, by what stands below it
    * @param goal the time of a frame that the experiment aimed at, in nanoseconds
    * @param published the time that it reached
    */
   public SweepChart(
-      String title,
-      String subtitle,
+      String description,
       Marks marks,
       Map<String, List<Curve>> panels,
       double goal,
       double published) {
-    this.title = title;
-    this.subtitle = subtitle;
+    this.description = description;
     this.marks = marks;
     this.panels = new LinkedHashMap<>(panels);
     this.goal = goal;
@@ -56,49 +48,33 @@ public final class SweepChart {
   /**
    * Draws it.
    *
-   * @param width {@link Picture#WIDE} or {@link Picture#NARROW}
-   * @return the picture
+   * @return its panels
    */
-  public Picture picture(int width) {
-    int columns = width < Picture.WIDE ? 1 : COLUMNS;
-    int rows = (panels.size() + columns - 1) / columns;
-    int height = (columns == 1 ? NARROW_HEAD : HEAD) + rows * PANEL;
-    return new Picture(
-        width, height, title + ". " + subtitle, g -> paint(g, width, columns, height));
+  public List<Panel> panels() {
+    return panels.entrySet().stream()
+        .map(
+            panel ->
+                new Panel(
+                    "against " + panel.getKey(),
+                    new Picture(
+                        Picture.PANEL, PANEL, description, g -> paint(g, panel.getValue()))))
+        .toList();
   }
 
-  private void paint(Graphics2D g, int whole, int columns, int height) {
-    double top = Heading.draw(g, whole, title, subtitle);
-    int rows = (panels.size() + columns - 1) / columns;
-    double each = (height - top - 8) / rows;
+  /** All panels have the same heights. */
+  private void paint(Graphics2D g, List<Curve> curves) {
     List<Curve> all = panels.values().stream().flatMap(List::stream).toList();
-    double width = (whole - 20.0) / columns;
-    int i = 0;
-    for (Map.Entry<String, List<Curve>> panel : panels.entrySet()) {
-      double x = 10 + i % columns * width;
-      int row = i / columns;
-      double y = top + row * each;
-      g.setFont(Style.bold(13));
-      g.setColor(Style.INK);
-      g.drawString("against " + panel.getKey(), (float) x + 6, (float) y + 15);
-      DecadeAxis times = CurvePanel.heights(all, null, v -> Durations.text(v, 1), goal, published);
-      Axes axes =
-          CurvePanel.draw(
-              g,
-              new Rectangle2D.Double(x, y + TITLE, width - 6, each - TITLE - 8),
-              NAMES,
-              CurvePanel.places(panel.getValue(), null),
-              times,
-              marks,
-              panel.getValue());
-      level(g, axes, published, Style.INK, "published: " + fps(published));
-      level(g, axes, goal, Style.VERMILION, "goal: " + fps(goal));
-      i++;
-    }
+    DecadeAxis times = CurvePanel.heights(all, null, v -> Durations.text(v, 1), goal, published);
+    times.withTexts(v -> Durations.text(v, 3));
+    Rectangle2D where = new Rectangle2D.Double(2, 0, Picture.PANEL - 4, PANEL - 4);
+    Axes axes =
+        CurvePanel.draw(g, where, NAMES, CurvePanel.places(curves, null), times, marks, curves);
+    level(g, axes, published, Style.INK, "published: " + fps(published));
+    level(g, axes, goal, Style.VERMILION, "goal: " + fps(goal));
   }
 
   private static String fps(double nanos) {
-    return Durations.number(1e9 / nanos, 3) + " frames a second";
+    return Durations.number(1e9 / nanos, 3) + " frames/s";
   }
 
   private static void level(Graphics2D g, Axes axes, double value, Color color, String text) {

@@ -10,7 +10,7 @@ import java.util.stream.DoubleStream;
 
 /**
  * Work against precision: the error to the right, the work upwards, both logarithmic, so that the
- * best is at the left and below. One panel, or small multiples on the same axes.
+ * best is at the left and below. One large panel, or small multiples on the same axes.
  */
 public final class WorkPrecisionChart {
 
@@ -22,16 +22,12 @@ public final class WorkPrecisionChart {
     COUNT
   }
 
-  private static final int HEAD = 70;
-  private static final int NARROW_HEAD = 150;
-  private static final int ONE = 460;
-  private static final int NARROW_ONE = 520;
-  private static final int MANY = 300;
-  private static final int COLUMNS = 2;
-  private static final double TITLE = 22;
+  private static final int TALL = 470;
+  private static final int NARROW_TALL = 400;
+  private static final int SMALL = 300;
+  private static final double SMALL_TEXT = 0.92;
 
-  private final String title;
-  private final String subtitle;
+  private final String description;
   private final Marks marks;
   private final Work work;
   private final String errorLabel;
@@ -42,25 +38,21 @@ public final class WorkPrecisionChart {
   /**
    * Takes what is drawn.
    *
-   * @param title what the reader is to take home
-   * @param subtitle what is shown
+   * @param description what it shows, for those who cannot see it
    * @param marks how methods are drawn
    * @param axes what stands at the axes: at the errors, at the work
    * @param work the kind of the work
    * @param budget a height to mark, NaN for none
-   * @param panels the dots of each panel by its title, which does not show if there is only one;
-   *     those of one method in the order of its knob
+   * @param panels the dots of each panel by its title, those of one method in the order of its knob
    */
   public WorkPrecisionChart(
-      String title,
-      String subtitle,
+      String description,
       Marks marks,
       List<String> axes,
       Work work,
       double budget,
       Map<String, List<Dot>> panels) {
-    this.title = title;
-    this.subtitle = subtitle;
+    this.description = description;
     this.marks = marks;
     this.work = work;
     this.budget = budget;
@@ -70,53 +62,40 @@ public final class WorkPrecisionChart {
   }
 
   /**
-   * Draws it.
+   * The first panel, large, with all knobs.
    *
-   * @param width {@link Picture#WIDE} or {@link Picture#NARROW}
+   * @param width {@link Picture#WIDE} or {@link Picture#PANEL}
    * @return the picture
    */
-  public Picture picture(int width) {
-    boolean narrow = width < Picture.WIDE;
-    int columns = narrow ? 1 : COLUMNS;
-    int rows = (panels.size() + columns - 1) / columns;
-    int head = narrow ? NARROW_HEAD : HEAD;
-    int height = head + (panels.size() == 1 ? (narrow ? NARROW_ONE : ONE) : rows * MANY);
-    return new Picture(
-        width,
-        height,
-        title + ". " + subtitle,
-        g -> {
-          double top = Heading.draw(g, width, title, subtitle);
-          if (panels.size() == 1) {
-            Rectangle2D all = new Rectangle2D.Double(10, top, width - 24, height - top - 8);
-            draw(g, all, panels.values().iterator().next());
-          } else {
-            multiples(g, width, columns, top, (height - top - 8) / rows);
-          }
-        });
+  public Picture large(int width) {
+    int height = width < Picture.WIDE ? NARROW_TALL : TALL;
+    List<Dot> dots = panels.values().iterator().next();
+    return picture(width, height, dots, width < Picture.WIDE ? SMALL_TEXT : 1);
   }
 
-  private void multiples(Graphics2D g, int whole, int columns, double top, double height) {
-    double width = (whole - 24.0) / columns;
-    int i = 0;
-    for (Map.Entry<String, List<Dot>> panel : panels.entrySet()) {
-      double x = 10 + i % columns * width;
-      int row = i / columns;
-      double y = top + row * height;
-      g.setFont(Style.bold(13));
-      g.setColor(Style.INK);
-      g.drawString(panel.getKey(), (float) (x + 6), (float) (y + 15));
-      draw(
-          g, new Rectangle2D.Double(x, y + TITLE, width - 8, height - TITLE - 6), panel.getValue());
-      i++;
-    }
+  /**
+   * All panels, small, with the names of methods alone.
+   *
+   * @return one a panel, on the same axes
+   */
+  public List<Panel> small() {
+    return panels.entrySet().stream()
+        .map(
+            panel ->
+                new Panel(
+                    panel.getKey(), picture(Picture.PANEL, SMALL, panel.getValue(), SMALL_TEXT)))
+        .toList();
+  }
+
+  private Picture picture(int width, int height, List<Dot> dots, double scale) {
+    Rectangle2D all = new Rectangle2D.Double(2, 0, width - 4, height - 2);
+    return new Picture(width, height, description, g -> draw(g, all, dots, scale));
   }
 
   /** All panels have the same axes, since that is what they are compared by. */
-  private void draw(Graphics2D g, Rectangle2D where, List<Dot> dots) {
+  private void draw(Graphics2D g, Rectangle2D where, List<Dot> dots, double scale) {
     List<Dot> all = panels.values().stream().flatMap(List::stream).toList();
     DecadeAxis errors = DotPanel.errors(all, errorLabel);
-    double scale = panels.size() == 1 ? 1 : 0.9;
     DotPanel.draw(g, where, errors, workAxis(all), marks, dots, budget, scale);
   }
 
@@ -129,6 +108,9 @@ public final class WorkPrecisionChart {
         DecadeAxis.covering(
             values, work == Work.TIME ? v -> Durations.text(v, 1) : v -> Durations.number(v, 1));
     axis.setLabel(workLabel);
+    if (work == Work.TIME) {
+      axis.withTexts(v -> Durations.text(v, 3));
+    }
     return axis;
   }
 }

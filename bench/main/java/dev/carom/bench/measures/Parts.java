@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
+import dev.carom.Scene;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.LineContender;
 import dev.carom.bench.methods.Methods;
@@ -142,6 +143,16 @@ public final class Parts {
     all.addAll(List.of(Methods.substeps(16), Methods.substeps(64)));
     all.addAll(Peers.all());
     return all;
+  }
+
+  /**
+   * A scene of the comparison.
+   *
+   * @param name its name
+   * @return the scene at time 0
+   */
+  public static Scene scene(String name) {
+    return Subjects.scene(name);
   }
 
   /**

@@ -166,6 +166,7 @@ final class AcceptanceLimits {
     List<String> scenes =
         Stream.concat(ALONE.stream(), results.scenes(Metrics.FRAME_TIME).stream())
             .distinct()
+            .filter(s -> ALONE.contains(s) || results.scenes(Metrics.FRAME_ERROR).contains(s))
             .toList();
     for (String scene : scenes) {
       List<Standing> all = Standing.all(results, scene);
@@ -173,7 +174,7 @@ final class AcceptanceLimits {
       List<String> better =
           all.stream()
               .filter(s -> ours.isPresent() && s.beats(ours.get()))
-              .map(s -> s.setting().toString())
+              .map(s -> Metrics.fullName(s.setting()))
               .toList();
       String measured = better.isEmpty() ? "none" : String.join(", ", better);
       limits.add(

@@ -19,10 +19,8 @@ final class DriftFigures {
 
   static {
     PANELS.put(Metrics.TRAJECTORY_DRIFT, "Distance from the true course, in radii");
-    PANELS.put(
-        Metrics.ENERGY_DRIFT,
-        "Energy: how far its ratio to that of the start is from 1, of the worst circles");
-    PANELS.put(Metrics.PENETRATION_DRIFT, "Penetration, in radii, of the deepest circles");
+    PANELS.put(Metrics.ENERGY_DRIFT, "Energy, as a part of that of the start");
+    PANELS.put(Metrics.PENETRATION_DRIFT, "Penetration so far, in radii");
   }
 
   /** Scenes whose pictures would look as that of the first one does. */
@@ -62,10 +60,7 @@ final class DriftFigures {
     String told = told(horizons, limit);
     DriftChart chart =
         new DriftChart(
-            title(scene),
-            "Scene "
-                + scene
-                + ", frame by frame: median over circles; below, the 95 %; carom's band reaches from 5 to 95 %, and below down to the median; of each method its most accurate setting. 0 stands at the lower edge. Marks at the foot: horizons.",
+            "Scene " + scene + ", frame by frame. " + told,
             Settings.marks(results),
             panels,
             horizons,
@@ -73,8 +68,11 @@ final class DriftFigures {
     return new Figure(
         "drift-" + scene,
         "The course of a run: " + scene,
+        title(scene),
+        "Scene %s, frame by frame, of each method its most accurate setting. Distance: median over circles, in carom's band from 5 to 95 %%. Energy and penetration: the 95 %% of circles, and of penetration the deepest so far. 0 stands at the lower edge; marks at the foot are the frames at which half of the circles are off by 0.1 radius."
+            .formatted(scene),
         "Distance from the true course, energy and penetration, frame by frame. " + told,
-        chart::picture,
+        chart.panels(),
         table.build());
   }
 
@@ -118,7 +116,8 @@ final class DriftFigures {
 
   private static String told(Map<String, Double> horizons, double limit) {
     List<String> all = new ArrayList<>();
-    horizons.forEach((method, frame) -> all.add(method + " " + ReportNumbers.count(frame)));
+    horizons.forEach(
+        (method, frame) -> all.add(Glossary.name(method) + " " + ReportNumbers.count(frame)));
     if (!Double.isNaN(limit)) {
       all.add("the reference started 1 ulp away " + ReportNumbers.count(limit));
     }
@@ -137,24 +136,30 @@ final class DriftFigures {
       Map<Integer, Double> high = results.series(scene, setting, metric, "p95");
       int[] frames = middle.keySet().stream().mapToInt(i -> i).sorted().toArray();
       double[] x = Arrays.stream(frames).asDoubleStream().toArray();
-      String knob = Metrics.shortKnob(setting);
       double[] lows = sizes(frames, low);
       double[] middles = sizes(frames, middle);
       double[] highs = sizes(frames, high);
       curves.add(
           metric.equals(Metrics.TRAJECTORY_DRIFT)
-              ? new Curve(setting.method(), knob, x, lows, middles, highs)
-              : worst(setting.method(), knob, x, lows, middles, highs));
+              ? new Curve(setting.method(), "", x, lows, middles, highs)
+              : worst(setting.method(), x, lows, middles, highs, metric));
     }
     return curves;
   }
 
-  /** Where most circles do nothing wrong, what tells is the worse end, to either side of 0. */
+  /**
+   * Where most circles do nothing wrong, what tells is the worse end, to either side of 0. How deep
+   * circles are changes from frame to frame: of that, what tells is the deepest so far.
+   */
   private static Curve worst(
-      String method, String knob, double[] x, double[] low, double[] middle, double[] high) {
+      String method, double[] x, double[] low, double[] middle, double[] high, String metric) {
     double[] worse = new double[x.length];
     Arrays.setAll(worse, i -> Math.max(low[i], high[i]));
-    return new Curve(method, knob, x, middle, worse, worse);
+    if (metric.equals(Metrics.PENETRATION_DRIFT)) {
+      Arrays.parallelPrefix(worse, Math::max);
+      return new Curve(method, "", x, worse, worse, worse);
+    }
+    return new Curve(method, "", x, middle, worse, worse);
   }
 
   private static double[] sizes(int[] frames, Map<Integer, Double> series) {
@@ -170,7 +175,7 @@ final class DriftFigures {
       if (i >= 0) {
         table.row(
             name,
-            (curve.method() + " " + curve.knob()).strip(),
+            Glossary.name(curve.method()),
             ReportNumbers.count(curve.x()[i]),
             ReportNumbers.error(curve.low()[i]),
             ReportNumbers.error(curve.middle()[i]),

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
+import dev.carom.bench.charts.BarChart;
+import dev.carom.bench.charts.BarChart.Bar;
+import dev.carom.bench.charts.Panel;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.series.Features;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.function.DoubleFunction;
 
 /** What each thing that a scene uses costs a frame, and in memory. */
 public final class FeatureFigures {
@@ -36,6 +42,65 @@ public final class FeatureFigures {
   }
 
   /**
+   * The bars.
+   *
+   * @return one figure, or none if nothing was measured
+   */
+  public List<Figure> figures() {
+    List<Panel> panels = new ArrayList<>();
+    if (!results.scenes(Features.TIME).isEmpty()) {
+      panels.add(panel("Time of a frame", Features.TIME, "median", ReportNumbers::time));
+    }
+    if (!results.scenes(Features.MEMORY).isEmpty()) {
+      panels.add(
+          panel(
+              "Memory of a world after 600 frames",
+              Features.MEMORY,
+              "mean",
+              FeatureFigures::memory));
+    }
+    RungShares rungs = new RungShares(results);
+    rungs.panel().ifPresent(panels::add);
+    if (panels.isEmpty()) {
+      return List.of();
+    }
+    return List.of(
+        new Figure(
+            "features",
+            "No more than a scene needs",
+            title(),
+            "100 circles of the canonical scene with ever more around them. A frame costs what happens in it: lines cost their impacts, and what is not used costs nothing. Precision: which arithmetic decided, of 12 classes of questions and of the pairs that a scene looks at.",
+            title() + ". " + rungs.sentence(),
+            panels,
+            table()));
+  }
+
+  private String title() {
+    double least = value(Features.SCENE + "circles", Features.TIME, "median");
+    double lines = value(Features.SCENE + "lines", Features.TIME, "median");
+    return Double.isNaN(least) || Double.isNaN(lines)
+        ? "What each thing that a scene uses costs"
+        : "A frame of 100 circles takes %s where there is nothing to hit, and %s among walls and 100 lines"
+            .formatted(ReportNumbers.time(least), ReportNumbers.time(lines));
+  }
+
+  private Panel panel(String title, String metric, String stat, DoubleFunction<String> text) {
+    List<Bar> bars = new ArrayList<>();
+    USES.forEach(
+        (use, words) -> {
+          double value = value(Features.SCENE + use, metric, stat);
+          if (!Double.isNaN(value)) {
+            bars.add(new Bar(words, new double[] {value}, text.apply(value)));
+          }
+        });
+    return new Panel(title, new BarChart(title, List.of(), bars).picture());
+  }
+
+  private static String memory(double bytes) {
+    return ReportNumbers.count(bytes / 1024) + " KiB";
+  }
+
+  /**
    * The numbers.
    *
    * @return a row for each use
@@ -55,7 +120,7 @@ public final class FeatureFigures {
                 ReportNumbers.time(time),
                 ReportNumbers.ratio(impacts),
                 impacts > 0 ? ReportNumbers.time(time / impacts) : "-",
-                Double.isNaN(bytes) ? "not measured" : ReportNumbers.count(bytes / 1024) + " KiB");
+                Double.isNaN(bytes) ? "not measured" : memory(bytes));
           }
         });
     return table.build();

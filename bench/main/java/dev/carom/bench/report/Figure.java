@@ -1,32 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
+import dev.carom.bench.charts.Panel;
 import dev.carom.bench.charts.Picture;
-import java.util.function.IntFunction;
+import dev.carom.bench.charts.Sheet;
+import java.util.List;
+import java.util.Optional;
 
 /**
  * A figure of the report.
  *
  * @param id the name of its files, and its place in the page
  * @param heading what it is about
+ * @param title what the reader is to take home, without a full stop
+ * @param note how to read it
  * @param caption what it shows, in words: all that a reader who cannot see it needs
- * @param picture the chart
- * @param narrow the same for narrow screens
+ * @param panels its pictures, of one width
+ * @param narrow the first of them for narrow screens, if it is too wide for them
  * @param table the numbers behind it
  */
 public record Figure(
-    String id, String heading, String caption, Picture picture, Picture narrow, ReportTable table) {
+    String id,
+    String heading,
+    String title,
+    String note,
+    String caption,
+    List<Panel> panels,
+    Optional<Picture> narrow,
+    ReportTable table) {
+
+  /** Keeps a copy. */
+  public Figure {
+    panels = List.copyOf(panels);
+  }
+
+  /** A figure of small pictures, which fit any screen. */
+  Figure(
+      String id,
+      String heading,
+      String title,
+      String note,
+      String caption,
+      List<Panel> panels,
+      ReportTable table) {
+    this(id, heading, title, note, caption, panels, Optional.empty(), table);
+  }
 
   /**
-   * A figure that can be drawn in different widths.
+   * All of it but the table, on one sheet.
    *
-   * @param id the name of its files, and its place in the page
-   * @param heading what it is about
-   * @param caption what it shows
-   * @param chart draws it in a width
-   * @param table the numbers behind it
+   * @return the picture
    */
-  Figure(String id, String heading, String caption, IntFunction<Picture> chart, ReportTable table) {
-    this(id, heading, caption, chart.apply(Picture.WIDE), chart.apply(Picture.NARROW), table);
+  public Picture picture() {
+    return Sheet.of(title, note, panels);
   }
 }

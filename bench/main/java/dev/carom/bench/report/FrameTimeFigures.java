@@ -3,11 +3,14 @@ package dev.carom.bench.report;
 
 import dev.carom.bench.charts.FrameStripsChart;
 import dev.carom.bench.charts.FrameStripsChart.Strip;
+import dev.carom.bench.charts.Marks;
+import dev.carom.bench.charts.Panel;
 import dev.carom.bench.replay.Budget;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
@@ -16,9 +19,6 @@ final class FrameTimeFigures {
 
   private static final double BUDGET = 1e6 * Budget.MILLIS;
 
-  /** A strip narrower than this is not seen. */
-  private static final int MOST_STRIPS = 12;
-
   private final Results results;
 
   FrameTimeFigures(Results results) {
@@ -26,17 +26,10 @@ final class FrameTimeFigures {
   }
 
   List<Figure> figures() {
-    List<Figure> figures = new ArrayList<>();
-    for (String scene : results.scenes(Metrics.FRAME_RAW)) {
-      List<Strip> all = strips(scene);
-      int charts = (all.size() + MOST_STRIPS - 1) / MOST_STRIPS;
-      int each = (all.size() + charts - 1) / charts;
-      for (int i = 0; i < charts; i++) {
-        int to = Math.min(all.size(), (i + 1) * each);
-        figures.add(figure(scene, i == 0 ? "" : "-" + (i + 1), all.subList(i * each, to)));
-      }
-    }
-    return figures;
+    Map<String, List<Strip>> all = new LinkedHashMap<>();
+    results.scenes(Metrics.FRAME_RAW).forEach(scene -> all.put(scene, strips(scene)));
+    all.values().removeIf(List::isEmpty);
+    return all.isEmpty() ? List.of() : List.of(figure(all));
   }
 
   private List<Strip> strips(String scene) {
@@ -52,58 +45,67 @@ final class FrameTimeFigures {
     return strips;
   }
 
-  private Figure figure(String scene, String number, List<Strip> strips) {
+  private Figure figure(Map<String, List<Strip>> scenes) {
     ReportTable.Builder table =
         new ReportTable.Builder(
-            "setting", "frames", "median", "95 %", "99 %", "worst", "over the budget");
+            "setting", "scene", "frames", "median", "95 %", "99 %", "worst", "over the budget");
     List<String> over = new ArrayList<>();
-    for (Strip strip : strips) {
-      double[] sorted = strip.nanos().clone();
-      Arrays.sort(sorted);
-      int n = sorted.length;
-      long missed = Arrays.stream(sorted).filter(t -> t > BUDGET).count();
-      String name = (strip.method() + " " + strip.knob()).strip();
-      table.row(
-          name,
-          ReportNumbers.count(n),
-          ReportNumbers.time(rank(sorted, 0.5)),
-          ReportNumbers.time(rank(sorted, 0.95)),
-          ReportNumbers.time(rank(sorted, 0.99)),
-          ReportNumbers.time(sorted[n - 1]),
-          ReportNumbers.failures((double) missed, n));
-      if (missed > 0) {
-        over.add(name + " (" + missed + " of " + n + ")");
-      }
-    }
+    List<Panel> panels = new ArrayList<>();
+    List<String> told = new ArrayList<>();
+    scenes.forEach(
+        (scene, strips) -> {
+          strips.forEach(strip -> row(table, scene, strip, over));
+          told.add(scene + ": " + worst(strips));
+          String words = "Every frame of one replay of " + scene;
+          Marks marks = Settings.marks(results);
+          panels.add(
+              new Panel(
+                  Scenes.words(scene),
+                  new FrameStripsChart(words, marks, strips, BUDGET).picture()));
+        });
     String title =
         over.isEmpty()
-            ? "All frames of all methods are within the budget of 16.67 ms"
+            ? "No frame of any method exceeds the budget of 16.67 ms"
             : "Frames over the budget of 16.67 ms: " + String.join(", ", over);
-    FrameStripsChart chart =
-        new FrameStripsChart(
-            title,
-            "Scene "
-                + scene
-                + ": every frame of one replay by the most accurate setting of each method. Lines: median and 95 %.",
-            Settings.marks(results),
-            strips,
-            BUDGET);
-    String caption = title + ". " + worst(strips);
     return new Figure(
-        "frames-" + scene + number,
-        "Frame times: " + scene,
-        caption,
-        chart::picture,
+        "frames",
+        "All frame times",
+        title,
+        "Every frame of one replay by the most accurate setting of each method, from the first at the top of its strip. Heavy line: median; thin line: the worst. Dashed: the budget.",
+        title + ". " + String.join(" ", told),
+        panels,
         table.build());
+  }
+
+  private static void row(ReportTable.Builder table, String scene, Strip strip, List<String> over) {
+    double[] sorted = strip.nanos().clone();
+    Arrays.sort(sorted);
+    int n = sorted.length;
+    long missed = Arrays.stream(sorted).filter(t -> t > BUDGET).count();
+    String name = name(strip);
+    table.row(
+        name,
+        scene,
+        ReportNumbers.count(n),
+        ReportNumbers.time(rank(sorted, 0.5)),
+        ReportNumbers.time(rank(sorted, 0.95)),
+        ReportNumbers.time(rank(sorted, 0.99)),
+        ReportNumbers.time(sorted[n - 1]),
+        ReportNumbers.failures((double) missed, n));
+    if (missed > 0) {
+      over.add(name + " in " + scene + " (" + missed + " of " + n + ")");
+    }
+  }
+
+  private static String name(Strip strip) {
+    return (Glossary.name(strip.method()) + " " + strip.knob()).strip();
   }
 
   private static String worst(List<Strip> strips) {
     List<String> all = new ArrayList<>();
     for (Strip strip : strips) {
       double worst = Arrays.stream(strip.nanos()).max().orElseThrow();
-      all.add(
-          "%s %s"
-              .formatted((strip.method() + " " + strip.knob()).strip(), ReportNumbers.time(worst)));
+      all.add("%s %s".formatted(name(strip), ReportNumbers.time(worst)));
     }
     int n = strips.get(0).nanos().length;
     return "Worst of " + n + ": " + String.join(", ", all) + ".";

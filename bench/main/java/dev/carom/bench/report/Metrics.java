@@ -14,6 +14,10 @@ final class Metrics {
 
   static final String FRAME_TIME = "frame_time";
   static final String FRAME_RAW = "frame_raw";
+  static final String RUNGS = "rungs";
+  static final String GAS_ENERGY = "gas_energy";
+  static final String GAS_OVERLAP = "gas_overlap";
+  static final String GAS_LOST = "gas_lost";
   static final String FRAME_ERROR = "frame_error";
   static final String HORIZON = "horizon";
   static final String MISSED = "decisions_missed";
@@ -44,12 +48,17 @@ final class Metrics {
     if (isDefault(setting)) {
       return "defaults";
     }
-    return setting.knob().startsWith(PEER) ? "best" : setting.value();
+    return setting.knob().startsWith(PEER) ? "tuned" : setting.value();
   }
 
-  /** A method and what stands at its dot. */
+  /** A method in words and its whole setting. */
+  static String fullName(Setting setting) {
+    return new Setting(Glossary.name(setting.method()), setting.knob()).toString();
+  }
+
+  /** A method in words and what stands at its dot. */
   static String shortName(Setting setting) {
-    return (setting.method() + " " + shortKnob(setting)).strip();
+    return (Glossary.name(setting.method()) + " " + shortKnob(setting)).strip();
   }
 
   /** Whether a peer is left as it comes. */

@@ -1,26 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
+import dev.carom.bench.charts.Panel;
 import dev.carom.bench.charts.Picture;
 import dev.carom.bench.charts.Style;
+import dev.carom.bench.charts.Thumbnail;
+import dev.carom.bench.measures.Parts;
 import dev.carom.bench.results.Metadata;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
+import dev.carom.bench.results.Spread;
+import dev.carom.bench.stability.FailureMap;
 import java.awt.Color;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
+import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The report as one page: verdict, ratios, figures, each with its caption as alternative text and a
- * table behind it, and where it all comes from. It needs no network, and its colours follow the
- * reader's choice of light or dark.
+ * The report as one page: a sentence, three numbers and a chart; then how to read it, and all
+ * figures, each with its caption as alternative text and a table behind it. It needs no network,
+ * and its colours follow the reader's choice of light or dark.
  */
 final class Page {
 
@@ -39,32 +45,57 @@ final class Page {
     NAMES.put(Style.VERMILION, "vermilion");
     NAMES.put(Style.PURPLE, "purple");
     NAMES.put(Style.YELLOW, "yellow");
+    NAMES.put(Style.BROWN, "brown");
+    NAMES.put(Style.TEAL, "teal");
+    NAMES.put(Style.BRICK, "brick");
+    NAMES.put(Style.PLUM, "plum");
+    NAMES.put(Style.SLATE, "slate");
+    NAMES.put(Style.OLIVE, "olive");
+    NAMES.put(Style.STONE, "stone");
+    NAMES.put(Style.ROSE, "rose");
+    NAMES.put(Style.MOSS, "moss");
+    NAMES.put(Style.SAND, "sand");
   }
 
   private static final Pattern STYLE = Pattern.compile("style='([^']*)'");
 
+  private static final String COMMAND = "java -jar bench/target/carom-bench.jar report";
+
+  /** The groups of the page, by the ids of their places. */
+  private static final Map<String, String> GROUPS = new LinkedHashMap<>();
+
+  static {
+    GROUPS.put("read", "How to read this");
+    GROUPS.put("accuracy", "Speed and accuracy");
+    GROUPS.put("price", "The price of exactness");
+    GROUPS.put("needs", "No more than a scene needs");
+    GROUPS.put("stability", "Stability");
+    GROUPS.put("many", "Many circles, and colliding ones");
+    GROUPS.put("doubts", "Doubts, limits, origin");
+  }
+
   private final Map<String, Integer> styles = new LinkedHashMap<>();
   private final StringBuilder html = new StringBuilder();
   private final Results results;
-  private final List<Figure> figures;
+  private final Map<String, Figure> figures = new LinkedHashMap<>();
+  private int pictures;
 
   private Page(Results results, List<Figure> figures) {
     this.results = results;
-    this.figures = figures;
+    figures.forEach(figure -> this.figures.put(figure.id(), figure));
   }
 
   static String of(Results results, List<Figure> figures) throws IOException {
     Page page = new Page(results, figures);
     page.head();
-    page.verdict();
-    page.ratios();
-    page.limits();
-    for (int i = 0; i < figures.size(); i++) {
-      page.figure(figures.get(i), "f" + i + "-");
-    }
-    page.shortcomings();
-    page.methods();
-    page.origin();
+    page.firstScreen();
+    page.read();
+    page.accuracy();
+    page.price();
+    page.needs();
+    page.stability();
+    page.many();
+    page.doubts();
     page.styles();
     page.html.append("</main>\n</body>\n</html>\n");
     return page.html.toString();
@@ -75,12 +106,8 @@ final class Page {
         .append("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n")
         .append("<title>Carom: speed and accuracy</title>\n<style>\n")
         .append(style())
-        .append("</style>\n</head>\n<body>\n<main>\n<h1>Carom: speed and accuracy</h1>\n");
-    Metadata m = results.metadata();
-    String run = m.quick() ? "Short run of " : "Run of ";
-    html.append("<p class=\"machine\">")
-        .append(text(run + m.date() + " on " + m.cpu() + ", " + m.cores() + " cores, " + m.jdk()))
-        .append("</p>\n");
+        .append("</style>\n</head>\n<body>\n")
+        .append("<a class=\"skip\" href=\"#read\">Skip to how to read this</a>\n<main>\n");
   }
 
   private static String style() throws IOException {
@@ -89,79 +116,343 @@ final class Page {
     }
   }
 
-  private void verdict() {
-    html.append("<ul class=\"verdict\">\n");
-    for (String sentence : Verdict.of(results)) {
-      int colon = sentence.indexOf(':');
-      String rest = sentence.substring(colon + 1).strip();
-      html.append("<li><b>")
-          .append(text(sentence.substring(0, colon)))
-          .append("</b>")
-          .append(text(rest.substring(0, 1).toUpperCase(Locale.ROOT) + rest.substring(1)))
-          .append("</li>\n");
+  private void firstScreen() {
+    FirstScreen first = new FirstScreen(results);
+    html.append("<p class=\"brand\">Carom: circles that move and bounce, measured</p>\n<h1>")
+        .append(text(first.sentence()))
+        .append("</h1>\n<div class=\"tiles\">\n");
+    for (FirstScreen.Tile tile : first.tiles()) {
+      html.append("<div class=\"tile\"><b>")
+          .append(text(tile.name()))
+          .append("</b><span class=\"value\">")
+          .append(text(tile.value()))
+          .append("</span><span>")
+          .append(text(tile.unit()))
+          .append("</span><span class=\"quiet\">")
+          .append(text(tile.rival()))
+          .append("</span></div>\n");
     }
-    html.append("</ul>\n<nav aria-label=\"Figures\"><ul>\n");
-    for (Figure figure : figures) {
-      html.append("<li><a href=\"#")
-          .append(text(figure.id()))
-          .append("\">")
-          .append(text(figure.heading()))
-          .append("</a></li>\n");
-    }
+    html.append("</div>\n");
+    figure("work-" + first.scene());
+    html.append("<nav aria-label=\"Parts of this page\"><ul>\n");
+    GROUPS.forEach(
+        (id, name) ->
+            html.append("<li><a href=\"#")
+                .append(id)
+                .append("\">")
+                .append(text(name))
+                .append("</a></li>\n"));
     html.append("</ul></nav>\n");
   }
 
-  private void ratios() {
+  private void group(String id) {
+    html.append("<h2 id=\"").append(id).append("\">").append(text(GROUPS.get(id)));
+    html.append("</h2>\n");
+  }
+
+  private void paragraph(String plain) {
+    if (!plain.isEmpty()) {
+      html.append("<p>").append(text(plain)).append("</p>\n");
+    }
+  }
+
+  private void read() {
+    group("read");
+    Metadata m = results.metadata();
+    paragraph(
+        "The error of a method: each frame starts from the true state of all circles, plays one"
+            + " frame, and is compared with the true end of that frame. The true course is computed"
+            + " to more digits than a double holds, and every decision in it is proved. So no error"
+            + " of an earlier frame counts, and luck does not. Lengths are in px, times in frames; an"
+            + " error is told in radii of the circle.");
+    scenes();
+    html.append("<details><summary>The methods, in words</summary>\n<dl>\n");
+    methods();
+    html.append("</dl></details>\n");
+    String run = m.quick() ? "A short run of " : "Run of ";
+    html.append("<p class=\"quiet\">")
+        .append(
+            text(
+                run
+                    + m.date()
+                    + " on "
+                    + m.cpu()
+                    + ", "
+                    + m.cores()
+                    + " cores, "
+                    + m.os()
+                    + "; "
+                    + (m.jdk() + " " + m.flags()).strip()
+                    + "; commit "
+                    + commit(m.commit())
+                    + ". Measure again: "))
+        .append("<code>")
+        .append(text(COMMAND + (m.quick() ? " --quick" : "")))
+        .append("</code>. Make this page from stored numbers: <code>")
+        .append(text(COMMAND + " --from bench/results --out DIR"))
+        .append("</code>.</p>\n");
+  }
+
+  private static String commit(String commit) {
+    String age = Age.of(commit);
+    String bare = commit.length() > 12 ? commit.substring(0, 12) : commit;
+    return age.isEmpty() ? bare : bare + ", " + age;
+  }
+
+  private void scenes() {
+    List<String> measured = new ArrayList<>(results.scenes(Metrics.FRAME_ERROR));
+    if (!new GasTable(results).isEmpty()) {
+      measured.add("gas");
+    }
+    List<String> known = Scenes.all().stream().filter(measured::contains).toList();
+    if (known.isEmpty()) {
+      return;
+    }
+    html.append("<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Scenes\">");
+    html.append("<table class=\"scenes\">\n<caption>The scenes</caption>\n<thead><tr>");
+    for (String name :
+        List.of("", "scene", "what it is", "circles", "lines", "walls", "radius", "speed")) {
+      html.append("<th scope=\"col\">").append(name).append("</th>");
+    }
+    html.append("</tr></thead>\n<tbody>\n");
+    for (String scene : known) {
+      html.append("<tr><td>");
+      picture(Thumbnail.of(Parts.scene(scene), "The scene " + scene), "");
+      html.append("<th scope=\"row\">").append(text(scene)).append("</th><td>");
+      html.append(text(Scenes.what(scene)));
+      Scenes.facts(scene).forEach(cell -> html.append("<td>").append(text(cell)));
+      html.append('\n');
+    }
+    html.append("</tbody></table></div>\n");
+  }
+
+  private void methods() {
+    Map<String, String> told = new LinkedHashMap<>(Glossary.methods());
+    told.keySet().retainAll(results.methods());
+    told.forEach(
+        (method, what) ->
+            item(
+                Glossary.name(method),
+                what + (method.equals(Glossary.name(method)) ? "" : " (" + method + ")")));
+    item("defaults, tuned", "an engine as it comes, and set as well as we could");
+  }
+
+  private void accuracy() {
+    group("accuracy");
+    figure("work");
     ReportTable ratios = Ratios.of(results);
     if (!ratios.rows().isEmpty()) {
-      html.append("<h2>How many times as long as carom the others take</h2>\n");
-      table(ratios, "Ratios of times");
-      html.append("<p class=\"machine\">Medians; in brackets the least and the greatest that the")
-          .append(" forks allow. Below 1 the other is faster.</p>\n");
+      html.append("<details><summary>How many times as long as carom the others take</summary>\n");
+      table(ratios, "Times of a frame, carom = 1", none -> "");
+      paragraph(
+          "Medians; in brackets the least and the greatest that the virtual machines allow. Below 1"
+              + " the other is faster.");
+      html.append("</details>\n");
+    }
+    figure("frames");
+  }
+
+  private void price() {
+    group("price");
+    PriceTables price = new PriceTables(results);
+    if (!price.questions().rows().isEmpty()) {
+      heading(price.questionsTitle());
+      paragraph(
+          "A question is one circle against one line: whether, and when. Plain doubles are carom's"
+              + " own formulas without their proof. Wrong answers are of %s of each class. "
+                  .formatted(asked())
+              + price.asGood());
+      table(price.questions(), "Time of a question, and wrong answers", Page::factor);
+    }
+    if (!price.frames().rows().isEmpty()) {
+      heading(price.framesTitle());
+      paragraph(
+          "Two controls share carom's event loop and kind of grid. They are short programs, not"
+              + " tuned as carom is, so a factor below 1 says that tuning weighs more than"
+              + " exactness, not that exactness is free. "
+              + price.framesAsGood());
+      table(price.frames(), "Time and worst error of a frame", none -> "");
+    }
+    folded("queries");
+    decisions();
+  }
+
+  private String asked() {
+    double asked =
+        results.scenes(Metrics.DECISIONS).stream()
+            .flatMap(scene -> results.only(scene, Metrics.CAROM, Metrics.DECISIONS).stream())
+            .mapToDouble(Spread::middle)
+            .max()
+            .orElse(0);
+    return ReportNumbers.count(asked);
+  }
+
+  private void decisions() {
+    DecisionTable decisions = new DecisionTable(results);
+    if (!decisions.table().rows().isEmpty()) {
+      html.append("<details><summary>")
+          .append(text(Verdict.of(results).get(0)))
+          .append("</summary>\n");
+      table(decisions.table(), "Missed hits | false hits, in exact counts", decisions::heat);
+      paragraph("The darker a cell, the larger the share of wrong answers, by decades.");
+      html.append("</details>\n");
     }
   }
 
-  private void limits() {
-    html.append("<h2>The limits, and whether they hold</h2>\n");
-    table(AcceptanceLimits.table(results), "Limits");
-    AcceptanceLimits.note(results)
-        .ifPresent(
-            note -> html.append("<p class=\"machine\">").append(text(note)).append("</p>\n"));
+  /** The more an exact answer costs, the darker. */
+  private static String factor(String cell) {
+    if (!cell.endsWith(" x")) {
+      return "";
+    }
+    double factor = Double.parseDouble(cell.replace(" x", "").replace(",", ""));
+    return factor < 2 ? "" : factor < 5 ? "h1" : factor < 20 ? "h2" : "h3";
   }
 
-  private void shortcomings() {
-    html.append("<h2>Where carom is not the best, and what was not asked</h2>\n<ul>\n");
+  private void needs() {
+    group("needs");
+    figure("features");
+  }
+
+  private void stability() {
+    group("stability");
+    StabilityMatrix matrix = new StabilityMatrix(results);
+    if (!matrix.isEmpty()) {
+      heading(matrix.title());
+      paragraph(
+          "Six maps of small scenes, each judged against its true course. A cell of this table: the"
+              + " share of scenes in which no circle was ever more than 0.001 radius off, and the"
+              + " share for 0.1 radius. No method in doubles can be right in all of them.");
+      table(matrix.table(), "Share of scenes that are right", Page::share);
+      html.append("<div class=\"grid\">\n");
+      for (FailureMap map : FailureMap.all(false)) {
+        map(map);
+      }
+      html.append("</div>\n");
+    }
+    List<String> drifts = figures.keySet().stream().filter(id -> id.startsWith("drift-")).toList();
+    drifts.stream().limit(1).forEach(this::figure);
+    drifts.stream().skip(1).forEach(this::folded);
+  }
+
+  /** The fewer are right, the darker. */
+  private static String share(String cell) {
+    if (!cell.contains("%")) {
+      return "";
+    }
+    double right = Double.parseDouble(cell.substring(0, cell.indexOf(' ')));
+    return right >= 99 ? "" : right >= 80 ? "h1" : right >= 40 ? "h2" : "h3";
+  }
+
+  private void map(FailureMap map) {
+    Figure figure = figures.get("fails-" + map.name());
+    if (figure == null) {
+      return;
+    }
+    html.append("<section class=\"map\" id=\"").append(text(figure.id())).append("\">\n<h3>");
+    html.append(text(figure.title())).append("</h3>\n<div class=\"sketch\">");
+    picture(Thumbnail.of(map.example(), "A scene of this map"), "");
+    html.append("<p>").append(text(firstSentence(map.run()))).append("</p></div>\n");
+    picture(figure.panels().get(0).picture(), "");
+    numbers(figure);
+    html.append("</section>\n");
+  }
+
+  private void many() {
+    group("many");
+    GasTable gas = new GasTable(results);
+    if (!gas.isEmpty()) {
+      heading(gas.title());
+      paragraph(
+          "A gas of 100 elastic circles in four walls, 600 frames. Its energy should not change, and"
+              + " circles should not overlap.");
+      table(gas.table(), "A gas of colliding circles", none -> "");
+    }
+    figure("scale");
+    figure("sweep");
+  }
+
+  private void doubts() {
+    group("doubts");
+    html.append("<ul>\n");
+    Doubts.all().forEach(told -> html.append("<li>").append(text(told)).append("</li>\n"));
+    html.append("</ul>\n<details><summary>Where carom is not the best, and what was not asked")
+        .append("</summary>\n<ul>\n");
     Shortcomings.of(results)
         .forEach(told -> html.append("<li>").append(text(told)).append("</li>\n"));
-    html.append("</ul>\n");
+    html.append("</ul></details>\n<details><summary>")
+        .append(text(AcceptanceLimits.sentence(results)))
+        .append("</summary>\n<ul>\n");
+    Verdict.of(results).forEach(told -> html.append("<li>").append(text(told)).append("</li>\n"));
+    html.append("</ul>\n</details>\n<details><summary>All limits</summary>\n");
+    table(AcceptanceLimits.table(results), "Limits, and whether they hold", none -> "");
+    AcceptanceLimits.note(results).ifPresent(this::paragraph);
+    html.append("</details>\n");
+    origin();
   }
 
-  private void figure(Figure figure, String prefix) {
-    html.append("<section id=\"").append(text(figure.id())).append("\">\n<h2>");
-    html.append(text(figure.heading())).append("</h2>\n<figure>\n");
-    picture(figure, figure.picture(), "wide", prefix);
-    picture(figure, figure.narrow(), "narrow", prefix + "n-");
-    String first = firstSentence(figure.caption());
-    html.append("<figcaption>").append(text(first)).append("</figcaption>\n");
-    html.append("</figure>\n<details><summary>The numbers</summary>\n");
-    String rest = figure.caption().substring(first.length()).strip();
-    if (!rest.isEmpty()) {
-      html.append("<p>").append(text(rest)).append("</p>\n");
+  private void heading(String plain) {
+    html.append("<h3>").append(text(plain)).append("</h3>\n");
+  }
+
+  /** Nothing if there is none of this name. */
+  private void figure(String id) {
+    Figure figure = figures.get(id);
+    if (figure == null) {
+      return;
     }
-    table(figure.table(), figure.heading());
-    html.append("</details>\n</section>\n");
+    html.append("<section id=\"").append(text(figure.id())).append("\">\n<h3>");
+    html.append(text(figure.title())).append("</h3>\n<p class=\"note\">");
+    html.append(text(figure.note())).append("</p>\n");
+    if (figure.narrow().isPresent()) {
+      html.append("<figure class=\"large\">");
+      picture(figure.panels().get(0).picture(), "wide");
+      picture(figure.narrow().get(), "narrow");
+      html.append("</figure>\n");
+    } else {
+      html.append("<div class=\"grid\">\n");
+      for (Panel panel : figure.panels()) {
+        html.append("<figure>");
+        if (!panel.title().isEmpty()) {
+          html.append("<figcaption>").append(text(panel.title())).append("</figcaption>");
+        }
+        picture(panel.picture(), "");
+        html.append("</figure>\n");
+      }
+      html.append("</div>\n");
+    }
+    numbers(figure);
+    html.append("</section>\n");
   }
 
-  /** What the picture shows; what else there is to know stands with the numbers. */
-  private static String firstSentence(String caption) {
-    int end = caption.indexOf(". ");
-    return end < 0 ? caption : caption.substring(0, end + 1);
+  /** One that repeats another, or goes into details: its title stands, and opens it. */
+  private void folded(String id) {
+    Figure figure = figures.get(id);
+    if (figure != null) {
+      html.append("<details><summary>")
+          .append(text(figure.heading() + ": " + figure.title()))
+          .append("</summary>\n");
+      figure(id);
+      html.append("</details>\n");
+    }
   }
 
-  /** The page shows one of the two, by its own width. */
-  private void picture(Figure figure, Picture picture, String layout, String prefix) {
-    String label = "<svg role=\"img\" aria-label=\"" + text(figure.caption()) + "\" ";
-    html.append("<div class=\"picture ").append(layout).append("\">");
+  private void numbers(Figure figure) {
+    html.append("<details><summary>In words, and the numbers</summary>\n");
+    paragraph(figure.caption());
+    table(figure.table(), figure.heading(), none -> "");
+    html.append("</details>\n");
+  }
+
+  private static String firstSentence(String words) {
+    int end = words.indexOf(". ");
+    return end < 0 ? words : words.substring(0, end + 1);
+  }
+
+  /** What it shows stands beside it in words; so its name is short. */
+  private void picture(Picture picture, String layout) {
+    String prefix = "p" + pictures++ + "-";
+    String label = "<svg role=\"img\" aria-label=\"" + text(picture.title()) + "\" ";
+    html.append("<div class=\"").append(("picture " + layout).strip()).append("\">");
     html.append(classed(themed(picture.svg(prefix))).replaceFirst("<svg ", quoted(label)));
     html.append("</div>\n");
   }
@@ -199,35 +490,36 @@ final class Page {
     return themed;
   }
 
-  private void table(ReportTable table, String label) {
+  /** Classes of cells follow from their texts. */
+  private void table(ReportTable table, String label, UnaryOperator<String> cellClass) {
     html.append("<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"")
         .append(text(label))
-        .append(": numbers\"><table>\n<thead><tr>");
-    table.head().forEach(cell -> html.append("<th>").append(text(cell)).append("</th>"));
+        .append(": numbers\"><table>\n<caption>")
+        .append(text(label))
+        .append("</caption>\n<thead><tr>");
+    table
+        .head()
+        .forEach(cell -> html.append("<th scope=\"col\">").append(text(cell)).append("</th>"));
     html.append("</tr></thead>\n<tbody>\n");
     for (List<String> row : table.rows()) {
-      html.append("<tr>");
-      // HTML lets cells and rows end where the next one begins: of 14,000 that is a 50th of the
-      // page.
-      row.forEach(cell -> html.append("<td>").append(text(cell)));
+      html.append("<tr><th scope=\"row\">").append(text(row.get(0)));
+      // HTML lets cells and rows end where the next one begins: that is a 50th of the page.
+      row.stream()
+          .skip(1)
+          .forEach(
+              cell -> {
+                String name = cellClass.apply(cell);
+                html.append(name.isEmpty() ? "<td>" : "<td class=\"" + name + "\">");
+                html.append(text(cell));
+              });
       html.append('\n');
     }
     html.append("</tbody></table></div>\n");
   }
 
-  private void methods() {
-    Map<String, String> told = new LinkedHashMap<>(Glossary.methods());
-    told.keySet().retainAll(results.methods());
-    if (!told.isEmpty()) {
-      html.append("<h2>What the methods are</h2>\n<dl>\n");
-      told.forEach(this::item);
-      html.append("</dl>\n");
-    }
-  }
-
   private void origin() {
     Metadata m = results.metadata();
-    html.append("<h2>Where these numbers come from</h2>\n<dl>\n");
+    html.append("<details><summary>Where these numbers come from</summary>\n<dl>\n");
     item("processor", m.cpu() + ", " + m.cores() + " cores");
     item("system", m.os());
     item("virtual machine", (m.jdk() + " " + m.flags()).strip());
@@ -236,7 +528,7 @@ final class Page {
     m.seeds().forEach((name, seed) -> item("seed " + name, Long.toString(seed)));
     item("rows", ReportNumbers.count(results.rows().size()));
     failures().forEach(failure -> item("not measured", failure));
-    html.append("</dl>\n");
+    html.append("</dl></details>\n");
   }
 
   /** Who failed where and why, each once. */

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.report;
 
-import dev.carom.bench.charts.DecisionTable;
-import dev.carom.bench.charts.DecisionTable.Cell;
 import dev.carom.bench.charts.Dot;
 import dev.carom.bench.charts.WorkPrecisionChart;
 import dev.carom.bench.charts.WorkPrecisionChart.Work;
@@ -15,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** Single questions: how long an answer takes, how wrong its time is, how often it is wrong. */
+/** Single questions: how long an answer takes, and how wrong its time is. */
 final class QueryFigures {
 
   /** In ulps: ten times the time itself. Beyond it there is nothing to compare. */
@@ -31,9 +29,6 @@ final class QueryFigures {
     List<Figure> figures = new ArrayList<>();
     if (!results.scenes(Metrics.QUERY_TIME).isEmpty()) {
       figures.add(queries());
-    }
-    if (!results.scenes(Metrics.DECISIONS).isEmpty()) {
-      figures.add(decisions());
     }
     return figures;
   }
@@ -51,7 +46,7 @@ final class QueryFigures {
         dots.add(dot);
         table.row(
             Metrics.queryClass(scene),
-            setting.toString(),
+            Metrics.fullName(setting),
             time(scene, setting).map(ReportNumbers::spread).orElse("not measured"),
             ReportNumbers.error(results.value(scene, setting, Metrics.TIME_ERROR, "max")),
             ReportNumbers.error(results.value(scene, setting, Metrics.TIME_ERROR, "median")));
@@ -72,14 +67,20 @@ final class QueryFigures {
             + " A time that is wrong by over ten times itself counts as failed.";
     WorkPrecisionChart chart =
         new WorkPrecisionChart(
-            title,
-            "Time of a query against the error of the time of impact, a panel for each class of queries.",
+            "Time of a query against the worst error of the time of impact.",
             Settings.marks(results),
             List.of("worst error of the time of impact, in ulps", "time of a query"),
             Work.TIME,
             Double.NaN,
             panels);
-    return new Figure("queries", "Single questions", caption, chart::picture, table.build());
+    return new Figure(
+        "queries",
+        "Single questions",
+        title,
+        "Time of a question against the error of the time of impact, a panel for each class.",
+        caption,
+        chart.small(),
+        table.build());
   }
 
   private static String tallies(Map<String, List<Dot>> panels) {
@@ -131,57 +132,5 @@ final class QueryFigures {
         .filter(d -> d.error() < ours.get().error())
         .map(d -> (d.method() + " " + d.knob()).strip() + " (" + Metrics.queryClass(scene) + ")")
         .toList();
-  }
-
-  private Figure decisions() {
-    List<String> scenes = results.scenes(Metrics.DECISIONS);
-    List<Setting> settings =
-        Settings.sorted(
-            scenes.stream()
-                .flatMap(scene -> results.settings(scene, Metrics.DECISIONS).stream())
-                .distinct()
-                .toList());
-    Cell[][] cells = new Cell[settings.size()][scenes.size()];
-    ReportTable.Builder table =
-        new ReportTable.Builder("class", "setting", "missed", "false hits", "wrong");
-    for (int k = 0; k < scenes.size(); k++) {
-      for (int i = 0; i < settings.size(); i++) {
-        Cell cell = cell(scenes.get(k), settings.get(i));
-        cells[i][k] = cell;
-        table.row(
-            Metrics.queryClass(scenes.get(k)),
-            settings.get(i).toString(),
-            ReportNumbers.count(cell.missed()),
-            ReportNumbers.count(cell.invented()),
-            Double.isNaN(cell.total())
-                ? "not asked"
-                : ReportNumbers.failures(cell.missed() + cell.invented(), cell.total()));
-      }
-    }
-    String sentence = Verdict.of(results).get(0);
-    DecisionTable chart =
-        new DecisionTable(
-            sentence,
-            "Missed hits | false hits, in exact counts. 0 of n stands with the share that it proves, below 3/n at 95 %.",
-            settings.stream().map(Metrics::shortName).toList(),
-            scenes.stream().map(Metrics::queryClass).toList(),
-            cells);
-    return new Figure(
-        "decisions",
-        "Right and wrong answers",
-        "Wrong answers by method and class of queries. " + sentence,
-        chart::picture,
-        table.build());
-  }
-
-  private Cell cell(String scene, Setting setting) {
-    return new Cell(
-        number(scene, setting, Metrics.MISSED),
-        number(scene, setting, Metrics.INVENTED),
-        number(scene, setting, Metrics.DECISIONS));
-  }
-
-  private double number(String scene, Setting setting, String metric) {
-    return results.only(scene, setting, metric).map(Spread::middle).orElse(Double.NaN);
   }
 }

@@ -35,7 +35,7 @@ public final class Ratios {
                 .filter(setting -> !setting.equals(Metrics.CAROM))
                 .toList());
     for (Setting setting : settings) {
-      List<String> cells = new ArrayList<>(List.of(setting.toString()));
+      List<String> cells = new ArrayList<>(List.of(Metrics.fullName(setting)));
       scenes.forEach(scene -> cells.add(ratio(results, scene, setting)));
       table.row(cells);
     }

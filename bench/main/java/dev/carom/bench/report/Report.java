@@ -27,6 +27,9 @@ public final class Report {
   /** The page. */
   public static final String PAGE = "report.html";
 
+  /** The first screen of the page, for where a folder of results is shown. */
+  static final String README = "README.md";
+
   /** What is printed, too. */
   private static final String SUMMARY = "verdict.txt";
 
@@ -68,6 +71,7 @@ public final class Report {
     WholeFile.write(dir.resolve(SUMMARY), summary(results));
     List<Figure> figures = figures(results);
     WholeFile.write(dir.resolve(PAGE), Page.of(results, figures));
+    WholeFile.write(dir.resolve(README), ResultsReadme.of(results, figures));
     for (Figure figure : figures) {
       writePictures(figure, dir);
     }
@@ -95,6 +99,7 @@ public final class Report {
     List<Figure> figures = new ArrayList<>();
     figures.addAll(new WorkFigures(results).figures());
     figures.addAll(new QueryFigures(results).figures());
+    figures.addAll(new FeatureFigures(results).figures());
     figures.addAll(new DriftFigures(results).figures());
     figures.addAll(new StabilityFigures(results).figures());
     figures.addAll(new FrameTimeFigures(results).figures());

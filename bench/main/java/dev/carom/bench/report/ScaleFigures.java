@@ -48,8 +48,7 @@ public final class ScaleFigures {
         List<Curve> curves = times.curves(model, per);
         if (!curves.isEmpty()) {
           panels.put(
-              model.words() + ": time of " + per.words,
-              curves.stream().map(ScaleFigures::unset).toList());
+              model.title() + ": " + per.words, curves.stream().map(ScaleFigures::unset).toList());
         }
       }
     }
@@ -57,17 +56,21 @@ public final class ScaleFigures {
     String band = forks > 1 ? "5 to 95 % over " + forks + " forks" : "all rounds";
     ScaleChart chart =
         new ScaleChart(
-            "Time against the number of circles",
-            "Equal density in all scenes. Line: median; band: %s. A crossed ring: one frame took longer than %s."
-                .formatted(band, ReportNumbers.time(limit)),
-            Settings.marks(results),
-            panels,
-            limit);
+            "Time against the number of circles.", Settings.marks(results), panels, limit);
     String caption =
         "Time of a frame, of an impact and of a circle against the number of circles, by each method up to where one frame takes longer than %s. "
                 .formatted(ReportNumbers.time(limit))
             + String.join(" ", told());
-    return List.of(new Figure("scale", "Many circles", caption.strip(), chart::picture, table()));
+    return List.of(
+        new Figure(
+            "scale",
+            "Many circles",
+            growth.title(),
+            "Equal density in all scenes. Line: median; band: %s. A crossed ring: one frame took longer than %s, and larger scenes were not played."
+                .formatted(band, ReportNumbers.time(limit)),
+            caption.strip(),
+            chart.panels(),
+            table()));
   }
 
   /** Each method stands there in one setting: it needs no name. */

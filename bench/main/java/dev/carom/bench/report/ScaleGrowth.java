@@ -81,6 +81,27 @@ final class ScaleGrowth {
                     results.value(scene, Metrics.CAROM, Scale.MEMORY, "line")));
   }
 
+  /** How far carom goes in each model. */
+  String title() {
+    List<String> ours = new ArrayList<>();
+    for (Model model : Model.values()) {
+      for (Curve curve : times.curves(model, Per.FRAME)) {
+        int last = curve.last();
+        if (curve.method().equals(Metrics.OURS) && last >= 0) {
+          ours.add(
+              "%s of %s that %s"
+                  .formatted(
+                      ReportNumbers.time(curve.middle()[last]),
+                      ReportNumbers.count(curve.x()[last]),
+                      model == Model.GAS ? "collide" : "do not"));
+        }
+      }
+    }
+    return ours.isEmpty()
+        ? "Time against the number of circles"
+        : "A frame of carom takes " + String.join(", ", ours);
+  }
+
   /** Of carom in each model, and who took too long where. */
   String verdict() {
     List<String> models = new ArrayList<>();

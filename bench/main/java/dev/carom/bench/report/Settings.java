@@ -57,7 +57,7 @@ final class Settings {
 
   /** Marks that do not depend on the order of the rows. */
   static Marks marks(Results results) {
-    return new Marks(results.methods().stream().sorted().toList());
+    return new Marks(results.methods().stream().sorted().toList(), Glossary::name);
   }
 
   private static double number(Setting setting) {

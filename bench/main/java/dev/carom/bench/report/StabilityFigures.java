@@ -2,8 +2,9 @@
 package dev.carom.bench.report;
 
 import dev.carom.bench.charts.FailureMapChart;
-import dev.carom.bench.charts.FailureMapChart.Panel;
+import dev.carom.bench.charts.FailureMapChart.Board;
 import dev.carom.bench.charts.FailureMapChart.Side;
+import dev.carom.bench.charts.Panel;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.stability.Axis;
@@ -51,8 +52,8 @@ public final class StabilityFigures {
     List<CellLimit> limits = limits(map);
     FailureMapChart chart =
         new FailureMapChart(
-            words.title(),
-            map.run() + " " + judged(limits) + words.absent(),
+            words.caption(map.heading()),
+            Settings.marks(results),
             side(map, map.x(), Survey.X),
             side(map, map.y(), Survey.Y),
             legend(limits),
@@ -61,8 +62,10 @@ public final class StabilityFigures {
     return new Figure(
         "fails-" + map.name(),
         "Where methods fail: " + map.heading(),
+        new MapFailure(map, tallies, ofMap(map, Survey.X)).title() + words.title(),
+        map.run() + " " + judged(limits) + words.absent(),
         words.caption(map.heading()),
-        chart::picture,
+        List.of(new Panel("", chart.picture())),
         StabilityWords.table(tallies));
   }
 
@@ -101,12 +104,12 @@ public final class StabilityFigures {
     return new Side(axis.label(), ofMap(map, metric).stream().map(axis.text()::apply).toList());
   }
 
-  private static Panel panel(MapTally tally) {
+  private static Board panel(MapTally tally) {
     Setting setting = tally.setting();
-    return new Panel(
+    return new Board(
         setting.method(),
         Metrics.shortKnob(setting),
-        "right " + StabilityWords.share(tally.count(CellOutcome.RIGHT), tally.outcomes().size()),
+        StabilityWords.share(tally.count(CellOutcome.RIGHT), tally.outcomes().size()),
         tally.outcomes().stream().map(CellOutcome::ordinal).toList());
   }
 

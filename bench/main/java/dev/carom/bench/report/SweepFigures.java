@@ -63,8 +63,7 @@ public final class SweepFigures {
     String title = title();
     SweepChart chart =
         new SweepChart(
-            title,
-            "100 circles of radius 10 among 100 lines, one of these numbers varied. Line: mean; band: from the fastest to the slowest of 600 frames.",
+            "Time of a frame against circles, radius, lines and impacts.",
             Settings.marks(results),
             panels,
             1e6 * Budget.MILLIS,
@@ -75,7 +74,14 @@ public final class SweepFigures {
             + ". "
             + String.join(" ", growth());
     return List.of(
-        new Figure("sweep", "The published experiment", caption, chart::picture, table()));
+        new Figure(
+            "sweep",
+            "The published experiment",
+            title,
+            "100 circles of radius 10 among 100 lines, one of these numbers varied. Line: mean; band: from the fastest to the slowest of 600 frames.",
+            caption,
+            chart.panels(),
+            table()));
   }
 
   /**
@@ -111,7 +117,7 @@ public final class SweepFigures {
       full.put(curve.method(), curve.middle()[last]);
     }
     return full.entrySet().stream()
-            .map(e -> e.getKey() + " " + ReportNumbers.time(e.getValue()))
+            .map(e -> Glossary.name(e.getKey()) + ": " + ReportNumbers.time(e.getValue()))
             .collect(Collectors.joining(", "))
         + " a frame with the most circles; published: "
         + ReportNumbers.time(1e9 / Budget.PUBLISHED_FPS);

@@ -63,7 +63,11 @@ public final class Verdict {
     if (next.isEmpty()) {
       return all + ".";
     }
-    String other = next.get().setting + ", with " + ReportNumbers.count(next.get().wrong) + ".";
+    String other =
+        Metrics.fullName(next.get().setting)
+            + ", with "
+            + ReportNumbers.count(next.get().wrong)
+            + ".";
     if (next.get().wrong == carom.wrong) {
       return all + "; as many has " + other;
     }
@@ -112,7 +116,7 @@ public final class Verdict {
       return all + "; all others failed in one of them.";
     }
     double theirs = worstError(scenes, next.get());
-    String other = next.get() + ", with " + ReportNumbers.error(theirs) + ".";
+    String other = Metrics.fullName(next.get()) + ", with " + ReportNumbers.error(theirs) + ".";
     if (theirs == ours) {
       return all + "; as accurate is " + other;
     }
@@ -180,10 +184,10 @@ public final class Verdict {
       Standing carom = ours.get();
       all.stream()
           .filter(s -> s.beats(carom))
-          .forEach(s -> beaten.add(s.setting() + " in " + scene));
+          .forEach(s -> beaten.add(Metrics.fullName(s.setting()) + " in " + scene));
       all.stream()
           .filter(s -> !s.equals(carom) && s.isLevelWith(carom) && s.isMoreAccurateThan(carom))
-          .forEach(s -> level.add(s.setting() + " in " + scene));
+          .forEach(s -> level.add(Metrics.fullName(s.setting()) + " in " + scene));
       alone += all.stream().allMatch(s -> s.equals(carom) || carom.beats(s)) ? 1 : 0;
     }
     if (scenes == 0) {

@@ -3,6 +3,8 @@ package dev.carom.bench.report;
 
 import dev.carom.bench.charts.Dot;
 import dev.carom.bench.charts.Marks;
+import dev.carom.bench.charts.Panel;
+import dev.carom.bench.charts.Picture;
 import dev.carom.bench.charts.WorkPrecisionChart;
 import dev.carom.bench.charts.WorkPrecisionChart.Work;
 import dev.carom.bench.replay.Budget;
@@ -10,14 +12,14 @@ import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Setting;
 import dev.carom.bench.results.Spread;
 import java.util.ArrayList;
-import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 
-/** Charts of work against precision, two a scene: time, and pair tests. */
+/** Charts of work against precision: a large one, and small ones of the other scenes. */
 final class WorkFigures {
 
   private static final String ERROR = "worst error of one frame, in radii";
@@ -30,18 +32,98 @@ final class WorkFigures {
     marks = Settings.marks(results);
   }
 
+  /** The large one of the first scene, then one of all others, and of the pair tests. */
   List<Figure> figures() {
+    List<String> timed =
+        results.scenes(Metrics.FRAME_ERROR).stream()
+            .filter(scene -> standings(scene).stream().anyMatch(s -> !s.time().failed()))
+            .toList();
     List<Figure> figures = new ArrayList<>();
-    for (String scene : results.scenes(Metrics.FRAME_ERROR)) {
-      List<Standing> all = standings(scene);
-      if (all.stream().anyMatch(s -> !s.time().failed())) {
-        figures.add(time(scene, all));
-      }
-      if (results.scenes(Metrics.PAIR_TESTS).contains(scene)) {
-        figures.add(tests(scene, all));
-      }
+    timed.stream().limit(1).map(this::large).forEach(figures::add);
+    List<Panel> panels = new ArrayList<>(others(timed));
+    List<String> counted =
+        results.scenes(Metrics.PAIR_TESTS).stream()
+            .filter(results.scenes(Metrics.FRAME_ERROR)::contains)
+            .limit(1)
+            .toList();
+    counted.forEach(scene -> panels.add(tests(scene)));
+    if (!panels.isEmpty()) {
+      figures.add(multiples(panels, timed));
     }
     return figures;
+  }
+
+  private Figure large(String scene) {
+    List<Standing> all = standings(scene);
+    WorkPrecisionChart chart = chart(Map.of("", timeDots(all)), caption(scene, all), Work.TIME);
+    int forks = all.stream().mapToInt(s -> s.time().forks()).max().orElse(1);
+    return new Figure(
+        "work-" + scene,
+        "Speed against accuracy",
+        title(scene, all),
+        "Scene %s. Left and below is better. Whiskers upright: 5 to 95 %% over %d virtual machines; to the left: down to the 99.9th percentile of errors. Hollow: an engine at its defaults. Dotted: what nothing beats in both. Crossed rings failed."
+            .formatted(scene, forks),
+        caption(scene, all),
+        List.of(new Panel("", chart.large(Picture.WIDE))),
+        Optional.of(chart.large(Picture.PANEL)),
+        table(List.of(scene)));
+  }
+
+  private WorkPrecisionChart chart(Map<String, List<Dot>> panels, String caption, Work work) {
+    boolean time = work == Work.TIME;
+    return new WorkPrecisionChart(
+        caption,
+        marks,
+        List.of(ERROR, time ? "time of a frame" : "pair tests in a frame"),
+        work,
+        time ? 1e6 * Budget.MILLIS : Double.NaN,
+        panels);
+  }
+
+  private List<Panel> others(List<String> timed) {
+    Map<String, List<Dot>> panels = new LinkedHashMap<>();
+    timed.stream()
+        .skip(1)
+        .forEach(scene -> panels.put(Scenes.words(scene), timeDots(standings(scene))));
+    return panels.isEmpty()
+        ? List.of()
+        : chart(panels, "Time of a frame against the worst error of one frame.", Work.TIME).small();
+  }
+
+  private List<Dot> timeDots(List<Standing> all) {
+    return all.stream()
+        .map(s -> dot(s, s.time().low(), s.time().middle(), s.time().high()))
+        .toList();
+  }
+
+  private Figure multiples(List<Panel> panels, List<String> timed) {
+    List<String> scenes = timed.stream().skip(1).toList();
+    List<String> beaten =
+        scenes.stream()
+            .flatMap(
+                scene -> {
+                  List<Standing> all = standings(scene);
+                  return Standing.ours(all).stream()
+                      .flatMap(ours -> all.stream().filter(s -> s.beats(ours)))
+                      .map(s -> name(s) + " in " + scene);
+                })
+            .toList();
+    String title =
+        beaten.isEmpty()
+            ? "In the other scenes, too, nothing measured is both faster and more accurate"
+            : "Both faster and more accurate than carom: " + String.join(", ", beaten);
+    String caption =
+        scenes.stream()
+            .map(scene -> "Scene %s: %s".formatted(scene, caption(scene, standings(scene))))
+            .collect(Collectors.joining(" "));
+    return new Figure(
+        "work",
+        "Speed against accuracy in other scenes",
+        title,
+        "Axes and marks as above. The last panel has a count of work in place of the time: how often a circle and an obstacle are looked at together, which no machine changes. An engine does not tell it.",
+        ("Time of a frame against the worst error of one frame. " + caption).strip(),
+        panels,
+        table(scenes));
   }
 
   private List<Standing> standings(String scene) {
@@ -54,33 +136,7 @@ final class WorkFigures {
         .toList();
   }
 
-  private Figure time(String scene, List<Standing> all) {
-    List<Dot> dots =
-        all.stream().map(s -> dot(s, s.time().low(), s.time().middle(), s.time().high())).toList();
-    int forks = all.stream().mapToInt(s -> s.time().forks()).max().orElse(1);
-    String subtitle =
-        "Scene %s. Left and below is better. Whiskers: 5 to 95 %% over %d forks. Hollow: a peer at its defaults. Dotted: what nothing beats in both."
-            .formatted(scene, forks);
-    WorkPrecisionChart chart =
-        new WorkPrecisionChart(
-            title(scene, all),
-            subtitle,
-            marks,
-            List.of(ERROR, "time of a frame"),
-            Work.TIME,
-            1e6 * Budget.MILLIS,
-            Map.of("", dots));
-    String caption =
-        "Time of a frame against the worst error of one frame. " + caption(all) + peers(all);
-    return new Figure(
-        "work-" + scene,
-        "Speed against accuracy: " + scene,
-        caption,
-        chart::picture,
-        table(scene, all));
-  }
-
-  private static Dot dot(Standing s, double low, double work, double high) {
+  private Dot dot(Standing s, double low, double work, double high) {
     return new Dot(
         s.setting().method(),
         Metrics.shortKnob(s.setting()),
@@ -88,7 +144,8 @@ final class WorkFigures {
         low,
         work,
         high,
-        Metrics.isDefault(s.setting()));
+        Metrics.isDefault(s.setting()),
+        s.usual());
   }
 
   private static String title(String scene, List<Standing> all) {
@@ -102,8 +159,10 @@ final class WorkFigures {
         : "Both faster and more accurate than carom: " + names(beat);
   }
 
-  private static String caption(List<Standing> all) {
-    StringBuilder text = new StringBuilder();
+  private static String caption(String scene, List<Standing> all) {
+    StringBuilder text =
+        new StringBuilder(
+            "Time of a frame against the worst error of one frame in %s. ".formatted(scene));
     Standing.ours(all)
         .ifPresent(
             ours -> {
@@ -121,7 +180,7 @@ final class WorkFigures {
                   s -> !s.equals(ours) && s.isLevelWith(ours));
             });
     tell(text, "Failed", all, Standing::failed);
-    return text.toString().strip();
+    return text.append(peers(all)).toString().strip();
   }
 
   private static void tell(
@@ -144,21 +203,30 @@ final class WorkFigures {
     return Metrics.shortName(s.setting());
   }
 
-  /** What stands for a peer at its best: the whole setting. */
+  /** The whole setting of a tuned peer, and whether it errs more than at its defaults. */
   private static String peers(List<Standing> all) {
-    String peers =
+    String tuned =
         all.stream()
-            .map(Standing::setting)
-            .filter(setting -> Metrics.shortKnob(setting).equals("best"))
-            .map(setting -> setting.method() + ": " + setting.value())
+            .filter(s -> Metrics.shortKnob(s.setting()).equals("tuned"))
+            .map(s -> name(s) + ": " + s.setting().value() + errsMore(s, all))
             .collect(Collectors.joining("; "));
-    return peers.isEmpty() ? "" : " Peers at their best: " + peers + ".";
+    return tuned.isEmpty() ? "" : "Engines: " + tuned + ".";
   }
 
-  private ReportTable table(String scene, List<Standing> all) {
+  private static String errsMore(Standing tuned, List<Standing> all) {
+    return all.stream()
+            .filter(s -> s.setting().method().equals(tuned.setting().method()))
+            .filter(s -> Metrics.isDefault(s.setting()))
+            .anyMatch(s -> s.isMoreAccurateThan(tuned))
+        ? " (in this scene its worst error is greater than at its defaults)"
+        : "";
+  }
+
+  private ReportTable table(List<String> scenes) {
     ReportTable.Builder table =
         new ReportTable.Builder(
             "setting",
+            "scene",
             "time of a frame",
             "worst frame",
             "error: worst",
@@ -174,26 +242,31 @@ final class WorkFigures {
             "penetration",
             "energy",
             "reversal");
-    for (Standing s : all) {
-      table.row(
-          s.setting().toString(),
-          ReportNumbers.spread(s.time()),
-          ReportNumbers.time(results.value(scene, s.setting(), Metrics.FRAME_TIME, "worst")),
-          ReportNumbers.error(s.error()),
-          stat(scene, s, Metrics.FRAME_ERROR, "p99.9"),
-          stat(scene, s, Metrics.FRAME_ERROR, "median"),
-          only(scene, s, Metrics.PAIR_TESTS),
-          only(scene, s, "roots"),
-          only(scene, s, "fallbacks"),
-          only(scene, s, "impacts"),
-          only(scene, s, "tunnelled"),
-          only(scene, s, "escaped"),
-          only(scene, s, "outside_at_end"),
-          stat(scene, s, "penetration", "max"),
-          stat(scene, s, "energy_drift", "max"),
-          stat(scene, s, "reversal_error", "max"));
+    for (String scene : scenes) {
+      standings(scene).forEach(s -> row(table, scene, s));
     }
     return table.build();
+  }
+
+  private void row(ReportTable.Builder table, String scene, Standing s) {
+    table.row(
+        Metrics.fullName(s.setting()),
+        scene,
+        ReportNumbers.spread(s.time()),
+        ReportNumbers.time(results.value(scene, s.setting(), Metrics.FRAME_TIME, "worst")),
+        ReportNumbers.error(s.error()),
+        stat(scene, s, Metrics.FRAME_ERROR, "p99.9"),
+        stat(scene, s, Metrics.FRAME_ERROR, "median"),
+        only(scene, s, Metrics.PAIR_TESTS),
+        only(scene, s, "roots"),
+        only(scene, s, "fallbacks"),
+        only(scene, s, "impacts"),
+        only(scene, s, "tunnelled"),
+        only(scene, s, "escaped"),
+        only(scene, s, "outside_at_end"),
+        stat(scene, s, "penetration", "max"),
+        stat(scene, s, "energy_drift", "max"),
+        stat(scene, s, "reversal_error", "max"));
   }
 
   private String stat(String scene, Standing s, String metric, String stat) {
@@ -210,64 +283,22 @@ final class WorkFigures {
         .orElse("");
   }
 
-  /** What has no count of pair tests, as a peer that does not tell, is not drawn but named. */
-  private Figure tests(String scene, List<Standing> all) {
+  /** What has no count of pair tests, as a peer that does not tell, is not drawn. */
+  private Panel tests(String scene) {
     List<Dot> dots = new ArrayList<>();
-    List<String> silent = new ArrayList<>();
-    for (Standing s : all) {
+    for (Standing s : standings(scene)) {
       double tests =
           results
               .only(scene, s.setting(), Metrics.PAIR_TESTS)
               .map(Spread::middle)
               .orElse(Double.NaN);
-      if (Double.isNaN(tests)) {
-        silent.add(name(s));
-      } else {
+      if (!Double.isNaN(tests)) {
         dots.add(dot(s, tests, tests, tests));
       }
     }
-    String quiet = silent.isEmpty() ? "" : " No count from: " + String.join(", ", silent) + ".";
-    WorkPrecisionChart chart =
-        new WorkPrecisionChart(
-            "Accuracy, and work that does not depend on the machine",
-            "Scene " + scene + ". How often a circle and an obstacle are looked at in a frame.",
-            marks,
-            List.of(ERROR, "pair tests in a frame"),
-            Work.COUNT,
-            Double.NaN,
-            Map.of("", dots));
-    ReportTable.Builder table =
-        new ReportTable.Builder("setting", "error: worst", "pair tests in a frame");
-    for (Dot dot : dots) {
-      table.row(
-          (dot.method() + " " + dot.knob()).strip(),
-          ReportNumbers.error(dot.error()),
-          ReportNumbers.ratio(dot.work()));
-    }
-    String caption =
-        "Pair tests in a frame against the worst error of one frame. "
-            + dots.stream()
-                .filter(d -> d.method().equals(Metrics.OURS))
-                .map(d -> "Carom: " + ReportNumbers.ratio(d.work()) + " pair tests. ")
-                .collect(Collectors.joining())
-            + fewest(dots)
-            + quiet;
-    return new Figure(
-        "tests-" + scene,
-        "Work against accuracy: " + scene,
-        caption,
-        chart::picture,
-        table.build());
-  }
-
-  private static String fewest(List<Dot> dots) {
-    return dots.stream()
-        .min(Comparator.comparingDouble(Dot::work))
-        .map(
-            d ->
-                "Fewest: %s, with %s."
-                    .formatted(
-                        (d.method() + " " + d.knob()).strip(), ReportNumbers.ratio(d.work())))
-        .orElse("");
+    Map<String, List<Dot>> panel = Map.of(scene + ": work in place of time", dots);
+    return chart(panel, "Pair tests in a frame against the worst error of one frame.", Work.COUNT)
+        .small()
+        .get(0);
   }
 }

@@ -52,6 +52,15 @@ public record ScalePlan(
     }
 
     /**
+     * What it is, in a title.
+     *
+     * @return a few words
+     */
+    public String title() {
+      return this == GAS ? "Colliding circles" : "Circles among lines";
+    }
+
+    /**
      * What it is.
      *
      * @return the words

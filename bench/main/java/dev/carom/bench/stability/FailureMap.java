@@ -69,6 +69,15 @@ public record FailureMap(String name, String heading, String run, Axis x, Axis y
     return cell(row * x.values().length + column).truth();
   }
 
+  /**
+   * What its scenes look like.
+   *
+   * @return the scene of a cell in the middle
+   */
+  public Scene example() {
+    return maker.at(x.values()[x.values().length / 2], y.values()[y.values().length / 2]).scene();
+  }
+
   /** How many cells it has. */
   int size() {
     return x.values().length * y.values().length;

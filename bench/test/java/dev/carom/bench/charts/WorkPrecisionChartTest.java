@@ -7,6 +7,7 @@ import dev.carom.bench.charts.WorkPrecisionChart.Work;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
 class WorkPrecisionChartTest {
@@ -18,16 +19,12 @@ class WorkPrecisionChartTest {
   }
 
   private static String svg(double budget, Map<String, List<Dot>> panels) {
+    return chart(budget, panels).large(Picture.WIDE).svg("d");
+  }
+
+  private static WorkPrecisionChart chart(double budget, Map<String, List<Dot>> panels) {
     return new WorkPrecisionChart(
-            "A title",
-            "what is shown",
-            new Marks(METHODS),
-            List.of("error", "time"),
-            Work.TIME,
-            budget,
-            panels)
-        .picture(Picture.WIDE)
-        .svg("d");
+        "what is shown", new Marks(METHODS), List.of("error", "time"), Work.TIME, budget, panels);
   }
 
   private static String svg(Dot... dots) {
@@ -98,9 +95,46 @@ class WorkPrecisionChartTest {
     Map<String, List<Dot>> panels = new LinkedHashMap<>();
     panels.put("grazing", List.of(dot("carom", "", 1e-15, 1000)));
     panels.put("head-on", List.of(dot("carom", "", 1e-3, 5e6)));
-    String svg = svg(Double.NaN, panels);
-    assertThat(svg).contains(">grazing<", ">head-on<");
-    assertThat(svg.split(">10 ms<", -1)).hasSize(3);
+    List<Panel> small = chart(Double.NaN, panels).small();
+    assertThat(small).extracting(Panel::title).containsExactly("grazing", "head-on");
+    assertThat(small).allMatch(panel -> panel.picture().svg("d").contains(">10 ms<"));
+  }
+
+  @Test
+  void failuresAtOneHeightStandSideBySide() {
+    String svg =
+        svg(
+            dot("carom", "", 1e-15, 1000),
+            dot("overlap", "", Double.NaN, 900),
+            dot("peer", "best", Double.NaN, 900),
+            dot("substeps", "2", Double.NaN, 900));
+    List<String> rings =
+        Pattern.compile("<ellipse cx='([^']*)'|<circle cx='([^']*)'")
+            .matcher(svg)
+            .results()
+            .map(match -> match.group())
+            .toList();
+    assertThat(rings.stream().distinct().count()).isEqualTo(3);
+  }
+
+  /** From the error that few are above to the worst one. */
+  @Test
+  void aTailGoesFromTheUsualErrorToTheWorst() {
+    Dot bare = new Dot("peer", "", 1e-3, 900, 1000, 1100, false);
+    Dot tailed = new Dot("peer", "", 1e-3, 900, 1000, 1100, false, 1e-6);
+    assertThat(svg(tailed).split("<line", -1).length)
+        .isEqualTo(svg(bare).split("<line", -1).length + 2);
+  }
+
+  @Test
+  void aMarkTellsItsValuesOnHover() {
+    assertThat(svg(dot("peer", "best", 0.25, 1500))).contains("<title>peer best: 1.5 µs, 0.25<");
+  }
+
+  @Test
+  void textsAreAsLongAsTheyWereLaidOut() {
+    assertThat(svg(dot("peer", "best", 0.25, 1500)))
+        .containsPattern("<text textLength='[0-9.]+' [^>]*>peer best<");
   }
 
   @Test

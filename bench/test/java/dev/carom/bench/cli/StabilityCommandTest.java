@@ -21,8 +21,8 @@ class StabilityCommandTest {
     assertThat(run.exitCode()).isZero();
     assertThat(run.out())
         .startsWith("Where methods fail: ratio of two masses and restitution")
-        .containsPattern("carom +100 % +0 % +0 % +0 % +0 % +0 % +0 of 25 .below 12 % at 95 %.")
-        .containsPattern("poster +- +- +- +- +- +- +cannot play such scenes")
+        .containsPattern("Carom +100 % +0 % +0 % +0 % +0 % +0 % +0 of 25 .below 12 % at 95 %.")
+        .containsPattern("published 2010 +- +- +- +- +- +- +cannot play such scenes")
         .containsPattern("dyn4j defaults +0 %")
         .contains("Wrong cells of carom, by ratio of two masses");
     assertThat(folder.resolve("new/fails-mass.png")).isNotEmptyFile();

@@ -3,6 +3,7 @@ package dev.carom.bench.report;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.bench.charts.Panel;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -31,14 +32,14 @@ class FiguresOfReportTest {
     String caption = figure(Sample.complete(), "work-base-1").caption();
     assertThat(caption)
         .contains("Carom: 1.04 µs, 3.0e-16 radii. Faster than carom: none.")
-        .contains("Failed: overlap (1.56 µs)")
-        .endsWith("Peers at their best: dyn4j: continuous, 10+ px/m.");
+        .contains("Failed: overlap test (1.56 µs)")
+        .contains("Engines: dyn4j tuned: continuous, 10+ px/m; Box2D tuned: tuned.");
     Sample sample = Sample.complete().frames("base-1", "peer", "", 500, 0.1, 1);
-    sample.frames("base-1", "exact", "", 1010, 0, 1);
+    sample.frames("base-1", "flawless", "", 1010, 0, 1);
     assertThat(figure(sample, "work-base-1").caption())
         .contains("Faster than carom: peer (520 ns, 0.1 radii).")
-        .contains("More accurate than carom: exact (1.05 µs, 0 radii).")
-        .contains("Not told apart from it in time: exact (1.05 µs, 0 radii).");
+        .contains("More accurate than carom: flawless (1.05 µs, 0 radii).")
+        .contains("Not told apart from it in time: flawless (1.05 µs, 0 radii).");
   }
 
   @Test
@@ -51,15 +52,25 @@ class FiguresOfReportTest {
   }
 
   @Test
-  void peersStandAtTheirDotsAsDefaultsAndBest() {
+  void peersStandAtTheirDotsAsDefaultsAndTuned() {
     assertThat(svg(figure(Sample.complete(), "work-base-1")))
-        .contains(">dyn4j defaults<", ">dyn4j best<");
+        .contains(">dyn4j defaults<", ">dyn4j tuned<");
   }
 
   @Test
-  void whatDoesNotCountPairTestsIsNamed() {
-    assertThat(figure(Sample.complete(), "tests-base-1").caption())
-        .contains("Fewest: carom, with 12.", "No count from: dyn4j defaults, dyn4j best.");
+  void aTunedPeerThatErrsMoreThanAtItsDefaultsIsNamed() {
+    Sample sample = Sample.complete().frames("base-1", "dyn4j", "setting=worse", 1e5, 0.9, 1);
+    assertThat(figure(sample, "work-base-1").caption())
+        .contains(
+            "dyn4j tuned: worse (in this scene its worst error is greater than at its defaults)")
+        .contains("dyn4j tuned: continuous, 10+ px/m;");
+  }
+
+  @Test
+  void otherScenesAndTheWorkAreSmallMultiples() {
+    assertThat(figure(Sample.complete(), "work").panels())
+        .extracting(Panel::title)
+        .containsExactly("fast-1: ten times as fast, seed 1", "base-1: work in place of time");
   }
 
   @Test
@@ -82,23 +93,23 @@ class FiguresOfReportTest {
     Sample untimed = Sample.complete().without(row -> row.unit().equals("ns"));
     assertThat(Report.figures(untimed.results()))
         .extracting(Figure::id)
-        .containsExactly("tests-base-1", "tests-fast-1", "decisions", "drift-base-1");
+        .containsExactly("work", "drift-base-1");
   }
 
   @Test
   void horizonsAreTold() {
     Figure drift = figure(Sample.complete(), "drift-base-1");
     assertThat(drift.caption())
-        .contains("carom 230, poster 12, the reference started 1 ulp away 236.");
+        .contains("Carom 230, published 2010 12, the reference started 1 ulp away 236.");
     assertThat(svg(drift)).contains("until frame 230; of a start");
   }
 
   @Test
   void framesOverTheBudgetAreCounted() {
-    Figure frames = figure(Sample.complete(), "frames-base-1");
-    assertThat(svg(frames)).contains(">All frames of all methods are within the budget");
+    Figure frames = figure(Sample.complete(), "frames");
+    assertThat(svg(frames)).contains(">No frame of any method exceeds the budget");
     assertThat(frames.table().rows().get(0))
-        .startsWith("carom", "60")
+        .startsWith("Carom", "base-1", "60")
         .endsWith("0 of 60 (below 5 % at 95 %)");
   }
 

@@ -39,6 +39,8 @@ final class Sample {
       sample.frames(scene, "poster", "", 66_000, 0.9, 10_000);
       sample.frames(scene, "textbook-double", "", 52_000, 4e-13, 10_000);
       sample.frames(scene, "overlap", "", 1500, Double.NaN, 9_000);
+      sample.frames(scene, "exact", "", 1_560, 4e-16, 24);
+      sample.frames(scene, "gdx-box2d", "setting=tuned", 40_000, 0.2, Double.NaN);
       for (int k = 2; k <= 256; k *= 4) {
         sample.frames(scene, "substeps", "k=" + k, 1400.0 * k, 0.8 / k, 9_000.0 * k);
       }

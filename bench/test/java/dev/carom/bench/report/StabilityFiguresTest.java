@@ -50,8 +50,8 @@ class StabilityFiguresTest {
     assertThat(figure().caption())
         .isEqualTo(
             "Wrong cells of carom, by gap between two lines and speed: 0 of 6 (below 50 % at 95 %);"
-                + " of all 6 cells it is right in 100 %, of the others poster in most, 100 %, and"
-                + " overlap in fewest, 83.3 %.");
+                + " of all 6 cells it is right in 100 %, of the others published 2010 in most, 100 %, and"
+                + " overlap test in fewest, 83.3 %.");
     assertThat(figure().picture().title()).startsWith("Carom is right in all 6 cells. An elastic");
     assertThat(figure().id()).isEqualTo("fails-gap");
   }
@@ -94,12 +94,12 @@ class StabilityFiguresTest {
     outcomes("overlap", CellOutcome.NO_ANSWER);
     rows.add(new Row("stability:gap", "overlap", "", "failure", "why", Double.NaN, "1", 1, -1));
 
-    assertThat(figure().caption()).endsWith("; such scenes cannot be played by overlap.");
+    assertThat(figure().caption()).endsWith("; such scenes cannot be played by overlap test.");
     assertThat(figure().picture().title())
-        .endsWith(" Without a panel, since they cannot play such scenes: overlap.");
-    assertThat(svg()).contains(">carom<").doesNotContain(">overlap<");
+        .endsWith(" Without a panel, since they cannot play such scenes: overlap test.");
+    assertThat(svg()).contains(">Carom<").doesNotContain(">overlap test<");
     assertThat(figure().table().rows().get(1))
-        .containsExactly("overlap", "-", "-", "-", "-", "-", "-", "cannot play such scenes");
+        .containsExactly("overlap test", "-", "-", "-", "-", "-", "-", "cannot play such scenes");
   }
 
   @Test
@@ -119,7 +119,7 @@ class StabilityFiguresTest {
             "wrong within the limits");
     assertThat(figure().table().rows())
         .containsExactly(
-            List.of("carom", "16.7 %", "16.7 %", "16.7 %", "16.7 %", "16.7 %", "16.7 %", "5 of 6"));
+            List.of("Carom", "16.7 %", "16.7 %", "16.7 %", "16.7 %", "16.7 %", "16.7 %", "5 of 6"));
   }
 
   /** Signs tell classes apart on grey paper; and neighbours of one class share a rectangle. */

@@ -17,9 +17,9 @@ class VerdictTest {
     assertThat(verdict(Sample.complete()))
         .containsExactly(
             "Decisions: wrong answers of carom: 0 of 30,000 (below 0.01 % at 95 %); next is"
-                + " textbook-double, with 99.",
+                + " textbook double, with 99.",
             "Accuracy: in 2 scenes the worst error of one frame of carom is 3.0e-16 radii; next is"
-                + " textbook-double, with 4.0e-13.",
+                + " exact, with 4.0e-16.",
             "Budget: met; the slowest frame of carom in 2 scenes takes 3.12 µs (fast-1, median over"
                 + " forks), 1/5,342 of the 16.67 ms of 60 FPS.",
             "Place: in 2 scenes nothing measured is both faster and more accurate than carom; in 2"

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import dev.carom.Scene;
+import dev.carom.bench.measures.Parts;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
+
+/** What the scenes of the comparison are, in a few words each. */
+final class Scenes {
+
+  private static final Map<String, String> WORDS = new LinkedHashMap<>();
+
+  static {
+    WORDS.put("base-1", "the published experiment, seed 1");
+    WORDS.put("base-1-r5", "the same with small circles");
+    WORDS.put("fast-1", "ten times as fast, seed 1");
+    WORDS.put("radii", "circles of mixed radii");
+    WORDS.put("base-2", "the published experiment, seed 2");
+    WORDS.put("base-3", "the published experiment, seed 3");
+    WORDS.put("gas", "circles that collide, seed 1");
+  }
+
+  private Scenes() {}
+
+  /** Those that are described, in the order of the report. */
+  static List<String> all() {
+    return new ArrayList<>(WORDS.keySet());
+  }
+
+  /** What a scene is; nothing for one that is not known. */
+  static String what(String scene) {
+    return WORDS.getOrDefault(scene, "");
+  }
+
+  /** A name with what it stands for, for a title. */
+  static String words(String scene) {
+    return what(scene).isEmpty() ? scene : scene + ": " + what(scene);
+  }
+
+  /** The cells of a table: circles, lines, size, radius, speed. */
+  static List<String> facts(String name) {
+    Scene scene = Parts.scene(name);
+    int n = scene.circleCount();
+    return List.of(
+        Integer.toString(n),
+        Integer.toString(scene.lineCount()),
+        scene
+            .bounds()
+            .map(b -> number(b.xmax() - b.xmin()) + " x " + number(b.ymax() - b.ymin()))
+            .orElse("none"),
+        range(n, i -> scene.circle(i).radius()),
+        range(n, i -> scene.velocity(i).length()));
+  }
+
+  private static String range(int n, IntToDoubleFunction value) {
+    double least = IntStream.range(0, n).mapToDouble(value).min().orElse(0);
+    double most = IntStream.range(0, n).mapToDouble(value).max().orElse(0);
+    String from = number(least);
+    String to = number(most);
+    return from.equals(to) ? from : from + " to " + to;
+  }
+
+  private static String number(double value) {
+    return ReportNumbers.ratio(Math.round(100 * value) / 100.0);
+  }
+}
