@@ -51,9 +51,7 @@ public final class Parts {
           "closest-point-4096");
 
   private static final int WARM_UP_MILLIS = 800;
-  private static final int QUICK_WARM_UP_MILLIS = 100;
   private static final int QUERY_WARM_UP_MILLIS = 1_500;
-  private static final int QUICK_QUERY_WARM_UP_MILLIS = 150;
 
   private Parts() {}
 
@@ -118,14 +116,12 @@ public final class Parts {
             .map(LineContender::id)
             .filter(id -> !quick || !(BETWEEN.contains(id) || LATER.contains(id)))
             .toList();
-    return new QueryTimePart(fork, ids, quick ? QUICK_QUERY_WARM_UP_MILLIS : QUERY_WARM_UP_MILLIS);
+    return new QueryTimePart(fork, ids, QUERY_WARM_UP_MILLIS);
   }
 
   private static Part frameTimes(
       String scene, List<Contender> contenders, int fork, boolean quick) {
-    return quick
-        ? new TimePart(scene, fork, contenders, 2, QUICK_WARM_UP_MILLIS)
-        : new TimePart(scene, fork, contenders, 3, WARM_UP_MILLIS);
+    return new TimePart(scene, fork, contenders, quick ? 2 : 3, WARM_UP_MILLIS);
   }
 
   /** Every method and peer; of its knob, where there is little time, only some values. */

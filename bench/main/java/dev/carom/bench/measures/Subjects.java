@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.measures;
 
+import dev.carom.Bounds;
+import dev.carom.Circle;
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.Vec2;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.experiment.Gas;
@@ -31,6 +35,9 @@ final class Subjects {
   /** Circles that collide, and nothing else but walls. */
   static final String GAS = "gas";
 
+  private static final double GAS_RADIUS = 10;
+  private static final double GAS_SPEED = 4.3;
+
   private static final String FOLDER = "/dev/carom/bench/scenes/";
   private static final double SMALL_RADIUS = 5;
 
@@ -56,10 +63,33 @@ final class Subjects {
     };
   }
 
-  /** A fifth of the area is covered, and a circle goes on average 1.25 radii a frame. */
+  /**
+   * A fifth of the area is covered. Circles are as large and as fast as in the other scenes, for
+   * engines have tolerances that are lengths.
+   */
   private static Scene gas(long seed) {
     try {
-      return new Gas(100, 0.2, 1, false, seed).scene();
+      Scene small = new Gas(100, 0.2, 1, false, seed).scene();
+      Bounds b = small.bounds().orElseThrow();
+      SceneBuilder builder =
+          Scene.builder()
+              .bounds(
+                  GAS_RADIUS * b.xmin(),
+                  GAS_RADIUS * b.ymin(),
+                  GAS_RADIUS * b.xmax(),
+                  GAS_RADIUS * b.ymax())
+              .collide(true);
+      for (int i = 0; i < small.circleCount(); i++) {
+        Circle c = small.circle(i);
+        Vec2 v = small.velocity(i);
+        builder.circle(
+            GAS_RADIUS * c.x(),
+            GAS_RADIUS * c.y(),
+            GAS_RADIUS * c.radius(),
+            GAS_SPEED * v.x(),
+            GAS_SPEED * v.y());
+      }
+      return builder.build();
     } catch (CannotPlaceException e) {
       throw new IllegalStateException("so thin a gas has room for all its circles", e);
     }

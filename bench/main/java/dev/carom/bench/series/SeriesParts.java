@@ -16,7 +16,7 @@ public final class SeriesParts {
   private static final int QUICK_REPLAYS = 2;
   private static final int QUICK_SWEEP_WARM_UP_MILLIS = 1000;
   private static final int SCALE_WARM_UP_MILLIS = 800;
-  private static final int QUICK_SCALE_WARM_UP_MILLIS = 120;
+  private static final int MOST_QUICK_CIRCLES = 10_000;
 
   private SeriesParts() {}
 
@@ -40,20 +40,19 @@ public final class SeriesParts {
    * One round of the times against the number of circles.
    *
    * @param fork the number of the virtual machine, from 0; the first one measures memory, too
-   * @param quick whether up to a thousand circles will do
+   * @param quick whether up to ten thousand circles will do
    * @return the part
    */
   public static Part scale(int fork, boolean quick) {
-    int warmUp = quick ? QUICK_SCALE_WARM_UP_MILLIS : SCALE_WARM_UP_MILLIS;
     List<String> options = new ArrayList<>();
-    options.addAll(List.of("--rounds", "1", "--warm-up", Integer.toString(warmUp)));
+    options.addAll(List.of("--rounds", "1", "--warm-up", Integer.toString(SCALE_WARM_UP_MILLIS)));
     if (quick) {
-      options.add("--quick");
+      options.addAll(List.of("--max", Integer.toString(MOST_QUICK_CIRCLES)));
     }
     if (fork > 0) {
       options.add("--no-memory");
     }
-    return part("scale", quick ? 2 : 90, fork, options);
+    return part("scale", quick ? 25 : 90, fork, options);
   }
 
   /**
