@@ -53,7 +53,7 @@ final class DotNames {
       if (scale < 1 && here.size() > MOST) {
         text = here.get(0).text + ", and " + (here.size() - 1) + " more";
       }
-      labels.add(first.x, first.y, text, Style.bold(Math.round(scale * 12)), Style.INK, 0);
+      labels.add(first.x, first.y, text, Style.bold(Math.rint(scale * 12)), Style.INK, 0);
     }
     for (Name knob : knobs) {
       labels.add(knob.x, knob.y, knob.text, Style.font(11), Style.QUIET, 1);

@@ -245,8 +245,9 @@ public final class FailureMapChart {
     int step = step(g, each);
     for (int i = 0; i < cells; i += step) {
       double text = g.getFontMetrics().stringWidth(x.ticks.get(i));
-      g.drawString(
-          x.ticks.get(i), (float) (left + (i + 0.5) * each - text / 2), (float) (top + 12));
+      double place = left + (i + 0.5) * each - text / 2;
+      double inside = Math.max(left, Math.min(left + wide - text, place));
+      g.drawString(x.ticks.get(i), (float) inside, (float) (top + 12));
     }
   }
 

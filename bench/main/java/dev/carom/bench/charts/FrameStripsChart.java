@@ -4,9 +4,12 @@ package dev.carom.bench.charts;
 import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.DoubleStream;
 import org.jfree.chart.axis.NumberAxis;
 
@@ -118,11 +121,14 @@ public final class FrameStripsChart {
     Path2D dots = new Path2D.Double();
     double step = (bottom - top - 6) / strip.nanos.length;
     double left = axes.area().getMinX();
+    Set<Point2D> drawn = new HashSet<>();
     for (int i = 0; i < strip.nanos.length; i++) {
-      double x = strip.nanos[i] > 0 ? Math.max(left, axes.x(strip.nanos[i])) : left;
-      double y = top + 3 + step * (i + 0.5);
-      dots.moveTo(x, y);
-      dots.lineTo(x, y);
+      double x = Math.rint(strip.nanos[i] > 0 ? Math.max(left, axes.x(strip.nanos[i])) : left);
+      double y = Math.rint(top + 3 + step * (i + 0.5));
+      if (drawn.add(new Point2D.Double(x, y))) { // many frames share a pixel
+        dots.moveTo(x, y);
+        dots.lineTo(x, y);
+      }
     }
     g.setColor(Style.veil(marks.of(strip.method()).color(), 0.6));
     g.setStroke(Style.line(2));

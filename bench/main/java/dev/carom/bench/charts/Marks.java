@@ -120,9 +120,11 @@ public final class Marks {
     Shape shape = AffineTransform.getTranslateInstance(x, y).createTransformedShape(mark.shape);
     g.setColor(hollow ? Style.FLOOR : mark.color);
     g.fill(shape);
-    g.setColor(mark.color);
-    g.setStroke(Style.line(hollow ? Style.FIRM : Style.HAIR));
-    g.draw(shape);
+    if (hollow) {
+      g.setColor(mark.color);
+      g.setStroke(Style.line(Style.FIRM));
+      g.draw(shape);
+    }
   }
 
   /** Draws the sign of a failure: a ring with a cross in it. */

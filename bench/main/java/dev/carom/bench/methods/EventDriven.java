@@ -23,7 +23,7 @@ class EventDriven extends PlainMethod {
   private static final int WALL_X = -1;
   private static final int WALL_Y = -2;
 
-  private final LineDetector detector;
+  final LineDetector detector;
 
   /** Null for none. */
   private final LineGrid grid;

@@ -32,6 +32,7 @@ final class PlainGridMethod extends EventDriven {
 
   @Override
   double test(int i, int k, double first) {
+    detector.pairTests++;
     double px = x[i];
     double py = y[i];
     double r = radius[i];

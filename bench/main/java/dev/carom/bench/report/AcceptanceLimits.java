@@ -189,6 +189,9 @@ final class AcceptanceLimits {
 
   private void budget() {
     for (String scene : results.scenes(Metrics.FRAME_TIME)) {
+      if (results.spread(scene, Metrics.CAROM, Metrics.FRAME_TIME, "worst").isEmpty()) {
+        continue; // only its usual frames were measured
+      }
       double worst = results.value(scene, Metrics.CAROM, Metrics.FRAME_TIME, "worst");
       limits.add(
           new Limit(

@@ -26,7 +26,7 @@ final class DriftFigures {
   /** Scenes whose pictures would look as that of the first one does. */
   private static final Set<String> REPEATED = Set.of("base-2", "base-3", "base-1-r5");
 
-  private static final int TABLE_ROWS = 10;
+  private static final int TABLE_ROWS = 5;
 
   private final Results results;
 

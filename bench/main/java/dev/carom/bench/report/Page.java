@@ -453,8 +453,19 @@ final class Page {
     String prefix = "p" + pictures++ + "-";
     String label = "<svg role=\"img\" aria-label=\"" + text(picture.title()) + "\" ";
     html.append("<div class=\"").append(("picture " + layout).strip()).append("\">");
-    html.append(classed(themed(picture.svg(prefix))).replaceFirst("<svg ", quoted(label)));
+    html.append(slim(classed(themed(picture.svg(prefix)))).replaceFirst("<svg ", quoted(label)));
     html.append("</div>\n");
+  }
+
+  /**
+   * Without what a page has no use for: name spaces, groups of one text, a title beside the label,
+   * and the clip of whole charts, which is the first of each.
+   */
+  private static String slim(String svg) {
+    return svg.replaceAll(" xmlns:?[a-z]*='[^']*'", "")
+        .replaceAll("<g>(<text [^>]*>[^<]*</text>)</g>", "$1")
+        .replaceFirst("<title>[^<]*</title>", "")
+        .replaceAll(" clip-path='url\\(#p[0-9]+-clip-0\\)'", "");
   }
 
   private static String quoted(String replacement) {

@@ -50,15 +50,15 @@ final class RungShares {
         scene.startsWith(QUERY)
             ? "questions: " + Metrics.queryClass(scene)
             : "pairs looked at in " + scene;
-    return new Bar(words, parts, percent(parts[0], asked));
+    return new Bar(words, parts, percent(parts[0]));
   }
 
   /** Not 100 % unless it is all. */
-  private static String percent(double share, double asked) {
+  private static String percent(double share) {
     if (share == 1) {
       return "100 %";
     }
-    int digits = asked > 10_000 ? 3 : 1;
+    int digits = share > 0.999 ? 4 : 1;
     double unit = Math.pow(10, -digits);
     return String.format(
         Locale.ROOT, "%." + digits + "f %%", Math.min(100 - unit, Math.max(0, 100 * share)));

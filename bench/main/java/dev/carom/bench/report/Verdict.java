@@ -143,6 +143,7 @@ public final class Verdict {
     List<String> scenes =
         results.scenes(Metrics.FRAME_TIME).stream()
             .filter(s -> results.settings(s, Metrics.FRAME_TIME).contains(Metrics.CAROM))
+            .filter(s -> results.spread(s, Metrics.CAROM, Metrics.FRAME_TIME, "worst").isPresent())
             .toList();
     for (String scene : scenes) {
       double time = results.value(scene, Metrics.CAROM, Metrics.FRAME_TIME, "worst");

@@ -93,7 +93,7 @@ public final class Survey {
     series(rows, contender, OUTCOME, outcomes);
     for (double radii : LIMITS) {
       long within = judged.stream().filter(j -> j.isWithin(radii)).count();
-      rows.add(row(contender, WITHIN, Double.toString(radii), within));
+      rows.add(row(contender, WITHIN, Double.toString(radii), (double) within));
     }
   }
 

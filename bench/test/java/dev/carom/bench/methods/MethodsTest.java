@@ -169,6 +169,7 @@ class MethodsTest {
     assertThat(after(1, Methods.substeps(8), scene).pairTests()).isEqualTo(32);
     assertThat(after(1, Methods.TEXTBOOK_DOUBLE, scene).pairTests()).isZero();
     assertThat(after(7, Methods.TEXTBOOK_DOUBLE, scene).pairTests()).isEqualTo(4);
+    assertThat(after(7, Methods.PLAIN_GRID, scene).pairTests()).isBetween(2L, 8L);
     assertThat(after(1, Methods.CAROM, scene).pairTests()).isBetween(0L, 4L);
     assertThat(after(1, Methods.CAROM, scene).fallbacks()).isZero();
   }
