@@ -75,7 +75,7 @@ public record FailureMap(String name, String heading, String run, Axis x, Axis y
    * @return the scene of a cell in the middle
    */
   public Scene example() {
-    return maker.at(x.values()[x.values().length / 2], y.values()[y.values().length / 2]).scene();
+    return scene(x.values().length / 2, y.values().length / 2);
   }
 
   /** How many cells it has. */
