@@ -8,6 +8,7 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
@@ -16,6 +17,7 @@ import com.tngtech.archunit.core.domain.JavaCodeUnit;
 import com.tngtech.archunit.core.domain.JavaField;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
+import java.io.StringReader;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Collection;
@@ -44,6 +46,8 @@ class ArchitectureTest {
   private static final String WORLD =
       " Scene SceneBuilder SceneFormatException Response World WorldQueries ImpactLog Outcome"
           + " StopReason Snapshot Timeline";
+
+  private static final Class<?> REFUSAL = IllegalArgumentException.class;
 
   private static final JavaClasses CLASSES =
       new ClassFileImporter().importPath(Path.of("target/classes"));
@@ -142,6 +146,23 @@ class ArchitectureTest {
   @Test
   void noneUseEachOther() {
     slices().matching("dev.carom.(**)").should().beFreeOfCycles().check(CLASSES);
+  }
+
+  /** What is thrown below reaches users as an exception of Java, or the one of the API. */
+  @Test
+  void noInternalExceptionLeavesTheLibrary() {
+    assertThat(
+            CLASSES.stream()
+                .filter(type -> type.isAssignableTo(Throwable.class))
+                .map(JavaClass::getSimpleName))
+        .containsExactlyInAnyOrder("SceneFormatException", "RowException");
+    assertThatThrownBy(() -> new Vec2(Double.NaN, 0)).isExactlyInstanceOf(REFUSAL);
+    World world = new World(Scene.builder().circle(0, 0, 1, 1, 0).build());
+    assertThatThrownBy(() -> world.setRadius(0, -1)).isExactlyInstanceOf(REFUSAL);
+    assertThatThrownBy(() -> Scene.builder().peg(0, 0, -1)).isExactlyInstanceOf(REFUSAL);
+    assertThatThrownBy(() -> Scene.read(new StringReader("peg,0,0,-1"), "text"))
+        .isExactlyInstanceOf(SceneFormatException.class)
+        .hasMessage("text:1:9: radius is -1.0: expected a finite number, at least 0");
   }
 
   @Test

@@ -14,7 +14,7 @@ import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Kind;
-import dev.carom.internal.util.RefusedException;
+import dev.carom.internal.util.Refusal;
 
 /**
  * Edits a world between steps. All arguments are checked before anything changes, so a refused edit
@@ -70,7 +70,7 @@ public final class Editor {
   public void setVelocity(int slot, double vx, double vy, double now) {
     try {
       checkVelocity(vx, vy);
-    } catch (RefusedException e) {
+    } catch (IllegalArgumentException e) {
       throw named(e, Codes.circle(slot));
     }
     MovingCircle m = restarted(slot, now);
@@ -83,7 +83,7 @@ public final class Editor {
   public void setPosition(int slot, double x, double y, double now) {
     try {
       checkPlace(x, y);
-    } catch (RefusedException e) {
+    } catch (IllegalArgumentException e) {
       throw named(e, Codes.circle(slot));
     }
     MovingCircle m = restarted(slot, now);
@@ -97,7 +97,7 @@ public final class Editor {
   public void setRadius(int slot, double radius, double now) {
     try {
       limits.checkRadius(radius, 0, 0);
-    } catch (RefusedException e) {
+    } catch (IllegalArgumentException e) {
       throw named(e, Codes.circle(slot));
     }
     MovingCircle m = restarted(slot, now);
@@ -112,7 +112,7 @@ public final class Editor {
       checkPlace(x, y);
       limits.checkRadius(radius, x, y);
       checkVelocity(vx, vy);
-    } catch (RefusedException e) {
+    } catch (IllegalArgumentException e) {
       throw named(e, Kind.CIRCLE, registry.idLimit());
     }
     int slot = registry.add();
@@ -128,7 +128,7 @@ public final class Editor {
   public void setMass(int slot, double m, double now) {
     try {
       Check.mass("mass", m);
-    } catch (RefusedException e) {
+    } catch (IllegalArgumentException e) {
       throw named(e, Codes.circle(slot));
     }
     boolean passes = (registry.mass(slot) == INFINITE) != (m == INFINITE);
@@ -162,11 +162,11 @@ public final class Editor {
    * A refusal with the name of the obstacle or circle before its message. A new one is named by the
    * id that it would get.
    */
-  private static RefusedException named(RefusedException e, int kind, int id) {
-    return e.of(kind == Kind.WALL ? "bounds" : Kind.nameOf(kind, id));
+  private static IllegalArgumentException named(IllegalArgumentException e, int kind, int id) {
+    return Refusal.of(kind == Kind.WALL ? "bounds" : Kind.nameOf(kind, id), e);
   }
 
-  private RefusedException named(RefusedException e, int code) {
+  private IllegalArgumentException named(IllegalArgumentException e, int code) {
     return Codes.isCircle(code)
         ? named(e, Kind.CIRCLE, registry.id(Codes.slot(code)))
         : named(e, Codes.kind(code), Codes.index(code));
@@ -239,7 +239,7 @@ public final class Editor {
         limits.checkCoordinate(rows.shape.numbers.get(i), numbers[i]);
       }
       rows.shape.checkRadius(numbers);
-    } catch (RefusedException e) {
+    } catch (IllegalArgumentException e) {
       throw named(e, code);
     }
   }
@@ -266,7 +266,7 @@ public final class Editor {
   public void setRestitution(int code, double e) {
     try {
       Check.notNegative("restitution", e);
-    } catch (RefusedException refused) {
+    } catch (IllegalArgumentException refused) {
       throw named(refused, code);
     }
     if (Codes.isCircle(code)) {
@@ -283,8 +283,9 @@ public final class Editor {
       engine.beginFlight(restarted(slot, now));
     } else if (Codes.isWall(code)) {
       if (response == ContactFlags.SENSOR) {
-        throw Check.refused("response", "SENSOR", "BOUNCE or HALT: bounds keep circles inside")
-            .of("bounds");
+        throw Refusal.of(
+            "bounds",
+            Check.refused("response", "SENSOR", "BOUNCE or HALT: bounds keep circles inside"));
       }
       obstacles.setTraits(code, ContactFlags.with(obstacles.traits(code), response));
     } else {

@@ -4,7 +4,7 @@ package dev.carom.internal.io;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SceneDataBuilder;
 import dev.carom.internal.util.Kind;
-import dev.carom.internal.util.RefusedException;
+import dev.carom.internal.util.Refusal;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.Reader;
@@ -54,7 +54,7 @@ final class SceneReader {
         case COLLIDE -> collide(row);
       }
       options(row);
-    } catch (RefusedException e) {
+    } catch (IllegalArgumentException e) {
       throw row.error(e);
     }
   }
@@ -163,9 +163,9 @@ final class SceneReader {
   private SceneData build() throws RowException {
     try {
       return builder.build();
-    } catch (RefusedException e) {
+    } catch (IllegalArgumentException e) {
       int place = 2 * builder.firstTooSmall();
-      throw new RowException(radiusPlaces[place], radiusPlaces[place + 1], e.reason());
+      throw new RowException(radiusPlaces[place], radiusPlaces[place + 1], Refusal.reason(e));
     }
   }
 }

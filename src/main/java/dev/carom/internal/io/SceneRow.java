@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.io;
 
-import dev.carom.internal.util.RefusedException;
+import dev.carom.internal.util.Refusal;
 
 /**
  * One row of a scene file, split into fields: the word for the kind, the positional fields of that
@@ -143,14 +143,15 @@ final class SceneRow {
   }
 
   /** Locates a refused value: an error at the field that holds the property. */
-  RowException error(RefusedException refused) throws RowException {
-    int i = kind.names().indexOf(refused.property());
+  RowException error(IllegalArgumentException refusal) throws RowException {
+    String property = Refusal.property(refusal);
+    int i = kind.names().indexOf(property);
     if (i < 0) {
       i = plain;
-      while (!key(i).equals(refused.property())) {
+      while (!key(i).equals(property)) {
         i++;
       }
     }
-    return error(i, refused.reason());
+    return error(i, Refusal.reason(refusal));
   }
 }

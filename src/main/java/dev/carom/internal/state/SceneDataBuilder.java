@@ -4,7 +4,7 @@ package dev.carom.internal.state;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.DoubleList;
 import dev.carom.internal.util.Kind;
-import dev.carom.internal.util.RefusedException;
+import dev.carom.internal.util.Refusal;
 import java.util.Arrays;
 
 /**
@@ -83,8 +83,9 @@ public final class SceneDataBuilder {
       throw new IllegalStateException("response belongs to the thing added last: add one first");
     }
     if (last == bounds && response == ContactFlags.SENSOR) {
-      throw Check.refused("response", "sensor", "bounce or halt: bounds keep circles inside")
-          .of("bounds");
+      throw Refusal.of(
+          "bounds",
+          Check.refused("response", "sensor", "bounce or halt: bounds keep circles inside"));
     }
     last.setLastTraits(ContactFlags.with(last.lastTraits(), response));
   }
@@ -112,7 +113,7 @@ public final class SceneDataBuilder {
       String expected =
           "at least %s, 2^10 ulps of the largest coordinate, %s"
               .formatted(leastRadius(), largestCoordinate());
-      throw Check.refused("radius", radius(i), expected).of(circles.name(i));
+      throw Refusal.of(circles.name(i), Check.refused("radius", radius(i), expected));
     }
     return new SceneData(this);
   }
@@ -172,8 +173,8 @@ public final class SceneDataBuilder {
   private static void check(SceneRows things, int i, Runnable checks) {
     try {
       checks.run();
-    } catch (RefusedException e) {
-      throw e.of(things.name(i));
+    } catch (IllegalArgumentException e) {
+      throw Refusal.of(things.name(i), e);
     }
   }
 }

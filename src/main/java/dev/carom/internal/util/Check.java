@@ -79,7 +79,8 @@ public final class Check {
     }
   }
 
-  public static RefusedException refused(String name, Object value, String expected) {
-    return new RefusedException(name, value, expected);
+  /** The exception for a value that is refused; see {@link Refusal}. */
+  public static IllegalArgumentException refused(String name, Object value, String expected) {
+    return Refusal.of(name, value, expected);
   }
 }
