@@ -4,6 +4,7 @@ package dev.carom.bench.cli;
 import dev.carom.bench.measures.Part;
 import dev.carom.bench.measures.Parts;
 import dev.carom.bench.report.Origin;
+import dev.carom.bench.report.ReadmeFigures;
 import dev.carom.bench.report.Report;
 import dev.carom.bench.report.ReportRun;
 import dev.carom.bench.results.Metadata;
@@ -79,8 +80,20 @@ final class ReportCommand implements Callable<Integer> {
       description = "The date that the report bears (default: today).")
   private String date;
 
+  @Option(
+      names = "--readme",
+      paramLabel = "FILE",
+      split = ",",
+      description =
+          "Write the figures of --from between the marks of these pages, and nothing else.")
+  private List<Path> pages;
+
   @Override
   public Integer call() throws IOException {
+    if (pages != null) {
+      fill();
+      return 0;
+    }
     for (String option : List.of("--quick", "--scenes", "--untimed", "--date")) {
       if (from != null && spec.commandLine().getParseResult().hasMatchedOption(option)) {
         throw refused("--from and " + option + " exclude each other");
@@ -93,6 +106,16 @@ final class ReportCommand implements Callable<Integer> {
       measure(out == null ? Path.of("report") : out);
     }
     return 0;
+  }
+
+  private void fill() throws IOException {
+    if (from == null || out != null) {
+      throw refused("--readme needs --from, and excludes --out");
+    }
+    Results results = ResultsJson.read(from.resolve(Report.RESULTS));
+    for (Path page : pages) {
+      ReadmeFigures.write(page, results);
+    }
   }
 
   private void measure(Path dir) throws IOException {
