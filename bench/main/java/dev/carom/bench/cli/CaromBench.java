@@ -3,9 +3,12 @@ package dev.carom.bench.cli;
 
 import java.io.PrintStream;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The command line as a whole: its commands, what runs without one, and how errors are told. */
 @Command(
@@ -17,7 +20,13 @@ import picocli.CommandLine.ParameterException;
     mixinStandardHelpOptions = true,
     versionProvider = Version.class,
     synopsisSubcommandLabel = "[COMMAND]",
-    footer = {"", "Exit code: 0 done, 1 a failed run or bad data, 2 a wrong command line."},
+    footer = {
+      "",
+      "Times are those of a machine with two cores. COMMAND --help lists the options of a command.",
+      "Exit code: 0 done, 1 a failed run or bad data, 2 a wrong command line.",
+      "",
+      "Example: carom-bench replay --circles 50"
+    },
     subcommands = {
       ReplayCommand.class,
       ReportCommand.class,
@@ -42,6 +51,8 @@ public final class CaromBench {
 
   private static final String DEFAULT_COMMAND = "replay";
   private static final Set<String> OWN_OPTIONS = Set.of("-h", "--help", "-V", "--version");
+
+  private static final int MOST_SUGGESTIONS = 2;
 
   /** Made by {@link #commandLine}. */
   CaromBench() {}
@@ -81,6 +92,7 @@ public final class CaromBench {
         new CommandLine(new CaromBench())
             .setParameterExceptionHandler((e, args) -> explainUsage(e))
             .setExecutionExceptionHandler((e, line, parsed) -> Failure.explain(e, line));
+    CommandGroups.show(all);
     all.getSubcommands().values().forEach(c -> c.getCommandSpec().versionProvider(new Version()));
     return all;
   }
@@ -99,7 +111,18 @@ public final class CaromBench {
   private static int explainUsage(ParameterException e) {
     CommandLine commandLine = e.getCommandLine();
     String command = commandLine.getCommandSpec().qualifiedName();
-    commandLine.getErr().printf("%s: %s (see %s --help)%n", command, e.getMessage(), command);
+    String message = e.getMessage() + suggestions(e);
+    commandLine.getErr().printf("%s: %s (see %s --help)%n", command, message, command);
     return CommandLine.ExitCode.USAGE;
+  }
+
+  /** The words that come nearest to one that is unknown. */
+  private static String suggestions(ParameterException e) {
+    if (!(e instanceof UnmatchedArgumentException unmatched)
+        || unmatched.getSuggestions().isEmpty()) {
+      return "";
+    }
+    Stream<String> nearest = unmatched.getSuggestions().stream().limit(MOST_SUGGESTIONS);
+    return "; did you mean " + nearest.collect(Collectors.joining(" or ")) + "?";
   }
 }

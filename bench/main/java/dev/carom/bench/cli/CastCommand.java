@@ -27,6 +27,7 @@ import picocli.CommandLine.Spec;
       "  x1,y1,r1,vx1,vy1,x2,y2,r2,vx2,vy2,T     two circles",
       "Answers go to the standard output: hit,feature,t,nx,ny; of a miss 0,NONE,NaN,NaN,NaN."
     },
+    footer = {"", "Example: carom-bench cast queries.csv"},
     mixinStandardHelpOptions = true)
 final class CastCommand implements Callable<Integer> {
 

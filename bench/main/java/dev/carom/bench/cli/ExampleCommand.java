@@ -31,6 +31,7 @@ import picocli.CommandLine.TypeConversionException;
       "Runs an example in a window, or draws it after some frames, for which no screen is needed.",
       "Without a name it lists them."
     },
+    footer = {"", "Example: carom-bench example breakout"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class ExampleCommand implements Callable<Integer> {

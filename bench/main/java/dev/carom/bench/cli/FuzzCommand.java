@@ -4,6 +4,7 @@ package dev.carom.bench.cli;
 import dev.carom.bench.fuzz.FindingException;
 import dev.carom.bench.fuzz.QueryFuzz;
 import dev.carom.bench.fuzz.WorldFuzz;
+import dev.carom.bench.replay.Counted;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
@@ -29,6 +30,7 @@ import picocli.CommandLine.Spec;
           + " pockets, infinite masses, doors, heaps, bumpers.",
       "The first finding ends the run, with the seed and the scene that show it again."
     },
+    footer = {"", "Example: carom-bench fuzz --seconds 600 --seed 7"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class FuzzCommand implements Callable<Integer> {
@@ -105,9 +107,9 @@ final class FuzzCommand implements Callable<Integer> {
     }
     return String.format(
         Locale.ROOT,
-        "no finding in %,d queries: %,d hits, %,d refused as they must be",
-        fuzz.queries(),
-        fuzz.hits(),
+        "no finding in %s: %s, %,d refused as they must be",
+        Counted.of(fuzz.queries(), "query", "queries"),
+        Counted.of(fuzz.hits(), "hit"),
         fuzz.refused());
   }
 
@@ -130,11 +132,11 @@ final class FuzzCommand implements Callable<Integer> {
     }
     return String.format(
         Locale.ROOT,
-        "no finding in %,d worlds: %,d steps, %,d impacts, %,d flights (%,d circles jammed)",
-        fuzz.sessions(),
-        fuzz.steps(),
-        fuzz.impacts(),
-        fuzz.flights(),
-        fuzz.jams());
+        "no finding in %s: %s, %s, %s (%s jammed)",
+        Counted.of(fuzz.sessions(), "world"),
+        Counted.of(fuzz.steps(), "step"),
+        Counted.of(fuzz.impacts(), "impact"),
+        Counted.of(fuzz.flights(), "flight"),
+        Counted.of(fuzz.jams(), "circle"));
   }
 }

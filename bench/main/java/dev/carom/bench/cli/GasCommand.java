@@ -8,6 +8,7 @@ import dev.carom.bench.experiment.MixedGas;
 import dev.carom.bench.gas.GasOverlap;
 import dev.carom.bench.gas.GasReplay;
 import dev.carom.bench.gas.GasSteady;
+import dev.carom.bench.replay.Counted;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -26,6 +27,7 @@ import picocli.CommandLine.Spec;
       "Plays a gas of circles that collide: collisions per second, time per frame, energy kept.",
       "The published algorithm knows no collisions between circles, so there is nothing beside it."
     },
+    footer = {"", "Example: carom-bench gas --circles 10000 --steady"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class GasCommand implements Callable<Integer> {
@@ -160,10 +162,10 @@ final class GasCommand implements Callable<Integer> {
     PrintWriter out = printGas();
     out.printf(
         Locale.ROOT,
-        "run      %,d frames of the steady state, %,d collisions in %,d rounds%n",
-        steady.frames(),
-        steady.collisions(),
-        replays);
+        "run      %s of the steady state, %s in %s%n",
+        Counted.of(steady.frames(), "frame"),
+        Counted.of(steady.collisions(), "collision"),
+        Counted.of(replays, "round"));
     out.printf(
         Locale.ROOT,
         "speed    %,.0f collisions per second, %,.1f ns per collision (%,.1f .. %,.1f)%n",
@@ -179,10 +181,10 @@ final class GasCommand implements Callable<Integer> {
     PrintWriter out = printGas();
     out.printf(
         Locale.ROOT,
-        "run      %,d frames of %s, the fastest of %,d replays%n",
-        frames,
+        "run      %s of %s, the fastest of %s%n",
+        Counted.of(frames, "frame"),
         Decimals.plain(frameTime),
-        replays);
+        Counted.of(replays, "replay"));
     out.printf(
         Locale.ROOT,
         "impacts  %,d between circles, %,d with walls%n",

@@ -27,6 +27,7 @@ import picocli.CommandLine.Spec;
           + " they are the same on every virtual machine.",
       "With --frames it tells the hash of a scene of your own, which 'replay --demand' takes."
     },
+    footer = {"", "Example: carom-bench hash --scene scene.csv --frames 600"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class HashCommand implements Callable<Integer> {

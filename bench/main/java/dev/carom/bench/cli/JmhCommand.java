@@ -16,7 +16,13 @@ import picocli.CommandLine.Unmatched;
         "Runs JMH's own command line: single queries, what exactness costs, frames, building and"
             + " reading worlds of one circle to a million, gases and their events, edits.",
     customSynopsis = "carom-bench jmh [JMH OPTIONS] [REGEXP]...",
-    footer = {"", "JMH explains its options with: jmh -h", "It lists the benchmarks with: jmh -l"})
+    footer = {
+      "",
+      "JMH explains its options with: jmh -h",
+      "It lists the benchmarks with: jmh -l",
+      "",
+      "Example: carom-bench jmh -prof gc -p circles=1000 GasBenchmark"
+    })
 final class JmhCommand implements Callable<Integer> {
 
   @Option(names = "--help", usageHelp = true, description = "Show this help.")

@@ -26,6 +26,7 @@ import picocli.CommandLine.Spec;
           + " precision, each decision proved, until every place is known to the last bit of a"
           + " double and a run with twice the digits agrees."
     },
+    footer = {"", "Example: carom-bench reference base-1 --frames 100"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class ReferenceCommand implements Callable<Integer> {

@@ -2,6 +2,7 @@
 package dev.carom.bench.cli;
 
 import dev.carom.bench.measures.Part;
+import dev.carom.bench.replay.Counted;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
@@ -24,7 +25,8 @@ final class Remaining {
     this.progress = progress;
     this.out = out;
     left = parts.stream().mapToDouble(Part::seconds).sum();
-    out.printf("%d parts, %s on two cores if nothing is kept%n", parts.size(), about(left));
+    out.printf(
+        "%s, %s on two cores if nothing is kept%n", Counted.of(parts.size(), "part"), about(left));
     out.flush();
   }
 

@@ -31,6 +31,7 @@ import picocli.CommandLine.Spec;
           + " same run, and tells whether 60 frames per second are met.",
       "Runs when no command is given."
     },
+    footer = {"", "Example: carom-bench replay --circles 50 --json replay.json"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class ReplayCommand implements Callable<Integer> {

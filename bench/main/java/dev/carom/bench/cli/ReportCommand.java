@@ -35,6 +35,7 @@ import picocli.CommandLine.Spec;
           + " report: a page, its charts as PNG and SVG, and all numbers as JSON and CSV.",
       "A run that was interrupted goes on where it was."
     },
+    footer = {"", "Example: carom-bench report --quick --out report"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class ReportCommand implements Callable<Integer> {

@@ -21,6 +21,7 @@ import picocli.CommandLine.Spec;
           + " double-double, or exact numbers; and which of the latter two rounds the time of an"
           + " impact after time 0."
     },
+    footer = {"", "Example: carom-bench rungs --queries 1000"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class RungsCommand implements Callable<Integer> {

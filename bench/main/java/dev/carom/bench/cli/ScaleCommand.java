@@ -34,6 +34,7 @@ import picocli.CommandLine.Spec;
           + " turns; and circles that collide, by Carom and the engines. Tells how times grow, and"
           + " what a world of 102,400 circles or more takes of memory."
     },
+    footer = {"", "Example: carom-bench scale --max 10000 --csv scale.csv"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class ScaleCommand implements Callable<Integer> {

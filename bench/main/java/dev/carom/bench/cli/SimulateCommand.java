@@ -20,6 +20,10 @@ import picocli.CommandLine.Spec;
       "Plays a scene and writes positions and impacts.",
       "Times count in the scene's own unit from 0; frame k ends at k times the length of a frame."
     },
+    footer = {
+      "",
+      "Example: carom-bench simulate --scene scene.csv --frames 600 --impacts impacts.csv"
+    },
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class SimulateCommand implements Callable<Integer> {

@@ -6,6 +6,7 @@ import dev.carom.ObstacleKind;
 import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.World;
+import dev.carom.bench.replay.Counted;
 import java.io.IOException;
 import java.util.Locale;
 
@@ -50,11 +51,11 @@ final class Simulation {
     String line =
         String.format(
             Locale.ROOT,
-            "time %s: %,d circles, %,d impacts, %,d of them with walls",
+            "time %s: %s, %s, %,d of them with walls",
             Decimals.shortest(world.now()),
-            world.circleCount(),
-            impacts,
+            Counted.of(world.circleCount(), "circle"),
+            Counted.of(impacts, "impact"),
             wallImpacts);
-    return jammed == 0 ? line : line + String.format(Locale.ROOT, ", %,d times jammed", jammed);
+    return jammed == 0 ? line : line + ", " + Counted.of(jammed, "time") + " jammed";
   }
 }

@@ -33,6 +33,7 @@ import picocli.CommandLine.TypeConversionException;
       "With --scene it runs a random scene of a kind in which impacts would not end without a rule,"
           + " and checks each step as fuzz does."
     },
+    footer = {"", "Example: carom-bench soak --gas --impacts 1000000"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class SoakCommand implements Callable<Integer> {

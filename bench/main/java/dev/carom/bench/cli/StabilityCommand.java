@@ -32,6 +32,7 @@ import picocli.CommandLine.Spec;
           + " engines, and judges each cell against its true course, as right, drifted, far off,"
           + " of wrong speed, or escaped."
     },
+    footer = {"", "Example: carom-bench stability --quick --map angle --out ."},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class StabilityCommand implements Callable<Integer> {

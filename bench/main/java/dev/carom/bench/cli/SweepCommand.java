@@ -28,6 +28,7 @@ import picocli.CommandLine.Spec;
           + " lines and the impacts of the frame, as the published experiment did, by Carom and by"
           + " the published algorithm ('poster') in turns, and tells how times grow."
     },
+    footer = {"", "Example: carom-bench sweep --quick --pictures ."},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class SweepCommand implements Callable<Integer> {

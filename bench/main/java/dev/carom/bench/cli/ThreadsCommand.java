@@ -4,6 +4,7 @@ package dev.carom.bench.cli;
 import dev.carom.Scene;
 import dev.carom.World;
 import dev.carom.bench.examples.SplitWorld;
+import dev.carom.bench.replay.Counted;
 import java.io.PrintWriter;
 import java.util.Arrays;
 import java.util.Locale;
@@ -22,6 +23,7 @@ import picocli.CommandLine.Spec;
       "Times a scene whose circles ignore each other on one thread, and split over several.",
       "The two take turns. Each thread has a world of its own, and all meet after each frame."
     },
+    footer = {"", "Example: carom-bench threads --circles 100000 --crosses 50000 --frames 30"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class ThreadsCommand implements Callable<Integer> {
@@ -103,9 +105,11 @@ final class ThreadsCommand implements Callable<Integer> {
     Arrays.sort(ratios);
     PrintWriter out = spec.commandLine().getOut();
     out.printf(Locale.ROOT, "scene     %s%n", scenes.name());
-    out.printf(Locale.ROOT, "run       %,d rounds of %,d frames each, in turns%n", rounds, frames);
+    out.printf(
+        "run       %s of %s each, in turns%n",
+        Counted.of(rounds, "round"), Counted.of(frames, "frame"));
     print("1 thread", "us per frame", alone);
-    print(threads + " threads", "us per frame", together);
+    print(Counted.of(threads, "thread"), "us per frame", together);
     print("ratio", "of a round on one thread to the next one, split", ratios);
     out.printf(
         Locale.ROOT, "fastest   %.2f, of the fastest round of each%n", alone[0] / together[0]);

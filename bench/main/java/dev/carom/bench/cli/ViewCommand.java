@@ -38,6 +38,7 @@ import picocli.CommandLine.TypeConversionException;
           + " keys.",
       "With --against another method plays the same scene beside Carom."
     },
+    footer = {"", "Example: carom-bench view --scene scene.csv"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class ViewCommand implements Callable<Integer> {

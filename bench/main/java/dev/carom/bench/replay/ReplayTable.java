@@ -42,11 +42,15 @@ public final class ReplayTable {
     Machine machine = result.machine();
     line("scene    %s", plan.name());
     line(
-        "         %,d circles, %,d lines, %,d pegs",
-        scene.circleCount(), scene.lineCount(), scene.pegCount());
+        "         %s, %s, %s",
+        Counted.of(scene.circleCount(), "circle"),
+        Counted.of(scene.lineCount(), "line"),
+        Counted.of(scene.pegCount(), "peg"));
     line(
-        "run      %,d frames, %d replays in each of %d fresh virtual machines per method",
-        plan.frames(), plan.replays(), plan.forks());
+        "run      %s, %s in each of %s per method",
+        Counted.of(plan.frames(), "frame"),
+        Counted.of(plan.replays(), "replay"),
+        Counted.of(plan.forks(), "fresh virtual machine"));
     line("machine  %s; %s %s", machine.cpu(), machine.jdk(), machine.flags());
     line("");
   }

@@ -2,6 +2,7 @@
 package dev.carom.bench.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -13,6 +14,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -42,8 +44,12 @@ class CaromBenchTest {
   @Test
   void theListTellsOfEachCommandInWholeSentences() {
     String help = Cli.run("--help").out();
-    String list = help.substring(help.indexOf("Commands:")).stripTrailing();
-    List<String> entries = Pattern.compile("\\R(?=  \\S)").splitAsStream(list).skip(1).toList();
+    String list = help.substring(help.indexOf("Try it:"), help.indexOf("Example:")).strip();
+    List<String> entries =
+        Pattern.compile("\\R\\R?[A-Z].*:(?=\\R)|\\R(?=  \\S)")
+            .splitAsStream(list)
+            .filter(entry -> entry.startsWith("  "))
+            .toList();
     assertThat(entries)
         .hasSizeGreaterThan(14)
         .allSatisfy(entry -> assertThat(entry).matches("(?s).*[.?]"));
@@ -113,6 +119,53 @@ class CaromBenchTest {
 
     assertThat(run.exitCode()).as(why).isEqualTo(1);
     assertThat(run.out()).isEmpty();
+    assertThat(run.err()).contains(message).hasLineCount(1);
+  }
+
+  @Test
+  void theListHasEveryCommandOnceInAGroup() {
+    String help = Cli.run("--help").out();
+    assertThat(help).contains("Try it:", "Measure:", "Look for mistakes:");
+    for (String name : CaromBench.commandLine().getSubcommands().keySet()) {
+      assertThat(help).containsOnlyOnce(System.lineSeparator() + "  " + name + " ");
+    }
+  }
+
+  /** The help of each command ends with one that can be typed; it is parsed here. */
+  @Test
+  void everyCommandHasAnExample() {
+    CaromBench.commandLine()
+        .getSubcommands()
+        .forEach(
+            (name, command) -> {
+              String example = example(Cli.run(name, "--help").out());
+              assertThat(example).startsWith("carom-bench " + name);
+              String[] words = example.replace("carom-bench ", "").split(" ");
+              assertThatCode(() -> CaromBench.commandLine().parseArgs(words))
+                  .doesNotThrowAnyException();
+            });
+    assertThat(example(Cli.run("--help").out())).startsWith("carom-bench ");
+  }
+
+  private static String example(String help) {
+    Matcher example = Pattern.compile("(?m)^Example: (.+)$").matcher(help);
+    assertThat(example.find()).as(help).isTrue();
+    return example.group(1);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "repla                      | 'repla'; did you mean replay",
+        "gas --circels 5            | '--circels', '5'; did you mean --circles",
+        "sweep --replay 3           | '--replay', '3'; did you mean --replays",
+        "xyzxyz                     | 'xyzxyz' (see"
+      })
+  void aWordThatIsNearlyRightIsNamed(String words, String message) {
+    Cli run = Cli.run((Object[]) words.split(" "));
+
+    assertThat(run.exitCode()).isEqualTo(2);
     assertThat(run.err()).contains(message).hasLineCount(1);
   }
 
