@@ -22,7 +22,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
     synopsisSubcommandLabel = "[COMMAND]",
     footer = {
       "",
-      "Times are those of a machine with two cores. COMMAND --help lists the options of a command.",
+      "COMMAND --help explains a command, its options, and how long it takes on two cores.",
       "Exit code: 0 done, 1 a failed run or bad data, 2 a wrong command line.",
       "",
       "Example: carom-bench replay --circles 50"

@@ -28,7 +28,7 @@ import picocli.CommandLine.TypeConversionException;
 @Command(
     name = "example",
     description = {
-      "Runs an example in a window, or draws it after some frames, for which no screen is needed.",
+      "Runs an example in a window, or draws it with --png, without a screen.",
       "Without a name it lists them."
     },
     footer = {"", "Example: carom-bench example breakout"},

@@ -20,15 +20,16 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "fuzz",
     description = {
-      "Plays random worlds (neighbours by ulps, ties, lattices, crowds, extremes) with random edits,"
-          + " and checks after every step: flights continuous, through no line, no peg, no wall and no"
-          + " circle, by exact arithmetic of its own; energy as the responses allow; the log in the"
-          + " order of time; the same rows and states if the step is cut, restored on the way, or"
-          + " of one circle alone. With --queries it asks the detector with numbers of all patterns"
-          + " instead.",
-      "Each fourth world is one in which impacts would not end without a rule: trapped circles,"
-          + " pockets, infinite masses, doors, heaps, bumpers.",
-      "The first finding ends the run, with the seed and the scene that show it again."
+      "Plays random worlds with random edits, and checks every flight exactly.",
+      "Worlds have neighbours by ulps, ties, lattices, crowds and extremes. In each"
+          + " fourth world impacts would not end without a rule: trapped circles, pockets,"
+          + " infinite masses, doors, heaps, bumpers.",
+      "Checked after every step, by exact arithmetic of its own: flights are"
+          + " continuous and pass through no line, peg, wall or circle; energy is as the"
+          + " responses allow; the log is in the order of time; rows and states are the"
+          + " same if the step is cut, restored on the way, or of one circle alone.",
+      "With --queries it asks the detector with numbers of all patterns instead.",
+      "The first finding ends the run, with the seed and the scene that show it" + " again."
     },
     footer = {"", "Example: carom-bench fuzz --seconds 600 --seed 7"},
     mixinStandardHelpOptions = true,

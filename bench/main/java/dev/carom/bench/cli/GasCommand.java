@@ -24,8 +24,10 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "gas",
     description = {
-      "Plays a gas of circles that collide: collisions per second, time per frame, energy kept.",
-      "The published algorithm knows no collisions between circles, so there is nothing beside it."
+      "Makes and times a gas of circles that collide.",
+      "Tells collisions per second, time per frame, and how well energy is kept."
+          + " The published algorithm knows no collisions between circles, so there is"
+          + " nothing beside it. Takes seconds."
     },
     footer = {"", "Example: carom-bench gas --circles 10000 --steady"},
     mixinStandardHelpOptions = true,

@@ -12,9 +12,12 @@ import picocli.CommandLine.Unmatched;
 /** Hands everything to JMH. */
 @Command(
     name = "jmh",
-    description =
-        "Runs JMH's own command line: single queries, what exactness costs, frames, building and"
-            + " reading worlds of one circle to a million, gases and their events, edits.",
+    description = {
+      "Runs the microbenchmarks, by the command line of JMH.",
+      "They time single queries, what exactness costs, frames, building and reading"
+          + " worlds of one circle to a million, gases and their events, and edits. All"
+          + " take hours: name one, and a size."
+    },
     customSynopsis = "carom-bench jmh [JMH OPTIONS] [REGEXP]...",
     footer = {
       "",

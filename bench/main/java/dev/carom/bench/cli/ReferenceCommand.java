@@ -22,9 +22,10 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "reference",
     description = {
-      "Computes what really happens in the experiment's scenes: event after event in arbitrary"
-          + " precision, each decision proved, until every place is known to the last bit of a"
-          + " double and a run with twice the digits agrees."
+      "Computes what really happens in the experiment's scenes.",
+      "Event after event in arbitrary precision, each decision proved, until every"
+          + " place is known to the last bit of a double and a run with twice the digits"
+          + " agrees. Takes about a minute."
     },
     footer = {"", "Example: carom-bench reference base-1 --frames 100"},
     mixinStandardHelpOptions = true,

@@ -27,9 +27,9 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "replay",
     description = {
-      "Replays the published experiment, by Carom and by the published algorithm ('poster') in the"
-          + " same run, and tells whether 60 frames per second are met.",
-      "Runs when no command is given."
+      "Replays the published experiment, with the published algorithm in the same" + " run.",
+      "Tells whether 60 frames per second are met; 'poster' is the published"
+          + " algorithm. Runs when no command is given. Takes a minute or two."
     },
     footer = {"", "Example: carom-bench replay --circles 50 --json replay.json"},
     mixinStandardHelpOptions = true,

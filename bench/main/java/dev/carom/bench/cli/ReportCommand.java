@@ -31,9 +31,10 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "report",
     description = {
-      "Measures speed and accuracy of Carom, of other methods and of other engines, and writes a"
-          + " report: a page, its charts as PNG and SVG, and all numbers as JSON and CSV.",
-      "A run that was interrupted goes on where it was."
+      "Measures speed and accuracy of all methods and engines, and writes a report.",
+      "The report is a page, its charts as PNG and SVG, and all numbers as JSON and"
+          + " CSV. Takes 40 minutes to an hour, with --quick 3 to 4 minutes. A run that"
+          + " was interrupted goes on where it was."
     },
     footer = {"", "Example: carom-bench report --quick --out report"},
     mixinStandardHelpOptions = true,

@@ -17,9 +17,10 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "rungs",
     description = {
-      "Tells which rung of precision answers, by family of queries: whether plain doubles decide,"
-          + " double-double, or exact numbers; and which of the latter two rounds the time of an"
-          + " impact after time 0."
+      "Counts how often double-double and exact numbers were needed.",
+      "By family of queries: how many plain doubles decide, how many double-double,"
+          + " how many exact numbers; and which of the latter two rounds the time of an"
+          + " impact after time 0. Takes seconds."
     },
     footer = {"", "Example: carom-bench rungs --queries 1000"},
     mixinStandardHelpOptions = true,

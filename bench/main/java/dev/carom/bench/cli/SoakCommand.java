@@ -25,13 +25,14 @@ import picocli.CommandLine.TypeConversionException;
 @Command(
     name = "soak",
     description = {
-      "Runs a world for very many impacts and tells whether anything gets through, leaks, drifts"
-          + " or slows down: escapes, crossings, energy, heap in use, and time per impact at the"
+      "Runs a world for very many impacts and tells whether anything leaks or" + " drifts.",
+      "Reports escapes, crossings, energy, heap in use, and time per impact at the"
           + " start and at the end.",
-      "Every flight from impact to impact is checked against every line. Fails if a circle escapes"
-          + " or crosses, or the energy changes by more than 1e-11 of itself.",
-      "With --scene it runs a random scene of a kind in which impacts would not end without a rule,"
-          + " and checks each step as fuzz does."
+      "Every flight from impact to impact is checked against every line. Fails if a"
+          + " circle escapes or crosses, or the energy changes by more than 1e-11 of"
+          + " itself.",
+      "With --scene it runs a random scene of a kind in which impacts would not end"
+          + " without a rule, and checks each step as fuzz does."
     },
     footer = {"", "Example: carom-bench soak --gas --impacts 1000000"},
     mixinStandardHelpOptions = true,

@@ -28,9 +28,10 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "stability",
     description = {
-      "Tells where methods fail: plays grids of small scenes by Carom, by other methods and by other"
-          + " engines, and judges each cell against its true course, as right, drifted, far off,"
-          + " of wrong speed, or escaped."
+      "Maps where methods fail, on grids of small scenes.",
+      "Carom, other methods and other engines play each cell. The true course"
+          + " judges them: right, drifted, far off, of wrong speed, or escaped. Takes less"
+          + " than a minute."
     },
     footer = {"", "Example: carom-bench stability --quick --map angle --out ."},
     mixinStandardHelpOptions = true,

@@ -24,9 +24,9 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "sweep",
     description = {
-      "Measures the time of a frame against the number of circles, their radius, the number of"
-          + " lines and the impacts of the frame, as the published experiment did, by Carom and by"
-          + " the published algorithm ('poster') in turns, and tells how times grow."
+      "Plays the published figures: time against circles, radius, lines and" + " impacts.",
+      "Carom and the published algorithm ('poster') take turns. Tells how times"
+          + " grow. Takes about 5 minutes, with --quick seconds."
     },
     footer = {"", "Example: carom-bench sweep --quick --pictures ."},
     mixinStandardHelpOptions = true,

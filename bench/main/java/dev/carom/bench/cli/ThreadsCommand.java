@@ -20,8 +20,9 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "threads",
     description = {
-      "Times a scene whose circles ignore each other on one thread, and split over several.",
-      "The two take turns. Each thread has a world of its own, and all meet after each frame."
+      "Times a scene on one thread, and split over several.",
+      "Its circles must ignore each other. The two take turns. Each thread has a"
+          + " world of its own, and all meet after each frame."
     },
     footer = {"", "Example: carom-bench threads --circles 100000 --crosses 50000 --frames 30"},
     mixinStandardHelpOptions = true,
