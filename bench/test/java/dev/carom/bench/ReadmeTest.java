@@ -27,7 +27,7 @@ class ReadmeTest {
   @Test
   void editsPrintWhatTheReadmeSays() throws Exception {
     String printed = JavaSample.run(block("java", 1), folder);
-    assertThat(printed.strip()).isEqualTo(block("", 3).strip());
+    assertThat(printed.strip()).isEqualTo(block("", 1).strip());
   }
 
   /** The text of the n-th fenced block of a language; "" for blocks that name none. */

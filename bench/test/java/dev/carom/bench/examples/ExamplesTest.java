@@ -72,7 +72,7 @@ class ExamplesTest {
     return image.getRGB(0, 0, size.width, size.height, null, 0, size.width);
   }
 
-  /** With the files that the README names, this library and Swing, and nothing else. */
+  /** With the files that the harness page names, this library and Swing, and nothing else. */
   @ParameterizedTest
   @ValueSource(
       strings = {
@@ -91,7 +91,7 @@ class ExamplesTest {
     args.add("main/java/dev/carom/bench/examples/" + name + ".java");
     args.add("main/java/dev/carom/bench/examples/Example.java");
     Path charts = Path.of("main/java/dev/carom/bench/charts");
-    String readme = Files.readString(Path.of("../README.md"));
+    String readme = Files.readString(Path.of("README.md"));
     String named = readme.substring(readme.indexOf("what draws them ("));
     Matcher file = Pattern.compile("`(\\w+)`").matcher(named);
     file.region(0, named.indexOf(" in [charts]"));

@@ -4,6 +4,7 @@ package dev.carom.bench.report;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.carom.bench.results.ResultsJson;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,6 +14,23 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class ReadmeFiguresTest {
+
+  private static final Path ROOT = Path.of("..");
+
+  @ParameterizedTest
+  @CsvSource({"README.md, 20", "bench/README.md, 2"})
+  void thePagesQuoteTheCommittedResults(String name, int marks) throws IOException {
+    String page = Files.readString(ROOT.resolve(name));
+
+    String filled =
+        ReadmeFigures.fill(
+            page, ResultsJson.read(ROOT.resolve("bench/results").resolve(Report.RESULTS)));
+
+    assertThat(page)
+        .as("write it anew with: report --from bench/results --readme %s", name)
+        .isEqualTo(filled);
+    assertThat(page.split("<!-- ")).hasSizeGreaterThan(marks);
+  }
 
   @ParameterizedTest
   @CsvSource(

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.Scene;
+import java.io.IOException;
+import java.io.StringReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+
+/** The page of the harness tells of every command, and of scene files as they are read. */
+class HarnessPageTest {
+
+  private static final Path PAGE = Path.of("README.md");
+
+  @Test
+  void everyCommandStandsInATable() throws IOException {
+    List<String> rows = all("(?m)^\\| `(\\w+)` \\|");
+    assertThat(rows)
+        .containsExactlyInAnyOrderElementsOf(CaromBench.commandLine().getSubcommands().keySet());
+  }
+
+  @Test
+  void theSampleOfASceneFileIsRead() throws IOException {
+    String sample = all("(?s)## Scene files.*?```\n(.*?)```").get(0);
+    Scene scene = Scene.read(new StringReader(sample), "the sample");
+    assertThat(scene.lineCount()).isEqualTo(2);
+    assertThat(scene.pegCount()).isEqualTo(2);
+    assertThat(scene.circleCount()).isEqualTo(2);
+    assertThat(scene.collide()).isTrue();
+    assertThat(scene.warnings()).isEmpty();
+  }
+
+  private static List<String> all(String pattern) throws IOException {
+    return Pattern.compile(pattern)
+        .matcher(Files.readString(PAGE))
+        .results()
+        .map(match -> match.group(1))
+        .toList();
+  }
+}
