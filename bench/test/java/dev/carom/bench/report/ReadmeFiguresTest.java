@@ -30,6 +30,11 @@ class ReadmeFiguresTest {
         .as("write it anew with: report --from bench/results --readme %s", name)
         .isEqualTo(filled);
     assertThat(page.split("<!-- ")).hasSizeGreaterThan(marks);
+    assertThat(page.lines())
+        .as(
+            "a comment at the start of a line ends the paragraph: a mark there has a line of its own")
+        .noneMatch(
+            line -> line.strip().matches("<!-- .+ -->.*") && !line.matches("<!-- [^>]+ -->"));
   }
 
   @ParameterizedTest
