@@ -12,7 +12,7 @@ import picocli.CommandLine.Model.UsageMessageSpec;
 /** The list of commands in the help, grouped by what they are for. */
 enum CommandGroups {
   TRY("Try it:", "replay view example simulate cast"),
-  MEASURE("Measure:", "report sweep scale gas threads stability rungs jmh"),
+  MEASURE("Measure:", "report sweep scale features gas threads stability rungs jmh"),
   CHECK("Look for mistakes:", "fuzz soak hash reference");
 
   private final String heading;

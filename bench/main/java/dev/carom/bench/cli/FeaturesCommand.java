@@ -21,9 +21,11 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "features",
     description = {
-      "Measures what each thing that a scene uses costs, in time a frame and in memory: circles"
-          + " alone, walls, lines, sensors, a recording, edits, collisions."
+      "Measures what each thing that a scene uses costs.",
+      "In time a frame and in memory: circles alone, walls, lines, sensors, a recording, edits,"
+          + " collisions."
     },
+    footer = {"", "Example: carom-bench features --rounds 11 --no-memory"},
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class FeaturesCommand implements Callable<Integer> {
