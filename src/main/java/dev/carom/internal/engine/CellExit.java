@@ -24,27 +24,12 @@ final class CellExit {
   private CellExit() {}
 
   /**
-   * How long a circle takes to leave a cell.
+   * The way in which a circle leaves a cell of a level.
    *
-   * @param x its place, from the origin of the cells
+   * @param dx how long it takes to the edge ahead on its left or right
+   * @param dy how long it takes to the edge ahead above or below
    */
-  static double time(
-      double x, double y, double vx, double vy, double column, double row, double cellWidth) {
-    return Math.min(untilEdge(x, vx, column, cellWidth), untilEdge(y, vy, row, cellWidth));
-  }
-
-  /** The way in which it leaves a cell of a level. */
-  static int way(
-      int level,
-      double x,
-      double y,
-      double vx,
-      double vy,
-      double column,
-      double row,
-      double cellWidth) {
-    double dx = untilEdge(x, vx, column, cellWidth);
-    double dy = untilEdge(y, vy, row, cellWidth);
+  static int way(int level, double dx, double dy, double vx, double vy) {
     // All bits are set if the exit is up or down; then v is vy, else vx.
     long vertical = Double.doubleToRawLongBits(dy - dx) >> 63;
     long horizontal = Double.doubleToRawLongBits(vx);
@@ -52,7 +37,13 @@ final class CellExit {
     return level << LEVEL_SHIFT | (int) ((vertical & VERTICAL) | (v >>> 63));
   }
 
-  private static double untilEdge(double p, double v, double cell, double cellWidth) {
+  /**
+   * How long a circle takes on one axis to the edge of its cell that is ahead.
+   *
+   * @param p its place, from the origin of the cells
+   * @param cell the column or the row of the cell
+   */
+  static double untilEdge(double p, double v, double cell, double cellWidth) {
     // The upper edge of a cell has the number of the next one.
     double edge = (cell + oneIfPositive(v)) * cellWidth;
     return Math.abs(cell) < FARTHEST && v != 0 ? (edge - p) / v : NEVER;

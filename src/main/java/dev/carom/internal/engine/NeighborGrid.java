@@ -276,14 +276,18 @@ public final class NeighborGrid {
     double column = s[a + CircleTable.COLUMN];
     double row = s[a + CircleTable.ROW];
     int own = levelOf(i);
-    double first = CellExit.time(x, y, vx, vy, column, row, width(i));
-    int way = CellExit.way(own, x, y, vx, vy, column, row, width(i));
+    double cellWidth = width(i);
+    double dx = CellExit.untilEdge(x, vx, column, cellWidth);
+    double dy = CellExit.untilEdge(y, vy, row, cellWidth);
+    double first = Math.min(dx, dy);
+    int way = CellExit.way(own, dx, dy, vx, vy);
     for (int level = own + 1; level < levels; level++) {
       int k = cellAt(i, level);
-      double time = CellExit.time(x, y, vx, vy, coarse[k], coarse[k + 1], size[level]);
-      if (time < first) {
-        first = time;
-        way = CellExit.way(level, x, y, vx, vy, coarse[k], coarse[k + 1], size[level]);
+      dx = CellExit.untilEdge(x, vx, coarse[k], size[level]);
+      dy = CellExit.untilEdge(y, vy, coarse[k + 1], size[level]);
+      if (Math.min(dx, dy) < first) {
+        first = Math.min(dx, dy);
+        way = CellExit.way(level, dx, dy, vx, vy);
       }
     }
     c[CircleTable.collidingCodesAt(i) + CircleTable.WAY] = way;
@@ -299,11 +303,15 @@ public final class NeighborGrid {
     double vy = s[a + FlightRow.VY];
     double column = s[a + CircleTable.COLUMN];
     double row = s[a + CircleTable.ROW];
-    double first = CellExit.time(x, y, vx, vy, column, row, width(i));
+    double cellWidth = width(i);
+    double first =
+        Math.min(
+            CellExit.untilEdge(x, vx, column, cellWidth),
+            CellExit.untilEdge(y, vy, row, cellWidth));
     for (int level = levelOf(i) + 1; level < levels; level++) {
       int k = cellAt(i, level);
-      double time = CellExit.time(x, y, vx, vy, coarse[k], coarse[k + 1], size[level]);
-      first = Math.min(first, time);
+      first = Math.min(first, CellExit.untilEdge(x, vx, coarse[k], size[level]));
+      first = Math.min(first, CellExit.untilEdge(y, vy, coarse[k + 1], size[level]));
     }
     return first;
   }
