@@ -8,11 +8,11 @@ import java.util.function.Supplier;
 /**
  * An impact that may be the first one of a cast. Only its rounded time is computed at once.
  *
- * @param code what is hit, see {@link Codes}; of a moving circle its slot counts
- * @param contact how the detector names the contact
+ * @param code the code of the obstacle or circle that is hit, see {@link Codes}
+ * @param contact the detector's name of the contact, see {@code Contact}
  * @param time the correctly rounded time of impact
- * @param exactTime the exact one, asked for where the rounded one leaves the order open
- * @param hit where it is, asked for if it is the first one
+ * @param exactTime the exact time, computed only if rounded times leave the order open
+ * @param hit the contact point and the normal, computed only for the first impact
  */
 public record Candidate(
     int code, int contact, double time, Supplier<ExactTime> exactTime, Supplier<Hit> hit) {

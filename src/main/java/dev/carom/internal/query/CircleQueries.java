@@ -11,7 +11,7 @@ import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.Index;
 import java.util.stream.IntStream;
 
-/** What can be asked of the circles of a world, by their slots. */
+/** Queries about the circles of a world, by their slots. */
 public final class CircleQueries {
 
   private final CircleTable circles;
@@ -23,11 +23,11 @@ public final class CircleQueries {
   }
 
   /**
-   * The first contact of a cast with any circle that is no sensor, or with what was found before:
-   * exactly the earliest one, of exactly simultaneous ones circles come last.
+   * The first contact of a cast with any circle but sensors, or with an obstacle found before:
+   * exactly the earliest one. Of exactly simultaneous ones circles come last.
    *
    * @param m the circle that is cast, at the start
-   * @param before a contact with something else until maxTime, null for none
+   * @param before a contact with an obstacle until maxTime, null for none
    * @param maxTime the end of the window, counted from now
    * @return the contact, null if there is none until maxTime
    */

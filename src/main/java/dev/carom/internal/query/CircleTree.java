@@ -7,9 +7,9 @@ import java.util.Comparator;
 import java.util.function.IntConsumer;
 
 /**
- * Finds which circles of a scene are near a segment or a point: a binary tree of boxes. The circles
- * stand in vertical strips, from the bottom of each to its top, and each box is that of a run of
- * them. So neither a circle far off nor a large one spoils it.
+ * A tree of bounding boxes over the circles of a scene, which finds those near a segment or a
+ * point. The circles are sorted into vertical strips, and from bottom to top within a strip; each
+ * box is that of a run of them. So neither a distant circle nor a large one spoils it.
  */
 final class CircleTree {
 

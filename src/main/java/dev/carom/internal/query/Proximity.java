@@ -26,7 +26,7 @@ public final class Proximity {
     this.obstacles = obstacles;
   }
 
-  /** The codes of one {@link Kind} of what stands still. */
+  /** The codes of the obstacles of one {@link Kind}. */
   public IntStream codes(int kind) {
     return obstacles.codes(kind);
   }

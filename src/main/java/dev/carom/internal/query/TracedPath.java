@@ -5,9 +5,9 @@ import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.util.DoubleList;
 
 /**
- * The way of one circle among things that stand still.
+ * The path of one circle among static obstacles.
  *
- * @param flights {@link #FLIGHT} numbers of each flight, one more than there are impacts
+ * @param flights {@link #FLIGHT} numbers for each flight, one flight more than there are impacts
  * @param impacts in the order of time
  * @param duration the time covered
  * @param complete whether that is all that was asked for

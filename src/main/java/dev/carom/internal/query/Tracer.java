@@ -13,14 +13,14 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.DoubleList;
 
-/** Follows one circle among things that stand still, with all its bounces. */
+/** Follows one circle among static obstacles, with all its bounces. */
 public final class Tracer {
 
   private final ObstacleTable obstacles;
   private final BroadPhase search;
   private final ObstacleResponse response;
 
-  /** Where the circle's obstacles are listed, or null to ask them all. */
+  /** The grid of the obstacles, or null to test each of them. */
   private final Grid grid;
 
   public Tracer(ObstacleTable obstacles, BroadPhase search, Grid grid) {
@@ -31,10 +31,10 @@ public final class Tracer {
   }
 
   /**
-   * The first contact until a given time: exactly the earliest one, sensors passed over. Null if
-   * there is none.
+   * The first contact until a given time: exactly the earliest one, sensors ignored; null if there
+   * is none.
    *
-   * @param mover at the start; it must stay as it is found
+   * @param mover the circle at the start; the caller must not change it while the answer is in use
    */
   public Candidate first(MovingCircle mover, double maxTime) {
     search.cast(mover, grid, maxTime);
@@ -62,9 +62,9 @@ public final class Tracer {
   }
 
   /**
-   * The way until the given time, or until the impact after the last bounce that is asked for.
+   * The path until the given time, or until the impact after the last bounce that is asked for.
    *
-   * @param most impacts at which the way ends unfinished
+   * @param most how many impacts a path may have; one with more ends there, incomplete
    */
   public TracedPath trace(MovingCircle mover, double duration, int bounces, int most) {
     DoubleList flights = new DoubleList();

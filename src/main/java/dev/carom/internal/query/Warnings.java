@@ -15,12 +15,13 @@ import java.util.List;
 import java.util.stream.LongStream;
 
 /**
- * What a scene warns of: see {@code Scene.warnings}. The circles are taken in blocks, each twice as
- * large as the one before: where most overlap most, the first blocks have as many as are listed.
+ * The warnings of a scene, see {@code Scene.warnings}. The circles are searched in blocks, each
+ * twice as large as the one before. So where many overlap, the first blocks hold as many warnings
+ * as are listed.
  */
 public final class Warnings {
 
-  /** So many are listed. */
+  /** The number of warnings that are listed at most. */
   static final int MOST_WARNINGS = 10_000;
 
   private static final int FIRST_BLOCK = 64;
@@ -32,7 +33,10 @@ public final class Warnings {
   private final Proximity proximity;
   private final List<String> texts = new ArrayList<>();
 
-  /** Of the block in hand, each a circle and, below it, the code of what it overlaps. */
+  /**
+   * The overlaps of the current block: in the upper half of a long the circle, in the lower half
+   * the code of the obstacle or circle that it overlaps.
+   */
   private LongStream.Builder found;
 
   private Warnings(SceneData scene) {
@@ -159,7 +163,7 @@ public final class Warnings {
     return isSensor(i) || Math.min(scene.masses[i], scene.masses[j]) == Double.POSITIVE_INFINITY;
   }
 
-  /** What is told of a circle and what it overlaps. */
+  /** The warning of a circle and what it overlaps. */
   public static String text(SceneData scene, int i, int code) {
     double r = scene.radius(i);
     if (Codes.isWall(code)) {
@@ -196,7 +200,8 @@ public final class Warnings {
   }
 
   /**
-   * A distance that rounding took to what is expected, or beyond, is told as the next one below.
+   * A distance that rounding raised to the expected one, or beyond, is shown as the double below
+   * it.
    */
   private static String text(int i, String thing, double distance, double least, String what) {
     return "%s: distance from %s is %s: expected at least %s, %s"

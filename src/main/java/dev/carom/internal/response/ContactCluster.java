@@ -20,12 +20,12 @@ import java.util.stream.IntStream;
  * Circles in contact, one of which is {@linkplain StuckRule stuck}: all their contacts act at once
  * and without bounce.
  *
- * <p>The {@linkplain InelasticShock inelastic shock} tells their new velocities: it is the limit of
- * what impacts of restitution 0 would come to, one after the other. Energy never grows; momentum is
- * kept unless an obstacle takes it up. Contacts that approach by no more than rounding afterwards
- * are inert, until an impact makes the two approach or part by more.
+ * <p>The {@linkplain InelasticShock inelastic shock} gives their new velocities: the limit of
+ * repeated impacts of restitution 0. Energy never grows; momentum is kept unless an obstacle takes
+ * it up. Contacts that approach by no more than rounding afterwards are inert, until an impact
+ * makes the two approach or part by more.
  *
- * <p>Two things have no such answer, or take too long to have one:
+ * <p>Two cases have no such answer, or take too long:
  *
  * <ul>
  *   <li>Infinite masses close on a circle, or press it against an obstacle. The circle is
@@ -36,7 +36,7 @@ import java.util.stream.IntStream;
  */
 public final class ContactCluster {
 
-  /** What may touch the circles of an engine. */
+  /** Finds what may touch the circles of an engine. */
   public interface Vicinity {
 
     /** A superset of the circles that touch circle i, in any order. */
@@ -231,7 +231,7 @@ public final class ContactCluster {
     return contacts.removeAll(ofInfinite);
   }
 
-  /** Whether a contact is the impact in hand, which the log has by now. */
+  /** Whether a contact is the impact that is just resolved, which the log already holds. */
   private boolean isHit(Contact c, MovingCircle... hit) {
     boolean isFirst = members.get(c.a) == hit[0];
     return isFirst && (hit.length == 1 ? c.touch.code() == hit[0].last : c.b == 1);

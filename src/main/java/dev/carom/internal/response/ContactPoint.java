@@ -90,7 +90,7 @@ final class ContactPoint {
   private void locateOnLine(MovingCircle m, double[] lines, int k) {
     int contact = Contact.withoutTime(m.contact);
     if (contact >= Contact.START) {
-      // Which end it is, no processor can foretell: its place is computed.
+      // Which end it is is unpredictable: the index of its coordinates is computed, branch-free.
       int end = k + (contact - Contact.START) * LineShape.END;
       int other = 2 * k + LineShape.END - end;
       locateOnEnd(

@@ -18,7 +18,7 @@ import java.util.Arrays;
  */
 public final class InelasticShock {
 
-  /** Instead of the second circle of a contact: something that stands still. */
+  /** Instead of the second circle of a contact: an obstacle. */
   static final int OBSTACLE = -1;
 
   /** What is left of an approach when the relaxation ends: 8 ulps of the largest speed, 1 to 2. */
@@ -246,7 +246,7 @@ public final class InelasticShock {
     return curvature <= FLAT * dot(direction, direction);
   }
 
-  /** Finds what the direction does to the separations; returns its curvature. */
+  /** Computes how the direction changes the separations; returns its curvature. */
   private double respond() {
     Arrays.fill(ux, 0);
     Arrays.fill(uy, 0);

@@ -8,19 +8,20 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 
 /**
- * What an impact does to the velocity: {@code v -= (1 + e) (v.n) / (n.n) n}, with the normal n of
- * {@link ContactPoint}, so that errors do not feed on themselves; a wall turns one component.
+ * The velocity of a circle after an impact with an obstacle: {@code v -= (1 + e) (v.n) / (n.n) n}.
+ * The normal n is that of {@link ContactPoint}, of any length, so that errors do not feed on
+ * themselves. A wall turns one component.
  *
- * <p>A {@linkplain StuckRule stuck} circle has restitution 0 whatever it hits, and what it then
- * approaches by no more than rounding is inert for it; {@link StopRule} says when it stops. Motion
- * is taken away, not given: the TC model of S. Luding and S. McNamara (How to handle the inelastic
- * collapse of a dissipative hard-sphere gas with the TC model, Granular Matter 1, 1998) instead
- * makes impacts elastic that follow each other too fast. That feeds back energy that the scene had
- * taken away, and needs a length of time that a scene does not have.
+ * <p>A {@linkplain StuckRule stuck} circle has restitution 0 with every obstacle, and ignores
+ * obstacles that it approaches by no more than rounding; {@link StopRule} decides when it stops.
+ * The rule only takes energy away. The TC model of S. Luding and S. McNamara (How to handle the
+ * inelastic collapse of a dissipative hard-sphere gas with the TC model, Granular Matter 1, 1998)
+ * instead makes impacts elastic that follow each other too fast. That feeds energy back that the
+ * scene had taken away, and needs a length of time that a scene does not have.
  */
 public final class ObstacleResponse {
 
-  // What an impact leads to.
+  // What follows an impact.
 
   /** Nothing: a sensor reported it, and the flight goes on. */
   public static final int SENSED = 0;
@@ -28,13 +29,13 @@ public final class ObstacleResponse {
   /** A new flight. */
   public static final int NEW_FLIGHT = 1;
 
-  /** A new flight of a stuck circle: all that it touches is to be resolved at once. */
+  /** A new flight of a stuck circle: all its contacts are to be resolved at once. */
   public static final int STUCK = 2;
 
   private final ObstacleTable obstacles;
   private final Impulse impulse = new Impulse();
 
-  /** Of the impact in hand: {@link #report} sets it. */
+  /** The contact of the current impact; {@link #report} fills it. */
   private final ContactPoint point;
 
   public ObstacleResponse(ObstacleTable obstacles) {
@@ -43,10 +44,10 @@ public final class ObstacleResponse {
   }
 
   /**
-   * Flies a mover to the impact found ahead, changes its velocity, and writes it into the log. At a
-   * sensor it only writes.
+   * Advances a circle to its next impact, changes its velocity, and writes the impact into the log.
+   * With a sensor it only writes.
    *
-   * @return what it leads to: SENSED, NEW_FLIGHT or STUCK
+   * @return what follows: SENSED, NEW_FLIGHT or STUCK
    */
   public int resolve(MovingCircle m, ImpactRows log) {
     int code = m.next;
@@ -104,7 +105,7 @@ public final class ObstacleResponse {
     }
   }
 
-  /** Writes that a mover meets a sensor; the flight goes on, and is known up to there. */
+  /** Writes a contact with a sensor. The flight goes on, and is known up to there. */
   private void sense(MovingCircle m, int code, ImpactRows log) {
     double startX = m.x;
     double startY = m.y;
@@ -118,7 +119,7 @@ public final class ObstacleResponse {
     m.contact = code;
   }
 
-  /** Writes that a mover is in contact with an obstacle. */
+  /** Writes a contact of a circle with an obstacle. */
   void report(MovingCircle m, Touch touch, ImpactRows log) {
     m.contact = touch.contact();
     report(m, touch.code(), m.x, m.y, m.t, log);
@@ -126,9 +127,9 @@ public final class ObstacleResponse {
   }
 
   /**
-   * Writes an impact of a mover that stands where it touches, and finds its contact point.
+   * Writes an impact of a circle that stands where it touches, and finds its contact point.
    *
-   * @param startX where its flight started that ended there
+   * @param startX the x coordinate of the start of the flight that ended there
    * @return v.n
    */
   private double report(

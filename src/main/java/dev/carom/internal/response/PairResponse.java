@@ -12,11 +12,11 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.Coordinates;
 
 /**
- * What a collision does to two velocities: with the offset {@code n = x1 - x2}, of any length, and
- * {@code u = v1 - v2}, the part of u along n is turned round and scaled by e, and shared out by the
- * masses: {@code v1 -= m2 / (m1 + m2) J n}, {@code v2 += m1 / (m1 + m2) J n} with {@code J = (1 +
- * e) (u.n) / (n.n)}. A circle of infinite mass goes on as it was; two of them pass through each
- * other, which is reported. Where one halts, both lose what motion they have along n.
+ * The velocities of two circles after a collision. With the offset {@code n = x1 - x2}, of any
+ * length, and {@code u = v1 - v2}, the part of u along n is reversed, scaled by e, and shared by
+ * the masses: {@code v1 -= m2 / (m1 + m2) J n}, {@code v2 += m1 / (m1 + m2) J n} with {@code J = (1
+ * + e) (u.n) / (n.n)}. A circle of infinite mass keeps its velocity; two of them pass through each
+ * other, which is reported. If one of two circles halts, both lose their motion along n.
  */
 public final class PairResponse {
 
@@ -31,7 +31,7 @@ public final class PairResponse {
   private final CircleRegistry registry;
   private final Impulse impulse = new Impulse();
 
-  // The two in hand: 2^fast u, n, and u.n.
+  // The current collision: u / 2^fast, n, and u.n.
   private int fast;
   private double ux;
   private double uy;
@@ -56,8 +56,8 @@ public final class PairResponse {
   }
 
   /**
-   * Whether two circles are not there for each other: both are jammed to the other, or one of them
-   * has infinite mass, crushed the other, and passes over it.
+   * Whether two circles ignore each other: both are jammed with each other, or one of them has
+   * infinite mass and passes over the other, which it crushed.
    */
   public boolean isInert(int i, IgnoreList ofI, int j, IgnoreList ofJ) {
     int codeI = Codes.circle(i);
@@ -85,8 +85,8 @@ public final class PairResponse {
   }
 
   /**
-   * The rank of a meeting among events of the same time, the lower number first: after what circles
-   * meet that stands still. Sensors come first of all, since they change nothing.
+   * The rank of a collision among events of the same time, the lower number first: after impacts
+   * with obstacles. Sensors come first of all, since they change nothing.
    */
   public long rank(int i, int j) {
     long rank = Codes.rank(Codes.circle(i), j);
@@ -114,11 +114,12 @@ public final class PairResponse {
   }
 
   /**
-   * Changes the velocities of two circles in contact, the lower number first, and writes the log.
-   * Where one is a sensor, or both have infinite mass, it only writes. A {@linkplain
-   * MovingCircle#crushed crushed} circle stands like one of infinite mass.
+   * Changes the velocities of two circles in contact, and writes the log. If one is a sensor, or
+   * both have infinite mass, it only writes. A {@linkplain MovingCircle#crushed crushed} circle
+   * acts as one of infinite mass.
    *
-   * @return what it leads to, as {@link ObstacleResponse#resolve} tells
+   * @param a the one with the lower number
+   * @return what follows, as for {@link ObstacleResponse#resolve}
    */
   public int resolve(MovingCircle a, MovingCircle b, ImpactRows log) {
     report(a, b, log);

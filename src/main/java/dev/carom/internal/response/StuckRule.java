@@ -68,11 +68,12 @@ public final class StuckRule {
   /**
    * Counts an impact.
    *
-   * @param way how far the two moved against each other since the circle's last impact
-   * @param speed the sum of the components of what moves
+   * @param way the distance that circle and partner moved relative to each other since the last
+   *     impact of the circle
+   * @param speed the sum of the absolute components of the relative velocity
    * @param approach along the normal
    * @param e the restitution
-   * @param elastic the weight if that is 1
+   * @param elastic the weight of an impact of restitution 1
    */
   static void count(
       MovingCircle m, double way, double speed, double approach, double e, int elastic) {
@@ -115,7 +116,7 @@ public final class StuckRule {
     return Math.max(Math.max(Math.abs(m.x), Math.abs(m.y)), m.radius);
   }
 
-  /** How far a circle moves at most from what it just hit to still be at the same place. */
+  /** The distance from the last impact within which a circle is still at the same place. */
   static double widthOfPlace(MovingCircle m) {
     return isStuck(m) ? place(m, 0) : ROUNDED * size(m);
   }
@@ -125,7 +126,7 @@ public final class StuckRule {
     return m.stuck > LIMIT;
   }
 
-  /** Notes that a circle took part in what happened at a speed. */
+  /** Notes a speed that a circle met at its place. */
   static void noteSpeed(MovingCircle m, double speed) {
     m.speedExponent = Math.max(m.speedExponent, exponent(speed));
   }

@@ -13,17 +13,18 @@ import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.UnitVectors;
 
 /**
- * A contact of a stuck circle with something: no further apart than {@linkplain
- * StuckRule#INELASTIC_PLACE one place} or 64 ulps of the coordinates, or overlapping.
+ * A contact of a stuck circle with an obstacle or another circle: overlapping, or no further apart
+ * than {@linkplain StuckRule#INELASTIC_PLACE one place} or 64 ulps of the coordinates.
  *
- * @param code what it touches, see {@link Codes}
- * @param contact how the detector names that contact, see {@link Contact}; 0 but for lines
+ * @param code the code of the obstacle or circle, see {@link Codes}
+ * @param contact the detector's name of the contact, see {@link Contact}; 0 unless it is with a
+ *     line
  * @param nx the x component of the unit normal, which points to the circle
  * @param ny the y component of the unit normal
  */
 record Touch(int code, int contact, double nx, double ny) {
 
-  /** Things touch whose distance is at most so much of their coordinates: 64 ulps. */
+  /** The distance at which things touch, relative to their coordinates: 64 ulps. */
   private static final double TOUCH = 0x1p-46;
 
   /** The contact of a circle with another one, null if they do not touch. */
@@ -82,7 +83,10 @@ record Touch(int code, int contact, double nx, double ny) {
     return new Touch(code, side > 0 ? Contact.LEFT : Contact.RIGHT, n.x(), n.y());
   }
 
-  /** The contact with what is round; a circle exactly on its centre cannot come nearer. */
+  /**
+   * The contact with a disk or a point; null for a circle exactly on its centre, which cannot come
+   * nearer.
+   */
   private static Touch offset(
       MovingCircle m, int code, int contact, double cx, double cy, double radiusSum, double size) {
     double x = m.x - cx;

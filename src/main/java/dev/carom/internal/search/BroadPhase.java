@@ -16,19 +16,19 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
- * What does a flight hit first? The broad search: it goes along the path, passes over whatever
+ * The broad phase of a flight among obstacles: walks the cells along the path, rejects what
  * certainly is not hit, and leaves the rest to the {@link NarrowPhase}.
  *
- * <p>Both are one object: what is known of a flight is then at hand for both.
+ * <p>It extends the narrow phase, so that both share the numbers of the flight.
  */
 public final class BroadPhase extends NarrowPhase {
 
-  /** Ticks of time in which a cell is passed at the pace. */
+  /** Ticks of time in which a cell is crossed at the Manhattan speed. */
   private static final double TICKS = 0x1p30;
 
   /**
-   * Each axis is taken to be faster by that part of the pace, so that none rests: by 2^-16 cells
-   * while 2^14 are passed.
+   * Each axis counts as faster by this part of the Manhattan speed, so that none rests: by 2^-16
+   * cells on a path of 2^14 cells.
    */
   private static final double DRIFT = 0x1p-30;
 
@@ -76,7 +76,10 @@ public final class BroadPhase extends NarrowPhase {
   /** A centre further than this from a wall certainly does not touch it. */
   private double inset;
 
-  /** A time at or shortly before that of the next wall on each axis; NaN if none is known. */
+  /**
+   * A time at or shortly before the impact with the next wall. The impact itself is computed only
+   * if nothing comes before.
+   */
   private double aheadX;
 
   private double aheadY;
@@ -110,10 +113,11 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   /**
-   * Extends what is known ahead of a mover: up to its next impact, or beyond the time asked for.
+   * Extends what is known of the path of a circle: up to its next impact, or beyond the time asked
+   * for.
    *
-   * @param grid where its obstacles are listed, or null to ask them all
-   * @param needed the time, from the start of the flight, up to which it must be known
+   * @param grid the grid of the obstacles, or null to test each of them
+   * @param needed the time, from the start of the flight, up to which the path must be known
    */
   public void extend(MovingCircle mover, Grid grid, double needed) {
     start(mover);
@@ -140,9 +144,7 @@ public final class BroadPhase extends NarrowPhase {
     mover.contact = hits ? bestContact : 0;
   }
 
-  /**
-   * Extends what is known ahead of a mover as {@link #extend} does; sensors are not there for it.
-   */
+  /** The same as {@link #extend}, without sensors. */
   public void extendPastSensors(MovingCircle mover, Grid grid, double needed) {
     setPassesSensors(true);
     try {
@@ -153,11 +155,11 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   /**
-   * Finds what a mover hits first, of equal rounded times exactly the earliest, of exactly equal
-   * ones the first in order. Sensors are not there for it.
+   * Finds the first impact of a circle, sensors ignored. Impacts of equal rounded times are
+   * compared exactly; of exactly equal ones the smallest code is first.
    *
-   * @param mover it is told what is hit, and when; NOTHING if that is later than the end by rounded
-   *     times
+   * @param mover receives the impact: {@code next}, {@code contact} and {@code cleared}; {@code
+   *     next} is NOTHING if it is later than the end by rounded times
    */
   public void cast(MovingCircle mover, Grid grid, double end) {
     setOrdersExactly(true);
@@ -171,14 +173,16 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   /**
-   * Whether what comes first by now is so much later than a wall seemed to be that cells between
-   * were not visited: a slow drift to a wall that is as good as touched takes long.
+   * Whether the first impact found is so much later than the estimated time of a wall that the walk
+   * left out cells between: a slow drift towards a wall that is all but touched takes long.
    */
   private boolean isFar(double ahead, Grid grid) {
     return (best - ahead) * manhattanSpeed > NEAR_CELLS * grid.cell;
   }
 
-  /** Looks at lines and pegs, and tells up to where, or up to the wall ahead, the path is known. */
+  /**
+   * Searches lines and pegs; returns until when the path is known, or the time of the wall ahead.
+   */
   private double explore(MovingCircle mover, Grid grid, double from, double needed, double ahead) {
     if (grid != null && grid.resolves(px, py, manhattanSpeed)) {
       for (int i = 0; i < loose.size; i++) {
@@ -244,8 +248,8 @@ public final class BroadPhase extends NarrowPhase {
     if (obstacles.walls == null) {
       return NEVER;
     }
-    // Distances from the walls ahead, without a branch that half of all flights take. They err by
-    // less than 16 u of the size, reciprocals and products included.
+    // Distances from the walls ahead, branch-free. They err by less
+    // than 16 u of the size, reciprocals and products included.
     double x = halfWidth - Math.copySign(1, vx) * (px - middleX);
     double y = halfHeight - Math.copySign(1, vy) * (py - middleY);
     aheadX = (x - inset) * perVx;
@@ -273,19 +277,20 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   /**
-   * Visits the cells along the path, from the time {@code from} on, until the best impact or the
-   * wall ahead lies in what was visited, or what is needed is known and so are {@code lookahead}
-   * halves of a cell at the pace, or the grid ends.
+   * Visits the cells along the path, from the time {@code from} on. It ends when the best impact or
+   * the wall ahead lies in a visited cell, when the path is known for {@code lookahead} halves of a
+   * cell beyond what is needed, or where the grid ends.
    *
-   * <p>Times are counted in whole ticks, so that whether a column or a row comes next is a mask and
-   * not a branch, which could not be foretold. A path of 2^14 cells is cut to ticks as often: by
-   * less than 2^-15 cells in all.
+   * <p>Times are whole ticks. So whether a column or a row comes next is a mask and not an
+   * unpredictable branch. A path of 2^14 cells is rounded to ticks as often: by less than 2^-15
+   * cells in all.
    *
-   * @return up to where the path is known
+   * @return until when the path is known
    */
   private double walk(Grid grid, double from, double needed, double ahead, int lookahead) {
     double start = grid.contains(px, py) ? from : grid.entry(px, py, vx, vy, from);
-    // A wall that is as good as touched is ahead by 0: what else is touched may come before it.
+    // The time of a wall that is all but touched is 0; another obstacle in touch may come before
+    // it.
     if (!(start <= ahead) || start == NEVER) {
       settle();
       return Math.min(best, ahead);
@@ -300,7 +305,7 @@ public final class BroadPhase extends NarrowPhase {
     int row = grid.row(y);
     double ticks = manhattanSpeed * TICKS;
     double rate = ticks * grid.perCell;
-    // When the next column and the next row are entered, and what one more takes.
+    // The ticks until the next column and the next row, and the ticks that each further one takes.
     double columnTicks = ticks * perVx;
     double rowTicks = ticks * perVy;
     long nextX = (long) (toEdge(x - column, vx) * columnTicks);
@@ -315,7 +320,7 @@ public final class BroadPhase extends NarrowPhase {
     double enough = Math.max((needed - start) * rate, lookahead * (TICKS / 2)) + 2;
     double most = Math.min((ahead - start) * rate, enough);
     long end = (long) Math.min((latest - start) * rate, most);
-    // How much later a column comes than a row, and what changes it.
+    // By how many ticks the next column comes after the next row, and how a step changes that.
     long lead = nextX - nextY;
     long perBoth = perX + perY;
     long list = lists[cell];
@@ -330,7 +335,8 @@ public final class BroadPhase extends NarrowPhase {
         end = (long) Math.min((latest - start) * rate, most);
       }
       do {
-        // The lesser of the two: Math.min is a branch, of which half are foretold wrongly.
+        // The lesser of the two, branch-free: Math.min compiles to a branch that is unpredictable
+        // here.
         long isColumn = lead >> 63;
         long left = nextY + (lead & isColumn);
         if (end <= left) {
@@ -353,9 +359,8 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   /**
-   * Which lines of a cell's pair may be hit: bit 0 for the first one, bit 1 for the second; -1 for
-   * other lists. It has no branch but that: whether a cell is empty, or a line passed, no processor
-   * can foretell.
+   * Which lines of a pair may be hit: bit 0 for the first one, bit 1 for the second; -1 for other
+   * lists. That is its only branch: whether a cell is empty or a line rejected is unpredictable.
    */
   private int near(long list) {
     if (!CellList.isPairOfLines(list)) {
@@ -366,8 +371,8 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   /**
-   * 0 if both ends of a line lie on one side of the path and further from it than the radius, or if
-   * it was hit last; else 1. Of a line that is none, either.
+   * 0 if both ends of a line lie on the same side of the path, further from it than the radius, or
+   * if the line was hit last; else 1. For the row of a wall the answer may be either.
    */
   private int isNear(int code) {
     double[] lines = this.lines;
@@ -386,7 +391,7 @@ public final class BroadPhase extends NarrowPhase {
     return (int) (Double.doubleToRawLongBits(beyond) >>> 63) & ~isLast;
   }
 
-  /** Looks at what a cell lists, of a pair of lines at those that are near. */
+  /** Tests the obstacles that a cell lists; of a pair of lines only those that are near. */
   private void visit(Grid grid, long list, int near) {
     if (near > 0) {
       look(list, near);
@@ -424,7 +429,7 @@ public final class BroadPhase extends NarrowPhase {
     }
   }
 
-  /** The codes of all obstacles that may touch a circle where it is, and maybe of others. */
+  /** The codes of all obstacles that may touch a circle at its place; a superset. */
   public int[] near(MovingCircle mover, Grid grid) {
     if (grid == null) {
       return obstacles.codes().toArray();

@@ -10,12 +10,12 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
- * Square cells over the lines and pegs of a scene; each cell lists every one that a circle of at
- * most a given radius could touch while its centre is in the cell.
+ * A uniform grid over the lines and pegs of a scene. Each cell lists all obstacles that a circle of
+ * at most a given radius could touch while its centre is in the cell.
  *
- * <p>Lists are made for cells grown by a margin of 2^-8 of their size. A path of at most 2^14 cells
- * inside the grid is followed with an error below 2^-11 cells, so rounding can put it into a
- * neighbour of the true cell only where both lists hold what matters.
+ * <p>Lists are made for cells that are larger by a margin of 2^-8 of their size. A path of at most
+ * 2^14 cells is followed with an error below 2^-11 cells. So rounding can lead to a neighbor of the
+ * true cell only where both lists hold what the circle can touch.
  */
 public final class Grid {
 
@@ -35,7 +35,7 @@ public final class Grid {
   public final int columns;
   public final int rows;
 
-  /** What one row further means for the number of a cell. */
+  /** The difference of the numbers of a cell and of the one in the next row. */
   final int stride;
 
   /** What each cell lists, by its number: a {@link CellList}. */
@@ -189,7 +189,9 @@ public final class Grid {
     box[Codes.TOP] = Math.max(box[Codes.TOP], y + radius);
   }
 
-  /** The codes of what a circle could touch whose centre is at a place; none beyond the grid. */
+  /**
+   * The codes of the obstacles that a circle centred here could touch; none outside of the grid.
+   */
   IntStream listedAt(double x, double y) {
     IntStream.Builder codes = IntStream.builder();
     if (contains(x, y)) {
@@ -210,7 +212,7 @@ public final class Grid {
     codes.add(CellList.first(pair)).add(CellList.second(pair));
   }
 
-  /** Reads what the cells around a place list, to have it in the cache. */
+  /** Reads the lists of the cells around a place, to have them in the cache. */
   public long around(double x, double y) {
     int cell = number(column(columns(x)), row(rows(y)));
     return (lists[cell - stride - 1] + lists[cell - stride + 1])

@@ -11,18 +11,18 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * The grids of a world: one for each power of two among its circles' radii, made for the largest
- * radius in it, so that small circles do not search through what only large ones can touch.
+ * The grids of a world: one for each power of two among the radii of its circles, made for the
+ * largest radius in it. So small circles do not search obstacles that only large ones can touch.
  *
- * <p>What is added or moved later is loose at first: looked at beside the grids, until there is so
- * much of it that making them anew pays.
+ * <p>Obstacles that are added or moved later are <i>loose</i>: they are tested beside the grids,
+ * until there are so many that making the grids anew pays.
  */
 public final class Grids {
 
-  /** Up to this many lines and pegs are looked at one by one: measured, a grid gains nothing. */
+  /** Up to this many lines and pegs each one is tested: measured, a grid gains nothing. */
   private static final int FEW = 8;
 
-  /** Beyond these sizes of coordinates, what is computed of cells could overflow or underflow. */
+  /** Beyond these sizes of coordinates, numbers of cells could overflow or underflow. */
   private static final double LARGEST = 0x1p400;
 
   private static final double SMALLEST = 0x1p-400;
@@ -33,7 +33,7 @@ public final class Grids {
   private final CodeSet loose = new CodeSet();
   private boolean isDirty;
 
-  /** Whether something is neither in the grids nor kept among what is loose. */
+  /** Whether some obstacle is neither in the grids nor in the list of loose ones. */
   private boolean isIncomplete;
 
   public Grids(SceneData scene, ObstacleTable obstacles, EngineOptions options) {
@@ -101,12 +101,12 @@ public final class Grids {
     if (!wanted()) {
       return null; // even if there is one for smaller circles
     }
-    // For all of the class: the next one will find it made.
+    // Made for the whole class of radii, so that the next circle of that class finds it.
     make(Math.getExponent(radius), Math.scalb(1.0, Math.getExponent(radius) + 1));
     return of(radius);
   }
 
-  /** What has to be looked at beside a grid. */
+  /** The obstacles that have to be tested beside a grid. */
   public CodeSet loose() {
     return loose;
   }
@@ -122,7 +122,8 @@ public final class Grids {
   }
 
   /**
-   * Whether so much is loose that the grids have to be made anew, and what is loose is not kept.
+   * Whether there are so many loose obstacles that the grids have to be made anew. Further ones are
+   * not listed then.
    */
   private boolean areTooLoose() {
     return loose.size > FEW + Math.sqrt(obstacles.size());

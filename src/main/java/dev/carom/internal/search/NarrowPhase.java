@@ -18,13 +18,12 @@ import dev.carom.internal.sweep.UnitVectors;
 import dev.carom.internal.sweep.WallSweep;
 
 /**
- * What does a flight hit first, of what it is asked about? The narrow search: the detector tells of
- * each thing whether and when it is hit; the earliest impact is kept, of equal times the smallest
- * code. A flight treats equal rounded times as simultaneous; a cast compares them exactly. A cast
- * and a trace pass over sensors.
+ * The narrow phase of a flight among obstacles: asks the detector whether and when each candidate
+ * is hit, and keeps the earliest impact; of equal times the smallest code. A flight treats equal
+ * rounded times as simultaneous; a cast compares them exactly. Casts and traces ignore sensors.
  *
- * <p>Every question is put to the detector on the start of the flight, so that the answer does not
- * depend on the way in which the search comes to ask it.
+ * <p>Every question is asked for the start of the flight. So the answer does not depend on the
+ * order in which the search finds the candidates.
  */
 abstract class NarrowPhase {
 
@@ -37,13 +36,13 @@ abstract class NarrowPhase {
 
   boolean special;
 
-  /** Whether sensors are passed over. */
+  /** Whether sensors are ignored. */
   private boolean passesSensors;
 
   /** Whether impacts of equal rounded times are ordered by their exact ones. */
   private boolean ordersExactly;
 
-  /** Whether times and codes alone do not tell which impact is kept. */
+  /** Whether more than times and codes decides which impact is kept. */
   private boolean careful;
 
   // The flight under search.
@@ -55,15 +54,21 @@ abstract class NarrowPhase {
   int last;
   IgnoreList jam;
 
-  /** Of all lines, see {@link SegmentFilter#margin}: who looks sets it before. */
+  /** The {@link SegmentFilter#margin} of all lines; the broad phase sets it before a search. */
   double margin;
 
-  /** Sensors up to here, and of those met just here up to this code, were reported before. */
+  /**
+   * Sensor contacts already reported: all before this time, and at exactly this time those with a
+   * code up to {@code sensedCode}.
+   */
   private double sensed;
 
   private int sensedCode;
 
-  /** When the best impact found so far is, as {@link SegmentFilter} tells while it is rough. */
+  /**
+   * The time of the best impact found so far; while it is rough, as {@link SegmentFilter} computes
+   * it.
+   */
   double best;
 
   private boolean isRough;
@@ -78,19 +83,19 @@ abstract class NarrowPhase {
     this.obstacles = obstacles;
   }
 
-  /** Takes notice that the arrays of obstacles, or what they tell, may be others. */
+  /** Reads the arrays of obstacles again, which may have been replaced. */
   final void readAgain() {
     lines = obstacles.lines.values;
     special = obstacles.areSpecial();
     careful = special || ordersExactly;
   }
 
-  /** Begins or ends a search that passes over sensors. */
+  /** Lets searches ignore sensors, or no longer. */
   final void setPassesSensors(boolean passes) {
     passesSensors = passes;
   }
 
-  /** Begins or ends a search that orders impacts exactly. */
+  /** Lets searches order impacts by their exact times, or no longer. */
   final void setOrdersExactly(boolean exactly) {
     ordersExactly = exactly;
     careful = special || exactly;
@@ -180,8 +185,8 @@ abstract class NarrowPhase {
   }
 
   /**
-   * Whether something is not there for this search. The thing just hit cannot be hit again in this
-   * flight: it is convex.
+   * Whether a search ignores an obstacle. The one just hit cannot be hit again in this flight: it
+   * is convex.
    */
   private boolean skipped(int code) {
     return code == last
@@ -207,7 +212,7 @@ abstract class NarrowPhase {
     }
   }
 
-  /** Keeps a contact with a line whose time is told roughly, unless it is certainly not first. */
+  /** Keeps a contact whose time is rough, unless it is certainly not the first one. */
   private void keepRough(double t, int code, int contact) {
     double after = t * (1 + SegmentFilter.TIME_ERROR);
     if (after < best) {
@@ -234,7 +239,7 @@ abstract class NarrowPhase {
   private double timeOf(int line, int contact, double rough) {
     int k = line * LineShape.ROW;
     if (contact >= Contact.START) {
-      // Which end it is, no processor can foretell: its place is computed.
+      // Which end it is is unpredictable: the index of its coordinates is computed, branch-free.
       int end = k + (contact - Contact.START) * LineShape.END;
       double x = lines[end + LineShape.AX];
       double y = lines[end + LineShape.AY];
@@ -292,7 +297,7 @@ abstract class NarrowPhase {
     return order != 0 ? order < 0 : code < bestCode;
   }
 
-  /** The exact time of a mover's next impact. */
+  /** The exact time of the next impact of a circle. */
   public final ExactTime exactTime(MovingCircle mover) {
     start(mover);
     return exactTime(mover.next, mover.contact);

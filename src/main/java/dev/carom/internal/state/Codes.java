@@ -5,10 +5,9 @@ import dev.carom.internal.sweep.WallSweep;
 import dev.carom.internal.util.Kind;
 
 /**
- * The codes of all that can be hit: one int for a {@link Kind} and the index of a thing of that
- * kind; of a moving circle its slot counts. Each kind has a range of codes. The ranges stand in the
- * order in which simultaneous impacts are taken: walls, lines, pegs, moving circles. No code is
- * negative.
+ * The codec of codes: one int for a {@link Kind} and the index of an obstacle of that kind, or the
+ * slot of a moving circle. Each kind has a range of codes. The ranges stand in the order in which
+ * simultaneous impacts are resolved: walls, lines, pegs, moving circles. No code is negative.
  */
 public final class Codes {
 
@@ -38,7 +37,7 @@ public final class Codes {
 
   private Codes() {}
 
-  /** The code of thing i of a {@link Kind}. */
+  /** The code of number i of a {@link Kind}. */
   public static int of(int kind, int i) {
     return FIRST[kind] + i;
   }
@@ -56,14 +55,14 @@ public final class Codes {
     return FIRST_CIRCLE + slot;
   }
 
-  /** The {@link Kind} of what a code stands for. */
+  /** The {@link Kind} of a code. */
   public static int kind(int code) {
     return code < FIRST_LINE
         ? Kind.WALL
         : code < FIRST_PEG ? Kind.LINE : code < FIRST_CIRCLE ? Kind.PEG : Kind.CIRCLE;
   }
 
-  /** The index of what a code stands for, among things of its kind. */
+  /** The index of a code within its kind. */
   public static int index(int code) {
     return code < FIRST_LINE
         ? code
@@ -86,14 +85,14 @@ public final class Codes {
   }
 
   /**
-   * The rank of an impact among those of one time, the lowest first: by the code of what is hit,
-   * then by the circle that hits it.
+   * The rank of an impact among those of one time, the lowest first: by the code of the obstacle or
+   * circle that is hit, then by the circle that hits it.
    */
   public static long rank(int code, int circle) {
     return (long) code << RANK_SHIFT | circle;
   }
 
-  /** How many things of a {@link Kind} can have codes. */
+  /** How many codes a {@link Kind} has. */
   public static int limit(int kind) {
     return kind == Kind.CIRCLE
         ? Integer.MAX_VALUE - FIRST_CIRCLE + 1

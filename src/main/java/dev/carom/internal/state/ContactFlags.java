@@ -2,8 +2,8 @@
 package dev.carom.internal.state;
 
 /**
- * What is out of the ordinary about a thing, in the bits of a byte: its response, and whether it is
- * a one-way line. Where nothing of a kind has a trait, the array of them is null.
+ * The flags of an obstacle or a circle, in a byte: its response, and whether it is a one-way line.
+ * The array of a kind is null if none of that kind has any flag.
  */
 public final class ContactFlags {
 
@@ -15,7 +15,7 @@ public final class ContactFlags {
   private static final int RESPONSE = 3;
   private static final int ONE_WAY = 4;
 
-  /** All bits that a thing can have, and those that a line can have. */
+  /** All flags that anything can have, and those that a line can have. */
   public static final int MOST = RESPONSE;
 
   public static final int MOST_OF_LINES = RESPONSE | ONE_WAY;
@@ -46,7 +46,7 @@ public final class ContactFlags {
     return (traits & ONE_WAY) != 0;
   }
 
-  /** The traits of thing i among those of its kind. */
+  /** The flags of number i of a kind. */
   public static int of(byte[] traits, int i) {
     return traits == null ? 0 : traits[i];
   }

@@ -86,7 +86,7 @@ public final class ObstacleRows {
     return copy;
   }
 
-  /** Takes over what another one of the same kind holds. */
+  /** Copies the obstacles of another table of the same kind. */
   void set(ObstacleRows other) {
     if (!other.shared) {
       other.shared = true; // written only if need be: a scene is used by many threads

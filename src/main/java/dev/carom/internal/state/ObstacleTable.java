@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * The things that stand still, in flat arrays, by their {@link Codes}: walls, and the rows of each
- * other kind.
+ * The static obstacles: the walls, and a table of rows for each other kind, found by their {@link
+ * Codes}.
  */
 public final class ObstacleTable {
 
@@ -86,7 +86,7 @@ public final class ObstacleTable {
     return SHAPES[kind].row;
   }
 
-  /** Refuses what cannot be the row of obstacle i of a kind. */
+  /** Refuses numbers that cannot be the row of obstacle i of a kind. */
   public static void checkRow(int kind, int i, double... row) {
     for (double number : row) {
       Check.finite("a number of " + Kind.nameOf(kind, i), number);
@@ -121,7 +121,7 @@ public final class ObstacleTable {
     return walls;
   }
 
-  /** Takes over what another one holds, with the same walls. */
+  /** Copies the obstacles of another table with the same walls. */
   public void set(ObstacleTable other) {
     boundsRestitution = other.boundsRestitution;
     boundsTraits = other.boundsTraits;
@@ -166,14 +166,14 @@ public final class ObstacleTable {
     return size;
   }
 
-  /** The codes of a {@link Kind}, of what is there. */
+  /** The codes of the live obstacles of a {@link Kind}. */
   public IntStream codes(int kind) {
     return kind == Kind.WALL
         ? IntStream.range(0, walls == null ? 0 : Codes.WALLS)
         : ofKind(kind).present().stream(ofKind(kind)::isGone);
   }
 
-  /** The codes of all that is there. */
+  /** The codes of all live obstacles. */
   public IntStream codes() {
     return IntStream.range(0, byKind.length).flatMap(this::codes);
   }

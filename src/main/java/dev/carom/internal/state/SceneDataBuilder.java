@@ -8,9 +8,9 @@ import dev.carom.internal.util.Refusal;
 import java.util.Arrays;
 
 /**
- * Collects what a {@link SceneData} holds. What is refused is refused at once, with a message that
- * names the thing, and leaves the builder as it was; only a radius that is too small beside the
- * scene's coordinates is refused by {@link #build}, when all of them are known.
+ * Builds a {@link SceneData}. A bad value is refused at once, with a message that names the thing,
+ * and leaves the builder as it was. Only a radius that is too small beside the coordinates of the
+ * scene is refused by {@link #build}, when all coordinates are known.
  */
 public final class SceneDataBuilder {
 
@@ -31,7 +31,7 @@ public final class SceneDataBuilder {
   final DoubleList masses = new DoubleList();
   public boolean collide;
 
-  /** The things whose last one is the thing added last; null before the first. */
+  /** The rows whose last one was added last; null before the first. */
   private SceneRows last;
 
   public SceneDataBuilder() {
@@ -169,7 +169,7 @@ public final class SceneDataBuilder {
     last = things;
   }
 
-  /** Puts the name of thing i before what its checks have to say. */
+  /** Lets a refusal begin with the name of number i. */
   private static void check(SceneRows things, int i, Runnable checks) {
     try {
       checks.run();

@@ -6,8 +6,8 @@ import dev.carom.internal.util.DoubleList;
 import java.util.Arrays;
 
 /**
- * The things of one kind while a scene is built: a row of doubles for each, which begins with
- * coordinates and ends with the restitution; and its traits, see {@link ContactFlags}.
+ * The circles or obstacles of one kind while a scene is built: for each a row of doubles, which
+ * begins with coordinates and ends with the restitution, and its {@link ContactFlags}.
  */
 final class SceneRows {
 
@@ -31,7 +31,7 @@ final class SceneRows {
     return values.size() / width;
   }
 
-  /** The name of thing i in messages, as "line 3"; there is one bounds at most. */
+  /** The name of number i in messages, as "line 3"; bounds have no number. */
   String name(int i) {
     return kind.equals("bounds") ? kind : kind + " " + i;
   }
@@ -60,7 +60,7 @@ final class SceneRows {
     traits[count() - 1] = (byte) t;
   }
 
-  /** The traits of all things; null if none has any. */
+  /** The flags of all; null if none has any. */
   byte[] traits() {
     for (int i = 0; i < count(); i++) {
       if (traits[i] != 0) {

@@ -4,7 +4,7 @@ package dev.carom.internal.sweep;
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.Predicates;
 
-/** A disk that stands still: its spine is its centre. */
+/** A static disk; its spine is its centre. */
 public final class PegShape extends ObstacleShape {
 
   public static final PegShape INSTANCE = new PegShape();

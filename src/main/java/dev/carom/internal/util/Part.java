@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.util;
 
-/** The parts of things that are hit, by the ordinals of the public features. */
+/** The parts of an obstacle that can be hit, by the ordinals of the public features. */
 public final class Part {
 
   public static final int SIDE = 0;
