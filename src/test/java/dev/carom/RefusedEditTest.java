@@ -28,7 +28,7 @@ class RefusedEditTest {
   private static final String FINITE = ": expected a finite number";
 
   private static final String TOO_LARGE =
-      ": expected a coordinate of which 2^10 ulps are no more than the least radius, " + LEAST;
+      ": expected a smaller one: 2^10 ulps of it must not exceed the least radius, " + LEAST;
 
   private static World world(boolean collide) {
     World world =
@@ -121,7 +121,7 @@ class RefusedEditTest {
 
   static Stream<Arguments> ids() {
     String gone = " does not exist: it was removed";
-    String below = " does not exist: expected an id from 0 on, below ";
+    String below = " does not exist: expected an id from 0 to ";
     return Stream.of(
         refused("circle 2" + gone, w -> w.setVelocity(2, 1, 1)),
         refused("circle 2" + gone, w -> w.setPosition(2, 1, 1)),
@@ -134,25 +134,25 @@ class RefusedEditTest {
         refused("circle 2" + gone, w -> w.radius(2)),
         refused("circle 2" + gone, w -> w.mass(2)),
         refused("circle 2" + gone, w -> w.restitution(CIRCLE, 2)),
-        refused("circle 3" + below + 3, w -> w.response(CIRCLE, 3)),
+        refused("circle 3" + below + 2, w -> w.response(CIRCLE, 3)),
         refused("line 1" + gone, w -> w.oneWay(1)),
         refused("line 1" + gone, w -> w.response(LINE, 1)),
         refused("peg 1" + gone, w -> w.restitution(PEG, 1)),
-        refused("wall 4" + below + 4, w -> w.restitution(WALL, 4)),
+        refused("wall 4" + below + 3, w -> w.restitution(WALL, 4)),
         refused("circle 2" + gone, w -> w.remove(CIRCLE, 2)),
-        refused("circle 3" + below + 3, w -> w.setVelocity(3, 1, 1)),
-        refused("circle -1" + below + 3, w -> w.setVelocity(-1, 1, 1)),
-        refused("circle -1" + below + 3, w -> w.setResponse(CIRCLE, -1, Response.HALT)),
+        refused("circle 3" + below + 2, w -> w.setVelocity(3, 1, 1)),
+        refused("circle -1" + below + 2, w -> w.setVelocity(-1, 1, 1)),
+        refused("circle -1" + below + 2, w -> w.setResponse(CIRCLE, -1, Response.HALT)),
         refused("line 1" + gone, w -> w.moveLine(1, 1, 2, 3, 4)),
         refused("line 1" + gone, w -> w.line(1)),
         refused("line 1" + gone, w -> w.setOneWay(1, true)),
         refused("line 1" + gone, w -> w.setResponse(LINE, 1, Response.HALT)),
-        refused("line 2" + below + 2, w -> w.moveLine(2, 1, 2, 3, 4)),
+        refused("line 2" + below + 1, w -> w.moveLine(2, 1, 2, 3, 4)),
         refused("peg 1" + gone, w -> w.movePeg(1, 1, 2, 3)),
         refused("peg 1" + gone, w -> w.peg(1)),
         refused("peg 1" + gone, w -> w.remove(PEG, 1)),
-        refused("peg 7" + below + 2, w -> w.setRestitution(PEG, 7, 1)),
-        refused("wall 4" + below + 4, w -> w.setRestitution(WALL, 4, 1)));
+        refused("peg 7" + below + 1, w -> w.setRestitution(PEG, 7, 1)),
+        refused("wall 4" + below + 3, w -> w.setRestitution(WALL, 4, 1)));
   }
 
   @ParameterizedTest

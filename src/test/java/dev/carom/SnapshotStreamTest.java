@@ -236,7 +236,7 @@ class SnapshotStreamTest {
       assertThatThrownBy(() -> read(part))
           .as("%d bytes", length)
           .isInstanceOf(IOException.class)
-          .hasMessage("snapshot ends early: expected more after what was read");
+          .hasMessage("snapshot is truncated: expected more bytes");
     }
   }
 
@@ -280,10 +280,10 @@ class SnapshotStreamTest {
         NOW + " | NaN | now is NaN",
         NOW + " | 1 | a flight starts at ",
         LARGEST + " | -5 | largest coordinate is -5.0",
-        LARGEST + " | 1e15 | least radius is 3.0 beside a coordinate of 1.0E15",
-        LARGEST + " | 30 | a coordinate is 50.0, the largest one 30.0",
-        LEAST + " | 0 | least radius is 0.0 beside a coordinate of 100.0",
-        LEAST + " | 4 | a radius is 3.0, the least one 4.0",
+        LARGEST + " | 1e15 | least radius is 3.0: expected 2^10 ulps of 1.0E15 or more",
+        LARGEST + " | 30 | coordinate is 50.0: expected at most 30.0",
+        LEAST + " | 0 | least radius is 0.0: expected 2^10 ulps of 100.0 or more",
+        LEAST + " | 4 | radius is 3.0: expected at least 4.0",
         LEAST + " | NaN | least radius is NaN",
         XMAX + " | -1 | xmax is -1.0",
         BOUNDS_E + " | -1 | restitution is -1.0",
@@ -326,16 +326,16 @@ class SnapshotStreamTest {
         PACE + " | 262416 | the marks of a circle are 262416",
         PACE + " | 17 | the marks of a circle are 17",
         PACE + " | 48 | the marks of a circle are 48",
-        ID + " | -1 | circle -1 is none of 0 to 1",
-        ID + " | 2 | circle 2 is none of 0 to 1",
-        (ID + 125) + " | 0 | circle 0 is none of 1 to 1",
-        (CIRCLES + 4) + " | 3 | it holds 3 of a kind: expected 0 to 2",
+        ID + " | -1 | circle id is -1: expected 0 to 1",
+        ID + " | 2 | circle id is 2: expected 0 to 1",
+        (ID + 125) + " | 0 | circle id is 0: expected 1 to 1",
+        (CIRCLES + 4) + " | 3 | count is 3: expected 0 to 2",
         CIRCLES + " | -1 | ids of circles end at -1: expected 0 to 1610612736",
         CIRCLES + " | 1610612737 | ids of circles end at 1610612737: expected 0 to 1610612736",
         CIRCLES + " | 2147483647 | ids of circles end at 2147483647",
-        LINES + " | -1 | it holds -1 of a kind",
-        LINES + " | 268435453 | it holds 268435453 of a kind: expected 0 to 268435452",
-        PEGS + " | 268435457 | it holds 268435457 of a kind: expected 0 to 268435456",
+        LINES + " | -1 | count is -1: expected 0",
+        LINES + " | 268435453 | count is 268435453: expected 0 to 268435452",
+        PEGS + " | 268435457 | count is 268435457: expected 0 to 268435456",
       })
   void codesAndCountsThatMakeNoSenseAreRefused(int at, int number, String message)
       throws IOException {
@@ -377,7 +377,7 @@ class SnapshotStreamTest {
   void whatDoesNotBeginAsOneIsRefused() throws IOException {
     byte[] bytes = small();
     bytes[0]++;
-    assertRefused(bytes, "it does not begin as one");
+    assertRefused(bytes, "its first 8 bytes are not those of a snapshot");
   }
 
   @Test

@@ -246,7 +246,7 @@ class WorldTest {
       assertThatExceptionOfType(IndexOutOfBoundsException.class)
           .isThrownBy(query::run)
           .withMessageContaining(message)
-          .withMessageContaining("2");
+          .withMessageContaining("expected an id from 0 to 1");
     }
   }
 
@@ -271,7 +271,7 @@ class WorldTest {
             () -> log.outcome(row))) {
       assertThatExceptionOfType(IndexOutOfBoundsException.class)
           .isThrownBy(query::run)
-          .withMessageContaining("row " + row);
+          .withMessage("row is " + row + ": expected 0 to 0");
     }
   }
 

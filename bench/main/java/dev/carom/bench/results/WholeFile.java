@@ -203,7 +203,7 @@ public final class WholeFile implements AutoCloseable {
       return "access denied";
     }
     if (e instanceof FileSystemLoopException) {
-      return "its symbolic links lead to no file";
+      return "more than 40 symbolic links in a row (a loop?)";
     }
     return e instanceof FileSystemException known ? known.getReason() : e.getMessage();
   }

@@ -63,7 +63,7 @@ public final class Handles {
   private IndexOutOfBoundsException missing(int kind, int id) {
     int end = end(kind);
     boolean removed = id >= 0 && id < end;
-    String others = end == 0 ? "there is none" : "expected an id from 0 on, below " + end;
+    String others = end == 0 ? "there is none" : "expected an id from 0 to " + (end - 1);
     String reason = removed ? "it was removed" : others;
     return new IndexOutOfBoundsException(
         "%s does not exist: %s".formatted(Kind.nameOf(kind, id), reason));

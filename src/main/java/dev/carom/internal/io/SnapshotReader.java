@@ -55,7 +55,7 @@ public final class SnapshotReader {
     try {
       return readWhole();
     } catch (EOFException e) {
-      throw new IOException("snapshot ends early: expected more after what was read", e);
+      throw new IOException("snapshot is truncated: expected more bytes", e);
     } catch (IllegalArgumentException e) {
       throw corrupt(e.getMessage(), e);
     }
@@ -63,7 +63,7 @@ public final class SnapshotReader {
 
   private WorldState readWhole() throws IOException {
     long mark = in.readLong();
-    expect(mark == SnapshotWriter.MARK, "it does not begin as one");
+    expect(mark == SnapshotWriter.MARK, "its first 8 bytes are not those of a snapshot");
     int version = in.readInt();
     expect(
         version == SnapshotWriter.VERSION,
@@ -75,7 +75,7 @@ public final class SnapshotReader {
     ObstacleTable obstacles = obstacles();
     expect(
         obstacles.extent() <= limits.largest(),
-        "a coordinate is " + obstacles.extent() + ", the largest one " + limits.largest());
+        "coordinate is " + obstacles.extent() + ": expected at most " + limits.largest());
     WorldState state = circles(now, collide, obstacles, limits);
     state.flights().tailOfEdit = tailOfEdit(now);
     long expected = sum.getValue();
@@ -89,7 +89,7 @@ public final class SnapshotReader {
     Check.notNegative("largest coordinate", largest);
     expect(
         SizeLimits.leastRadius(largest) <= least,
-        "least radius is " + least + " beside a coordinate of " + largest);
+        "least radius is " + least + ": expected 2^10 ulps of " + largest + " or more");
     return new SizeLimits(largest, least);
   }
 
@@ -163,7 +163,7 @@ public final class SnapshotReader {
       int id = in.readInt();
       expect(
           id >= least && id < idLimit,
-          "circle " + id + " is none of " + least + " to " + (idLimit - 1));
+          "circle id is " + id + ": expected " + least + " to " + (idLimit - 1));
       least = id + 1;
       ids.add(id);
       traits.write(traits(3));
@@ -213,7 +213,8 @@ public final class SnapshotReader {
     expect(Math.abs(tail) <= Math.ulp(start), "the tail of a time is " + tail);
     double radius = n[FlightRow.RADIUS];
     Check.positive("radius", radius);
-    expect(radius >= limits.least(), "a radius is " + radius + ", the least one " + limits.least());
+    expect(
+        radius >= limits.least(), "radius is " + radius + ": expected at least " + limits.least());
     Check.notNegative("restitution", n[SavedFlights.RESTITUTION]);
     double sensed = n[SavedFlights.SENSED];
     expect(sensed >= 0, "a flight is known for " + sensed);
@@ -265,7 +266,7 @@ public final class SnapshotReader {
 
   private int count(int most) throws IOException {
     int count = in.readInt();
-    expect(count >= 0 && count <= most, "it holds " + count + " of a kind: expected 0 to " + most);
+    expect(count >= 0 && count <= most, "count is " + count + ": expected 0 to " + most);
     return count;
   }
 

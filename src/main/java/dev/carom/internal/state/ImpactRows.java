@@ -199,7 +199,10 @@ public final class ImpactRows {
   private int at(int row) {
     if (row < 0 || row >= size) {
       throw new IndexOutOfBoundsException(
-          "row " + row + " does not exist: the log has " + size + " of them, from 0");
+          "row is "
+              + row
+              + ": expected "
+              + (size == 0 ? "none, the log is empty" : "0 to " + (size - 1)));
     }
     return order.rows[row];
   }

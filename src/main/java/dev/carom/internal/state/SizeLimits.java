@@ -45,9 +45,7 @@ public final class SizeLimits {
     Check.finite(name, value);
     if (leastRadius(value) > least) {
       throw Check.refused(
-          name,
-          value,
-          "a coordinate of which 2^10 ulps are no more than the least radius, " + least);
+          name, value, "a smaller one: 2^10 ulps of it must not exceed the least radius, " + least);
     }
   }
 

@@ -94,8 +94,8 @@ class IdLimitTest {
     assertThatThrownBy(() -> world.addCircle(50, 20, 3, 0, 9))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage(
-            "circle 1610612736 cannot be added: expected an id below 1610612736, and none is used"
-                + " twice");
+            "circle 1610612736 cannot be added: all ids below 1610612736 were given, and none is"
+                + " reused");
     assertThat(world.snapshot()).isEqualTo(before);
     assertThat(world.idLimit(CIRCLE)).isEqualTo(CIRCLES);
     assertThat(world.step(5)).isTrue();
@@ -116,13 +116,13 @@ class IdLimitTest {
     assertThatThrownBy(() -> editor.addLine(1, 2, 3, 4, 0))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage(
-            "line 268435452 cannot be added: expected an id below 268435452, and none is used"
-                + " twice");
+            "line 268435452 cannot be added: all ids below 268435452 were given, and none is"
+                + " reused");
     assertThatThrownBy(() -> editor.addPeg(1, 2, 3, 0))
         .isInstanceOf(IllegalStateException.class)
         .hasMessage(
-            "peg 268435456 cannot be added: expected an id below 268435456, and none is used"
-                + " twice");
+            "peg 268435456 cannot be added: all ids below 268435456 were given, and none is"
+                + " reused");
   }
 
   /** An id alone takes no memory. */
