@@ -59,7 +59,7 @@ import java.util.Optional;
  */
 public final class World {
 
-  /** Rows for which a new log has room: one a circle, within these limits. */
+  /** A new log has room for one row per circle, but for at least and at most so many. */
   private static final int LOG_LEAST = 16;
 
   private static final int LOG_MOST = 4096;
@@ -130,14 +130,15 @@ public final class World {
    * Advances the world by a time span, to the double nearest to {@code now() + dt}.
    *
    * <p>All impacts until then are resolved, and {@link #impacts} lists them. If the budget of work
-   * is spent first, the world stands at an earlier time, with nothing dropped, and the next call
-   * goes on from there: see <a href="doc-files/rules.html#unfinished">unfinished steps</a>.
+   * is spent first, the world stands at an earlier time, and no impact is dropped. Read the log,
+   * then call {@link #advanceTo advanceTo} with the time that was to be reached: see <a
+   * href="doc-files/rules.html#unfinished">unfinished steps</a>.
    *
    * <p>Programs that count frames call {@link #advanceTo advanceTo} instead, whose times do not
    * drift: see <a href="doc-files/recipes.html#frames">frames and netcode</a>.
    *
-   * @param dt the time span: 0, or enough to move the clock on, more than about 1e-16 of {@link
-   *     #now}
+   * @param dt the time span. It is 0, or large enough to move the clock: more than about 1e-16
+   *     times {@link #now}
    * @return true if the world reached that time, false if its budget of work was spent before
    * @throws IllegalArgumentException if dt is NaN or negative, or the time it leads to is infinite;
    *     or if dt is more than 0 and that time is still now: a loop of such steps would never end
@@ -184,9 +185,9 @@ public final class World {
   /**
    * Advances the world to the next impact, or to a given time if that is first.
    *
-   * <p>A program that acts on impacts, such as a paddle, a portal or a sound, can so act at the
-   * moment of each. Calls in a row give the same impacts, to the bit, as one call of {@link
-   * #advanceTo advanceTo}. A contact that a sensor reports counts as an impact.
+   * <p>With it a program acts at the moment of an impact: it turns a paddle, opens a portal, plays
+   * a sound. Calls in a row give the same impacts, to the bit, as one call of {@link #advanceTo
+   * advanceTo}. A contact that a sensor reports counts as an impact.
    *
    * <pre>{@code
    * World world =
@@ -196,9 +197,9 @@ public final class World {
    * }
    * }</pre>
    *
-   * <p>The world stops at the first double that is not before the impact on the world's clock of
-   * 106 bits, so edits take effect after it. The log holds all impacts up to there; several are
-   * possible within one double.
+   * <p>The clock of a world is finer than a double. The world stops at the first double that is not
+   * before the impact: the time in the log, or the double after it. So edits take effect after the
+   * impact. The log holds all impacts up to there, sometimes several at one time.
    *
    * @param t the latest time, finite and at least {@link #now()}
    * @return why the world stopped: at an impact, at the time t, or because its budget was spent
@@ -215,7 +216,7 @@ public final class World {
   }
 
   /**
-   * Returns the circle that spent the budget of the last step: the one with the most impacts in it.
+   * Returns the circle that had the most impacts in the last step, if that step was unfinished.
    *
    * @return its id; -1 if that step was finished
    */

@@ -68,9 +68,9 @@
  *       run to the same time is cut into steps, it gives the same bits.
  *   <li>There is no threshold below which a bounce is dropped, no cap on speed, and no slop.
  *       Positions are never corrected, and circles in contact do not jitter.
- *   <li>A step costs what happens in it. It allocates nothing, with these exceptions: the world
- *       records; its log or another list grows; exact arithmetic has to decide; a circle jams;
- *       edits made grids or arrays stale.
+ *   <li>A step costs what happens in it: a circle that hits nothing costs one comparison. A step
+ *       allocates memory only while a timeline is recorded, when its log or another list grows,
+ *       when exact arithmetic has to decide, when a circle jams, and after edits of obstacles.
  *   <li>A step always ends. If its budget is spent, it returns false and the next call goes on. A
  *       circle that would bounce at one place without end stops bouncing there, and the log says
  *       so.
@@ -90,8 +90,9 @@
  *       dev.carom.SceneBuilder#oneWay one-way lines}, and the {@linkplain
  *       dev.carom.SweptCircle#separation(Circle, Line) separation} of a centre exactly on the line.
  *   <li>The restitution of an impact is the product of those of the two parties.
- *   <li>An impact is the first moment at which the distance is at most the radius and falling. To
- *       touch and leave, or to slide along, is none. To overlap and approach is one, at once.
+ *   <li>An impact is the first moment at which the distance is falling and at most the radius of
+ *       the circle, or the sum of both radii. To touch and leave, or to slide along, is none. To
+ *       overlap and approach is one, at once.
  * </ul>
  *
  * <p><img src="doc-files/line.svg" alt="A circle that touches the side of a line, and one that
@@ -122,8 +123,8 @@
  * dev.carom.World#advanceTo World.advanceTo} names that moment exactly.
  *
  * <p>Without fused multiply-add in hardware, or with {@code -XX:-UseFMA}, the bits are the same,
- * but each one is computed by big numbers: a frame of the experiment ({@code base-1.csv}) then took
- * 1.8 ms instead of 1.1 us.
+ * but each one is computed by big numbers: a frame of 100 circles among 100 lines then took 1.8 ms
+ * instead of 1.1 us.
  *
  * <h2 id="threads">Threads</h2>
  *
@@ -160,8 +161,7 @@
  *       one.
  *   <dt>id
  *   <dd>The number that names a line, a peg or a circle of a world. The ids of each kind begin at
- *       0, and an id is not used again. Inside the library a circle also has a <i>slot</i>, a row
- *       of its tables; slots are used again, and no method shows them.
+ *       0, and an id is not used again.
  *   <dt>impact
  *   <dd>The moment at which a circle reaches an obstacle or another circle that it approaches; also
  *       the {@linkplain dev.carom.Impact record} of it.
