@@ -94,7 +94,7 @@ class ConsumerIT {
   @Test
   void sourcesAndJavadocStandBesideIt() throws Exception {
     assertThat(entry("-sources", "dev/carom/World.java")).contains("public final class World");
-    assertThat(entry("-javadoc", "dev.carom/dev/carom/World.html")).contains("class World");
+    assertThat(entry("-javadoc", "dev.carom/dev/carom/World.html")).contains("Class World");
     assertThat(entry("-javadoc", "dev.carom/dev/carom/doc-files/rules.html")).contains("<h1");
     assertThat(entry("-javadoc", "dev.carom/dev/carom/doc-files/recipes.html")).contains("<h1");
     assertThat(entry("-javadoc", "dev.carom/dev/carom/doc-files/line.svg")).contains("<svg");
