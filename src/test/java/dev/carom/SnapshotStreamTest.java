@@ -170,13 +170,13 @@ class SnapshotStreamTest {
     other.restore(read(bytes(world.snapshot())));
     assertThat(other.engineDescription())
         .isEqualTo(world.engineDescription())
-        .contains("each of 4 lines and pegs");
+        .contains("4 lines and pegs, no grid");
     world.remove(ObstacleKind.LINE, 0); // most are gone by now
     world.remove(ObstacleKind.PEG, 1);
     other.restore(read(bytes(world.snapshot())));
     assertThat(other.engineDescription())
         .isEqualTo(world.engineDescription())
-        .contains("each of 2 lines and pegs");
+        .contains("2 lines and pegs, no grid");
   }
 
   @Test
@@ -280,9 +280,10 @@ class SnapshotStreamTest {
         NOW + " | NaN | now is NaN",
         NOW + " | 1 | a flight starts at ",
         LARGEST + " | -5 | largest coordinate is -5.0",
-        LARGEST + " | 1e15 | least radius is 3.0: expected 2^10 ulps of 1.0E15 or more",
+        LARGEST
+            + " | 1e15 | least radius is 3.0: expected 2^10 ulps of the largest coordinate, 1.0E15",
         LARGEST + " | 30 | coordinate is 50.0: expected at most 30.0",
-        LEAST + " | 0 | least radius is 0.0: expected 2^10 ulps of 100.0 or more",
+        LEAST + " | 0 | least radius is 0.0: expected 2^10 ulps of the largest coordinate, 100.0",
         LEAST + " | 4 | radius is 3.0: expected at least 4.0",
         LEAST + " | NaN | least radius is NaN",
         XMAX + " | -1 | xmax is -1.0",

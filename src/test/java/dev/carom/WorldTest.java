@@ -275,6 +275,14 @@ class WorldTest {
     }
   }
 
+  @Test
+  void anEmptyLogHasNoRow() {
+    ImpactLog log = world(floor()).impacts();
+    assertThatExceptionOfType(IndexOutOfBoundsException.class)
+        .isThrownBy(() -> log.time(0))
+        .withMessage("row is 0: expected none, the log is empty");
+  }
+
   // The order of the log.
 
   @Test
@@ -467,11 +475,11 @@ class WorldTest {
         .isEqualTo("circles that ignore each other, no lines or pegs");
     assertThat(world(empty.collide(true)).engineDescription())
         .isEqualTo("circles that collide, no lines or pegs");
-    assertThat(world(floor()).engineDescription()).contains("each of 1 lines and pegs");
+    assertThat(world(floor()).engineDescription()).contains("1 line or peg, no grid");
     assertThat(new World(TestScenes.read("base-1.csv")).engineDescription())
         .contains("100 lines and pegs in 1 grid of");
     assertThat(new World(TestScenes.read("base-1.csv"), EngineOptions.EACH).engineDescription())
-        .contains("each of 100 lines and pegs");
+        .contains("100 lines and pegs, no grid");
   }
 
   @Test

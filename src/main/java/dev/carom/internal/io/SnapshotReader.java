@@ -89,7 +89,11 @@ public final class SnapshotReader {
     Check.notNegative("largest coordinate", largest);
     expect(
         SizeLimits.leastRadius(largest) <= least,
-        "least radius is " + least + ": expected 2^10 ulps of " + largest + " or more");
+        "least radius is "
+            + least
+            + ": expected 2^10 ulps of the largest coordinate, "
+            + largest
+            + ", or more");
     return new SizeLimits(largest, least);
   }
 
@@ -163,7 +167,7 @@ public final class SnapshotReader {
       int id = in.readInt();
       expect(
           id >= least && id < idLimit,
-          "circle id is " + id + ": expected " + least + " to " + (idLimit - 1));
+          "circle id is " + id + ": expected " + least + " to " + (idLimit - 1) + ", ascending");
       least = id + 1;
       ids.add(id);
       traits.write(traits(3));

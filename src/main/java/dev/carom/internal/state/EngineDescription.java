@@ -18,10 +18,11 @@ public record EngineDescription(boolean collide, int obstacles, int grids, int c
     if (obstacles == 0) {
       return circles + ", no lines or pegs";
     }
+    String things = obstacles == 1 ? "1 line or peg" : obstacles + " lines and pegs";
     if (grids == 0) {
-      return "%s, each of %d lines and pegs looked at".formatted(circles, obstacles);
+      return "%s, %s, no grid".formatted(circles, things);
     }
-    return "%s, %d lines and pegs in %d %s of %d cells"
-        .formatted(circles, obstacles, grids, grids == 1 ? "grid" : "grids", cells);
+    return "%s, %s in %d %s of %d cells"
+        .formatted(circles, things, grids, grids == 1 ? "grid" : "grids", cells);
   }
 }
