@@ -170,13 +170,13 @@ class SnapshotStreamTest {
     other.restore(read(bytes(world.snapshot())));
     assertThat(other.engineDescription())
         .isEqualTo(world.engineDescription())
-        .contains("4 lines and pegs, no grid");
+        .contains("4 lines and pegs without a grid");
     world.remove(ObstacleKind.LINE, 0); // most are gone by now
     world.remove(ObstacleKind.PEG, 1);
     other.restore(read(bytes(world.snapshot())));
     assertThat(other.engineDescription())
         .isEqualTo(world.engineDescription())
-        .contains("2 lines and pegs, no grid");
+        .contains("2 lines and pegs without a grid");
   }
 
   @Test

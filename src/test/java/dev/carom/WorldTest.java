@@ -475,11 +475,11 @@ class WorldTest {
         .isEqualTo("circles that ignore each other, no lines or pegs");
     assertThat(world(empty.collide(true)).engineDescription())
         .isEqualTo("circles that collide, no lines or pegs");
-    assertThat(world(floor()).engineDescription()).contains("1 line or peg, no grid");
+    assertThat(world(floor()).engineDescription()).contains("1 line or peg without a grid");
     assertThat(new World(TestScenes.read("base-1.csv")).engineDescription())
         .contains("100 lines and pegs in 1 grid of");
     assertThat(new World(TestScenes.read("base-1.csv"), EngineOptions.EACH).engineDescription())
-        .contains("100 lines and pegs, no grid");
+        .contains("100 lines and pegs without a grid");
   }
 
   @Test

@@ -20,7 +20,7 @@ public record EngineDescription(boolean collide, int obstacles, int grids, int c
     }
     String things = obstacles == 1 ? "1 line or peg" : obstacles + " lines and pegs";
     if (grids == 0) {
-      return "%s, %s, no grid".formatted(circles, things);
+      return "%s, %s without a grid".formatted(circles, things);
     }
     return "%s, %s in %d %s of %d cells"
         .formatted(circles, things, grids, grids == 1 ? "grid" : "grids", cells);

@@ -445,7 +445,7 @@ class BroadPhaseTest {
       }
       World world = new World(scene.circle(x, y, unit, 0, v).build());
       assertThat(world.engineDescription())
-          .contains(Math.abs(exponent) < 400 ? "1 grid" : "12 lines and pegs, no grid");
+          .contains(Math.abs(exponent) < 400 ? "1 grid" : "12 lines and pegs without a grid");
       world.advanceTo((200 * unit - y) / v);
       double told =
           world.impacts().size() == 0 ? Double.POSITIVE_INFINITY : world.impacts().time(0);
