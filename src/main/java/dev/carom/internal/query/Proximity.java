@@ -11,10 +11,10 @@ import dev.carom.internal.util.Kind;
 import java.util.stream.IntStream;
 
 /**
- * Which obstacles are near a point, or overlap a disk or a box. Overlaps are decided exactly, by
- * the signs that the detector uses; to touch is not to overlap.
+ * Finds the obstacles that are near a point, or that overlap a disk or a box. Overlaps are decided
+ * exactly, by the signs that the detector uses; to touch is not to overlap.
  *
- * <p>A box is the coordinates of its sides, by the codes of walls.
+ * <p>A box is an array of the coordinates of its sides, indexed by the codes of walls.
  */
 public final class Proximity {
 
@@ -31,7 +31,7 @@ public final class Proximity {
     return obstacles.codes(kind);
   }
 
-  /** The nearest obstacle; of equally near ones that of the smallest code. */
+  /** The nearest obstacle; among equally near ones that of the smallest code. */
   public int nearest(double x, double y) {
     return nearest(obstacles.codes(), x, y);
   }
@@ -63,7 +63,7 @@ public final class Proximity {
     return Math.max(0, StrictMath.hypot(x - cx, y - cy) - r);
   }
 
-  // What overlaps a disk.
+  // Overlap with a disk.
 
   public IntStream overlapping(double x, double y, double r) {
     return obstacles.codes().filter(code -> overlaps(code, x, y, r));
@@ -90,7 +90,7 @@ public final class Proximity {
     return Predicates.gap(x1, y1, x2, y2, r1, r2) < 0;
   }
 
-  // What overlaps a box.
+  // Overlap with a box.
 
   public IntStream overlapping(double[] box) {
     return obstacles.codes().filter(code -> overlaps(code, box));

@@ -16,8 +16,8 @@ import java.util.Arrays;
 import java.util.stream.IntStream;
 
 /**
- * The broad phase of a flight among obstacles: walks the cells along the path, rejects what
- * certainly is not hit, and leaves the rest to the {@link NarrowPhase}.
+ * The broad phase of a flight among obstacles: walks the cells along the path, rejects the
+ * obstacles that are certainly missed, and leaves the others to the {@link NarrowPhase}.
  *
  * <p>It extends the narrow phase, so that both share the numbers of the flight.
  */
@@ -32,18 +32,18 @@ public final class BroadPhase extends NarrowPhase {
    */
   private static final double DRIFT = 0x1p-30;
 
-  /** So much of a cell beyond those visited is covered by the margin of their lists. */
+  /** The margin of the lists covers this part of a cell beyond the visited ones. */
   private static final double NEAR_CELLS = 0x1p-10;
 
-  /** Least speed, and least speed times size, for which underflow stays beneath the bounds. */
+  /** Least speed, and least speed times size, for which the bounds cover underflow. */
   private static final double LEAST_SAFE = 0x1p-900;
 
-  /** The most for which nothing overflows: no sum of two cross products is above 8 times that. */
+  /** No overflow up to this: a sum of two cross products is at most 8 times as large. */
   private static final double MOST_SAFE = 0x1p1020;
 
   private final CodeSet loose;
 
-  /** The middle of the bounds, and how far it is from there to the walls. */
+  /** The middle of the bounds, and its distances from the walls. */
   private final double middleX;
 
   private final double middleY;
@@ -53,7 +53,7 @@ public final class BroadPhase extends NarrowPhase {
   /** No coordinate of a line, a peg or the bounds is larger. */
   private double extent;
 
-  /** |vx| + |vy|: known sooner than |v|, and than the larger of the two. */
+  /** |vx| + |vy|: computed sooner than |v| or the larger of the two. */
   private double manhattanSpeed;
 
   /** A little less than 1 / |vx| and 1 / |vy|, see {@link #DRIFT}. */
@@ -62,23 +62,23 @@ public final class BroadPhase extends NarrowPhase {
   private double perVy;
 
   /**
-   * The cross product of (x, y) less the start and v is {@code x crossX + y crossY +
-   * crossOfOrigin}; all three are 0 where errors are not bounded: no line is passed then.
+   * Coefficients of the cross product of (x, y) less the start, and v: {@code x crossX + y crossY +
+   * crossOfOrigin}. All three are 0 where errors are not bounded; then no line is rejected.
    */
   private double crossX;
 
   private double crossY;
   private double crossOfOrigin;
 
-  /** A line is certainly passed if both its ends lie further than this on one side, times 2 |v|. */
+  /** A line is certainly missed if both its ends lie further than this on one side, times 2 |v|. */
   private double clear;
 
-  /** A centre further than this from a wall certainly does not touch it. */
+  /** A circle whose centre is further than this from a wall certainly does not touch it. */
   private double inset;
 
   /**
-   * A time at or shortly before the impact with the next wall. The impact itself is computed only
-   * if nothing comes before.
+   * A time at or shortly before the impact with the next wall on each axis. The impact itself is
+   * computed only if nothing comes before.
    */
   private double aheadX;
 
@@ -96,13 +96,13 @@ public final class BroadPhase extends NarrowPhase {
     lookAgainAtAll();
   }
 
-  /** Takes notice that a line or a peg is new, elsewhere, or gone. */
+  /** Notes that a line or a peg was added, moved or removed. */
   public void lookAgain(int code) {
     extent = Math.max(extent, obstacles.extent(code));
     readAgain();
   }
 
-  /** Takes notice that all may be others. */
+  /** Notes that any obstacle may have changed. */
   public void lookAgainAtAll() {
     double ofBounds =
         obstacles.walls == null
@@ -113,8 +113,7 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   /**
-   * Extends what is known of the path of a circle: up to its next impact, or beyond the time asked
-   * for.
+   * Searches the path of a circle further: up to its next impact, or beyond the time asked for.
    *
    * @param grid the grid of the obstacles, or null to test each of them
    * @param needed the time, from the start of the flight, up to which the path must be known
@@ -128,7 +127,7 @@ public final class BroadPhase extends NarrowPhase {
       return;
     }
     double ahead = wallAhead();
-    // Up to the wall itself the last cell is near enough, so it is visited in any case.
+    // The last cell before the wall is visited in any case, and its list reaches up to the wall.
     double from = Math.min(mover.cleared, ahead);
     double known = explore(mover, grid, from, needed, ahead);
     if (known >= ahead) {
@@ -156,7 +155,7 @@ public final class BroadPhase extends NarrowPhase {
 
   /**
    * Finds the first impact of a circle, sensors ignored. Impacts of equal rounded times are
-   * compared exactly; of exactly equal ones the smallest code is first.
+   * compared exactly; among exactly equal times the smallest code is first.
    *
    * @param mover receives the impact: {@code next}, {@code contact} and {@code cleared}; {@code
    *     next} is NOTHING if it is later than the end by rounded times
@@ -173,15 +172,17 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   /**
-   * Whether the first impact found is so much later than the estimated time of a wall that the walk
-   * left out cells between: a slow drift towards a wall that is all but touched takes long.
+   * Whether the first impact found is so much later than the estimated time of the wall that the
+   * walk skipped cells between. A circle that all but touches a wall and drifts towards it slowly
+   * needs this.
    */
   private boolean isFar(double ahead, Grid grid) {
     return (best - ahead) * manhattanSpeed > NEAR_CELLS * grid.cell;
   }
 
   /**
-   * Searches lines and pegs; returns until when the path is known, or the time of the wall ahead.
+   * Searches lines and pegs; returns the time until which the path is known, or that of the wall
+   * ahead.
    */
   private double explore(MovingCircle mover, Grid grid, double from, double needed, double ahead) {
     if (grid != null && grid.resolves(px, py, manhattanSpeed)) {
@@ -217,7 +218,7 @@ public final class BroadPhase extends NarrowPhase {
     }
   }
 
-  /** What the speed and the size of the flight mean for errors. */
+  /** Computes the error bounds of the flight from its speed and size. */
   private void measure() {
     double absVx = Math.abs(vx);
     double absVy = Math.abs(vy);
@@ -241,9 +242,7 @@ public final class BroadPhase extends NarrowPhase {
     margin = special || jam != null ? ofAll + NEVER : ofAll;
   }
 
-  /**
-   * A time at or shortly before that of the next wall: it is found only if nothing comes before.
-   */
+  /** A time at or shortly before the impact with the next wall. */
   private double wallAhead() {
     if (obstacles.walls == null) {
       return NEVER;
@@ -279,18 +278,18 @@ public final class BroadPhase extends NarrowPhase {
   /**
    * Visits the cells along the path, from the time {@code from} on. It ends when the best impact or
    * the wall ahead lies in a visited cell, when the path is known for {@code lookahead} halves of a
-   * cell beyond what is needed, or where the grid ends.
+   * cell beyond the needed time, or where the grid ends.
    *
-   * <p>Times are whole ticks. So whether a column or a row comes next is a mask and not an
-   * unpredictable branch. A path of 2^14 cells is rounded to ticks as often: by less than 2^-15
+   * <p>Times are whole ticks. So a mask, and not an unpredictable branch, chooses between the next
+   * column and the next row. A path of 2^14 cells is rounded to ticks as often: by less than 2^-15
    * cells in all.
    *
-   * @return until when the path is known
+   * @return the time until which the path is known
    */
   private double walk(Grid grid, double from, double needed, double ahead, int lookahead) {
     double start = grid.contains(px, py) ? from : grid.entry(px, py, vx, vy, from);
-    // The time of a wall that is all but touched is 0; another obstacle in touch may come before
-    // it.
+    // The estimated time of a wall that is all but touched is 0, but another obstacle that the
+    // circle touches may come before it.
     if (!(start <= ahead) || start == NEVER) {
       settle();
       return Math.min(best, ahead);
@@ -305,7 +304,7 @@ public final class BroadPhase extends NarrowPhase {
     int row = grid.row(y);
     double ticks = manhattanSpeed * TICKS;
     double rate = ticks * grid.perCell;
-    // The ticks until the next column and the next row, and the ticks that each further one takes.
+    // Ticks until the next column and the next row, and ticks from each to the one after it.
     double columnTicks = ticks * perVx;
     double rowTicks = ticks * perVy;
     long nextX = (long) (toEdge(x - column, vx) * columnTicks);
@@ -320,7 +319,7 @@ public final class BroadPhase extends NarrowPhase {
     double enough = Math.max((needed - start) * rate, lookahead * (TICKS / 2)) + 2;
     double most = Math.min((ahead - start) * rate, enough);
     long end = (long) Math.min((latest - start) * rate, most);
-    // By how many ticks the next column comes after the next row, and how a step changes that.
+    // The ticks by which the next column comes after the next row, and the change by a step.
     long lead = nextX - nextY;
     long perBoth = perX + perY;
     long list = lists[cell];
@@ -353,14 +352,15 @@ public final class BroadPhase extends NarrowPhase {
     }
   }
 
-  /** How far a place in a cell, of size 1, is from the edge through which v leaves it. */
+  /** The distance of a place in a cell of size 1 from the edge through which v leaves the cell. */
   private static double toEdge(double place, double v) {
     return Math.abs(place - 0.5 - Math.copySign(0.5, v));
   }
 
   /**
    * Which lines of a pair may be hit: bit 0 for the first one, bit 1 for the second; -1 for other
-   * lists. That is its only branch: whether a cell is empty or a line rejected is unpredictable.
+   * lists. This has one branch only: one for empty cells or for rejected lines would be
+   * unpredictable.
    */
   private int near(long list) {
     if (!CellList.isPairOfLines(list)) {
@@ -372,11 +372,11 @@ public final class BroadPhase extends NarrowPhase {
 
   /**
    * 0 if both ends of a line lie on the same side of the path, further from it than the radius, or
-   * if the line was hit last; else 1. For the row of a wall the answer may be either.
+   * if the line was hit last; else 1. For the row of a wall the result may be either.
    */
   private int isNear(int code) {
     double[] lines = this.lines;
-    // The first and the last one first: then compilers need not ask whether the rest is in range.
+    // Reads of the first and the last number first spare the range checks of those between.
     int k = code * LineShape.ROW;
     double ax = lines[k + LineShape.AX];
     double by = lines[k + LineShape.BY];
@@ -386,12 +386,12 @@ public final class BroadPhase extends NarrowPhase {
     double b = Math.fma(by, crossY, Math.fma(bx, crossX, crossOfOrigin));
     // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
     double beyond = Math.abs(a + b) - (Math.abs(a - b) + clear);
-    int other = code ^ last; // 0 if it is the last one
+    int other = code ^ last; // 0 if the line was hit last
     int isLast = ((other - 1) & ~other) >>> 31;
     return (int) (Double.doubleToRawLongBits(beyond) >>> 63) & ~isLast;
   }
 
-  /** Tests the obstacles that a cell lists; of a pair of lines only those that are near. */
+  /** Tests the obstacles that a cell lists; in a pair of lines only those that are near. */
   private void visit(Grid grid, long list, int near) {
     if (near > 0) {
       look(list, near);

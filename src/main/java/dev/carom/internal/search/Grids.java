@@ -12,14 +12,15 @@ import java.util.TreeMap;
 
 /**
  * The grids of a world: one for each power of two among the radii of its circles, made for the
- * largest radius in it. So small circles do not search obstacles that only large ones can touch.
+ * largest radius of that class. So small circles do not search obstacles that only large ones can
+ * touch.
  *
- * <p>Obstacles that are added or moved later are <i>loose</i>: they are tested beside the grids,
- * until there are so many that making the grids anew pays.
+ * <p>Obstacles that are added or moved later are <i>loose</i>: each search tests them all, until
+ * they are so many that new grids pay.
  */
 public final class Grids {
 
-  /** Up to this many lines and pegs each one is tested: measured, a grid gains nothing. */
+  /** Up to this many lines and pegs no grid is made: measured, it would gain nothing. */
   private static final int FEW = 8;
 
   /** Beyond these sizes of coordinates, numbers of cells could overflow or underflow. */
@@ -73,7 +74,7 @@ public final class Grids {
     return byExponent.get(Math.getExponent(radius));
   }
 
-  /** A grid that serves circles of a given radius, null if there is none now. */
+  /** A grid that serves circles of a given radius, null if there is none at present. */
   public Grid atLeast(double radius) {
     for (Grid grid : byExponent.values()) {
       if (grid.radius >= radius && !areTooLoose()) {
@@ -83,7 +84,11 @@ public final class Grids {
     return null;
   }
 
-  /** Whether a grid that a circle had, made since {@link #forget}, or none, serves its radius. */
+  /**
+   * Whether a circle's grid still serves its radius.
+   *
+   * @param grid its grid, made since {@link #forget}; or null, for a circle that uses none
+   */
   public boolean serve(Grid grid, double radius) {
     return grid == null
         ? byExponent.isEmpty() && !wanted()
@@ -92,26 +97,26 @@ public final class Grids {
             && Math.getExponent(radius) == Math.getExponent(grid.radius);
   }
 
-  /** The grid for circles of a radius that may be new; one is made if need be, null for none. */
+  /** The grid for circles of a radius that may be new, made if need be; null if none is used. */
   public Grid ofNew(double radius) {
     Grid grid = of(radius);
     if (grid != null && radius <= grid.radius) {
       return grid;
     }
     if (!wanted()) {
-      return null; // even if there is one for smaller circles
+      return null; // even if smaller circles have a grid
     }
     // Made for the whole class of radii, so that the next circle of that class finds it.
     make(Math.getExponent(radius), Math.scalb(1.0, Math.getExponent(radius) + 1));
     return of(radius);
   }
 
-  /** The obstacles that have to be tested beside a grid. */
+  /** The obstacles that are in no grid: each search has to test them. */
   public CodeSet loose() {
     return loose;
   }
 
-  /** Notes that a line or a peg is new, or elsewhere than before. */
+  /** Notes that a line or a peg was added or moved. */
   public void changed(int code) {
     isDirty = true;
     if (!areTooLoose()) {
@@ -122,8 +127,8 @@ public final class Grids {
   }
 
   /**
-   * Whether there are so many loose obstacles that the grids have to be made anew. Further ones are
-   * not listed then.
+   * Whether the loose obstacles are so many that the grids have to be made anew. Further ones are
+   * then not listed.
    */
   private boolean areTooLoose() {
     return loose.size > FEW + Math.sqrt(obstacles.size());

@@ -19,8 +19,9 @@ import dev.carom.internal.sweep.WallSweep;
 
 /**
  * The narrow phase of a flight among obstacles: asks the detector whether and when each candidate
- * is hit, and keeps the earliest impact; of equal times the smallest code. A flight treats equal
- * rounded times as simultaneous; a cast compares them exactly. Casts and traces ignore sensors.
+ * is hit, and keeps the earliest impact. Among equal times it keeps the smallest code. A flight
+ * treats equal rounded times as simultaneous; a cast compares the exact ones. Casts and traces
+ * ignore sensors.
  *
  * <p>Every question is asked for the start of the flight. So the answer does not depend on the
  * order in which the search finds the candidates.
@@ -39,10 +40,10 @@ abstract class NarrowPhase {
   /** Whether sensors are ignored. */
   private boolean passesSensors;
 
-  /** Whether impacts of equal rounded times are ordered by their exact ones. */
+  /** Whether impacts of equal rounded times are ordered by their exact times. */
   private boolean ordersExactly;
 
-  /** Whether more than times and codes decides which impact is kept. */
+  /** Whether the choice of an impact depends on more than times and codes. */
   private boolean careful;
 
   // The flight under search.
@@ -66,14 +67,14 @@ abstract class NarrowPhase {
   private int sensedCode;
 
   /**
-   * The time of the best impact found so far; while it is rough, as {@link SegmentFilter} computes
-   * it.
+   * The time of the best impact found so far. While it is rough, it is the estimate of {@link
+   * SegmentFilter}.
    */
   double best;
 
   private boolean isRough;
 
-  /** A time at or after that. */
+  /** An upper bound of the exact time of the best impact. */
   double latest;
 
   int bestCode;
@@ -83,19 +84,19 @@ abstract class NarrowPhase {
     this.obstacles = obstacles;
   }
 
-  /** Reads the arrays of obstacles again, which may have been replaced. */
+  /** Reads the arrays of obstacles again: an edit may have replaced them. */
   final void readAgain() {
     lines = obstacles.lines.values;
     special = obstacles.areSpecial();
     careful = special || ordersExactly;
   }
 
-  /** Lets searches ignore sensors, or no longer. */
+  /** Sets whether searches ignore sensors. */
   final void setPassesSensors(boolean passes) {
     passesSensors = passes;
   }
 
-  /** Lets searches order impacts by their exact times, or no longer. */
+  /** Sets whether searches order impacts by their exact times. */
   final void setOrdersExactly(boolean exactly) {
     ordersExactly = exactly;
     careful = special || exactly;
@@ -132,7 +133,7 @@ abstract class NarrowPhase {
     bestContact = 0;
   }
 
-  /** Whether the circle moves, where numbers can tell: one that flew beyond hits nothing. */
+  /** Whether the circle moves and its coordinates are finite; else it hits nothing. */
   final boolean canHit() {
     return Math.abs(px) <= Double.MAX_VALUE
         && Math.abs(py) <= Double.MAX_VALUE
@@ -160,7 +161,7 @@ abstract class NarrowPhase {
     }
   }
 
-  /** Whether a one-way line is there: the centre is strictly left of it and moves to the right. */
+  /** Whether a one-way line is solid: the centre is strictly left of it and moves to the right. */
   private boolean stops(int k) {
     double ax = lines[k + LineShape.AX];
     double ay = lines[k + LineShape.AY];
@@ -170,7 +171,7 @@ abstract class NarrowPhase {
         && Predicates.cross(bx, by, ax, ay, vx, vy, 0, 0) < 0;
   }
 
-  /** Considers the wall that is ahead on one axis. */
+  /** Considers the wall that the circle moves towards on one axis. */
   final void considerWall(double p, double v, int lowCode) {
     int code = wallCode(lowCode, v);
     double t = WallSweep.time(p, r, v, obstacles.walls[code]);
@@ -179,14 +180,14 @@ abstract class NarrowPhase {
     }
   }
 
-  /** The lower or the upper one of two walls; where v is 0, either. */
+  /** The code of the wall that v points to, of two parallel ones; either if v is 0. */
   private static int wallCode(int lowCode, double v) {
     return lowCode + (UnitVectors.sign(v) + 1) / 2;
   }
 
   /**
-   * Whether a search ignores an obstacle. The one just hit cannot be hit again in this flight: it
-   * is convex.
+   * Whether a search ignores an obstacle. The one just hit is convex, so this flight cannot hit it
+   * again.
    */
   private boolean skipped(int code) {
     return code == last
@@ -194,7 +195,7 @@ abstract class NarrowPhase {
         || (passesSensors && obstacles.isSensor(code));
   }
 
-  /** Considers a line, as a rule at one look. */
+  /** Considers a line; the filter alone decides nearly always. */
   final void look(int code) {
     if (code == bestCode) {
       return;
@@ -212,7 +213,7 @@ abstract class NarrowPhase {
     }
   }
 
-  /** Keeps a contact whose time is rough, unless it is certainly not the first one. */
+  /** Keeps a contact whose time is rough, unless an earlier impact is certain. */
   private void keepRough(double t, int code, int contact) {
     double after = t * (1 + SegmentFilter.TIME_ERROR);
     if (after < best) {
@@ -239,7 +240,7 @@ abstract class NarrowPhase {
   private double timeOf(int line, int contact, double rough) {
     int k = line * LineShape.ROW;
     if (contact >= Contact.START) {
-      // Which end it is is unpredictable: the index of its coordinates is computed, branch-free.
+      // A branch on the end would be unpredictable, so the index is computed without one.
       int end = k + (contact - Contact.START) * LineShape.END;
       double x = lines[end + LineShape.AX];
       double y = lines[end + LineShape.AY];
@@ -268,7 +269,7 @@ abstract class NarrowPhase {
     }
   }
 
-  /** Whether an impact comes before the best one, where times and codes alone do not tell. */
+  /** Whether an impact comes before the best one, by the rules beyond times and codes. */
   private boolean comesFirst(double t, int code, int contact) {
     boolean sensor = obstacles.isSensor(code);
     if (sensor && wasSensed(t, code)) {
@@ -280,18 +281,18 @@ abstract class NarrowPhase {
     return ordersExactly ? isEarlier(code, contact) : isBefore(sensor, code);
   }
 
-  /** Whether a sensor was met before, or was touched at the start: it is not met again. */
+  /** Whether a sensor contact was reported before, or existed at the start of the flight. */
   private boolean wasSensed(double t, int code) {
     return !(t > sensed || (t == sensed && t > 0 && code > sensedCode));
   }
 
-  /** Of simultaneous impacts those with sensors are first, which change nothing. */
+  /** Orders simultaneous impacts: sensors first, since they change nothing, then by code. */
   private boolean isBefore(boolean sensor, int code) {
     boolean bestSensor = obstacles.isSensor(bestCode);
     return sensor == bestSensor ? code < bestCode : sensor;
   }
 
-  /** Of impacts whose rounded times are equal: whether one is exactly before the best one. */
+  /** Whether an impact is before the best one by exact times, then by code. */
   private boolean isEarlier(int code, int contact) {
     int order = exactTime(code, contact).compare(exactTime(bestCode, bestContact));
     return order != 0 ? order < 0 : code < bestCode;

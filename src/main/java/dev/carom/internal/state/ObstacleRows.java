@@ -6,9 +6,9 @@ import dev.carom.internal.util.Kind;
 import java.util.Arrays;
 
 /**
- * The obstacles of one kind, by their {@link Codes}: a row of doubles for each, as its {@link
- * ObstacleShape} says, and its {@link ContactFlags}. A code is not used again when its obstacle is
- * removed; the row is NaN then.
+ * The obstacles of one kind, by their {@link Codes}: for each a row of doubles, laid out by its
+ * {@link ObstacleShape}, and its {@link ContactFlags}. The row of a removed obstacle is NaN, and
+ * its code is not used again.
  *
  * <p>Copies share their arrays until one of them is changed.
  */
@@ -18,12 +18,12 @@ public final class ObstacleRows {
   public final ObstacleShape shape;
 
   /**
-   * The code whose row is at place 0 of the values. For lines that is 0: rows for the codes of
-   * walls, all NaN, stand before theirs, so that a search finds a line's row by its code alone.
+   * The code whose row is at place 0 of the values. It is 0 for lines: rows of NaN stand before
+   * theirs for the codes of walls, so that a search finds a line's row by its code alone.
    */
   private final int codeOfRow0;
 
-  /** Doubles of a row, and the place of the restitution in it. */
+  /** The number of doubles in a row, and the place of the restitution in it. */
   private final int width;
 
   private final int restitution;
@@ -31,15 +31,15 @@ public final class ObstacleRows {
   /** The rows, by codes. */
   public double[] values;
 
-  /** Null if no obstacle has any. */
+  /** The contact flags of each obstacle; null if no obstacle has any. */
   private byte[] traits;
 
-  /** The code after the last one that was given. */
+  /** The next code to give. */
   public int end;
 
   private LiveCodes present;
 
-  /** How many have traits, and how many are sensors. */
+  /** The number of obstacles with traits, and the number of sensors. */
   private int specials;
 
   private int sensors;
@@ -47,10 +47,10 @@ public final class ObstacleRows {
   /** Whether another object uses the same arrays. */
   private boolean shared;
 
-  /** Whether an obstacle can be gone. */
+  /** Whether any obstacle may have been removed. */
   private boolean edited;
 
-  /** None. */
+  /** An empty table. */
   ObstacleRows(int kind, ObstacleShape shape) {
     this.kind = kind;
     this.shape = shape;
@@ -60,9 +60,9 @@ public final class ObstacleRows {
   }
 
   /**
-   * Some, of which any may be gone.
+   * A table of given obstacles. A row of NaN stands for a removed one.
    *
-   * @param rows one after the other
+   * @param rows their rows, one after the other
    * @param traits one for each row, null if none has any
    */
   static ObstacleRows of(int kind, ObstacleShape shape, double[] rows, byte[] traits) {
@@ -101,7 +101,7 @@ public final class ObstacleRows {
     sensors = other.sensors;
   }
 
-  /** The rows, NaN ones before them for the codes that are of another kind. */
+  /** The rows, with rows of NaN before them for codes of other kinds. */
   private double[] withRowsBefore(double[] rows) {
     int before = offset(first());
     double[] all = new double[before + rows.length];
@@ -129,17 +129,17 @@ public final class ObstacleRows {
     sensors += ContactFlags.isSensor(ofOne) ? one : 0;
   }
 
-  /** The code of the first one. */
+  /** The code of the first obstacle. */
   public int first() {
     return Codes.of(kind, 0);
   }
 
-  /** How many codes were given. */
+  /** The number of codes given so far. */
   public int count() {
     return end - first();
   }
 
-  /** The codes, of some that are gone too, until the next change. */
+  /** The codes of the live obstacles and perhaps of some removed ones, until the next change. */
   public LiveCodes present() {
     return present;
   }
@@ -161,7 +161,7 @@ public final class ObstacleRows {
     return Arrays.copyOfRange(values, k, k + shape.restitution);
   }
 
-  /** What scene files call the kind. */
+  /** The name of the kind in scene files. */
   public String name() {
     return shape.name;
   }
@@ -198,7 +198,7 @@ public final class ObstacleRows {
 
   // Changes.
 
-  /** Before a change: makes the arrays this object's own. */
+  /** Prepares a change: copies the arrays if another object shares them. */
   private void own() {
     edited = true;
     if (shared) {
@@ -211,7 +211,7 @@ public final class ObstacleRows {
     }
   }
 
-  /** Adds an elastic obstacle of no special trait, and returns its code. */
+  /** Adds an elastic obstacle without traits, and returns its code. */
   int add(double... numbers) {
     own();
     int i = count();
@@ -245,7 +245,7 @@ public final class ObstacleRows {
     traits[code - first()] = (byte) its;
   }
 
-  /** Removes an obstacle: no sweep finds it any more. */
+  /** Removes an obstacle: no search finds it any more. */
   void remove(int code) {
     setTraits(code, 0);
     int k = offset(code);

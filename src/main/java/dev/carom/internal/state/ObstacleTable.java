@@ -13,19 +13,19 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * The static obstacles: the walls, and a table of rows for each other kind, found by their {@link
- * Codes}.
+ * The static obstacles: the walls, and rows for each other kind. An obstacle is named by its code,
+ * see {@link Codes}.
  */
 public final class ObstacleTable {
 
   /** The shape of each kind that has rows, by its {@link Kind}; walls have none. */
   private static final ObstacleShape[] SHAPES = {null, LineShape.INSTANCE, PegShape.INSTANCE};
 
-  /** The most numbers that an obstacle has, its restitution not counted. */
+  /** The most numbers that an obstacle of any kind has, its restitution not counted. */
   public static final int MOST_NUMBERS =
       kindsOfRows().map(kind -> SHAPES[kind].restitution).max().orElseThrow();
 
-  /** Where the walls stand, by their codes; null without bounds. */
+  /** The coordinate of each wall, by its code; null without bounds. */
   public final double[] walls;
 
   public double boundsRestitution = 1;
@@ -42,7 +42,7 @@ public final class ObstacleTable {
 
   public final ObstacleRows lines;
 
-  /** How many have traits, and how many are sensors. */
+  /** The number of obstacles with traits, and the number of sensors. */
   private int specials;
 
   private int sensors;
@@ -59,9 +59,9 @@ public final class ObstacleTable {
   }
 
   /**
-   * The obstacles that were read or built.
+   * A table of obstacles that were read or built.
    *
-   * @param rows those of each kind but walls, in the order of the kinds
+   * @param rows the obstacles of each kind but walls, in the order of the kinds
    */
   public static ObstacleTable of(
       double[] walls, double boundsRestitution, int boundsTraits, ObstacleRows... rows) {
@@ -71,7 +71,12 @@ public final class ObstacleTable {
     return all;
   }
 
-  /** Rows of a kind, one after the other, with their traits, null if none has any. */
+  /**
+   * The obstacles of a kind.
+   *
+   * @param rows their rows, one after the other
+   * @param traits one for each row, null if none has any
+   */
   public static ObstacleRows rows(int kind, double[] rows, byte[] traits) {
     return ObstacleRows.of(kind, SHAPES[kind], rows, traits);
   }
@@ -81,7 +86,7 @@ public final class ObstacleTable {
     return IntStream.range(Kind.LINE, SHAPES.length);
   }
 
-  /** Doubles of a row of a kind. */
+  /** The number of doubles in a row of a kind. */
   public static int width(int kind) {
     return SHAPES[kind].row;
   }
@@ -100,7 +105,7 @@ public final class ObstacleTable {
     return SHAPES[kind];
   }
 
-  /** Those of a scene. */
+  /** A copy of the obstacles of a scene. */
   public static ObstacleTable of(SceneData scene) {
     return scene.obstacles.copy();
   }
@@ -111,7 +116,7 @@ public final class ObstacleTable {
     return of(walls, boundsRestitution, boundsTraits, rows);
   }
 
-  /** Where the walls of a rectangle stand, by their codes. */
+  /** The coordinates of the walls of a rectangle, by their codes. */
   public static double[] walls(double xmin, double ymin, double xmax, double ymax) {
     double[] walls = new double[Codes.WALLS];
     walls[Codes.LEFT] = xmin;
@@ -140,14 +145,14 @@ public final class ObstacleTable {
     }
   }
 
-  // What is there.
+  // The obstacles.
 
   /** The rows of a kind. */
   public ObstacleRows ofKind(int kind) {
     return byKind[kind];
   }
 
-  /** The rows among which that of a code is; it is no wall. */
+  /** The rows of the kind of an obstacle that is no wall. */
   public ObstacleRows of(int code) {
     return byPart[Codes.part(code)];
   }
@@ -183,12 +188,12 @@ public final class ObstacleTable {
     return of(code).row(code);
   }
 
-  /** The {@link Part} of an obstacle that a contact of the detector means. */
+  /** The {@link Part} of an obstacle that a contact code of the detector stands for. */
   public static int part(int code, int contact) {
     return Codes.isWall(code) ? Part.SIDE : Contact.part(contact);
   }
 
-  /** The restitution along the normal; where a circle halts, none. */
+  /** The restitution along the normal; 0 for an obstacle at which circles halt. */
   public double restitution(int code) {
     return halts(code) ? 0 : givenRestitution(code);
   }
@@ -203,7 +208,7 @@ public final class ObstacleTable {
     return Codes.isWall(code) ? boundsTraits : of(code).traits(code);
   }
 
-  /** Whether a circle that hits this halts. */
+  /** Whether a circle that hits an obstacle halts. */
   public boolean halts(int code) {
     return (specials > 0 || Codes.isWall(code)) && ContactFlags.halts(traits(code));
   }
@@ -213,7 +218,7 @@ public final class ObstacleTable {
     return specials > 0;
   }
 
-  /** Whether any is a sensor. */
+  /** Whether any obstacle is a sensor. */
   public boolean haveSensors() {
     return sensors > 0;
   }
@@ -226,7 +231,7 @@ public final class ObstacleTable {
     return specials > 0 && !Codes.isWall(code) && ContactFlags.isOneWay(traits(code));
   }
 
-  /** The largest absolute coordinate of all obstacles but walls; 0 without any. */
+  /** The largest absolute coordinate of all obstacles but walls; 0 if there are none. */
   public double extent() {
     double extent = 0;
     for (ObstacleRows rows : kinds) {
@@ -245,7 +250,7 @@ public final class ObstacleTable {
 
   // Changes.
 
-  /** Adds an elastic obstacle of a kind and no special trait, and returns its code. */
+  /** Adds an elastic obstacle without traits, and returns its code. */
   public int add(int kind, double... numbers) {
     return ofKind(kind).add(numbers);
   }
@@ -255,7 +260,7 @@ public final class ObstacleTable {
     of(code).move(code, numbers);
   }
 
-  /** Removes an obstacle: no sweep finds it any more. */
+  /** Removes an obstacle: no search finds it any more. */
   public void remove(int code) {
     of(code).remove(code);
     countSpecials();
