@@ -8,7 +8,7 @@ package dev.carom;
  * @param time the time of impact, counted from the start of the motion; at least 0
  * @param kind the kind of thing that was hit
  * @param id the id of the thing that was hit, in the world that was asked. From a {@link Resolver}
- *     it is the place in the list of its kind that the resolver was made of. Of a wall it is 0
+ *     it is the place in the list of its kind that the resolver was made of. For a wall it is 0
  *     left, 1 right, 2 bottom, 3 top. From the detector alone it is -1, except for walls
  * @param obstacle the thing that was hit; of two moving circles the second one, as it stood at the
  *     start

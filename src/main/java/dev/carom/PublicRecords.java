@@ -6,7 +6,7 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.PegShape;
 
-/** The public records of what stands in the rows of {@link ObstacleTable}. */
+/** Makes public records of the rows of {@link ObstacleTable}. */
 final class PublicRecords {
 
   private PublicRecords() {}

@@ -37,10 +37,10 @@ import java.util.stream.IntStream;
  * <p>For circles that meet each other, {@link SweptCircle#pair SweptCircle.pair} gives the time,
  * and {@link #respond respond} the velocities afterwards.
  *
- * <p>Impacts are those of {@link SweptCircle}. Of simultaneous ones walls come first, then lines,
- * then pegs and endpoints, each in their order. {@link #cast cast} compares times exactly; {@link
- * #trace trace}, like {@link World#step World.step}, treats impacts with equal rounded times as
- * simultaneous. The thing just hit cannot be hit again before another one is. A circle that gets
+ * <p>Impacts are those of {@link SweptCircle}. Among simultaneous ones walls come first, then
+ * lines, then pegs and endpoints, each in their order. {@link #cast cast} compares times exactly;
+ * {@link #trace trace}, like {@link World#step World.step}, treats impacts with equal rounded times
+ * as simultaneous. The thing just hit cannot be hit again before another one is. A circle that gets
  * stuck follows the <a href="doc-files/rules.html#stuck">rule for stuck circles</a>.
  */
 public final class Resolver {
@@ -158,8 +158,8 @@ public final class Resolver {
    * Finds the first impact of a moving circle with the obstacles. A circle of radius 0 is a ray.
    *
    * <p>It is the earliest of the impacts that {@link SweptCircle#cast SweptCircle.cast} gives for
-   * each obstacle, as if in real arithmetic on the given doubles. Of exactly simultaneous ones it
-   * is the first in the order above.
+   * each obstacle, as if in real arithmetic on the given doubles. Among exactly simultaneous ones
+   * it is the first in the order above.
    *
    * @param circle the circle at the start
    * @param velocity its velocity
@@ -182,7 +182,7 @@ public final class Resolver {
   }
 
   /**
-   * Finds the obstacle that is nearest to a point. Of equally near ones it is the first: walls,
+   * Finds the obstacle that is nearest to a point. Among equally near ones it is the first: walls,
    * then lines, then pegs and endpoints, each in their order.
    *
    * <p>Distances are computed in plain doubles: to a wall, to a line, or to the rim of a peg.
@@ -244,8 +244,8 @@ public final class Resolver {
   /**
    * Reflects a velocity at a surface, if it points against the surface's normal.
    *
-   * <p>The result is {@code v - (1 + e) (v.n) / (n.n) n}. Whether the velocity points against the
-   * normal is decided exactly.
+   * <p>The result is {@code v - (1 + e) (v.n) / (n.n) n}. Exact arithmetic decides whether the
+   * velocity points against the normal.
    *
    * @param velocity the velocity before
    * @param normal the normal, of any length but zero, pointing away from the obstacle

@@ -451,7 +451,7 @@ public final class World {
    * circle of the world itself.
    *
    * <p>The earliest impact is found as if in real arithmetic, on the given doubles and on the
-   * positions and velocities that this world reports. Of exactly simultaneous impacts walls come
+   * positions and velocities that this world reports. Among exactly simultaneous impacts walls come
    * first, then lines, then pegs, then circles, each by id. A {@link #step step} instead treats
    * impacts with equal rounded times as simultaneous. Where circles collide, a cast looks at every
    * circle. It allocates.
@@ -499,8 +499,8 @@ public final class World {
   }
 
   /**
-   * Finds the thing of a kind that is nearest to a point. Of equally near ones it is the one with
-   * the smallest id.
+   * Finds the thing of a kind that is nearest to a point. Among equally near ones the smallest id
+   * wins.
    *
    * <p>Distances are computed in plain doubles: to a wall, to a line, or to the rim of a peg or
    * circle. Inside of a peg or circle the distance is 0. The search looks at every thing of the
@@ -747,8 +747,8 @@ public final class World {
   /**
    * Removes a circle, a line or a peg. Its id is not used again.
    *
-   * <p>No search looks at it any more. Of a circle nothing else is left. Of a line or a peg a row
-   * stays in memory, some 50 bytes, and a byte in snapshots.
+   * <p>No search finds it any more. A circle leaves nothing behind. A line or a peg leaves a row in
+   * memory, some 50 bytes, and a byte in snapshots.
    *
    * @param kind its kind
    * @param id its id

@@ -24,7 +24,7 @@ public final class NeighborGrid {
   /** The cell of a circle that is not listed. */
   private static final double NOWHERE = Double.NaN;
 
-  /** What a search writes beyond the circles that it finds. */
+  /** The numbers that a search may write beyond the circles that it finds. */
   static final int SPARE = 9;
 
   private final int levels;
@@ -57,8 +57,8 @@ public final class NeighborGrid {
   private final int[] codes;
 
   /**
-   * Of each level, the cells in which a circle meets no wall: the first column, the one after the
-   * last, and the same of rows.
+   * The cells of each level in which a circle meets no wall: the first column, the one after the
+   * last, and the same for rows.
    */
   private final double[] inside;
 

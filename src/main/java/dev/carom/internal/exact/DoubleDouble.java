@@ -35,8 +35,8 @@ public final class DoubleDouble {
   }
 
   /**
-   * The tail of (a + al) (b + bl) for p = fl(a b) and tails |al| <= 2u|a|, |bl| <= 2u|b|. What it
-   * leaves out, al bl, and its own rounding are below 16 u^2 |a b|.
+   * The tail of (a + al) (b + bl) for p = fl(a b) and tails |al| <= 2u|a|, |bl| <= 2u|b|. The
+   * omitted al bl and the rounding of the result are below 16 u^2 |a b|.
    */
   public static double productTail(double a, double al, double b, double bl, double p) {
     return Math.fma(a, b, -p) + (a * bl + al * b);

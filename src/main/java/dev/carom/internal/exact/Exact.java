@@ -41,8 +41,8 @@ public final class Exact {
   }
 
   /**
-   * A moving disk or sphere against a resting one. Of two moving ones, d and u are relative to the
-   * second.
+   * A moving disk or sphere against a resting one. If both move, d and u are relative to
+   * the second.
    */
   public record Disks(Vector d, Vector u, Dyadic r) {
 

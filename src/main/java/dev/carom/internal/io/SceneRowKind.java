@@ -41,7 +41,7 @@ public enum SceneRowKind {
     return null;
   }
 
-  /** What messages say is expected at the start of a row. */
+  /** The words that can begin a row, as messages list them. */
   static String words() {
     String[] words = Arrays.stream(KINDS).map(kind -> kind.word).toArray(String[]::new);
     int last = words.length - 1;

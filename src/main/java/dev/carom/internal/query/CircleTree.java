@@ -7,16 +7,16 @@ import java.util.Comparator;
 import java.util.function.IntConsumer;
 
 /**
- * A tree of bounding boxes over the circles of a scene, which finds those near a segment or a
- * point. The circles are sorted into vertical strips, and from bottom to top within a strip; each
- * box is that of a run of them. So neither a distant circle nor a large one spoils it.
+ * A tree of bounding boxes over the circles of a scene. It finds the circles near a segment or a
+ * point. The circles are sorted into vertical strips, and from bottom to top within a strip. Each
+ * box holds a run of this order. So a distant or a large circle spoils only the boxes of its run.
  */
 final class CircleTree {
 
-  /** Circles that have no boxes between them: at most as many. */
+  /** The most circles in a leaf. */
   private static final int LEAF_SIZE = 8;
 
-  /** In units of the terms of a cross product: far more than its rounding. */
+  /** A part of the terms of a cross product that is far more than its rounding. */
   private static final double ROUNDING = 0x1p-45;
 
   // The places of the sides of a box.
@@ -32,7 +32,7 @@ final class CircleTree {
   /** The box of node k, whose halves are nodes 2k + 1 and 2k + 2. */
   private final double[] boxes;
 
-  // What is asked for: a segment, and its box, grown.
+  // The query: a segment, and its box, grown by the radius.
   private double ax;
   private double ay;
   private double wx;
@@ -46,7 +46,7 @@ final class CircleTree {
   private double right;
   private double top;
 
-  /** Of some circles of a scene: their rows, and which of them. */
+  /** Builds a tree over the circles from..to-1 of a scene, given by the rows of all. */
   CircleTree(double[] circles, int from, int to) {
     this.circles = circles;
     order = inStrips(circles, from, to);
@@ -77,7 +77,7 @@ final class CircleTree {
     return Arrays.stream(byX).mapToInt(i -> i).toArray();
   }
 
-  /** Finds the boxes of a run of circles, and of its halves. */
+  /** Computes the boxes of a run of circles and of its halves. */
   private void build(int node, int from, int to) {
     int k = node * BOX;
     if (to - from <= LEAF_SIZE) {
@@ -95,7 +95,7 @@ final class CircleTree {
     include(k, (2 * node + 2) * BOX);
   }
 
-  /** Puts the box of a circle in a place; none of it is outside, whatever rounding takes. */
+  /** Writes the box of a circle to place k, widened so that rounding leaves no part outside. */
   private void boxOf(int circle, int k) {
     int row = circle * SceneData.CIRCLE_ROW;
     double x = circles[row + SceneData.X];
@@ -114,7 +114,7 @@ final class CircleTree {
     boxes[k + TOP] = Math.max(boxes[k + TOP], boxes[other + TOP]);
   }
 
-  /** Finds all circles that come nearer to a segment than a radius, and some more. */
+  /** Finds all circles nearer to a segment than a radius, and perhaps some more. */
   void near(double fromX, double fromY, double toX, double toY, double r, IntConsumer found) {
     ax = fromX;
     ay = fromY;
@@ -147,8 +147,9 @@ final class CircleTree {
   }
 
   /**
-   * Whether a box is certainly apart from what is asked for: from its box, or, c its centre and h
-   * half of its size, {@code |cross(w, c - a)| > |wx| hy + |wy| hx + r |w|}. NaN tells nothing.
+   * Whether a box is certainly apart from the query: from its box, or from its segment. With the
+   * centre c and half the size h of the box, that is {@code |cross(w, c - a)| > |wx| hy + |wy| hx +
+   * r |w|}. NaN proves nothing.
    */
   private boolean isApart(int k) {
     double x0 = boxes[k + LEFT];

@@ -15,13 +15,13 @@ import java.util.List;
 import java.util.stream.LongStream;
 
 /**
- * The warnings of a scene, see {@code Scene.warnings}. The circles are searched in blocks, each
- * twice as large as the one before. So where many overlap, the first blocks hold as many warnings
- * as are listed.
+ * The warnings of a scene, see {@code Scene.warnings}. The circles are searched in blocks that
+ * double in number. In a scene with many overlaps the first blocks fill the list, and the search
+ * ends.
  */
 public final class Warnings {
 
-  /** The number of warnings that are listed at most. */
+  /** The most warnings that are listed. */
   static final int MOST_WARNINGS = 10_000;
 
   private static final int FIRST_BLOCK = 64;
@@ -91,7 +91,7 @@ public final class Warnings {
     }
   }
 
-  /** Whether a circle is within the bounds for certain: what rounding left apart is apart. */
+  /** Whether a circle is certainly within the bounds. Rounding is monotonic, so > proves it. */
   private boolean isInside(int i) {
     double x = scene.x(i);
     double y = scene.y(i);
@@ -158,12 +158,12 @@ public final class Warnings {
     return ContactFlags.isSensor(ContactFlags.of(scene.circleTraits, i));
   }
 
-  /** Whether two circles go through each other. */
+  /** Whether two circles pass through each other. */
   private boolean passes(int i, int j) {
     return isSensor(i) || Math.min(scene.masses[i], scene.masses[j]) == Double.POSITIVE_INFINITY;
   }
 
-  /** The warning of a circle and what it overlaps. */
+  /** The warning about a circle and a thing that it overlaps. */
   public static String text(SceneData scene, int i, int code) {
     double r = scene.radius(i);
     if (Codes.isWall(code)) {

@@ -17,26 +17,26 @@ import java.util.Set;
 import java.util.stream.IntStream;
 
 /**
- * Circles in contact, one of which is {@linkplain StuckRule stuck}: all their contacts act at once
- * and without bounce.
+ * Resolves circles in contact, one of which is {@linkplain StuckRule stuck}: all their contacts act
+ * at once and without bounce.
  *
  * <p>The {@linkplain InelasticShock inelastic shock} gives their new velocities: the limit of
  * repeated impacts of restitution 0. Energy never grows; momentum is kept unless an obstacle takes
- * it up. Contacts that approach by no more than rounding afterwards are inert, until an impact
- * makes the two approach or part by more.
+ * it up. Contacts that then approach by no more than rounding become inert, until an impact makes
+ * the two approach or part by more.
  *
- * <p>Two cases have no such answer, or take too long:
+ * <p>Two cases have no such solution, or one that takes too long to find:
  *
  * <ul>
  *   <li>Infinite masses close on a circle, or press it against an obstacle. The circle is
  *       <i>crushed</i>: it stops, and those masses are inert for it, so that they pass over it.
- *   <li>Masses are so different that the relaxation does not end. Then all circles go on as one,
+ *   <li>Masses are so different that the relaxation does not end. Then all circles move on as one,
  *       with the velocity of their common momentum, or stop if one of them touches an obstacle.
  * </ul>
  */
 public final class ContactCluster {
 
-  /** Finds what may touch the circles of an engine. */
+  /** Finds circles and obstacles that may touch a circle of an engine. */
   public interface Vicinity {
 
     /** A superset of the circles that touch circle i, in any order. */
@@ -45,13 +45,13 @@ public final class ContactCluster {
     /** A circle in flight, a copy. */
     MovingCircle copyOf(int i);
 
-    /** A superset of the codes of the obstacles that touch a circle where it is, in any order. */
+    /** A superset of the codes of the obstacles that touch a circle at its place, in any order. */
     int[] obstaclesNear(MovingCircle m);
   }
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
-  /** A touch of member a, with member b or an obstacle. */
+  /** A touch of member a with member b or an obstacle. */
   private record Contact(int a, int b, Touch touch) {}
 
   private final CircleRegistry registry;
@@ -79,18 +79,18 @@ public final class ContactCluster {
   }
 
   /**
-   * Gives new velocities to the circles that touch one or two, touch these, and so on, and writes
-   * into the log which contacts acted.
+   * Gives new velocities to the given circles, to all that touch them, to all that touch those, and
+   * so on. Each contact that acted gets a row in the log.
    *
    * @param hit one circle that has just hit an obstacle, or two that have just hit each other, at
    *     the start of their new flights
-   * @return those that were hit and those that changed, at the start of their new flights
+   * @return the given circles and all that changed, at the start of their new flights
    */
   public Collection<MovingCircle> resolve(ImpactRows log, MovingCircle... hit) {
     gather(hit);
     Set<MovingCircle> changed = new LinkedHashSet<>(List.of(hit));
     if (members.size() == 1) {
-      return changed; // the impact itself was all
+      return changed; // nothing but the impact itself
     }
     InelasticShock shock = shock();
     boolean resolved = shock.resolve();
@@ -111,7 +111,7 @@ public final class ContactCluster {
     return changed;
   }
 
-  /** Whether one that infinite masses crushed is still overlapped by any of them. */
+  /** Whether a circle is crushed: an infinite mass that crushed it still overlaps it. */
   public boolean isCrushed(MovingCircle m) {
     if (m.jam == null) {
       return false;
@@ -131,7 +131,7 @@ public final class ContactCluster {
     return registry.mass(id) == INFINITE;
   }
 
-  /** A circle where it is at the time of another one. */
+  /** Advances a circle to the time of another one. */
   private MovingCircle broughtTo(MovingCircle time, MovingCircle m) {
     double dt = (time.t - m.t) + (time.tl - m.tl);
     m.advance(dt, 0, time.t, time.tl, dt == 0, obstacles.walls);
@@ -184,7 +184,7 @@ public final class ContactCluster {
     if (known == null) {
       other.crushed = isCrushed(other);
     } else if (known < k && pairs.mass(other) < INFINITE) {
-      return; // found from the other side
+      return; // its own search added this contact
     }
     Touch touch = Touch.of(m, other);
     if (touch != null) {
@@ -208,7 +208,7 @@ public final class ContactCluster {
     return shock;
   }
 
-  /** Stops the circles that infinite masses touch, and lets those pass over them. */
+  /** Stops the circles that infinite masses touch, and lets the masses pass over them. */
   private boolean crush(Set<MovingCircle> changed, ImpactRows log, MovingCircle... hit) {
     List<Contact> ofInfinite =
         contacts.stream()
@@ -231,7 +231,7 @@ public final class ContactCluster {
     return contacts.removeAll(ofInfinite);
   }
 
-  /** Whether a contact is the impact that is just resolved, which the log already holds. */
+  /** Whether a contact is the impact under resolution, which has its row in the log already. */
   private boolean isHit(Contact c, MovingCircle... hit) {
     boolean isFirst = members.get(c.a) == hit[0];
     return isFirst && (hit.length == 1 ? c.touch.code() == hit[0].last : c.b == 1);
@@ -284,7 +284,7 @@ public final class ContactCluster {
     }
   }
 
-  /** What little approach is left would add up, for the wall is inert from now on. */
+  /** Stops the rest of an approach to a wall: the wall is inert now, and the rest would add up. */
   private static void stopAtWall(MovingCircle m, Touch wall) {
     if (m.vx * wall.nx() < 0) {
       m.vx = 0;
@@ -294,7 +294,7 @@ public final class ContactCluster {
     }
   }
 
-  /** Lets all go on with the velocity of their common momentum, or stop where any is held. */
+  /** Gives all members the velocity of their common momentum, or stops them if one is held. */
   private void joinAll(Set<MovingCircle> changed) {
     boolean held = contacts.stream().anyMatch(c -> c.b == InelasticShock.OBSTACLE);
     double mass = 0;
@@ -304,7 +304,7 @@ public final class ContactCluster {
       double own = pairs.mass(m);
       held |= own == INFINITE;
       mass += own;
-      // So much of the mean is its own.
+      // The mean of the velocities so far, weighted by mass.
       vx = (1 - own / mass) * vx + own / mass * m.vx;
       vy = (1 - own / mass) * vy + own / mass * m.vy;
     }

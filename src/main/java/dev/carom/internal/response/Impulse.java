@@ -5,28 +5,29 @@ import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
 /**
- * The impulse j n of an impact, {@code j = f (v.n) / (n.n)}, with j kept as head and tail, so that
- * a velocity is rounded once, to the nearest double of what it should be. Plain doubles would round
- * n.n too, for one line always alike: the energy would drift by that much at each of its impacts,
- * where a single rounding makes it walk at random.
+ * The impulse j n of an impact, {@code j = f (v.n) / (n.n)}. As j is kept as head and tail, the new
+ * velocity is rounded once, to the nearest double.
+ *
+ * <p>Plain doubles would also round n.n, always alike for the same line. The energy would then
+ * drift the same way at each impact with it; a single rounding lets it walk at random.
  */
 public final class Impulse {
 
-  /** Sizes of v within which no product leaves the range of doubles, for n of 2^-300 to 2^300. */
+  /** With v and n in the range of these sizes, no product leaves the range of doubles. */
   private static final double LEAST_SAFE = 0x1p-300;
 
   private static final double MOST_SAFE = 0x1p300;
 
-  /** The largest f of which that is true. */
+  /** The largest f for which that holds. */
   private static final double MOST_F = 0x1p100;
 
   private double j;
   private double tail;
 
-  /** The impulse is that of j and its tail times 2 to this; 0 for ordinary sizes. */
+  /** The impulse is (j + tail) n 2^exponent; the exponent is 0 for ordinary sizes. */
   private int exponent;
 
-  /** The impulse that takes away f times the part of v along n, n of 2^-300 to 2^300. */
+  /** Sets the impulse that removes f times the part of v along n, n of 2^-300 to 2^300. */
   public void of(double f, double vx, double vy, double nx, double ny) {
     double size = Math.max(Math.abs(vx), Math.abs(vy));
     if (size > LEAST_SAFE && size < MOST_SAFE && f < MOST_F) {
@@ -56,13 +57,13 @@ public final class Impulse {
     double vnl = sumTail(x, y, vn) + (productTail(vx, nx, x) + productTail(vy, ny, y));
     double fvn = f * vn;
     j = fvn / nn;
-    // What is left of f v.n - j n.n
+    // rest = f v.n - j n.n
     double rest = Math.fma(-j, nn, fvn) + productTail(f, vn, fvn);
-    // A product by 1 / n.n would be known sooner, but leave 2^-107 of a velocity that is to halt.
+    // A multiplication by 1 / n.n would be faster, but leave 2^-107 of a velocity that should halt.
     tail = (rest + (f * vnl - j * nnl)) / nn;
   }
 
-  /** v - j n on one axis: the whole impulse given by something that stays at rest. */
+  /** v - j n on one axis: the whole impulse, from a partner that stays at rest. */
   public double less(double v, double n) {
     if (exponent != 0) {
       return change(v, -1, 0, n);

@@ -5,10 +5,10 @@ import dev.carom.internal.exact.ExactBudget;
 import java.util.Arrays;
 
 /**
- * What contacts without bounce do to the velocities of circles, all at once: of all velocities with
- * which no contact approaches, the nearest to those before, with the masses as weights. That is the
- * inelastic shock of J. J. Moreau (Unilateral contact and dry friction in finite freedom dynamics,
- * 1988).
+ * The velocities of circles after all their contacts act at once, without bounce. Among the
+ * velocities with which no contact approaches, they are the nearest to those before, weighted by
+ * mass: the inelastic shock of J. J. Moreau (Unilateral contact and dry friction in finite freedom
+ * dynamics, 1988).
  *
  * <p>With the separations u.n of all contacts as the gradient, the impulses j are the minimum of a
  * quadratic function under j >= 0. It is found by conjugate gradients on the contacts that push,
@@ -18,22 +18,22 @@ import java.util.Arrays;
  */
 public final class InelasticShock {
 
-  /** Instead of the second circle of a contact: an obstacle. */
+  /** Stands for an obstacle in place of the second circle of a contact. */
   static final int OBSTACLE = -1;
 
-  /** What is left of an approach when the relaxation ends: 8 ulps of the largest speed, 1 to 2. */
+  /** The largest approach in a result: 8 ulps of the largest speed, which is scaled to 1..2. */
   private static final double TOLERANCE = 0x1p-49;
 
-  /** An approach with which relaxation need not go on. */
+  /** An approach so small that the relaxation ends at once. */
   private static final double LEAST = 0x1p-60;
 
   /** A curvature that is mere rounding. */
   private static final double FLAT = 0x1p-70;
 
-  /** An impulse that changes the approach by less than this did nothing. */
+  /** An impulse that changes the approach by less than this counts as none. */
   private static final double NOTHING = 0x1p-48;
 
-  /** Steps, and so many more for each contact, after which there is no answer. */
+  /** The relaxation gives up after so many steps, and so many more for each contact. */
   private static final int STEPS = 100;
 
   private static final int STEPS_EACH = 10;
@@ -43,7 +43,7 @@ public final class InelasticShock {
 
   private final double[] vy;
 
-  /** 1 / mass of each circle, 0 if nothing deflects it. */
+  /** 1 / mass of each circle; 0 for an infinite mass. */
   private final double[] inverseMass;
 
   private int exponent;
@@ -54,7 +54,7 @@ public final class InelasticShock {
   private final double[] nx;
   private final double[] ny;
 
-  /** Of each contact: the root of 1/m1 + 1/m2, and the impulse times that. */
+  /** The root of 1/m1 + 1/m2 for each contact, and the impulse times this root. */
   private final double[] scale;
 
   private final double[] impulse;
@@ -62,12 +62,12 @@ public final class InelasticShock {
   /** Separations divided by the scale. */
   private final double[] gradient;
 
-  /** The direction of the next step, and by how much separations change along it. */
+  /** The direction of the next step, and the change of the separations along it. */
   private final double[] direction;
 
   private final double[] response;
 
-  /** Whether impulses could grow without end, and the approach would stay. */
+  /** Whether impulses could grow without end and would not end the approach. */
   private boolean unbounded;
 
   /** Velocities along the direction. */
@@ -114,9 +114,9 @@ public final class InelasticShock {
   }
 
   /**
-   * Finds the velocities, when all circles and contacts are known.
+   * Finds the velocities. All circles and contacts must have been set.
    *
-   * @return false if no contact without approach was found in the time allowed
+   * @return false if some contact still approaches after the allowed steps
    */
   boolean resolve() {
     scale();
@@ -142,7 +142,7 @@ public final class InelasticShock {
     return resolved || residual <= TOLERANCE;
   }
 
-  /** At least the largest eigenvalue of the scaled matrix: the most contacts that one touches. */
+  /** A bound of the largest eigenvalue of the scaled matrix: the most contacts of two partners. */
   private double bound() {
     int[] touches = new int[vx.length];
     for (int k = 0; k < contacts; k++) {
@@ -159,7 +159,7 @@ public final class InelasticShock {
     return most;
   }
 
-  /** Computes the gradient, and returns by how much the worst contact is wrong. */
+  /** Computes the gradient, and returns the largest violation among the contacts. */
   private double differentiate() {
     double residual = 0;
     for (int k = 0; k < contacts; k++) {
@@ -171,7 +171,7 @@ public final class InelasticShock {
     return residual;
   }
 
-  /** Whether the contacts that push are further from their minimum than the others from pushing. */
+  /** Whether the pushing contacts are further from their minimum than the others from pushing. */
   private boolean isProportional(double shortStep) {
     double free = 0;
     double chopped = 0;
@@ -185,14 +185,17 @@ public final class InelasticShock {
     return chopped <= free;
   }
 
-  /** Lets the direction be the gradient of the contacts that push. */
+  /** Sets the direction to the gradient of the pushing contacts. */
   private void follow() {
     for (int k = 0; k < contacts; k++) {
       direction[k] = impulse[k] > 0 ? gradient[k] : 0;
     }
   }
 
-  /** A step of conjugate gradients, or as far as no impulse is negative, and then a short one. */
+  /**
+   * A step of conjugate gradients. If it would make an impulse negative, it ends there, and a short
+   * step along the gradient follows.
+   */
   private void descend(double shortStep) {
     double curvature = respond();
     double slope = dot(gradient, direction);
@@ -227,7 +230,7 @@ public final class InelasticShock {
     }
   }
 
-  /** A step of the contacts that do not push yet, and approach. */
+  /** A step of the contacts that approach and do not push yet. */
   private void release() {
     for (int k = 0; k < contacts; k++) {
       direction[k] = impulse[k] > 0 ? 0 : Math.min(0, gradient[k]);
@@ -241,12 +244,12 @@ public final class InelasticShock {
     follow();
   }
 
-  /** Whether impulses along the direction change nothing: they push against each other. */
+  /** Whether impulses along the direction cancel each other and change no velocity. */
   private boolean isFlat(double curvature) {
     return curvature <= FLAT * dot(direction, direction);
   }
 
-  /** Computes how the direction changes the separations; returns its curvature. */
+  /** Computes the change of the separations along the direction; returns its curvature. */
   private double respond() {
     Arrays.fill(ux, 0);
     Arrays.fill(uy, 0);
@@ -278,7 +281,7 @@ public final class InelasticShock {
     return sum;
   }
 
-  /** Goes against the direction; impulses that would be negative are 0. */
+  /** Steps against the direction; impulses that would be negative become 0. */
   private void move(double length) {
     for (int k = 0; k < contacts; k++) {
       if (direction[k] != 0) {
@@ -289,7 +292,7 @@ public final class InelasticShock {
     }
   }
 
-  /** Brings the largest component of a velocity to 1..2, lest anything overflows. */
+  /** Scales the velocities so that the largest component is in 1..2: nothing can overflow. */
   private void scale() {
     double largest = 0;
     for (int i = 0; i < vx.length; i++) {
@@ -318,7 +321,7 @@ public final class InelasticShock {
     }
   }
 
-  /** How fast the two sides of a contact part, in units of 2^exponent. */
+  /** The speed at which the two sides of a contact part, in units of 2^exponent. */
   private double separation(int k) {
     int a = first[k];
     int b = second[k];
@@ -327,7 +330,7 @@ public final class InelasticShock {
     return ux * nx[k] + uy * ny[k];
   }
 
-  /** Turns velocities that are mere rounding beside the largest one into 0. */
+  /** Sets velocities to 0 that are mere rounding beside the largest one. */
   private void dropNoise() {
     for (int i = 0; i < vx.length; i++) {
       if (inverseMass[i] > 0 && Math.abs(vx[i]) + Math.abs(vy[i]) < NOTHING) {
@@ -337,7 +340,7 @@ public final class InelasticShock {
     }
   }
 
-  /** The largest component of a velocity before, to within a factor of 2. */
+  /** The largest component of the velocities before the shock, to within a factor of 2. */
   double speed() {
     return Math.scalb(1.0, exponent);
   }
@@ -355,7 +358,7 @@ public final class InelasticShock {
     return impulse[k] * scale[k] > NOTHING;
   }
 
-  /** Whether the two sides of contact k move, but against each other by no more than rounding. */
+  /** Whether the two sides of contact k differ in velocity, but part by no more than rounding. */
   boolean isFaint(int k) {
     int a = first[k];
     int b = second[k];

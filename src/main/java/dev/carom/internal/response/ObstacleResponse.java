@@ -21,7 +21,7 @@ import dev.carom.internal.state.ObstacleTable;
  */
 public final class ObstacleResponse {
 
-  // What follows an impact.
+  // The results of resolve.
 
   /** Nothing: a sensor reported it, and the flight goes on. */
   public static final int SENSED = 0;

@@ -12,18 +12,20 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.Coordinates;
 
 /**
- * The velocities of two circles after a collision. With the offset {@code n = x1 - x2}, of any
- * length, and {@code u = v1 - v2}, the part of u along n is reversed, scaled by e, and shared by
+ * The velocities of two circles after a collision. Let n be the offset {@code x1 - x2}, of any
+ * length, and {@code u = v1 - v2}. The part of u along n is reversed, scaled by e, and shared by
  * the masses: {@code v1 -= m2 / (m1 + m2) J n}, {@code v2 += m1 / (m1 + m2) J n} with {@code J = (1
- * + e) (u.n) / (n.n)}. A circle of infinite mass keeps its velocity; two of them pass through each
- * other, which is reported. If one of two circles halts, both lose their motion along n.
+ * + e) (u.n) / (n.n)}.
+ *
+ * <p>A circle of infinite mass keeps its velocity. Two of them pass through each other, and the log
+ * says so. If one of two circles halts, both lose their motion along n.
  */
 public final class PairResponse {
 
-  /** Of speeds below this, the sum of two of each component is a double. */
+  /** Components of velocities below this can be added and subtracted without overflow. */
   private static final double FAST = 0x1p1020;
 
-  /** The sum of two masses up to this is a double. */
+  /** Masses up to this can be added without overflow. */
   private static final double LARGE = 0x1p1000;
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;
@@ -68,8 +70,8 @@ public final class PairResponse {
   }
 
   /**
-   * Whether a circle that jammed with another, and has just been set on a new flight, approaches or
-   * leaves it by more than rounding: then the two are there for each other again.
+   * Whether a circle on a new flight approaches or leaves one with which it jammed by more than
+   * rounding. Then the two no longer ignore each other.
    */
   public boolean part(MovingCircle m, MovingCircle other) {
     double later = (m.t - other.t) + (m.tl - other.tl);
@@ -85,20 +87,20 @@ public final class PairResponse {
   }
 
   /**
-   * The rank of a collision among events of the same time, the lower number first: after impacts
-   * with obstacles. Sensors come first of all, since they change nothing.
+   * The rank of a collision among events of the same time; lower ranks come first. Collisions come
+   * after impacts with obstacles, but silent ones before everything, since they change nothing.
    */
   public long rank(int i, int j) {
     long rank = Codes.rank(Codes.circle(i), j);
     return isSilent(i, j) ? rank - Long.MAX_VALUE : rank;
   }
 
-  /** Whether there may be circles that only report that they meet. */
+  /** Whether there may be circles whose contacts are only reported. */
   public boolean haveSilent() {
     return registry.hasTraits() || registry.hasInfinite();
   }
 
-  /** Whether the meeting of circles i and j is reported and changes nothing. */
+  /** Whether a contact of circles i and j is reported and changes nothing. */
   public boolean isSilent(int i, int j) {
     return isSensor(i, j) || pass(i, j);
   }
@@ -115,8 +117,8 @@ public final class PairResponse {
 
   /**
    * Changes the velocities of two circles in contact, and writes the log. If one is a sensor, or
-   * both have infinite mass, it only writes. A {@linkplain MovingCircle#crushed crushed} circle
-   * acts as one of infinite mass.
+   * both have infinite mass, only the log changes. A {@linkplain MovingCircle#crushed crushed}
+   * circle acts as one of infinite mass.
    *
    * @param a the one with the lower number
    * @return what follows, as for {@link ObstacleResponse#resolve}
@@ -157,7 +159,7 @@ public final class PairResponse {
     return stuck && !faint ? ObstacleResponse.STUCK : ObstacleResponse.NEW_FLIGHT;
   }
 
-  /** Another infinite mass comes to a circle that one crushed. */
+  /** Begins a flight after a crushed circle met another infinite mass: they ignore each other. */
   private static void passOverCrushed(MovingCircle m, MovingCircle other) {
     if (m.crushed) {
       m.jam = IgnoreList.crushedBy(m.jam, Codes.circle(other.id));
@@ -165,7 +167,7 @@ public final class PairResponse {
     beginFlight(m, other);
   }
 
-  /** The mass with which a circle is hit. */
+  /** The mass of a circle in a collision: infinite if it is crushed. */
   double mass(MovingCircle m) {
     return m.crushed ? INFINITE : registry.mass(m.id);
   }
@@ -213,7 +215,7 @@ public final class PairResponse {
     m.newFlight();
   }
 
-  /** Writes that two circles are in contact, the lower number first, and how they approach. */
+  /** Writes a row for two circles in contact, the lower number first, with their approach. */
   void report(MovingCircle a, MovingCircle b, ImpactRows log) {
     fast = exponent(a, b);
     ux = ScaledVectors.difference(a.vx, b.vx, fast);
@@ -228,8 +230,8 @@ public final class PairResponse {
   }
 
   /**
-   * By which power of two velocities are to be divided, lest their difference overflow: as a rule
-   * 0.
+   * The exponent of the power of two by which velocities are divided so that their difference does
+   * not overflow; 0 for ordinary speeds.
    */
   private static int exponent(MovingCircle a, MovingCircle b) {
     boolean ordinary =
@@ -245,7 +247,7 @@ public final class PairResponse {
     return exponent == 0 ? x : Math.scalb(x, exponent);
   }
 
-  /** Takes away a circle's motion along the normal. */
+  /** Removes a circle's motion along the normal. */
   private void stop(MovingCircle m, double nx, double ny) {
     m.jam = IgnoreList.ofCircles(m.jam);
     impulse.of(1, m.vx, m.vy, nx, ny);
@@ -254,9 +256,9 @@ public final class PairResponse {
   }
 
   /**
-   * Gives a circle its share of the impulse, the other's mass over the sum of both, which is kept
-   * as head and tail: rounded alike at each impact of two masses, it would let the energy drift. A
-   * line along which a jammed circle slid is there for it again.
+   * Gives a circle its share of the impulse: the other's mass over the sum of both. The share is
+   * kept as head and tail. As one double it would be rounded alike at each impact of two masses,
+   * and the energy would drift. Obstacles that a jammed circle ignored act on it again.
    */
   private void push(MovingCircle m, int sign, double other, double own, double nx, double ny) {
     if (own == INFINITE) {

@@ -4,17 +4,17 @@ package dev.carom.internal.response;
 import dev.carom.internal.sweep.Coordinates;
 
 /**
- * Differences and products of vectors, also where these would leave the range of doubles: a
- * difference is divided by a power of two, which for ordinary sizes is 1.
+ * Differences and products of vectors, also where they would leave the range of doubles. There a
+ * difference is divided by a power of two; for ordinary sizes that power is 1.
  */
 public final class ScaledVectors {
 
-  /** Range of a normal's size, and of a speed, within which their products are safe. */
+  /** The range of a normal's size, and of a speed, within which their products are safe. */
   private static final double LEAST_SAFE = 0x1p-300;
 
   private static final double MOST_SAFE = 0x1p300;
 
-  /** A normal is so many binary places above 1 for slow motion, whose own places may be few. */
+  /** A normal for slow motion is scaled to 2^60: products with a tiny speed keep their bits. */
   private static final int SLOW = 60;
 
   private ScaledVectors() {}
@@ -25,8 +25,8 @@ public final class ScaledVectors {
   }
 
   /**
-   * By which power of two a normal p - q is to be divided, so that its products with velocities
-   * stay within the range of doubles: 0 for ordinary sizes.
+   * The exponent of the power of two by which a normal p - q is divided, so that its products with
+   * velocities stay within the range of doubles; 0 for ordinary sizes.
    */
   static int exponent(double px, double py, double qx, double qy, double speed) {
     double x = px - qx;
@@ -37,7 +37,7 @@ public final class ScaledVectors {
         : Math.getExponent(size) + (speed < 1 ? -SLOW : 3); // n below 1/4: |v.n| < 2 |v| / 4
   }
 
-  /** (p - q) / 2^exponent; of what is beyond the range of doubles, the largest one. */
+  /** (p - q) / 2^exponent; a p or q beyond the range of doubles counts as the largest double. */
   static double difference(double p, double q, int exponent) {
     if (exponent == 0) {
       return p - q;
@@ -50,7 +50,7 @@ public final class ScaledVectors {
         : Math.scalb(a, -exponent) - Math.scalb(b, -exponent);
   }
 
-  /** a.b to within two ulps, whatever cancels (W. Kahan's difference of products). */
+  /** a.b to within two ulps, even under cancellation (W. Kahan's difference of products). */
   public static double dot(double ax, double ay, double bx, double by) {
     double p = ay * by;
     return Math.fma(ax, bx, p) + Math.fma(ay, by, -p);

@@ -5,22 +5,23 @@ import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
 /**
- * What an impact does to the velocities of two spheres, or of two circles, without a world: with
- * {@code n = c1 - c2} and {@code u = v1 - v2}, {@code v1 -= m2 / (m1 + m2) J n} and {@code v2 += m1
- * / (m1 + m2) J n}, {@code J = f (u.n) / (n.n)}.
+ * The velocities of two spheres, or of two circles, after an impact without a world. With {@code n
+ * = c1 - c2}, {@code u = v1 - v2} and {@code J = f (u.n) / (n.n)}: {@code v1 -= m2 / (m1 + m2) J n}
+ * and {@code v2 += m1 / (m1 + m2) J n}.
  */
 public final class SphereResponse {
 
-  /** Of speeds of a size below 2 to this, and above 2 to minus this, products are doubles. */
+  /** Speeds whose exponent is below this in size are multiplied without overflow or underflow. */
   private static final int ORDINARY = 300;
 
   private SphereResponse() {}
 
   /**
-   * Takes away f times the part of the relative velocity along n. What could leave the range of
-   * doubles is scaled by powers of two: n to 1 or so, and if need be u and f.
+   * Removes f times the part of the relative velocity along n. Powers of two keep all products in
+   * the range of doubles: n is scaled to about 1, and u and f if need be.
    *
-   * @param v three velocities each, or two: then all is in the plane
+   * @param v the velocity of the first and of the second: three components each, or two in the
+   *     plane
    */
   public static void respond(
       double x1,
@@ -61,7 +62,7 @@ public final class SphereResponse {
     push(v, second, 1, m1, m2, j, tail, ofU + ofF, nx, ny, nz);
   }
 
-  /** The exponent of a difference; of one beyond the doubles, one more than the largest. */
+  /** The exponent of a difference; if it overflows, one more than the largest. */
   private static int exponent(double p, double q) {
     return Math.getExponent(p - q);
   }
@@ -74,7 +75,7 @@ public final class SphereResponse {
         : Math.scalb(p, -exponent) - Math.scalb(q, -exponent);
   }
 
-  /** Gives a sphere its share of the impulse, the other's mass over the sum of both. */
+  /** Gives a sphere its share of the impulse: the other's mass over the sum of both. */
   private static void push(
       double[] v,
       int at,
@@ -108,7 +109,7 @@ public final class SphereResponse {
     return ax * bx + ay * by + az * bz;
   }
 
-  /** What {@link #dot} left behind. */
+  /** The rounding error of {@link #dot}, to first order. */
   private static double dotTail(double ax, double ay, double az, double bx, double by, double bz) {
     double x = ax * bx;
     double y = ay * by;

@@ -4,21 +4,23 @@ package dev.carom.internal.response;
 import dev.carom.internal.state.MovingCircle;
 
 /**
- * When an impact stops a circle.
+ * Decides when an impact stops a circle.
  *
- * <p>An impact of restitution 0 that turns the velocity back, after another one at the same place
- * turned it the other way, stops the circle: it would be turned to and fro for ever, by less each
- * time. (v lies in the cone of directions that the two normals forbid; of all velocities that lead
- * into neither thing, 0 is the nearest one.) A {@linkplain StuckRule stuck} circle stops when no
- * more than rounding is left of its velocity.
+ * <p>Two impacts of restitution 0 at the same place that turn the velocity in opposite directions
+ * stop the circle. Else they would turn it to and fro for ever, by less each time. (The velocity
+ * lies in the cone of directions that the two normals forbid. Among the velocities that lead into
+ * neither obstacle, 0 is the nearest.)
+ *
+ * <p>A {@linkplain StuckRule stuck} circle stops when no more than rounding is left of its
+ * velocity.
  */
 public final class StopRule {
 
   private StopRule() {}
 
   /**
-   * Whether an impact without bounce turns a velocity back, after another one at the same place
-   * turned it the other way; keeps which way.
+   * Whether an impact without bounce turns the velocity one way after another one at the same place
+   * turned it the other way. Remembers the way for the next impact.
    */
   static boolean turnsBack(MovingCircle m, double nx, double ny, double way, double approach) {
     if (StuckRule.isFaint(m, approach)) {
@@ -40,7 +42,7 @@ public final class StopRule {
     m.vy = 0;
   }
 
-  /** Stops a circle that an impact would make faster than doubles can tell. */
+  /** Stops a circle whose velocity an impact made infinite or NaN; returns whether it did. */
   public static boolean stopsBeyondRange(MovingCircle m) {
     if (Math.abs(m.vx) <= Double.MAX_VALUE && Math.abs(m.vy) <= Double.MAX_VALUE) {
       return false;

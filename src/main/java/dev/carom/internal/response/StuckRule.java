@@ -4,10 +4,10 @@ package dev.carom.internal.response;
 import dev.carom.internal.state.MovingCircle;
 
 /**
- * Counts the impacts that a circle makes at one place, and tells when it is stuck.
+ * Counts the impacts of a circle at one place, and decides when it is stuck.
  *
  * <p>Restitution other than 1, or clearance below rounding, can make infinitely many impacts in
- * finite time. Two successive impacts are at one place if a circle, and what it hits, moved next to
+ * finite time. Two successive impacts are at one place if the circle and its partner moved next to
  * nothing between them. A circle is <i>stuck</i> when the weights of its successive impacts at one
  * place exceed {@link #LIMIT}; from then on its impacts there have restitution 0.
  *
@@ -15,15 +15,15 @@ import dev.carom.internal.state.MovingCircle;
  *   <li><b>Elastic impacts.</b> A place is 2^-39 of the coordinates wide: doubles hold so small a
  *       clearance to four digits only. 1,024 impacts with obstacles make a circle stuck, or 16,384
  *       with circles: long elastic rows need that many.
- *   <li><b>Other impacts.</b> A place is at least 2^-16 of the radius wide. An impact weighs by
- *       what it does to the energy: a circle is stuck when the product of the restitutions is below
- *       2^-16, or above 2^16, but not by fewer than 4 impacts. Then next to nothing is left of the
- *       motion, or next to all of it was made there.
- *   <li><b>Faint impacts</b>, which approach by no more than the rounding of the speeds met at that
- *       place, weigh 1/32 of the limit.
- *   <li><b>Driven circles.</b> A circle between something and an infinite mass that moves towards
- *       it gets less room with each impact, and makes infinitely many at restitution 1. For it
- *       2^-10 of the radius is one place.
+ *   <li><b>Other impacts.</b> A place is at least 2^-16 of the radius wide. The weight of an impact
+ *       follows its restitution: a circle is stuck when the product of the restitutions is below
+ *       2^-16, or above 2^16, but after at least 4 impacts. Then the impacts took away nearly all
+ *       of the motion, or made nearly all of it.
+ *   <li><b>Faint impacts</b> weigh 1/32 of the limit. Their approach is no more than the rounding
+ *       of the speeds met at that place.
+ *   <li><b>Driven circles.</b> An infinite mass that drives a circle against another thing leaves
+ *       it less room with each impact: infinitely many impacts, even at restitution 1. For such a
+ *       circle 2^-10 of the radius is one place.
  * </ul>
  */
 public final class StuckRule {
@@ -48,19 +48,19 @@ public final class StuckRule {
 
   private static final double LN_2 = 0.6931471805599453;
 
-  /** The part of its coordinates that is one place for a circle. */
+  /** The width of a place, as a part of the circle's coordinates. */
   private static final double PLACE = 0x1p-39;
 
-  /** The part of its radius that is one place for a circle whose impacts are not elastic. */
+  /** The least width of a place where impacts are not elastic, as a part of the radius. */
   static final double INELASTIC_PLACE = 0x1p-16;
 
-  /** The part of its radius that is one place for a driven circle. */
+  /** The width of a place of a driven circle, as a part of the radius. */
   private static final double DRIVEN_PLACE = 0x1p-10;
 
-  /** The part of its coordinates by which rounding moves a circle: 4 ulps of 1..2 are 2^-50. */
+  /** The part of its coordinates by which rounding can move a circle: 4 ulps of 1..2 are 2^-50. */
   private static final double ROUNDED = 0x1p-51;
 
-  /** Approach, relative to the speed, that is no more than rounding: some ulps of the velocity. */
+  /** An approach up to this part of the speed is rounding: some ulps of the velocity. */
   private static final double ROUNDED_SPEED = 0x1p-48;
 
   private StuckRule() {}
@@ -71,7 +71,7 @@ public final class StuckRule {
    * @param way the distance that circle and partner moved relative to each other since the last
    *     impact of the circle
    * @param speed the sum of the absolute components of the relative velocity
-   * @param approach along the normal
+   * @param approach the speed along the normal
    * @param e the restitution
    * @param elastic the weight of an impact of restitution 1
    */
@@ -90,7 +90,7 @@ public final class StuckRule {
     }
   }
 
-  /** Whether a circle slid along what it hit: neither moved nearer by more than rounding. */
+  /** Whether a circle slid along its partner: they came nearer by no more than rounding. */
   private static boolean slides(MovingCircle m, double approach, int exponent) {
     return isFaint(approach, exponent)
         && (isStuck(m) || m.flown * Math.abs(approach) <= ROUNDED * size(m));
@@ -100,7 +100,7 @@ public final class StuckRule {
     m.stuck = Math.min(m.stuck + weight, LIMIT + 1);
   }
 
-  /** The weight of an impact: if it is not elastic, by what it does to the speed. */
+  /** The weight of an impact; if it is not elastic, by the halvings or doublings of the speed. */
   private static int weight(double e, int elastic) {
     double halvings = e == 1 ? 0 : Math.abs(StrictMath.log(e)) / LN_2;
     return (int) Math.max(elastic, Math.min(HEAVIEST, halvings * HALVING));
@@ -121,12 +121,12 @@ public final class StuckRule {
     return isStuck(m) ? place(m, 0) : ROUNDED * size(m);
   }
 
-  /** Whether a circle made so many impacts at one place that they would not end. */
+  /** Whether a circle is stuck: its impacts at one place exceed the limit. */
   static boolean isStuck(MovingCircle m) {
     return m.stuck > LIMIT;
   }
 
-  /** Notes a speed that a circle met at its place. */
+  /** Notes a speed that occurred at the place of a circle. */
   static void noteSpeed(MovingCircle m, double speed) {
     m.speedExponent = Math.max(m.speedExponent, exponent(speed));
   }
@@ -145,7 +145,7 @@ public final class StuckRule {
     return Math.min(Math.getExponent(speed), Double.MAX_EXPONENT);
   }
 
-  /** 2^k, for the exponent of a double: 0 and subnormal ones have that of 2^-1023. */
+  /** 2^k for the exponent k of a double; 0 and subnormal numbers have the exponent -1023. */
   private static double powerOfTwo(int k) {
     return k < Double.MIN_EXPONENT
         ? Double.MIN_NORMAL / 2

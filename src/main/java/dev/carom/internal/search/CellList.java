@@ -4,17 +4,22 @@ package dev.carom.internal.search;
 import dev.carom.internal.state.Codes;
 
 /**
- * What a cell of a {@link Grid} lists, in a long. Above 0 it is a pair of lines, 31 bits for the
- * code of each; a line alone stands twice. 0, twice the code of a wall, stands for nothing. Below 0
- * it is a pair of other obstacles; or the place where a longer list starts in {@link Grid#pairs},
- * with 0 in place of the second code.
+ * The list of obstacles in a cell of a {@link Grid}, packed into a long:
  *
- * <p>In a longer list the pairs follow each other, of lines and of others, the sign set in all but
- * the last one.
+ * <ul>
+ *   <li>0: an empty list.
+ *   <li>Above 0: a pair of lines, 31 bits for the code of each. A line alone stands twice.
+ *   <li>Below 0, the second code not 0: a pair of other obstacles.
+ *   <li>Below 0, the second code 0: a longer list. The first code is its start in {@link
+ *       Grid#pairs}.
+ * </ul>
+ *
+ * <p>A longer list is a run of pairs, each of lines or of other obstacles. The sign is set in all
+ * but the last pair.
  */
 public final class CellList {
 
-  /** In place of a list: outside of the grid, which one ring of such cells surrounds. */
+  /** Marks the ring of cells outside of the grid, in place of a list. */
   static final long OUTSIDE = Long.MIN_VALUE;
 
   /** An empty list. */
@@ -24,7 +29,7 @@ public final class CellList {
 
   private CellList() {}
 
-  /** A pair of lines: two codes, the first one lowest. */
+  /** A pair of lines: two codes, the first one in the low bits. */
   static long pair(int first, int second) {
     return ((long) second << Integer.SIZE) | first;
   }
@@ -49,12 +54,12 @@ public final class CellList {
     return Codes.isAfterLines(second(pair));
   }
 
-  /** Where a longer list starts. */
+  /** The start of a longer list. */
   public static int start(long list) {
     return (int) list;
   }
 
-  /** The code that is number 0 or 1 of a pair of lines, without a branch. */
+  /** Code 0 or 1 of a pair of lines, branch-free. */
   static int code(long pair, int number) {
     return (int) (pair >>> (number * Integer.SIZE));
   }

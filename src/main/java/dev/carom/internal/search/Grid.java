@@ -38,7 +38,7 @@ public final class Grid {
   /** The difference of the numbers of a cell and of the one in the next row. */
   final int stride;
 
-  /** What each cell lists, by its number: a {@link CellList}. */
+  /** The list of each cell, by its number: a {@link CellList}. */
   public final long[] lists;
 
   /** The pairs of longer lists, see {@link CellList}. */

@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: Apache-2.0
-/** Which obstacle a flight hits first: the static grid, the broad phase and the narrow phase. */
+/** Finds the first obstacle of a flight: static grid, broad phase and narrow phase. */
 package dev.carom.internal.search;

@@ -8,10 +8,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The lines and pegs during a recording: those at its start, and each change since. */
+/** The lines and pegs during a recording: the ones at its start, and each change since. */
 final class ObstacleHistory {
 
-  /** The row of an obstacle from a time on; null once it is removed. */
+  /** The row of an obstacle from a time on; null for a removed one. */
   private static final class Change {
 
     final double from;
@@ -27,7 +27,7 @@ final class ObstacleHistory {
   private final int most;
   private final Map<Integer, List<Change>> changes = new HashMap<>();
 
-  /** The codes of removed obstacles in order of removal, and the number of changes kept of them. */
+  /** The codes of removed obstacles in order of removal, and the number of their kept changes. */
   private final Deque<Integer> removed = new ArrayDeque<>();
 
   private long changesOfRemoved;

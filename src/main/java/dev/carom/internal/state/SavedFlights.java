@@ -26,9 +26,7 @@ public final class SavedFlights {
   public static final int LAST = 0;
   public static final int STUCK = 1;
 
-  /**
-   * Of the sensors met at exactly {@link #SENSED}, those with a code up to this one were reported.
-   */
+  /** The largest code of the sensors met at exactly {@link #SENSED} that were reported. */
   public static final int SENSED_CODE = 2;
 
   private static final int PARTNER = 3;

@@ -4,15 +4,15 @@ package dev.carom.internal.state;
 import java.util.Arrays;
 
 /**
- * What a scene holds, in flat arrays that no one changes. Circles stand in rows in the order of
- * their numbers.
+ * The contents of a scene in flat arrays that are never changed. Circles stand in rows in the order
+ * of their numbers.
  */
 public final class SceneData {
 
-  /** Doubles of one row of {@link #circles}. */
+  /** The number of doubles in a row of {@link #circles}. */
   public static final int CIRCLE_ROW = 6;
 
-  // Their places in the row.
+  // The columns of a row.
   public static final int X = 0;
   public static final int Y = 1;
   public static final int RADIUS = 2;
@@ -23,7 +23,7 @@ public final class SceneData {
   public final double[] circles;
   public final double[] masses;
 
-  /** Shared by all who use the scene: no one changes it. */
+  /** Shared by all users of the scene, so never changed. */
   public final ObstacleTable obstacles;
 
   public final boolean collide;

@@ -4,12 +4,12 @@ package dev.carom.internal.sweep;
 import dev.carom.internal.util.Part;
 
 /**
- * The codes of contacts: the part of a line or a disk that is hit first, and whether it is hit at
- * once.
+ * The codes of contacts: the part of a line or a disk that is hit first, and whether the impact is
+ * at time 0.
  */
 public final class Contact {
 
-  /** No contact code: plain doubles leave the answer open, so the detector must decide. */
+  /** Not a contact: plain doubles cannot decide, so the detector must. */
   public static final int DOUBT = -1;
 
   /** No impact. */
@@ -40,12 +40,12 @@ public final class Contact {
 
   private Contact() {}
 
-  /** Which part of a line is hit, {@link #LEFT} to {@link #END}; 0 or LATER on a disk. */
+  /** The part of a line that is hit, {@link #LEFT} to {@link #END}; 0 or LATER on a disk. */
   public static int withoutTime(int contact) {
     return contact & ~NOW;
   }
 
-  /** The {@link Part} of a line or a disk that a contact means. */
+  /** The {@link Part} of a line or a disk that a contact stands for. */
   public static int part(int contact) {
     return PARTS[withoutTime(contact)];
   }

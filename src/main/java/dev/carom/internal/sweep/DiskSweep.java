@@ -159,7 +159,7 @@ public final class DiskSweep {
     return Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).time(T);
   }
 
-  /** {@code f(t) = e.e - r^2} at {@code e = d + u t}. What cancels is kept as head and tail. */
+  /** {@code f(t) = e.e - r^2} at {@code e = d + u t}. Cancelling terms have head and tail. */
   private static double residue(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
       double vx2, double vy2, double t) {

@@ -9,16 +9,16 @@ public final class LineShape extends ObstacleShape {
 
   public static final LineShape INSTANCE = new LineShape();
 
-  // The places of its numbers in a row.
+  // The columns of a row.
   public static final int AX = 0;
   public static final int AY = 1;
   public static final int BX = 2;
   public static final int BY = 3;
 
-  /** From the start to the end. */
+  /** From a coordinate of the start to that of the end. */
   public static final int END = BX - AX;
 
-  /** Doubles of a row: these and the restitution. */
+  /** The number of doubles in a row: these and the restitution. */
   public static final int ROW = 5;
 
   private LineShape() {
@@ -88,8 +88,8 @@ public final class LineShape extends ObstacleShape {
   }
 
   /**
-   * A line and a box overlap unless they can be parted: by a horizontal or a vertical line, or by
-   * the line itself, with all corners on one side of it.
+   * A line and a box overlap unless they can be separated: by a horizontal or a vertical line, or
+   * by the line itself, with all corners of the box on one side.
    */
   @Override
   public boolean overlaps(double[] rows, int k, double[] box) {

@@ -15,27 +15,27 @@ import java.util.List;
  */
 public abstract class ObstacleShape {
 
-  /** The places of the start of the spine. */
+  /** The columns of the start of the spine. */
   public static final int X = 0;
 
   public static final int Y = 1;
 
-  /** What messages and scene files call the kind. */
+  /** The name of the kind in messages and scene files. */
   public final String name;
 
   /** The names of the numbers before the restitution: coordinates, then, if any, the radius. */
   public final List<String> numbers;
 
-  /** How many of these numbers are coordinates. */
+  /** The number of coordinates among them. */
   public final int coordinates;
 
-  /** From the start of the spine to its end; 0 if it is a point. */
+  /** From a coordinate of the start of the spine to that of its end; 0 if it is a point. */
   public final int toEnd;
 
-  /** The place of the restitution. */
+  /** The column of the restitution. */
   public final int restitution;
 
-  /** Doubles of a row. */
+  /** The number of doubles in a row. */
   public final int row;
 
   ObstacleShape(String name, int coordinates, String... numbers) {
@@ -52,7 +52,7 @@ public abstract class ObstacleShape {
     return coordinates < numbers.size();
   }
 
-  /** How far an obstacle reaches from its spine. */
+  /** The radius of an obstacle around its spine; 0 if the kind has none. */
   public final double radius(double[] rows, int k) {
     return hasRadius() ? rows[k + coordinates] : 0;
   }
@@ -74,7 +74,7 @@ public abstract class ObstacleShape {
 
   // The sweep.
 
-  /** How a disk, followed for ever, hits an obstacle: a {@link Contact}, MISS for not at all. */
+  /** The {@link Contact} at which a disk, followed for ever, first hits an obstacle, or MISS. */
   public abstract int contact(
       double px, double py, double r, double vx, double vy, double[] rows, int k);
 
@@ -86,7 +86,7 @@ public abstract class ObstacleShape {
   public abstract ExactTime exactTime(
       int contact, double px, double py, double r, double vx, double vy, double[] rows, int k);
 
-  /** Where such a contact is, at its time t. */
+  /** The point and the normal of such a contact at its time t. */
   public abstract Hit hit(
       int contact,
       double t,
@@ -98,7 +98,7 @@ public abstract class ObstacleShape {
       double[] rows,
       int k);
 
-  // At rest.
+  // Distance and overlap.
 
   /** The distance of a point from the spine. */
   public abstract double distanceFromSpine(double[] rows, int k, double x, double y);

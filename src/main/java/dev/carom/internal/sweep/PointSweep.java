@@ -56,7 +56,7 @@ public final class PointSweep {
     return TimeOfImpact.rounded(t, c, error);
   }
 
-  /** {@code e.e - r^2} at {@code e = d + v t}. What cancels is kept as head and tail. */
+  /** {@code e.e - r^2} at {@code e = d + v t}. Cancelling terms have head and tail. */
   private static double residue(
       double px, double py, double r, double vx, double vy, double qx, double qy, double t) {
     double dx = px - qx;

@@ -29,8 +29,8 @@ public final class SideSweep {
   private static final double LEAST_LENGTH = 0x1p-450;
 
   /**
-   * Of the window's polynomial: cross(w, d) has 4, cross(w, v) T has 3 + 1, their difference 1; the
-   * square 2 x 5 + 1; r^2 w.w has 6; the difference 1: 12 u, and two more.
+   * The bound of the window's polynomial: cross(w, d) has 4, cross(w, v) T has 3 + 1, their
+   * difference 1; the square 2 x 5 + 1; r^2 w.w has 6; the difference 1: 12 u, and two more.
    */
   private static final double WINDOW_BOUND = 14 * 0x1p-53;
 

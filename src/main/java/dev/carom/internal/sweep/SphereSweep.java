@@ -132,7 +132,7 @@ public final class SphereSweep {
     return Exact.Disks.of(x1, y1, z1, r1, vx1, vy1, vz1, x2, y2, z2, r2, vx2, vy2, vz2).time(T);
   }
 
-  /** {@code f(t) = e.e - r^2} at {@code e = d + u t}. What cancels is kept as head and tail. */
+  /** {@code f(t) = e.e - r^2} at {@code e = d + u t}. Cancelling terms have head and tail. */
   private static double residue(
       double x1, double y1, double z1, double r1, double vx1, double vy1, double vz1, double x2,
       double y2, double z2, double r2, double vx2, double vy2, double vz2, double t) {

@@ -53,9 +53,9 @@ public final class TimeOfImpact {
   private static final double DISCRIMINANT_BOUND = 17 * 0x1p-53;
 
   /**
-   * Of the window's polynomial: a place d + u T has 1, 1 + 1 and 1 u of its terms' sum X; its
-   * square 2 x 3 + 1, the sums 2, r^2 has 3, the difference 1: 10 u of the sum of all X^2 and r^2,
-   * and two more.
+   * The bound of the window's polynomial: a place d + u T has 1, 1 + 1 and 1 u of its terms' sum X;
+   * its square 2 x 3 + 1, the sums 2, r^2 has 3, the difference 1: 10 u of the sum of all X^2 and
+   * r^2, and two more.
    */
   private static final double WINDOW_BOUND = 12 * 0x1p-53;
 
