@@ -35,8 +35,8 @@ public final class ReadmeFigures {
   private static final String FAST = "fast-1";
   private static final String POSTER = "poster";
   private static final String KNOWN =
-      "time, ratio, spread, error or tunnelled with the name of a method, or published, wrong,"
-          + " worst error, worst frame, budget, machine, commit, date, verdict";
+      "time, ratio, spread, impacts, error or tunnelled with the name of a method, or published,"
+          + " wrong, worst error, worst frame, budget, machine, commit, date, verdict";
 
   private static final int COMMIT_LENGTH = 10;
   private static final double BUDGET = 1e6 * Budget.MILLIS;
@@ -109,6 +109,7 @@ public final class ReadmeFigures {
           ReportNumbers.count(time(method).low() / time(Metrics.OURS).high())
               + " to "
               + ReportNumbers.count(time(method).high() / time(Metrics.OURS).low());
+      case "impacts" -> ReportNumbers.ratio(impacts(method));
       case "error" -> ReportNumbers.error(value(SCENE, method, Metrics.FRAME_ERROR, "max"));
       case "tunnelled" -> ReportNumbers.count(value(FAST, method, "tunnelled", "circles"));
       case "worst" -> method.equals("error") ? worstError() : ReportNumbers.time(worstFrame());
@@ -129,6 +130,11 @@ public final class ReadmeFigures {
     return results
         .spread(SCENE, best(SCENE, method, Metrics.FRAME_TIME), Metrics.FRAME_TIME, "median")
         .orElseThrow();
+  }
+
+  /** Impacts per frame with lines, pegs and walls. */
+  private double impacts(String method) {
+    return value(SCENE, method, "impacts", "mean") + value(SCENE, method, "wall_impacts", "mean");
   }
 
   private double value(String scene, String method, String metric, String stat) {

@@ -44,6 +44,7 @@ class ReadmeFiguresTest {
         "time poster     | 68.6 µs",
         "ratio poster    | 66",
         "spread poster   | 62 to 71",
+        "impacts carom   | 4.35",
         "time dyn4j      | 343 µs",
         "error dyn4j     | 0.03",
         "published       | 760",
@@ -58,6 +59,8 @@ class ReadmeFiguresTest {
   void eachFigureIsThatOfTheResults(String name, String figure) {
     Sample sample = Sample.complete();
     sample.add("base-1", "poster", "", "frame_time", "mean", 68_530, "ns", 0);
+    sample.add("base-1", "carom", "", "impacts", "mean", 3.02, "1", -1);
+    sample.add("base-1", "carom", "", "wall_impacts", "mean", 1.33, "1", -1);
     String mark = "one <!-- " + name + " -->%s<!-- /" + name + " -->, and more";
 
     assertThat(ReadmeFigures.fill(mark.formatted("two\n* <b>three</b>"), sample.results()))
