@@ -92,6 +92,16 @@ class LineTest {
         .hasMessageStartingWith("p is Vec2[");
   }
 
+  /** The difference of the point and the start overflows; that of the ends does not. */
+  @Test
+  void aPointMayBeFurtherFromTheStartThanDoublesReach() {
+    Line falling = new Line(0, 1e308, 1e308, 0);
+    Vec2 p = new Vec2(1.7e308, -1.7e308);
+    assertThat(falling.closestPoint(p)).isEqualTo(new Vec2(1e308, 0));
+    assertThatThrownBy(() -> falling.closestPointInfinite(p))
+        .isInstanceOf(IllegalArgumentException.class);
+  }
+
   @Test
   void aLineOfLengthZeroGivesItsStart() {
     Line point = new Line(2, 3, 2, 3);

@@ -35,17 +35,23 @@ public final class Coordinates {
    * It is computed as a cosine times lengths; NaN for zero length.
    */
   public static double fraction(double ax, double ay, double bx, double by, double px, double py) {
-    double half = Double.isInfinite(bx - ax) || Double.isInfinite(by - ay) ? 0.5 : 1;
-    double wx = half * bx - half * ax;
-    double wy = half * by - half * ay;
-    double dx = half * px - half * ax;
-    double dy = half * py - half * ay;
+    double ofW = scale(ax, ay, bx, by);
+    double ofD = scale(ax, ay, px, py);
+    double wx = ofW * bx - ofW * ax;
+    double wy = ofW * by - ofW * ay;
+    double dx = ofD * px - ofD * ax;
+    double dy = ofD * py - ofD * ay;
     double w = Math.max(Math.abs(wx), Math.abs(wy));
     double d = Math.max(Math.abs(dx), Math.abs(dy));
     double ux = wx / w;
     double uy = wy / w;
     double along = d == 0 ? 0 : (dx / d) * ux + (dy / d) * uy;
     // The quotient of the lengths comes last: it may be infinite.
-    return along == 0 ? 0 * ux : along / (ux * ux + uy * uy) * (d / w);
+    return along == 0 ? 0 * ux : along / (ux * ux + uy * uy) * (d / w) * (ofW / ofD);
+  }
+
+  /** 1, or 0.5 if the difference of two points overflows. */
+  private static double scale(double ax, double ay, double bx, double by) {
+    return Double.isInfinite(bx - ax) || Double.isInfinite(by - ay) ? 0.5 : 1;
   }
 }
