@@ -4,7 +4,7 @@
  * Carom moves circles that bounce: off lines and their endpoints, off pegs and walls, and off each
  * other. It finds every impact exactly, and resolves it at its own moment, whatever the speed.
  *
- * <p>A first program, after {@code import dev.carom.*;}. A circle of radius 5 flies to the right at
+ * <p>A first program, after {@code import dev.carom.*;}: a circle of radius 5 flies to the right at
  * speed 20, hits a line at time 0.5, and is back where it began at time 1:
  *
  * <pre>{@code
@@ -39,13 +39,14 @@
  *       time, all bounces included, and returns its {@link dev.carom.Trajectory}. It also computes
  *       the velocities of one circle, or of two, after an impact.
  *   <li>World: a {@link dev.carom.Scene} describes what exists at time 0, and with which {@link
- *       dev.carom.Response}. A {@link dev.carom.SceneBuilder} makes it, or a file. A {@link
- *       dev.carom.World} sets it in motion, and its {@link dev.carom.ImpactLog} lists the impacts.
- *       A {@link dev.carom.Snapshot} holds all that determines its future, a {@link
- *       dev.carom.Timeline} its past.
+ *       dev.carom.Response}. It is built by a {@link dev.carom.SceneBuilder} or read from a file. A
+ *       {@link dev.carom.World} sets it in motion, and its {@link dev.carom.ImpactLog} lists the
+ *       impacts. A {@link dev.carom.Snapshot} saves the state of a world, to go on from it later. A
+ *       {@link dev.carom.Timeline} records where its circles were.
  * </ol>
  *
- * The program above asks the world. The same question to each of the other layers:
+ * The program above asks the world. The same question to each of the other layers, after {@code
+ * import java.util.List;} too:
  *
  * <pre>{@code
  * Line line = new Line(0, 0, 0, 10);
@@ -62,8 +63,10 @@
  * <h2 id="guarantees">Guarantees</h2>
  *
  * <ul>
- *   <li>Every decision, hit or miss, side or end, is that of real arithmetic on the given doubles.
- *       The time of impact is the correctly rounded one.
+ *   <li>Exact per query: each decision, hit or miss, side or end, is that of arithmetic without
+ *       rounding on the given doubles. The time of impact is the double nearest to the true one.
+ *   <li>Rounded from state to state: after each impact the new position and velocity are rounded to
+ *       doubles. See <a href="doc-files/rules.html#accuracy">Accuracy</a>.
  *   <li>A step resolves all impacts in it, each at its own moment, any number of them. However a
  *       run to the same time is cut into steps, it gives the same bits.
  *   <li>There is no threshold below which a bounce is dropped, no cap on speed, and no slop.
@@ -80,7 +83,8 @@
  *
  * <ul>
  *   <li>Units are the caller's: any unit of length, any unit of time, and speeds in the one per the
- *       other. No tuned constant makes a unit too large or too small.
+ *       other. No rule has a fixed length, time or speed in it, so no unit is too large or too
+ *       small.
  *   <li>The x axis points right. Whether y points up or down changes nothing but the names of two
  *       walls: the bottom one is that at the smaller y.
  *   <li>A normal points from the obstacle to the circle; of two circles, from the second to the
@@ -91,8 +95,9 @@
  *       dev.carom.SweptCircle#separation(Circle, Line) separation} of a centre exactly on the line.
  *   <li>The restitution of an impact is the product of those of the two parties.
  *   <li>An impact is the first moment at which the distance is falling and at most the radius of
- *       the circle, or the sum of both radii. To touch and leave, or to slide along, is none. To
- *       overlap and approach is one, at once.
+ *       the circle, or the sum of both radii. A circle that touches something and leaves it or
+ *       slides along it makes no impact. A circle that overlaps something and approaches it makes
+ *       one at once.
  * </ul>
  *
  * <p><img src="doc-files/line.svg" alt="A circle that touches the side of a line, and one that
@@ -143,9 +148,7 @@
  *       dev.carom.World#moveLine moved}, which pushes nothing. A circle of infinite mass pushes.
  *   <li>Nothing comes to rest by a threshold. A circle caught in a narrow place costs every one of
  *       its bounces. Where they would never end, the world stops them by a rule and reports it.
- *   <li>Each question is answered for the doubles that it is asked with, but a trajectory is a
- *       chain of rounded states, and every bounce off a curved obstacle magnifies the errors
- *       before.
+ *   <li>Every bounce off a curved obstacle magnifies the rounding errors before it.
  *   <li>A scene refuses circles so small, beside its coordinates, that rounding could carry one
  *       through a line.
  * </ul>
@@ -166,8 +169,8 @@
  *   <dd>The moment at which a circle reaches an obstacle or another circle that it approaches; also
  *       the {@linkplain dev.carom.Impact record} of it.
  *   <dt>jam
- *   <dd>A stuck circle and what it touches jam each other: they ignore each other while they
- *       approach by no more than rounding error. See <a href="doc-files/rules.html#stuck">stuck
+ *   <dd>A state of a stuck circle and a thing that it touches: the two ignore each other while they
+ *       approach no faster than rounding error. See <a href="doc-files/rules.html#stuck">stuck
  *       circles</a>.
  *   <dt>normal
  *   <dd>The unit vector at a contact, from the obstacle to the circle.
