@@ -6,6 +6,7 @@ import dev.carom.internal.io.SceneFile;
 import dev.carom.internal.query.Warnings;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.util.Check;
@@ -58,6 +59,8 @@ import java.util.Optional;
  *   <li>Any row but {@code collide} may end in {@code restitution=NUMBER}. Without it, it is 1.
  *   <li>Any row but {@code collide} may end in {@code response=bounce}, {@code response=halt} or
  *       {@code response=sensor}, see {@link Response}. The bounds cannot be a sensor.
+ *   <li>Any row but {@code collide} may end in {@code category=INTEGER} and {@code mask=INTEGER},
+ *       see {@link SceneBuilder#filter}. Without them, they are 1 and -1.
  *   <li>The row of a line may end in {@code oneway=1}, see {@link SceneBuilder#oneWay()}.
  *   <li>The reader skips blank lines, spaces and tabs around fields, {@code #} comments on lines of
  *       their own or after a row, and a byte order mark. It takes either kind of line end.
@@ -289,11 +292,45 @@ public final class Scene {
   }
 
   /**
+   * Returns the category of a circle or an obstacle, a set of 32 bits: see {@link
+   * SceneBuilder#filter}.
+   *
+   * @param kind its kind; the four walls share one category
+   * @param i its number: of a wall 0..3, else from 0 to the number of such things less 1
+   * @return the category, 1 unless another was set
+   * @throws IndexOutOfBoundsException if there is no such thing
+   */
+  public int category(ObstacleKind kind, int i) {
+    return Filter.category(filter(kind, i));
+  }
+
+  /**
+   * Returns the mask of a circle or an obstacle, the set of categories that it can meet: see {@link
+   * SceneBuilder#filter}.
+   *
+   * @param kind its kind; the four walls share one mask
+   * @param i its number: of a wall 0..3, else from 0 to the number of such things less 1
+   * @return the mask, -1 unless another was set
+   * @throws IndexOutOfBoundsException if there is no such thing
+   */
+  public int mask(ObstacleKind kind, int i) {
+    return Filter.mask(filter(kind, i));
+  }
+
+  private long filter(ObstacleKind kind, int i) {
+    at(kind, i);
+    return kind == ObstacleKind.CIRCLE
+        ? data.filter(i)
+        : data.obstacles.filter(Codes.of(kind.ordinal(), i));
+  }
+
+  /**
    * Makes a resolver among the lines, pegs and bounds of this scene, with their restitutions and
    * responses.
    *
-   * <p>It passes through sensors, and meets one-way lines from their left only. It does not know
-   * the circles of the scene.
+   * <p>It passes through sensors, and meets one-way lines from their left only. Its circle has
+   * category 1 and mask -1, and passes through all that it cannot {@linkplain SceneBuilder#filter
+   * meet}. It does not know the circles of the scene.
    *
    * @return a new resolver
    */
@@ -310,7 +347,8 @@ public final class Scene {
    * not to overlap.
    *
    * <p>Things that the circle passes through are left out: sensors; a one-way line, unless the
-   * centre is strictly left of it; and, of two circles, both of infinite mass.
+   * centre is strictly left of it; two circles, both of infinite mass; and all that the {@linkplain
+   * SceneBuilder#filter filters} keep apart.
    *
    * <p>Each text names the circle, the other thing, the rounded distance of the centre from it, and
    * the least distance that was expected. The texts follow the order of the circles. Those of one

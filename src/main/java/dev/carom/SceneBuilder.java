@@ -123,6 +123,36 @@ public final class SceneBuilder {
   }
 
   /**
+   * Sets what the thing added last can meet: its category and its mask, each a set of 32 bits.
+   * Without them, its category is 1 and its mask is -1, all bits.
+   *
+   * <p>Two things meet if the mask of each has a bit of the other's category: {@code (a.category &
+   * b.mask) != 0 && (b.category & a.mask) != 0}. Other pairs do not exist for each other. They make
+   * no impact, a sensor does not report them, and {@link Scene#warnings} is silent about them.
+   *
+   * <pre>{@code
+   * final int BALL = 2;
+   * final int GHOST = 4;
+   * Scene scene = Scene.builder()
+   *     .bounds(0, 0, 100, 100)
+   *     .line(50, 0, 50, 100).filter(1, ~GHOST)
+   *     .circle(20, 30, 5, 1, 0).filter(BALL, -1) // bounces off the line
+   *     .circle(20, 70, 5, 1, 0).filter(GHOST, -1) // flies through it
+   *     .build();
+   * System.out.println(scene.category(ObstacleKind.CIRCLE, 1)); // 4
+   * }</pre>
+   *
+   * @param category the categories that the thing belongs to; 0 for a thing that meets nothing
+   * @param mask the categories that it can meet; 0 for a thing that meets nothing
+   * @return this builder
+   * @throws IllegalStateException if nothing was added yet
+   */
+  public SceneBuilder filter(int category, int mask) {
+    data.filter(category, mask);
+    return this;
+  }
+
+  /**
    * Makes the line just added a one-way line: circles that come from its left bounce, all others
    * pass.
    *

@@ -9,6 +9,7 @@ import dev.carom.internal.engine.IndependentEngine;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.FlightRecorder;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.ObstacleTable;
@@ -18,6 +19,7 @@ import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Kind;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.function.IntPredicate;
 
 /**
  * A {@code World} moves the circles of a {@link Scene}. They fly straight, bounce off lines, pegs
@@ -373,6 +375,32 @@ public final class World {
   }
 
   /**
+   * Returns the category of a circle or an obstacle now, a set of 32 bits: see {@link
+   * SceneBuilder#filter}.
+   *
+   * @param kind its kind; the four walls share one category
+   * @param id its id
+   * @return the category; 1 unless another was set
+   * @throws IndexOutOfBoundsException if there is no such thing
+   */
+  public int category(ObstacleKind kind, int id) {
+    return Filter.category(questions.filter(code(kind, id)));
+  }
+
+  /**
+   * Returns the mask of a circle or an obstacle now, the set of categories that it can meet: see
+   * {@link SceneBuilder#filter}.
+   *
+   * @param kind its kind; the four walls share one mask
+   * @param id its id
+   * @return the mask; -1 unless another was set
+   * @throws IndexOutOfBoundsException if there is no such thing
+   */
+  public int mask(ObstacleKind kind, int id) {
+    return Filter.mask(questions.filter(code(kind, id)));
+  }
+
+  /**
    * Tells whether a line is a one-way line now; see {@link SceneBuilder#oneWay}.
    *
    * @param id the id of the line
@@ -451,10 +479,10 @@ public final class World {
    * circle of the world itself.
    *
    * <p>The earliest impact is found as if in real arithmetic, on the given doubles and on the
-   * positions and velocities that this world reports. Among exactly simultaneous impacts walls come
-   * first, then lines, then pegs, then circles, each by id. A {@link #step step} instead treats
-   * impacts with equal rounded times as simultaneous. Where circles collide, a cast looks at every
-   * circle. It allocates.
+   * positions and velocities that this world reports. The circle has category 1 and mask -1. Among
+   * exactly simultaneous impacts walls come first, then lines, then pegs, then circles, each by id.
+   * A {@link #step step} instead treats impacts with equal rounded times as simultaneous. Where
+   * circles collide, a cast looks at every circle. It allocates.
    *
    * @param circle the circle now
    * @param velocity its velocity
@@ -466,17 +494,38 @@ public final class World {
     Check.notNull("circle", circle);
     Check.notNull("velocity", velocity);
     Check.duration("maxTime", maxTime);
-    return questions.cast(circle, velocity, maxTime, now);
+    return questions.cast(circle, velocity, maxTime, now, Filter.DEFAULT);
+  }
+
+  /**
+   * Finds the first impact of a moving circle of a given category and mask, and ignores all that it
+   * cannot {@linkplain SceneBuilder#filter meet}. Otherwise as {@link #cast(Circle, Vec2, double)
+   * cast}.
+   *
+   * @param circle the circle now
+   * @param velocity its velocity
+   * @param maxTime how far to look ahead, from now on: at least 0, {@code +infinity} included
+   * @param category the categories that the circle belongs to
+   * @param mask the categories that it can meet
+   * @return the impact, with its time counted from now; empty if there is none until maxTime
+   * @throws IllegalArgumentException if maxTime is NaN or negative
+   */
+  public Optional<Impact> cast(
+      Circle circle, Vec2 velocity, double maxTime, int category, int mask) {
+    Check.notNull("circle", circle);
+    Check.notNull("velocity", velocity);
+    Check.duration("maxTime", maxTime);
+    return questions.cast(circle, velocity, maxTime, now, Filter.of(category, mask));
   }
 
   /**
    * Follows a circle along its path among the walls, lines and pegs of this world, bounces
    * included. Nothing moves.
    *
-   * <p>The circle passes through sensors and through all other circles. For an aiming line that
-   * ends at the first ball in the way, see <a href="doc-files/recipes.html#aiming">an aiming line
-   * that sees balls</a>. A path has at most 100,000 impacts; one that would go on is not
-   * {@linkplain Trajectory#complete complete}.
+   * <p>The circle passes through sensors and through all other circles. It has category 1 and mask
+   * -1. For an aiming line that ends at the first ball in the way, see <a
+   * href="doc-files/recipes.html#aiming">an aiming line that sees balls</a>. A path has at most
+   * 100,000 impacts; one that would go on is not {@linkplain Trajectory#complete complete}.
    *
    * @param circle the circle at the start; its radius may be 0
    * @param velocity its velocity at the start
@@ -490,17 +539,46 @@ public final class World {
    */
   public Trajectory trace(
       Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
+    return trace(circle, velocity, restitution, duration, bounces, 1, -1);
+  }
+
+  /**
+   * Follows a circle of a given category and mask along its path, and ignores all that it cannot
+   * {@linkplain SceneBuilder#filter meet}. Otherwise as {@link #trace(Circle, Vec2, double, double,
+   * int) trace}.
+   *
+   * @param circle the circle at the start; its radius may be 0
+   * @param velocity its velocity at the start
+   * @param restitution finite and at least 0; that of an impact is its product with the obstacle's
+   * @param duration how long to follow it, finite and at least 0
+   * @param bounces how many impacts to resolve, at least 0; the path ends where the next one would
+   *     be
+   * @param category the categories that the circle belongs to
+   * @param mask the categories that it can meet
+   * @return its flights and impacts, with times counted from now
+   * @throws IllegalArgumentException if the restitution or the duration is NaN, infinite or
+   *     negative, or the number of bounces negative
+   */
+  public Trajectory trace(
+      Circle circle,
+      Vec2 velocity,
+      double restitution,
+      double duration,
+      int bounces,
+      int category,
+      int mask) {
     Check.notNull("circle", circle);
     Check.notNull("velocity", velocity);
     Check.notNegative("restitution", restitution);
     Check.notNegative("duration", duration);
     Check.notNegative("bounces", bounces);
-    return questions.trace(circle, velocity, restitution, duration, bounces);
+    long filter = Filter.of(category, mask);
+    return questions.trace(circle, velocity, restitution, duration, bounces, filter);
   }
 
   /**
-   * Finds the thing of a kind that is nearest to a point. Among equally near ones the smallest id
-   * wins.
+   * Finds the thing of a kind that is nearest to a point, whatever its category. Among equally near
+   * ones the smallest id wins.
    *
    * <p>Distances are computed in plain doubles: to a wall, to a line, or to the rim of a peg or
    * circle. Inside of a peg or circle the distance is 0. The search looks at every thing of the
@@ -513,15 +591,36 @@ public final class World {
    * @throws IllegalArgumentException if a coordinate is NaN or infinite
    */
   public int nearest(ObstacleKind kind, double x, double y) {
-    Check.notNull("kind", kind);
-    Check.finite("x", x);
-    Check.finite("y", y);
-    return questions.nearest(kind, x, y, now);
+    return nearest(kind, x, y, WorldQueries.ALL);
   }
 
   /**
-   * Finds the things of a kind that overlap a disk: they have points inside of it, not only on its
-   * rim.
+   * Finds the thing of a kind that is nearest to a point, among those that something of a given
+   * category and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
+   * #nearest(ObstacleKind, double, double) nearest}.
+   *
+   * @param kind which kind of thing
+   * @param x the x coordinate of the point, finite
+   * @param y the y coordinate of the point, finite
+   * @param category the categories that the asker belongs to
+   * @param mask the categories that it can meet
+   * @return its id, -1 if there is none
+   * @throws IllegalArgumentException if a coordinate is NaN or infinite
+   */
+  public int nearest(ObstacleKind kind, double x, double y, int category, int mask) {
+    return nearest(kind, x, y, questions.met(category, mask));
+  }
+
+  private int nearest(ObstacleKind kind, double x, double y, IntPredicate seen) {
+    Check.notNull("kind", kind);
+    Check.finite("x", x);
+    Check.finite("y", y);
+    return questions.nearest(kind, x, y, now, seen);
+  }
+
+  /**
+   * Finds the things of a kind that overlap a disk, whatever their categories: they have points
+   * inside of it, not only on its rim.
    *
    * <p>The answer is exact, for circles at the positions that {@link #x} and {@link #y} give. The
    * search looks at every thing of the kind, and allocates.
@@ -531,23 +630,61 @@ public final class World {
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Circle disk) {
-    Check.notNull("kind", kind);
-    Check.notNull("disk", disk);
-    return questions.overlapping(kind, disk, now);
+    return overlapping(kind, disk, WorldQueries.ALL);
   }
 
   /**
-   * Finds the things of a kind that overlap a box: they have points inside of it, not only on its
-   * edge. The answer is exact, as for a disk.
+   * Finds the things of a kind that overlap a disk, among those that something of a given category
+   * and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
+   * #overlapping(ObstacleKind, Circle) overlapping}.
+   *
+   * @param kind which kind of thing
+   * @param disk the disk
+   * @param category the categories that the asker belongs to
+   * @param mask the categories that it can meet
+   * @return the ids, ascending; a new array
+   */
+  public int[] overlapping(ObstacleKind kind, Circle disk, int category, int mask) {
+    return overlapping(kind, disk, questions.met(category, mask));
+  }
+
+  private int[] overlapping(ObstacleKind kind, Circle disk, IntPredicate seen) {
+    Check.notNull("kind", kind);
+    Check.notNull("disk", disk);
+    return questions.overlapping(kind, disk, now, seen);
+  }
+
+  /**
+   * Finds the things of a kind that overlap a box, whatever their categories: they have points
+   * inside of it, not only on its edge. The answer is exact, as for a disk.
    *
    * @param kind which kind of thing
    * @param box the box
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Bounds box) {
+    return overlapping(kind, box, WorldQueries.ALL);
+  }
+
+  /**
+   * Finds the things of a kind that overlap a box, among those that something of a given category
+   * and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
+   * #overlapping(ObstacleKind, Bounds) overlapping}.
+   *
+   * @param kind which kind of thing
+   * @param box the box
+   * @param category the categories that the asker belongs to
+   * @param mask the categories that it can meet
+   * @return the ids, ascending; a new array
+   */
+  public int[] overlapping(ObstacleKind kind, Bounds box, int category, int mask) {
+    return overlapping(kind, box, questions.met(category, mask));
+  }
+
+  private int[] overlapping(ObstacleKind kind, Bounds box, IntPredicate seen) {
     Check.notNull("kind", kind);
     Check.notNull("box", box);
-    return questions.overlapping(kind, box, now);
+    return questions.overlapping(kind, box, now, seen);
   }
 
   // Edits.
@@ -646,6 +783,23 @@ public final class World {
     int code = code(kind, id);
     Check.notNull("response", response);
     editor.setResponse(code, response.ordinal(), now);
+  }
+
+  /**
+   * Sets what a circle or an obstacle can meet, from now on: see {@link SceneBuilder#filter}.
+   *
+   * <p>A circle begins a new flight, unless nothing changes. If an obstacle is changed, the circles
+   * that can hit it now begin new flights; of the walls, also those that no longer can. Two things
+   * that overlap and now meet bounce if they approach each other, and are otherwise left alone.
+   *
+   * @param kind its kind; for {@link ObstacleKind#WALL} it is set for all four walls
+   * @param id its id; that of any wall, 0..3, stands for all four
+   * @param category the categories that it belongs to; 0 if it is to meet nothing
+   * @param mask the categories that it can meet; 0 if it is to meet nothing
+   * @throws IndexOutOfBoundsException if there is no such thing
+   */
+  public void setFilter(ObstacleKind kind, int id, int category, int mask) {
+    editor.setFilter(code(kind, id), Filter.of(category, mask), now);
   }
 
   /**

@@ -12,14 +12,19 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Index;
 import java.util.Optional;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
 /** Answers questions about a world. Nothing moves by them. */
 final class WorldQueries {
+
+  /** For questions without a filter: everything is seen. */
+  static final IntPredicate ALL = code -> true;
 
   private final ObstacleTable obstacles;
   private final StaticScene staticScene;
@@ -39,8 +44,9 @@ final class WorldQueries {
     queries = new CircleQueries(circles, registry);
   }
 
-  Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime, double now) {
+  Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime, double now, long filter) {
     MovingCircle mover = CircleCast.mover(circle, velocity, 1);
+    mover.filter = filter;
     Candidate obstacle = tracer(circle).first(mover, maxTime);
     Candidate first = collide ? queries.first(mover, obstacle, maxTime, now) : obstacle;
     return first == null ? Optional.empty() : Optional.of(impact(first, now));
@@ -57,8 +63,10 @@ final class WorldQueries {
     return CircleCast.impact(first, ObstacleKind.CIRCLE, registry.id(slot), circle);
   }
 
-  Trajectory trace(Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
+  Trajectory trace(
+      Circle circle, Vec2 velocity, double restitution, double duration, int bounces, long filter) {
     MovingCircle mover = CircleCast.mover(circle, velocity, restitution);
+    mover.filter = filter;
     TracedPath path = tracer(circle).trace(mover, duration, bounces, Resolver.IMPACTS_PER_TRACE);
     return Trajectory.of(path, code -> PublicRecords.of(obstacles, code));
   }
@@ -71,6 +79,17 @@ final class WorldQueries {
     return Codes.isCircle(code)
         ? circles.restitution(Codes.slot(code))
         : obstacles.givenRestitution(code);
+  }
+
+  /** Returns the {@link Filter} of an obstacle or a circle. */
+  long filter(int code) {
+    return Codes.isCircle(code) ? registry.filter(Codes.slot(code)) : obstacles.filter(code);
+  }
+
+  /** Returns a predicate for the codes of what someone of a given filter meets. */
+  IntPredicate met(int category, int mask) {
+    long filter = Filter.of(category, mask);
+    return code -> Filter.meet(filter, filter(code));
   }
 
   Response response(int code) {
@@ -92,29 +111,37 @@ final class WorldQueries {
     return kind == ObstacleKind.CIRCLE ? registry.ids() : ids(proximity.codes(kind.ordinal()));
   }
 
-  int nearest(ObstacleKind kind, double x, double y, double now) {
+  int nearest(ObstacleKind kind, double x, double y, double now, IntPredicate seen) {
     if (kind != ObstacleKind.CIRCLE) {
-      int code = proximity.nearest(proximity.codes(kind.ordinal()), x, y);
+      int code = proximity.nearest(codes(kind, seen), x, y);
       return code == Proximity.NONE ? -1 : Codes.index(code);
     }
-    int slot = queries.nearest(x, y, now);
+    int slot = queries.nearest(x, y, now, circle -> seen.test(Codes.circle(circle)));
     return slot == Index.NONE ? -1 : registry.id(slot);
   }
 
-  int[] overlapping(ObstacleKind kind, Circle disk, double now) {
+  int[] overlapping(ObstacleKind kind, Circle disk, double now, IntPredicate seen) {
     double x = disk.x();
     double y = disk.y();
     double r = disk.radius();
     return kind == ObstacleKind.CIRCLE
-        ? queries.overlapping(x, y, r, now).map(registry::id).toArray()
-        : ids(proximity.codes(kind.ordinal()).filter(code -> proximity.overlaps(code, x, y, r)));
+        ? circleIds(queries.overlapping(x, y, r, now), seen)
+        : ids(codes(kind, seen).filter(code -> proximity.overlaps(code, x, y, r)));
   }
 
-  int[] overlapping(ObstacleKind kind, Bounds bounds, double now) {
+  int[] overlapping(ObstacleKind kind, Bounds bounds, double now, IntPredicate seen) {
     double[] box = PublicRecords.walls(bounds);
     return kind == ObstacleKind.CIRCLE
-        ? queries.overlapping(box, now).map(registry::id).toArray()
-        : ids(proximity.codes(kind.ordinal()).filter(code -> proximity.overlaps(code, box)));
+        ? circleIds(queries.overlapping(box, now), seen)
+        : ids(codes(kind, seen).filter(code -> proximity.overlaps(code, box)));
+  }
+
+  private IntStream codes(ObstacleKind kind, IntPredicate seen) {
+    return proximity.codes(kind.ordinal()).filter(seen);
+  }
+
+  private int[] circleIds(IntStream slots, IntPredicate seen) {
+    return slots.filter(slot -> seen.test(Codes.circle(slot))).map(registry::id).toArray();
   }
 
   private int[] ids(IntStream codes) {

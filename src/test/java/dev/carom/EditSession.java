@@ -18,6 +18,10 @@ final class EditSession {
   private final int length;
   private final int mostImpacts;
   private final boolean sensors;
+
+  /** What the filters are drawn from; null for a session without any. */
+  private final Random masks;
+
   private final ThreeWorlds worlds;
   private final List<Snapshot> snapshots = new ArrayList<>();
   private final List<PlainWorld> plainSnapshots = new ArrayList<>();
@@ -31,11 +35,14 @@ final class EditSession {
    * A session.
    *
    * @param hard whether its numbers are {@link SessionNumbers.Hard}
+   * @param masked whether circles and obstacles have filters
    * @param length how many edits it has at most
    * @param mostImpacts a step of more ends it: the model would take minutes
    */
-  EditSession(long seed, boolean collide, boolean hard, int length, int mostImpacts) {
+  EditSession(
+      long seed, boolean collide, boolean hard, boolean masked, int length, int mostImpacts) {
     random = new Random(seed);
+    masks = masked ? new Random(seed + 2) : null;
     this.length = length;
     this.mostImpacts = mostImpacts;
     numbers = hard ? new SessionNumbers.Hard(random) : new SessionNumbers(random);
@@ -49,19 +56,32 @@ final class EditSession {
       double least = numbers.origin();
       double width = SessionNumbers.WIDTH * numbers.length();
       double height = SessionNumbers.HEIGHT * numbers.length();
-      builder.bounds(least, least, least + width, least + height);
+      filter(builder.bounds(least, least, least + width, least + height));
     }
     for (int i = random.nextInt(12); i > 0; i--) {
-      builder.line(numbers.x(), numbers.y(), numbers.x(), numbers.y());
+      filter(builder.line(numbers.x(), numbers.y(), numbers.x(), numbers.y()));
     }
     for (int i = random.nextInt(3); i > 0; i--) {
-      builder.peg(numbers.x(), numbers.y(), numbers.pegRadius());
+      filter(builder.peg(numbers.x(), numbers.y(), numbers.pegRadius()));
     }
     boolean waits = numbers.begin() > 0;
     for (int i = numbers.circles(); i > 0; i--) {
-      builder.circle(numbers.x(), numbers.y(), numbers.radius(), speed(waits), speed(waits));
+      filter(
+          builder.circle(numbers.x(), numbers.y(), numbers.radius(), speed(waits), speed(waits)));
     }
     return builder.build();
+  }
+
+  /** Gives a filter to every other thing. */
+  private void filter(SceneBuilder builder) {
+    if (masks != null && masks.nextBoolean()) {
+      builder.filter(bits(), bits());
+    }
+  }
+
+  /** Two of three bits are set: as a rule two such sets have one in common. */
+  private int bits() {
+    return masks.ints(2, 0, 8).reduce(0, (a, b) -> a | b);
   }
 
   private double speed(boolean waits) {
@@ -86,6 +106,9 @@ final class EditSession {
   int run() throws IOException {
     begin();
     while (done < length && !stuck) {
+      if (masks != null && masks.nextInt(10) == 0) {
+        setFilter();
+      }
       act(random.nextInt(20));
       done++;
     }
@@ -245,6 +268,20 @@ final class EditSession {
     if (id >= 0 && kind == ObstacleKind.LINE) {
       boolean oneWay = random.nextInt(3) == 0;
       worlds.edit(w -> w.setOneWay(id, oneWay), p -> p.setOneWay(id, oneWay));
+    }
+  }
+
+  private void setFilter() {
+    ObstacleKind kind = ObstacleKind.values()[masks.nextInt(4)];
+    int[] ids = world().ids(kind);
+    if (ids.length > 0) {
+      int id = ids[masks.nextInt(ids.length)];
+      int category = bits();
+      int mask = bits();
+      worlds.edit(
+          w -> w.setFilter(kind, id, category, mask), p -> p.setFilter(kind, id, category, mask));
+      assertThat(world().category(kind, id)).isEqualTo(category);
+      assertThat(world().mask(kind, id)).isEqualTo(mask);
     }
   }
 

@@ -29,7 +29,7 @@ class EditsTest {
     int past = 0;
     for (int i = 0; done < EDITS; i++) {
       long seed = SEED * 1_000_003L + i * 500L;
-      EditSession session = session(seed, collide, hard);
+      EditSession session = session(seed, collide, hard, i % 2 == 1);
       try {
         impacts += session.run();
       } catch (AssertionError | RuntimeException e) {
@@ -49,10 +49,10 @@ class EditsTest {
   }
 
   /** Hard numbers keep circles busy: such sessions are short. */
-  private static EditSession session(long seed, boolean collide, boolean hard) {
+  private static EditSession session(long seed, boolean collide, boolean hard, boolean masked) {
     return hard
-        ? new EditSession(seed, collide, true, 120, 500)
-        : new EditSession(seed, collide, false, 500, 5_000);
+        ? new EditSession(seed, collide, true, masked, 120, 500)
+        : new EditSession(seed, collide, false, masked, 500, 5_000);
   }
 
   /**
@@ -62,7 +62,7 @@ class EditsTest {
   @ParameterizedTest
   @CsvSource({"7022521, false", "7016021, true", "5386515, true"})
   void sessionsThatOnceDiffered(long seed, boolean collide) throws IOException {
-    assertThat(session(seed, collide, false).run()).isPositive();
+    assertThat(session(seed, collide, false, false).run()).isPositive();
   }
 
   /**
@@ -72,13 +72,14 @@ class EditsTest {
   @ParameterizedTest
   @ValueSource(longs = {18, 147, 245})
   void lateSessionsThatOnceDiffered(long seed) throws IOException {
-    assertThat(session(seed, true, true).run()).isPositive();
+    assertThat(session(seed, true, true, false).run()).isPositive();
   }
 
   /** Short ones, for who cannot wait for the long run. */
   @ParameterizedTest
-  @CsvSource({"1, false", "2, true", "3, false", "4, true"})
-  void aSessionDoesWhatThePlainModelDoes(long seed, boolean collide) throws IOException {
-    assertThat(session(seed, collide, false).run()).isPositive();
+  @CsvSource({"1, false, false", "2, true, false", "3, false, true", "4, true, true"})
+  void aSessionDoesWhatThePlainModelDoes(long seed, boolean collide, boolean masked)
+      throws IOException {
+    assertThat(session(seed, collide, false, masked).run()).isPositive();
   }
 }

@@ -10,6 +10,7 @@ import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -136,8 +137,9 @@ public final class PlainWorld {
     for (int i = 0; i < end; i++) {
       traits[i] = (byte) registry.traits(i);
     }
+    long[] filters = IntStream.range(0, end).mapToLong(registry::filter).toArray();
     CircleRegistry copy =
-        new CircleRegistry(masses, traits, IntStream.range(0, end).toArray(), end);
+        new CircleRegistry(masses, traits, filters, IntStream.range(0, end).toArray(), end);
     IntStream.range(0, end).filter(i -> !registry.contains(i)).forEach(copy::remove);
     return copy;
   }
@@ -320,7 +322,10 @@ public final class PlainWorld {
     double best = NEVER;
     int code = MovingCircle.NOTHING;
     for (int k : codes()) {
-      boolean there = k != m.last && (m.jam == null || !m.jam.makesInert(k));
+      boolean there =
+          k != m.last
+              && (m.jam == null || !m.jam.makesInert(k))
+              && meets(m.id, obstacles.filter(k));
       double t = there ? sweep(m, k) : NEVER;
       boolean sensor = obstacles.isSensor(k);
       if (sensor && (t == 0 || met.get(m.id).contains(k))) {
@@ -346,6 +351,14 @@ public final class PlainWorld {
     }
     double head = m.after(best);
     keep(head, m.afterTail(best, head), (long) code << 31 | m.id, m.id, -1, best);
+  }
+
+  private boolean meets(int circle, long filter) {
+    return meet(registry.filter(circle), filter);
+  }
+
+  private static boolean meet(long a, long b) {
+    return (Filter.category(a) & Filter.mask(b)) != 0 && (Filter.category(b) & Filter.mask(a)) != 0;
   }
 
   private int[] codes() {
@@ -400,7 +413,7 @@ public final class PlainWorld {
     int ofA = Codes.circle(a.id);
     int ofB = Codes.circle(b.id);
     boolean justHit = a.last == ofB && b.last == ofA;
-    if (justHit || pairs.isInert(a.id, a.jam, b.id, b.jam)) {
+    if (justHit || !meets(a.id, registry.filter(b.id)) || pairs.isInert(a.id, a.jam, b.id, b.jam)) {
       return;
     }
     double later = later(a, b);
@@ -435,14 +448,20 @@ public final class PlainWorld {
   // Questions.
 
   /** When a circle that is not there would first hit something but a sensor. */
-  double cast(Circle circle, Vec2 v) {
+  double cast(Circle circle, Vec2 v, int category, int mask) {
+    long filter = Filter.of(category, mask);
     MovingCircle m = CircleCast.mover(circle, v, 1);
     double first = NEVER;
     for (int code : codes()) {
-      first = Math.min(first, obstacles.isSensor(code) ? NEVER : sweep(m, code));
+      boolean there = !obstacles.isSensor(code) && meet(filter, obstacles.filter(code));
+      first = Math.min(first, there ? sweep(m, code) : NEVER);
     }
     for (MovingCircle other : movers) {
-      boolean there = collide && registry.contains(other.id) && !registry.isSensor(other.id);
+      boolean there =
+          collide
+              && registry.contains(other.id)
+              && !registry.isSensor(other.id)
+              && meets(other.id, filter);
       double dt = MovingCircle.since(other.t, other.tl, now);
       double x = Math.fma(other.vx, dt, other.x);
       double y = Math.fma(other.vy, dt, other.y);
@@ -479,7 +498,8 @@ public final class PlainWorld {
 
   private MovingCircle restarted(int id) {
     MovingCircle m = movers.get(id);
-    m.restart(now, tailOfEdit(m), obstacles.walls);
+    boolean confined = meets(id, obstacles.filter(Codes.LEFT));
+    m.restart(now, tailOfEdit(m), confined ? obstacles.walls : null);
     begin(m);
     leaveJamsOfInfinite(m);
     return m;
@@ -583,12 +603,42 @@ public final class PlainWorld {
     }
   }
 
+  void setFilter(ObstacleKind kind, int id, int category, int mask) {
+    long filter = Filter.of(category, mask);
+    switch (kind) {
+      case LINE, PEG -> {
+        int code = (kind == ObstacleKind.LINE ? Codes.line(0) : Codes.peg(0)) + id;
+        if (filter != obstacles.filter(code)) {
+          obstacles.setFilter(code, filter);
+          appear(code);
+        }
+      }
+      case WALL -> setFilterOfWalls(filter);
+      case CIRCLE -> {
+        if (filter != registry.filter(id)) {
+          restarted(id).forget();
+          registry.setFilter(id, filter);
+        }
+      }
+    }
+  }
+
+  private void setFilterOfWalls(long filter) {
+    for (MovingCircle m : movers) {
+      boolean was = meets(m.id, obstacles.filter(Codes.LEFT));
+      if (registry.contains(m.id) && was != meets(m.id, filter)) {
+        restarted(m.id).forget();
+      }
+    }
+    obstacles.setFilter(Codes.LEFT, filter);
+  }
+
   /** Flights that would meet a thing that was not there begin anew. */
   private void appear(int code) {
     for (MovingCircle m : movers) {
       if (registry.contains(m.id)) {
         m.forget(code, 0);
-        if (sweep(m, code) < NEVER) {
+        if (meets(m.id, obstacles.filter(code)) && sweep(m, code) < NEVER) {
           restarted(m.id);
         }
       }

@@ -151,9 +151,9 @@ class SceneFormatExceptionTest {
         "line,1,2,3,4,=1 | 14 | ``",
       })
   void unknownKey(String row, int column, String key) {
-    String more = row.startsWith("line") ? ", response=WORD or oneway=0|1" : " or response=WORD";
-    assertRefused(
-        row, column, "key \"" + key + "\" is unknown: expected restitution=NUMBER" + more);
+    String last = row.startsWith("line") ? ", mask=INTEGER or oneway=0|1" : " or mask=INTEGER";
+    String keys = "restitution=NUMBER, response=WORD, category=INTEGER" + last;
+    assertRefused(row, column, "key \"" + key + "\" is unknown: expected " + keys);
   }
 
   @ParameterizedTest

@@ -108,13 +108,16 @@ final class ThreeWorlds {
     double radius = random.nextInt(3) == 0 ? 0 : world.radius(id);
     Circle circle = new Circle(world.x(id), world.y(id), radius);
     Vec2 v = new Vec2(world.vx(id), world.vy(id));
-    Optional<Impact> first = world.cast(circle, v, Double.POSITIVE_INFINITY);
-    assertThat(twin.cast(circle, v, Double.POSITIVE_INFINITY)).isEqualTo(first);
+    int category = world.category(ObstacleKind.CIRCLE, id);
+    int mask = world.mask(ObstacleKind.CIRCLE, id);
+    double maxTime = Double.POSITIVE_INFINITY;
+    Optional<Impact> first = world.cast(circle, v, maxTime, category, mask);
+    assertThat(twin.cast(circle, v, maxTime, category, mask)).isEqualTo(first);
     double time = first.map(Impact::time).orElse(Double.POSITIVE_INFINITY);
-    assertThat(plain.cast(circle, v)).isEqualTo(time);
+    assertThat(plain.cast(circle, v, category, mask)).isEqualTo(time);
     if (time < Double.MAX_VALUE / 8) {
-      assertThat(twin.trace(circle, v, 1, 8 * time, BOUNCES))
-          .isEqualTo(world.trace(circle, v, 1, 8 * time, BOUNCES));
+      assertThat(twin.trace(circle, v, 1, 8 * time, BOUNCES, category, mask))
+          .isEqualTo(world.trace(circle, v, 1, 8 * time, BOUNCES, category, mask));
     }
   }
 

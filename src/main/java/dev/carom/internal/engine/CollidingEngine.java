@@ -13,6 +13,7 @@ import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.util.Index;
@@ -92,7 +93,9 @@ public final class CollidingEngine extends Engine {
   private void begin() {
     crossed = Double.NaN;
     nothingInside = staticScene.obstacles.size() == 0;
-    scheduler = new EventScheduler(circles, registry, pairs, sensed, options.pairCells(), reached);
+    double[] walls = staticScene.obstacles.walls;
+    double diameters = options.pairCells();
+    scheduler = new EventScheduler(circles, registry, pairs, sensed, walls, diameters, reached);
     for (int i : registry.slots()) {
       findNextObstacle(circles.state, circles.codes, i);
       scheduler.predict(i);
@@ -254,7 +257,7 @@ public final class CollidingEngine extends Engine {
     int high = Math.max(i, j);
     circles.loadForMeeting(s, c, low, circles.mover);
     circles.loadForMeeting(s, c, high, other);
-    advanceToMeeting(s, circles.mover, other, i, circles.walls);
+    advanceToMeeting(s, circles.mover, other, i);
     if (stopsAtImpact) {
       stopAt(CollisionPredictor.time(s, i), CollisionPredictor.tail(s, i));
     }
@@ -291,8 +294,8 @@ public final class CollidingEngine extends Engine {
   }
 
   /** Advances two circles to the collision predicted of circle i. */
-  private static void advanceToMeeting(
-      double[] s, MovingCircle a, MovingCircle b, int i, double[] walls) {
+  private void advanceToMeeting(double[] s, MovingCircle a, MovingCircle b, int i) {
+    ObstacleTable obstacles = staticScene.obstacles;
     double tau = CollisionPredictor.tau(s, i);
     double head = CollisionPredictor.time(s, i);
     double tail = CollisionPredictor.tail(s, i);
@@ -300,8 +303,8 @@ public final class CollidingEngine extends Engine {
     double ofA = CollisionPredictor.positive(later);
     double ofB = ofA - later;
     boolean standsStill = later > 0 ? b.isAt(head, tail) : a.isAt(head, tail);
-    a.advance(ofA, tau, head, tail, standsStill, walls);
-    b.advance(ofB, tau, head, tail, standsStill, walls);
+    a.advance(ofA, tau, head, tail, standsStill, obstacles.wallsFor(a.filter));
+    b.advance(ofB, tau, head, tail, standsStill, obstacles.wallsFor(b.filter));
   }
 
   /** Starts a new flight of a circle. */

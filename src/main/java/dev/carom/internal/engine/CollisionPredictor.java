@@ -256,6 +256,9 @@ final class CollisionPredictor {
    * #predictEarlier}.
    */
   private boolean consider(double[] s, int[] codes, int i, int j, int before) {
+    if (!pairs.meet(i, j)) {
+      return true;
+    }
     int a = CircleTable.collidingAt(i);
     int c = CircleTable.collidingAt(j);
     // The first and the last column first: then compilers need not check the range of the rest.

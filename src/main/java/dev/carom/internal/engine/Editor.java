@@ -5,6 +5,7 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
@@ -15,6 +16,8 @@ import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Kind;
 import dev.carom.internal.util.Refusal;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * Edits a world between steps. All arguments are checked before anything changes, so a refused edit
@@ -175,8 +178,12 @@ public final class Editor {
   /** Loads a circle at the start of a new flight, now. */
   private MovingCircle restarted(int slot, double now) {
     circles.load(slot, mover);
-    mover.restart(now, engine.tailOfEdit(mover, now), obstacles.walls);
+    restart(mover, now);
     return mover;
+  }
+
+  private void restart(MovingCircle m, double now) {
+    m.restart(now, engine.tailOfEdit(m, now), circles.wallsOf(m.id));
   }
 
   // Obstacles.
@@ -295,6 +302,48 @@ public final class Editor {
 
   public void setOneWay(int code, boolean oneWay, double now) {
     setTraits(code, ContactFlags.withOneWay(obstacles.traits(code), oneWay), now);
+  }
+
+  /** Sets a {@link Filter}, that of a wall for all of them. */
+  public void setFilter(int code, long filter, double now) {
+    if (Codes.isCircle(code)) {
+      setFilterOfCircle(Codes.slot(code), filter, now);
+    } else if (Codes.isWall(code)) {
+      setFilterOfWalls(code, filter, now);
+    } else if (filter != obstacles.filter(code)) {
+      engine.forget(code);
+      obstacles.setFilter(code, filter);
+      engine.appeared(code, now);
+    }
+  }
+
+  /** The old flight ends where its own filter led it. */
+  private void setFilterOfCircle(int slot, long filter, double now) {
+    if (filter != registry.filter(slot)) {
+      MovingCircle m = restarted(slot, now);
+      registry.setFilter(slot, filter);
+      m.filter = filter;
+      m.forget();
+      engine.beginFlight(m);
+    }
+  }
+
+  /** Circles that can meet the walls from now on, or no longer, begin new flights. */
+  private void setFilterOfWalls(int wall, long filter, double now) {
+    long before = obstacles.filter(wall);
+    List<MovingCircle> changed = new ArrayList<>();
+    for (int slot : registry.slots()) {
+      long its = registry.filter(slot);
+      if (Filter.meet(its, before) != Filter.meet(its, filter)) {
+        MovingCircle m = new MovingCircle();
+        circles.load(slot, m);
+        restart(m, now);
+        m.forget();
+        changed.add(m);
+      }
+    }
+    obstacles.setFilter(wall, filter);
+    changed.forEach(engine::beginFlight);
   }
 
   private void setTraits(int code, int traits, double now) {

@@ -45,7 +45,7 @@ public abstract class Engine {
     this.circles = circles;
     this.log = log;
     staticScene = new StaticScene(scene, options);
-    circles.walls = staticScene.obstacles.walls;
+    circles.setFilters(registry, staticScene.obstacles);
     response = new ObstacleResponse(staticScene.obstacles);
   }
 
@@ -118,7 +118,7 @@ public abstract class Engine {
       if (registry.contains(i)) {
         circles.load(i);
         if (staticScene.meets(m, code)) {
-          m.restart(now, tailOfEdit(m, now), circles.walls);
+          m.restart(now, tailOfEdit(m, now), circles.wallsOf(i));
           beginFlight(m);
         }
       }

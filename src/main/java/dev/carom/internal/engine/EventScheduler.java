@@ -7,6 +7,7 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Index;
 import java.util.Arrays;
 
@@ -37,6 +38,7 @@ final class EventScheduler {
   /**
    * Creates a scheduler without events.
    *
+   * @param walls as {@link ObstacleTable#walls}
    * @param diameters the width of a cell in largest diameters
    */
   EventScheduler(
@@ -44,6 +46,7 @@ final class EventScheduler {
       CircleRegistry registry,
       PairResponse pairs,
       SensorPairs sensed,
+      double[] walls,
       double diameters,
       double now) {
     state = circles.state;
@@ -51,7 +54,7 @@ final class EventScheduler {
     int room = circles.capacity();
     found = new int[room + NeighborGrid.SPARE];
     foundOfOther = new int[room + NeighborGrid.SPARE];
-    neighbors = new NeighborGrid(circles, registry.slots(), circles.walls, diameters, now);
+    neighbors = new NeighborGrid(circles, registry.slots(), walls, diameters, now);
     predictor = new CollisionPredictor(circles, pairs, sensed);
     order = new EventComparator(circles, neighbors, pairs);
     boolean many = room >= EventPrefetcher.LEAST_CIRCLES;

@@ -131,15 +131,29 @@ final class SceneReader {
       builder.restitution(row.option(i));
     } else if (key.equals("response")) {
       builder.response(response(row, i));
+    } else if (key.equals("category")) {
+      builder.category(bits(row, i));
+    } else if (key.equals("mask")) {
+      builder.mask(bits(row, i));
     } else if (key.equals("oneway") && row.kind() == SceneRowKind.LINE) {
       if (flag(row, i, "oneway", row.value(i))) {
         builder.oneWay();
       }
     } else {
-      String more =
-          row.kind() == SceneRowKind.LINE ? ", response=WORD or oneway=0|1" : " or response=WORD";
-      throw row.error(
-          i, "key " + SceneText.quoted(key) + " is unknown: expected restitution=NUMBER" + more);
+      String last =
+          row.kind() == SceneRowKind.LINE ? ", mask=INTEGER or oneway=0|1" : " or mask=INTEGER";
+      String keys = "restitution=NUMBER, response=WORD, category=INTEGER" + last;
+      throw row.error(i, "key " + SceneText.quoted(key) + " is unknown: expected " + keys);
+    }
+  }
+
+  /** The 32 bits of a category or a mask, as the int that they are. */
+  private static int bits(SceneRow row, int i) throws RowException {
+    try {
+      return Integer.parseInt(row.value(i));
+    } catch (NumberFormatException e) {
+      String reason = row.key(i) + " is " + SceneText.quoted(row.value(i)) + ": expected ";
+      throw row.error(i, reason + "a whole number from -2147483648 to 2147483647");
     }
   }
 

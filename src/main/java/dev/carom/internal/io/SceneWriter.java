@@ -3,6 +3,7 @@ package dev.carom.internal.io;
 
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
@@ -27,20 +28,20 @@ final class SceneWriter {
     if (w != null) {
       begin("wall");
       numbers(w[Codes.LEFT], w[Codes.BOTTOM], w[Codes.RIGHT], w[Codes.TOP]);
-      end(obstacles.boundsRestitution, obstacles.boundsTraits);
+      end(obstacles.boundsRestitution, obstacles.boundsTraits, obstacles.filter(Codes.LEFT));
     }
     for (ObstacleRows rows : obstacles.kinds) {
       for (int code = rows.first(); code < rows.end; code++) {
         begin(rows.name());
         numbers(rows.numbers(code));
-        end(obstacles.givenRestitution(code), rows.traits(code));
+        end(obstacles.givenRestitution(code), rows.traits(code), obstacles.filter(code));
       }
     }
     for (int i = 0; i < scene.circleCount(); i++) {
       begin("circle");
       numbers(scene.x(i), scene.y(i), scene.radius(i), scene.vx(i), scene.vy(i));
       mass(scene.masses[i]);
-      end(scene.restitution(i), ContactFlags.of(scene.circleTraits, i));
+      end(scene.restitution(i), ContactFlags.of(scene.circleTraits, i), scene.filter(i));
     }
   }
 
@@ -65,7 +66,7 @@ final class SceneWriter {
     }
   }
 
-  private void end(double restitution, int traits) throws IOException {
+  private void end(double restitution, int traits, long filter) throws IOException {
     if (restitution != 1) {
       row.append(",restitution=").append(restitution);
     }
@@ -75,6 +76,12 @@ final class SceneWriter {
     }
     if (ContactFlags.isOneWay(traits)) {
       row.append(",oneway=1");
+    }
+    if (Filter.category(filter) != Filter.category(Filter.DEFAULT)) {
+      row.append(",category=").append(Filter.category(filter));
+    }
+    if (Filter.mask(filter) != Filter.mask(Filter.DEFAULT)) {
+      row.append(",mask=").append(Filter.mask(filter));
     }
     out.append(row.append('\n'));
     row.setLength(0);

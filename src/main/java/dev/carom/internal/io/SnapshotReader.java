@@ -26,6 +26,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.IntStream;
+import java.util.stream.LongStream;
 import java.util.zip.CRC32;
 import java.util.zip.CheckedInputStream;
 
@@ -103,11 +104,12 @@ public final class SnapshotReader {
     double restitution = in.readDouble();
     Check.notNegative("restitution", restitution);
     int traits = traits(1);
+    long filter = in.readLong();
     ObstacleRows[] rows = new ObstacleRows[Kind.CIRCLE - Kind.LINE];
     for (int kind = Kind.LINE; kind < Kind.CIRCLE; kind++) {
       rows[kind - Kind.LINE] = rows(kind);
     }
-    return ObstacleTable.of(walls, restitution, traits, rows);
+    return ObstacleTable.of(walls, restitution, traits, filter, rows);
   }
 
   private double[] walls() throws IOException {
@@ -139,7 +141,20 @@ public final class SnapshotReader {
       numbers.add(row);
       traits.write(its);
     }
-    return ObstacleTable.rows(kind, numbers.toArray(), traits.toByteArray());
+    long[] filters = filters(counts[kind]);
+    return ObstacleTable.rows(kind, numbers.toArray(), traits.toByteArray(), filters);
+  }
+
+  /** Reads the filters of a kind; null if each is the default. */
+  private long[] filters(int count) throws IOException {
+    if (!in.readBoolean()) {
+      return null;
+    }
+    LongStream.Builder filters = LongStream.builder();
+    for (int i = 0; i < count; i++) {
+      filters.add(in.readLong());
+    }
+    return filters.build().toArray();
   }
 
   private void obstacle(int kind, int i, double... row) throws IOException {
@@ -175,6 +190,7 @@ public final class SnapshotReader {
       flight(now, limits, numbers, codes);
       jams.add(jam());
     }
+    long[] filters = filters(count);
     int[] present = ids.build().toArray();
     for (int code : codesOfCircles.build().toArray()) {
       expectCode(Arrays.binarySearch(present, Codes.slot(code)) >= 0, code);
@@ -186,7 +202,7 @@ public final class SnapshotReader {
             codes.build().toArray(),
             jams.stream().anyMatch(Objects::nonNull) ? jams.toArray(IgnoreList[]::new) : null);
     CircleRegistry registry =
-        new CircleRegistry(masses.toArray(), traits.toByteArray(), present, idLimit);
+        new CircleRegistry(masses.toArray(), traits.toByteArray(), filters, present, idLimit);
     return new WorldState(now, collide, obstacles, registry, limits, flights);
   }
 

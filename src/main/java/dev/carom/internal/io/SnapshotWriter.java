@@ -22,7 +22,7 @@ public final class SnapshotWriter {
   /** "CAROM" and a zero byte, which no text contains. */
   static final long MARK = 0x4341524F4D00L;
 
-  static final int VERSION = 4;
+  static final int VERSION = 5;
 
   /**
    * Marks a removed obstacle: this byte stands for its traits, and nothing else of it is written.
@@ -60,12 +60,22 @@ public final class SnapshotWriter {
     }
     out.writeDouble(o.boundsRestitution);
     out.writeByte(o.boundsTraits);
+    out.writeLong(o.filter(Codes.LEFT));
   }
 
   private void obstacles(ObstacleRows rows) throws IOException {
     out.writeInt(rows.count());
     for (int code = rows.first(); code < rows.end; code++) {
       obstacle(rows, code);
+    }
+    filters(rows.filters());
+  }
+
+  /** Writes one filter for each thing of a kind; of nothing but defaults, only that it is so. */
+  private void filters(long[] filters) throws IOException {
+    out.writeBoolean(filters != null);
+    for (int i = 0; filters != null && i < filters.length; i++) {
+      out.writeLong(filters[i]);
     }
   }
 
@@ -87,6 +97,7 @@ public final class SnapshotWriter {
       out.writeDouble(s.registry().mass(i));
       flight(s.flights(), i);
     }
+    filters(s.registry().filters());
   }
 
   private void flight(SavedFlights flights, int k) throws IOException {

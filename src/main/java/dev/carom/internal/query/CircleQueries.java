@@ -4,11 +4,13 @@ package dev.carom.internal.query;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.Index;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
 /** Queries about the circles of a world, by their slots. */
@@ -36,7 +38,9 @@ public final class CircleQueries {
     LiveCodes present = registry.present();
     for (int i = 0; i < present.size(); i++) {
       int slot = present.get(i);
-      if (isThere(slot, now) && !registry.isSensor(slot)) {
+      if (isThere(slot, now)
+          && Filter.meet(m.filter, registry.filter(slot))
+          && !registry.isSensor(slot)) {
         Candidate other = candidate(m, slot, first == null ? maxTime : first.time(), now);
         if (other != null && (first == null ? other.isWithin(maxTime) : other.isBefore(first))) {
           first = other;
@@ -68,11 +72,15 @@ public final class CircleQueries {
         () -> Hit.ofDisks(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy, contact, t));
   }
 
-  /** The slot of the circle nearest to a point, of equally near ones the first; or NONE. */
-  public int nearest(double x, double y, double now) {
+  /**
+   * The slot of the circle nearest to a point, of equally near ones the first; or NONE.
+   *
+   * @param seen the slots that count
+   */
+  public int nearest(double x, double y, double now, IntPredicate seen) {
     double least = Double.POSITIVE_INFINITY;
     int nearest = Index.NONE;
-    for (int slot : slots(now).toArray()) {
+    for (int slot : slots(now).filter(seen).toArray()) {
       double distance =
           Proximity.distance(
               circles.x(slot, now), circles.y(slot, now), circles.radius(slot), x, y);

@@ -4,6 +4,7 @@ package dev.carom.internal.query;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
@@ -81,7 +82,7 @@ public final class Warnings {
   }
 
   private void lookAtWalls(int i) {
-    if (scene.obstacles.walls == null || isInside(i)) {
+    if (obstacles.wallsFor(scene.filter(i)) == null || isInside(i)) {
       return;
     }
     for (int wall = 0; Codes.isWall(wall); wall++) {
@@ -114,6 +115,7 @@ public final class Warnings {
     double bx = rows.values[end + ObstacleShape.X];
     double by = rows.values[end + ObstacleShape.Y];
     boolean oneWay = obstacles.isOneWay(code);
+    long filter = obstacles.filter(code);
     tree.near(
         ax,
         ay,
@@ -123,7 +125,8 @@ public final class Warnings {
         i -> {
           double x = scene.x(i);
           double y = scene.y(i);
-          if (proximity.overlaps(code, x, y, scene.radius(i))
+          if (Filter.meet(filter, scene.filter(i))
+              && proximity.overlaps(code, x, y, scene.radius(i))
               && !(oneWay && Predicates.cross(bx, by, ax, ay, x, y, ax, ay) <= 0)) {
             keep(i, code); // a one-way line is there only for a centre strictly left of it
           }
@@ -160,7 +163,9 @@ public final class Warnings {
 
   /** Whether two circles pass through each other. */
   private boolean passes(int i, int j) {
-    return isSensor(i) || Math.min(scene.masses[i], scene.masses[j]) == Double.POSITIVE_INFINITY;
+    return isSensor(i)
+        || !Filter.meet(scene.filter(i), scene.filter(j))
+        || Math.min(scene.masses[i], scene.masses[j]) == Double.POSITIVE_INFINITY;
   }
 
   /** The warning about a circle and a thing that it overlaps. */

@@ -3,6 +3,7 @@ package dev.carom.internal.response;
 
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
@@ -134,7 +135,8 @@ public final class ContactCluster {
   /** Advances a circle to the time of another one. */
   private MovingCircle broughtTo(MovingCircle time, MovingCircle m) {
     double dt = (time.t - m.t) + (time.tl - m.tl);
-    m.advance(dt, 0, time.t, time.tl, dt == 0, obstacles.walls);
+    double[] walls = obstacles.wallsFor(registry.filter(m.id));
+    m.advance(dt, 0, time.t, time.tl, dt == 0, walls);
     m.newFlight();
     return m;
   }
@@ -159,11 +161,16 @@ public final class ContactCluster {
   private void addObstacles(int k) {
     MovingCircle m = members.get(k);
     for (int code : vicinity.obstaclesNear(m)) {
-      Touch touch = obstacles.isSensor(code) ? null : Touch.of(m, obstacles, code);
+      Touch touch = isSolid(m, code) ? Touch.of(m, obstacles, code) : null;
       if (touch != null) {
         contacts.add(new Contact(k, InelasticShock.OBSTACLE, touch));
       }
     }
+  }
+
+  /** Whether an obstacle is there for a circle, and no sensor. */
+  private boolean isSolid(MovingCircle m, int code) {
+    return !obstacles.isSensor(code) && Filter.meet(registry.filter(m.id), obstacles.filter(code));
   }
 
   private void addCircles(int k, Map<Integer, Integer> numbers) {
@@ -171,7 +178,7 @@ public final class ContactCluster {
     int[] near = IntStream.of(vicinity.circlesNear(m.id)).sorted().distinct().toArray();
     for (int id : near) {
       boolean passesOver = m.jam != null && m.jam.isCrushedBy(Codes.circle(id));
-      if (id != m.id && !pairs.isSensor(id, m.id) && !passesOver) {
+      if (id != m.id && registry.meet(id, m.id) && !pairs.isSensor(id, m.id) && !passesOver) {
         addCircle(k, id, numbers);
       }
     }

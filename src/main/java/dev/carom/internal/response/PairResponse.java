@@ -45,6 +45,11 @@ public final class PairResponse {
     this.registry = registry;
   }
 
+  /** Whether the filters of circles i and j let them meet. */
+  public boolean meet(int i, int j) {
+    return registry.meet(i, j);
+  }
+
   /** Whether two circles just hit each other and neither changed since, or are jammed together. */
   public boolean skips(CircleTable circles, int i, int j) {
     if (circles.codes[CircleTable.collidingCodesAt(i) + CircleTable.LAST] == Codes.circle(j)

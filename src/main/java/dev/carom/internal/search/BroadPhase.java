@@ -244,7 +244,7 @@ public final class BroadPhase extends NarrowPhase {
 
   /** A time at or shortly before the impact with the next wall. */
   private double wallAhead() {
-    if (obstacles.walls == null) {
+    if (!bounded) {
       return NEVER;
     }
     // Distances from the walls ahead, branch-free. They err by less
@@ -259,7 +259,7 @@ public final class BroadPhase extends NarrowPhase {
 
   /** The two walls that the flight moves towards; the later one only if it may come first. */
   private void walls() {
-    if (obstacles.walls == null) {
+    if (!bounded) {
       return;
     }
     if (aheadX < aheadY) {

@@ -4,6 +4,7 @@ package dev.carom.internal.search;
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleRows;
@@ -46,6 +47,12 @@ abstract class NarrowPhase {
   /** Whether the choice of an impact depends on more than times and codes. */
   private boolean careful;
 
+  /** Whether there are walls that the circle can meet. */
+  boolean bounded;
+
+  /** Whether filters may let the circle pass through some obstacles. */
+  private boolean filtered;
+
   // The flight under search.
   double px;
   double py;
@@ -54,6 +61,7 @@ abstract class NarrowPhase {
   double r;
   int last;
   IgnoreList jam;
+  private long filter;
 
   /** The {@link SegmentFilter#margin} of all lines; the broad phase sets it before a search. */
   double margin;
@@ -124,6 +132,9 @@ abstract class NarrowPhase {
     r = mover.radius;
     last = mover.last;
     jam = mover.jam;
+    filter = mover.filter;
+    filtered = obstacles.areFiltered() || filter != Filter.DEFAULT;
+    bounded = filtered ? obstacles.wallsFor(filter) != null : obstacles.walls != null;
     sensed = mover.cleared;
     sensedCode = mover.contact;
     best = NEVER;
@@ -191,13 +202,19 @@ abstract class NarrowPhase {
    */
   private boolean skipped(int code) {
     return code == last
+        || (filtered && passes(code))
         || (jam != null && jam.makesInert(code))
         || (passesSensors && obstacles.isSensor(code));
   }
 
-  /** Considers a line; the filter alone decides nearly always. */
+  /** Whether filters let the circle pass through an obstacle. */
+  private boolean passes(int code) {
+    return !Filter.meet(filter, obstacles.filter(code));
+  }
+
+  /** Considers a line; the segment filter alone decides nearly always. */
   final void look(int code) {
-    if (code == bestCode) {
+    if (code == bestCode || (filtered && passes(code))) {
       return;
     }
     int k = code * LineShape.ROW;

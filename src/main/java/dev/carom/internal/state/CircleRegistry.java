@@ -5,10 +5,11 @@ import dev.carom.internal.util.Kind;
 import java.util.Arrays;
 
 /**
- * The circles of a world, with what does not move: their masses and {@link ContactFlags}. Callers
- * name a circle by its id, which is never reused. The engine names it by its slot, an array index.
- * The arrays are compacted when most slots belong to removed circles. The order of slots is the
- * order of ids, so whatever the order of slots decides does not depend on compaction.
+ * The circles of a world, with what does not move: their masses, {@link ContactFlags} and {@link
+ * Filter}s. Callers name a circle by its id, which is never reused. The engine names it by its
+ * slot, an array index. The arrays are compacted when most slots belong to removed circles. The
+ * order of slots is the order of ids, so whatever the order of slots decides does not depend on
+ * compaction.
  */
 public final class CircleRegistry {
 
@@ -37,6 +38,9 @@ public final class CircleRegistry {
   /** The {@link ContactFlags} of each slot; null if no circle has any. */
   private byte[] traits;
 
+  /** The {@link Filter} of each slot; null as long as all have the default. */
+  private long[] filters;
+
   /** Which slots belong to removed circles; null as long as none does. */
   private boolean[] gone;
 
@@ -62,6 +66,7 @@ public final class CircleRegistry {
     shared = true;
     countInfinite();
     traits = scene.circleTraits == null ? null : scene.circleTraits.clone();
+    filters = Filter.copyOf(scene.circleFilters, end);
   }
 
   private CircleRegistry(CircleRegistry other) {
@@ -69,11 +74,17 @@ public final class CircleRegistry {
     set(other);
   }
 
-  /** Creates a registry of circles with the given ids, which are ascending and below the limit. */
-  public CircleRegistry(double[] masses, byte[] traits, int[] ids, int idLimit) {
+  /**
+   * Creates a registry of circles with the given ids, which are ascending and below the limit.
+   *
+   * @param traits null if none has any
+   * @param filters null if each is the default
+   */
+  public CircleRegistry(double[] masses, byte[] traits, long[] filters, int[] ids, int idLimit) {
     slack = EngineOptions.CHOSEN.slack();
     this.masses = masses;
     this.traits = traits;
+    this.filters = filters;
     assign(ids, idLimit);
   }
 
@@ -87,12 +98,17 @@ public final class CircleRegistry {
     int[] theirIds = other.ids();
     double[] theirMasses = other.masses;
     byte[] theirTraits = other.traits;
+    long[] theirFilters = other.filters;
     masses = new double[slots.length];
     traits = theirTraits == null ? null : new byte[slots.length];
+    filters = theirFilters == null ? null : new long[slots.length];
     for (int k = 0; k < slots.length; k++) {
       masses[k] = theirMasses[slots[k]];
       if (traits != null) {
         traits[k] = theirTraits[slots[k]];
+      }
+      if (filters != null) {
+        filters[k] = theirFilters[slots[k]];
       }
     }
     shared = false;
@@ -229,6 +245,7 @@ public final class CircleRegistry {
       masses = Arrays.copyOf(masses, capacity);
       shared = false;
       traits = traits == null ? null : Arrays.copyOf(traits, capacity);
+      filters = Filter.copyOf(filters, capacity);
       gone = gone == null ? null : Arrays.copyOf(gone, capacity);
       ids = ids == null ? null : Arrays.copyOf(ids, capacity);
     }
@@ -293,6 +310,29 @@ public final class CircleRegistry {
     return traits != null && ContactFlags.halts(traits[slot]);
   }
 
+  public long filter(int slot) {
+    return Filter.of(filters, slot);
+  }
+
+  /** The filters of a registry whose slots are dense; null if each is the default. */
+  public long[] filters() {
+    return Filter.unlessDefault(filters, end);
+  }
+
+  public void setFilter(int slot, long filter) {
+    if (filters == null && filter != Filter.DEFAULT) {
+      filters = Filter.defaults(masses.length);
+    }
+    if (filters != null) {
+      filters[slot] = filter;
+    }
+  }
+
+  /** Whether two circles can meet. */
+  public boolean meet(int i, int j) {
+    return filters == null || Filter.meet(filters[i], filters[j]);
+  }
+
   @Override
   public boolean equals(Object other) {
     return other instanceof CircleRegistry that
@@ -302,7 +342,9 @@ public final class CircleRegistry {
   }
 
   private boolean isAlike(int slot, CircleRegistry that, int its) {
-    return masses[slot] == that.masses[its] && traits(slot) == that.traits(its);
+    return masses[slot] == that.masses[its]
+        && traits(slot) == that.traits(its)
+        && filter(slot) == that.filter(its);
   }
 
   @Override

@@ -80,8 +80,12 @@ public final class CircleTable {
    */
   public final DueTimes due;
 
-  /** The walls around all circles, as {@link ObstacleTable#walls}. */
-  public double[] walls;
+  /** The walls, as {@link ObstacleTable#walls}; the filters tell which circles they confine. */
+  private double[] walls;
+
+  // What the filters say: null in a table of no engine, where each is the default.
+  private CircleRegistry registry;
+  private ObstacleTable obstacles;
 
   /** The ignore list of each jammed circle; null until there is one. */
   public IgnoreList[] jams;
@@ -107,6 +111,22 @@ public final class CircleTable {
   /** A table of circles that collide. A queue holds their event times. */
   public static CircleTable colliding(int count) {
     return new CircleTable(count, true);
+  }
+
+  /** Lets the table know the filters of its circles and of the walls. */
+  public void setFilters(CircleRegistry ofCircles, ObstacleTable ofWalls) {
+    registry = ofCircles;
+    obstacles = ofWalls;
+    walls = ofWalls.walls;
+  }
+
+  private long filter(int i) {
+    return registry == null ? Filter.DEFAULT : registry.filter(i);
+  }
+
+  /** The walls that circle i does not leave, as {@link ObstacleTable#walls}; null for none. */
+  public double[] wallsOf(int i) {
+    return obstacles == null ? null : obstacles.wallsFor(filter(i));
   }
 
   /** The number of circles for which there is room. */
@@ -165,20 +185,23 @@ public final class CircleTable {
   public void start(SceneData scene, int i) {
     mover.start(
         i, scene.x(i), scene.y(i), scene.radius(i), scene.vx(i), scene.vy(i), scene.restitution(i));
+    mover.filter = scene.filter(i);
   }
 
   public double x(int i, double now) {
     int k = at(i);
     double since = MovingCircle.since(state[k + FlightRow.T], state[k + FlightRow.TL], now);
     double x = Math.fma(state[k + FlightRow.VX], since, state[k + FlightRow.X]);
-    return Confinement.x(walls, state[k + FlightRow.X], x, state[k + FlightRow.RADIUS]);
+    double confined = Confinement.x(walls, state[k + FlightRow.X], x, state[k + FlightRow.RADIUS]);
+    return confined == x || wallsOf(i) != null ? confined : x;
   }
 
   public double y(int i, double now) {
     int k = at(i);
     double since = MovingCircle.since(state[k + FlightRow.T], state[k + FlightRow.TL], now);
     double y = Math.fma(state[k + FlightRow.VY], since, state[k + FlightRow.Y]);
-    return Confinement.y(walls, state[k + FlightRow.Y], y, state[k + FlightRow.RADIUS]);
+    double confined = Confinement.y(walls, state[k + FlightRow.Y], y, state[k + FlightRow.RADIUS]);
+    return confined == y || wallsOf(i) != null ? confined : y;
   }
 
   public double vx(int i) {
@@ -213,6 +236,7 @@ public final class CircleTable {
     m.id = i;
     m.flown = 0;
     get(m, state, at(i), codes, codesAt(i));
+    m.filter = filter(i);
     m.jam = jam(i);
   }
 
@@ -263,6 +287,7 @@ public final class CircleTable {
     int code = collidingCodesAt(i);
     m.stuck = c[code + STUCK];
     ContactWord.recall(c[code + CONTACT], m);
+    m.filter = filter(i);
     m.jam = jams == null ? null : jams[i];
   }
 

@@ -32,6 +32,17 @@ public final class FlightHistory {
     flights = new double[Math.min(most, FIRST_ROOM) * FLIGHT];
   }
 
+  /**
+   * Writes a flight to the row that begins at k. The radius is negative if walls do not keep the
+   * circle inside.
+   */
+  static void put(MovingCircle m, ObstacleTable here, double[] rows, int k) {
+    FlightRow.put(m, rows, k);
+    if (here.wallsFor(m.filter) == null) {
+      rows[k + FlightRow.RADIUS] = -m.radius;
+    }
+  }
+
   /** Adds a flight; drops the oldest one if there is no room. */
   void add(double[] numbers, int k) {
     if (size == most) {
@@ -105,13 +116,17 @@ public final class FlightHistory {
   public double x(int k, double t, double[] walls) {
     double start = flights[k + FlightRow.X];
     double x = Math.fma(vx(k), since(k, t), start);
-    return Confinement.x(walls, start, x, radius(k));
+    return Confinement.x(isConfined(k) ? walls : null, start, x, radius(k));
   }
 
   public double y(int k, double t, double[] walls) {
     double start = flights[k + FlightRow.Y];
     double y = Math.fma(vy(k), since(k, t), start);
-    return Confinement.y(walls, start, y, radius(k));
+    return Confinement.y(isConfined(k) ? walls : null, start, y, radius(k));
+  }
+
+  private boolean isConfined(int k) {
+    return flights[k + FlightRow.RADIUS] > 0;
   }
 
   private double since(int k, double t) {
@@ -127,7 +142,7 @@ public final class FlightHistory {
   }
 
   public double radius(int k) {
-    return flights[k + FlightRow.RADIUS];
+    return Math.abs(flights[k + FlightRow.RADIUS]);
   }
 
   /**

@@ -11,7 +11,7 @@ public final class FlightRecorder {
   private final IntUnaryOperator ids;
   private FlightHistories tracks;
   private ObstacleHistory obstacles;
-  private double[] walls;
+  private ObstacleTable here;
   private double begin;
   private double end;
 
@@ -53,9 +53,9 @@ public final class FlightRecorder {
     return obstacles.at(code, t);
   }
 
-  /** The walls around all circles, as {@link ObstacleTable#walls}. */
+  /** The walls, as {@link ObstacleTable#walls}. */
   public double[] walls() {
-    return walls;
+    return here.walls;
   }
 
   /**
@@ -65,7 +65,7 @@ public final class FlightRecorder {
   public void begin(double now, ObstacleTable here) {
     tracks = new FlightHistories(most);
     obstacles = new ObstacleHistory(here, most);
-    walls = here.walls;
+    this.here = here;
     begin = now;
     end = now;
     pendings = 0;
@@ -78,7 +78,7 @@ public final class FlightRecorder {
       pending = Arrays.copyOf(pending, 2 * pendings * FlightHistory.FLIGHT);
     }
     pendingIds[pendings] = ids.applyAsInt(m.id);
-    FlightRow.put(m, pending, pendings * FlightHistory.FLIGHT);
+    FlightHistory.put(m, here, pending, pendings * FlightHistory.FLIGHT);
     pendings++;
   }
 

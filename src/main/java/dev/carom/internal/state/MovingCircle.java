@@ -48,6 +48,9 @@ public final class MovingCircle {
   public double radius;
   public double restitution;
 
+  /** Its {@link Filter}, which the registry of the circles keeps. */
+  public long filter = Filter.DEFAULT;
+
   /** How long the previous flight lasted. */
   public double flown;
 
@@ -111,6 +114,7 @@ public final class MovingCircle {
     this.vx = vx;
     this.vy = vy;
     this.restitution = restitution;
+    filter = Filter.DEFAULT;
     t = 0;
     tl = 0;
     forget();

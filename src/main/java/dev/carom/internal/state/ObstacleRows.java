@@ -7,8 +7,8 @@ import java.util.Arrays;
 
 /**
  * The obstacles of one kind, by their {@link Codes}: for each a row of doubles, laid out by its
- * {@link ObstacleShape}, and its {@link ContactFlags}. The row of a removed obstacle is NaN, and
- * its code is not used again.
+ * {@link ObstacleShape}, its {@link ContactFlags} and its {@link Filter}. The row of a removed
+ * obstacle is NaN, and its code is not used again.
  *
  * <p>Copies share their arrays until one of them is changed.
  */
@@ -33,6 +33,9 @@ public final class ObstacleRows {
 
   /** The contact flags of each obstacle; null if no obstacle has any. */
   private byte[] traits;
+
+  /** The filter of each obstacle; null as long as all have the default. */
+  private long[] filters;
 
   /** The next code to give. */
   public int end;
@@ -64,13 +67,16 @@ public final class ObstacleRows {
    *
    * @param rows their rows, one after the other
    * @param traits one for each row, null if none has any
+   * @param filters one for each row, null if each is the default
    */
-  static ObstacleRows of(int kind, ObstacleShape shape, double[] rows, byte[] traits) {
+  static ObstacleRows of(
+      int kind, ObstacleShape shape, double[] rows, byte[] traits, long[] filters) {
     ObstacleRows all = new ObstacleRows(kind, shape);
     int count = rows.length / shape.row;
     all.end = all.first() + count;
     all.values = all.withRowsBefore(rows);
     all.traits = traits;
+    all.filters = filters;
     all.present = new LiveCodes(all.first(), count);
     int gone = gone(rows, shape.row);
     all.edited = gone > 0;
@@ -95,6 +101,7 @@ public final class ObstacleRows {
     edited = other.edited;
     values = other.values;
     traits = other.traits;
+    filters = other.filters;
     end = other.end;
     present = other.present;
     specials = other.specials;
@@ -178,6 +185,20 @@ public final class ObstacleRows {
     return ContactFlags.of(traits, code - first());
   }
 
+  long filter(int code) {
+    return Filter.of(filters, code - first());
+  }
+
+  /** The filters of all; null if each is the default. */
+  public long[] filters() {
+    return Filter.unlessDefault(filters, count());
+  }
+
+  /** Whether any may have a filter other than the default. */
+  boolean areFiltered() {
+    return filters != null;
+  }
+
   int specials() {
     return specials;
   }
@@ -205,6 +226,7 @@ public final class ObstacleRows {
       shared = false;
       values = values.clone();
       traits = traits == null ? new byte[count()] : traits.clone();
+      filters = filters == null ? null : filters.clone();
       present = present.copy();
     } else if (traits == null) {
       traits = new byte[count()];
@@ -217,6 +239,7 @@ public final class ObstacleRows {
     int i = count();
     if (i == traits.length) {
       traits = Arrays.copyOf(traits, Math.min(2 * i + 4, Codes.limit(kind)));
+      filters = Filter.copyOf(filters, traits.length);
       values = Arrays.copyOf(values, offset(first() + traits.length));
     }
     int code = end++;
@@ -245,9 +268,20 @@ public final class ObstacleRows {
     traits[code - first()] = (byte) its;
   }
 
+  void setFilter(int code, long filter) {
+    own();
+    if (filters == null && filter != Filter.DEFAULT) {
+      filters = Filter.defaults(traits.length);
+    }
+    if (filters != null) {
+      filters[code - first()] = filter;
+    }
+  }
+
   /** Removes an obstacle: no search finds it any more. */
   void remove(int code) {
     setTraits(code, 0);
+    setFilter(code, Filter.DEFAULT);
     int k = offset(code);
     Arrays.fill(values, k, k + shape.row, Double.NaN);
     present.removed(1, this::isGone);
@@ -259,7 +293,8 @@ public final class ObstacleRows {
         && kind == that.kind
         && end == that.end
         && Arrays.equals(values, 0, offset(end), that.values, 0, offset(end))
-        && hasSameTraits(that);
+        && hasSameTraits(that)
+        && Arrays.equals(filters(), that.filters());
   }
 
   private boolean hasSameTraits(ObstacleRows that) {

@@ -30,6 +30,7 @@ public final class ObstacleTable {
 
   public double boundsRestitution = 1;
   public int boundsTraits;
+  private long boundsFilter = Filter.DEFAULT;
 
   /** The rows of each kind, by the {@linkplain Codes#part part} of the codes. */
   private final ObstacleRows[] byPart = new ObstacleRows[Codes.PARTS];
@@ -47,6 +48,9 @@ public final class ObstacleTable {
 
   private int sensors;
 
+  /** Whether any may have a filter other than the default. */
+  private boolean filtered;
+
   private ObstacleTable(double[] walls, ObstacleRows... rows) {
     this.walls = walls;
     kinds = List.of(rows);
@@ -55,7 +59,6 @@ public final class ObstacleTable {
     for (ObstacleRows each : rows) {
       byPart[Codes.part(each.first())] = each;
     }
-    countSpecials();
   }
 
   /**
@@ -64,10 +67,16 @@ public final class ObstacleTable {
    * @param rows the obstacles of each kind but walls, in the order of the kinds
    */
   public static ObstacleTable of(
-      double[] walls, double boundsRestitution, int boundsTraits, ObstacleRows... rows) {
+      double[] walls,
+      double boundsRestitution,
+      int boundsTraits,
+      long boundsFilter,
+      ObstacleRows... rows) {
     ObstacleTable all = new ObstacleTable(walls, rows);
     all.boundsRestitution = boundsRestitution;
     all.boundsTraits = boundsTraits;
+    all.boundsFilter = boundsFilter;
+    all.countSpecials();
     return all;
   }
 
@@ -76,9 +85,10 @@ public final class ObstacleTable {
    *
    * @param rows their rows, one after the other
    * @param traits one for each row, null if none has any
+   * @param filters one for each row, null if each is the default
    */
-  public static ObstacleRows rows(int kind, double[] rows, byte[] traits) {
-    return ObstacleRows.of(kind, SHAPES[kind], rows, traits);
+  public static ObstacleRows rows(int kind, double[] rows, byte[] traits, long[] filters) {
+    return ObstacleRows.of(kind, SHAPES[kind], rows, traits, filters);
   }
 
   /** The kinds that have rows, in the order of their codes. */
@@ -113,7 +123,7 @@ public final class ObstacleTable {
   /** A copy; arrays are shared until one of the two is changed. */
   public ObstacleTable copy() {
     ObstacleRows[] rows = kinds.stream().map(ObstacleRows::copy).toArray(ObstacleRows[]::new);
-    return of(walls, boundsRestitution, boundsTraits, rows);
+    return of(walls, boundsRestitution, boundsTraits, boundsFilter, rows);
   }
 
   /** The coordinates of the walls of a rectangle, by their codes. */
@@ -130,6 +140,7 @@ public final class ObstacleTable {
   public void set(ObstacleTable other) {
     boundsRestitution = other.boundsRestitution;
     boundsTraits = other.boundsTraits;
+    boundsFilter = other.boundsFilter;
     for (int i = 0; i < kinds.size(); i++) {
       kinds.get(i).set(other.kinds.get(i));
     }
@@ -139,9 +150,11 @@ public final class ObstacleTable {
   private void countSpecials() {
     specials = 0;
     sensors = 0;
+    filtered = boundsFilter != Filter.DEFAULT;
     for (ObstacleRows rows : kinds) {
       specials += rows.specials();
       sensors += rows.sensors();
+      filtered |= rows.areFiltered();
     }
   }
 
@@ -206,6 +219,21 @@ public final class ObstacleTable {
   /** The {@link ContactFlags} of an obstacle. */
   public int traits(int code) {
     return Codes.isWall(code) ? boundsTraits : of(code).traits(code);
+  }
+
+  /** The {@link Filter} of an obstacle. */
+  public long filter(int code) {
+    return Codes.isWall(code) ? boundsFilter : of(code).filter(code);
+  }
+
+  /** Whether any obstacle may have a filter other than the default. */
+  public boolean areFiltered() {
+    return filtered;
+  }
+
+  /** The walls that keep a circle of a given filter inside; null for none. */
+  public double[] wallsFor(long filter) {
+    return Filter.meet(boundsFilter, filter) ? walls : null;
   }
 
   /** Whether a circle that hits an obstacle halts. */
@@ -284,12 +312,23 @@ public final class ObstacleTable {
     }
   }
 
+  /** Sets the {@link Filter} of an obstacle, that of a wall for all of them. */
+  public void setFilter(int code, long filter) {
+    if (Codes.isWall(code)) {
+      boundsFilter = filter;
+    } else {
+      of(code).setFilter(code, filter);
+    }
+    countSpecials();
+  }
+
   @Override
   public boolean equals(Object other) {
     return other instanceof ObstacleTable that
         && Arrays.equals(walls, that.walls)
         && Double.compare(boundsRestitution, that.boundsRestitution) == 0
         && boundsTraits == that.boundsTraits
+        && boundsFilter == that.boundsFilter
         && kinds.equals(that.kinds);
   }
 

@@ -31,10 +31,14 @@ public final class SceneData {
   /** See {@link ContactFlags}. */
   public final byte[] circleTraits;
 
+  /** See {@link Filter}. */
+  final long[] circleFilters;
+
   SceneData(SceneDataBuilder from) {
     circles = from.circles.toArray();
     masses = from.masses.toArray();
     circleTraits = from.circles.traits();
+    circleFilters = from.circles.filters();
     collide = from.collide;
     obstacles = from.obstacles();
   }
@@ -67,6 +71,11 @@ public final class SceneData {
     return circles[circle * CIRCLE_ROW + RESTITUTION];
   }
 
+  /** The {@link Filter} of a circle. */
+  public long filter(int circle) {
+    return Filter.of(circleFilters, circle);
+  }
+
   @Override
   public boolean equals(Object other) {
     return other instanceof SceneData that
@@ -74,6 +83,7 @@ public final class SceneData {
         && Arrays.equals(masses, that.masses)
         && collide == that.collide
         && Arrays.equals(circleTraits, that.circleTraits)
+        && Arrays.equals(circleFilters, that.circleFilters)
         && obstacles.equals(that.obstacles);
   }
 

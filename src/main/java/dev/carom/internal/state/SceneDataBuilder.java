@@ -70,24 +70,41 @@ public final class SceneDataBuilder {
   // Properties of the thing added last.
 
   public void restitution(double e) {
-    if (last == null) {
-      throw new IllegalStateException("restitution belongs to the thing added last: add one first");
-    }
+    expectThing("restitution");
     check(last, last.count() - 1, () -> Check.notNegative("restitution", e));
     last.setLastRestitution(e);
   }
 
   /** Sets a response, by its number in {@link ContactFlags}. */
   public void response(int response) {
-    if (last == null) {
-      throw new IllegalStateException("response belongs to the thing added last: add one first");
-    }
+    expectThing("response");
     if (last == bounds && response == ContactFlags.SENSOR) {
       throw Refusal.of(
           "bounds",
           Check.refused("response", "sensor", "bounce or halt: bounds keep circles inside"));
     }
     last.setLastTraits(ContactFlags.with(last.lastTraits(), response));
+  }
+
+  public void filter(int category, int mask) {
+    expectThing("filter");
+    last.setLastFilter(Filter.of(category, mask));
+  }
+
+  /** Sets the category of the thing added last; its mask stays. */
+  public void category(int category) {
+    filter(category, Filter.mask(last.lastFilter()));
+  }
+
+  /** Sets the mask of the thing added last; its category stays. */
+  public void mask(int mask) {
+    filter(Filter.category(last.lastFilter()), mask);
+  }
+
+  private void expectThing(String property) {
+    if (last == null) {
+      throw new IllegalStateException(property + " belongs to the thing added last: add one first");
+    }
   }
 
   public void oneWay() {
@@ -151,15 +168,20 @@ public final class SceneDataBuilder {
         ObstacleTable.kindsOfRows()
             .mapToObj(
                 kind ->
-                    ObstacleTable.rows(kind, obstacles[kind].toArray(), obstacles[kind].traits()))
+                    ObstacleTable.rows(
+                        kind,
+                        obstacles[kind].toArray(),
+                        obstacles[kind].traits(),
+                        obstacles[kind].filters()))
             .toArray(ObstacleRows[]::new);
     double[] b = bounds.toArray();
     return b.length == 0
-        ? ObstacleTable.of(null, 1, 0, rows)
+        ? ObstacleTable.of(null, 1, 0, Filter.DEFAULT, rows)
         : ObstacleTable.of(
             ObstacleTable.walls(b[XMIN], b[YMIN], b[XMAX], b[YMAX]),
             b[BOUNDS_RESTITUTION],
             bounds.lastTraits(),
+            bounds.lastFilter(),
             rows);
   }
 

@@ -7,7 +7,8 @@ import java.util.Arrays;
 
 /**
  * The circles or obstacles of one kind while a scene is built: for each a row of doubles, which
- * begins with coordinates and ends with the restitution, and its {@link ContactFlags}.
+ * begins with coordinates and ends with the restitution, its {@link ContactFlags} and its {@link
+ * Filter}.
  */
 final class SceneRows {
 
@@ -16,6 +17,9 @@ final class SceneRows {
   private final int coordinates;
   private final DoubleList values = new DoubleList();
   private byte[] traits = new byte[16];
+
+  /** Null as long as all have the default. */
+  private long[] filters;
 
   SceneRows(ObstacleShape shape) {
     this(shape.name, shape.row, shape.coordinates);
@@ -46,6 +50,9 @@ final class SceneRows {
       traits = Arrays.copyOf(traits, 2 * count());
     }
     traits[count() - 1] = 0;
+    if (filters != null && count() > filters.length) {
+      filters = Filter.copyOf(filters, 2 * count());
+    }
   }
 
   void setLastRestitution(double e) {
@@ -58,6 +65,24 @@ final class SceneRows {
 
   void setLastTraits(int t) {
     traits[count() - 1] = (byte) t;
+  }
+
+  long lastFilter() {
+    return Filter.of(filters, count() - 1);
+  }
+
+  void setLastFilter(long filter) {
+    if (filters == null && filter != Filter.DEFAULT) {
+      filters = Filter.defaults(traits.length);
+    }
+    if (filters != null) {
+      filters[count() - 1] = filter;
+    }
+  }
+
+  /** The filters of all; null if each is the default. */
+  long[] filters() {
+    return Filter.unlessDefault(filters, count());
   }
 
   /** The flags of all; null if none has any. */

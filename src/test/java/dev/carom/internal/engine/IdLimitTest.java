@@ -43,7 +43,7 @@ class IdLimitTest {
     WorldState s = Internals.state(world.snapshot());
     CircleRegistry registry =
         new CircleRegistry(
-            new double[] {1, 2, 3}, new byte[3], new int[] {0, 7, idLimit - 1}, idLimit);
+            new double[] {1, 2, 3}, new byte[3], null, new int[] {0, 7, idLimit - 1}, idLimit);
     SavedFlights flights =
         new SavedFlights(
             new int[] {0, 7, idLimit - 1},

@@ -3,6 +3,8 @@ package dev.carom.internal.state;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Internals;
+import dev.carom.Scene;
 import dev.carom.internal.sweep.Contact;
 import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
@@ -20,8 +22,12 @@ import org.junit.jupiter.params.provider.ValueSource;
  */
 class CircleFieldsTest {
 
-  /** Fields that hold something within an impact only, and the number of the circle. */
-  private static final Set<String> PASSING = Set.of("id", "flown", "standsStill", "crushed");
+  /**
+   * Fields that hold something within an impact only, the number of the circle, and its filter,
+   * which the registry keeps.
+   */
+  private static final Set<String> PASSING =
+      Set.of("id", "flown", "standsStill", "crushed", "filter");
 
   /** Fields that tell what is ahead; a snapshot leaves them out, and the next search finds them. */
   private static final Set<String> AHEAD = Set.of("cleared", "next", "contact", "lookahead");
@@ -96,6 +102,23 @@ class CircleFieldsTest {
     loaded.last = m.last;
     circles.loadForMeeting(circles.state, circles.codes, 1, loaded);
     assertThat(without(fields(loaded), AHEAD)).isEqualTo(without(fields(m), AHEAD));
+  }
+
+  @Test
+  void theTableReadsTheFilterFromTheRegistry() {
+    Scene scene = Scene.builder().circle(0, 0, 1, 0, 0).circle(9, 0, 1, 0, 0).filter(6, 5).build();
+    CircleTable circles = CircleTable.colliding(2);
+    MovingCircle m = circles.mover;
+    circles.load(1, m);
+    assertThat(m.filter).isEqualTo(Filter.DEFAULT);
+    CircleRegistry registry = new CircleRegistry(Internals.data(scene), 1);
+    circles.setFilters(registry, ObstacleTable.of(Internals.data(scene)));
+    circles.load(1, m);
+    assertThat(m.filter).isEqualTo(Filter.of(6, 5));
+    circles.loadForMeeting(circles.state, circles.codes, 0, m);
+    assertThat(m.filter).isEqualTo(Filter.DEFAULT);
+    circles.loadForMeeting(circles.state, circles.codes, 1, m);
+    assertThat(m.filter).isEqualTo(Filter.of(6, 5));
   }
 
   /** Its restitution is not that of a flight, and stays. */

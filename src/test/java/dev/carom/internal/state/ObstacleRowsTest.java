@@ -20,7 +20,7 @@ class ObstacleRowsTest {
   }
 
   private static ObstacleRows rows(int kind, int count) {
-    ObstacleRows rows = ObstacleTable.rows(kind, new double[0], null);
+    ObstacleRows rows = ObstacleTable.rows(kind, new double[0], null, null);
     for (int i = 0; i < count; i++) {
       rows.add(numbers(kind, 10 * i));
     }
@@ -69,7 +69,8 @@ class ObstacleRowsTest {
     kept.remove(kept.first() + 1);
     double[] values =
         Arrays.copyOfRange(kept.values, kept.offset(kept.first()), kept.offset(kept.end));
-    ObstacleRows read = ObstacleTable.rows(kind, values, new byte[] {0, 0, (byte) SENSOR, 0, 0});
+    ObstacleRows read =
+        ObstacleTable.rows(kind, values, new byte[] {0, 0, (byte) SENSOR, 0, 0}, null);
     assertThat(read).isEqualTo(kept);
     assertThat(read.sensors()).isEqualTo(1);
     assertThat(read.isGone(read.first() + 1)).isTrue();

@@ -1,0 +1,507 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.tuple;
+
+import dev.carom.internal.state.EngineOptions;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.StringReader;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Who has no common bit of category and mask does not exist for each other. */
+class MasksTest {
+
+  private static final int A = 2;
+  private static final int B = 4;
+  private static final int BOTH = A | B;
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  // Layers.
+
+  /** A random scene of two layers, or of one of them: the ids in each as in the whole. */
+  private static final class Layers {
+
+    private final Random random;
+    private final boolean collide;
+    private final List<Integer> layerOf = new ArrayList<>();
+
+    /** By the kind of obstacle, the ids of a layer's things in the whole. */
+    private final List<List<Integer>> ids = new ArrayList<>();
+
+    Layers(long seed, boolean collide) {
+      random = new Random(seed);
+      this.collide = collide;
+    }
+
+    /** The things of the layers that are wanted; always the same draws. */
+    Scene scene(int wanted) {
+      layerOf.clear();
+      ids.clear();
+      for (int i = 0; i < 4; i++) {
+        ids.add(new ArrayList<>());
+      }
+      SceneBuilder builder = Scene.builder().collide(collide);
+      int walls = layer();
+      double e = random.nextInt(3) > 0 ? 1 : 0.5;
+      if ((walls & wanted) != 0) {
+        builder.bounds(0, 0, 100, 80).filter(walls, walls).restitution(e);
+      }
+      int lines = random.nextInt(40);
+      for (int i = 0; i < lines; i++) {
+        double x = 100 * random.nextDouble();
+        double y = 80 * random.nextDouble();
+        double bx = x + 20 * random.nextDouble() - 10;
+        double by = y + 20 * random.nextDouble() - 10;
+        boolean oneWay = random.nextInt(5) == 0;
+        add(wanted, ObstacleKind.LINE, i, BOTH, b -> line(b, x, y, bx, by, oneWay), builder);
+      }
+      int pegs = random.nextInt(10);
+      for (int i = 0; i < pegs; i++) {
+        double x = 100 * random.nextDouble();
+        double y = 80 * random.nextDouble();
+        double r = 3 * random.nextDouble();
+        add(wanted, ObstacleKind.PEG, i, BOTH, b -> b.peg(x, y, r), builder);
+      }
+      int circles = 4 + random.nextInt(40);
+      for (int i = 0; i < circles; i++) {
+        double r = 0.5 + 2 * random.nextDouble();
+        double x = r + (100 - 2 * r) * random.nextDouble();
+        double y = r + (80 - 2 * r) * random.nextDouble();
+        double vx = 4 * random.nextGaussian();
+        double vy = 4 * random.nextGaussian();
+        double mass = random.nextInt(10) == 0 ? NEVER : 1 + random.nextInt(3);
+        int layer = random.nextBoolean() ? A : B;
+        layerOf.add(layer);
+        add(
+            wanted,
+            ObstacleKind.CIRCLE,
+            i,
+            layer,
+            b -> b.circle(x, y, r, vx, vy).mass(mass),
+            builder);
+      }
+      return builder.build();
+    }
+
+    private static void line(
+        SceneBuilder b, double ax, double ay, double bx, double by, boolean oneWay) {
+      b.line(ax, ay, bx, by);
+      if (oneWay) {
+        b.oneWay();
+      }
+    }
+
+    private void add(
+        int wanted,
+        ObstacleKind kind,
+        int id,
+        int layers,
+        Consumer<SceneBuilder> thing,
+        SceneBuilder builder) {
+      int layer = layers == BOTH ? layer() : layers;
+      double e = new double[] {1, 1, 1, 1, 1, 1, 1, 1, 1, 0.9, 0, 1.05}[random.nextInt(12)];
+      Response response = Response.values()[Math.max(0, random.nextInt(30) - 27)];
+      if ((layer & wanted) != 0) {
+        thing.accept(builder);
+        builder.filter(layer, layer).restitution(e).response(response);
+        ids.get(kind.ordinal()).add(id);
+      }
+    }
+
+    /** One of the layers, or both. */
+    private int layer() {
+      return 2 * (1 + random.nextInt(3));
+    }
+
+    /** A row of a layer, with the ids of the whole. */
+    Run.Row inWhole(Run.Row row) {
+      int obstacle =
+          row.kind() == ObstacleKind.WALL
+              ? row.obstacle()
+              : ids.get(row.kind().ordinal()).get(row.obstacle());
+      int circle = ids.get(ObstacleKind.CIRCLE.ordinal()).get(row.circle());
+      return new Run.Row(
+          row.time(),
+          circle,
+          row.kind(),
+          obstacle,
+          row.feature(),
+          row.x(),
+          row.y(),
+          row.nx(),
+          row.ny(),
+          row.speed(),
+          row.outcome());
+    }
+  }
+
+  /** To the bit, in each engine and with each grid. */
+  @ParameterizedTest
+  @CsvSource({"false, false", "true, false", "false, true", "true, true"})
+  void twoLayersMoveTogetherAsApart(boolean collide, boolean grid) {
+    EngineOptions options = grid ? new EngineOptions(true, 3, 1.7, 1, 1) : EngineOptions.CHOSEN;
+    int impacts = 0;
+    int jams = 0;
+    for (int seed = 0; seed < 100; seed++) {
+      World world = new World(new Layers(seed, collide).scene(BOTH), options);
+      Run together = Run.advance(world, 13, 60);
+      for (int layer : new int[] {A, B}) {
+        Layers apart = new Layers(seed, collide);
+        Run alone = Run.advance(new World(apart.scene(layer), options), 13, 60);
+        List<Integer> layerOf = apart.layerOf;
+        List<Run.Row> rows =
+            together.impacts().stream().filter(row -> layerOf.get(row.circle()) == layer).toList();
+        assertThat(alone.impacts().stream().map(apart::inWhole).toList())
+            .as("seed %s, layer %s", seed, layer)
+            .isEqualTo(rows);
+        List<Run.State> states = new ArrayList<>();
+        for (int i = 0; i < layerOf.size(); i++) {
+          if (layerOf.get(i) == layer) {
+            states.add(together.end().get(i));
+          }
+        }
+        assertThat(alone.end()).as("seed %s, layer %s", seed, layer).isEqualTo(states);
+        impacts += rows.size();
+        jams += (int) rows.stream().filter(row -> row.outcome() == Outcome.JAMMED).count();
+      }
+    }
+    assertThat(impacts).isGreaterThan(10_000);
+    assertThat(jams).isGreaterThan(collide ? 10 : 0);
+  }
+
+  /** With a budget so small that steps are undone and repeated. */
+  @Test
+  void anUndoneStepKeepsTheLayersApart() {
+    EngineOptions few = new EngineOptions(true, 0, 1, 1, 0x1p-18);
+    int undone = 0;
+    for (int seed = 0; seed < 20; seed++) {
+      Scene scene = new Layers(seed, false).scene(BOTH);
+      World world = new World(scene, few);
+      List<Run.Row> rows = new ArrayList<>();
+      boolean complete = false;
+      while (!complete) {
+        complete = world.advanceTo(10);
+        rows.addAll(Run.rows(world.impacts()));
+        undone += complete ? 0 : 1;
+      }
+      assertThat(rows).hasSameElementsAs(Run.advance(new World(scene), 10).impacts());
+    }
+    assertThat(undone).isGreaterThan(50);
+  }
+
+  // Walls.
+
+  private static SceneBuilder box() {
+    return Scene.builder().bounds(0, 0, 100, 100).filter(1, ~A);
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aCircleLeavesWallsThatItCannotMeet(boolean collide) {
+    World world =
+        new World(
+            box()
+                .collide(collide)
+                .circle(50, 50, 10, 8, 0)
+                .filter(A, -1)
+                .circle(50, 20, 10, 8, 0)
+                .line(120, 0, 120, 100)
+                .line(300, 0, 400, 0)
+                .filter(B, B)
+                .build());
+    Timeline past = world.record(100);
+    assertThat(world.step(7)).isTrue();
+    assertThat(world.x(0)).isEqualTo(106);
+    assertThat(world.x(1)).isEqualTo(74); // 90 - 2 * 8
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.step(1)).isTrue();
+    assertThat(Run.rows(world.impacts()))
+        .extracting(Run.Row::time, Run.Row::circle, Run.Row::kind)
+        .containsExactly(tuple(7.5, 0, ObstacleKind.LINE));
+    assertThat(world.step(20)).isTrue();
+    assertThat(world.x(0)).isEqualTo(110 - 8 * 20.5);
+    assertThat(past.x(0, 7)).isEqualTo(106);
+    assertThat(past.x(0, 28)).isEqualTo(-54);
+    assertThat(past.radius(0, 28)).isEqualTo(10);
+  }
+
+  /** A circle that left comes back, for all walls are half-planes. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void anEditOfTheWallsConcernsAllCircles(boolean collide) {
+    World world =
+        new World(
+            box()
+                .collide(collide)
+                .circle(50, 50, 10, 8, 0)
+                .filter(A, -1)
+                .circle(50, 20, 10, 8, 0)
+                .build());
+    world.setFilter(ObstacleKind.WALL, 2, 1, A);
+    assertThat(world.mask(ObstacleKind.WALL, 0)).isEqualTo(A);
+    assertThat(world.step(6)).isTrue();
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.impacts().circle(0)).isZero();
+    assertThat(world.x(1)).isEqualTo(98);
+    world.setFilter(ObstacleKind.WALL, 0, 1, -1);
+    assertThat(world.step(1)).isTrue();
+    assertThat(world.impacts().time(0)).isEqualTo(6);
+    assertThat(world.x(1)).isEqualTo(90);
+  }
+
+  // Edits.
+
+  @ParameterizedTest
+  @CsvSource({"2, -2, true", "-2, 2, false"})
+  void circlesThatOverlapAndNowMeetBounceIfTheyApproach(double v1, double v2, boolean bounce) {
+    World world =
+        new World(
+            Scene.builder()
+                .collide(true)
+                .circle(0, 0, 10, v1, 0)
+                .filter(A, A)
+                .circle(5, 0, 10, v2, 0)
+                .build());
+    world.setFilter(ObstacleKind.CIRCLE, 0, A, -1);
+    assertThat(world.step(0.5)).isTrue();
+    assertThat(world.impacts().size()).isEqualTo(bounce ? 1 : 0);
+    assertThat(world.vx(0)).isEqualTo(-2);
+  }
+
+  @Test
+  void aLineThatIsNoLongerMetIsFlownThrough() {
+    World world = new World(Scene.builder().line(50, 0, 50, 100).circle(20, 50, 10, 4, 0).build());
+    assertThat(world.step(4)).isTrue();
+    world.setFilter(ObstacleKind.LINE, 0, B, B);
+    assertThat(world.step(2)).isTrue();
+    assertThat(world.impacts().size()).isZero();
+    assertThat(world.x(0)).isEqualTo(44);
+    world.setFilter(ObstacleKind.LINE, 0, 1, -1);
+    assertThat(world.step(1)).isTrue();
+    assertThat(world.impacts().time(0)).isEqualTo(6);
+    assertThat(world.vx(0)).isEqualTo(-4);
+  }
+
+  /** Things that are added have the default, and ids that are gone leave nothing behind. */
+  @Test
+  void whatIsAddedHasTheDefault() {
+    World world =
+        new World(
+            Scene.builder().peg(0, 0, 1).filter(A, B).circle(9, 9, 1, 0, 0).filter(B, A).build());
+    world.remove(ObstacleKind.CIRCLE, 0);
+    assertThat(world.addPeg(5, 5, 1)).isEqualTo(1);
+    assertThat(world.addCircle(1, 1, 1, 0, 0)).isEqualTo(1);
+    assertThat(world.category(ObstacleKind.PEG, 0)).isEqualTo(A);
+    assertThat(world.mask(ObstacleKind.PEG, 0)).isEqualTo(B);
+    assertThat(world.category(ObstacleKind.PEG, 1)).isEqualTo(1);
+    assertThat(world.mask(ObstacleKind.PEG, 1)).isEqualTo(-1);
+    assertThat(world.category(ObstacleKind.CIRCLE, 1)).isEqualTo(1);
+    assertThat(world.mask(ObstacleKind.CIRCLE, 1)).isEqualTo(-1);
+    assertThatThrownBy(() -> world.setFilter(ObstacleKind.CIRCLE, 0, 1, 1))
+        .isInstanceOf(IndexOutOfBoundsException.class)
+        .hasMessage("circle 0 does not exist: it was removed");
+  }
+
+  /** An edit that changes nothing does not even begin a flight. */
+  @Test
+  void theSameFilterAgainChangesNothing() {
+    World world = new World(new Layers(3, true).scene(BOTH));
+    assertThat(world.step(5)).isTrue();
+    Snapshot before = world.snapshot();
+    for (ObstacleKind kind : ObstacleKind.values()) {
+      for (int id : world.ids(kind)) {
+        world.setFilter(kind, id, world.category(kind, id), world.mask(kind, id));
+      }
+    }
+    assertThat(world.snapshot()).isEqualTo(before);
+    world.setFilter(ObstacleKind.WALL, 0, 1, 1);
+    assertThat(world.snapshot()).isNotEqualTo(before);
+  }
+
+  /** Back at the default, a world is equal to one that never had a filter. */
+  @Test
+  void aWorldWithoutFiltersIsEqualToOneThatLostThem() {
+    World never = new World(Scene.builder().peg(0, 0, 1).circle(9, 9, 1, 0, 0).build());
+    World lost =
+        new World(
+            Scene.builder().peg(0, 0, 1).filter(A, 1).circle(9, 9, 1, 0, 0).filter(1, A).build());
+    assertThat(lost.snapshot()).isNotEqualTo(never.snapshot());
+    lost.setFilter(ObstacleKind.PEG, 0, 1, -1);
+    lost.setFilter(ObstacleKind.CIRCLE, 0, 1, -1);
+    never.setVelocity(0, 0, 0); // a new flight, as the edit of the filter began one
+    assertThat(lost.snapshot()).isEqualTo(never.snapshot());
+    assertThat(bytes(lost.snapshot())).isEqualTo(bytes(never.snapshot()));
+  }
+
+  private static byte[] bytes(Snapshot snapshot) {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    try {
+      snapshot.write(out);
+    } catch (IOException e) {
+      throw new AssertionError(e);
+    }
+    return out.toByteArray();
+  }
+
+  // Questions.
+
+  private static World asked() {
+    return new World(
+        box()
+            .collide(true)
+            .line(50, 0, 50, 100)
+            .filter(A, -1)
+            .peg(70, 50, 5)
+            .filter(1, ~B)
+            .circle(30, 50, 5, 0, 0)
+            .filter(B, -1)
+            .build());
+  }
+
+  @Test
+  void castMeetsWhatTheAskerMeets() {
+    World world = asked();
+    Circle circle = new Circle(10, 50, 5);
+    Vec2 right = new Vec2(1, 0);
+    assertThat(first(world.cast(circle, right, 1000))).isEqualTo("CIRCLE 10.0");
+    assertThat(first(world.cast(circle, right, 1000, 1, ~B))).isEqualTo("LINE 35.0");
+    assertThat(first(world.cast(circle, right, 1000, 1, ~BOTH))).isEqualTo("PEG 50.0");
+    assertThat(first(world.cast(circle, right, 1000, B, ~BOTH))).isEqualTo("WALL 85.0");
+    assertThat(world.cast(circle, right, 1000, BOTH & ~B, ~BOTH & ~1)).isEmpty();
+    assertThat(world.cast(circle, right, 1000, 0, -1)).isEmpty();
+  }
+
+  private static String first(Optional<Impact> impact) {
+    return impact.map(i -> i.kind() + " " + i.time()).orElse("none");
+  }
+
+  @Test
+  void traceMeetsWhatTheAskerMeets() {
+    World world = asked();
+    Circle circle = new Circle(10, 50, 5);
+    Vec2 right = new Vec2(1, 0);
+    assertThat(world.trace(circle, right, 1, 100, 1).impacts().get(0).kind())
+        .isEqualTo(ObstacleKind.LINE);
+    assertThat(world.trace(circle, right, 1, 100, 1, 1, ~A).impacts().get(0).kind())
+        .isEqualTo(ObstacleKind.PEG);
+    assertThat(world.trace(circle, right, 1, 100, 1, A, ~BOTH & ~1).impacts()).isEmpty();
+    assertThat(world.scene().resolver().trace(circle, right, 100).impacts().get(0).kind())
+        .isEqualTo(ObstacleKind.LINE);
+  }
+
+  @Test
+  void nearestAndOverlappingSeeAllUnlessTheyHaveAFilter() {
+    World world = asked();
+    Circle disk = new Circle(50, 50, 60);
+    Bounds box = new Bounds(-5, -5, 105, 105);
+    ObstacleKind[] kinds = ObstacleKind.values();
+    int[] seen = {0, 0, 0, 0};
+    int[] seenByB = {0, 0, -1, 0};
+    int[] seenByA = {-1, 0, 0, 0};
+    for (int k = 1; k < kinds.length; k++) {
+      assertThat(world.nearest(kinds[k], 0, 50)).isEqualTo(seen[k]);
+      assertThat(world.nearest(kinds[k], 0, 50, B, -1)).isEqualTo(seenByB[k]);
+      assertThat(world.nearest(kinds[k], 0, 50, A, -1)).isEqualTo(seenByA[k]);
+      assertThat(world.overlapping(kinds[k], disk)).hasSize(1);
+      assertThat(world.overlapping(kinds[k], box)).hasSize(1);
+      assertThat(world.overlapping(kinds[k], disk, B, -1)).hasSize(1 + seenByB[k]);
+      assertThat(world.overlapping(kinds[k], box, B, -1)).hasSize(1 + seenByB[k]);
+      assertThat(world.overlapping(kinds[k], disk, A, 0)).isEmpty();
+    }
+    assertThat(world.nearest(ObstacleKind.WALL, 0, 50)).isZero();
+    assertThat(world.nearest(ObstacleKind.WALL, 0, 50, A, -1)).isEqualTo(-1);
+    assertThat(world.overlapping(ObstacleKind.WALL, disk)).hasSize(4);
+    assertThat(world.overlapping(ObstacleKind.WALL, disk, A, -1)).isEmpty();
+  }
+
+  // Scenes.
+
+  @Test
+  void aSceneTellsTheFilters() {
+    Scene scene = asked().scene();
+    assertThat(scene.category(ObstacleKind.WALL, 3)).isEqualTo(1);
+    assertThat(scene.mask(ObstacleKind.WALL, 3)).isEqualTo(~A);
+    assertThat(scene.category(ObstacleKind.LINE, 0)).isEqualTo(A);
+    assertThat(scene.mask(ObstacleKind.LINE, 0)).isEqualTo(-1);
+    assertThat(scene.mask(ObstacleKind.PEG, 0)).isEqualTo(~B);
+    assertThat(scene.category(ObstacleKind.CIRCLE, 0)).isEqualTo(B);
+    assertThatThrownBy(() -> scene.mask(ObstacleKind.CIRCLE, 1))
+        .isInstanceOf(IndexOutOfBoundsException.class)
+        .hasMessage("circle 1 does not exist: the scene has 1 of them, from 0");
+    assertThatThrownBy(() -> Scene.builder().filter(1, 1))
+        .isInstanceOf(IllegalStateException.class)
+        .hasMessage("filter belongs to the thing added last: add one first");
+  }
+
+  @Test
+  void aFileHoldsTheFilters() throws IOException {
+    StringBuilder text = new StringBuilder();
+    asked().scene().write(text);
+    assertThat(text.toString())
+        .isEqualTo(
+            """
+            collide,1
+            wall,0.0,0.0,100.0,100.0,mask=-3
+            line,50.0,0.0,50.0,100.0,category=2
+            peg,70.0,50.0,5.0,mask=-5
+            circle,30.0,50.0,5.0,0.0,0.0,category=4
+            """);
+    Scene read = Scene.read(new StringReader(text.toString()), "it");
+    assertThat(read).isEqualTo(asked().scene()).hasSameHashCodeAs(asked().scene());
+    for (String row : text.toString().lines().skip(1).toList()) {
+      String without = text.toString().replace(row, row.replaceAll(",(category|mask)=.*", ""));
+      assertThat(Scene.read(new StringReader(without), "it")).as(row).isNotEqualTo(read);
+    }
+    for (int seed = 0; seed < 20; seed++) {
+      Scene scene = new Layers(seed, true).scene(BOTH);
+      StringBuilder out = new StringBuilder();
+      scene.write(out);
+      assertThat(Scene.read(new StringReader(out.toString()), "it")).isEqualTo(scene);
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "1.5, 'it:1:14: mask is \"1.5\": expected a whole number from -2147483648 to 2147483647'",
+    "4294967295, 'it:1:14: mask is \"4294967295\": expected a whole number from -2147483648 to"
+        + " 2147483647'"
+  })
+  void aMaskIsAnInt(String mask, String message) {
+    assertThatThrownBy(() -> Scene.read(new StringReader("peg,1,2,3.00,mask=" + mask), "it"))
+        .isInstanceOf(SceneFormatException.class)
+        .hasMessage(message);
+  }
+
+  @Test
+  void warningsAreSilentAboutWhatIsKeptApart() {
+    SceneBuilder builder =
+        box()
+            .collide(true)
+            .line(0, 0, 9, 0)
+            .filter(1, ~A)
+            .peg(0, 5, 1)
+            .filter(1, ~A)
+            .circle(0, 0, 10, 0, 0)
+            .filter(A, 1)
+            .circle(1, 1, 10, 0, 0)
+            .filter(B, -1);
+    assertThat(builder.build().warnings())
+        .extracting(text -> text.substring(0, text.indexOf(" is ")))
+        .containsExactly(
+            "circle 1: distance from the left wall",
+            "circle 1: distance from the bottom wall",
+            "circle 1: distance from line 0",
+            "circle 1: distance from peg 0");
+  }
+}
