@@ -52,8 +52,8 @@ public final class WorldScene {
    * @param world the world
    * @param past its timeline
    * @param t a time within the recording
-   * @return what was there then; masses, restitutions and responses are those of now, and what was
-   *     removed since has mass 1 and bounces elastically, from both sides
+   * @return what was there then; masses, restitutions, responses and filters are those of now, and
+   *     what was removed since has mass 1 and bounces elastically, from both sides
    * @throws IllegalArgumentException if the time is not within the recording
    */
   public static Scene of(World world, Timeline past, double t) {
@@ -116,6 +116,7 @@ public final class WorldScene {
   private void keep(ObstacleKind kind, int id) {
     if (world.contains(kind, id)) {
       builder.restitution(world.restitution(kind, id)).response(world.response(kind, id));
+      builder.filter(world.category(kind, id), world.mask(kind, id));
     }
   }
 }

@@ -46,7 +46,13 @@ final class Crossings {
         && world.contains(ObstacleKind.CIRCLE, j)
         && !isSensor(ObstacleKind.CIRCLE, i)
         && !isSensor(ObstacleKind.CIRCLE, j)
+        && Filters.meet(world, i, ObstacleKind.CIRCLE, j)
         && Math.min(world.mass(i), world.mass(j)) < Double.POSITIVE_INFINITY;
+  }
+
+  /** Whether an obstacle is there for the circle of a flight, and no sensor. */
+  private boolean isSolid(Flight f, ObstacleKind kind, int id) {
+    return !isSensor(kind, id) && Filters.meet(world, f.circle(), kind, id);
   }
 
   private boolean isSensor(ObstacleKind kind, int id) {
@@ -55,7 +61,7 @@ final class Crossings {
 
   private void checkLines(Flight f) throws FindingException {
     for (int id : world.ids(ObstacleKind.LINE)) {
-      if (!isSensor(ObstacleKind.LINE, id)) {
+      if (isSolid(f, ObstacleKind.LINE, id)) {
         Line line = world.line(id);
         if (!world.oneWay(id) || isFromTheLeft(f, line)) {
           check(f, line, f.radius(), "line " + id);
@@ -66,7 +72,7 @@ final class Crossings {
 
   private void checkPegs(Flight f) throws FindingException {
     for (int id : world.ids(ObstacleKind.PEG)) {
-      if (!isSensor(ObstacleKind.PEG, id)) {
+      if (isSolid(f, ObstacleKind.PEG, id)) {
         Circle peg = world.peg(id);
         Line centre = new Line(peg.x(), peg.y(), peg.x(), peg.y());
         check(f, centre, f.radius() + peg.radius(), "peg " + id);
@@ -118,7 +124,7 @@ final class Crossings {
   }
 
   private void checkWalls(Flight f) throws FindingException {
-    if (world.scene().bounds().isEmpty()) {
+    if (!Filters.areBound(world, f.circle())) {
       return;
     }
     Bounds b = world.scene().bounds().get();

@@ -33,7 +33,8 @@ final class LogCheck {
     double length = Math.hypot(log.nx(row), log.ny(row));
     boolean there =
         world.contains(ObstacleKind.CIRCLE, log.circle(row))
-            && world.contains(log.kind(row), log.id(row));
+            && world.contains(log.kind(row), log.id(row))
+            && Filters.meet(world, log.circle(row), log.kind(row), log.id(row));
     boolean numbers =
         Math.abs(length - 1) <= NORMAL
             && log.approachSpeed(row) >= 0

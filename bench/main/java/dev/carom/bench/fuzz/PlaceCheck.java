@@ -51,9 +51,9 @@ final class PlaceCheck {
     return beyond(world, id) <= (size <= Double.MAX_VALUE ? ULPS * Math.ulp(size) : 0);
   }
 
-  /** How far a circle is over a wall; less than 0 inside, and where there are no bounds. */
+  /** How far a circle is over a wall that it can meet; less than 0 inside, and without any. */
   static double beyond(World world, int id) {
-    if (world.scene().bounds().isEmpty()) {
+    if (!Filters.areBound(world, id)) {
       return Double.NEGATIVE_INFINITY;
     }
     Bounds b = world.scene().bounds().get();

@@ -37,6 +37,7 @@ final class Session {
   private final Random random;
   private final Numbers numbers;
   private final SessionScene draws;
+  private final Filters filters;
 
   /** Null for an ordinary scene. */
   private final EndScene ends;
@@ -54,7 +55,8 @@ final class Session {
     boolean crowded = Math.floorMod(seed, CROWDED) == CROWDED - 1;
     random = new Random(seed);
     numbers = new Numbers(random);
-    draws = new SessionScene(random, numbers, crowded);
+    filters = new Filters(~seed);
+    draws = new SessionScene(random, numbers, filters, crowded);
     boolean ordinary = Math.floorMod(seed, ENDS) > 0;
     edited = ordinary || random.nextInt(3) == 0;
     ends = ordinary ? null : endScene(Math.floorDiv(seed, ENDS));
@@ -91,6 +93,7 @@ final class Session {
         reload();
       } else if (edited && what >= (ends == null ? 12 : 17)) {
         edits.edit();
+        filters.edit(watch.world());
         watch.edited();
       } else if (ends == null) {
         step(numbers.duration());

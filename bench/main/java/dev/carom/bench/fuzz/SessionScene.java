@@ -17,6 +17,7 @@ final class SessionScene {
 
   private final Random random;
   private final Numbers numbers;
+  private final Filters filters;
   private final SceneBuilder builder = Scene.builder();
 
   /** Half of all scenes are elastic throughout, so that energy can be looked at. */
@@ -29,9 +30,10 @@ final class SessionScene {
   private final boolean masses;
   private final boolean crowded;
 
-  SessionScene(Random random, Numbers numbers, boolean crowded) {
+  SessionScene(Random random, Numbers numbers, Filters filters, boolean crowded) {
     this.random = random;
     this.numbers = numbers;
+    this.filters = filters;
     elastic = random.nextBoolean();
     bumpers = random.nextInt(6) == 0;
     traits = random.nextBoolean();
@@ -49,6 +51,7 @@ final class SessionScene {
       double unit = numbers.length();
       builder.bounds(0, 0, Numbers.WIDTH * unit, Numbers.HEIGHT * unit);
       builder.restitution(restitution());
+      filters.draw(builder);
     }
     int lines = random.nextInt(crowded ? CROWD : FEW);
     for (int i = 0; i < lines; i++) {
@@ -58,11 +61,13 @@ final class SessionScene {
       if (traits && random.nextInt(4) == 0) {
         builder.oneWay();
       }
+      filters.draw(builder);
     }
     int pegs = random.nextInt(4);
     for (int i = 0; i < pegs; i++) {
       builder.peg(numbers.x(), numbers.y(), numbers.pegRadius()).restitution(restitution());
       builder.response(response(ObstacleKind.PEG));
+      filters.draw(builder);
     }
     addCircles();
     return builder.build();
@@ -89,6 +94,7 @@ final class SessionScene {
       if (masses) {
         builder.mass(numbers.mass());
       }
+      filters.draw(builder);
     }
   }
 

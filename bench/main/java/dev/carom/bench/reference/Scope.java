@@ -5,7 +5,9 @@ import dev.carom.ObstacleKind;
 import dev.carom.Response;
 import dev.carom.Scene;
 
-/** Which scenes have a reference: those in which everything bounces, from both sides. */
+/**
+ * Which scenes have a reference: those in which everything bounces, from both sides, whoever comes.
+ */
 final class Scope {
 
   private Scope() {}
@@ -15,27 +17,32 @@ final class Scope {
       throw new IllegalArgumentException("frames is " + frames + ": expected at least 1");
     }
     if (scene.bounds().isPresent()) {
-      bounces("bounds", 0, scene.response(ObstacleKind.WALL, 0));
+      bounces("bounds", scene, ObstacleKind.WALL, 0);
     }
     for (int i = 0; i < scene.lineCount(); i++) {
-      bounces("line", i, scene.response(ObstacleKind.LINE, i));
+      bounces("line", scene, ObstacleKind.LINE, i);
       if (scene.oneWay(i)) {
         throw new IllegalArgumentException(
             "line " + i + " is one-way: a reference expects lines that are there from both sides");
       }
     }
     for (int i = 0; i < scene.pegCount(); i++) {
-      bounces("peg", i, scene.response(ObstacleKind.PEG, i));
+      bounces("peg", scene, ObstacleKind.PEG, i);
     }
     for (int i = 0; i < scene.circleCount(); i++) {
-      bounces("circle", i, scene.response(ObstacleKind.CIRCLE, i));
+      bounces("circle", scene, ObstacleKind.CIRCLE, i);
     }
   }
 
-  private static void bounces(String kind, int i, Response response) {
+  private static void bounces(String name, Scene scene, ObstacleKind kind, int i) {
+    Response response = scene.response(kind, i);
     if (response != Response.BOUNCE) {
       throw new IllegalArgumentException(
-          "%s %d has the response %s: a reference expects BOUNCE".formatted(kind, i, response));
+          "%s %d has the response %s: a reference expects BOUNCE".formatted(name, i, response));
+    }
+    if (scene.category(kind, i) != 1 || scene.mask(kind, i) != -1) {
+      throw new IllegalArgumentException(
+          "%s %d has a filter: a reference expects category 1 and mask -1".formatted(name, i));
     }
   }
 }

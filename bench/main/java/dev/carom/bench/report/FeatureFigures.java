@@ -24,6 +24,7 @@ public final class FeatureFigures {
     USES.put("few-lines", "walls and 8 lines, no grid");
     USES.put("lines", "walls and 100 lines, in a grid");
     USES.put("sensors", "walls and 100 lines that only report");
+    USES.put("masks", "100 lines in two layers, each circle in one");
     USES.put("recording", "100 lines, and the past is recorded");
     USES.put("steering", "100 lines, one velocity set a frame");
     USES.put("moving-line", "100 lines, one of them moved a frame");

@@ -90,6 +90,7 @@ public final class Features {
     uses.add(new Use("lines", canonical));
     int all = canonical.lineCount();
     uses.add(new Use("sensors", part(canonical, true, all, Response.SENSOR)));
+    uses.add(new Use("masks", masked(canonical)));
     uses.add(new Use("recording", canonical, true, (world, frame) -> {}));
     uses.add(new Use("steering", canonical, false, Features::steer));
     uses.add(new Use("moving-line", canonical, false, Features::move));
@@ -109,6 +110,23 @@ public final class Features {
     return circles(builder(whole, true).collide(true), whole);
   }
 
+  /** Two layers: each line, and each circle, is in one of them. */
+  private static Scene masked(Scene whole) {
+    SceneBuilder builder = builder(whole, true);
+    for (int k = 0; k < whole.lineCount(); k++) {
+      Line line = whole.line(k);
+      builder.line(line.ax(), line.ay(), line.bx(), line.by()).filter(layer(k), layer(k) | 1);
+    }
+    for (int i = 0; i < whole.circleCount(); i++) {
+      circle(builder, whole, i).filter(layer(i), layer(i) | 1);
+    }
+    return builder.build();
+  }
+
+  private static int layer(int i) {
+    return 2 << i % 2;
+  }
+
   private static SceneBuilder builder(Scene whole, boolean walls) {
     SceneBuilder builder = Scene.builder();
     if (walls) {
@@ -119,11 +137,15 @@ public final class Features {
 
   private static SceneBuilder circles(SceneBuilder builder, Scene whole) {
     for (int i = 0; i < whole.circleCount(); i++) {
-      Circle circle = whole.circle(i);
-      Vec2 v = whole.velocity(i);
-      builder.circle(circle.x(), circle.y(), circle.radius(), v.x(), v.y());
+      circle(builder, whole, i);
     }
     return builder;
+  }
+
+  private static SceneBuilder circle(SceneBuilder builder, Scene whole, int i) {
+    Circle circle = whole.circle(i);
+    Vec2 v = whole.velocity(i);
+    return builder.circle(circle.x(), circle.y(), circle.radius(), v.x(), v.y());
   }
 
   /** One circle a frame gets the opposite velocity. */

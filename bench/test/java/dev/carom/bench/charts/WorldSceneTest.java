@@ -18,14 +18,17 @@ class WorldSceneTest {
     return Scene.builder()
         .bounds(0, 0, 100, 60)
         .response(Response.HALT)
+        .filter(7, 6)
         .line(10, 10, 20, 20)
         .restitution(0.5)
         .oneWay()
+        .filter(4, -1)
         .peg(50, 50, 2)
         .response(Response.SENSOR)
         .circle(30, 30, 5, 1, 0)
         .mass(3)
         .restitution(0.25)
+        .filter(2, 3)
         .collide(true);
   }
 
@@ -45,6 +48,7 @@ class WorldSceneTest {
     world.setRestitution(ObstacleKind.PEG, 0, 2);
     world.setResponse(ObstacleKind.PEG, 0, Response.HALT);
     world.setRestitution(ObstacleKind.LINE, world.addLine(70, 10, 80, 10), 0.125);
+    world.setFilter(ObstacleKind.PEG, 0, 8, 9);
     world.remove(ObstacleKind.CIRCLE, 0);
     Scene now = WorldScene.of(world);
     assertThat(now.restitution(ObstacleKind.WALL, 0)).isEqualTo(0.75);
@@ -54,6 +58,9 @@ class WorldSceneTest {
     assertThat(now.restitution(ObstacleKind.LINE, 1)).isEqualTo(0.125);
     assertThat(now.restitution(ObstacleKind.PEG, 0)).isEqualTo(2);
     assertThat(now.response(ObstacleKind.PEG, 0)).isEqualTo(Response.HALT);
+    assertThat(now.category(ObstacleKind.PEG, 0)).isEqualTo(8);
+    assertThat(now.mask(ObstacleKind.PEG, 0)).isEqualTo(9);
+    assertThat(now.category(ObstacleKind.WALL, 0)).isEqualTo(7);
     assertThat(now.circleCount()).isZero();
 
     Scene then = WorldScene.of(world, past, 0.5);

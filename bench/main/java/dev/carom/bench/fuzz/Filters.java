@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.fuzz;
+
+import dev.carom.ObstacleKind;
+import dev.carom.SceneBuilder;
+import dev.carom.World;
+import java.util.Random;
+
+/**
+ * The filters of a session: drawn in one of three sessions, from numbers of their own. And which
+ * things can meet by them.
+ */
+final class Filters {
+
+  private final Random random;
+  private final boolean used;
+
+  Filters(long seed) {
+    random = new Random(seed);
+    used = random.nextInt(3) == 0;
+  }
+
+  /** Draws a filter for the thing added last, or leaves it the default. */
+  void draw(SceneBuilder builder) {
+    if (used && random.nextBoolean()) {
+      builder.filter(bits(), bits());
+    }
+  }
+
+  /** Each bit of three is set three times of four. */
+  private int bits() {
+    return random.ints(2, 0, 8).reduce(0, (a, b) -> a | b);
+  }
+
+  /** Now and then sets the filter of something. */
+  void edit(World world) {
+    ObstacleKind kind = ObstacleKind.values()[random.nextInt(4)];
+    int[] ids = world.ids(kind);
+    if (used && ids.length > 0 && random.nextInt(4) == 0) {
+      world.setFilter(kind, ids[random.nextInt(ids.length)], bits(), bits());
+    }
+  }
+
+  /** Whether a circle can meet something, which may be a circle. */
+  static boolean meet(World world, int circle, ObstacleKind kind, int id) {
+    int category = world.category(ObstacleKind.CIRCLE, circle);
+    int mask = world.mask(ObstacleKind.CIRCLE, circle);
+    return (category & world.mask(kind, id)) != 0 && (mask & world.category(kind, id)) != 0;
+  }
+
+  /** Whether the scene has bounds that a circle can meet. */
+  static boolean areBound(World world, int circle) {
+    return world.scene().bounds().isPresent() && meet(world, circle, ObstacleKind.WALL, 0);
+  }
+}
