@@ -57,7 +57,7 @@ import java.util.function.IntPredicate;
  *
  * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, budget, stuck
  * circles, infinite mass, accuracy. <a href="doc-files/recipes.html">Recipes</a>: frames and
- * netcode, a paddle, a piston, pockets, an aiming line, periodic cells.
+ * netcode, a paddle, a piston, pockets, teams, an aiming line, periodic cells.
  */
 public final class World {
 

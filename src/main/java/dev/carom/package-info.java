@@ -159,6 +159,9 @@
  *   <dt>budget
  *   <dd>The work that one step may do. If it is spent, the step returns false, unfinished: see <a
  *       href="doc-files/rules.html#unfinished">unfinished steps</a>.
+ *   <dt>filter
+ *   <dd>The category and the mask of a thing, which say what it can meet: see {@link
+ *       dev.carom.SceneBuilder#filter}.
  *   <dt>flight
  *   <dd>The straight motion of one circle between two impacts. An edit of the circle begins a new
  *       one.
