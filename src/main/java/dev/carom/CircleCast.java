@@ -30,20 +30,21 @@ final class CircleCast {
     return obstacle instanceof Endpoint end ? new Circle(end.x(), end.y(), 0) : (Circle) obstacle;
   }
 
-  static Optional<Impact> line(Circle c, Vec2 v, Line l, double maxTime) {
+  static Optional<Impact> line(Circle c, Vec2 v, Line l, Vec2 u, double maxTime) {
     int contact =
         SegmentSweep.contact(
-            c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by());
+            c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(), u.x(), u.y());
     double t =
         SegmentSweep.time(
             contact, c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(),
-            maxTime);
+            u.x(), u.y(), maxTime);
     if (t == NEVER) {
       return Optional.empty();
     }
     Hit hit =
         Hit.ofLine(
-            c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(), contact, t);
+            c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(), u.x(), u.y(),
+            contact, t);
     return Optional.of(impact(t, ObstacleKind.LINE, Impact.NO_ID, l, contact, hit));
   }
 

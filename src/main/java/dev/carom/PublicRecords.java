@@ -11,20 +11,20 @@ final class PublicRecords {
 
   private PublicRecords() {}
 
-  /** A line, or a peg, as it is now; of a wall, the bounds. */
-  static Obstacle of(ObstacleTable obstacles, int code) {
+  /** A line, or a peg, as it is at a time; of a wall, the bounds. */
+  static Obstacle of(ObstacleTable obstacles, int code, double now) {
     if (Codes.isWall(code)) {
       return bounds(obstacles.walls);
     }
-    return Codes.isLine(code) ? line(obstacles, code) : peg(obstacles, code);
+    return Codes.isLine(code) ? line(obstacles, code, now) : peg(obstacles, code, now);
   }
 
-  static Line line(ObstacleTable obstacles, int code) {
-    return line(obstacles.of(code).values, obstacles.of(code).offset(code));
+  static Line line(ObstacleTable obstacles, int code, double now) {
+    return line(obstacles.rowAt(code, now, 0), 0);
   }
 
-  static Circle peg(ObstacleTable obstacles, int code) {
-    return peg(obstacles.of(code).values, obstacles.of(code).offset(code));
+  static Circle peg(ObstacleTable obstacles, int code, double now) {
+    return peg(obstacles.rowAt(code, now, 0), 0);
   }
 
   /** The bounds with these walls; null for null. */

@@ -201,6 +201,21 @@ public final class Scene {
   }
 
   /**
+   * Returns the velocity of a circle or an obstacle at time 0.
+   *
+   * @param kind its kind
+   * @param i its id
+   * @return the velocity; (0, 0) for a wall, and for a line or a peg that does not move
+   * @throws IndexOutOfBoundsException if there is no such thing
+   */
+  public Vec2 velocity(ObstacleKind kind, int i) {
+    int code = Codes.of(kind.ordinal(), at(kind, i));
+    return kind == ObstacleKind.CIRCLE
+        ? velocity(i)
+        : new Vec2(data.obstacles.ux(code), data.obstacles.uy(code));
+  }
+
+  /**
    * Returns the mass of a circle. It has no effect as long as circles ignore each other.
    *
    * @param i its number, 0..{@link #circleCount()} - 1
@@ -219,7 +234,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int i) {
-    return PublicRecords.line(data.obstacles, Codes.line(at(ObstacleKind.LINE, i)));
+    return PublicRecords.line(data.obstacles, Codes.line(at(ObstacleKind.LINE, i)), 0);
   }
 
   /**
@@ -230,7 +245,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such peg
    */
   public Circle peg(int i) {
-    return PublicRecords.peg(data.obstacles, Codes.peg(at(ObstacleKind.PEG, i)));
+    return PublicRecords.peg(data.obstacles, Codes.peg(at(ObstacleKind.PEG, i)), 0);
   }
 
   /**
@@ -336,7 +351,7 @@ public final class Scene {
    */
   public Resolver resolver() {
     ObstacleTable obstacles = ObstacleTable.of(data);
-    return new Resolver(obstacles, code -> PublicRecords.of(obstacles, code));
+    return new Resolver(obstacles, code -> PublicRecords.of(obstacles, code, 0));
   }
 
   /**

@@ -173,6 +173,23 @@ public final class SceneBuilder {
   }
 
   /**
+   * Lets the line or the peg just added move with a constant velocity; without it, it rests.
+   *
+   * <p>Nothing deflects it, and it pushes the circles in its way: see {@link
+   * World#setVelocity(ObstacleKind, int, double, double) World.setVelocity}.
+   *
+   * @param vx the x component, finite
+   * @param vy the y component, finite
+   * @return this builder
+   * @throws IllegalArgumentException if a component is NaN or infinite
+   * @throws IllegalStateException if the thing added last is neither a line nor a peg
+   */
+  public SceneBuilder velocity(double vx, double vy) {
+    data.velocity(vx, vy);
+    return this;
+  }
+
+  /**
    * Sets the mass of the circle just added; without it, it is 1. Masses have no effect as long as
    * circles ignore each other.
    *

@@ -88,6 +88,40 @@ public final class SweptCircle {
   }
 
   /**
+   * Returns the time at which a moving circle hits a line that moves, too. What counts is the
+   * difference of the two velocities, taken exactly.
+   *
+   * @param px the x coordinate of the centre
+   * @param py the y coordinate of the centre
+   * @param r the radius
+   * @param vx the x component of the velocity
+   * @param vy the y component of the velocity
+   * @param ax the x coordinate of the line's start, at time 0 like all coordinates
+   * @param ay the y coordinate of the line's start
+   * @param bx the x coordinate of the line's end
+   * @param by the y coordinate of the line's end
+   * @param ux the x component of the line's velocity
+   * @param uy the y component of the line's velocity
+   * @param maxTime the end of the window
+   * @return the time of impact, {@code +infinity} = never
+   * @throws IllegalArgumentException if a number is outside its range
+   */
+  public static double movingLine(
+      double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
+      double by, double ux, double uy, double maxTime) {
+    if (!(0 * (px + py + r + vx + vy + ax + ay + bx + by + ux + uy) == 0
+        && r >= 0
+        && maxTime >= 0)) {
+      check(px, py, r, vx, vy, maxTime);
+      new Line(ax, ay, bx, by);
+      Check.finite("ux", ux);
+      Check.finite("uy", uy);
+    }
+    int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, ux, uy);
+    return SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, maxTime);
+  }
+
+  /**
    * Returns the time at which a moving circle hits a peg, or a single endpoint: a peg of radius 0.
    *
    * @param px the x coordinate of the centre
@@ -200,7 +234,7 @@ public final class SweptCircle {
     Check.notNull("obstacle", obstacle);
     Check.duration("maxTime", maxTime);
     if (obstacle instanceof Line line) {
-      return CircleCast.line(circle, velocity, line, maxTime);
+      return CircleCast.line(circle, velocity, line, Vec2.ZERO, maxTime);
     }
     if (obstacle instanceof Bounds bounds) {
       return CircleCast.bounds(circle, velocity, bounds, maxTime);
@@ -210,7 +244,30 @@ public final class SweptCircle {
   }
 
   /**
-   * Finds the first impact of two moving circles with each other.
+   * Finds the impact of a moving circle with a line that moves, too.
+   *
+   * @param circle the circle at the start of its motion
+   * @param velocity its velocity
+   * @param line the line at the same moment
+   * @param lineVelocity the velocity of the line
+   * @param maxTime the end of the window
+   * @return the impact, empty for a miss; its obstacle is the line as it was given, and its point is
+   *     where the two touch
+   * @throws IllegalArgumentException if maxTime is NaN or negative
+   */
+  public static Optional<Impact> cast(
+      Circle circle, Vec2 velocity, Line line, Vec2 lineVelocity, double maxTime) {
+    Check.notNull("circle", circle);
+    Check.notNull("velocity", velocity);
+    Check.notNull("line", line);
+    Check.notNull("lineVelocity", lineVelocity);
+    Check.duration("maxTime", maxTime);
+    return CircleCast.line(circle, velocity, line, lineVelocity, maxTime);
+  }
+
+  /**
+   * Finds the first impact of two moving circles with each other. A peg that moves is the second
+   * one.
    *
    * @param first the first circle at the start of its motion
    * @param v1 its velocity

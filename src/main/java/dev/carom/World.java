@@ -107,7 +107,7 @@ public final class World {
     obstacles = engine.staticScene.obstacles;
     ids = new Handles(registry, obstacles);
     editor = new Editor(data, engine, registry);
-    questions = new WorldQueries(engine, registry, data.collide);
+    questions = new WorldQueries(engine, registry, data.collide, this::now);
   }
 
   /**
@@ -335,7 +335,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int id) {
-    return PublicRecords.line(obstacles, code(ObstacleKind.LINE, id));
+    return PublicRecords.line(obstacles, code(ObstacleKind.LINE, id), now);
   }
 
   /**
@@ -346,7 +346,19 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such peg
    */
   public Circle peg(int id) {
-    return PublicRecords.peg(obstacles, code(ObstacleKind.PEG, id));
+    return PublicRecords.peg(obstacles, code(ObstacleKind.PEG, id), now);
+  }
+
+  /**
+   * Returns the velocity of a circle or an obstacle now.
+   *
+   * @param kind its kind
+   * @param id its id
+   * @return the velocity; (0, 0) for a wall, and for a line or a peg that does not move
+   * @throws IndexOutOfBoundsException if there is no such thing
+   */
+  public Vec2 velocity(ObstacleKind kind, int id) {
+    return questions.velocity(code(kind, id));
   }
 
   /**
@@ -573,7 +585,7 @@ public final class World {
     Check.notNegative("duration", duration);
     Check.notNegative("bounces", bounces);
     long filter = Filter.of(category, mask);
-    return questions.trace(circle, velocity, restitution, duration, bounces, filter);
+    return questions.trace(circle, velocity, restitution, duration, bounces, filter, now);
   }
 
   /**
@@ -752,6 +764,39 @@ public final class World {
   }
 
   /**
+   * Sets the velocity of a line, a peg or a circle, from now on.
+   *
+   * <p>A line or a peg then moves with this velocity until it is set again. Nothing deflects it: it
+   * passes through bounds and other obstacles, and pushes the circles in its way. Their velocity
+   * along the normal, relative to it, is reversed and scaled by the restitution. A circle that it
+   * squeezes is {@linkplain Outcome#JAMMED jammed}: see <a
+   * href="doc-files/rules.html#moving">moving obstacles</a>.
+   *
+   * <p>For a paddle that a player moves, set its velocity before each step to the way of this step
+   * over its duration.
+   *
+   * @param kind its kind: {@link ObstacleKind#LINE}, {@link ObstacleKind#PEG} or {@link
+   *     ObstacleKind#CIRCLE}
+   * @param id its id
+   * @param vx the x component, finite
+   * @param vy the y component, finite
+   * @throws IndexOutOfBoundsException if there is no such thing
+   * @throws IllegalArgumentException if a component is NaN or infinite, or the kind is {@link
+   *     ObstacleKind#WALL}: walls do not move
+   */
+  public void setVelocity(ObstacleKind kind, int id, double vx, double vy) {
+    int code = code(kind, id);
+    if (kind == ObstacleKind.WALL) {
+      throw Check.refused("kind", kind, "LINE, PEG or CIRCLE: walls do not move");
+    }
+    if (kind == ObstacleKind.CIRCLE) {
+      setVelocity(id, vx, vy);
+    } else {
+      editor.setObstacleVelocity(code, vx, vy, now);
+    }
+  }
+
+  /**
    * Sets the restitution of a circle or an obstacle, from now on. The restitution of an impact is
    * the product of those of the two parties.
    *
@@ -853,7 +898,8 @@ public final class World {
    * nothing on the way.
    *
    * <p>A circle that it then overlaps bounces if it approaches the line, and flies on otherwise. To
-   * push circles, see <a href="doc-files/recipes.html#piston">a piston</a>.
+   * push circles, {@linkplain #setVelocity(ObstacleKind, int, double, double) set a velocity}. A
+   * line that moves goes on from the new place.
    *
    * @param id the id of the line
    * @param ax the x coordinate of the start, finite

@@ -17,6 +17,7 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Index;
 import java.util.Optional;
+import java.util.function.DoubleSupplier;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
@@ -34,28 +35,33 @@ final class WorldQueries {
   private final CircleQueries queries;
   private final boolean collide;
 
-  WorldQueries(Engine engine, CircleRegistry registry, boolean collide) {
+  WorldQueries(Engine engine, CircleRegistry registry, boolean collide, DoubleSupplier clock) {
     this.registry = registry;
     this.collide = collide;
     staticScene = engine.staticScene;
     obstacles = staticScene.obstacles;
     circles = engine.circles;
-    proximity = new Proximity(obstacles);
+    proximity = new Proximity(obstacles, clock);
     queries = new CircleQueries(circles, registry);
   }
 
   Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime, double now, long filter) {
     MovingCircle mover = CircleCast.mover(circle, velocity, 1);
     mover.filter = filter;
-    Candidate obstacle = tracer(circle).first(mover, maxTime);
-    Candidate first = collide ? queries.first(mover, obstacle, maxTime, now) : obstacle;
-    return first == null ? Optional.empty() : Optional.of(impact(first, now));
+    obstacles.setEpoch(now);
+    try {
+      Candidate obstacle = tracer(circle).first(mover, maxTime);
+      Candidate first = collide ? queries.first(mover, obstacle, maxTime, now) : obstacle;
+      return first == null ? Optional.empty() : Optional.of(impact(first, now));
+    } finally {
+      obstacles.setEpoch(0);
+    }
   }
 
   private Impact impact(Candidate first, double now) {
     int code = first.code();
     if (!Codes.isCircle(code)) {
-      Obstacle thing = PublicRecords.of(obstacles, code);
+      Obstacle thing = PublicRecords.of(obstacles, code, 0);
       return CircleCast.impact(first, ObstacleKind.of(Codes.kind(code)), Codes.index(code), thing);
     }
     int slot = Codes.slot(code);
@@ -64,11 +70,22 @@ final class WorldQueries {
   }
 
   Trajectory trace(
-      Circle circle, Vec2 velocity, double restitution, double duration, int bounces, long filter) {
+      Circle circle,
+      Vec2 velocity,
+      double restitution,
+      double duration,
+      int bounces,
+      long filter,
+      double now) {
     MovingCircle mover = CircleCast.mover(circle, velocity, restitution);
     mover.filter = filter;
-    TracedPath path = tracer(circle).trace(mover, duration, bounces, Resolver.IMPACTS_PER_TRACE);
-    return Trajectory.of(path, code -> PublicRecords.of(obstacles, code));
+    obstacles.setEpoch(now);
+    try {
+      TracedPath path = tracer(circle).trace(mover, duration, bounces, Resolver.IMPACTS_PER_TRACE);
+      return Trajectory.of(path, code -> PublicRecords.of(obstacles, code, 0));
+    } finally {
+      obstacles.setEpoch(0);
+    }
   }
 
   private Tracer tracer(Circle circle) {
@@ -90,6 +107,12 @@ final class WorldQueries {
   IntPredicate met(int category, int mask) {
     long filter = Filter.of(category, mask);
     return code -> Filter.meet(filter, filter(code));
+  }
+
+  Vec2 velocity(int code) {
+    return Codes.isCircle(code)
+        ? new Vec2(circles.vx(Codes.slot(code)), circles.vy(Codes.slot(code)))
+        : new Vec2(obstacles.ux(code), obstacles.uy(code));
   }
 
   Response response(int code) {

@@ -144,8 +144,9 @@
  *   <li>Only circles move, and straight on between impacts. There is no rotation, friction,
  *       stacking, polygon or force. Gravity and steering are velocities that the caller sets
  *       between steps.
- *   <li>Lines and pegs do not move by themselves. Between steps they can be {@linkplain
- *       dev.carom.World#moveLine moved}, which pushes nothing. A circle of infinite mass pushes.
+ *   <li>Lines and pegs rest, or move with a {@linkplain dev.carom.World#setVelocity(ObstacleKind,
+ *       int, double, double) constant velocity} and push circles. They do not turn, and nothing
+ *       deflects them.
  *   <li>Nothing comes to rest by a threshold. A circle caught in a narrow place costs every one of
  *       its bounces. Where they would never end, the world stops them by a rule and reports it.
  *   <li>Every bounce off a curved obstacle magnifies the rounding errors before it.

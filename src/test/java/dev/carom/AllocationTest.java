@@ -83,6 +83,31 @@ class AllocationTest {
     assertThat(sum).isFinite();
   }
 
+  /** Lines and pegs that move, slowly, so that they stay among the circles. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void framesWithMovingObstaclesAllocateNothing(boolean collide)
+      throws ReflectiveOperationException {
+    Random random = new Random(3);
+    SceneBuilder builder = Scene.builder().collide(collide).bounds(0, 0, 400, 300);
+    for (int i = 0; i < 60; i++) {
+      double x = 400 * random.nextDouble();
+      double y = 300 * random.nextDouble();
+      builder.line(x, y, x + 10 * random.nextGaussian(), y + 10 * random.nextGaussian());
+      builder.velocity(0.001 * random.nextGaussian(), 0.001 * random.nextGaussian());
+      builder.peg(400 * random.nextDouble(), 300 * random.nextDouble(), 3).velocity(0, 0.001);
+      builder.circle(
+          400 * random.nextDouble(), 300 * random.nextDouble(), 1, random.nextGaussian(), 1);
+    }
+    World world = new World(builder.build());
+    frames(world, WARM_UP);
+    impacts = 0;
+    Meter meter = new Meter();
+    assertThat(measured(meter, () -> frames(world, 200))).isEqualTo(measured(meter, () -> {}));
+    assertThat(impacts).isGreaterThan(500);
+    assertThat(sum).isFinite();
+  }
+
   private static long measured(Meter meter, Runnable work) throws ReflectiveOperationException {
     long least = Long.MAX_VALUE;
     for (int i = 0; i < 3; i++) {

@@ -22,6 +22,9 @@ final class EditSession {
   /** What the filters are drawn from; null for a session without any. */
   private final Random masks;
 
+  /** What is drawn for obstacles that move; null if none does. */
+  private final Random motion;
+
   private final ThreeWorlds worlds;
   private final List<Snapshot> snapshots = new ArrayList<>();
   private final List<PlainWorld> plainSnapshots = new ArrayList<>();
@@ -36,13 +39,21 @@ final class EditSession {
    *
    * @param hard whether its numbers are {@link SessionNumbers.Hard}
    * @param masked whether circles and obstacles have filters
+   * @param moving whether lines and pegs move
    * @param length how many edits it has at most
    * @param mostImpacts a step of more ends it: the model would take minutes
    */
   EditSession(
-      long seed, boolean collide, boolean hard, boolean masked, int length, int mostImpacts) {
+      long seed,
+      boolean collide,
+      boolean hard,
+      boolean masked,
+      boolean moving,
+      int length,
+      int mostImpacts) {
     random = new Random(seed);
     masks = masked ? new Random(seed + 2) : null;
+    motion = moving ? new Random(seed + 1) : null;
     this.length = length;
     this.mostImpacts = mostImpacts;
     numbers = hard ? new SessionNumbers.Hard(random) : new SessionNumbers(random);
@@ -108,6 +119,9 @@ final class EditSession {
     while (done < length && !stuck) {
       if (masks != null && masks.nextInt(10) == 0) {
         setFilter();
+      }
+      if (motion != null && motion.nextInt(4) == 0) {
+        setObstacleInMotion();
       }
       act(random.nextInt(20));
       done++;
@@ -191,6 +205,17 @@ final class EditSession {
     double vx = numbers.speed();
     double vy = numbers.speed();
     worlds.edit(w -> w.setVelocity(id, vx, vy), p -> p.setVelocity(id, vx, vy));
+  }
+
+  /** Often to whole velocities, those of circles, or to rest. */
+  private void setObstacleInMotion() {
+    ObstacleKind kind = motion.nextBoolean() ? ObstacleKind.LINE : ObstacleKind.PEG;
+    int id = some(kind);
+    if (id >= 0) {
+      double vx = motion.nextInt(5) == 0 ? 0 : numbers.speed();
+      double vy = motion.nextInt(5) == 0 ? 0 : numbers.speed();
+      worlds.edit(w -> w.setVelocity(kind, id, vx, vy), p -> p.setVelocity(kind, id, vx, vy));
+    }
   }
 
   private void setProperties() {

@@ -20,39 +20,44 @@ class EditsTest {
   private static final int SEED = Integer.getInteger("carom.seed", 1);
 
   @Tag("long")
-  @ParameterizedTest(name = "collide {0}, hard {1}")
-  @CsvSource({"false, false", "true, false", "false, true", "true, true"})
-  void theWorldDoesWhatThePlainModelDoes(boolean collide, boolean hard) throws IOException {
+  @ParameterizedTest(name = "collide {0}, hard {1}, moving {2}")
+  @CsvSource({
+    "false, false, false", "true, false, false", "false, true, false", "true, true, false",
+    "false, false, true", "true, false, true", "false, true, true", "true, true, true"
+  })
+  void theWorldDoesWhatThePlainModelDoes(boolean collide, boolean hard, boolean moving)
+      throws IOException {
     int impacts = 0;
     int done = 0;
     int stuck = 0;
     int past = 0;
     for (int i = 0; done < EDITS; i++) {
       long seed = SEED * 1_000_003L + i * 500L;
-      EditSession session = session(seed, collide, hard, i % 2 == 1);
+      EditSession session = session(seed, collide, hard, i % 2 == 1, moving);
       try {
         impacts += session.run();
       } catch (AssertionError | RuntimeException e) {
         throw new AssertionError(
-            "session %d, collide %b, hard %b".formatted(seed, collide, hard), e);
+            "session %d, collide %b, hard %b, moving %b".formatted(seed, collide, hard, moving), e);
       }
       done += session.done();
       past += session.compared();
       stuck += session.isStuck() ? 1 : 0;
     }
     System.out.printf(
-        "%,d edits, steps, snapshots and restores, collide %b, hard %b: %,d impacts as in the"
-            + " plain model (%d sessions ended where a circle was stuck)%n",
-        done, collide, hard, impacts, stuck);
+        "%,d edits, steps, snapshots and restores, collide %b, hard %b, moving %b: %,d impacts as in"
+            + " the plain model (%d sessions ended where a circle was stuck)%n",
+        done, collide, hard, moving, impacts, stuck);
     assertThat(impacts).isGreaterThan(EDITS / 4);
     assertThat(past).isGreaterThan(EDITS);
   }
 
   /** Hard numbers keep circles busy: such sessions are short. */
-  private static EditSession session(long seed, boolean collide, boolean hard, boolean masked) {
+  private static EditSession session(
+      long seed, boolean collide, boolean hard, boolean masked, boolean moving) {
     return hard
-        ? new EditSession(seed, collide, true, masked, 120, 500)
-        : new EditSession(seed, collide, false, masked, 500, 5_000);
+        ? new EditSession(seed, collide, true, masked, moving, 120, 500)
+        : new EditSession(seed, collide, false, masked, moving, 500, 5_000);
   }
 
   /**
@@ -62,7 +67,7 @@ class EditsTest {
   @ParameterizedTest
   @CsvSource({"7022521, false", "7016021, true", "5386515, true"})
   void sessionsThatOnceDiffered(long seed, boolean collide) throws IOException {
-    assertThat(session(seed, collide, false, false).run()).isPositive();
+    assertThat(session(seed, collide, false, false, false).run()).isPositive();
   }
 
   /**
@@ -72,7 +77,7 @@ class EditsTest {
   @ParameterizedTest
   @ValueSource(longs = {18, 147, 245})
   void lateSessionsThatOnceDiffered(long seed) throws IOException {
-    assertThat(session(seed, true, true, false).run()).isPositive();
+    assertThat(session(seed, true, true, false, false).run()).isPositive();
   }
 
   /** Short ones, for who cannot wait for the long run. */
@@ -80,6 +85,6 @@ class EditsTest {
   @CsvSource({"1, false, false", "2, true, false", "3, false, true", "4, true, true"})
   void aSessionDoesWhatThePlainModelDoes(long seed, boolean collide, boolean masked)
       throws IOException {
-    assertThat(session(seed, collide, false, masked).run()).isPositive();
+    assertThat(session(seed, collide, false, masked, false).run()).isPositive();
   }
 }

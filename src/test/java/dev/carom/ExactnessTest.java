@@ -10,6 +10,7 @@ import dev.carom.oracle.Detector;
 import dev.carom.oracle.Families;
 import dev.carom.oracle.Family;
 import dev.carom.oracle.Judge;
+import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.Part;
 import dev.carom.oracle.SegmentQuery;
@@ -56,6 +57,11 @@ class ExactnessTest {
     judge(Families.all());
   }
 
+  @Test
+  void answersQueriesAboutMovingLines() {
+    judge(Families.ofMovingLines());
+  }
+
   /** Where a bound of rounding errors that were a bit too small would let a wrong answer pass. */
   @Test
   void answersQueriesOnTheBrink() {
@@ -98,6 +104,18 @@ class ExactnessTest {
               q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by(), q.end());
       Line line = new Line(q.ax(), q.ay(), q.bx(), q.by());
       return answer(time, cast(q.px(), q.py(), q.r(), q.vx(), q.vy(), line, q.end()));
+    }
+
+    @Override
+    public Answer movingLine(MovingLineQuery q) {
+      double time =
+          SweptCircle.movingLine(
+              q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by(), q.ux(), q.uy(),
+              q.end());
+      Line line = new Line(q.ax(), q.ay(), q.bx(), q.by());
+      Circle circle = new Circle(q.px(), q.py(), q.r());
+      Vec2 u = new Vec2(q.ux(), q.uy());
+      return answer(time, SweptCircle.cast(circle, new Vec2(q.vx(), q.vy()), line, u, q.end()));
     }
 
     @Override

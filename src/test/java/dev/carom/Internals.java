@@ -46,6 +46,6 @@ public final class Internals {
 
   /** The record of an obstacle. */
   public static Obstacle record(ObstacleTable obstacles, int code) {
-    return PublicRecords.of(obstacles, code);
+    return PublicRecords.of(obstacles, code, 0);
   }
 }

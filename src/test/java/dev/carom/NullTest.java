@@ -42,7 +42,7 @@ class NullTest {
         call("v2", () -> SweptCircle.cast(CIRCLE, V, CIRCLE, null, 1)),
         call("first", () -> SweptCircle.cast(null, V, CIRCLE, V, 1)),
         call("v1", () -> SweptCircle.cast(CIRCLE, null, CIRCLE, V, 1)),
-        call("second", () -> SweptCircle.cast(CIRCLE, V, null, V, 1)),
+        call("second", () -> SweptCircle.cast(CIRCLE, V, (Circle) null, V, 1)),
         call("circle", () -> SweptCircle.separation(null, CIRCLE)),
         call("other", () -> SweptCircle.separation(CIRCLE, (Circle) null)),
         call("circle", () -> SweptCircle.separation(null, LINE)),

@@ -4,6 +4,7 @@ package dev.carom;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.Part;
 import dev.carom.oracle.Query;
@@ -42,8 +43,8 @@ final class PatchedDetector {
 
   private PatchedDetector(Map<RoundingBound, Double> factors) {
     Loader loader = new Loader(factors);
-    lineContact = loader.handle(SegmentSweep.class, "contact", 9, 10);
-    lineTime = loader.handle(SegmentSweep.class, "time", 10, 10);
+    lineContact = loader.handle(SegmentSweep.class, "contact", 11, 12);
+    lineTime = loader.handle(SegmentSweep.class, "time", 12, 12);
     pairContact = loader.handle(DiskSweep.class, "contact", 10, 11);
     pairTime = loader.handle(DiskSweep.class, "time", 11, 11);
     bounds = loader.handle(SweptCircle.class, "bounds", 10, 10);
@@ -69,8 +70,11 @@ final class PatchedDetector {
   /** The numbers of a query in the order of the detector's arguments. */
   private static double[] arguments(Query query) {
     double[] n = query.numbers();
-    return query instanceof SegmentQuery
-        ? new double[] {n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], n[9]}
+    if (query instanceof SegmentQuery) {
+      return new double[] {n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], 0, 0, n[9]};
+    }
+    return query instanceof MovingLineQuery
+        ? new double[] {n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], n[9], n[10], n[11]}
         : n;
   }
 

@@ -92,7 +92,9 @@ public final class PlainWorld {
 
     @Override
     public int[] circlesNear(int i) {
-      return movers.stream().mapToInt(m -> m.id).filter(registry::contains).toArray();
+      return !collide
+          ? new int[0]
+          : movers.stream().mapToInt(m -> m.id).filter(registry::contains).toArray();
     }
 
     @Override
@@ -234,7 +236,7 @@ public final class PlainWorld {
   /** What the new flights do to jams. */
   private void settle(int result, MovingCircle... hit) {
     Collection<MovingCircle> changed = List.of(hit);
-    if (collide && result == ObstacleResponse.STUCK) {
+    if (result == ObstacleResponse.STUCK && (collide || obstacles.areMoving())) {
       changed = cluster.resolve(rows, hit);
       for (MovingCircle m : changed) {
         movers.set(m.id, m);
@@ -323,9 +325,7 @@ public final class PlainWorld {
     int code = MovingCircle.NOTHING;
     for (int k : codes()) {
       boolean there =
-          k != m.last
-              && (m.jam == null || !m.jam.makesInert(k))
-              && meets(m.id, obstacles.filter(k));
+          k != m.last && (m.jam == null || !m.jam.concerns(k)) && meets(m.id, obstacles.filter(k));
       double t = there ? sweep(m, k) : NEVER;
       boolean sensor = obstacles.isSensor(k);
       if (sensor && (t == 0 || met.get(m.id).contains(k))) {
@@ -344,10 +344,11 @@ public final class PlainWorld {
     }
     m.contact = 0;
     if (Codes.isLine(code)) {
-      int k = obstacles.of(code).offset(code);
-      double[] l = obstacles.lines.values;
+      double[] l = obstacles.rowAt(code, m.t, m.tl);
+      double ux = obstacles.ux(code);
+      double uy = obstacles.uy(code);
       m.contact =
-          SegmentSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, l[k], l[k + 1], l[k + 2], l[k + 3]);
+          SegmentSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, l[0], l[1], l[2], l[3], ux, uy);
     }
     double head = m.after(best);
     keep(head, m.afterTail(best, head), (long) code << 31 | m.id, m.id, -1, best);
@@ -373,23 +374,25 @@ public final class PlainWorld {
     if (Codes.isWall(code)) {
       return sweepWall(m, code);
     }
-    int k = obstacles.of(code).offset(code);
+    // Where a thing that moves was when the flight began.
+    double[] n = obstacles.rowAt(code, m.t, m.tl);
+    double ux = obstacles.ux(code);
+    double uy = obstacles.uy(code);
     if (Codes.isLine(code)) {
-      double[] l = obstacles.lines.values;
-      if (obstacles.isOneWay(code) && !isStopped(m, l[k], l[k + 1], l[k + 2], l[k + 3])) {
+      if (obstacles.isOneWay(code) && !isStopped(m, n[0], n[1], n[2], n[3], ux, uy)) {
         return NEVER;
       }
-      return SweptCircle.line(
-          m.x, m.y, m.radius, m.vx, m.vy, l[k], l[k + 1], l[k + 2], l[k + 3], NEVER);
+      return SweptCircle.movingLine(
+          m.x, m.y, m.radius, m.vx, m.vy, n[0], n[1], n[2], n[3], ux, uy, NEVER);
     }
-    double[] p = obstacles.ofKind(Kind.PEG).values;
-    return SweptCircle.peg(m.x, m.y, m.radius, m.vx, m.vy, p[k], p[k + 1], p[k + 2], NEVER);
+    return SweptCircle.pair(m.x, m.y, m.radius, m.vx, m.vy, n[0], n[1], n[2], ux, uy, NEVER);
   }
 
   /** Whether the centre is left of a line and goes to its right: a point's path from there on. */
-  private static boolean isStopped(MovingCircle m, double ax, double ay, double bx, double by) {
+  private static boolean isStopped(
+      MovingCircle m, double ax, double ay, double bx, double by, double ux, double uy) {
     int side = Exact.cross(bx, by, ax, ay, m.x, m.y, ax, ay).sign();
-    int drift = Exact.cross(bx, by, ax, ay, m.vx, m.vy, 0, 0).sign();
+    int drift = Exact.cross(bx, by, ax, ay, m.vx, m.vy, ux, uy).sign();
     return side > 0 && drift < 0;
   }
 
@@ -452,10 +455,12 @@ public final class PlainWorld {
     long filter = Filter.of(category, mask);
     MovingCircle m = CircleCast.mover(circle, v, 1);
     double first = NEVER;
+    obstacles.setEpoch(now);
     for (int code : codes()) {
       boolean there = !obstacles.isSensor(code) && meet(filter, obstacles.filter(code));
       first = Math.min(first, there ? sweep(m, code) : NEVER);
     }
+    obstacles.setEpoch(0);
     for (MovingCircle other : movers) {
       boolean there =
           collide
@@ -539,13 +544,20 @@ public final class PlainWorld {
   }
 
   void moveLine(int id, double ax, double ay, double bx, double by) {
-    obstacles.move(Codes.line(id), ax, ay, bx, by);
+    obstacles.move(Codes.line(id), now, ax, ay, bx, by);
     appear(Codes.line(id));
   }
 
   void movePeg(int id, double x, double y, double radius) {
-    obstacles.move(Codes.peg(id), x, y, radius);
+    obstacles.move(Codes.peg(id), now, x, y, radius);
     appear(Codes.peg(id));
+  }
+
+  /** Lets a line or a peg move. */
+  void setVelocity(ObstacleKind kind, int id, double vx, double vy) {
+    int code = Codes.of(kind.ordinal(), id);
+    obstacles.setVelocity(code, vx, vy, now);
+    appear(code);
   }
 
   void remove(ObstacleKind kind, int id) {

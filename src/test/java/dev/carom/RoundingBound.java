@@ -6,6 +6,7 @@ import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.SideSweep;
 import dev.carom.internal.sweep.TimeOfImpact;
 import dev.carom.internal.sweep.WallSweep;
+import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.Query;
 import dev.carom.oracle.SegmentQuery;
@@ -108,7 +109,7 @@ enum RoundingBound {
     if (owner == Predicates.class) {
       return !(query instanceof WallQuery);
     }
-    return query instanceof SegmentQuery
+    return query instanceof SegmentQuery || query instanceof MovingLineQuery
         ? owner != WallSweep.class
         : query instanceof PairQuery ? owner == TimeOfImpact.class : owner == WallSweep.class;
   }

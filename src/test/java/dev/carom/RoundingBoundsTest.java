@@ -51,6 +51,7 @@ class RoundingBoundsTest {
   @Test
   void everyBoundHoldsAndIsNeeded() {
     List<Family> families = new ArrayList<>(Families.all());
+    families.addAll(Families.ofMovingLines());
     families.addAll(Brinks.all());
     long chunks = Math.max(1, QUERIES / families.size() / CHUNK);
     for (long chunk = 0; chunk < chunks; chunk++) {

@@ -151,8 +151,8 @@ class SceneFormatExceptionTest {
         "line,1,2,3,4,=1 | 14 | ``",
       })
   void unknownKey(String row, int column, String key) {
-    String last = row.startsWith("line") ? ", mask=INTEGER or oneway=0|1" : " or mask=INTEGER";
-    String keys = "restitution=NUMBER, response=WORD, category=INTEGER" + last;
+    String keys = "restitution=NUMBER, response=WORD, category=INTEGER, mask=INTEGER, vx=NUMBER";
+    keys += row.startsWith("line") ? ", vy=NUMBER or oneway=0|1" : " or vy=NUMBER";
     assertRefused(row, column, "key \"" + key + "\" is unknown: expected " + keys);
   }
 

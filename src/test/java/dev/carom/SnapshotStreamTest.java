@@ -48,6 +48,7 @@ class SnapshotStreamTest {
   private static final int STUCK = LAST + 4;
   private static final int PACE = LAST + 16;
   private static final int TAIL_OF_EDIT = ID + 2 * 125 + 1;
+  private static final int MOTIONS = TAIL_OF_EDIT + 8;
 
   private static byte[] bytes(Snapshot snapshot) throws IOException {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
@@ -60,12 +61,19 @@ class SnapshotStreamTest {
   }
 
   private static byte[] small() throws IOException {
+    return small(0);
+  }
+
+  /** A line and a peg that move with a velocity, and two circles. */
+  private static byte[] small(double velocity) throws IOException {
     World world =
         new World(
             Scene.builder()
                 .bounds(0, 0, 100, 100)
                 .line(10, 20, 30, 40)
+                .velocity(velocity, 0)
                 .peg(50, 50, 5)
+                .velocity(0, velocity)
                 .circle(70, 70, 3, 1, -2)
                 .circle(20, 80, 3, 1, -2)
                 .build());
@@ -307,7 +315,8 @@ class SnapshotStreamTest {
         LARGEST + " | -5 | largest coordinate is -5.0",
         LARGEST
             + " | 1e15 | least radius is 3.0: expected 2^10 ulps of the largest coordinate, 1.0E15",
-        LARGEST + " | 30 | coordinate is 50.0: expected at most 30.0",
+        LARGEST
+            + " | 30 | coordinate is 50.0: expected at most the stored largest coordinate, 30.0",
         LEAST + " | 0 | least radius is 0.0: expected 2^10 ulps of the largest coordinate, 100.0",
         LEAST + " | 4 | radius is 3.0: expected at least 4.0",
         LEAST + " | NaN | least radius is NaN",
@@ -411,6 +420,46 @@ class SnapshotStreamTest {
     Snapshot snapshot = read(small());
     snapshot.state.flights().jams = new IgnoreList[] {null, IgnoreList.with(null, 77)};
     assertRefused(bytes(snapshot), "code 77 does not exist");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "0 | 3 | count is 3: expected 0 to 2",
+        "4 | 0 | code 0 does not exist",
+        "4 | 5 | code 5 does not exist",
+        "4 | 268435456 | code 268435456 does not exist", // before itself
+        "4 | 536870912 | code 536870912 does not exist",
+        "32 | 4 | code 4 does not exist", // a second time
+      })
+  void codesOfMovingObstaclesThatMakeNoSenseAreRefused(int at, int number, String message)
+      throws IOException {
+    byte[] bytes = small(0.125);
+    ByteBuffer.wrap(bytes).putInt(MOTIONS + at, number);
+    assertRefused(bytes, message);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "8 | NaN | vx is NaN",
+        "16 | Infinity | vy is Infinity",
+        "24 | -1 | an obstacle moves since -1.0",
+        "24 | 41 | an obstacle moves since 41.0",
+      })
+  void motionsThatMakeNoSenseAreRefused(int at, double number, String message) throws IOException {
+    byte[] bytes = small(0.125);
+    ByteBuffer.wrap(bytes).putDouble(MOTIONS + at, number);
+    assertRefused(bytes, message);
+  }
+
+  @Test
+  void whatRestsCrushesNothing() throws IOException {
+    Snapshot snapshot = read(small());
+    snapshot.state.flights().jams = new IgnoreList[] {null, IgnoreList.crushedBy(null, 4)};
+    assertRefused(bytes(snapshot), "code 4 does not exist");
   }
 
   @Test

@@ -5,6 +5,11 @@ package dev.carom.oracle;
 public interface Detector {
   Answer line(SegmentQuery query);
 
+  /** A line that moves; not every detector knows one. */
+  default Answer movingLine(MovingLineQuery query) {
+    throw new UnsupportedOperationException("lines do not move here");
+  }
+
   Answer pair(PairQuery query);
 
   Answer bounds(WallQuery query);

@@ -56,4 +56,12 @@ public final class Families {
         new Family("wall_lattice", WallFamilies::lattice),
         new Family("wall_corner", WallFamilies::corner));
   }
+
+  /** The kinds of queries about a line that moves. */
+  public static List<Family> ofMovingLines() {
+    return all().stream()
+        .filter(family -> family.name().startsWith("seg_"))
+        .map(MovingLineQuery::of)
+        .toList();
+  }
 }

@@ -33,6 +33,9 @@ final class Mirror {
     if (query instanceof SegmentQuery) {
       return new int[] {0, 2, 4, 7};
     }
+    if (query instanceof MovingLineQuery) {
+      return new int[] {0, 2, 4, 7, 9};
+    }
     return query instanceof PairQuery ? new int[] {0, 3, 5, 8} : new int[] {0, 3, 5, 7};
   }
 

@@ -22,6 +22,15 @@ public final class Oracle {
     return new LineContact(p.minus(a), w, v, Dyadic.of(q.r())).first().within(q.end());
   }
 
+  /** A circle against a line a-b, both moving. */
+  public static Contact movingLine(MovingLineQuery q) {
+    Vector p = Vector.of(q.px(), q.py());
+    Vector a = Vector.of(q.ax(), q.ay());
+    Vector w = Vector.of(q.bx(), q.by()).minus(a);
+    Vector v = Vector.of(q.vx(), q.vy()).minus(Vector.of(q.ux(), q.uy()));
+    return new LineContact(p.minus(a), w, v, Dyadic.of(q.r())).first().within(q.end());
+  }
+
   /** Two moving circles; the second may rest, then it is a peg. */
   public static Contact pair(PairQuery q) {
     Vector e = Vector.of(q.x1(), q.y1()).minus(Vector.of(q.x2(), q.y2()));

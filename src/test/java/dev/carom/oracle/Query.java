@@ -6,7 +6,7 @@ import java.util.StringJoiner;
 import java.util.stream.DoubleStream;
 
 /** A question about contact: doubles, taken as exact real numbers. */
-public sealed interface Query permits SegmentQuery, PairQuery, WallQuery {
+public sealed interface Query permits SegmentQuery, MovingLineQuery, PairQuery, WallQuery {
 
   /** The exact answer. */
   Contact truth();

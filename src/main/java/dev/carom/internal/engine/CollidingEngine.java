@@ -45,9 +45,6 @@ public final class CollidingEngine extends Engine {
   private final ContactCluster cluster;
   private EventScheduler scheduler;
 
-  /** The time of the last event, or of the end of the last step. */
-  private double reached;
-
   /**
    * The time of the last cell crossing. If it is also the time of the last event, the true crossing
    * may be slightly later by rounding. Then some circles are already in the cells of that later
@@ -110,9 +107,9 @@ public final class CollidingEngine extends Engine {
   @Override
   public double advanceToImpact(double end) {
     stopsAtImpact = true;
-    double reached = advance(end);
+    double time = advance(end);
     stopsAtImpact = false;
-    return reached;
+    return time;
   }
 
   private void stopAt(double head, double tail) {
@@ -123,7 +120,7 @@ public final class CollidingEngine extends Engine {
   public double advance(double last) {
     unfinished = false;
     end = last;
-    prepare();
+    prepare(last);
     nothingInside = staticScene.obstacles.size() == 0;
     if (outgrown) {
       outgrown = false;
@@ -498,7 +495,6 @@ public final class CollidingEngine extends Engine {
 
   @Override
   public void restore(SavedFlights flights, double now) {
-    reached = now;
     outgrown = true;
     sensed.clear();
     super.restore(flights, now);

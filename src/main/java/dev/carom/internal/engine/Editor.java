@@ -235,8 +235,23 @@ public final class Editor {
     ObstacleRows rows = obstacles.of(code);
     check(rows, code);
     engine.forget(code);
-    obstacles.move(code, numbers);
+    obstacles.move(code, now, numbers);
     keepPlace(rows);
+    engine.appeared(code, now);
+  }
+
+  /** Lets a line or a peg move with a velocity, from now on. */
+  public void setObstacleVelocity(int code, double vx, double vy, double now) {
+    try {
+      checkVelocity(vx, vy);
+    } catch (IllegalArgumentException e) {
+      throw named(e, code);
+    }
+    if (!obstacles.moves(code)) {
+      engine.staticScene.forgetGrids(); // it is in them
+    }
+    engine.forget(code);
+    obstacles.setVelocity(code, vx, vy, now);
     engine.appeared(code, now);
   }
 

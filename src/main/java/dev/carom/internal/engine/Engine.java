@@ -26,6 +26,9 @@ public abstract class Engine {
   final ObstacleResponse response;
   final ImpactRows log;
 
+  /** The time of the last event, or of the end of the last step. */
+  double reached;
+
   /** Whether the last {@link #advance} exhausted the budget. */
   public boolean unfinished;
 
@@ -85,9 +88,10 @@ public abstract class Engine {
   /** Stores a circle whose prediction was shortened. */
   abstract void store(int i, MovingCircle m);
 
-  /** Rebuilds grids that edits have made inefficient. */
-  final void prepare() {
+  /** Prepares the search structures for a step that ends at a given time. */
+  final void prepare(double end) {
     staticScene.prepare(circles, registry);
+    staticScene.search.beginStep(reached, end);
   }
 
   // Lines and pegs.
@@ -167,6 +171,7 @@ public abstract class Engine {
 
   /** Replaces all flights by saved ones, which are those of the circles in the registry. */
   public void restore(SavedFlights flights, double now) {
+    reached = now;
     circles.clear();
     MovingCircle m = circles.mover;
     for (int i = 0; i < flights.count(); i++) {

@@ -2,13 +2,16 @@
 package dev.carom.internal.engine;
 
 import dev.carom.internal.exact.ExactBudget;
+import dev.carom.internal.response.ContactCluster;
 import dev.carom.internal.response.ObstacleResponse;
+import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.DueTimes;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.UndoLog;
 
@@ -35,6 +38,9 @@ public final class IndependentEngine extends Engine {
 
   private final UndoLog undoLog;
   private final DuePrefetcher prefetcher;
+
+  /** Null until it is needed. */
+  private ContactCluster cluster;
 
   /** Impacts made in this pass, and exact work in units of impacts. */
   private long spent;
@@ -67,10 +73,10 @@ public final class IndependentEngine extends Engine {
    */
   @Override
   public double advance(double end) {
-    prepare();
+    prepare(end);
     undoLog.clear();
     unfinished = false;
-    double reached = end;
+    reached = end;
     double goal;
     do {
       goal = reached;
@@ -88,7 +94,7 @@ public final class IndependentEngine extends Engine {
 
   @Override
   public double advanceToImpact(double end) {
-    prepare();
+    prepare(end);
     return advance(Math.min(end, nextImpact(end)));
   }
 
@@ -158,7 +164,11 @@ public final class IndependentEngine extends Engine {
           return reached;
         }
         reached = due; // a sensor begins no new flight
-        if (response.resolve(m, log) != ObstacleResponse.SENSED && recorder != null) {
+        int result = response.resolve(m, log);
+        if (result == ObstacleResponse.STUCK && staticScene.obstacles.areMoving()) {
+          cluster().resolve(log, m);
+        }
+        if (result != ObstacleResponse.SENSED && recorder != null) {
           recorder.note(m);
         }
         impacts++;
@@ -168,6 +178,35 @@ public final class IndependentEngine extends Engine {
     } while (due <= end);
     spent += impacts + work.impactsSince(before);
     return Double.POSITIVE_INFINITY;
+  }
+
+  /** Resolves what a moving obstacle squeezes. */
+  private ContactCluster cluster() {
+    if (cluster == null) {
+      PairResponse pairs = new PairResponse(registry);
+      ObstacleTable obstacles = staticScene.obstacles;
+      cluster = new ContactCluster(registry, pairs, response, obstacles, new Solitude());
+    }
+    return cluster;
+  }
+
+  /** No circle is near another one: they ignore each other. */
+  private final class Solitude implements ContactCluster.Vicinity {
+
+    @Override
+    public int[] circlesNear(int i) {
+      return new int[0];
+    }
+
+    @Override
+    public MovingCircle copyOf(int i) {
+      throw new AssertionError("circle " + i + " ignores all others");
+    }
+
+    @Override
+    public int[] obstaclesNear(MovingCircle m) {
+      return staticScene.near(m);
+    }
   }
 
   @Override

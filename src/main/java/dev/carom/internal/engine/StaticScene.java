@@ -106,7 +106,9 @@ public final class StaticScene {
 
   /** Updates the grids and the search after a line or a peg was added, changed or removed. */
   public void changed(int code) {
-    grids.changed(code);
+    if (!obstacles.moves(code)) { // what moves is in no grid
+      grids.changed(code);
+    }
     search.lookAgain(code);
   }
 
@@ -119,12 +121,17 @@ public final class StaticScene {
     }
   }
 
+  /** Drops all grids: the next step makes new ones. */
+  void forgetGrids() {
+    grids.forget();
+    shared = null;
+    own = null;
+  }
+
   /** Replaces the obstacles. */
   public void restore(ObstacleTable other) {
     if (!obstacles.equals(other)) {
-      grids.forget();
-      shared = null;
-      own = null;
+      forgetGrids();
     }
     obstacles.set(other);
     search.lookAgainAtAll();

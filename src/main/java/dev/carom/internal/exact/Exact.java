@@ -31,9 +31,9 @@ public final class Exact {
   }
 
   public static Dyadic corner(
-      int side, double px, double py, double ax, double ay, double vx, double vy, double bx,
-      double by, double cx, double cy, double r) {
-    Vector v = vector(vx, vy, 0, 0);
+      int side, double px, double py, double ax, double ay, double vx, double vy, double ux,
+      double uy, double bx, double by, double cx, double cy, double r) {
+    Vector v = vector(vx, vy, ux, uy);
     Vector w = vector(bx, by, cx, cy);
     Dyadic x = signed(-side, cross(vector(px, py, ax, ay), v)).signedSquare();
     Dyadic y = dot(v, w).times(Dyadic.of(r)).signedSquare();
@@ -128,15 +128,23 @@ public final class Exact {
     }
   }
 
-  /** A moving disk against the side of a line: c = cross(w, d), cv = cross(w, v). */
+  /** A moving disk against the side of a line: c = cross(w, d), cv = cross(w, v - u). */
   public record Side(Dyadic c, Dyadic cv, Dyadic scaledSquare) {
 
+    /** Of a line at rest. */
     public static Side of(
         double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
         double by) {
+      return of(px, py, r, vx, vy, ax, ay, bx, by, 0, 0);
+    }
+
+    /** Of a line that moves with the velocity u. */
+    public static Side of(
+        double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
+        double by, double ux, double uy) {
       Vector w = vector(bx, by, ax, ay);
       Dyadic c = cross(w, vector(px, py, ax, ay));
-      Dyadic cv = cross(w, vector(vx, vy, 0, 0));
+      Dyadic cv = cross(w, vector(vx, vy, ux, uy));
       return new Side(c.abs(), cv.abs(), w.square().times(Dyadic.of(r).square()));
     }
 

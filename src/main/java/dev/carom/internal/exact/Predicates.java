@@ -147,28 +147,34 @@ public final class Predicates {
   }
 
   /**
-   * The sign of -side cross(d, v) |w| - r (v.w) for d = p - a, w = b - c: on which side of the
-   * corner {@code a + side r n}, n the unit left normal of w, the path from p along v passes. Both
-   * terms are squared with their signs, x |x|, which keeps their order and needs no root.
+   * The sign of -side cross(d, s) |w| - r (s.w) for d = p - a, s = v - u, w = b - c: on which side
+   * of the corner {@code a + side r n}, n the unit left normal of w, the path from p along s
+   * passes. Both terms are squared with their signs, x |x|, which keeps their order and needs no
+   * root.
    */
   public static int corner(
-      int side, double px, double py, double ax, double ay, double vx, double vy, double bx,
-      double by, double cx, double cy, double r) {
+      int side, double px, double py, double ax, double ay, double vx, double vy, double ux,
+      double uy, double bx, double by, double cx, double cy, double r) {
+    double sx = vx - ux;
+    double sy = vy - uy;
+    double sxl = differenceTail(vx, ux, sx);
+    double syl = differenceTail(vy, uy, sy);
     double dx = px - ax;
     double dy = py - ay;
     double wx = bx - cx;
     double wy = by - cy;
     double wxl = differenceTail(bx, cx, wx);
     double wyl = differenceTail(by, cy, wy);
-    // x = -side cross(d, v)
-    double x0 = dx * vy - dy * vx;
+    // x = -side cross(d, s)
+    double x0 = dx * sy - dy * sx;
     double x1 =
-        crossTail(dx, differenceTail(px, ax, dx), dy, differenceTail(py, ay, dy), vx, 0, vy, 0, x0);
+        crossTail(
+            dx, differenceTail(px, ax, dx), dy, differenceTail(py, ay, dy), sx, sxl, sy, syl, x0);
     double x = x0 + x1;
     double xl = sumTail(x0, x1, x);
-    // y = v.w = cross(v, (-wy, wx))
-    double y0 = vx * wx - vy * -wy;
-    double y1 = crossTail(vx, 0, vy, 0, -wy, -wyl, wx, wxl, y0);
+    // y = s.w = cross(s, (-wy, wx))
+    double y0 = sx * wx - sy * -wy;
+    double y1 = crossTail(sx, sxl, sy, syl, -wy, -wyl, wx, wxl, y0);
     double y = y0 + y1;
     double yl = sumTail(y0, y1, y);
     // f = x |x| |w|^2, g = r^2 y |y|
@@ -187,8 +193,8 @@ public final class Predicates {
     double sf = -side * Math.signum(x);
     double sg = -Math.signum(y);
     double value = sf * f + sg * g;
-    double mx = Math.abs(dx * vy) + Math.abs(dy * vx);
-    double my = Math.abs(vx * wx) + Math.abs(vy * wy);
+    double mx = Math.abs(dx * sy) + Math.abs(dy * sx);
+    double my = Math.abs(sx * wx) + Math.abs(sy * wy);
     int sign =
         decided(
             value + (sumTail(sf * f, sg * g, value) + (sf * fl + sg * gl)),
@@ -196,7 +202,7 @@ public final class Predicates {
             Math.max(Math.max(mx * mx, ww), Math.max(rr, my * my)));
     return sign != UNDECIDED
         ? sign
-        : Exact.corner(side, px, py, ax, ay, vx, vy, bx, by, cx, cy, r).sign();
+        : Exact.corner(side, px, py, ax, ay, vx, vy, ux, uy, bx, by, cx, cy, r).sign();
   }
 
   /** The tail of |p|^2 for its head h = fl(fl(px px) + fl(py py)). */

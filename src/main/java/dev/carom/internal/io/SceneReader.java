@@ -25,6 +25,11 @@ final class SceneReader {
   private int[] radiusPlaces = new int[32];
 
   private int circles;
+
+  /** The velocity that the options of a row give. */
+  private double vx;
+
+  private double vy;
   private int wallLine;
   private int collideLine;
 
@@ -112,6 +117,8 @@ final class SceneReader {
   }
 
   private void options(SceneRow row) throws RowException {
+    vx = 0;
+    vy = 0;
     for (int i = row.plain(); i < row.size(); i++) {
       if (row.kind() == SceneRowKind.COLLIDE) {
         throw row.error(i, SceneText.quoted(row.field(i)) + " is out of place: expected no more");
@@ -122,6 +129,9 @@ final class SceneReader {
         }
       }
       option(row, i);
+    }
+    if (vx != 0 || vy != 0) {
+      builder.velocity(vx, vy);
     }
   }
 
@@ -135,15 +145,16 @@ final class SceneReader {
       builder.category(bits(row, i));
     } else if (key.equals("mask")) {
       builder.mask(bits(row, i));
+    } else if (key.equals("vx") && moves(row)) {
+      vx = row.option(i);
+    } else if (key.equals("vy") && moves(row)) {
+      vy = row.option(i);
     } else if (key.equals("oneway") && row.kind() == SceneRowKind.LINE) {
       if (flag(row, i, "oneway", row.value(i))) {
         builder.oneWay();
       }
     } else {
-      String last =
-          row.kind() == SceneRowKind.LINE ? ", mask=INTEGER or oneway=0|1" : " or mask=INTEGER";
-      String keys = "restitution=NUMBER, response=WORD, category=INTEGER" + last;
-      throw row.error(i, "key " + SceneText.quoted(key) + " is unknown: expected " + keys);
+      throw row.error(i, "key " + SceneText.quoted(key) + " is unknown: expected " + keys(row));
     }
   }
 
@@ -155,6 +166,21 @@ final class SceneReader {
       String reason = row.key(i) + " is " + SceneText.quoted(row.value(i)) + ": expected ";
       throw row.error(i, reason + "a whole number from -2147483648 to 2147483647");
     }
+  }
+
+  /** What messages say is expected of a key. */
+  private static String keys(SceneRow row) {
+    String all = "restitution=NUMBER, response=WORD, category=INTEGER";
+    return switch (row.kind()) {
+      case LINE -> all + ", mask=INTEGER, vx=NUMBER, vy=NUMBER or oneway=0|1";
+      case PEG -> all + ", mask=INTEGER, vx=NUMBER or vy=NUMBER";
+      default -> all + " or mask=INTEGER";
+    };
+  }
+
+  /** Whether the things of a kind of rows may have a velocity as an option. */
+  private static boolean moves(SceneRow row) {
+    return row.kind() == SceneRowKind.LINE || row.kind() == SceneRowKind.PEG;
   }
 
   private static int response(SceneRow row, int i) throws RowException {

@@ -34,6 +34,7 @@ final class SceneWriter {
       for (int code = rows.first(); code < rows.end; code++) {
         begin(rows.name());
         numbers(rows.numbers(code));
+        velocity(obstacles.ux(code), obstacles.uy(code));
         end(obstacles.givenRestitution(code), rows.traits(code), obstacles.filter(code));
       }
     }
@@ -55,6 +56,12 @@ final class SceneWriter {
   private void numbers(double... numbers) {
     for (double number : numbers) {
       row.append(',').append(number);
+    }
+  }
+
+  private void velocity(double vx, double vy) {
+    if (vx != 0 || vy != 0) {
+      row.append(",vx=").append(vx).append(",vy=").append(vy);
     }
   }
 

@@ -8,6 +8,7 @@ import dev.carom.internal.state.ContactWord;
 import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SavedFlights;
@@ -48,6 +49,9 @@ public final class SnapshotReader {
    */
   private final IntStream.Builder codesOfCircles = IntStream.builder();
 
+  /** Codes of obstacles that crushed a circle. They are checked when all that moves is known. */
+  private final IntStream.Builder codesThatCrush = IntStream.builder();
+
   public SnapshotReader(InputStream in) {
     this.in = new DataInputStream(new CheckedInputStream(in, sum));
   }
@@ -74,11 +78,10 @@ public final class SnapshotReader {
     boolean collide = in.readBoolean();
     SizeLimits limits = limits();
     ObstacleTable obstacles = obstacles();
-    expect(
-        obstacles.extent() <= limits.largest(),
-        "coordinate is " + obstacles.extent() + ": expected at most " + limits.largest());
     WorldState state = circles(now, collide, obstacles, limits);
     state.flights().tailOfEdit = tailOfEdit(now);
+    motions(now, obstacles);
+    checkExtent(obstacles, limits);
     long expected = sum.getValue();
     expect(in.readLong() == expected, "its check sum differs from what it holds");
     return state;
@@ -110,6 +113,47 @@ public final class SnapshotReader {
       rows[kind - Kind.LINE] = rows(kind);
     }
     return ObstacleTable.of(walls, restitution, traits, filter, rows);
+  }
+
+  /** What moves may be anywhere. */
+  private static void checkExtent(ObstacleTable obstacles, SizeLimits limits) throws IOException {
+    double extent =
+        ObstacleTable.kindsOfRows()
+            .flatMap(obstacles::codes)
+            .filter(obstacles::isStatic)
+            .mapToDouble(obstacles::extent)
+            .max()
+            .orElse(0);
+    expect(
+        extent <= limits.largest(),
+        "coordinate is "
+            + extent
+            + ": expected at most the stored largest coordinate, "
+            + limits.largest());
+  }
+
+  private void motions(double now, ObstacleTable obstacles) throws IOException {
+    int count = count(obstacles.size());
+    ObstacleMotions motions = ObstacleMotions.NONE;
+    int least = Codes.line(0);
+    for (int i = 0; i < count; i++) {
+      int code = in.readInt();
+      expectCode(code >= least && !Codes.isCircle(code), code);
+      checkCode(code);
+      expectCode(!obstacles.isGone(code), code);
+      least = code + 1;
+      double ux = in.readDouble();
+      double uy = in.readDouble();
+      Check.finite("vx", ux);
+      Check.finite("vy", uy);
+      double since = in.readDouble();
+      expect(since >= 0 && since <= now, "an obstacle moves since " + since);
+      motions = motions.with(code, ux, uy, since);
+    }
+    obstacles.setMotions(motions);
+    for (int code : codesThatCrush.build().toArray()) {
+      expectCode(obstacles.moves(code), code);
+    }
   }
 
   private double[] walls() throws IOException {
@@ -261,8 +305,10 @@ public final class SnapshotReader {
     for (int k = 0; k < count; k++) {
       int entry = in.readInt();
       int code = IgnoreList.code(entry);
-      expectCode(Codes.isCircle(code) || !IgnoreList.crushes(entry), code);
       checkCode(code);
+      if (IgnoreList.crushes(entry) && !Codes.isCircle(code)) {
+        codesThatCrush.add(code);
+      }
       jam = IgnoreList.withEntry(jam, entry);
     }
     return jam;

@@ -3,6 +3,7 @@ package dev.carom.internal.io;
 
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
+import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SavedFlights;
@@ -49,6 +50,7 @@ public final class SnapshotWriter {
     }
     circles(s);
     out.writeDouble(s.flights().tailOfEdit);
+    motions(s.obstacles().motions());
     out.writeLong(sum.getValue());
   }
 
@@ -76,6 +78,14 @@ public final class SnapshotWriter {
     out.writeBoolean(filters != null);
     for (int i = 0; filters != null && i < filters.length; i++) {
       out.writeLong(filters[i]);
+    }
+  }
+
+  private void motions(ObstacleMotions motions) throws IOException {
+    out.writeInt(motions.count());
+    for (int i = 0; i < motions.count(); i++) {
+      out.writeInt(motions.code(i));
+      numbers(motions.ux(i), motions.uy(i), motions.since(i));
     }
   }
 

@@ -8,6 +8,7 @@ import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.util.Kind;
+import java.util.function.DoubleSupplier;
 import java.util.stream.IntStream;
 
 /**
@@ -21,9 +22,21 @@ public final class Proximity {
   public static final int NONE = -1;
 
   private final ObstacleTable obstacles;
+  private final DoubleSupplier clock;
 
+  /** Asks about some obstacles as they are at time 0. */
   public Proximity(ObstacleTable obstacles) {
+    this(obstacles, () -> 0);
+  }
+
+  /**
+   * Asks about some obstacles.
+   *
+   * @param clock tells the time at which moving obstacles are asked for
+   */
+  public Proximity(ObstacleTable obstacles, DoubleSupplier clock) {
     this.obstacles = obstacles;
+    this.clock = clock;
   }
 
   /** The codes of the obstacles of one {@link Kind}. */
@@ -55,7 +68,14 @@ public final class Proximity {
       return Math.abs((Codes.isVertical(code) ? x : y) - obstacles.walls[code]);
     }
     ObstacleRows rows = obstacles.of(code);
-    return rows.shape.distance(rows.values, rows.offset(code), x, y);
+    return obstacles.moves(code)
+        ? rows.shape.distance(placed(code), 0, x, y)
+        : rows.shape.distance(rows.values, rows.offset(code), x, y);
+  }
+
+  /** The row of a moving obstacle now. */
+  private double[] placed(int code) {
+    return obstacles.rowAt(code, clock.getAsDouble(), 0);
   }
 
   /** The distance of a point from the rim of a disk; 0 inside. */
@@ -77,7 +97,9 @@ public final class Proximity {
       return isLower ? isNearer(p, wall, r) : isNearer(wall, p, r);
     }
     ObstacleRows rows = obstacles.of(code);
-    return rows.shape.overlaps(rows.values, rows.offset(code), x, y, r);
+    return obstacles.moves(code)
+        ? rows.shape.overlaps(placed(code), 0, x, y, r)
+        : rows.shape.overlaps(rows.values, rows.offset(code), x, y, r);
   }
 
   /** Whether {@code p - q < r}, exactly. */
@@ -103,7 +125,9 @@ public final class Proximity {
       return isLower ? box[code] < wall : box[code] > wall;
     }
     ObstacleRows rows = obstacles.of(code);
-    return rows.shape.overlaps(rows.values, rows.offset(code), box);
+    return obstacles.moves(code)
+        ? rows.shape.overlaps(placed(code), 0, box)
+        : rows.shape.overlaps(rows.values, rows.offset(code), box);
   }
 
   /** Whether a disk and a box overlap. */

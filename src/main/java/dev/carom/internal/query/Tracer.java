@@ -8,9 +8,9 @@ import dev.carom.internal.search.Grid;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Hit;
+import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.util.DoubleList;
 
 /** Follows one circle among static obstacles, with all its bounces. */
@@ -56,9 +56,20 @@ public final class Tracer {
     if (Codes.isWall(code)) {
       return Hit.ofWall(m.x, m.y, m.vx, m.vy, code, obstacles.walls[code], t);
     }
-    ObstacleRows rows = obstacles.of(code);
-    int k = rows.offset(code);
-    return rows.shape.hit(m.contact, t, m.x, m.y, m.radius, m.vx, m.vy, rows.values, k);
+    double[] row = obstacles.rowAt(code, m.t, m.tl);
+    ObstacleShape shape = obstacles.of(code).shape;
+    return shape.hit(
+        m.contact,
+        t,
+        m.x,
+        m.y,
+        m.radius,
+        m.vx,
+        m.vy,
+        row,
+        0,
+        obstacles.ux(code),
+        obstacles.uy(code));
   }
 
   /**

@@ -29,8 +29,8 @@ import java.util.stream.IntStream;
  * <p>Two cases have no such solution, or one that takes too long to find:
  *
  * <ul>
- *   <li>Infinite masses close on a circle, or press it against an obstacle. The circle is
- *       <i>crushed</i>: it stops, and those masses are inert for it, so that they pass over it.
+ *   <li>Moving obstacles or infinite masses close on a circle, or press it against an obstacle. The
+ *       circle is <i>crushed</i>: it stops, and they are inert for it, so that they pass over it.
  *   <li>Masses are so different that the relaxation does not end. Then all circles move on as one,
  *       with the velocity of their common momentum, or stop if one of them touches an obstacle.
  * </ul>
@@ -52,7 +52,7 @@ public final class ContactCluster {
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
-  /** A touch of member a with member b or an obstacle. */
+  /** A touch of member a, with member b or an obstacle at rest. */
   private record Contact(int a, int b, Touch touch) {}
 
   private final CircleRegistry registry;
@@ -61,7 +61,11 @@ public final class ContactCluster {
   private final ObstacleTable obstacles;
   private final Vicinity vicinity;
 
-  /** Circles of finite mass that touch each other, and those of infinite mass that touch them. */
+  /**
+   * Circles of finite mass that touch each other, and those of infinite mass that touch them. A
+   * moving obstacle that touches them stands here as a circle of infinite mass, with the complement
+   * of its code for an id.
+   */
   private final List<MovingCircle> members = new ArrayList<>();
 
   private final List<Contact> contacts = new ArrayList<>();
@@ -77,6 +81,7 @@ public final class ContactCluster {
     this.response = response;
     this.obstacles = obstacles;
     this.vicinity = vicinity;
+    response.ask(this);
   }
 
   /**
@@ -88,8 +93,12 @@ public final class ContactCluster {
    * @return the given circles and all that changed, at the start of their new flights
    */
   public Collection<MovingCircle> resolve(ImpactRows log, MovingCircle... hit) {
-    gather(hit);
     Set<MovingCircle> changed = new LinkedHashSet<>(List.of(hit));
+    if (isInfinite(hit[0]) && obstacles.moves(hit[0].last)) {
+      crush(hit[0], hit[0].last);
+      return changed;
+    }
+    gather(hit);
     if (members.size() == 1) {
       return changed; // nothing but the impact itself
     }
@@ -118,18 +127,26 @@ public final class ContactCluster {
       return false;
     }
     for (int entry : m.jam.entries()) {
-      if (IgnoreList.crushes(entry)) {
+      if (IgnoreList.crushes(entry) && Codes.isCircle(IgnoreList.code(entry))) {
         MovingCircle mass = vicinity.copyOf(Codes.slot(IgnoreList.code(entry)));
         if (Touch.of(m, broughtTo(m, mass)) != null) {
           return true;
         }
       }
     }
-    return false;
+    return Touch.isCrushed(m, obstacles);
   }
 
-  private boolean isInfinite(int id) {
-    return registry.mass(id) == INFINITE;
+  private static boolean isObstacle(MovingCircle m) {
+    return m.id < 0;
+  }
+
+  private boolean isInfinite(MovingCircle m) {
+    return isObstacle(m) || registry.mass(m.id) == INFINITE;
+  }
+
+  private double mass(MovingCircle m) {
+    return isObstacle(m) ? INFINITE : pairs.mass(m);
   }
 
   /** Advances a circle to the time of another one. */
@@ -151,19 +168,21 @@ public final class ContactCluster {
       members.add(m);
     }
     for (int k = 0; k < members.size(); k++) { // the list grows
-      if (pairs.mass(members.get(k)) < INFINITE) {
-        addObstacles(k);
+      if (mass(members.get(k)) < INFINITE) {
+        addObstacles(k, numbers);
         addCircles(k, numbers);
       }
     }
   }
 
-  private void addObstacles(int k) {
+  private void addObstacles(int k, Map<Integer, Integer> numbers) {
     MovingCircle m = members.get(k);
     for (int code : vicinity.obstaclesNear(m)) {
-      Touch touch = isSolid(m, code) ? Touch.of(m, obstacles, code) : null;
+      boolean passesOver = m.jam != null && m.jam.isCrushedBy(code);
+      Touch touch = isSolid(m, code) && !passesOver ? Touch.of(m, obstacles, code) : null;
       if (touch != null) {
-        contacts.add(new Contact(k, InelasticShock.OBSTACLE, touch));
+        int b = obstacles.moves(code) ? number(code, m, numbers) : InelasticShock.OBSTACLE;
+        contacts.add(new Contact(k, b, touch));
       }
     }
   }
@@ -171,6 +190,18 @@ public final class ContactCluster {
   /** Whether an obstacle is there for a circle, and no sensor. */
   private boolean isSolid(MovingCircle m, int code) {
     return !obstacles.isSensor(code) && Filter.meet(registry.filter(m.id), obstacles.filter(code));
+  }
+
+  /** The number of a moving obstacle among the members. */
+  private int number(int code, MovingCircle m, Map<Integer, Integer> numbers) {
+    return numbers.computeIfAbsent(
+        ~code,
+        id -> {
+          MovingCircle moving = new MovingCircle();
+          moving.start(id, m.x, m.y, 0, obstacles.ux(code), obstacles.uy(code), 1);
+          members.add(moving);
+          return members.size() - 1;
+        });
   }
 
   private void addCircles(int k, Map<Integer, Integer> numbers) {
@@ -190,7 +221,7 @@ public final class ContactCluster {
     MovingCircle other = known != null ? members.get(known) : broughtTo(m, vicinity.copyOf(id));
     if (known == null) {
       other.crushed = isCrushed(other);
-    } else if (known < k && pairs.mass(other) < INFINITE) {
+    } else if (known < k && mass(other) < INFINITE) {
       return; // its own search added this contact
     }
     Touch touch = Touch.of(m, other);
@@ -207,7 +238,7 @@ public final class ContactCluster {
     InelasticShock shock = new InelasticShock(members.size(), contacts.size());
     for (int i = 0; i < members.size(); i++) {
       MovingCircle m = members.get(i);
-      shock.setCircle(i, m.vx, m.vy, pairs.mass(m));
+      shock.setCircle(i, m.vx, m.vy, mass(m));
     }
     for (Contact c : contacts) {
       shock.addContact(c.a, c.b, c.touch.nx(), c.touch.ny());
@@ -215,11 +246,11 @@ public final class ContactCluster {
     return shock;
   }
 
-  /** Stops the circles that infinite masses touch, and lets the masses pass over them. */
+  /** Stops the circles that something infinite touches, and lets that pass over them. */
   private boolean crush(Set<MovingCircle> changed, ImpactRows log, MovingCircle... hit) {
     List<Contact> ofInfinite =
         contacts.stream()
-            .filter(c -> c.b != InelasticShock.OBSTACLE && isInfinite(members.get(c.b).id))
+            .filter(c -> c.b != InelasticShock.OBSTACLE && isInfinite(members.get(c.b)))
             .toList();
     for (Contact c : ofInfinite) {
       if (!isHit(c, hit)) {
@@ -228,14 +259,19 @@ public final class ContactCluster {
     }
     for (Contact c : ofInfinite) {
       MovingCircle m = members.get(c.a);
-      m.vx = 0;
-      m.vy = 0;
-      m.last = MovingCircle.NOTHING;
-      m.jam = IgnoreList.crushedBy(m.jam, c.touch.code());
-      m.crushed = true;
+      crush(m, c.touch.code());
       changed.add(m);
     }
     return contacts.removeAll(ofInfinite);
+  }
+
+  /** Stops a circle, and lets what crushed it pass over it. */
+  private static void crush(MovingCircle m, int code) {
+    m.vx = 0;
+    m.vy = 0;
+    m.last = MovingCircle.NOTHING;
+    m.jam = IgnoreList.crushedBy(m.jam, code);
+    m.crushed = true;
   }
 
   /** Whether a contact is the impact under resolution, which has its row in the log already. */
@@ -246,7 +282,7 @@ public final class ContactCluster {
 
   private void report(Contact c, ImpactRows log) {
     MovingCircle a = members.get(c.a);
-    if (c.b == InelasticShock.OBSTACLE) {
+    if (!Codes.isCircle(c.touch.code())) {
       response.report(a, c.touch, log);
     } else {
       MovingCircle b = members.get(c.b);
@@ -258,7 +294,7 @@ public final class ContactCluster {
   private void change(InelasticShock shock, Set<MovingCircle> changed) {
     for (int i = 0; i < members.size(); i++) {
       MovingCircle m = members.get(i);
-      if (pairs.mass(m) < INFINITE && (m.vx != shock.vx(i) || m.vy != shock.vy(i))) {
+      if (mass(m) < INFINITE && (m.vx != shock.vx(i) || m.vy != shock.vy(i))) {
         m.vx = shock.vx(i);
         m.vy = shock.vy(i);
         StopRule.stopsBeyondRange(m);
@@ -284,7 +320,7 @@ public final class ContactCluster {
     if (Codes.isWall(c.touch.code())) {
       stopAtWall(a, c.touch);
     }
-    if (c.b != InelasticShock.OBSTACLE) {
+    if (Codes.isCircle(c.touch.code())) {
       MovingCircle b = members.get(c.b);
       b.jam = IgnoreList.with(b.jam, Codes.circle(a.id));
       changed.add(b);
@@ -308,7 +344,7 @@ public final class ContactCluster {
     double vx = 0;
     double vy = 0;
     for (MovingCircle m : members) {
-      double own = pairs.mass(m);
+      double own = mass(m);
       held |= own == INFINITE;
       mass += own;
       // The mean of the velocities so far, weighted by mass.
@@ -316,7 +352,7 @@ public final class ContactCluster {
       vy = (1 - own / mass) * vy + own / mass * m.vy;
     }
     for (MovingCircle m : members) {
-      if (pairs.mass(m) < INFINITE) {
+      if (mass(m) < INFINITE) {
         m.vx = held ? 0 : vx;
         m.vy = held ? 0 : vy;
         m.jam = IgnoreList.ofCircles(m.jam);

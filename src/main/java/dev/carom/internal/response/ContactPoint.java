@@ -11,6 +11,7 @@ import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.LineShape;
+import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.PegShape;
 
 /**
@@ -18,7 +19,8 @@ import dev.carom.internal.sweep.PegShape;
  * the perpendicular of a line for its side, the offset from the contact point to the centre for an
  * endpoint or a peg, a unit vector of an axis for a wall.
  *
- * <p>The caller owns it, and reads the fields after {@link #locate}.
+ * <p>The caller owns it, calls {@link #startAt} at the start of a flight and {@link #locate} at its
+ * end, and then reads the fields.
  */
 final class ContactPoint {
 
@@ -40,30 +42,57 @@ final class ContactPoint {
 
   double ny;
 
-  /** Where the flight started that ends here. */
+  /** The velocity of the obstacle. */
+  double ux;
+
+  double uy;
+
+  private double obstacleSpeed;
+
+  /** Where a moving obstacle was when the flight started. */
+  private final double[] row = new double[ObstacleTable.MOST_NUMBERS + 1];
+
+  /** Where and when the flight started that ends here. */
   private double startX;
 
   private double startY;
+  private double startT;
+  private double startTl;
 
   ContactPoint(ObstacleTable obstacles) {
     this.obstacles = obstacles;
   }
 
+  /** Notes where and when a flight starts. */
+  void startAt(MovingCircle m) {
+    startX = m.x;
+    startY = m.y;
+    startT = m.t;
+    startTl = m.tl;
+  }
+
   /**
-   * Finds the contact point and the normal.
+   * Finds the contact point and the normal at the end of the flight.
    *
    * @param m a circle that stands where it touches
    * @param code the obstacle that it touches, with the contact that the circle holds
-   * @param fromX where the flight started that ended there
    */
-  void locate(MovingCircle m, int code, double fromX, double fromY) {
-    startX = fromX;
-    startY = fromY;
+  void locate(MovingCircle m, int code) {
+    ux = 0;
+    uy = 0;
+    obstacleSpeed = 0;
     if (Codes.isWall(code)) {
       locateOnWall(m, code);
       return;
     }
     ObstacleRows rows = obstacles.of(code);
+    if (obstacles.moves(code)) {
+      ux = obstacles.ux(code);
+      uy = obstacles.uy(code);
+      obstacleSpeed = Math.max(Math.abs(ux), Math.abs(uy));
+      locateOnMoving(m, code, rows.shape);
+      return;
+    }
     if (Codes.isLine(code)) {
       locateOnLine(m, rows.values, rows.offset(code));
     } else {
@@ -155,6 +184,71 @@ final class ContactPoint {
     normal(m, px, py, qx, qy);
   }
 
+  /** On a moving obstacle: the detector saw it where it was when the flight started. */
+  private void locateOnMoving(MovingCircle m, int code, ObstacleShape shape) {
+    obstacles.place(obstacles.motions().indexOf(code), startT, startTl, row);
+    int contact = Contact.withoutTime(m.contact);
+    if (contact == Contact.LEFT || contact == Contact.RIGHT) {
+      locateOnMovingSide(m, contact == Contact.LEFT);
+    } else if (Codes.isLine(code)) {
+      int end = contact == Contact.END ? LineShape.END : 0;
+      int other = LineShape.END - end;
+      locateOnMovingEnd(m, row[end], row[end + 1], row[other], row[other + 1]);
+    } else {
+      locateOnMovingDisk(m, row[PegShape.X], row[PegShape.Y], row[PegShape.RADIUS]);
+    }
+  }
+
+  private void locateOnMovingSide(MovingCircle m, boolean left) {
+    double ax = row[LineShape.AX];
+    double ay = row[LineShape.AY];
+    double bx = row[LineShape.BX];
+    double by = row[LineShape.BY];
+    double fromX = Math.fma(ux, m.cleared, ax);
+    double fromY = Math.fma(uy, m.cleared, ay);
+    double toX = Math.fma(ux, m.cleared, bx);
+    double toY = Math.fma(uy, m.cleared, by);
+    if (left) {
+      locateOnSide(m, fromX, fromY, toX, toY, ay, bx, by, ax);
+    } else {
+      locateOnSide(m, fromX, fromY, toX, toY, by, ax, ay, bx);
+    }
+  }
+
+  /** See {@link #locateOnEnd}. */
+  private void locateOnMovingEnd(MovingCircle m, double cx, double cy, double ox, double oy) {
+    locateOnMovingDisk(m, cx, cy, 0);
+    if (m.radius == 0 && Predicates.dot(m.vx, m.vy, ux, uy, ox, oy, cx, cy) < 0) {
+      boolean left = Predicates.cross(m.vx, m.vy, ux, uy, ox, oy, cx, cy) > 0;
+      if (left) {
+        normal(m, cy, ox, oy, cx);
+      } else {
+        normal(m, oy, cx, cy, ox);
+      }
+    }
+  }
+
+  /** The normal is the detector's, not of unit length unless it takes exact numbers. */
+  private void locateOnMovingDisk(MovingCircle m, double cx, double cy, double radius) {
+    double t = m.cleared;
+    double share = Coordinates.share(radius, m.radius);
+    x = Coordinates.between(share, Math.fma(ux, t, cx), Coordinates.within(m.x));
+    y = Coordinates.between(share, Math.fma(uy, t, cy), Coordinates.within(m.y));
+    double c =
+        t == 0
+            ? 0
+            : DiskSweep.correction(startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, ux, uy, t);
+    if (!Double.isNaN(c)) {
+      double offsetX = DiskSweep.offset(startX, cx, m.vx, ux, t, c);
+      double offsetY = DiskSweep.offset(startY, cy, m.vy, uy, t, c);
+      normal(m, offsetX, offsetY, 0, 0);
+    } else {
+      UnitVector n =
+          DiskSweep.normal(startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, ux, uy, t);
+      normal(m, n.x(), n.y(), 0, 0);
+    }
+  }
+
   private void locateOnPeg(MovingCircle m, double[] pegs, int k) {
     locateAt(m, pegs[k + PegShape.X], pegs[k + PegShape.Y], pegs[k + PegShape.RADIUS]);
   }
@@ -197,7 +291,7 @@ final class ContactPoint {
 
   /** Keeps the normal p - q; returns by which power of two it was divided. */
   private int normal(MovingCircle m, double px, double py, double qx, double qy) {
-    double speed = Math.max(Math.abs(m.vx), Math.abs(m.vy));
+    double speed = Math.max(Math.abs(m.vx), Math.abs(m.vy)) + obstacleSpeed;
     int exponent = ScaledVectors.exponent(px, py, qx, qy, speed);
     // + 0 turns -0 into 0.
     nx = ScaledVectors.difference(px, qx, exponent) + 0.0;

@@ -6,11 +6,12 @@ import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
+import java.util.function.Predicate;
 
 /**
- * The velocity of a circle after an impact with an obstacle: {@code v -= (1 + e) (v.n) / (n.n) n}.
- * The normal n is that of {@link ContactPoint}, of any length, so that errors do not feed on
- * themselves. A wall turns one component.
+ * The velocity of a circle after an impact with an obstacle of velocity u: {@code v -= (1 + e) ((v
+ * - u).n) / (n.n) n}. The normal n is that of {@link ContactPoint}, of any length, so that errors
+ * do not feed on themselves. A wall turns one component.
  *
  * <p>A {@linkplain StuckRule stuck} circle has restitution 0 with every obstacle, and ignores
  * obstacles that it approaches by no more than rounding; {@link StopRule} decides when it stops.
@@ -38,9 +39,23 @@ public final class ObstacleResponse {
   /** The contact of the current impact; {@link #report} fills it. */
   private final ContactPoint point;
 
+  /** The velocity of the circle less that of the obstacle, before the current impact. */
+  private double sx;
+
+  private double sy;
+
+  /** Tells of a jammed circle whether something that crushed it is still upon it. */
+  private Predicate<MovingCircle> isCrushed;
+
   public ObstacleResponse(ObstacleTable obstacles) {
     this.obstacles = obstacles;
     point = new ContactPoint(obstacles);
+    isCrushed = m -> Touch.isCrushed(m, obstacles);
+  }
+
+  /** Lets a cluster tell of crushed circles: it knows the infinite masses, too. */
+  public void ask(ContactCluster cluster) {
+    isCrushed = cluster::isCrushed;
   }
 
   /**
@@ -55,15 +70,21 @@ public final class ObstacleResponse {
       sense(m, code, log);
       return SENSED;
     }
-    double startX = m.x;
-    double startY = m.y;
+    point.startAt(m);
     m.advance(m.cleared);
-    double vn = report(m, code, startX, startY, m.t, log);
+    double vn = report(m, code, m.t, log);
+    if (obstacles.moves(code) && m.jam != null && isCrushed.test(m)) {
+      passOver(m, code, log);
+      return NEW_FLIGHT;
+    }
     double e = m.restitution * obstacles.restitution(code);
-    double speed = Math.abs(m.vx) + Math.abs(m.vy);
+    double speed = Math.abs(sx) + Math.abs(sy);
     double way = m.flown * speed;
     double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
-    StuckRule.count(m, way, speed, approach, e, StuckRule.ELASTIC);
+    double speeds = Math.abs(m.vx) + Math.abs(m.vy) + Math.abs(point.ux) + Math.abs(point.uy);
+    double driven = obstacles.areMoving() ? StuckRule.PUSHED_PLACE : StuckRule.DRIVEN_PLACE;
+    StuckRule.count(m, way, speeds, approach, e, StuckRule.ELASTIC, driven);
+    m.driven |= point.ux * point.nx + point.uy * point.ny > 0;
     boolean stuck = StuckRule.isStuck(m);
     boolean faint = stuck && StuckRule.isFaint(m, approach);
     m.jam = faint ? IgnoreList.with(m.jam, code) : IgnoreList.ofCircles(m.jam);
@@ -78,19 +99,31 @@ public final class ObstacleResponse {
     return stuck && !faint ? STUCK : NEW_FLIGHT;
   }
 
-  /** Changes the velocity by an impact of restitution 0, which may stop the circle. */
+  /**
+   * Changes the velocity by an impact of restitution 0, which may stop the circle if the obstacle
+   * is at rest.
+   */
   private void changeWithoutBounce(
       MovingCircle m, int code, double vn, double way, boolean stuck, ImpactRows log) {
     double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
-    boolean back = StopRule.turnsBack(m, point.nx, point.ny, way, approach);
+    boolean pushes = point.ux != 0 || point.uy != 0;
+    m.turn = pushes ? 0 : m.turn;
+    boolean back = !pushes && StopRule.turnsBack(m, point.nx, point.ny, way, approach);
     change(m, code, vn, 0, log);
-    boolean stops = back || (stuck && StopRule.isSpent(m));
+    boolean stops = back || (stuck && !pushes && StopRule.isSpent(m));
     if (stops) {
       StopRule.stop(m);
     }
     if (stuck || stops) {
       log.setOutcome(ImpactRows.JAMMED);
     }
+  }
+
+  /** A moving obstacle comes to a circle that something crushed: it passes over it, too. */
+  private static void passOver(MovingCircle m, int code, ImpactRows log) {
+    m.jam = IgnoreList.crushedBy(m.jam, code);
+    m.newFlight();
+    log.setOutcome(ImpactRows.JAMMED);
   }
 
   /** Changes the velocity of a circle that approaches. */
@@ -109,9 +142,10 @@ public final class ObstacleResponse {
   private void sense(MovingCircle m, int code, ImpactRows log) {
     double startX = m.x;
     double startY = m.y;
+    point.startAt(m);
     m.x = Math.fma(m.vx, m.cleared, m.x);
     m.y = Math.fma(m.vy, m.cleared, m.y);
-    report(m, code, startX, startY, m.after(m.cleared), log);
+    report(m, code, m.after(m.cleared), log);
     log.setOutcome(ImpactRows.SENSED);
     m.x = startX;
     m.y = startY;
@@ -122,20 +156,21 @@ public final class ObstacleResponse {
   /** Writes a contact of a circle with an obstacle. */
   void report(MovingCircle m, Touch touch, ImpactRows log) {
     m.contact = touch.contact();
-    report(m, touch.code(), m.x, m.y, m.t, log);
+    point.startAt(m);
+    report(m, touch.code(), m.t, log);
     m.contact = 0;
   }
 
   /**
    * Writes an impact of a circle that stands where it touches, and finds its contact point.
    *
-   * @param startX the x coordinate of the start of the flight that ended there
-   * @return v.n
+   * @return s.n, for the velocity s relative to the obstacle
    */
-  private double report(
-      MovingCircle m, int code, double startX, double startY, double time, ImpactRows log) {
-    point.locate(m, code, startX, startY);
-    double vn = ScaledVectors.dot(m.vx, m.vy, point.nx, point.ny);
+  private double report(MovingCircle m, int code, double time, ImpactRows log) {
+    point.locate(m, code);
+    sx = m.vx - point.ux;
+    sy = m.vy - point.uy;
+    double vn = ScaledVectors.dot(sx, sy, point.nx, point.ny);
     log.add(time, m.id, Codes.kind(code), Codes.index(code), ObstacleTable.part(code, m.contact));
     log.set(point.x, point.y, point.nx, point.ny, vn);
     return vn;
@@ -143,7 +178,7 @@ public final class ObstacleResponse {
 
   private void reflect(MovingCircle m, int code, double e) {
     if (!Codes.isWall(code)) {
-      impulse.of(1 + e, m.vx, m.vy, point.nx, point.ny);
+      impulse.of(1 + e, sx, sy, point.nx, point.ny);
       m.vx = impulse.less(m.vx, point.nx);
       m.vy = impulse.less(m.vy, point.ny);
     } else if (Codes.isVertical(code)) {

@@ -189,7 +189,8 @@ public final class PairResponse {
     if (!m.crushed) {
       double speed = scaled(Math.abs(ux) + Math.abs(uy), fast);
       int elastic = mass(other) == INFINITE ? StuckRule.ELASTIC : StuckRule.ELASTIC_PAIR;
-      StuckRule.count(m, m.flown * speed, speeds(m, other), approach, e, elastic);
+      StuckRule.count(
+          m, m.flown * speed, speeds(m, other), approach, e, elastic, StuckRule.DRIVEN_PLACE);
     }
   }
 

@@ -21,9 +21,10 @@ import dev.carom.internal.state.MovingCircle;
  *       of the motion, or made nearly all of it.
  *   <li><b>Faint impacts</b> weigh 1/32 of the limit. Their approach is no more than the rounding
  *       of the speeds met at that place.
- *   <li><b>Driven circles.</b> An infinite mass that drives a circle against another thing leaves
- *       it less room with each impact: infinitely many impacts, even at restitution 1. For such a
- *       circle 2^-10 of the radius is one place.
+ *   <li><b>Driven circles.</b> An infinite mass or a moving obstacle that drives a circle against
+ *       another thing leaves it less room with each impact: infinitely many impacts, even at
+ *       restitution 1. For such a circle 2^-10 of the radius is one place, or 2^-6 in scenes with
+ *       moving obstacles.
  * </ul>
  */
 public final class StuckRule {
@@ -54,8 +55,15 @@ public final class StuckRule {
   /** The least width of a place where impacts are not elastic, as a part of the radius. */
   static final double INELASTIC_PLACE = 0x1p-16;
 
-  /** The width of a place of a driven circle, as a part of the radius. */
-  private static final double DRIVEN_PLACE = 0x1p-10;
+  /** The width of a place for a circle that an infinite mass drives, in radii. */
+  static final double DRIVEN_PLACE = 0x1p-10;
+
+  /**
+   * The same for a circle that a moving obstacle drives. An elastic circle of speed v between an
+   * obstacle of speed u and something at rest makes some {@code v / u} impacts while the gap
+   * halves, and twice as many with each further half.
+   */
+  static final double PUSHED_PLACE = 0x1p-6;
 
   /** The part of its coordinates by which rounding can move a circle: 4 ulps of 1..2 are 2^-50. */
   private static final double ROUNDED = 0x1p-51;
@@ -74,14 +82,21 @@ public final class StuckRule {
    * @param approach the speed along the normal
    * @param e the restitution
    * @param elastic the weight of an impact of restitution 1
+   * @param driven the width of a place for a driven circle, in radii
    */
   static void count(
-      MovingCircle m, double way, double speed, double approach, double e, int elastic) {
+      MovingCircle m,
+      double way,
+      double speed,
+      double approach,
+      double e,
+      int elastic,
+      double driven) {
     int exponent = exponent(speed);
     if (m.standsStill || way <= place(m, e) || slides(m, approach, exponent)) {
       m.speedExponent = Math.max(m.speedExponent, exponent);
       add(m, isFaint(m, approach) ? FAINT : weight(e, elastic));
-    } else if (m.driven && way <= DRIVEN_PLACE * m.radius) {
+    } else if (m.driven && way <= driven * m.radius) {
       m.speedExponent = Math.max(m.speedExponent, exponent);
       add(m, weight(e, elastic));
     } else {

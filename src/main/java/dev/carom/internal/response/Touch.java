@@ -4,6 +4,7 @@ package dev.carom.internal.response;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.UnitVector;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
@@ -38,7 +39,25 @@ record Touch(int code, int contact, double nx, double ny) {
     if (Codes.isWall(code)) {
       return ofWall(m, code, obstacles.walls[code]);
     }
-    return ofRow(m, code, obstacles.of(code), obstacles.isOneWay(code));
+    ObstacleRows rows = obstacles.of(code);
+    boolean oneWay = obstacles.isOneWay(code);
+    return obstacles.moves(code)
+        ? ofRow(m, code, rows.shape, obstacles.rowAt(code, m.t, m.tl), 0, oneWay)
+        : ofRow(m, code, rows.shape, rows.values, rows.offset(code), oneWay);
+  }
+
+  /** Whether a moving obstacle that crushed a circle is still upon it. */
+  static boolean isCrushed(MovingCircle m, ObstacleTable obstacles) {
+    if (m.jam == null) {
+      return false;
+    }
+    for (int entry : m.jam.entries()) {
+      int code = IgnoreList.code(entry);
+      if (IgnoreList.crushes(entry) && !Codes.isCircle(code) && of(m, obstacles, code) != null) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private static Touch ofWall(MovingCircle m, int code, double wall) {
@@ -51,10 +70,8 @@ record Touch(int code, int contact, double nx, double ny) {
   }
 
   /** The contact with the spine's start or end, or with the side between. */
-  private static Touch ofRow(MovingCircle m, int code, ObstacleRows rows, boolean oneWay) {
-    ObstacleShape shape = rows.shape;
-    double[] values = rows.values;
-    int k = rows.offset(code);
+  private static Touch ofRow(
+      MovingCircle m, int code, ObstacleShape shape, double[] values, int k, boolean oneWay) {
     double radiusSum = m.radius + shape.radius(values, k);
     double ax = values[k + ObstacleShape.X];
     double ay = values[k + ObstacleShape.Y];

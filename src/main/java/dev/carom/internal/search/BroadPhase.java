@@ -6,7 +6,7 @@ import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleRows;
+import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.SegmentFilter;
@@ -42,6 +42,9 @@ public final class BroadPhase extends NarrowPhase {
   private static final double MOST_SAFE = 0x1p1020;
 
   private final CodeSet loose;
+
+  /** A window lasts for so many more steps like the one at which it begins. */
+  private static final int STEPS_OF_WINDOW = 16;
 
   /** The middle of the bounds, and its distances from the walls. */
   private final double middleX;
@@ -84,6 +87,11 @@ public final class BroadPhase extends NarrowPhase {
 
   private double aheadY;
 
+  /** The obstacles that move, indexed over a window of time. */
+  private final MotionWindow window = new MotionWindow();
+
+  private boolean isWindowStale = true;
+
   /** Searches among obstacles; those in the given list are in no grid. */
   public BroadPhase(ObstacleTable obstacles, CodeSet loose) {
     super(obstacles);
@@ -98,6 +106,7 @@ public final class BroadPhase extends NarrowPhase {
 
   /** Notes that a line or a peg was added, moved or removed. */
   public void lookAgain(int code) {
+    isWindowStale = true;
     extent = Math.max(extent, obstacles.extent(code));
     readAgain();
   }
@@ -109,6 +118,7 @@ public final class BroadPhase extends NarrowPhase {
             ? 0
             : Math.max(Math.abs(middleX) + halfWidth, Math.abs(middleY) + halfHeight);
     extent = Math.max(obstacles.extent(), ofBounds);
+    isWindowStale = true;
     readAgain();
   }
 
@@ -119,6 +129,14 @@ public final class BroadPhase extends NarrowPhase {
    * @param needed the time, from the start of the flight, up to which the path must be known
    */
   public void extend(MovingCircle mover, Grid grid, double needed) {
+    double from = mover.cleared;
+    extendAmongStatic(mover, grid, needed);
+    if (moving) {
+      extendAmongMoving(mover, from);
+    }
+  }
+
+  private void extendAmongStatic(MovingCircle mover, Grid grid, double needed) {
     start(mover);
     measure();
     if (!canHit()) {
@@ -141,6 +159,64 @@ public final class BroadPhase extends NarrowPhase {
     boolean hits = known == best && known != NEVER;
     mover.next = hits ? bestCode : MovingCircle.NOTHING;
     mover.contact = hits ? bestContact : 0;
+  }
+
+  /**
+   * Considers the moving obstacles, up to the time until which the path is known among the others.
+   * It is known no further than the window of time goes.
+   */
+  private void extendAmongMoving(MovingCircle mover, double from) {
+    double known = mover.cleared;
+    double clock = obstacles.epoch() + mover.t;
+    double end = window.end - clock - mover.tl;
+    if (isWindowStale || clock + from < window.begin || !(from < end)) {
+      considerMoving();
+    } else {
+      known = Math.min(known, end);
+      window.find(
+          Math.fma(vx, from, px),
+          Math.fma(vy, from, py),
+          Math.fma(vx, known, px),
+          Math.fma(vy, known, py),
+          r);
+      considerFound();
+    }
+    if (best <= known && best != NEVER) {
+      mover.cleared = best;
+      mover.next = bestCode;
+      mover.contact = bestContact;
+    } else if (known < mover.cleared) {
+      mover.cleared = known;
+      mover.next = MovingCircle.NOTHING;
+      mover.contact = 0;
+    }
+  }
+
+  /** Considers all that moves. */
+  private void considerMoving() {
+    for (int i = 0; i < obstacles.motions().count(); i++) {
+      considerMoving(i);
+    }
+  }
+
+  private void considerFound() {
+    for (int word = 0; word < window.found.length; word++) {
+      for (long bits = window.found[word]; bits != 0; bits &= bits - 1) {
+        considerMoving(word * Long.SIZE + Long.numberOfTrailingZeros(bits));
+      }
+    }
+  }
+
+  /**
+   * Prepares for searches from a time on, for a step that ends at a given time. The window lasts
+   * for more such steps.
+   */
+  public void beginStep(double now, double end) {
+    if (moving && (isWindowStale || !(now >= window.begin && end < window.end))) {
+      double length = Math.max(end - now, Math.ulp(end));
+      window.index(obstacles, now, end + STEPS_OF_WINDOW * length);
+      isWindowStale = false;
+    }
   }
 
   /** The same as {@link #extend}, without sensors. */
@@ -202,10 +278,12 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   private void considerEach() {
-    for (ObstacleRows rows : obstacles.kinds) {
-      LiveCodes present = rows.present();
+    for (int kind = 0; kind < obstacles.kinds.size(); kind++) {
+      LiveCodes present = obstacles.kinds.get(kind).present();
       for (int i = 0; i < present.size(); i++) {
-        considerOne(present.get(i));
+        if (!moving || !obstacles.moves(present.get(i))) {
+          considerOne(present.get(i));
+        }
       }
     }
   }
@@ -434,7 +512,11 @@ public final class BroadPhase extends NarrowPhase {
     if (grid == null) {
       return obstacles.codes().toArray();
     }
-    IntStream others = Arrays.stream(loose.codes, 0, loose.size);
+    ObstacleMotions motions = obstacles.motions();
+    IntStream others =
+        IntStream.concat(
+            Arrays.stream(loose.codes, 0, loose.size),
+            IntStream.range(0, motions.count()).map(motions::code));
     return IntStream.concat(
             obstacles.codes(Kind.WALL), IntStream.concat(others, grid.listedAt(mover.x, mover.y)))
         .filter(code -> Codes.isWall(code) || !obstacles.isGone(code))

@@ -152,7 +152,7 @@ public final class Grid {
 
   /** {@link #CELLS_EACH} an obstacle, none smaller than the radius: measured, it is flat there. */
   private double chosen(double width, double height) {
-    double fair = Math.sqrt(width * height / (CELLS_EACH * obstacles.size()));
+    double fair = Math.sqrt(width * height / (CELLS_EACH * obstacles.staticSize()));
     double least = Math.max(width, height) / MOST;
     return Math.max(Math.max(fair, radius), least);
   }
@@ -166,7 +166,7 @@ public final class Grid {
     for (ObstacleRows rows : obstacles.kinds) {
       LiveCodes present = rows.present();
       for (int i = 0; i < present.size(); i++) {
-        if (!rows.isGone(present.get(i))) {
+        if (obstacles.isStatic(present.get(i))) {
           include(box, rows, rows.offset(present.get(i)));
         }
       }
@@ -294,7 +294,7 @@ public final class Grid {
     for (ObstacleRows rows : obstacles.kinds) {
       LiveCodes present = rows.present();
       for (int i = 0; i < present.size(); i++) {
-        if (!rows.isGone(present.get(i))) {
+        if (obstacles.isStatic(present.get(i))) {
           visit(present.get(i), rows, counts, listed);
         }
       }

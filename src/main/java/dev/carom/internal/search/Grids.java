@@ -46,7 +46,7 @@ public final class Grids {
   }
 
   private boolean wanted() {
-    int size = obstacles.size();
+    int size = obstacles.staticSize();
     boolean chosen = options.cell() == 0;
     return options.grid() && size > 0 && isOrdinary() && !(chosen && size <= FEW);
   }
@@ -131,7 +131,7 @@ public final class Grids {
    * then not listed.
    */
   private boolean areTooLoose() {
-    return loose.size > FEW + Math.sqrt(obstacles.size());
+    return loose.size > FEW + Math.sqrt(obstacles.staticSize());
   }
 
   /** Drops all grids: the next search needs new ones. */
@@ -161,6 +161,7 @@ public final class Grids {
 
   public EngineDescription model(boolean collide) {
     int cells = byExponent.values().stream().mapToInt(Grid::cells).sum();
-    return new EngineDescription(collide, obstacles.size(), byExponent.size(), cells);
+    int moving = obstacles.motions().count();
+    return new EngineDescription(collide, obstacles.staticSize(), moving, byExponent.size(), cells);
   }
 }

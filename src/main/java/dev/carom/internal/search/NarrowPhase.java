@@ -38,6 +38,12 @@ abstract class NarrowPhase {
 
   boolean special;
 
+  /** Whether any obstacle moves. */
+  boolean moving;
+
+  /** Where a moving obstacle was at the start of the flight under search. */
+  private final double[] placed = new double[ObstacleTable.MOST_NUMBERS + 1];
+
   /** Whether sensors are ignored. */
   private boolean passesSensors;
 
@@ -59,6 +65,8 @@ abstract class NarrowPhase {
   double vx;
   double vy;
   double r;
+  private double t;
+  private double tl;
   int last;
   IgnoreList jam;
   private long filter;
@@ -97,6 +105,7 @@ abstract class NarrowPhase {
     lines = obstacles.lines.values;
     special = obstacles.areSpecial();
     careful = special || ordersExactly;
+    moving = obstacles.areMoving();
   }
 
   /** Sets whether searches ignore sensors. */
@@ -117,7 +126,9 @@ abstract class NarrowPhase {
     jam = null;
     sensed = -1;
     best = NEVER;
-    if (canHit()) {
+    if (obstacles.moves(code)) {
+      considerMoving(obstacles.motions().indexOf(code));
+    } else if (canHit()) {
       consider(code);
     }
     return bestCode == code;
@@ -130,6 +141,8 @@ abstract class NarrowPhase {
     vx = mover.vx;
     vy = mover.vy;
     r = mover.radius;
+    t = mover.t;
+    tl = mover.tl;
     last = mover.last;
     jam = mover.jam;
     filter = mover.filter;
@@ -146,9 +159,11 @@ abstract class NarrowPhase {
 
   /** Whether the circle moves and its coordinates are finite; else it hits nothing. */
   final boolean canHit() {
-    return Math.abs(px) <= Double.MAX_VALUE
-        && Math.abs(py) <= Double.MAX_VALUE
-        && (vx != 0 || vy != 0);
+    return isInRange() && (vx != 0 || vy != 0);
+  }
+
+  private boolean isInRange() {
+    return Math.abs(px) <= Double.MAX_VALUE && Math.abs(py) <= Double.MAX_VALUE;
   }
 
   /** Considers an obstacle other than a wall. */
@@ -163,23 +178,43 @@ abstract class NarrowPhase {
     if (Double.isNaN(values[k])) {
       return; // removed
     }
-    if (special && obstacles.isOneWay(code) && !stops(k)) {
+    consider(code, shape, values, k, 0, 0);
+  }
+
+  /** Considers number i of the obstacles that move. */
+  final void considerMoving(int i) {
+    int code = obstacles.motions().code(i);
+    if (!isInRange() || skipped(code) || (jam != null && jam.isCrushedBy(code))) {
       return;
     }
-    int contact = shape.contact(px, py, r, vx, vy, values, k);
+    obstacles.place(i, t, tl, placed);
+    double ux = obstacles.motions().ux(i);
+    double uy = obstacles.motions().uy(i);
+    consider(code, obstacles.of(code).shape, placed, 0, ux, uy);
+  }
+
+  private void consider(
+      int code, ObstacleShape shape, double[] values, int k, double ux, double uy) {
+    if (special && obstacles.isOneWay(code) && !stops(values, k, ux, uy)) {
+      return;
+    }
+    int contact = shape.contact(px, py, r, vx, vy, values, k, ux, uy);
     if (contact != Contact.MISS) {
-      offer(shape.time(contact, px, py, r, vx, vy, values, k), code, contact);
+      offer(shape.time(contact, px, py, r, vx, vy, values, k, ux, uy), code, contact);
     }
   }
 
-  /** Whether a one-way line is solid: the centre is strictly left of it and moves to the right. */
-  private boolean stops(int k) {
-    double ax = lines[k + LineShape.AX];
-    double ay = lines[k + LineShape.AY];
-    double bx = lines[k + LineShape.BX];
-    double by = lines[k + LineShape.BY];
+  /**
+   * Whether a one-way line is there: the centre is strictly left of it, and moves to its right as
+   * seen from the line.
+   */
+  private boolean stops(double[] values, int k, double ux, double uy) {
+    double ax = values[k + LineShape.AX];
+    double ay = values[k + LineShape.AY];
+    double bx = values[k + LineShape.BX];
+    double by = values[k + LineShape.BY];
     return Predicates.cross(bx, by, ax, ay, px, py, ax, ay) > 0
-        && Predicates.cross(bx, by, ax, ay, vx, vy, 0, 0) < 0;
+        && Predicates.cross(bx, by, ax, ay, vx, vy, ux, uy) < 0;
   }
 
   /** Considers the wall that the circle moves towards on one axis. */
@@ -326,8 +361,9 @@ abstract class NarrowPhase {
       boolean vertical = Codes.isVertical(code);
       return WallSweep.exactTime(vertical ? px : py, r, vertical ? vx : vy, obstacles.walls[code]);
     }
-    ObstacleRows rows = obstacles.of(code);
-    int k = rows.offset(code);
-    return rows.shape.exactTime(contact, px, py, r, vx, vy, rows.values, k);
+    double[] row = obstacles.rowAt(code, t, tl);
+    ObstacleShape shape = obstacles.of(code).shape;
+    return shape.exactTime(
+        contact, px, py, r, vx, vy, row, 0, obstacles.ux(code), obstacles.uy(code));
   }
 }

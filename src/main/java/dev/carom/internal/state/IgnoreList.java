@@ -10,7 +10,10 @@ import java.util.function.IntUnaryOperator;
  */
 public final class IgnoreList {
 
-  /** The {@link Codes} of what is inert; of an infinite mass that crushed the circle, ~code. */
+  /**
+   * The {@link Codes} of what is inert; ~code for a moving obstacle or an infinite mass that
+   * crushed the circle.
+   */
   private final int[] entries;
 
   private IgnoreList(int[] entries) {
@@ -22,7 +25,7 @@ public final class IgnoreList {
     return entry < 0 ? ~entry : entry;
   }
 
-  /** Whether an entry is that of an infinite mass that crushed the circle. */
+  /** Whether an entry is that of something that crushed the circle. */
   public static boolean crushes(int entry) {
     return entry < 0;
   }
@@ -33,8 +36,8 @@ public final class IgnoreList {
   }
 
   /**
-   * Adds an infinite mass that crushed the circle. The circle ignores it while it passes over the
-   * circle.
+   * Adds a moving obstacle or an infinite mass that crushed the circle. The circle ignores it while
+   * it passes over the circle.
    */
   public static IgnoreList crushedBy(IgnoreList jam, int code) {
     return withEntry(jam, ~code);
@@ -53,13 +56,17 @@ public final class IgnoreList {
     return new IgnoreList(more);
   }
 
-  /** Removes all obstacles; null if nothing is left. */
+  /** Removes all obstacles but those that crushed the circle; null if nothing is left. */
   public static IgnoreList ofCircles(IgnoreList jam) {
     if (jam == null) {
       return null;
     }
-    int[] left = Arrays.stream(jam.entries).filter(IgnoreList::isOfCircle).toArray();
+    int[] left = Arrays.stream(jam.entries).filter(IgnoreList::stays).toArray();
     return left.length == jam.entries.length ? jam : left.length == 0 ? null : new IgnoreList(left);
+  }
+
+  private static boolean stays(int entry) {
+    return crushes(entry) || isOfCircle(entry);
   }
 
   private static boolean isOfCircle(int entry) {

@@ -11,15 +11,34 @@ import java.util.Map;
 /** The lines and pegs during a recording: the ones at its start, and each change since. */
 final class ObstacleHistory {
 
-  /** The row of an obstacle from a time on; null for a removed one. */
+  /** An obstacle from a time on. */
   private static final class Change {
 
     final double from;
+
+    /** Where it was at a time since when it moves with a velocity; null once it is removed. */
     final double[] row;
 
-    Change(double from, double[] row) {
-      this.from = from;
-      this.row = row;
+    final double since;
+    final double ux;
+    final double uy;
+
+    /** From a time t on, obstacle code as it is now. */
+    Change(double t, int code, ObstacleTable now) {
+      from = t;
+      row = now.isGone(code) ? null : now.row(code);
+      since = now.moves(code) ? now.motions().since(now.motions().indexOf(code)) : t;
+      ux = now.ux(code);
+      uy = now.uy(code);
+    }
+
+    double[] at(double t, int coordinates) {
+      if (row == null || (ux == 0 && uy == 0)) {
+        return row;
+      }
+      double[] placed = row.clone();
+      ObstacleMotions.shift(placed, coordinates, ux, uy, t - since);
+      return placed;
     }
   }
 
@@ -61,7 +80,7 @@ final class ObstacleHistory {
   void note(int code, ObstacleTable now, double t) {
     List<Change> ofThis = changes.computeIfAbsent(code, this::newChanges);
     boolean gone = now.isGone(code);
-    ofThis.add(new Change(t, gone ? null : now.row(code)));
+    ofThis.add(new Change(t, code, now));
     if (ofThis.size() > most) {
       ofThis.remove(0);
       start = Math.max(start, ofThis.get(0).from);
@@ -105,10 +124,10 @@ final class ObstacleHistory {
     List<Change> ofThis = changes.getOrDefault(code, List.of());
     for (int i = ofThis.size() - 1; i >= 0; i--) {
       if (ofThis.get(i).from <= t) {
-        return ofThis.get(i).row;
+        return ofThis.get(i).at(t, first.of(code).shape.coordinates);
       }
     }
-    return isFirst(code) ? first.row(code) : null;
+    return isFirst(code) ? first.rowAt(code, t, 0) : null;
   }
 
   /** Whether an obstacle existed when the recording began. */

@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * The static obstacles: the walls, and rows for each other kind. An obstacle is named by its code,
- * see {@link Codes}.
+ * The obstacles: the walls, and a table of rows for each other kind, found by their {@link Codes}.
+ * Of an obstacle that moves, the row says where it was at one time.
  */
 public final class ObstacleTable {
 
@@ -50,6 +50,12 @@ public final class ObstacleTable {
 
   /** Whether any may have a filter other than the default. */
   private boolean filtered;
+
+  /** The obstacles that move, or moved before; never null. */
+  private ObstacleMotions motions = ObstacleMotions.NONE;
+
+  /** The time at which the clock of whoever asks is 0. */
+  private double epoch;
 
   private ObstacleTable(double[] walls, ObstacleRows... rows) {
     this.walls = walls;
@@ -123,7 +129,9 @@ public final class ObstacleTable {
   /** A copy; arrays are shared until one of the two is changed. */
   public ObstacleTable copy() {
     ObstacleRows[] rows = kinds.stream().map(ObstacleRows::copy).toArray(ObstacleRows[]::new);
-    return of(walls, boundsRestitution, boundsTraits, boundsFilter, rows);
+    ObstacleTable copy = of(walls, boundsRestitution, boundsTraits, boundsFilter, rows);
+    copy.motions = motions;
+    return copy;
   }
 
   /** The coordinates of the walls of a rectangle, by their codes. */
@@ -141,6 +149,7 @@ public final class ObstacleTable {
     boundsRestitution = other.boundsRestitution;
     boundsTraits = other.boundsTraits;
     boundsFilter = other.boundsFilter;
+    motions = other.motions;
     for (int i = 0; i < kinds.size(); i++) {
       kinds.get(i).set(other.kinds.get(i));
     }
@@ -178,10 +187,15 @@ public final class ObstacleTable {
   /** The number of obstacles, walls not counted. */
   public int size() {
     int size = 0;
-    for (ObstacleRows rows : kinds) {
-      size += rows.present().count();
+    for (int i = 0; i < kinds.size(); i++) { // an iterator would be allocated until compiled
+      size += kinds.get(i).present().count();
     }
     return size;
+  }
+
+  /** The number of obstacles that never moved, walls not counted. */
+  public int staticSize() {
+    return size() - motions.count();
   }
 
   /** The codes of the live obstacles of a {@link Kind}. */
@@ -199,6 +213,83 @@ public final class ObstacleTable {
   /** A copy of the row of an obstacle. */
   double[] row(int code) {
     return of(code).row(code);
+  }
+
+  /** Whether an obstacle other than a wall is there and never moved. */
+  public boolean isStatic(int code) {
+    return !isGone(code) && !moves(code);
+  }
+
+  // What moves.
+
+  public ObstacleMotions motions() {
+    return motions;
+  }
+
+  /** Sets what moves, for obstacles that were just read or built. */
+  public void setMotions(ObstacleMotions all) {
+    motions = all;
+  }
+
+  /** Whether any obstacle moves, or moved before. */
+  public boolean areMoving() {
+    return motions.count() > 0;
+  }
+
+  /** Whether an obstacle moves, or moved before. */
+  public boolean moves(int code) {
+    return motions.count() > 0 && motions.indexOf(code) >= 0;
+  }
+
+  public double ux(int code) {
+    return moves(code) ? motions.ux(motions.indexOf(code)) : 0;
+  }
+
+  public double uy(int code) {
+    return moves(code) ? motions.uy(motions.indexOf(code)) : 0;
+  }
+
+  /** The row of an obstacle other than a wall at a time, given as head and tail; a copy. */
+  public double[] rowAt(int code, double head, double tail) {
+    double[] row = row(code);
+    if (moves(code)) {
+      place(motions.indexOf(code), head, tail, row);
+    }
+    return row;
+  }
+
+  /**
+   * Writes the row of a moving obstacle at a time, given as head and tail.
+   *
+   * @param i its number among those that move
+   * @param row receives the numbers, in the order of its shape
+   */
+  public void place(int i, double head, double tail, double[] row) {
+    int code = motions.code(i);
+    ObstacleRows rows = of(code);
+    System.arraycopy(rows.values, rows.offset(code), row, 0, rows.shape.row);
+    double dt = (epoch + head - motions.since(i)) + tail;
+    ObstacleMotions.shift(row, rows.shape.coordinates, motions.ux(i), motions.uy(i), dt);
+  }
+
+  public double epoch() {
+    return epoch;
+  }
+
+  /**
+   * Sets the time at which the clock is 0 by which places are asked for: that of a question while
+   * it is answered, else 0.
+   */
+  public void setEpoch(double time) {
+    epoch = time;
+  }
+
+  /** Gives an obstacle a velocity, from where it is at a given time. */
+  public void setVelocity(int code, double ux, double uy, double now) {
+    if (moves(code)) {
+      of(code).move(code, rowAt(code, now, 0));
+    }
+    motions = motions.with(code, ux, uy, now);
   }
 
   /** The {@link Part} of an obstacle that a contact code of the detector stands for. */
@@ -283,14 +374,18 @@ public final class ObstacleTable {
     return ofKind(kind).add(numbers);
   }
 
-  /** Sets the numbers of an obstacle before its restitution. */
-  public void move(int code, double... numbers) {
+  /** Sets the numbers of an obstacle before its restitution, at a given time. */
+  public void move(int code, double now, double... numbers) {
     of(code).move(code, numbers);
+    if (moves(code)) {
+      motions = motions.with(code, ux(code), uy(code), now);
+    }
   }
 
   /** Removes an obstacle: no search finds it any more. */
   public void remove(int code) {
     of(code).remove(code);
+    motions = motions.without(code);
     countSpecials();
   }
 
@@ -329,6 +424,7 @@ public final class ObstacleTable {
         && Double.compare(boundsRestitution, that.boundsRestitution) == 0
         && boundsTraits == that.boundsTraits
         && boundsFilter == that.boundsFilter
+        && motions.equals(that.motions)
         && kinds.equals(that.kinds);
   }
 

@@ -6,6 +6,8 @@ import dev.carom.internal.util.DoubleList;
 import dev.carom.internal.util.Kind;
 import dev.carom.internal.util.Refusal;
 import java.util.Arrays;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * Builds a {@link SceneData}. A bad value is refused at once, with a message that names the thing,
@@ -33,6 +35,9 @@ public final class SceneDataBuilder {
 
   /** The rows whose last one was added last; null before the first. */
   private SceneRows last;
+
+  /** The velocities of the obstacles that move, by their codes. */
+  private final SortedMap<Integer, double[]> velocities = new TreeMap<>();
 
   public SceneDataBuilder() {
     ObstacleTable.kindsOfRows()
@@ -114,6 +119,28 @@ public final class SceneDataBuilder {
     last.setLastTraits(ContactFlags.withOneWay(last.lastTraits(), true));
   }
 
+  /** Lets the line or the peg just added move with a velocity. */
+  public void velocity(double vx, double vy) {
+    int kind = Arrays.asList(obstacles).indexOf(last);
+    if (last == null || kind < 0) {
+      throw new IllegalStateException(
+          "velocity belongs to the line or peg just added: add one first");
+    }
+    int i = last.count() - 1;
+    check(
+        last,
+        i,
+        () -> {
+          Check.finite("vx", vx);
+          Check.finite("vy", vy);
+        });
+    if (vx == 0 && vy == 0) {
+      velocities.remove(Codes.of(kind, i));
+    } else {
+      velocities.put(Codes.of(kind, i), new double[] {vx, vy});
+    }
+  }
+
   public void mass(double m) {
     if (last != circles) {
       throw new IllegalStateException("mass belongs to the circle just added: add one first");
@@ -175,14 +202,17 @@ public final class SceneDataBuilder {
                         obstacles[kind].filters()))
             .toArray(ObstacleRows[]::new);
     double[] b = bounds.toArray();
-    return b.length == 0
-        ? ObstacleTable.of(null, 1, 0, Filter.DEFAULT, rows)
-        : ObstacleTable.of(
-            ObstacleTable.walls(b[XMIN], b[YMIN], b[XMAX], b[YMAX]),
-            b[BOUNDS_RESTITUTION],
-            bounds.lastTraits(),
-            bounds.lastFilter(),
-            rows);
+    ObstacleTable all =
+        b.length == 0
+            ? ObstacleTable.of(null, 1, 0, Filter.DEFAULT, rows)
+            : ObstacleTable.of(
+                ObstacleTable.walls(b[XMIN], b[YMIN], b[XMAX], b[YMAX]),
+                b[BOUNDS_RESTITUTION],
+                bounds.lastTraits(),
+                bounds.lastFilter(),
+                rows);
+    all.setMotions(ObstacleMotions.of(velocities));
+    return all;
   }
 
   private void add(SceneRows things, Runnable checks, double... row) {

@@ -228,6 +228,22 @@ public final class DiskSweep {
     if (t == 0) {
       return UnitVectors.unit(x1, y1, x2, y2);
     }
+    double c = correction(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t);
+    if (Double.isNaN(c)) {
+      PrecisionCounters.exactNormal();
+      return Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).normal();
+    }
+    return UnitVectors.unit(
+        offset(x1, x2, vx1, vx2, t, c), offset(y1, y2, vy1, vy2, t, c), 0, 0);
+  }
+
+  /**
+   * What the rounded time t of an impact lacks, to within 2^-54 of what the sum of the radii takes;
+   * NaN if that is not known so well.
+   */
+  public static double correction(
+      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
+      double vx2, double vy2, double t) {
     double dx = x1 - x2;
     double dy = y1 - y2;
     double ux = vx1 - vx2;
@@ -241,16 +257,12 @@ public final class DiskSweep {
     double c = residue(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t) * half;
     double lean = TimeOfImpact.lean(half, Math.abs(bx) + Math.abs(by) + a * t, t);
     double error = TimeOfImpact.stepError(w, a, half, lean, c);
-    if (!(error * (Math.abs(ux) + Math.abs(uy)) < 0x1p-54 * r)) {
-      PrecisionCounters.exactNormal();
-      return Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).normal();
-    }
-    return UnitVectors.unit(
-        place(x1, x2, vx1, vx2, t, c), place(y1, y2, vy1, vy2, t, c), 0, 0);
+    return error * (Math.abs(ux) + Math.abs(uy)) < 0x1p-54 * r ? c : Double.NaN;
   }
 
-  /** d + u (t + c) on one axis. */
-  private static double place(double x1, double x2, double v1, double v2, double t, double c) {
+  /** The offset at contact on one axis: d + u (t + c), c from {@link #correction}. */
+  public static double offset(
+      double x1, double x2, double v1, double v2, double t, double c) {
     return ((x1 - x2) + (v1 - v2) * t) + (terms(x1, x2, v1, v2, t) + (v1 - v2) * c);
   }
 }

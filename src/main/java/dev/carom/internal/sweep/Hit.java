@@ -16,54 +16,66 @@ import dev.carom.internal.exact.UnitVector;
  */
 public record Hit(double x, double y, double nx, double ny, double approachSpeed) {
 
-  /** The hit on a line, from a contact and a time of {@link SegmentSweep}. */
+  /** The hit on a line at rest, from a contact and a time of {@link SegmentSweep}. */
   public static Hit ofLine(
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
       double by, int contact, double t) {
+    return ofLine(px, py, r, vx, vy, ax, ay, bx, by, 0, 0, contact, t);
+  }
+
+  /** The hit on a line that moves with the velocity u. */
+  public static Hit ofLine(
+      double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
+      double by, double ux, double uy, int contact, double t) {
     return switch (contact & ~Contact.NOW) {
-      case Contact.START -> ofEnd(px, py, r, vx, vy, ax, ay, bx, by, t);
-      case Contact.END -> ofEnd(px, py, r, vx, vy, bx, by, ax, ay, t);
-      case Contact.LEFT -> ofSide(1, px, py, vx, vy, ax, ay, bx, by, t);
-      default -> ofSide(-1, px, py, vx, vy, ax, ay, bx, by, t);
+      case Contact.START -> ofEnd(px, py, r, vx, vy, ax, ay, bx, by, ux, uy, t);
+      case Contact.END -> ofEnd(px, py, r, vx, vy, bx, by, ax, ay, ux, uy, t);
+      case Contact.LEFT -> ofSide(1, px, py, vx, vy, ax, ay, bx, by, ux, uy, t);
+      default -> ofSide(-1, px, py, vx, vy, ax, ay, bx, by, ux, uy, t);
     };
   }
 
   /** The hit on the endpoint (x, y) of a line whose other endpoint is o. */
   private static Hit ofEnd(
       double px, double py, double r, double vx, double vy, double x, double y, double ox,
-      double oy, double t) {
+      double oy, double ux, double uy, double t) {
     UnitVector n =
-        r == 0 && t > 0 && slides(vx, vy, x, y, ox, oy)
-            ? slideNormal(vx, vy, x, y, ox, oy)
-            : DiskSweep.normal(px, py, r, vx, vy, x, y, 0, 0, 0, t);
-    return of(x, y, n, vx, vy, 0, 0);
+        r == 0 && t > 0 && slides(vx, vy, x, y, ox, oy, ux, uy)
+            ? slideNormal(vx, vy, x, y, ox, oy, ux, uy)
+            : DiskSweep.normal(px, py, r, vx, vy, x, y, 0, ux, uy, t);
+    return of(place(x, ux, t), place(y, uy, t), n, vx, vy, ux, uy);
   }
 
   /**
    * Whether a point particle reaches an endpoint along the line's side, not from beyond the end.
    */
   private static boolean slides(
-      double vx, double vy, double x, double y, double ox, double oy) {
-    return Predicates.dot(vx, vy, 0, 0, ox, oy, x, y) < 0;
+      double vx, double vy, double x, double y, double ox, double oy, double ux, double uy) {
+    return Predicates.dot(vx, vy, ux, uy, ox, oy, x, y) < 0;
   }
 
   /**
    * The normal of the side, against the velocity: the limit of the normals for radii that go to 0.
    */
   private static UnitVector slideNormal(
-      double vx, double vy, double x, double y, double ox, double oy) {
-    int drift = Predicates.cross(ox, oy, x, y, vx, vy, 0, 0);
+      double vx, double vy, double x, double y, double ox, double oy, double ux, double uy) {
+    int drift = Predicates.cross(ox, oy, x, y, vx, vy, ux, uy);
     return UnitVectors.normal(-drift, x, y, ox, oy);
   }
 
   private static Hit ofSide(
       int side, double px, double py, double vx, double vy, double ax, double ay, double bx,
-      double by, double t) {
+      double by, double ux, double uy, double t) {
     UnitVector n = UnitVectors.normal(side, ax, ay, bx, by);
-    double s = Coordinates.fraction(ax, ay, bx, by, place(px, vx, t), place(py, vy, t));
-    double x = Coordinates.onSegment(s, ax, bx);
-    double y = Coordinates.onSegment(s, ay, by);
-    return of(x, y, n, vx, vy, 0, 0);
+    double startX = place(ax, ux, t);
+    double startY = place(ay, uy, t);
+    double endX = place(bx, ux, t);
+    double endY = place(by, uy, t);
+    double s =
+        Coordinates.fraction(startX, startY, endX, endY, place(px, vx, t), place(py, vy, t));
+    double x = Coordinates.onSegment(s, startX, endX);
+    double y = Coordinates.onSegment(s, startY, endY);
+    return of(x, y, n, vx, vy, ux, uy);
   }
 
   /** The hit on the wall with a given code, at the given coordinate. */

@@ -26,14 +26,32 @@ public final class LineShape extends ObstacleShape {
   }
 
   @Override
-  public int contact(double px, double py, double r, double vx, double vy, double[] rows, int k) {
+  public int contact(
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double[] rows,
+      int k,
+      double ux,
+      double uy) {
     return SegmentSweep.contact(
-        px, py, r, vx, vy, rows[k + AX], rows[k + AY], rows[k + BX], rows[k + BY]);
+        px, py, r, vx, vy, rows[k + AX], rows[k + AY], rows[k + BX], rows[k + BY], ux, uy);
   }
 
   @Override
   public double time(
-      int contact, double px, double py, double r, double vx, double vy, double[] rows, int k) {
+      int contact,
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double[] rows,
+      int k,
+      double ux,
+      double uy) {
     return SegmentSweep.time(
         contact,
         px,
@@ -45,14 +63,25 @@ public final class LineShape extends ObstacleShape {
         rows[k + AY],
         rows[k + BX],
         rows[k + BY],
+        ux,
+        uy,
         Double.POSITIVE_INFINITY);
   }
 
   @Override
   public ExactTime exactTime(
-      int contact, double px, double py, double r, double vx, double vy, double[] rows, int k) {
+      int contact,
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double[] rows,
+      int k,
+      double ux,
+      double uy) {
     return SegmentSweep.exactTime(
-        contact, px, py, r, vx, vy, rows[k + AX], rows[k + AY], rows[k + BX], rows[k + BY]);
+        contact, px, py, r, vx, vy, rows[k + AX], rows[k + AY], rows[k + BX], rows[k + BY], ux, uy);
   }
 
   @Override
@@ -65,9 +94,23 @@ public final class LineShape extends ObstacleShape {
       double vx,
       double vy,
       double[] rows,
-      int k) {
+      int k,
+      double ux,
+      double uy) {
     return Hit.ofLine(
-        px, py, r, vx, vy, rows[k + AX], rows[k + AY], rows[k + BX], rows[k + BY], contact, t);
+        px,
+        py,
+        r,
+        vx,
+        vy,
+        rows[k + AX],
+        rows[k + AY],
+        rows[k + BX],
+        rows[k + BY],
+        ux,
+        uy,
+        contact,
+        t);
   }
 
   @Override

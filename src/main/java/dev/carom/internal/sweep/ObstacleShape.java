@@ -11,7 +11,8 @@ import java.util.List;
  * restitution. It is solid up to its radius from the spine.
  *
  * <p>The methods take an array and the place where the row begins. A disk is given by its centre
- * (px, py), radius r and velocity (vx, vy).
+ * (px, py), radius r and velocity (vx, vy). An obstacle may move, too: with the velocity (ux, uy)
+ * from the place that its row gives.
  */
 public abstract class ObstacleShape {
 
@@ -76,15 +77,41 @@ public abstract class ObstacleShape {
 
   /** The {@link Contact} at which a disk, followed for ever, first hits an obstacle, or MISS. */
   public abstract int contact(
-      double px, double py, double r, double vx, double vy, double[] rows, int k);
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double[] rows,
+      int k,
+      double ux,
+      double uy);
 
   /** The correctly rounded time of such a contact. */
   public abstract double time(
-      int contact, double px, double py, double r, double vx, double vy, double[] rows, int k);
+      int contact,
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double[] rows,
+      int k,
+      double ux,
+      double uy);
 
   /** The exact time of such a contact. */
   public abstract ExactTime exactTime(
-      int contact, double px, double py, double r, double vx, double vy, double[] rows, int k);
+      int contact,
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double[] rows,
+      int k,
+      double ux,
+      double uy);
 
   /** The point and the normal of such a contact at its time t. */
   public abstract Hit hit(
@@ -96,7 +123,9 @@ public abstract class ObstacleShape {
       double vx,
       double vy,
       double[] rows,
-      int k);
+      int k,
+      double ux,
+      double uy);
 
   // Distance and overlap.
 

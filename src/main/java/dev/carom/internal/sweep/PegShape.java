@@ -4,7 +4,7 @@ package dev.carom.internal.sweep;
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.Predicates;
 
-/** A static disk; its spine is its centre. */
+/** A disk; its spine is its centre. */
 public final class PegShape extends ObstacleShape {
 
   public static final PegShape INSTANCE = new PegShape();
@@ -17,13 +17,31 @@ public final class PegShape extends ObstacleShape {
   }
 
   @Override
-  public int contact(double px, double py, double r, double vx, double vy, double[] rows, int k) {
-    return DiskSweep.contact(px, py, r, vx, vy, rows[k + X], rows[k + Y], rows[k + RADIUS], 0, 0);
+  public int contact(
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double[] rows,
+      int k,
+      double ux,
+      double uy) {
+    return DiskSweep.contact(px, py, r, vx, vy, rows[k + X], rows[k + Y], rows[k + RADIUS], ux, uy);
   }
 
   @Override
   public double time(
-      int contact, double px, double py, double r, double vx, double vy, double[] rows, int k) {
+      int contact,
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double[] rows,
+      int k,
+      double ux,
+      double uy) {
     return DiskSweep.time(
         contact,
         px,
@@ -34,16 +52,25 @@ public final class PegShape extends ObstacleShape {
         rows[k + X],
         rows[k + Y],
         rows[k + RADIUS],
-        0,
-        0,
+        ux,
+        uy,
         Double.POSITIVE_INFINITY);
   }
 
   @Override
   public ExactTime exactTime(
-      int contact, double px, double py, double r, double vx, double vy, double[] rows, int k) {
+      int contact,
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double[] rows,
+      int k,
+      double ux,
+      double uy) {
     return DiskSweep.exactTime(
-        contact, px, py, r, vx, vy, rows[k + X], rows[k + Y], rows[k + RADIUS], 0, 0);
+        contact, px, py, r, vx, vy, rows[k + X], rows[k + Y], rows[k + RADIUS], ux, uy);
   }
 
   @Override
@@ -56,9 +83,11 @@ public final class PegShape extends ObstacleShape {
       double vx,
       double vy,
       double[] rows,
-      int k) {
+      int k,
+      double ux,
+      double uy) {
     return Hit.ofDisks(
-        px, py, r, vx, vy, rows[k + X], rows[k + Y], rows[k + RADIUS], 0, 0, contact, t);
+        px, py, r, vx, vy, rows[k + X], rows[k + Y], rows[k + RADIUS], ux, uy, contact, t);
   }
 
   @Override

@@ -6,7 +6,8 @@ import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.Predicates;
 
 /**
- * A disk that moves against a resting line: the mathematics of a swept circle against a segment.
+ * A disk that moves against a line: the mathematics of a swept circle against a segment. A line may
+ * move, too, with the velocity u; v below is then the velocity of the disk less u.
  *
  * <p>The disk touches the line a-b when its centre enters the capsule of radius r around it: a
  * strip of width 2 r along {@code w = b - a}, closed by a disk around each end. With {@code d = p -
@@ -34,8 +35,8 @@ public final class SegmentSweep {
   /** cross(w, d), d.w: differences 1 + 1, product 1, sum 1: 4 u, and one more. */
   private static final double PLACE_BOUND = 5 * 0x1p-53;
 
-  /** cross(w, v): difference 1, product 1, sum 1: 3 u, and one more. */
-  private static final double SPEED_BOUND = 4 * 0x1p-53;
+  /** cross(w, v): differences 1 + 1, product 1, sum 1: 4 u, and two more. */
+  private static final double SPEED_BOUND = 6 * 0x1p-53;
 
   /**
    * cross^2 - r^2 w.w: the square has 2 x 4 + 1, the other term 1 + (2 + 1 + 1) + 1, the difference
@@ -44,10 +45,10 @@ public final class SegmentSweep {
   private static final double STRIP_BOUND = 12 * 0x1p-53;
 
   /**
-   * x |x| w.w - y |y|, x = cross(d, v), y = r v.w: x has 3, its square 7, times w.w 7 + 4 + 1; y
-   * has 3 + 1, its square 9; the difference 1: 13 u, and two more.
+   * x |x| w.w - y |y|, x = cross(d, v), y = r v.w: x has 4, its square 9, times w.w 9 + 4 + 1; y
+   * has 4 + 1, its square 11; the difference 1: 15 u, and two more.
    */
-  private static final double CORNER_BOUND = 15 * 0x1p-53;
+  private static final double CORNER_BOUND = 17 * 0x1p-53;
 
   private static final double TINY = TimeOfImpact.TINY;
 
@@ -60,6 +61,13 @@ public final class SegmentSweep {
   public static int contact(
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
       double by) {
+    return contact(px, py, r, vx, vy, ax, ay, bx, by, 0, 0);
+  }
+
+  /** The same for a line that moves with the velocity u. */
+  public static int contact(
+      double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
+      double by, double ux, double uy) {
     double wx = bx - ax;
     double wy = by - ay;
     double dx = px - ax;
@@ -75,13 +83,13 @@ public final class SegmentSweep {
     double strip = c * c - scaledSquare;
     double bound = Math.fma(STRIP_BOUND, m * m + scaledSquare, TINY * (m + rr + ww + 1));
     if (strip > bound) {
-      return outside(UnitVectors.sign(c), px, py, r, vx, vy, ax, ay, bx, by);
+      return outside(UnitVectors.sign(c), px, py, r, vx, vy, ax, ay, bx, by, ux, uy);
     }
     if (!(strip < -bound) && Predicates.discriminant(bx, by, ax, ay, px, py, ax, ay, r, 0) < 0) {
       int side = Predicates.cross(bx, by, ax, ay, px, py, ax, ay);
-      return outside(side, px, py, r, vx, vy, ax, ay, bx, by);
+      return outside(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy);
     }
-    return inside(px, py, r, vx, vy, ax, ay, bx, by);
+    return inside(px, py, r, vx, vy, ax, ay, bx, by, ux, uy);
   }
 
   /** Whether the distance of the centre from the line is less than the radius, exactly. */
@@ -97,12 +105,19 @@ public final class SegmentSweep {
   }
 
   /**
-   * The correctly rounded time of a contact, {@code +infinity} if it is a MISS or later than the
-   * window's end T.
+   * The correctly rounded time of a contact with a line at rest, {@code +infinity} if it is a MISS
+   * or later than the window's end T.
    */
   public static double time(
       int contact, double px, double py, double r, double vx, double vy, double ax, double ay,
       double bx, double by, double T) {
+    return time(contact, px, py, r, vx, vy, ax, ay, bx, by, 0, 0, T);
+  }
+
+  /** The same for a line that moves with the velocity u. */
+  public static double time(
+      int contact, double px, double py, double r, double vx, double vy, double ax, double ay,
+      double bx, double by, double ux, double uy, double T) {
     if (contact == Contact.MISS) {
       return Double.POSITIVE_INFINITY;
     }
@@ -110,60 +125,65 @@ public final class SegmentSweep {
       return 0;
     }
     if (contact == Contact.START) {
-      return timeOfEnd(px, py, r, vx, vy, ax, ay, T);
+      return timeOfEnd(px, py, r, vx, vy, ax, ay, ux, uy, T);
     }
     if (contact == Contact.END) {
-      return timeOfEnd(px, py, r, vx, vy, bx, by, T);
+      return timeOfEnd(px, py, r, vx, vy, bx, by, ux, uy, T);
     }
-    return SideSweep.time(contact == Contact.LEFT ? 1 : -1, px, py, r, vx, vy, ax, ay, bx, by, T);
+    int side = contact == Contact.LEFT ? 1 : -1;
+    return SideSweep.time(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, T);
   }
 
   /** The exact time of a contact that is no MISS. */
   public static ExactTime exactTime(
       int contact, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by) {
+      double bx, double by, double ux, double uy) {
     return switch (contact) {
-      case Contact.START -> DiskSweep.exactTime(Contact.LATER, px, py, r, vx, vy, ax, ay, 0, 0, 0);
-      case Contact.END -> DiskSweep.exactTime(Contact.LATER, px, py, r, vx, vy, bx, by, 0, 0, 0);
+      case Contact.START ->
+          DiskSweep.exactTime(Contact.LATER, px, py, r, vx, vy, ax, ay, 0, ux, uy);
+      case Contact.END -> DiskSweep.exactTime(Contact.LATER, px, py, r, vx, vy, bx, by, 0, ux, uy);
       case Contact.LEFT, Contact.RIGHT ->
-          Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by).exactTime();
+          Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by, ux, uy).exactTime();
       default -> ExactTime.ZERO;
     };
   }
 
   private static double timeOfEnd(
-      double px, double py, double r, double vx, double vy, double x, double y, double T) {
-    return T == Double.POSITIVE_INFINITY
+      double px, double py, double r, double vx, double vy, double x, double y, double ux,
+      double uy, double T) {
+    boolean isSimple = T == Double.POSITIVE_INFINITY && ux == 0 && uy == 0;
+    return isSimple
         ? PointSweep.time(px, py, r, vx, vy, x, y)
-        : DiskSweep.time(Contact.LATER, px, py, r, vx, vy, x, y, 0, 0, 0, T);
+        : DiskSweep.time(Contact.LATER, px, py, r, vx, vy, x, y, 0, ux, uy, T);
   }
 
   /** The centre starts inside the strip. */
   private static int inside(
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
-      double by) {
+      double by, double ux, double uy) {
     if (along(px, py, ax, ay, ax, ay, bx, by) <= 0) {
-      return endpoint(Contact.START, px, py, r, vx, vy, ax, ay);
+      return endpoint(Contact.START, px, py, r, vx, vy, ax, ay, ux, uy);
     }
     if (along(px, py, bx, by, ax, ay, bx, by) >= 0) {
-      return endpoint(Contact.END, px, py, r, vx, vy, bx, by);
+      return endpoint(Contact.END, px, py, r, vx, vy, bx, by, ux, uy);
     }
     int side = Predicates.cross(bx, by, ax, ay, px, py, ax, ay);
-    return side * drift(vx, vy, ax, ay, bx, by) < 0 ? Contact.NOW | sideOf(side) : Contact.MISS;
+    boolean approaches = side * drift(vx, vy, ax, ay, bx, by, ux, uy) < 0;
+    return approaches ? Contact.NOW | sideOf(side) : Contact.MISS;
   }
 
   /** The centre starts outside the strip, on the given side. */
   private static int outside(
       int side, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by) {
-    if (side * drift(vx, vy, ax, ay, bx, by) >= 0) {
+      double bx, double by, double ux, double uy) {
+    if (side * drift(vx, vy, ax, ay, bx, by, ux, uy) >= 0) {
       return Contact.MISS;
     }
-    if (corner(side, px, py, ax, ay, vx, vy, ax, ay, bx, by, r) <= 0) {
-      return endpoint(Contact.START, px, py, r, vx, vy, ax, ay);
+    if (corner(side, px, py, ax, ay, vx, vy, ax, ay, bx, by, ux, uy, r) <= 0) {
+      return endpoint(Contact.START, px, py, r, vx, vy, ax, ay, ux, uy);
     }
-    if (corner(side, px, py, bx, by, vx, vy, ax, ay, bx, by, r) >= 0) {
-      return endpoint(Contact.END, px, py, r, vx, vy, bx, by);
+    if (corner(side, px, py, bx, by, vx, vy, ax, ay, bx, by, ux, uy, r) >= 0) {
+      return endpoint(Contact.END, px, py, r, vx, vy, bx, by, ux, uy);
     }
     return sideOf(side);
   }
@@ -173,8 +193,9 @@ public final class SegmentSweep {
   }
 
   private static int endpoint(
-      int end, double px, double py, double r, double vx, double vy, double x, double y) {
-    return switch (DiskSweep.contact(px, py, r, vx, vy, x, y, 0, 0, 0)) {
+      int end, double px, double py, double r, double vx, double vy, double x, double y, double ux,
+      double uy) {
+    return switch (DiskSweep.contact(px, py, r, vx, vy, x, y, 0, ux, uy)) {
       case Contact.MISS -> Contact.MISS;
       case Contact.NOW -> Contact.NOW | end;
       default -> end;
@@ -182,15 +203,16 @@ public final class SegmentSweep {
   }
 
   /** The sign of cross(w, v): the side of the line towards which the centre moves. */
-  private static int drift(double vx, double vy, double ax, double ay, double bx, double by) {
-    double c0 = (bx - ax) * vy;
-    double c1 = (by - ay) * vx;
+  private static int drift(
+      double vx, double vy, double ax, double ay, double bx, double by, double ux, double uy) {
+    double c0 = (bx - ax) * (vy - uy);
+    double c1 = (by - ay) * (vx - ux);
     double c = c0 - c1;
     double bound = Math.fma(SPEED_BOUND, Math.abs(c0) + Math.abs(c1), TINY);
     if (Math.abs(c) > bound) {
       return UnitVectors.sign(c);
     }
-    return Predicates.cross(bx, by, ax, ay, vx, vy, 0, 0);
+    return Predicates.cross(bx, by, ax, ay, vx, vy, ux, uy);
   }
 
   /** The sign of (p - q).w: whether p projects beyond q. */
@@ -209,14 +231,16 @@ public final class SegmentSweep {
   /** The sign of the projection beyond q, an end of the line, at the edge of the strip. */
   private static int corner(
       int side, double px, double py, double qx, double qy, double vx, double vy, double ax,
-      double ay, double bx, double by, double r) {
+      double ay, double bx, double by, double ux, double uy, double r) {
     double wx = bx - ax;
     double wy = by - ay;
-    // x = -side cross(p - q, v), y = r v.w
-    double x0 = (px - qx) * vy;
-    double x1 = (py - qy) * vx;
-    double y0 = vx * wx;
-    double y1 = vy * wy;
+    double sx = vx - ux;
+    double sy = vy - uy;
+    // x = -side cross(p - q, v - u), y = r (v - u).w
+    double x0 = (px - qx) * sy;
+    double x1 = (py - qy) * sx;
+    double y0 = sx * wx;
+    double y1 = sy * wy;
     double x = -side * (x0 - x1);
     double y = r * (y0 + y1);
     double mx = Math.abs(x0) + Math.abs(x1);
@@ -231,6 +255,6 @@ public final class SegmentSweep {
     if (Math.abs(s) > bound) {
       return UnitVectors.sign(s);
     }
-    return Predicates.corner(side, px, py, qx, qy, vx, vy, bx, by, ax, ay, r);
+    return Predicates.corner(side, px, py, qx, qy, vx, vy, ux, uy, bx, by, ax, ay, r);
   }
 }

@@ -127,7 +127,7 @@ class ExactTimeTest {
           SegmentSweep.contact(
               q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by());
       return SegmentSweep.exactTime(
-          contact, q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by());
+          contact, q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by(), 0, 0);
     }
     PairQuery q = (PairQuery) query;
     int contact =

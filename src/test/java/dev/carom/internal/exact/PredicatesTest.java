@@ -222,9 +222,10 @@ class PredicatesTest {
           () -> corner(s),
           n ->
               Predicates.corner(
-                  s, n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]),
+                  s, n[0], n[1], n[2], n[3], n[4], n[5], 0, 0, n[6], n[7], n[8], n[9], n[10]),
           n ->
-              Exact.corner(s, n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10])
+              Exact.corner(
+                      s, n[0], n[1], n[2], n[3], n[4], n[5], 0, 0, n[6], n[7], n[8], n[9], n[10])
                   .sign());
     }
   }

@@ -29,7 +29,7 @@ class StuckRuleTest {
 
   private boolean counts(double way, double e) {
     start(0);
-    StuckRule.count(m, way, 1, PLAIN, e, StuckRule.ELASTIC);
+    StuckRule.count(m, way, 1, PLAIN, e, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
     return m.stuck > 0;
   }
 
@@ -37,7 +37,7 @@ class StuckRuleTest {
     start(0);
     int impacts = 0;
     while (!StuckRule.isStuck(m)) {
-      StuckRule.count(m, 0, 1, PLAIN, e, elastic);
+      StuckRule.count(m, 0, 1, PLAIN, e, elastic, StuckRule.DRIVEN_PLACE);
       impacts++;
     }
     return impacts;
@@ -85,10 +85,10 @@ class StuckRuleTest {
   void faintImpactsWeighA32nd() {
     start(0);
     for (int impact = 0; impact < 32; impact++) {
-      StuckRule.count(m, 0, 1, -FAINT, 1, StuckRule.ELASTIC);
+      StuckRule.count(m, 0, 1, -FAINT, 1, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
     }
     assertThat(StuckRule.isStuck(m)).isFalse();
-    StuckRule.count(m, 0, 1, -FAINT, 1, StuckRule.ELASTIC);
+    StuckRule.count(m, 0, 1, -FAINT, 1, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
     assertThat(StuckRule.isStuck(m)).isTrue();
   }
 
@@ -97,7 +97,7 @@ class StuckRuleTest {
     start(StuckRule.LIMIT + 1);
     m.jam = IgnoreList.with(null, 7);
     m.turn = 1;
-    StuckRule.count(m, 1, 2, PLAIN, 1, StuckRule.ELASTIC);
+    StuckRule.count(m, 1, 2, PLAIN, 1, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
     assertThat(m.stuck).isZero();
     assertThat(m.jam).isNull();
     assertThat(m.turn).isZero();
@@ -108,7 +108,7 @@ class StuckRuleTest {
   void whoseClockDoesNotMoveHasNotLeft() {
     start(0);
     m.standsStill = true;
-    StuckRule.count(m, 1, 1, PLAIN, 1, StuckRule.ELASTIC);
+    StuckRule.count(m, 1, 1, PLAIN, 1, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
     assertThat(m.stuck).isEqualTo(StuckRule.ELASTIC);
   }
 
@@ -116,7 +116,7 @@ class StuckRuleTest {
   private boolean slides(double flown, double approach, int stuck) {
     start(stuck);
     m.flown = flown;
-    StuckRule.count(m, 1, 1, approach, 1, StuckRule.ELASTIC);
+    StuckRule.count(m, 1, 1, approach, 1, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
     return m.stuck > 0;
   }
 
@@ -138,11 +138,11 @@ class StuckRuleTest {
     double place = 0x1p-10;
     start(0);
     m.driven = true;
-    StuckRule.count(m, place, 1, PLAIN, 1, StuckRule.ELASTIC);
+    StuckRule.count(m, place, 1, PLAIN, 1, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
     assertThat(m.stuck).isEqualTo(StuckRule.ELASTIC);
     start(0);
     m.driven = true;
-    StuckRule.count(m, 1.1 * place, 1, PLAIN, 1, StuckRule.ELASTIC);
+    StuckRule.count(m, 1.1 * place, 1, PLAIN, 1, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
     assertThat(m.stuck).isZero();
     assertThat(m.driven).isFalse();
   }

@@ -45,7 +45,7 @@ class SegmentSweepTest {
   }
 
   private static int corner(double[] n, double x, double y) {
-    return Exact.corner(1, n[4], n[5], x, y, n[7], n[8], n[2], n[3], n[0], n[1], n[6]).sign();
+    return Exact.corner(1, n[4], n[5], x, y, n[7], n[8], 0, 0, n[2], n[3], n[0], n[1], n[6]).sign();
   }
 
   @Test

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.search;
+
+import dev.carom.internal.state.ObstacleMotions;
+import dev.carom.internal.state.ObstacleRows;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.ObstacleShape;
+import java.util.Arrays;
+
+/**
+ * An index of the moving obstacles over a window of time. Each obstacle has a box around all that
+ * it sweeps in the window. The plane is cut into strips along each axis. For each strip, one set of
+ * bits holds the boxes that begin at or before it, and one those that end at or after it. So four
+ * sets give the boxes that overlap a box, some others included.
+ */
+final class MotionWindow {
+
+  /** Strips along an axis. */
+  private static final int STRIPS = 64;
+
+  /** Far more than the rounding of a place, in proportion to the coordinates. */
+  private static final double ROUNDING = 0x1p-40;
+
+  /** The time at which the window begins, and that at which it ends. */
+  double begin;
+
+  double end;
+
+  /** The boxes that a search found: bits by the numbers of {@link ObstacleMotions}. */
+  long[] found = new long[0];
+
+  private final Axis x = new Axis();
+  private final Axis y = new Axis();
+  private final double[] row = new double[ObstacleTable.MOST_NUMBERS + 1];
+
+  /** One axis: the least and the largest coordinate of each box, and the sets of each strip. */
+  private static final class Axis {
+
+    private double[] low = new double[0];
+    private double[] high = low;
+    private double origin;
+    private double perStrip;
+
+    /** The boxes that begin in each strip or before it, and that end in it or after it. */
+    private long[][] begun;
+
+    private long[][] open;
+
+    void clear(int count) {
+      if (count != low.length) {
+        low = new double[count];
+        high = new double[count];
+        begun = new long[STRIPS][words(count)];
+        open = new long[STRIPS][words(count)];
+      }
+      Arrays.fill(low, Double.POSITIVE_INFINITY);
+      Arrays.fill(high, Double.NEGATIVE_INFINITY);
+    }
+
+    void include(int i, double p, double radius) {
+      double margin = radius + ROUNDING * (Math.abs(p) + radius);
+      low[i] = Math.min(low[i], p - margin);
+      high[i] = Math.max(high[i], p + margin);
+    }
+
+    void index() {
+      origin = Double.POSITIVE_INFINITY;
+      double most = Double.NEGATIVE_INFINITY;
+      for (int i = 0; i < low.length; i++) {
+        origin = Math.min(origin, low[i]);
+        most = Math.max(most, high[i]);
+      }
+      perStrip = STRIPS / (most - origin);
+      for (int s = 0; s < STRIPS; s++) {
+        Arrays.fill(begun[s], 0);
+        Arrays.fill(open[s], 0);
+      }
+      for (int i = 0; i < low.length; i++) {
+        insert(i);
+      }
+    }
+
+    private void insert(int i) {
+      int word = i / Long.SIZE;
+      long bit = 1L << i;
+      for (int s = strip(low[i]); s < STRIPS; s++) {
+        begun[s][word] |= bit;
+      }
+      for (int s = strip(high[i]); s >= 0; s--) {
+        open[s][word] |= bit;
+      }
+    }
+
+    /** The strip of a coordinate, which grows with it; those beyond the strips have the nearest. */
+    int strip(double p) {
+      return (int) Math.max(0, Math.min(STRIPS - 1, (p - origin) * perStrip)); // 0 for NaN
+    }
+  }
+
+  /** Indexes the obstacles that move, for a window of time. */
+  void index(ObstacleTable obstacles, double from, double to) {
+    begin = from;
+    end = to;
+    ObstacleMotions motions = obstacles.motions();
+    x.clear(motions.count());
+    y.clear(motions.count());
+    for (int i = 0; i < motions.count(); i++) {
+      include(obstacles, i, from);
+      include(obstacles, i, to);
+    }
+    x.index();
+    y.index();
+    if (found.length != words(motions.count())) {
+      found = new long[words(motions.count())];
+    }
+  }
+
+  /** How many longs hold so many bits. */
+  private static int words(int bits) {
+    return (bits + Long.SIZE - 1) / Long.SIZE;
+  }
+
+  private void include(ObstacleTable obstacles, int i, double time) {
+    ObstacleRows rows = obstacles.of(obstacles.motions().code(i));
+    ObstacleShape shape = rows.shape;
+    obstacles.place(i, time, 0, row);
+    double radius = shape.radius(row, 0);
+    for (int k = 0; k <= shape.toEnd; k += 2) {
+      x.include(i, row[k + ObstacleShape.X], radius);
+      y.include(i, row[k + ObstacleShape.Y], radius);
+    }
+  }
+
+  /**
+   * Finds the obstacles whose boxes overlap that of a disk which moves from one point to another in
+   * the window, and maybe others. {@link #found} receives them.
+   */
+  void find(double fromX, double fromY, double toX, double toY, double r) {
+    double marginX = r + ROUNDING * (Math.abs(fromX) + Math.abs(toX) + r);
+    double marginY = r + ROUNDING * (Math.abs(fromY) + Math.abs(toY) + r);
+    if (!(marginX + marginY < Double.POSITIVE_INFINITY)) {
+      System.arraycopy(x.begun[STRIPS - 1], 0, found, 0, found.length); // all
+      return;
+    }
+    long[] begunX = x.begun[x.strip(Math.max(fromX, toX) + marginX)];
+    long[] openX = x.open[x.strip(Math.min(fromX, toX) - marginX)];
+    long[] begunY = y.begun[y.strip(Math.max(fromY, toY) + marginY)];
+    long[] openY = y.open[y.strip(Math.min(fromY, toY) - marginY)];
+    for (int word = 0; word < found.length; word++) {
+      found[word] = begunX[word] & openX[word] & begunY[word] & openY[word];
+    }
+  }
+}

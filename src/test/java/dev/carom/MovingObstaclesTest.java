@@ -1,0 +1,457 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Lines and pegs with a constant velocity: they push circles, and nothing deflects them. */
+class MovingObstaclesTest {
+
+  private static World world(SceneBuilder scene) {
+    return new World(scene.build());
+  }
+
+  private static void finish(World world, double t) {
+    assertThat(world.advanceTo(t)).as("reaches %s", t).isTrue();
+  }
+
+  @Test
+  void aWallThatMovesWithUTurnsVIntoMinusVPlusTwoU() {
+    World world =
+        world(Scene.builder().line(0, -10, 0, 10).velocity(3, 0).circle(10, 0, 1, -2, 0.5));
+    finish(world, 3); // they meet at (10 - 1) / (2 + 3)
+    ImpactLog log = world.impacts();
+    assertThat(log.size()).isEqualTo(1);
+    assertThat(log.time(0)).isEqualTo(9 / 5.0);
+    assertThat(log.kind(0)).isEqualTo(ObstacleKind.LINE);
+    assertThat(log.feature(0)).isEqualTo(Feature.SIDE);
+    assertThat(log.approachSpeed(0)).isEqualTo(5);
+    assertThat(log.x(0)).isCloseTo(5.4, within(1e-14));
+    assertThat(world.vx(0)).isEqualTo(2 + 2 * 3);
+    assertThat(world.vy(0)).isEqualTo(0.5);
+    assertThat(world.line(0)).isEqualTo(new Line(9, -10, 9, 10));
+  }
+
+  @Test
+  void aPegPushesACircleThatRests() {
+    World world = world(Scene.builder().peg(-10, 0, 2).velocity(4, 0).circle(5, 0, 1, 0, 0));
+    finish(world, 4);
+    assertThat(world.impacts().time(0)).isEqualTo(3);
+    assertThat(world.vx(0)).isEqualTo(8);
+    assertThat(world.peg(0)).isEqualTo(new Circle(6, 0, 2));
+  }
+
+  @Test
+  void anEndPushesACircle() {
+    World world = world(Scene.builder().line(-10, 0, -5, 0).velocity(2, 0).circle(4, 0, 1, 0, 0));
+    finish(world, 5);
+    assertThat(world.impacts().feature(0)).isEqualTo(Feature.END);
+    assertThat(world.impacts().time(0)).isEqualTo(4);
+    assertThat(world.vx(0)).isEqualTo(4);
+  }
+
+  @Test
+  void aCircleWithoutBounceGoesAlong() {
+    World world =
+        world(
+            Scene.builder()
+                .line(0, -50, 0, 50)
+                .velocity(3, 0)
+                .circle(10, 0, 1, 0, 1)
+                .restitution(0));
+    finish(world, 3);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.vx(0)).isEqualTo(3);
+    finish(world, 10);
+    assertThat(world.impacts().size()).isZero();
+    assertThat(world.x(0)).isEqualTo(31);
+  }
+
+  @Test
+  void anObstacleThatStopsIsStatic() {
+    World world = world(Scene.builder().line(0, -10, 0, 10).circle(10, 0, 1, -1, 0));
+    world.setVelocity(ObstacleKind.LINE, 0, 1, 0);
+    finish(world, 2);
+    world.setVelocity(ObstacleKind.LINE, 0, 0, 0);
+    assertThat(world.line(0)).isEqualTo(new Line(2, -10, 2, 10));
+    assertThat(world.velocity(ObstacleKind.LINE, 0)).isEqualTo(new Vec2(0, 0));
+    finish(world, 8);
+    assertThat(world.impacts().time(0)).isEqualTo(7);
+    assertThat(world.vx(0)).isEqualTo(1);
+  }
+
+  @Test
+  void edgesOfTheInterface() {
+    World world = world(Scene.builder().bounds(0, 0, 9, 9).peg(4, 4, 1).circle(1, 1, 1, 0, 0));
+    assertThatThrownBy(() -> world.setVelocity(ObstacleKind.WALL, 0, 1, 0))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("kind is WALL: expected LINE, PEG or CIRCLE: walls do not move");
+    assertThatThrownBy(() -> world.setVelocity(ObstacleKind.PEG, 0, Double.NaN, 0))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("peg 0: vx is NaN: expected a finite number");
+    assertThatThrownBy(() -> world.setVelocity(ObstacleKind.PEG, 1, 0, 0))
+        .isInstanceOf(IndexOutOfBoundsException.class);
+    assertThatThrownBy(() -> Scene.builder().circle(0, 0, 1, 0, 0).velocity(1, 0))
+        .isInstanceOf(IllegalStateException.class);
+    assertThatThrownBy(() -> Scene.builder().peg(0, 0, 1).velocity(1, Double.POSITIVE_INFINITY))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("peg 0: vy is Infinity: expected a finite number");
+    world.setVelocity(ObstacleKind.CIRCLE, 0, 2, 3);
+    assertThat(world.velocity(ObstacleKind.CIRCLE, 0)).isEqualTo(new Vec2(2, 3));
+    assertThat(world.velocity(ObstacleKind.WALL, 0)).isEqualTo(new Vec2(0, 0));
+  }
+
+  /** Squeezed between a moving line and a wall, alone or among others, whatever it bounces like. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.5, 0.9, 1, 1.1})
+  void aSqueezedCircleIsJammedAndPassedOver(double e) {
+    for (boolean collide : new boolean[] {false, true}) {
+      for (double vy : new double[] {0, 0.25}) {
+        World world =
+            world(
+                Scene.builder()
+                    .collide(collide)
+                    .bounds(0, 0, 100, 100)
+                    .line(50, -10, 50, 110)
+                    .velocity(1, 0)
+                    .circle(80, 50, 5, 0.5, vy)
+                    .restitution(e));
+        String name = "e = " + e + ", collide " + collide + ", vy " + vy;
+        boolean jammed = false;
+        double last = 0;
+        for (int frame = 1; frame <= 120; frame++) {
+          assertThat(world.step(1)).as(name + ", frame " + frame).isTrue();
+          for (int i = 0; i < world.impacts().size(); i++) {
+            jammed |= world.impacts().outcome(i) == Outcome.JAMMED;
+            last = world.impacts().time(i);
+          }
+        }
+        assertThat(jammed).as(name).isTrue();
+        assertThat(last).as(name).isLessThan(46); // the line reaches the circle at the wall at 40
+        assertThat(world.vx(0)).as(name).isZero();
+        assertThat(world.x(0)).as(name).isCloseTo(95, within(0.02));
+        assertThat(world.line(0).ax()).as(name).isEqualTo(170);
+      }
+    }
+  }
+
+  @Test
+  void twoMovingLinesSqueezeACircle() {
+    for (boolean collide : new boolean[] {false, true}) {
+      for (double mass : new double[] {1, Double.POSITIVE_INFINITY}) {
+        World world =
+            world(
+                Scene.builder()
+                    .collide(collide)
+                    .line(0, -50, 0, 50)
+                    .velocity(1, 0)
+                    .line(40, -50, 40, 50)
+                    .velocity(-1, 0)
+                    .circle(20, 0, 2, 0.3, 0)
+                    .mass(mass));
+        finish(world, 100);
+        assertThat(world.velocity(ObstacleKind.CIRCLE, 0)).isEqualTo(new Vec2(0, 0));
+        assertThat(world.x(0)).isCloseTo(20, within(1.0));
+      }
+    }
+  }
+
+  /** Pushed along a slanted line, a circle without bounce slides: it is not squeezed. */
+  @ParameterizedTest
+  @ValueSource(doubles = {20, 45, 70})
+  void aCircleThatCanEscapeSlides(double degrees) {
+    double slope = Math.tan(Math.toRadians(degrees));
+    for (boolean collide : new boolean[] {false, true}) {
+      World world =
+          world(
+              Scene.builder()
+                  .collide(collide)
+                  .line(-500, 0, 500, 1000 * slope)
+                  .line(-100, -4000, -100, 4000)
+                  .velocity(1, 0)
+                  .circle(-80, 480 * slope, 2, 0, -1)
+                  .restitution(0));
+      double start = world.y(0);
+      finish(world, 60);
+      assertThat(world.vx(0))
+          .as("degrees %s, collide %s", degrees, collide)
+          .isCloseTo(1, within(1e-9));
+      assertThat(world.vy(0)).as("degrees %s", degrees).isCloseTo(slope, within(1e-9));
+      assertThat(world.y(0)).isNotEqualTo(start);
+    }
+  }
+
+  @Test
+  void theNextImpactAfterItWasPassedOverFreesACircle() {
+    World world =
+        world(
+            Scene.builder()
+                .collide(true)
+                .bounds(0, 0, 100, 100)
+                .line(90, 40, 90, 60)
+                .velocity(1, 0)
+                .circle(98, 50, 2, 0, 0)
+                .circle(20, 50, 2, 1, 0));
+    finish(world, 30);
+    assertThat(world.vx(0)).isZero();
+    finish(world, 80); // the other circle comes at 74
+    assertThat(world.vx(0)).as("it went to the wall and came back").isZero();
+    assertThat(world.vx(1)).as("it was hit by it").isEqualTo(-1);
+  }
+
+  /** What moves among things that move alike sees what it would see if nothing moved. */
+  @Test
+  void aFrameOfReferenceThatMovesGivesTheSameImpacts() {
+    Random random = new Random(7);
+    for (int run = 0; run < 50; run++) {
+      boolean collide = run % 2 == 0;
+      double ux = random.nextInt(-8, 9) / 4.0;
+      double uy = random.nextInt(-8, 9) / 4.0;
+      SceneBuilder still = Scene.builder().collide(collide);
+      SceneBuilder moving = Scene.builder().collide(collide);
+      for (int i = 0; i < 12; i++) {
+        double ax = random.nextInt(-40, 41);
+        double ay = random.nextInt(-40, 41);
+        double bx = ax + random.nextInt(-9, 10);
+        double by = ay + random.nextInt(-9, 10);
+        still.line(ax, ay, bx, by);
+        moving.line(ax, ay, bx, by).velocity(ux, uy);
+        double x = random.nextInt(-40, 41);
+        double y = random.nextInt(-40, 41);
+        still.peg(x, y, 1);
+        moving.peg(x, y, 1).velocity(ux, uy);
+        double cx = random.nextInt(-30, 31);
+        double cy = random.nextInt(-30, 31);
+        double vx = random.nextInt(-16, 17) / 8.0;
+        double vy = random.nextInt(-16, 17) / 8.0;
+        still.circle(cx, cy, 1, vx, vy);
+        moving.circle(cx, cy, 1, vx + ux, vy + uy);
+      }
+      World a = world(still);
+      World b = world(moving);
+      finish(a, 6);
+      finish(b, 6);
+      // Until the first impact of a circle all differences are exact, so its time is the same.
+      assertThat(firstTimes(b)).isEqualTo(firstTimes(a));
+    }
+  }
+
+  private static List<String> firstTimes(World world) {
+    List<String> first = new ArrayList<>();
+    boolean[] seen = new boolean[world.circleCount()];
+    ImpactLog log = world.impacts();
+    for (int i = 0; i < log.size(); i++) {
+      int circle = log.circle(i);
+      boolean pair = log.kind(i) == ObstacleKind.CIRCLE;
+      boolean known = seen[circle] || (pair && seen[log.id(i)]);
+      if (!known) {
+        first.add(
+            "%s %d %s %d %s"
+                .formatted(log.time(i), circle, log.kind(i), log.id(i), log.feature(i)));
+      }
+      seen[circle] = true;
+      if (pair) {
+        seen[log.id(i)] = true;
+      }
+    }
+    return first;
+  }
+
+  /** A gas in a cylinder whose lid moves slowly: E is as 1 / V, in two dimensions. */
+  @Test
+  void aSlowLidWarmsAGasAdiabatically() {
+    SceneBuilder scene =
+        Scene.builder()
+            .collide(true)
+            .bounds(0, 0, 100, 100)
+            .line(100, -10, 100, 110)
+            .velocity(-0.01, 0);
+    Random random = new Random(3);
+    for (int i = 0; i < 100; i++) {
+      double angle = random.nextDouble() * 2 * Math.PI;
+      scene.circle(
+          4 + 9 * (i % 10), 4 + 9 * (i / 10), 0.5, 2 * Math.cos(angle), 2 * Math.sin(angle));
+    }
+    World world = world(scene);
+    double before = energy(world);
+    for (int frame = 1; frame <= 2000; frame++) {
+      finish(world, frame);
+    }
+    double volume = (99.0 - 20) / 99.0; // of the centres, less those kept out by the others
+    assertThat(energy(world) / before).isCloseTo(1 / volume, within(0.03));
+  }
+
+  private static double energy(World world) {
+    double energy = 0;
+    for (int i = 0; i < world.circleCount(); i++) {
+      energy += world.vx(i) * world.vx(i) + world.vy(i) * world.vy(i);
+    }
+    return energy;
+  }
+
+  @Test
+  void questionsSeeItWhereItIsNow() {
+    World world =
+        world(Scene.builder().line(0, -10, 0, 10).velocity(3, 0).peg(0, 50, 1).velocity(0, 2));
+    finish(world, 4);
+    assertThat(world.nearest(ObstacleKind.LINE, 12, 0)).isZero();
+    assertThat(world.overlapping(ObstacleKind.LINE, new Circle(12, 0, 0.5))).containsExactly(0);
+    assertThat(world.overlapping(ObstacleKind.LINE, new Circle(0, 0, 0.5))).isEmpty();
+    assertThat(world.overlapping(ObstacleKind.PEG, new Bounds(-1, 57, 1, 58))).containsExactly(0);
+    Impact impact = world.cast(new Circle(22, 0, 1), new Vec2(0, 0), 10).orElseThrow();
+    assertThat(impact.time()).isEqualTo(3);
+    assertThat(impact.obstacle()).isEqualTo(new Line(12, -10, 12, 10));
+    assertThat(impact.point().x()).isEqualTo(21);
+    assertThat(impact.approachSpeed()).isEqualTo(3);
+    Trajectory path = world.trace(new Circle(22, 0, 1), new Vec2(-6, 0), 1, 2, 5);
+    assertThat(path.impacts().get(0).time()).isEqualTo(1);
+    assertThat(path.velocityAt(1.5)).isEqualTo(new Vec2(12, 0));
+  }
+
+  @Test
+  void theTimelineShowsItAtEachMoment() {
+    World world = world(Scene.builder().line(0, -10, 0, 10).velocity(3, 0).circle(99, 0, 1, 0, 0));
+    Timeline past = world.record(100);
+    finish(world, 4);
+    world.setVelocity(ObstacleKind.LINE, 0, 0, -1);
+    finish(world, 6);
+    world.setOneWay(0, true);
+    finish(world, 8);
+    assertThat(past.line(0, 2).orElseThrow()).isEqualTo(new Line(6, -10, 6, 10));
+    assertThat(past.line(0, 5).orElseThrow()).isEqualTo(new Line(12, -11, 12, 9));
+    assertThat(past.line(0, 8).orElseThrow()).isEqualTo(world.line(0));
+  }
+
+  @Test
+  void aSceneFileHasTheVelocity() throws Exception {
+    Scene scene =
+        Scene.builder()
+            .line(0, 0, 1, 1)
+            .velocity(0.1, -0.2)
+            .oneWay()
+            .peg(5, 5, 1)
+            .velocity(0, 3)
+            .peg(8, 8, 1)
+            .build();
+    StringBuilder text = new StringBuilder();
+    scene.write(text);
+    assertThat(text.toString()).contains("vx=0.1,vy=-0.2").contains("vx=0.0,vy=3.0");
+    Scene back = Scene.read(new java.io.StringReader(text.toString()), "moving.csv");
+    assertThat(back).isEqualTo(scene);
+    assertThat(back.velocity(ObstacleKind.PEG, 0)).isEqualTo(new Vec2(0, 3));
+    assertThatThrownBy(
+            () -> Scene.read(new java.io.StringReader("circle,0,0,1,0,0,vx=1\n"), "bad.csv"))
+        .hasMessageContaining("key \"vx\" is unknown");
+  }
+
+  /** A crowd of moving and resting things, of both engines. */
+  private static Scene crowd(boolean collide, long seed) {
+    Random random = new Random(seed);
+    SceneBuilder scene = Scene.builder().collide(collide).bounds(0, 0, 400, 300);
+    for (int i = 0; i < 40; i++) {
+      double x = 400 * random.nextDouble();
+      double y = 300 * random.nextDouble();
+      scene.line(x, y, x + 10 * random.nextGaussian(), y + 10 * random.nextGaussian());
+      if (i % 2 == 0) {
+        scene.velocity(random.nextGaussian(), random.nextGaussian());
+      }
+      scene.peg(400 * random.nextDouble(), 300 * random.nextDouble(), 3);
+      if (i % 3 == 0) {
+        scene.velocity(random.nextGaussian(), random.nextGaussian());
+      }
+      scene.circle(
+          400 * random.nextDouble(),
+          300 * random.nextDouble(),
+          1 + random.nextDouble(),
+          2 * random.nextGaussian(),
+          2 * random.nextGaussian());
+    }
+    return scene.build();
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void framesDoNotMatter(boolean collide) {
+    World whole = new World(crowd(collide, 5));
+    World frames = new World(crowd(collide, 5));
+    World impacts = new World(crowd(collide, 5));
+    List<Run.Row> rows = new ArrayList<>();
+    List<Run.Row> one = new ArrayList<>();
+    finish(whole, 60);
+    for (int frame = 1; frame <= 600; frame++) {
+      finish(frames, frame / 10.0);
+      rows.addAll(Run.rows(frames.impacts()));
+    }
+    while (impacts.advanceToImpact(60) != StopReason.TIME) {
+      one.addAll(Run.rows(impacts.impacts()));
+    }
+    one.addAll(Run.rows(impacts.impacts()));
+    assertThat(rows).hasSizeGreaterThan(60).isEqualTo(Run.rows(whole.impacts()));
+    assertThat(one).isEqualTo(rows);
+    assertThat(frames.snapshot()).isEqualTo(whole.snapshot());
+    assertThat(impacts.snapshot()).isEqualTo(whole.snapshot());
+  }
+
+  @Test
+  void aSensorThatMovesIsMetOnce() {
+    World world =
+        world(
+            Scene.builder()
+                .line(0, -10, 0, 10)
+                .response(Response.SENSOR)
+                .velocity(3, 0)
+                .circle(10, 0, 1, -2, 0));
+    finish(world, 10);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.impacts().time(0)).isEqualTo(9 / 5.0);
+    assertThat(world.impacts().outcome(0)).isEqualTo(Outcome.SENSED);
+    assertThat(world.vx(0)).isEqualTo(-2);
+  }
+
+  /** A platform that rises is solid for a ball that falls more slowly, from below it is not. */
+  @Test
+  void aOneWayLineJudgesByTheRelativeVelocity() {
+    Line up = new Line(-10, 0, 10, 0); // its left is above
+    SceneBuilder scene =
+        Scene.builder()
+            .line(up.ax(), up.ay(), up.bx(), up.by())
+            .oneWay()
+            .velocity(0, 3)
+            .circle(-5, 10, 1, 0, 1)
+            .circle(5, -10, 1, 0, 5);
+    World world = world(scene);
+    finish(world, 20);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.impacts().circle(0)).isZero();
+    assertThat(world.impacts().time(0)).isEqualTo(4.5);
+    assertThat(world.vy(0)).isEqualTo(5);
+    assertThat(world.vy(1)).isEqualTo(5);
+  }
+
+  /** More than one word of the index, and all of it hit. */
+  @Test
+  void eachOfManyPushesItsCircle() {
+    for (boolean collide : new boolean[] {false, true}) {
+      SceneBuilder scene = Scene.builder().collide(collide);
+      for (int i = 0; i < 300; i++) {
+        scene.line(0, 10 * i, 0, 10 * i + 4).velocity(1 + i / 512.0, 0);
+        scene.circle(20, 10 * i + 2, 1, 0, 0);
+      }
+      World world = world(scene);
+      for (int frame = 1; frame <= 30; frame++) {
+        finish(world, frame);
+      }
+      for (int i = 0; i < 300; i++) {
+        assertThat(world.vx(i)).isEqualTo(2 + i / 256.0);
+      }
+    }
+  }
+}
