@@ -11,7 +11,6 @@ import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.LineShape;
-import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.PegShape;
 
 /**
@@ -90,7 +89,7 @@ final class ContactPoint {
       ux = obstacles.ux(code);
       uy = obstacles.uy(code);
       obstacleSpeed = Math.max(Math.abs(ux), Math.abs(uy));
-      locateOnMoving(m, code, rows.shape);
+      locateOnMoving(m, code);
       return;
     }
     if (Codes.isLine(code)) {
@@ -185,7 +184,7 @@ final class ContactPoint {
   }
 
   /** On a moving obstacle: the detector saw it where it was when the flight started. */
-  private void locateOnMoving(MovingCircle m, int code, ObstacleShape shape) {
+  private void locateOnMoving(MovingCircle m, int code) {
     obstacles.place(obstacles.motions().indexOf(code), startT, startTl, row);
     int contact = Contact.withoutTime(m.contact);
     if (contact == Contact.LEFT || contact == Contact.RIGHT) {
