@@ -129,10 +129,22 @@ public final class BroadPhase extends NarrowPhase {
    * @param needed the time, from the start of the flight, up to which the path must be known
    */
   public void extend(MovingCircle mover, Grid grid, double needed) {
+    if (!moving) {
+      extendAmongStatic(mover, grid, needed);
+      return;
+    }
     double from = mover.cleared;
-    extendAmongStatic(mover, grid, needed);
-    if (moving) {
-      extendAmongMoving(mover, from);
+    double end = window.end - obstacles.epoch() - mover.t - mover.tl;
+    boolean inWindow =
+        !isWindowStale && obstacles.epoch() + mover.t + from >= window.begin && from < end;
+    if (inWindow) {
+      mover.lookahead = MovingCircle.EDITED_LOOKAHEAD; // no further than the window
+      extendAmongStatic(mover, grid, Math.max(needed, end));
+      extendAmongMoving(mover, from, end);
+    } else {
+      extendAmongStatic(mover, grid, needed);
+      considerMoving();
+      keep(mover, mover.cleared);
     }
   }
 
@@ -162,25 +174,23 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   /**
-   * Considers the moving obstacles, up to the time until which the path is known among the others.
-   * It is known no further than the window of time goes.
+   * Considers the moving obstacles whose boxes the path meets, up to the time until which it is
+   * known among the others, and no further than the window of time goes.
    */
-  private void extendAmongMoving(MovingCircle mover, double from) {
-    double known = mover.cleared;
-    double clock = obstacles.epoch() + mover.t;
-    double end = window.end - clock - mover.tl;
-    if (isWindowStale || clock + from < window.begin || !(from < end)) {
-      considerMoving();
-    } else {
-      known = Math.min(known, end);
-      window.find(
-          Math.fma(vx, from, px),
-          Math.fma(vy, from, py),
-          Math.fma(vx, known, px),
-          Math.fma(vy, known, py),
-          r);
-      considerFound();
-    }
+  private void extendAmongMoving(MovingCircle mover, double from, double end) {
+    double known = Math.min(mover.cleared, end);
+    window.find(
+        Math.fma(vx, from, px),
+        Math.fma(vy, from, py),
+        Math.fma(vx, known, px),
+        Math.fma(vy, known, py),
+        r);
+    considerFound();
+    keep(mover, known);
+  }
+
+  /** Keeps what was found first, or that there is nothing until the path is known no further. */
+  private void keep(MovingCircle mover, double known) {
     if (best <= known && best != NEVER) {
       mover.cleared = best;
       mover.next = bestCode;
