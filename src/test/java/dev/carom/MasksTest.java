@@ -236,6 +236,38 @@ class MasksTest {
     assertThat(past.radius(0, 28)).isEqualTo(10);
   }
 
+  /** Its flights began inside: nothing takes it back to the wall that it flew through. */
+  @Test
+  void beyondTheWallsACircleMeetsOthersWhereItIs() {
+    World world =
+        new World(
+            box()
+                .collide(true)
+                .circle(50, 50, 10, 8, 0)
+                .filter(A, -1)
+                .circle(180, 50, 10, -8, 0)
+                .filter(A, -1)
+                .build());
+    assertThat(world.step(7)).isTrue();
+    assertThat(world.impacts().time(0)).isEqualTo(6.875);
+    assertThat(world.x(0)).isEqualTo(104);
+    assertThat(world.x(1)).isEqualTo(126);
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void beyondTheWallsACircleIsEditedWhereItIs(boolean collide) {
+    SceneBuilder scene = box().collide(collide).circle(50, 50, 10, 8, 0).filter(A, -1);
+    World world = new World(scene.build());
+    assertThat(world.step(7)).isTrue();
+    world.addLine(300, 0, 300, 100); // in the way of its flight, which begins anew
+    assertThat(world.x(0)).isEqualTo(106);
+    World other = new World(scene.build());
+    assertThat(other.step(7)).isTrue();
+    other.setVelocity(0, 0, 1);
+    assertThat(other.x(0)).isEqualTo(106);
+  }
+
   /** A circle that left comes back, for all walls are half-planes. */
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
