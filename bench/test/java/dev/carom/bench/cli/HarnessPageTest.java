@@ -30,7 +30,7 @@ class HarnessPageTest {
     Scene scene = Scene.read(new StringReader(sample), "the sample");
     assertThat(scene.lineCount()).isEqualTo(2);
     assertThat(scene.pegCount()).isEqualTo(2);
-    assertThat(scene.circleCount()).isEqualTo(2);
+    assertThat(scene.circleCount()).isEqualTo(3);
     assertThat(scene.collide()).isTrue();
     assertThat(scene.warnings()).isEmpty();
   }
