@@ -2,7 +2,6 @@
 package dev.carom;
 
 import dev.carom.internal.exact.ExactTime;
-import dev.carom.internal.query.Candidate;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
@@ -98,8 +97,8 @@ final class CircleCast {
   }
 
   /** The impact that a cast found first. */
-  static Impact impact(Candidate first, ObstacleKind kind, int id, Obstacle obstacle) {
-    return impact(first.time(), kind, id, obstacle, first.contact(), first.hit().get());
+  static Impact impact(MovingCircle first, Hit hit, ObstacleKind kind, int id, Obstacle obstacle) {
+    return impact(first.cleared, kind, id, obstacle, first.contact, hit);
   }
 
   private static Impact impact(

@@ -226,6 +226,7 @@ public final class World {
 
   private void begin() {
     rows.clear();
+    questions.forget();
     if (registry.isSparse()) {
       engine.compact(now);
     }
@@ -552,6 +553,12 @@ public final class World {
 
   // Edits.
 
+  /** Returns the editor; questions forget where circles were. */
+  private Editor edit() {
+    questions.forget();
+    return editor;
+  }
+
   /**
    * Sets the velocity of a circle, from now on. If the circle now approaches something that it
    * touches, it bounces at once.
@@ -563,7 +570,7 @@ public final class World {
    * @throws IllegalArgumentException if a component is NaN or infinite
    */
   public void setVelocity(int id, double vx, double vy) {
-    editor.setVelocity(ids.circle(id), vx, vy, now);
+    edit().setVelocity(ids.circle(id), vx, vy, now);
   }
 
   /**
@@ -581,7 +588,7 @@ public final class World {
    *     of it exceed the smallest radius that was ever in this world
    */
   public void setPosition(int id, double x, double y) {
-    editor.setPosition(ids.circle(id), x, y, now);
+    edit().setPosition(ids.circle(id), x, y, now);
   }
 
   /**
@@ -595,7 +602,7 @@ public final class World {
    *     that
    */
   public void setRadius(int id, double radius) {
-    editor.setRadius(ids.circle(id), radius, now);
+    edit().setRadius(ids.circle(id), radius, now);
   }
 
   /**
@@ -611,7 +618,7 @@ public final class World {
    * @throws IllegalArgumentException if m is NaN or out of these limits
    */
   public void setMass(int id, double m) {
-    editor.setMass(ids.circle(id), m, now);
+    edit().setMass(ids.circle(id), m, now);
   }
 
   /**
@@ -626,7 +633,7 @@ public final class World {
    * @throws IllegalArgumentException if e is NaN, infinite or negative
    */
   public void setRestitution(ObstacleKind kind, int id, double e) {
-    editor.setRestitution(code(kind, id), e);
+    edit().setRestitution(code(kind, id), e);
   }
 
   /**
@@ -645,7 +652,7 @@ public final class World {
   public void setResponse(ObstacleKind kind, int id, Response response) {
     int code = code(kind, id);
     Check.notNull("response", response);
-    editor.setResponse(code, response.ordinal(), now);
+    edit().setResponse(code, response.ordinal(), now);
   }
 
   /**
@@ -656,7 +663,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public void setOneWay(int id, boolean oneWay) {
-    editor.setOneWay(code(ObstacleKind.LINE, id), oneWay, now);
+    edit().setOneWay(code(ObstacleKind.LINE, id), oneWay, now);
   }
 
   /**
@@ -674,7 +681,7 @@ public final class World {
    * @throws IllegalStateException if this world gave all ids of circles: 1,610,612,736
    */
   public int addCircle(double x, double y, double radius, double vx, double vy) {
-    return editor.addCircle(x, y, radius, vx, vy, now);
+    return edit().addCircle(x, y, radius, vx, vy, now);
   }
 
   /**
@@ -691,7 +698,7 @@ public final class World {
    * @throws IllegalStateException if this world gave all ids of lines: 268,435,452
    */
   public int addLine(double ax, double ay, double bx, double by) {
-    return editor.addLine(ax, ay, bx, by, now);
+    return edit().addLine(ax, ay, bx, by, now);
   }
 
   /**
@@ -710,7 +717,7 @@ public final class World {
    * @throws IllegalArgumentException if a coordinate is refused, as by {@link #addLine addLine}
    */
   public void moveLine(int id, double ax, double ay, double bx, double by) {
-    editor.moveLine(code(ObstacleKind.LINE, id), ax, ay, bx, by, now);
+    edit().moveLine(code(ObstacleKind.LINE, id), ax, ay, bx, by, now);
   }
 
   /**
@@ -726,7 +733,7 @@ public final class World {
    * @throws IllegalStateException if this world gave all ids of pegs: 268,435,456
    */
   public int addPeg(double x, double y, double radius) {
-    return editor.addPeg(x, y, radius, now);
+    return edit().addPeg(x, y, radius, now);
   }
 
   /**
@@ -741,7 +748,7 @@ public final class World {
    * @throws IllegalArgumentException if a number is refused, as by {@link #addPeg addPeg}
    */
   public void movePeg(int id, double x, double y, double radius) {
-    editor.movePeg(code(ObstacleKind.PEG, id), x, y, radius, now);
+    edit().movePeg(code(ObstacleKind.PEG, id), x, y, radius, now);
   }
 
   /**
@@ -760,7 +767,7 @@ public final class World {
     if (kind == ObstacleKind.WALL) {
       throw Check.refused("kind", kind, "LINE, PEG or CIRCLE: walls stay");
     }
-    editor.remove(code, now);
+    edit().remove(code, now);
     if (recorder != null && kind == ObstacleKind.CIRCLE) {
       recorder.remove(id, now);
     }
@@ -809,6 +816,7 @@ public final class World {
           "collide of the snapshot", state.collide(), "this world's, " + scene.collide());
     }
     rows.clear();
+    questions.forget();
     unfinishedCircle = -1;
     now = state.now();
     registry.set(state.registry());

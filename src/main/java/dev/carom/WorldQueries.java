@@ -2,12 +2,11 @@
 package dev.carom;
 
 import dev.carom.internal.engine.Engine;
-import dev.carom.internal.engine.StaticScene;
-import dev.carom.internal.query.Candidate;
 import dev.carom.internal.query.CircleQueries;
 import dev.carom.internal.query.Proximity;
 import dev.carom.internal.query.TracedPath;
 import dev.carom.internal.query.Tracer;
+import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
@@ -22,7 +21,7 @@ import java.util.stream.IntStream;
 final class WorldQueries {
 
   private final ObstacleTable obstacles;
-  private final StaticScene staticScene;
+  private final ObstacleIndex index;
   private final CircleTable circles;
   private final CircleRegistry registry;
   private final Proximity proximity;
@@ -32,39 +31,61 @@ final class WorldQueries {
   WorldQueries(Engine engine, CircleRegistry registry, boolean collide) {
     this.registry = registry;
     this.collide = collide;
-    staticScene = engine.staticScene;
-    obstacles = staticScene.obstacles;
+    index = engine.staticScene.index;
+    obstacles = index.obstacles;
     circles = engine.circles;
-    proximity = new Proximity(obstacles);
-    queries = new CircleQueries(circles, registry);
+    proximity = new Proximity(index);
+    queries = new CircleQueries(circles, registry, index.wanted);
+  }
+
+  /** Takes notice of a step or an edit: circles are elsewhere, or others. */
+  void forget() {
+    queries.forget();
   }
 
   Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime, double now) {
     MovingCircle mover = CircleCast.mover(circle, velocity, 1);
-    Candidate obstacle = tracer(circle).first(mover, maxTime);
-    Candidate first = collide ? queries.first(mover, obstacle, maxTime, now) : obstacle;
-    return first == null ? Optional.empty() : Optional.of(impact(first, now));
+    Tracer tracer = tracer(1, now);
+    first(mover, tracer, maxTime, now);
+    return mover.next == MovingCircle.NOTHING
+        ? Optional.empty()
+        : Optional.of(impact(mover, tracer, now));
   }
 
-  private Impact impact(Candidate first, double now) {
-    int code = first.code();
+  /** What follows paths among the obstacles, for so many casts. */
+  private Tracer tracer(int casts, double now) {
+    index.expect(casts);
+    if (collide) {
+      queries.expect(casts, now);
+    }
+    return new Tracer(index);
+  }
+
+  private void first(MovingCircle mover, Tracer tracer, double maxTime, double now) {
+    tracer.first(mover, maxTime);
+    if (collide) {
+      queries.first(mover, tracer, maxTime, now);
+    }
+  }
+
+  private Impact impact(MovingCircle first, Tracer tracer, double now) {
+    int code = first.next;
     if (!Codes.isCircle(code)) {
+      ObstacleKind kind = ObstacleKind.of(Codes.kind(code));
       Obstacle thing = PublicRecords.of(obstacles, code);
-      return CircleCast.impact(first, ObstacleKind.of(Codes.kind(code)), Codes.index(code), thing);
+      return CircleCast.impact(first, tracer.hit(first), kind, Codes.index(code), thing);
     }
     int slot = Codes.slot(code);
     Circle circle = new Circle(circles.x(slot, now), circles.y(slot, now), circles.radius(slot));
-    return CircleCast.impact(first, ObstacleKind.CIRCLE, registry.id(slot), circle);
+    int id = registry.id(slot);
+    return CircleCast.impact(first, queries.hit(first, now), ObstacleKind.CIRCLE, id, circle);
   }
 
   Trajectory trace(Circle circle, Vec2 velocity, double restitution, double duration, int bounces) {
+    index.expect(1);
     MovingCircle mover = CircleCast.mover(circle, velocity, restitution);
-    TracedPath path = tracer(circle).trace(mover, duration, bounces, Resolver.IMPACTS_PER_TRACE);
+    TracedPath path = new Tracer(index).trace(mover, duration, bounces, Resolver.IMPACTS_PER_TRACE);
     return Trajectory.of(path, code -> PublicRecords.of(obstacles, code));
-  }
-
-  private Tracer tracer(Circle circle) {
-    return new Tracer(obstacles, staticScene.search, staticScene.gridAtLeast(circle.radius()));
   }
 
   double restitution(int code) {
@@ -89,12 +110,12 @@ final class WorldQueries {
   }
 
   int[] ids(ObstacleKind kind) {
-    return kind == ObstacleKind.CIRCLE ? registry.ids() : ids(proximity.codes(kind.ordinal()));
+    return kind == ObstacleKind.CIRCLE ? registry.ids() : ids(obstacles.codes(kind.ordinal()));
   }
 
   int nearest(ObstacleKind kind, double x, double y, double now) {
     if (kind != ObstacleKind.CIRCLE) {
-      int code = proximity.nearest(proximity.codes(kind.ordinal()), x, y);
+      int code = proximity.nearest(kind.ordinal(), x, y);
       return code == Proximity.NONE ? -1 : Codes.index(code);
     }
     int slot = queries.nearest(x, y, now);
@@ -107,14 +128,14 @@ final class WorldQueries {
     double r = disk.radius();
     return kind == ObstacleKind.CIRCLE
         ? queries.overlapping(x, y, r, now).map(registry::id).toArray()
-        : ids(proximity.codes(kind.ordinal()).filter(code -> proximity.overlaps(code, x, y, r)));
+        : ids(proximity.overlapping(kind.ordinal(), x, y, r));
   }
 
   int[] overlapping(ObstacleKind kind, Bounds bounds, double now) {
     double[] box = PublicRecords.walls(bounds);
     return kind == ObstacleKind.CIRCLE
         ? queries.overlapping(box, now).map(registry::id).toArray()
-        : ids(proximity.codes(kind.ordinal()).filter(code -> proximity.overlaps(code, box)));
+        : ids(proximity.overlapping(kind.ordinal(), box));
   }
 
   private int[] ids(IntStream codes) {

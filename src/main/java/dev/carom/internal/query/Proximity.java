@@ -3,10 +3,15 @@ package dev.carom.internal.query;
 
 import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.search.BoxTree;
+import dev.carom.internal.search.ObstacleIndex;
+import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.PegShape;
+import dev.carom.internal.util.Index;
+import dev.carom.internal.util.IntList;
 import dev.carom.internal.util.Kind;
 import java.util.stream.IntStream;
 
@@ -18,36 +23,53 @@ import java.util.stream.IntStream;
  */
 public final class Proximity {
 
-  public static final int NONE = -1;
+  public static final int NONE = Index.NONE;
 
+  private final ObstacleIndex index;
   private final ObstacleTable obstacles;
 
-  public Proximity(ObstacleTable obstacles) {
-    this.obstacles = obstacles;
+  public Proximity(ObstacleIndex index) {
+    this.index = index;
+    obstacles = index.obstacles;
   }
 
-  /** The codes of the obstacles of one {@link Kind}. */
-  public IntStream codes(int kind) {
-    return obstacles.codes(kind);
-  }
+  // The nearest obstacle.
 
   /** The nearest obstacle; among equally near ones that of the smallest code. */
   public int nearest(double x, double y) {
-    return nearest(obstacles.codes(), x, y);
+    index.expect(1);
+    NearestItem nearest = new NearestItem(code -> distance(code, x, y));
+    for (int kind = Kind.WALL; kind < Kind.CIRCLE; kind++) {
+      search(nearest, kind, x, y);
+    }
+    return nearest.item();
   }
 
-  /** The nearest of some obstacles, NONE if there are none. */
-  public int nearest(IntStream codes, double x, double y) {
-    double least = Double.POSITIVE_INFINITY;
-    int nearest = NONE;
-    for (int code : codes.toArray()) {
-      double distance = distance(code, x, y);
-      if (nearest == NONE || distance < least) {
-        least = distance;
-        nearest = code;
+  /** The nearest obstacle of a kind, NONE if there is none. */
+  public int nearest(int kind, double x, double y) {
+    index.expect(1);
+    NearestItem nearest = new NearestItem(code -> distance(code, x, y));
+    search(nearest, kind, x, y);
+    return nearest.item();
+  }
+
+  private void search(NearestItem nearest, int kind, double x, double y) {
+    BoxTree tree = kind == Kind.WALL ? null : index.tree(kind);
+    if (tree == null) {
+      obstacles.codes(kind).forEach(nearest::look);
+      return;
+    }
+    CodeSet loose = index.loose();
+    for (int i = 0; i < loose.size; i++) {
+      if (isLive(kind, loose.codes[i])) {
+        nearest.look(loose.codes[i]);
       }
     }
-    return nearest;
+    nearest.search(tree, x, y);
+  }
+
+  private boolean isLive(int kind, int code) {
+    return Codes.kind(code) == kind && !obstacles.isGone(code);
   }
 
   private double distance(int code, double x, double y) {
@@ -65,11 +87,24 @@ public final class Proximity {
 
   // Overlap with a disk.
 
+  /** All obstacles that overlap a disk, ascending. */
   public IntStream overlapping(double x, double y, double r) {
-    return obstacles.codes().filter(code -> overlaps(code, x, y, r));
+    return IntStream.range(Kind.WALL, Kind.CIRCLE).flatMap(kind -> overlapping(kind, x, y, r));
   }
 
-  public boolean overlaps(int code, double x, double y, double r) {
+  /** The obstacles of a kind that overlap a disk, ascending. */
+  public IntStream overlapping(int kind, double x, double y, double r) {
+    return codes(kind, outside(x, y, r)).filter(code -> overlaps(obstacles, code, x, y, r));
+  }
+
+  /** A test that rejects what is apart from the box around a disk. */
+  static BoxTree.Outside outside(double x, double y, double r) {
+    return new BoxTree.Outside(
+        Math.nextDown(x - r), Math.nextDown(y - r), Math.nextUp(x + r), Math.nextUp(y + r));
+  }
+
+  /** Whether an obstacle overlaps a disk. */
+  static boolean overlaps(ObstacleTable obstacles, int code, double x, double y, double r) {
     if (Codes.isWall(code)) {
       double p = Codes.isVertical(code) ? x : y;
       double wall = obstacles.walls[code];
@@ -92,11 +127,23 @@ public final class Proximity {
 
   // Overlap with a box.
 
+  /** All obstacles that overlap a box, ascending. */
   public IntStream overlapping(double[] box) {
-    return obstacles.codes().filter(code -> overlaps(code, box));
+    return IntStream.range(Kind.WALL, Kind.CIRCLE).flatMap(kind -> overlapping(kind, box));
   }
 
-  public boolean overlaps(int code, double[] box) {
+  /** The obstacles of a kind that overlap a box, ascending. */
+  public IntStream overlapping(int kind, double[] box) {
+    return codes(kind, outside(box)).filter(code -> overlaps(code, box));
+  }
+
+  /** A test that rejects what is apart from a box. */
+  static BoxTree.Outside outside(double[] box) {
+    return new BoxTree.Outside(
+        box[Codes.LEFT], box[Codes.BOTTOM], box[Codes.RIGHT], box[Codes.TOP]);
+  }
+
+  private boolean overlaps(int code, double[] box) {
     if (Codes.isWall(code)) {
       double wall = obstacles.walls[code];
       boolean isLower = Codes.isLower(code);
@@ -109,5 +156,23 @@ public final class Proximity {
   /** Whether a disk and a box overlap. */
   static boolean overlaps(double cx, double cy, double r, double[] box) {
     return PegShape.overlaps(cx, cy, r, box);
+  }
+
+  /** The codes of a kind in a box, ascending, and maybe of others. */
+  private IntStream codes(int kind, BoxTree.Outside box) {
+    index.expect(1);
+    BoxTree tree = kind == Kind.WALL ? null : index.tree(kind);
+    if (tree == null) {
+      return obstacles.codes(kind);
+    }
+    IntList found = new IntList();
+    tree.find(box, found);
+    CodeSet loose = index.loose();
+    for (int i = 0; i < loose.size; i++) {
+      if (isLive(kind, loose.codes[i])) {
+        found.add(loose.codes[i]);
+      }
+    }
+    return found.sorted().filter(code -> !obstacles.isGone(code));
   }
 }

@@ -30,7 +30,6 @@ public final class Warnings {
 
   private final SceneData scene;
   private final ObstacleTable obstacles;
-  private final Proximity proximity;
   private final List<String> texts = new ArrayList<>();
 
   /**
@@ -42,7 +41,6 @@ public final class Warnings {
   private Warnings(SceneData scene) {
     this.scene = scene;
     obstacles = ObstacleTable.of(scene);
-    proximity = new Proximity(obstacles);
   }
 
   public static List<String> of(SceneData scene) {
@@ -85,7 +83,7 @@ public final class Warnings {
       return;
     }
     for (int wall = 0; Codes.isWall(wall); wall++) {
-      if (proximity.overlaps(wall, scene.x(i), scene.y(i), scene.radius(i))) {
+      if (Proximity.overlaps(obstacles, wall, scene.x(i), scene.y(i), scene.radius(i))) {
         keep(i, wall);
       }
     }
@@ -123,7 +121,7 @@ public final class Warnings {
         i -> {
           double x = scene.x(i);
           double y = scene.y(i);
-          if (proximity.overlaps(code, x, y, scene.radius(i))
+          if (Proximity.overlaps(obstacles, code, x, y, scene.radius(i))
               && !(oneWay && Predicates.cross(bx, by, ax, ay, x, y, ax, ay) <= 0)) {
             keep(i, code); // a one-way line is there only for a centre strictly left of it
           }
