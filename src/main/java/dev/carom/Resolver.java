@@ -18,7 +18,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntFunction;
-import java.util.stream.IntStream;
 
 /**
  * A {@code Resolver} follows one circle among obstacles for a given time, with all its bounces. It
@@ -185,6 +184,31 @@ public final class Resolver {
   }
 
   /**
+   * Finds the first impact of each of many moving circles, as {@link #cast(Circle, Vec2, double)
+   * cast} does for one. Nothing is allocated per cast, unless exact arithmetic has to decide.
+   *
+   * @param casts the circles; they receive the answers
+   * @param maxTime the end of the window, at least 0, {@code +infinity} included
+   * @throws IllegalArgumentException if maxTime is NaN or negative; the casts keep their answers
+   */
+  public void cast(Casts casts, double maxTime) {
+    Check.notNull("casts", casts);
+    Check.duration("maxTime", maxTime);
+    index.expect(casts.size());
+    Tracer tracer = new Tracer(index);
+    MovingCircle mover = new MovingCircle();
+    for (int i = 0; i < casts.size(); i++) {
+      casts.load(i, mover);
+      tracer.first(mover, maxTime);
+      if (mover.next == MovingCircle.NOTHING) {
+        casts.miss(i);
+      } else {
+        casts.hit(i, mover, Codes.index(mover.next), tracer.hit(mover));
+      }
+    }
+  }
+
+  /**
    * Finds the obstacle that is nearest to a point. Among equally near ones it is the first: walls,
    * then lines, then pegs and endpoints, each in their order.
    *
@@ -229,9 +253,9 @@ public final class Resolver {
    * Returns the obstacles that codes stand for. Walls come first: those after the first one are the
    * same bounds.
    */
-  private List<Obstacle> things(IntStream codes) {
+  private List<Obstacle> things(int[] codes) {
     List<Obstacle> things = new ArrayList<>();
-    for (int code : codes.toArray()) {
+    for (int code : codes) {
       if (!Codes.isWall(code) || things.isEmpty()) {
         things.add(records.apply(code));
       }

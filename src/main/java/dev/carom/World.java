@@ -48,10 +48,10 @@ import java.util.Optional;
  *
  * <p>A step goes on for a time span ({@link #step step}), to a time ({@link #advanceTo advanceTo})
  * or to the next impact ({@link #advanceToImpact advanceToImpact}). Between steps a world can be
- * edited, asked ({@link #cast cast}, {@link #trace trace}, {@link #nearest nearest}, {@link
- * #overlapping(ObstacleKind, Circle) overlapping}), saved ({@link #snapshot}) and recorded ({@link
- * #record record}). A world belongs to one thread at a time. Different worlds share nothing that
- * changes.
+ * edited, asked ({@link #cast(Circle, Vec2, double) cast}, {@link #trace trace}, {@link #nearest
+ * nearest}, {@link #overlapping(ObstacleKind, Circle) overlapping}), saved ({@link #snapshot}) and
+ * recorded ({@link #record record}). A world belongs to one thread at a time. Different worlds
+ * share nothing that changes.
  *
  * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, budget, stuck
  * circles, infinite mass, accuracy. <a href="doc-files/recipes.html">Recipes</a>: frames and
@@ -454,8 +454,10 @@ public final class World {
    * <p>The earliest impact is found as if in real arithmetic, on the given doubles and on the
    * positions and velocities that this world reports. Among exactly simultaneous impacts walls come
    * first, then lines, then pegs, then circles, each by id. A {@link #step step} instead treats
-   * impacts with equal rounded times as simultaneous. Where circles collide, a cast looks at every
-   * circle. It allocates.
+   * impacts with equal rounded times as simultaneous.
+   *
+   * <p>The search uses an <a href="doc-files/rules.html#questions">index</a>. It allocates; {@link
+   * #cast(Casts, double) many casts in one call} do not.
    *
    * @param circle the circle now
    * @param velocity its velocity
@@ -468,6 +470,22 @@ public final class World {
     Check.notNull("velocity", velocity);
     Check.duration("maxTime", maxTime);
     return questions.cast(circle, velocity, maxTime, now);
+  }
+
+  /**
+   * Finds the first impact of each of many moving circles, as {@link #cast(Circle, Vec2, double)
+   * cast} does for one. Nothing is allocated per cast, unless exact arithmetic has to decide.
+   *
+   * <p>See <a href="doc-files/recipes.html#lidar">a lidar</a> for an example.
+   *
+   * @param casts the circles now; they receive the answers
+   * @param maxTime how far to look ahead, from now on: at least 0, {@code +infinity} included
+   * @throws IllegalArgumentException if maxTime is NaN or negative; the casts keep their answers
+   */
+  public void cast(Casts casts, double maxTime) {
+    Check.notNull("casts", casts);
+    Check.duration("maxTime", maxTime);
+    questions.cast(casts, maxTime, now);
   }
 
   /**
@@ -504,8 +522,8 @@ public final class World {
    * wins.
    *
    * <p>Distances are computed in plain doubles: to a wall, to a line, or to the rim of a peg or
-   * circle. Inside of a peg or circle the distance is 0. The search looks at every thing of the
-   * kind, and allocates.
+   * circle. Inside of a peg or circle the distance is 0. The search uses an <a
+   * href="doc-files/rules.html#questions">index</a>.
    *
    * @param kind which kind of thing
    * @param x the x coordinate of the point, finite
@@ -525,7 +543,7 @@ public final class World {
    * rim.
    *
    * <p>The answer is exact, for circles at the positions that {@link #x} and {@link #y} give. The
-   * search looks at every thing of the kind, and allocates.
+   * search uses an <a href="doc-files/rules.html#questions">index</a>.
    *
    * @param kind which kind of thing
    * @param disk the disk

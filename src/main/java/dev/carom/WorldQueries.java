@@ -14,8 +14,8 @@ import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Index;
+import java.util.Arrays;
 import java.util.Optional;
-import java.util.stream.IntStream;
 
 /** Answers questions about a world. Nothing moves by them. */
 final class WorldQueries {
@@ -50,6 +50,27 @@ final class WorldQueries {
     return mover.next == MovingCircle.NOTHING
         ? Optional.empty()
         : Optional.of(impact(mover, tracer, now));
+  }
+
+  void cast(Casts casts, double maxTime, double now) {
+    MovingCircle mover = new MovingCircle();
+    Tracer tracer = tracer(casts.size(), now);
+    for (int i = 0; i < casts.size(); i++) {
+      casts.load(i, mover);
+      first(mover, tracer, maxTime, now);
+      answer(casts, i, mover, tracer, now);
+    }
+  }
+
+  private void answer(Casts casts, int i, MovingCircle first, Tracer tracer, double now) {
+    int code = first.next;
+    if (code == MovingCircle.NOTHING) {
+      casts.miss(i);
+    } else if (Codes.isCircle(code)) {
+      casts.hit(i, first, registry.id(Codes.slot(code)), queries.hit(first, now));
+    } else {
+      casts.hit(i, first, Codes.index(code), tracer.hit(first));
+    }
   }
 
   /** What follows paths among the obstacles, for so many casts. */
@@ -110,7 +131,9 @@ final class WorldQueries {
   }
 
   int[] ids(ObstacleKind kind) {
-    return kind == ObstacleKind.CIRCLE ? registry.ids() : ids(obstacles.codes(kind.ordinal()));
+    return kind == ObstacleKind.CIRCLE
+        ? registry.ids()
+        : ids(obstacles.codes(kind.ordinal()).toArray());
   }
 
   int nearest(ObstacleKind kind, double x, double y, double now) {
@@ -127,18 +150,26 @@ final class WorldQueries {
     double y = disk.y();
     double r = disk.radius();
     return kind == ObstacleKind.CIRCLE
-        ? queries.overlapping(x, y, r, now).map(registry::id).toArray()
+        ? circleIds(queries.overlapping(x, y, r, now))
         : ids(proximity.overlapping(kind.ordinal(), x, y, r));
   }
 
   int[] overlapping(ObstacleKind kind, Bounds bounds, double now) {
     double[] box = PublicRecords.walls(bounds);
     return kind == ObstacleKind.CIRCLE
-        ? queries.overlapping(box, now).map(registry::id).toArray()
+        ? circleIds(queries.overlapping(box, now))
         : ids(proximity.overlapping(kind.ordinal(), box));
   }
 
-  private int[] ids(IntStream codes) {
-    return codes.map(Codes::index).toArray();
+  /** Replaces codes of obstacles by their ids. */
+  private static int[] ids(int[] codes) {
+    Arrays.setAll(codes, k -> Codes.index(codes[k]));
+    return codes;
+  }
+
+  /** Replaces slots of circles by their ids. */
+  private int[] circleIds(int[] slots) {
+    Arrays.setAll(slots, k -> registry.id(slots[k]));
+    return slots;
   }
 }

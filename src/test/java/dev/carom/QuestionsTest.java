@@ -2,6 +2,8 @@
 package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayList;
@@ -198,6 +200,84 @@ class QuestionsTest {
         assertThat(resolver.overlapping(box)).isEqualTo(scene.resolver().overlapping(box));
       }
     }
+  }
+
+  /** Casts in bulk and one by one. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void manyCastsInOneCallAreAnsweredAsOneByOne(boolean collide) {
+    Random random = new Random(1);
+    Scene scene = scene(random, 1, collide, true);
+    World world = new World(scene);
+    addCircles(world, random, 1, 90);
+    Resolver resolver = scene.resolver();
+    Casts casts = new Casts();
+    for (int round = 0; round < 3; round++) {
+      List<Optional<Impact>> ofWorld = new ArrayList<>();
+      List<Optional<Impact>> ofResolver = new ArrayList<>();
+      casts.clear();
+      for (int i = 0; i < 300; i++) {
+        Circle disk = new Circle(place(random, 1), place(random, 1), i % 2 * radius(random, 1));
+        Vec2 v = new Vec2(speed(random, 1), speed(random, 1));
+        assertThat(casts.add(disk.x(), disk.y(), disk.radius(), v.x(), v.y())).isEqualTo(i);
+        ofWorld.add(world.cast(disk, v, 15));
+        ofResolver.add(resolver.cast(disk, v, 15));
+      }
+      world.cast(casts, 15);
+      assertAnswers(casts, ofWorld);
+      resolver.cast(casts, 15);
+      assertAnswers(casts, ofResolver);
+      world.step(0.5);
+    }
+  }
+
+  private static void assertAnswers(Casts casts, List<Optional<Impact>> expected) {
+    assertThat(casts.size()).isEqualTo(expected.size());
+    for (int i = 0; i < casts.size(); i++) {
+      Optional<Impact> hit = expected.get(i);
+      assertThat(casts.hits(i)).isEqualTo(hit.isPresent());
+      assertThat(casts.time(i)).isEqualTo(hit.map(Impact::time).orElse(NEVER));
+      assertThat(casts.kind(i)).isEqualTo(hit.map(Impact::kind).orElse(null));
+      assertThat(casts.id(i)).isEqualTo(hit.map(Impact::id).orElse(-1));
+      assertThat(casts.feature(i)).isEqualTo(hit.map(Impact::feature).orElse(null));
+      Vec2 normal = hit.map(Impact::normal).orElse(new Vec2(0, 0));
+      assertThat(new Vec2(casts.nx(i), casts.ny(i))).isEqualTo(normal);
+    }
+  }
+
+  @Test
+  void badCastsAreRefusedWithNothingWritten() {
+    Casts casts = new Casts();
+    casts.add(0, 0, 1, 1, 0);
+    Resolver resolver = Resolver.of(List.of(new Line(5, -5, 5, 5)));
+    resolver.cast(casts, 10);
+    assertThat(casts.time(0)).isEqualTo(4);
+    double nan = Double.NaN;
+    double[][] bad = {
+      {nan, 0, 1, 1, 0}, {0, NEVER, 1, 1, 0}, {0, 0, -1, 1, 0}, {0, 0, 1, nan, 0}, {0, 0, 1, 1, nan}
+    };
+    String[] names = {"x", "y", "radius", "vx", "vy"};
+    for (int k = 0; k < bad.length; k++) {
+      double[] b = bad[k];
+      assertThatIllegalArgumentException()
+          .isThrownBy(() -> casts.add(b[0], b[1], b[2], b[3], b[4]))
+          .withMessageStartingWith(names[k] + " is " + b[k]);
+      assertThatIllegalArgumentException()
+          .isThrownBy(() -> casts.set(0, b[0], b[1], b[2], b[3], b[4]))
+          .withMessageStartingWith(names[k] + " is " + b[k]);
+    }
+    World world = new World(Scene.builder().bounds(-1, -1, 1, 1).build());
+    for (double t : new double[] {nan, -1}) {
+      assertThatIllegalArgumentException().isThrownBy(() -> resolver.cast(casts, t));
+      assertThatIllegalArgumentException().isThrownBy(() -> world.cast(casts, t));
+    }
+    assertThat(casts.size()).isEqualTo(1);
+    assertThat(casts.time(0)).isEqualTo(4);
+    assertThatExceptionOfType(IndexOutOfBoundsException.class).isThrownBy(() -> casts.time(1));
+    assertThatExceptionOfType(IndexOutOfBoundsException.class)
+        .isThrownBy(() -> casts.set(1, 0, 0, 0, 1, 0));
+    casts.set(0, 0, 0, 2, 1, 0);
+    assertThat(casts.hits(0)).as("a new cast has no answer yet").isFalse();
   }
 
   /** All ask one resolver at once, while it makes its indexes. */

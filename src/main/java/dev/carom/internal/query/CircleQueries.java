@@ -11,6 +11,7 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.IntList;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
 /** Queries about the circles of a world, by their slots. */
@@ -212,33 +213,36 @@ public final class CircleQueries {
     return nearest.item();
   }
 
-  /** The slots of circles that overlap a disk. */
-  public IntStream overlapping(double x, double y, double r, double now) {
-    return slots(Proximity.outside(x, y, r), now)
-        .filter(
-            slot ->
-                Proximity.overlaps(
-                    circles.x(slot, now), circles.y(slot, now), circles.radius(slot), x, y, r));
+  /** The slots of circles that overlap a disk, ascending. */
+  public int[] overlapping(double x, double y, double r, double now) {
+    return find(
+        Proximity.outside(x, y, r),
+        now,
+        slot ->
+            Proximity.overlaps(
+                circles.x(slot, now), circles.y(slot, now), circles.radius(slot), x, y, r));
   }
 
-  /** The slots of circles that overlap a box. */
-  public IntStream overlapping(double[] box, double now) {
-    return slots(Proximity.outside(box), now)
-        .filter(
-            slot ->
-                Proximity.overlaps(
-                    circles.x(slot, now), circles.y(slot, now), circles.radius(slot), box));
+  /** The slots of circles that overlap a box, ascending. */
+  public int[] overlapping(double[] box, double now) {
+    return find(
+        Proximity.outside(box),
+        now,
+        slot ->
+            Proximity.overlaps(
+                circles.x(slot, now), circles.y(slot, now), circles.radius(slot), box));
   }
 
-  /** The slots of circles in a box, and maybe of others. */
-  private IntStream slots(BoxTree.Outside box, double now) {
+  /** The slots of circles that pass a test, which none outside of a box does. */
+  private int[] find(BoxTree.Outside box, double now, IntPredicate test) {
     index.expect(1, now);
-    if (index.tree() == null) {
-      return slots(now);
-    }
     found.clear();
-    index.tree().find(box, found);
-    return found.sorted();
+    if (index.tree() == null) {
+      slots(now).forEach(found::add);
+    } else {
+      index.tree().find(box, found);
+    }
+    return found.filtered(test);
   }
 
   private IntStream slots(double now) {

@@ -35,6 +35,9 @@ final class NearestItem implements BoxTree.Nearest {
   @Override
   public void look(int other) {
     double its = distance.applyAsDouble(other);
+    if (Double.isNaN(its)) {
+      return; // removed
+    }
     if (item == Index.NONE || its < least || (its == least && other < item)) {
       item = other;
       least = its;

@@ -13,7 +13,7 @@ import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.util.Index;
 import dev.carom.internal.util.IntList;
 import dev.carom.internal.util.Kind;
-import java.util.stream.IntStream;
+import java.util.function.IntPredicate;
 
 /**
  * Finds the obstacles that are near a point, or that overlap a disk or a box. Overlaps are decided
@@ -61,15 +61,11 @@ public final class Proximity {
     }
     CodeSet loose = index.loose();
     for (int i = 0; i < loose.size; i++) {
-      if (isLive(kind, loose.codes[i])) {
+      if (Codes.kind(loose.codes[i]) == kind) {
         nearest.look(loose.codes[i]);
       }
     }
     nearest.search(tree, x, y);
-  }
-
-  private boolean isLive(int kind, int code) {
-    return Codes.kind(code) == kind && !obstacles.isGone(code);
   }
 
   private double distance(int code, double x, double y) {
@@ -88,13 +84,17 @@ public final class Proximity {
   // Overlap with a disk.
 
   /** All obstacles that overlap a disk, ascending. */
-  public IntStream overlapping(double x, double y, double r) {
-    return IntStream.range(Kind.WALL, Kind.CIRCLE).flatMap(kind -> overlapping(kind, x, y, r));
+  public int[] overlapping(double x, double y, double r) {
+    return overlapping(Kind.WALL, Kind.CIRCLE, x, y, r);
   }
 
   /** The obstacles of a kind that overlap a disk, ascending. */
-  public IntStream overlapping(int kind, double x, double y, double r) {
-    return codes(kind, outside(x, y, r)).filter(code -> overlaps(obstacles, code, x, y, r));
+  public int[] overlapping(int kind, double x, double y, double r) {
+    return overlapping(kind, kind + 1, x, y, r);
+  }
+
+  private int[] overlapping(int from, int to, double x, double y, double r) {
+    return find(from, to, outside(x, y, r), code -> overlaps(obstacles, code, x, y, r));
   }
 
   /** A test that rejects what is apart from the box around a disk. */
@@ -128,13 +128,13 @@ public final class Proximity {
   // Overlap with a box.
 
   /** All obstacles that overlap a box, ascending. */
-  public IntStream overlapping(double[] box) {
-    return IntStream.range(Kind.WALL, Kind.CIRCLE).flatMap(kind -> overlapping(kind, box));
+  public int[] overlapping(double[] box) {
+    return find(Kind.WALL, Kind.CIRCLE, outside(box), code -> overlaps(code, box));
   }
 
   /** The obstacles of a kind that overlap a box, ascending. */
-  public IntStream overlapping(int kind, double[] box) {
-    return codes(kind, outside(box)).filter(code -> overlaps(code, box));
+  public int[] overlapping(int kind, double[] box) {
+    return find(kind, kind + 1, outside(box), code -> overlaps(code, box));
   }
 
   /** A test that rejects what is apart from a box. */
@@ -158,21 +158,32 @@ public final class Proximity {
     return PegShape.overlaps(cx, cy, r, box);
   }
 
-  /** The codes of a kind in a box, ascending, and maybe of others. */
-  private IntStream codes(int kind, BoxTree.Outside box) {
+  /** The obstacles of some kinds that pass a test, which none outside of a box does. */
+  private int[] find(int fromKind, int toKind, BoxTree.Outside box, IntPredicate test) {
     index.expect(1);
-    BoxTree tree = kind == Kind.WALL ? null : index.tree(kind);
-    if (tree == null) {
-      return obstacles.codes(kind);
-    }
     IntList found = new IntList();
-    tree.find(box, found);
+    for (int kind = fromKind; kind < toKind; kind++) {
+      BoxTree tree = kind == Kind.WALL ? null : index.tree(kind);
+      if (tree == null) {
+        obstacles.codes(kind).forEach(found::add);
+      } else {
+        tree.find(box, found);
+        addLoose(kind, found);
+      }
+    }
+    return found.filtered(code -> isLive(code) && test.test(code));
+  }
+
+  private void addLoose(int kind, IntList found) {
     CodeSet loose = index.loose();
     for (int i = 0; i < loose.size; i++) {
-      if (isLive(kind, loose.codes[i])) {
+      if (Codes.kind(loose.codes[i]) == kind) {
         found.add(loose.codes[i]);
       }
     }
-    return found.sorted().filter(code -> !obstacles.isGone(code));
+  }
+
+  private boolean isLive(int code) {
+    return Codes.isWall(code) || !obstacles.isGone(code);
   }
 }

@@ -246,10 +246,15 @@ public final class BoxTree {
     }
   }
 
-  /** The square of the distance of a point from a box. */
+  /** The square of the distance of a point from a box, which errs by a few ulps of the extent. */
   private static double distance2(double[] boxes, int k, double x, double y) {
-    double dx = Math.max(0, Math.max(boxes[k + LEFT] - x, x - boxes[k + RIGHT]));
-    double dy = Math.max(0, Math.max(boxes[k + BOTTOM] - y, y - boxes[k + TOP]));
+    double dx = outside(boxes[k + LEFT], boxes[k + RIGHT], x);
+    double dy = outside(boxes[k + BOTTOM], boxes[k + TOP], y);
     return dx * dx + dy * dy;
+  }
+
+  /** How far a coordinate is outside of a range: branch-free, as that is unpredictable. */
+  private static double outside(double low, double high, double p) {
+    return 0.5 * (Math.abs(p - low) + Math.abs(p - high) - (high - low));
   }
 }

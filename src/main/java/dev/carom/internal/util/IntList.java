@@ -2,7 +2,7 @@
 package dev.carom.internal.util;
 
 import java.util.Arrays;
-import java.util.stream.IntStream;
+import java.util.function.IntPredicate;
 
 /** A growable list of ints. */
 public final class IntList {
@@ -33,11 +33,16 @@ public final class IntList {
     return Arrays.copyOf(values, size);
   }
 
-  /** The values, ascending, each once; the list is sorted by this. */
-  public IntStream sorted() {
+  /** Keeps the values that pass a test, ascending, each once. */
+  public int[] filtered(IntPredicate test) {
     Arrays.sort(values, 0, size);
-    return IntStream.range(0, size)
-        .filter(i -> i == 0 || values[i] != values[i - 1])
-        .map(i -> values[i]);
+    int end = 0;
+    for (int i = 0; i < size; i++) {
+      if ((i == 0 || values[i] != values[i - 1]) && test.test(values[i])) {
+        values[end++] = values[i];
+      }
+    }
+    size = end;
+    return toArray();
   }
 }

@@ -217,7 +217,7 @@ class WarningsTest {
     Proximity proximity = new Proximity(new ObstacleIndex(obstacles));
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle circle = scene.circle(i);
-      for (int code : proximity.overlapping(circle.x(), circle.y(), circle.radius()).toArray()) {
+      for (int code : proximity.overlapping(circle.x(), circle.y(), circle.radius())) {
         boolean isLeft = Codes.isPeg(code) || !obstacles.isOneWay(code);
         if (!isLeft) {
           Line l = (Line) Internals.record(obstacles, code);
