@@ -308,7 +308,7 @@ public final class World {
    * Returns the radius of a circle.
    *
    * @param id the id of the circle
-   * @return more than 0
+   * @return at least 0; 0 for a point particle
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double radius(int id) {
@@ -603,7 +603,7 @@ public final class World {
    * @param y the y coordinate of the centre, finite
    * @throws IndexOutOfBoundsException if there is no such circle
    * @throws IllegalArgumentException if a coordinate is NaN or infinite, or so large that 2^10 ulps
-   *     of it exceed the smallest radius that was ever in this world
+   *     of it exceed the smallest radius above 0 that was ever in this world
    */
   public void setPosition(int id, double x, double y) {
     edit().setPosition(ids.circle(id), x, y, now);
@@ -613,11 +613,11 @@ public final class World {
    * Sets the radius of a circle, from now on. Its centre stays.
    *
    * @param id the id of the circle
-   * @param radius finite, more than 0, and at least 2^10 ulps of the largest coordinate that was
-   *     ever in this world
+   * @param radius finite, and at least 2^10 ulps of the largest coordinate that was ever in this
+   *     world; or 0, for a point particle, if this world has no lines
    * @throws IndexOutOfBoundsException if there is no such circle
-   * @throws IllegalArgumentException if the radius is NaN, infinite, not positive, or smaller than
-   *     that
+   * @throws IllegalArgumentException if the radius is NaN, infinite, negative, or smaller than
+   *     that; or 0 in a world with lines
    */
   public void setRadius(int id, double radius) {
     edit().setRadius(ids.circle(id), radius, now);
@@ -689,13 +689,14 @@ public final class World {
    *
    * @param x the x coordinate of the centre, finite
    * @param y the y coordinate of the centre, finite
-   * @param radius finite, more than 0, and at least 2^10 ulps of the largest coordinate that was
-   *     ever in this world
+   * @param radius finite, and at least 2^10 ulps of the largest coordinate that was ever in this
+   *     world; or 0, for a point particle, if this world has no lines
    * @param vx the x component of the velocity, finite
    * @param vy the y component of the velocity, finite
    * @return its id
-   * @throws IllegalArgumentException if a number is NaN or infinite, the radius not positive or too
-   *     small, or a coordinate too large, as by {@link #setPosition setPosition}
+   * @throws IllegalArgumentException if a number is NaN or infinite, the radius refused, as by
+   *     {@link #setRadius setRadius}, or a coordinate too large, as by {@link #setPosition
+   *     setPosition}
    * @throws IllegalStateException if this world gave all ids of circles: 1,610,612,736
    */
   public int addCircle(double x, double y, double radius, double vx, double vy) {
@@ -712,7 +713,8 @@ public final class World {
    * @param by the y coordinate of the end, finite
    * @return its id
    * @throws IllegalArgumentException if a coordinate is NaN or infinite, or so large that 2^10 ulps
-   *     of it exceed the smallest radius that was ever in this world
+   *     of it exceed the smallest radius above 0 that was ever in this world; or if there is a
+   *     circle of radius 0
    * @throws IllegalStateException if this world gave all ids of lines: 268,435,452
    */
   public int addLine(double ax, double ay, double bx, double by) {

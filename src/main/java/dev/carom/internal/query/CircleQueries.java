@@ -132,6 +132,9 @@ public final class CircleQueries {
     double x = circles.x(slot, now);
     double y = circles.y(slot, now);
     double r = circles.radius(slot);
+    if (m.radius + r == 0) {
+      return; // two points do not meet
+    }
     double vx = circles.vx(slot);
     double vy = circles.vy(slot);
     int contact = DiskSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy);
