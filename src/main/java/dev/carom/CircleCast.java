@@ -41,7 +41,7 @@ final class CircleCast {
       return Optional.empty();
     }
     Hit hit =
-        Hit.ofLine(
+        new Hit().ofLine(
             c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(), contact, t);
     return Optional.of(impact(t, ObstacleKind.LINE, Impact.NO_ID, l, contact, hit));
   }
@@ -61,7 +61,7 @@ final class CircleCast {
             : (v.y() < 0 ? WallSweep.BOTTOM : WallSweep.TOP);
     double wall = vertical ? wallX : wallY;
     double t = vertical ? tx : ty;
-    Hit hit = Hit.ofWall(circle.x(), circle.y(), v.x(), v.y(), id, wall, t);
+    Hit hit = new Hit().ofWall(circle.x(), circle.y(), v.x(), v.y(), id, wall, t);
     return Optional.of(impact(t, ObstacleKind.WALL, id, bounds, 0, hit));
   }
 
@@ -90,7 +90,7 @@ final class CircleCast {
       return Optional.empty();
     }
     Hit hit =
-        Hit.ofDisks(
+        new Hit().ofDisks(
             c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), c2.x(), c2.y(), c2.radius(), v2.x(),
             v2.y(), contact, t);
     return Optional.of(impact(t, kind, Impact.NO_ID, obstacle, contact, hit));

@@ -55,7 +55,7 @@ import java.util.Optional;
  *
  * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, budget, stuck
  * circles, infinite mass, accuracy. <a href="doc-files/recipes.html">Recipes</a>: frames and
- * netcode, a paddle, a piston, pockets, an aiming line, periodic cells.
+ * netcode, a paddle, a piston, pockets, an aiming line, a lidar, periodic cells.
  */
 public final class World {
 

@@ -26,6 +26,8 @@ public final class CircleQueries {
   private final CircleRegistry registry;
   private final CircleIndex index;
   private final IntList found = new IntList();
+  private final BoxTree.Outside box = new BoxTree.Outside();
+  private final Hit hit = new Hit();
 
   /**
    * Makes queries about circles.
@@ -97,7 +99,7 @@ public final class CircleQueries {
       double y1 = m.y + m.vy * ahead;
       found.clear();
       tree.find(
-          new BoxTree.Outside(
+          box.set(
               Math.min(x0, x1) - reachX,
               Math.min(y0, y1) - reachY,
               Math.max(x0, x1) + reachX,
@@ -180,10 +182,10 @@ public final class CircleQueries {
         circles.vy(slot));
   }
 
-  /** Where a cast hits the circle that it found first. */
+  /** Where a cast hits the circle that it found first; always the same object. */
   public Hit hit(MovingCircle m, double now) {
     int slot = Codes.slot(m.next);
-    return Hit.ofDisks(
+    return hit.ofDisks(
         m.x,
         m.y,
         m.radius,

@@ -99,8 +99,8 @@ public final class Proximity {
 
   /** A test that rejects what is apart from the box around a disk. */
   static BoxTree.Outside outside(double x, double y, double r) {
-    return new BoxTree.Outside(
-        Math.nextDown(x - r), Math.nextDown(y - r), Math.nextUp(x + r), Math.nextUp(y + r));
+    return new BoxTree.Outside()
+        .set(Math.nextDown(x - r), Math.nextDown(y - r), Math.nextUp(x + r), Math.nextUp(y + r));
   }
 
   /** Whether an obstacle overlaps a disk. */
@@ -139,8 +139,8 @@ public final class Proximity {
 
   /** A test that rejects what is apart from a box. */
   static BoxTree.Outside outside(double[] box) {
-    return new BoxTree.Outside(
-        box[Codes.LEFT], box[Codes.BOTTOM], box[Codes.RIGHT], box[Codes.TOP]);
+    return new BoxTree.Outside()
+        .set(box[Codes.LEFT], box[Codes.BOTTOM], box[Codes.RIGHT], box[Codes.TOP]);
   }
 
   private boolean overlaps(int code, double[] box) {

@@ -21,6 +21,7 @@ public final class Tracer {
   private final ObstacleTable obstacles;
   private final ObstacleIndex index;
   private final BroadPhase search;
+  private final Hit hit = new Hit();
 
   /** The grid for the circle that is followed, or null to test each obstacle. */
   private Grid grid;
@@ -56,16 +57,16 @@ public final class Tracer {
     return search.exactTime(mover);
   }
 
-  /** Where the contact is that was found. */
+  /** Where the contact is that was found; always the same object. */
   public Hit hit(MovingCircle m) {
     int code = m.next;
     double t = m.cleared;
     if (Codes.isWall(code)) {
-      return Hit.ofWall(m.x, m.y, m.vx, m.vy, code, obstacles.walls[code], t);
+      return hit.ofWall(m.x, m.y, m.vx, m.vy, code, obstacles.walls[code], t);
     }
     ObstacleRows rows = obstacles.of(code);
     int k = rows.offset(code);
-    return rows.shape.hit(m.contact, t, m.x, m.y, m.radius, m.vx, m.vy, rows.values, k);
+    return rows.shape.hit(hit, m.contact, t, m.x, m.y, m.radius, m.vx, m.vy, rows.values, k);
   }
 
   /**

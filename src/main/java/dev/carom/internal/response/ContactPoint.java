@@ -40,6 +40,9 @@ final class ContactPoint {
 
   double ny;
 
+  /** The detector's normal, where that is asked for. */
+  private final UnitVector unit = new UnitVector();
+
   /** Where the flight started that ends here. */
   private double startX;
 
@@ -171,9 +174,8 @@ final class ContactPoint {
     if (radiusSum == 0) {
       normal(m, 0, 0, m.vx, m.vy);
     } else if (radiusSum < SMALL * Math.max(size(cx, cy), size(startX, startY))) {
-      UnitVector n =
-          DiskSweep.normal(startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, 0, 0, m.cleared);
-      normal(m, n.x(), n.y(), 0, 0);
+      DiskSweep.normal(unit, startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, 0, 0, m.cleared);
+      normal(m, unit.x(), unit.y(), 0, 0);
     } else {
       offset(m, cx, cy);
     }

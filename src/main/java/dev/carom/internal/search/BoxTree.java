@@ -163,7 +163,21 @@ public final class BoxTree {
   }
 
   /** Rejects what is apart from a box; NaN for a side is no limit. */
-  public record Outside(double left, double bottom, double right, double top) implements Rejects {
+  public static final class Outside implements Rejects {
+
+    private double left;
+    private double bottom;
+    private double right;
+    private double top;
+
+    /** Sets the box. */
+    public Outside set(double newLeft, double newBottom, double newRight, double newTop) {
+      left = newLeft;
+      bottom = newBottom;
+      right = newRight;
+      top = newTop;
+      return this;
+    }
 
     @Override
     public boolean test(double[] boxes, int k) {

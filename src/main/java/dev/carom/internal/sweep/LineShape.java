@@ -57,6 +57,7 @@ public final class LineShape extends ObstacleShape {
 
   @Override
   public Hit hit(
+      Hit out,
       int contact,
       double t,
       double px,
@@ -66,7 +67,7 @@ public final class LineShape extends ObstacleShape {
       double vy,
       double[] rows,
       int k) {
-    return Hit.ofLine(
+    return out.ofLine(
         px, py, r, vx, vy, rows[k + AX], rows[k + AY], rows[k + BX], rows[k + BY], contact, t);
   }
 

@@ -86,8 +86,9 @@ public abstract class ObstacleShape {
   public abstract ExactTime exactTime(
       int contact, double px, double py, double r, double vx, double vy, double[] rows, int k);
 
-  /** The point and the normal of such a contact at its time t. */
+  /** The point and the normal of such a contact at its time t, put into a given hit. */
   public abstract Hit hit(
+      Hit out,
       int contact,
       double t,
       double px,

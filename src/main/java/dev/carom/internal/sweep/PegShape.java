@@ -48,6 +48,7 @@ public final class PegShape extends ObstacleShape {
 
   @Override
   public Hit hit(
+      Hit out,
       int contact,
       double t,
       double px,
@@ -57,7 +58,7 @@ public final class PegShape extends ObstacleShape {
       double vy,
       double[] rows,
       int k) {
-    return Hit.ofDisks(
+    return out.ofDisks(
         px, py, r, vx, vy, rows[k + X], rows[k + Y], rows[k + RADIUS], 0, 0, contact, t);
   }
 
