@@ -29,7 +29,7 @@ class PointParticlesTest {
     Scene scene = room().collide(collide).peg(70, 50, 10).circle(20, 50, 0, 10, 0).build();
     World world = new World(scene);
     world.step(8);
-    assertThat(world.impacts().size()).isEqualTo(2);
+    assertThat(world.impacts().size()).isEqualTo(1);
     assertThat(world.impacts().kind(0)).isEqualTo(ObstacleKind.PEG);
     assertThat(world.impacts().time(0)).isEqualTo(4);
     assertThat(world.impacts().nx(0)).isEqualTo(-1);

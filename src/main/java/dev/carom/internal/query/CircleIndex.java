@@ -6,6 +6,7 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.util.IntList;
+import java.util.Arrays;
 
 /**
  * An index of the circles of a world where they are now: a {@link BoxTree} of their slots, and the
@@ -31,6 +32,11 @@ final class CircleIndex {
   private BoxTree tree;
 
   private long tested;
+
+  /** The number of the last cast that found each circle, by its slot. */
+  private int[] foundBy = new int[0];
+
+  private int cast;
 
   /** No circle is faster on an axis. */
   private double fastestX;
@@ -81,6 +87,23 @@ final class CircleIndex {
       BoxTree.put(boxes, k, x, y, x, y, circles.radius(items[k]));
     }
     tree = new BoxTree(items, boxes);
+    foundBy = new int[items.length == 0 ? 0 : items[items.length - 1] + 1];
+    cast = 0;
+  }
+
+  /** Begins a cast: each circle is new to it. */
+  void beginCast() {
+    if (++cast == 0) { // after 2^32 casts
+      Arrays.fill(foundBy, 0);
+      cast = 1;
+    }
+  }
+
+  /** Whether this cast finds a circle for the first time. */
+  boolean isNew(int slot) {
+    boolean isNew = foundBy[slot] != cast;
+    foundBy[slot] = cast;
+    return isNew;
   }
 
   /** Whether a circle is there, and not beyond the range of doubles. */

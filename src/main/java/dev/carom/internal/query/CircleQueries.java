@@ -66,7 +66,10 @@ public final class CircleQueries {
     if (index.tree() == null) {
       LiveCodes present = registry.present();
       for (int i = 0; i < present.size(); i++) {
-        consider(m, present.get(i), tracer, maxTime, now);
+        int slot = present.get(i);
+        if (index.isThere(slot, now)) {
+          consider(m, slot, tracer, maxTime, now);
+        }
       }
     } else if (index.tree().size() > 0) {
       walk(m, tracer, maxTime, now);
@@ -78,6 +81,7 @@ public final class CircleQueries {
    * piece is now no further from it than it moves until then.
    */
   private void walk(MovingCircle m, Tracer tracer, double maxTime, double now) {
+    index.beginCast();
     BoxTree tree = index.tree();
     double width = tree.side(BoxTree.RIGHT) - tree.side(BoxTree.LEFT);
     double height = tree.side(BoxTree.TOP) - tree.side(BoxTree.BOTTOM);
@@ -106,7 +110,9 @@ public final class CircleQueries {
               Math.max(y0, y1) + reachY),
           found);
       for (int k = 0; k < found.size(); k++) {
-        consider(m, found.get(k), tracer, maxTime, now);
+        if (index.isNew(found.get(k))) {
+          consider(m, found.get(k), tracer, maxTime, now);
+        }
       }
       from = leaves(m, x1, y1, reachX, reachY) ? NEVER : to;
     }
@@ -128,7 +134,7 @@ public final class CircleQueries {
 
   /** Keeps the contact with a circle if it is the first one. */
   private void consider(MovingCircle m, int slot, Tracer tracer, double maxTime, double now) {
-    if (!index.isThere(slot, now) || registry.isSensor(slot)) {
+    if (registry.isSensor(slot)) {
       return;
     }
     double x = circles.x(slot, now);
