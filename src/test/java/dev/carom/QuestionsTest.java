@@ -18,6 +18,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -26,6 +27,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  * The answers of indexes beside those of a loop that asks each obstacle and each circle: the same
  * to the bit.
  */
+@Tag("long")
 class QuestionsTest {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
