@@ -116,7 +116,7 @@ class PointParticlesTest {
       double radius = i % 4 == 0 ? 1.5 : 0;
       builder.circle(
           4 + 6.5 * (i % 15),
-          4 + 6.5 * (i / 15),
+          4 + 6.5 * Math.floor(i / 15.0),
           radius,
           random.nextGaussian(),
           random.nextGaussian());
