@@ -2,7 +2,6 @@
 package dev.carom;
 
 import dev.carom.internal.exact.ExactTime;
-import dev.carom.internal.query.Candidate;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
@@ -42,7 +41,7 @@ final class CircleCast {
       return Optional.empty();
     }
     Hit hit =
-        Hit.ofLine(
+        new Hit().ofLine(
             c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(), u.x(), u.y(),
             contact, t);
     return Optional.of(impact(t, ObstacleKind.LINE, Impact.NO_ID, l, contact, hit));
@@ -63,7 +62,7 @@ final class CircleCast {
             : (v.y() < 0 ? WallSweep.BOTTOM : WallSweep.TOP);
     double wall = vertical ? wallX : wallY;
     double t = vertical ? tx : ty;
-    Hit hit = Hit.ofWall(circle.x(), circle.y(), v.x(), v.y(), id, wall, t);
+    Hit hit = new Hit().ofWall(circle.x(), circle.y(), v.x(), v.y(), id, wall, t);
     return Optional.of(impact(t, ObstacleKind.WALL, id, bounds, 0, hit));
   }
 
@@ -92,15 +91,15 @@ final class CircleCast {
       return Optional.empty();
     }
     Hit hit =
-        Hit.ofDisks(
+        new Hit().ofDisks(
             c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), c2.x(), c2.y(), c2.radius(), v2.x(),
             v2.y(), contact, t);
     return Optional.of(impact(t, kind, Impact.NO_ID, obstacle, contact, hit));
   }
 
   /** The impact that a cast found first. */
-  static Impact impact(Candidate first, ObstacleKind kind, int id, Obstacle obstacle) {
-    return impact(first.time(), kind, id, obstacle, first.contact(), first.hit().get());
+  static Impact impact(MovingCircle first, Hit hit, ObstacleKind kind, int id, Obstacle obstacle) {
+    return impact(first.cleared, kind, id, obstacle, first.contact, hit);
   }
 
   private static Impact impact(

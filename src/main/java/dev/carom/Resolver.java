@@ -2,14 +2,12 @@
 package dev.carom;
 
 import dev.carom.internal.exact.Predicates;
-import dev.carom.internal.query.Candidate;
 import dev.carom.internal.query.Proximity;
 import dev.carom.internal.query.TracedPath;
 import dev.carom.internal.query.Tracer;
 import dev.carom.internal.response.Impulse;
 import dev.carom.internal.response.SphereResponse;
-import dev.carom.internal.search.BroadPhase;
-import dev.carom.internal.state.CodeSet;
+import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -20,7 +18,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntFunction;
-import java.util.stream.IntStream;
 
 /**
  * A {@code Resolver} follows one circle among obstacles for a given time, with all its bounces. It
@@ -48,7 +45,7 @@ public final class Resolver {
   /** The most impacts of one trace; exact arithmetic counts as in a world's budget. */
   static final int IMPACTS_PER_TRACE = 100_000;
 
-  private final ObstacleTable obstacles;
+  private final ObstacleIndex index;
 
   /** The records of the obstacles, by their codes. */
   private final IntFunction<Obstacle> records;
@@ -59,7 +56,7 @@ public final class Resolver {
    * @param records the obstacle that a code stands for
    */
   Resolver(ObstacleTable obstacles, IntFunction<Obstacle> records) {
-    this.obstacles = obstacles;
+    index = new ObstacleIndex(obstacles);
     this.records = records;
   }
 
@@ -150,7 +147,8 @@ public final class Resolver {
     Check.notNegative("duration", duration);
     Check.notNegative("bounces", bounces);
     MovingCircle mover = CircleCast.mover(circle, velocity, restitution);
-    TracedPath path = tracer().trace(mover, duration, bounces, IMPACTS_PER_TRACE);
+    index.expect(1);
+    TracedPath path = new Tracer(index).trace(mover, duration, bounces, IMPACTS_PER_TRACE);
     return Trajectory.of(path, records);
   }
 
@@ -171,14 +169,43 @@ public final class Resolver {
     Check.notNull("circle", circle);
     Check.notNull("velocity", velocity);
     Check.duration("maxTime", maxTime);
-    Candidate first = tracer().first(CircleCast.mover(circle, velocity, 1), maxTime);
-    if (first == null) {
+    index.expect(1);
+    MovingCircle mover = CircleCast.mover(circle, velocity, 1);
+    Tracer tracer = new Tracer(index);
+    tracer.first(mover, maxTime);
+    if (mover.next == MovingCircle.NOTHING) {
       return Optional.empty();
     }
-    int code = first.code();
+    int code = mover.next;
+    ObstacleKind kind = ObstacleKind.of(Codes.kind(code));
+    Obstacle obstacle = records.apply(code);
     return Optional.of(
-        CircleCast.impact(
-            first, ObstacleKind.of(Codes.kind(code)), Codes.index(code), records.apply(code)));
+        CircleCast.impact(mover, tracer.hit(mover), kind, Codes.index(code), obstacle));
+  }
+
+  /**
+   * Finds the first impact of each of many moving circles, as {@link #cast(Circle, Vec2, double)
+   * cast} does for one. Nothing is allocated per cast, unless exact arithmetic has to decide.
+   *
+   * @param casts the circles; they receive the answers
+   * @param maxTime the end of the window, at least 0, {@code +infinity} included
+   * @throws IllegalArgumentException if maxTime is NaN or negative; the casts keep their answers
+   */
+  public void cast(Casts casts, double maxTime) {
+    Check.notNull("casts", casts);
+    Check.duration("maxTime", maxTime);
+    index.expect(casts.size());
+    Tracer tracer = new Tracer(index);
+    MovingCircle mover = new MovingCircle();
+    for (int i = 0; i < casts.size(); i++) {
+      casts.load(i, mover);
+      tracer.first(mover, maxTime);
+      if (mover.next == MovingCircle.NOTHING) {
+        casts.miss(i);
+      } else {
+        casts.hit(i, mover, Codes.index(mover.next), tracer.hit(mover));
+      }
+    }
   }
 
   /**
@@ -193,7 +220,7 @@ public final class Resolver {
    */
   public Optional<Obstacle> nearest(Vec2 point) {
     Check.notNull("point", point);
-    int nearest = new Proximity(obstacles).nearest(point.x(), point.y());
+    int nearest = new Proximity(index, () -> 0).nearest(point.x(), point.y());
     return nearest == Proximity.NONE ? Optional.empty() : Optional.of(records.apply(nearest));
   }
 
@@ -207,7 +234,7 @@ public final class Resolver {
    */
   public List<Obstacle> overlapping(Circle disk) {
     Check.notNull("disk", disk);
-    return things(new Proximity(obstacles).overlapping(disk.x(), disk.y(), disk.radius()));
+    return things(new Proximity(index, () -> 0).overlapping(disk.x(), disk.y(), disk.radius()));
   }
 
   /**
@@ -219,26 +246,21 @@ public final class Resolver {
    */
   public List<Obstacle> overlapping(Bounds box) {
     Check.notNull("box", box);
-    return things(new Proximity(obstacles).overlapping(PublicRecords.walls(box)));
+    return things(new Proximity(index, () -> 0).overlapping(PublicRecords.walls(box)));
   }
 
   /**
    * Returns the obstacles that codes stand for. Walls come first: those after the first one are the
    * same bounds.
    */
-  private List<Obstacle> things(IntStream codes) {
+  private List<Obstacle> things(int[] codes) {
     List<Obstacle> things = new ArrayList<>();
-    for (int code : codes.toArray()) {
+    for (int code : codes) {
       if (!Codes.isWall(code) || things.isEmpty()) {
         things.add(records.apply(code));
       }
     }
     return List.copyOf(things);
-  }
-
-  private Tracer tracer() {
-    BroadPhase search = new BroadPhase(obstacles, new CodeSet());
-    return new Tracer(obstacles, search, null);
   }
 
   /**

@@ -81,11 +81,12 @@ public final class SceneBuilder {
    *
    * @param x the x coordinate of the centre at time 0, finite
    * @param y the y coordinate of the centre at time 0, finite
-   * @param radius finite and greater than 0; see also {@link #build}
+   * @param radius finite and at least 0; a circle of radius 0 is a point particle. See also {@link
+   *     #build}
    * @param vx the x component of the velocity, finite
    * @param vy the y component of the velocity, finite
    * @return this builder
-   * @throws IllegalArgumentException if a number is NaN or infinite, or the radius not positive
+   * @throws IllegalArgumentException if a number is NaN or infinite, or the radius negative
    */
   public SceneBuilder circle(double x, double y, double radius, double vx, double vy) {
     data.circle(x, y, radius, vx, vy);
@@ -221,7 +222,8 @@ public final class SceneBuilder {
    *
    * @return the scene
    * @throws IllegalArgumentException if the radius of a circle is below 2^10 ulps of the largest
-   *     coordinate of the scene: rounding of positions could carry such a circle through a line
+   *     coordinate of the scene: rounding of positions could carry such a circle through a line. A
+   *     radius of 0 is refused only in a scene with lines
    */
   public Scene build() {
     return new Scene(data.build());

@@ -125,7 +125,7 @@ public final class Timeline {
    *
    * @param id the circle
    * @param t a time within the recording
-   * @return more than 0
+   * @return at least 0
    * @throws IllegalArgumentException if the circle was not there then, or is not recorded
    */
   public double radius(int id, double t) {

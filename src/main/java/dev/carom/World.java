@@ -50,14 +50,14 @@ import java.util.function.IntPredicate;
  *
  * <p>A step goes on for a time span ({@link #step step}), to a time ({@link #advanceTo advanceTo})
  * or to the next impact ({@link #advanceToImpact advanceToImpact}). Between steps a world can be
- * edited, asked ({@link #cast cast}, {@link #trace trace}, {@link #nearest nearest}, {@link
- * #overlapping(ObstacleKind, Circle) overlapping}), saved ({@link #snapshot}) and recorded ({@link
- * #record record}). A world belongs to one thread at a time. Different worlds share nothing that
- * changes.
+ * edited, asked ({@link #cast(Circle, Vec2, double) cast}, {@link #trace trace}, {@link #nearest
+ * nearest}, {@link #overlapping(ObstacleKind, Circle) overlapping}), saved ({@link #snapshot}) and
+ * recorded ({@link #record record}). A world belongs to one thread at a time. Different worlds
+ * share nothing that changes.
  *
  * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, budget, stuck
  * circles, infinite mass, accuracy. <a href="doc-files/recipes.html">Recipes</a>: frames and
- * netcode, a paddle, a piston, pockets, teams, an aiming line, periodic cells.
+ * netcode, a paddle, a piston, pockets, teams, an aiming line, a lidar, periodic cells.
  */
 public final class World {
 
@@ -228,6 +228,7 @@ public final class World {
 
   private void begin() {
     rows.clear();
+    questions.forget();
     if (registry.isSparse()) {
       engine.compact(now);
     }
@@ -309,7 +310,7 @@ public final class World {
    * Returns the radius of a circle.
    *
    * @param id the id of the circle
-   * @return more than 0
+   * @return at least 0; 0 for a point particle
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double radius(int id) {
@@ -493,8 +494,10 @@ public final class World {
    * <p>The earliest impact is found as if in real arithmetic, on the given doubles and on the
    * positions and velocities that this world reports. The circle has category 1 and mask -1. Among
    * exactly simultaneous impacts walls come first, then lines, then pegs, then circles, each by id.
-   * A {@link #step step} instead treats impacts with equal rounded times as simultaneous. Where
-   * circles collide, a cast looks at every circle. It allocates.
+   * A {@link #step step} instead treats impacts with equal rounded times as simultaneous.
+   *
+   * <p>The search uses an <a href="doc-files/rules.html#questions">index</a>. It allocates; {@link
+   * #cast(Casts, double) many casts in one call} do not.
    *
    * @param circle the circle now
    * @param velocity its velocity
@@ -528,6 +531,37 @@ public final class World {
     Check.notNull("velocity", velocity);
     Check.duration("maxTime", maxTime);
     return questions.cast(circle, velocity, maxTime, now, Filter.of(category, mask));
+  }
+
+  /**
+   * Finds the first impact of each of many moving circles, as {@link #cast(Circle, Vec2, double)
+   * cast} does for one. Nothing is allocated per cast, unless exact arithmetic has to decide.
+   *
+   * <p>See <a href="doc-files/recipes.html#lidar">a lidar</a> for an example.
+   *
+   * @param casts the circles now; they receive the answers
+   * @param maxTime how far to look ahead, from now on: at least 0, {@code +infinity} included
+   * @throws IllegalArgumentException if maxTime is NaN or negative; the casts keep their answers
+   */
+  public void cast(Casts casts, double maxTime) {
+    cast(casts, maxTime, 1, -1);
+  }
+
+  /**
+   * Finds the first impact of each of many moving circles, all of a given category and mask, and
+   * ignores all that they cannot {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
+   * #cast(Casts, double) cast}.
+   *
+   * @param casts the circles now; they receive the answers
+   * @param maxTime how far to look ahead, from now on: at least 0, {@code +infinity} included
+   * @param category the categories that the circles belong to
+   * @param mask the categories that they can meet
+   * @throws IllegalArgumentException if maxTime is NaN or negative; the casts keep their answers
+   */
+  public void cast(Casts casts, double maxTime, int category, int mask) {
+    Check.notNull("casts", casts);
+    Check.duration("maxTime", maxTime);
+    questions.cast(casts, maxTime, now, Filter.of(category, mask));
   }
 
   /**
@@ -593,8 +627,8 @@ public final class World {
    * ones the smallest id wins.
    *
    * <p>Distances are computed in plain doubles: to a wall, to a line, or to the rim of a peg or
-   * circle. Inside of a peg or circle the distance is 0. The search looks at every thing of the
-   * kind, and allocates.
+   * circle. Inside of a peg or circle the distance is 0. The search uses an <a
+   * href="doc-files/rules.html#questions">index</a>.
    *
    * @param kind which kind of thing
    * @param x the x coordinate of the point, finite
@@ -635,7 +669,7 @@ public final class World {
    * inside of it, not only on its rim.
    *
    * <p>The answer is exact, for circles at the positions that {@link #x} and {@link #y} give. The
-   * search looks at every thing of the kind, and allocates.
+   * search uses an <a href="doc-files/rules.html#questions">index</a>.
    *
    * @param kind which kind of thing
    * @param disk the disk
@@ -701,6 +735,12 @@ public final class World {
 
   // Edits.
 
+  /** Returns the editor; questions forget where circles were. */
+  private Editor edit() {
+    questions.forget();
+    return editor;
+  }
+
   /**
    * Sets the velocity of a circle, from now on. If the circle now approaches something that it
    * touches, it bounces at once.
@@ -712,7 +752,7 @@ public final class World {
    * @throws IllegalArgumentException if a component is NaN or infinite
    */
   public void setVelocity(int id, double vx, double vy) {
-    editor.setVelocity(ids.circle(id), vx, vy, now);
+    edit().setVelocity(ids.circle(id), vx, vy, now);
   }
 
   /**
@@ -727,24 +767,24 @@ public final class World {
    * @param y the y coordinate of the centre, finite
    * @throws IndexOutOfBoundsException if there is no such circle
    * @throws IllegalArgumentException if a coordinate is NaN or infinite, or so large that 2^10 ulps
-   *     of it exceed the smallest radius that was ever in this world
+   *     of it exceed the smallest radius above 0 that was ever in this world
    */
   public void setPosition(int id, double x, double y) {
-    editor.setPosition(ids.circle(id), x, y, now);
+    edit().setPosition(ids.circle(id), x, y, now);
   }
 
   /**
    * Sets the radius of a circle, from now on. Its centre stays.
    *
    * @param id the id of the circle
-   * @param radius finite, more than 0, and at least 2^10 ulps of the largest coordinate that was
-   *     ever in this world
+   * @param radius finite, and at least 2^10 ulps of the largest coordinate that was ever in this
+   *     world; or 0, for a point particle, if this world has no lines
    * @throws IndexOutOfBoundsException if there is no such circle
-   * @throws IllegalArgumentException if the radius is NaN, infinite, not positive, or smaller than
-   *     that
+   * @throws IllegalArgumentException if the radius is NaN, infinite, negative, or smaller than
+   *     that; or 0 in a world with lines
    */
   public void setRadius(int id, double radius) {
-    editor.setRadius(ids.circle(id), radius, now);
+    edit().setRadius(ids.circle(id), radius, now);
   }
 
   /**
@@ -760,7 +800,7 @@ public final class World {
    * @throws IllegalArgumentException if m is NaN or out of these limits
    */
   public void setMass(int id, double m) {
-    editor.setMass(ids.circle(id), m, now);
+    edit().setMass(ids.circle(id), m, now);
   }
 
   /**
@@ -808,7 +848,7 @@ public final class World {
    * @throws IllegalArgumentException if e is NaN, infinite or negative
    */
   public void setRestitution(ObstacleKind kind, int id, double e) {
-    editor.setRestitution(code(kind, id), e);
+    edit().setRestitution(code(kind, id), e);
   }
 
   /**
@@ -827,7 +867,7 @@ public final class World {
   public void setResponse(ObstacleKind kind, int id, Response response) {
     int code = code(kind, id);
     Check.notNull("response", response);
-    editor.setResponse(code, response.ordinal(), now);
+    edit().setResponse(code, response.ordinal(), now);
   }
 
   /**
@@ -855,7 +895,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public void setOneWay(int id, boolean oneWay) {
-    editor.setOneWay(code(ObstacleKind.LINE, id), oneWay, now);
+    edit().setOneWay(code(ObstacleKind.LINE, id), oneWay, now);
   }
 
   /**
@@ -863,17 +903,18 @@ public final class World {
    *
    * @param x the x coordinate of the centre, finite
    * @param y the y coordinate of the centre, finite
-   * @param radius finite, more than 0, and at least 2^10 ulps of the largest coordinate that was
-   *     ever in this world
+   * @param radius finite, and at least 2^10 ulps of the largest coordinate that was ever in this
+   *     world; or 0, for a point particle, if this world has no lines
    * @param vx the x component of the velocity, finite
    * @param vy the y component of the velocity, finite
    * @return its id
-   * @throws IllegalArgumentException if a number is NaN or infinite, the radius not positive or too
-   *     small, or a coordinate too large, as by {@link #setPosition setPosition}
+   * @throws IllegalArgumentException if a number is NaN or infinite, the radius refused, as by
+   *     {@link #setRadius setRadius}, or a coordinate too large, as by {@link #setPosition
+   *     setPosition}
    * @throws IllegalStateException if this world gave all ids of circles: 1,610,612,736
    */
   public int addCircle(double x, double y, double radius, double vx, double vy) {
-    return editor.addCircle(x, y, radius, vx, vy, now);
+    return edit().addCircle(x, y, radius, vx, vy, now);
   }
 
   /**
@@ -886,11 +927,12 @@ public final class World {
    * @param by the y coordinate of the end, finite
    * @return its id
    * @throws IllegalArgumentException if a coordinate is NaN or infinite, or so large that 2^10 ulps
-   *     of it exceed the smallest radius that was ever in this world
+   *     of it exceed the smallest radius above 0 that was ever in this world; or if there is a
+   *     circle of radius 0
    * @throws IllegalStateException if this world gave all ids of lines: 268,435,452
    */
   public int addLine(double ax, double ay, double bx, double by) {
-    return editor.addLine(ax, ay, bx, by, now);
+    return edit().addLine(ax, ay, bx, by, now);
   }
 
   /**
@@ -910,7 +952,7 @@ public final class World {
    * @throws IllegalArgumentException if a coordinate is refused, as by {@link #addLine addLine}
    */
   public void moveLine(int id, double ax, double ay, double bx, double by) {
-    editor.moveLine(code(ObstacleKind.LINE, id), ax, ay, bx, by, now);
+    edit().moveLine(code(ObstacleKind.LINE, id), ax, ay, bx, by, now);
   }
 
   /**
@@ -926,7 +968,7 @@ public final class World {
    * @throws IllegalStateException if this world gave all ids of pegs: 268,435,456
    */
   public int addPeg(double x, double y, double radius) {
-    return editor.addPeg(x, y, radius, now);
+    return edit().addPeg(x, y, radius, now);
   }
 
   /**
@@ -941,7 +983,7 @@ public final class World {
    * @throws IllegalArgumentException if a number is refused, as by {@link #addPeg addPeg}
    */
   public void movePeg(int id, double x, double y, double radius) {
-    editor.movePeg(code(ObstacleKind.PEG, id), x, y, radius, now);
+    edit().movePeg(code(ObstacleKind.PEG, id), x, y, radius, now);
   }
 
   /**
@@ -960,7 +1002,7 @@ public final class World {
     if (kind == ObstacleKind.WALL) {
       throw Check.refused("kind", kind, "LINE, PEG or CIRCLE: walls stay");
     }
-    editor.remove(code, now);
+    edit().remove(code, now);
     if (recorder != null && kind == ObstacleKind.CIRCLE) {
       recorder.remove(id, now);
     }
@@ -1009,6 +1051,7 @@ public final class World {
           "collide of the snapshot", state.collide(), "this world's, " + scene.collide());
     }
     rows.clear();
+    questions.forget();
     unfinishedCircle = -1;
     now = state.now();
     registry.set(state.registry());

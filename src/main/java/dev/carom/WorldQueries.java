@@ -2,12 +2,11 @@
 package dev.carom;
 
 import dev.carom.internal.engine.Engine;
-import dev.carom.internal.engine.StaticScene;
-import dev.carom.internal.query.Candidate;
 import dev.carom.internal.query.CircleQueries;
 import dev.carom.internal.query.Proximity;
 import dev.carom.internal.query.TracedPath;
 import dev.carom.internal.query.Tracer;
+import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
@@ -16,10 +15,10 @@ import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Index;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.DoubleSupplier;
 import java.util.function.IntPredicate;
-import java.util.stream.IntStream;
 
 /** Answers questions about a world. Nothing moves by them. */
 final class WorldQueries {
@@ -28,7 +27,7 @@ final class WorldQueries {
   static final IntPredicate ALL = code -> true;
 
   private final ObstacleTable obstacles;
-  private final StaticScene staticScene;
+  private final ObstacleIndex index;
   private final CircleTable circles;
   private final CircleRegistry registry;
   private final Proximity proximity;
@@ -38,35 +37,87 @@ final class WorldQueries {
   WorldQueries(Engine engine, CircleRegistry registry, boolean collide, DoubleSupplier clock) {
     this.registry = registry;
     this.collide = collide;
-    staticScene = engine.staticScene;
-    obstacles = staticScene.obstacles;
+    index = engine.staticScene.index;
+    obstacles = index.obstacles;
     circles = engine.circles;
-    proximity = new Proximity(obstacles, clock);
-    queries = new CircleQueries(circles, registry);
+    proximity = new Proximity(index, clock);
+    queries = new CircleQueries(circles, registry, index.wanted);
+  }
+
+  /** Takes notice of a step or an edit: circles are elsewhere, or others. */
+  void forget() {
+    queries.forget();
   }
 
   Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime, double now, long filter) {
     MovingCircle mover = CircleCast.mover(circle, velocity, 1);
     mover.filter = filter;
+    Tracer tracer = tracer(1, now);
     obstacles.setEpoch(now);
     try {
-      Candidate obstacle = tracer(circle).first(mover, maxTime);
-      Candidate first = collide ? queries.first(mover, obstacle, maxTime, now) : obstacle;
-      return first == null ? Optional.empty() : Optional.of(impact(first, now));
+      first(mover, tracer, maxTime, now);
+      return mover.next == MovingCircle.NOTHING
+          ? Optional.empty()
+          : Optional.of(impact(mover, tracer, now));
     } finally {
       obstacles.setEpoch(0);
     }
   }
 
-  private Impact impact(Candidate first, double now) {
-    int code = first.code();
+  void cast(Casts casts, double maxTime, double now, long filter) {
+    MovingCircle mover = new MovingCircle();
+    Tracer tracer = tracer(casts.size(), now);
+    obstacles.setEpoch(now);
+    try {
+      for (int i = 0; i < casts.size(); i++) {
+        casts.load(i, mover);
+        mover.filter = filter;
+        first(mover, tracer, maxTime, now);
+        answer(casts, i, mover, tracer, now);
+      }
+    } finally {
+      obstacles.setEpoch(0);
+    }
+  }
+
+  private void answer(Casts casts, int i, MovingCircle first, Tracer tracer, double now) {
+    int code = first.next;
+    if (code == MovingCircle.NOTHING) {
+      casts.miss(i);
+    } else if (Codes.isCircle(code)) {
+      casts.hit(i, first, registry.id(Codes.slot(code)), queries.hit(first, now));
+    } else {
+      casts.hit(i, first, Codes.index(code), tracer.hit(first));
+    }
+  }
+
+  /** What follows paths among the obstacles, for so many casts. */
+  private Tracer tracer(int casts, double now) {
+    index.expect(casts);
+    if (collide) {
+      queries.expect(casts, now);
+    }
+    return new Tracer(index);
+  }
+
+  private void first(MovingCircle mover, Tracer tracer, double maxTime, double now) {
+    tracer.first(mover, maxTime);
+    if (collide) {
+      queries.first(mover, tracer, maxTime, now);
+    }
+  }
+
+  private Impact impact(MovingCircle first, Tracer tracer, double now) {
+    int code = first.next;
     if (!Codes.isCircle(code)) {
+      ObstacleKind kind = ObstacleKind.of(Codes.kind(code));
       Obstacle thing = PublicRecords.of(obstacles, code, 0);
-      return CircleCast.impact(first, ObstacleKind.of(Codes.kind(code)), Codes.index(code), thing);
+      return CircleCast.impact(first, tracer.hit(first), kind, Codes.index(code), thing);
     }
     int slot = Codes.slot(code);
     Circle circle = new Circle(circles.x(slot, now), circles.y(slot, now), circles.radius(slot));
-    return CircleCast.impact(first, ObstacleKind.CIRCLE, registry.id(slot), circle);
+    int id = registry.id(slot);
+    return CircleCast.impact(first, queries.hit(first, now), ObstacleKind.CIRCLE, id, circle);
   }
 
   Trajectory trace(
@@ -77,19 +128,17 @@ final class WorldQueries {
       int bounces,
       long filter,
       double now) {
+    index.expect(1);
     MovingCircle mover = CircleCast.mover(circle, velocity, restitution);
     mover.filter = filter;
     obstacles.setEpoch(now);
     try {
-      TracedPath path = tracer(circle).trace(mover, duration, bounces, Resolver.IMPACTS_PER_TRACE);
+      TracedPath path =
+          new Tracer(index).trace(mover, duration, bounces, Resolver.IMPACTS_PER_TRACE);
       return Trajectory.of(path, code -> PublicRecords.of(obstacles, code, 0));
     } finally {
       obstacles.setEpoch(0);
     }
-  }
-
-  private Tracer tracer(Circle circle) {
-    return new Tracer(obstacles, staticScene.search, staticScene.gridAtLeast(circle.radius()));
   }
 
   double restitution(int code) {
@@ -131,15 +180,17 @@ final class WorldQueries {
   }
 
   int[] ids(ObstacleKind kind) {
-    return kind == ObstacleKind.CIRCLE ? registry.ids() : ids(proximity.codes(kind.ordinal()));
+    return kind == ObstacleKind.CIRCLE
+        ? registry.ids()
+        : ids(obstacles.codes(kind.ordinal()).toArray());
   }
 
   int nearest(ObstacleKind kind, double x, double y, double now, IntPredicate seen) {
     if (kind != ObstacleKind.CIRCLE) {
-      int code = proximity.nearest(codes(kind, seen), x, y);
+      int code = proximity.nearest(kind.ordinal(), x, y, seen);
       return code == Proximity.NONE ? -1 : Codes.index(code);
     }
-    int slot = queries.nearest(x, y, now, circle -> seen.test(Codes.circle(circle)));
+    int slot = queries.nearest(x, y, now, slots(seen));
     return slot == Index.NONE ? -1 : registry.id(slot);
   }
 
@@ -148,26 +199,31 @@ final class WorldQueries {
     double y = disk.y();
     double r = disk.radius();
     return kind == ObstacleKind.CIRCLE
-        ? circleIds(queries.overlapping(x, y, r, now), seen)
-        : ids(codes(kind, seen).filter(code -> proximity.overlaps(code, x, y, r)));
+        ? circleIds(queries.overlapping(x, y, r, now, slots(seen)))
+        : ids(proximity.overlapping(kind.ordinal(), x, y, r, seen));
   }
 
   int[] overlapping(ObstacleKind kind, Bounds bounds, double now, IntPredicate seen) {
     double[] box = PublicRecords.walls(bounds);
     return kind == ObstacleKind.CIRCLE
-        ? circleIds(queries.overlapping(box, now), seen)
-        : ids(codes(kind, seen).filter(code -> proximity.overlaps(code, box)));
+        ? circleIds(queries.overlapping(box, now, slots(seen)))
+        : ids(proximity.overlapping(kind.ordinal(), box, seen));
   }
 
-  private IntStream codes(ObstacleKind kind, IntPredicate seen) {
-    return proximity.codes(kind.ordinal()).filter(seen);
+  /** The same for slots of circles. */
+  private static IntPredicate slots(IntPredicate seen) {
+    return seen == ALL ? ALL : slot -> seen.test(Codes.circle(slot));
   }
 
-  private int[] circleIds(IntStream slots, IntPredicate seen) {
-    return slots.filter(slot -> seen.test(Codes.circle(slot))).map(registry::id).toArray();
+  /** Replaces codes of obstacles by their ids. */
+  private static int[] ids(int[] codes) {
+    Arrays.setAll(codes, k -> Codes.index(codes[k]));
+    return codes;
   }
 
-  private int[] ids(IntStream codes) {
-    return codes.map(Codes::index).toArray();
+  /** Replaces slots of circles by their ids. */
+  private int[] circleIds(int[] slots) {
+    Arrays.setAll(slots, k -> registry.id(slots[k]));
+    return slots;
   }
 }

@@ -108,6 +108,57 @@ class AllocationTest {
     assertThat(sum).isFinite();
   }
 
+  /**
+   * As much for a thousand casts as for one: what a call makes, and nothing for each cast. They are
+   * so small that none overlaps two things at once: which is first would be decided exactly.
+   */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void castsInBulkAllocateNothingEach(boolean collide) throws ReflectiveOperationException {
+    Random random = new Random(1);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 800, 600).collide(collide);
+    for (int i = 0; i < 100; i++) {
+      double x = 800 * random.nextDouble();
+      double y = 600 * random.nextDouble();
+      scene.line(x, y, x + 20 * random.nextDouble(), y - 20 * random.nextDouble());
+      scene.peg(y, x, 2).circle(x, y, 3, random.nextGaussian(), random.nextGaussian());
+    }
+    World world = new World(scene.build());
+    Resolver resolver = world.scene().resolver();
+    Casts one = casts(random, 1);
+    Casts many = casts(random, 1000);
+    for (int i = 0; i < 300; i++) {
+      world.cast(many, 1e3);
+      resolver.cast(many, 1e3);
+      world.cast(one, 1e3);
+      resolver.cast(one, 1e3);
+    }
+    Meter meter = new Meter();
+    assertThat(measured(meter, () -> world.cast(many, 1e3)))
+        .isEqualTo(measured(meter, () -> world.cast(one, 1e3)));
+    assertThat(measured(meter, () -> resolver.cast(many, 1e3)))
+        .isEqualTo(measured(meter, () -> resolver.cast(one, 1e3)));
+    assertThat(sum(many)).isFinite();
+  }
+
+  private static Casts casts(Random random, int count) {
+    Casts casts = new Casts();
+    for (int i = 0; i < count; i++) {
+      double x = 800 * random.nextDouble();
+      double y = 600 * random.nextDouble();
+      casts.add(x, y, i % 3 * 0.5, random.nextGaussian(), random.nextGaussian());
+    }
+    return casts;
+  }
+
+  private static double sum(Casts casts) {
+    double sum = 0;
+    for (int i = 0; i < casts.size(); i++) {
+      sum += casts.hits(i) ? casts.time(i) + casts.nx(i) : 0;
+    }
+    return sum;
+  }
+
   private static long measured(Meter meter, Runnable work) throws ReflectiveOperationException {
     long least = Long.MAX_VALUE;
     for (int i = 0; i < 3; i++) {

@@ -41,7 +41,7 @@ class ArchitectureTest {
   private static final String DETECTOR =
       " SweptCircle SweptSphere Separation CircleCast Impact ObstacleKind Feature";
 
-  private static final String RESOLVER = " Resolver Trajectory Flight";
+  private static final String RESOLVER = " Resolver Casts Trajectory Flight";
 
   private static final String WORLD =
       " Scene SceneBuilder SceneFormatException Response World WorldQueries ImpactLog Outcome"

@@ -6,8 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.carom.internal.exact.ExactBudget;
 import dev.carom.internal.query.TracedPath;
 import dev.carom.internal.query.Tracer;
-import dev.carom.internal.search.BroadPhase;
-import dev.carom.internal.state.CodeSet;
+import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.ObstacleTable;
 import org.junit.jupiter.api.Test;
@@ -133,8 +132,7 @@ class BudgetTest {
 
   private static TracedPath trace(int bounces, int most) {
     ObstacleTable obstacles = ObstacleTable.of(nearTies(true).data);
-    BroadPhase search = new BroadPhase(obstacles, new CodeSet());
-    Tracer tracer = new Tracer(obstacles, search, null);
+    Tracer tracer = new Tracer(new ObstacleIndex(obstacles));
     return tracer.trace(CircleCast.mover(LEAVING, new Vec2(-UNIT, 0), 1), 1e3, bounces, most);
   }
 

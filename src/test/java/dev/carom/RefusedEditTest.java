@@ -63,7 +63,9 @@ class RefusedEditTest {
         refused("circle 0: y is NaN" + FINITE, w -> w.setPosition(0, 1, NAN)),
         refused("circle 1: x is 1.0E13" + TOO_LARGE, w -> w.setPosition(1, 1e13, 0)),
         refused("circle 1: y is -1.0E13" + TOO_LARGE, w -> w.setPosition(1, 0, -1e13)),
-        refused("circle 0: radius is 0.0: expected a finite", w -> w.setRadius(0, 0)),
+        refused(
+            "circle 0: radius is 0.0: expected more than 0, as there are lines",
+            w -> w.setRadius(0, 0)),
         refused("circle 0: radius is NaN: expected a finite", w -> w.setRadius(0, NAN)),
         refused("circle 0: radius is Infinity: expected a finite", w -> w.setRadius(0, INF)),
         refused(

@@ -41,14 +41,14 @@ class SceneBuilderTest {
         refusal(b -> b.circle(nan, 0, 1, 0, 0), "circle 3: x is NaN: expected a finite number"),
         refusal(b -> b.circle(0, nan, 1, 0, 0), "circle 3: y is NaN: expected a finite number"),
         refusal(
-            b -> b.circle(0, 0, 0, 0, 0),
-            "circle 3: radius is 0.0: expected a finite number, more than 0"),
+            b -> b.circle(0, 0, -1, 0, 0),
+            "circle 3: radius is -1.0: expected a finite number, at least 0"),
         refusal(
             b -> b.circle(0, 0, nan, 0, 0),
-            "circle 3: radius is NaN: expected a finite number, more than 0"),
+            "circle 3: radius is NaN: expected a finite number, at least 0"),
         refusal(
             b -> b.circle(0, 0, INFINITY, 0, 0),
-            "circle 3: radius is Infinity: expected a finite number, more than 0"),
+            "circle 3: radius is Infinity: expected a finite number, at least 0"),
         refusal(b -> b.circle(0, 0, 1, nan, 0), "circle 3: vx is NaN: expected a finite number"),
         refusal(
             b -> b.circle(0, 0, 1, 0, -INFINITY),

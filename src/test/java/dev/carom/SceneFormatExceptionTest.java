@@ -127,8 +127,7 @@ class SceneFormatExceptionTest {
         "wall,5,0,5,1 | 10 | xmax is 5.0: expected more than xmin, 5.0",
         "wall,0,5,1,4 | 12 | ymax is 4.0: expected more than ymin, 5.0",
         "peg,1,2,-3 | 9 | radius is -3.0: expected a finite number, at least 0",
-        "circle,1,2,0,4,5 | 12 | radius is 0.0: expected a finite number, more than 0",
-        "circle,1,2,-3,4,5 | 12 | radius is -3.0: expected a finite number, more than 0",
+        "circle,1,2,-3,4,5 | 12 | radius is -3.0: expected a finite number, at least 0",
         "circle,1,2,3,4,5,0 | 18 | mass is 0.0: expected a number from 2^-500 to 2^500, or"
             + " infinity",
         "line,1,2,3,4,response=halt,restitution=-1 | 28"

@@ -47,6 +47,7 @@ class BenchmarksTest {
                 GasBenchmark.class,
                 GrowthBenchmark.class,
                 QueryBenchmark.class,
+                QuestionBenchmark.class,
                 WorldBenchmark.class)
             .flatMap(type -> Stream.of(type.getDeclaredMethods()))
             .filter(method -> method.isAnnotationPresent(Benchmark.class))

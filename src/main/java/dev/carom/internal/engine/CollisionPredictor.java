@@ -415,8 +415,8 @@ final class CollisionPredictor {
     double y1 = Math.fma(vy1, of1, s[a + FlightRow.Y]);
     x2 = Math.fma(vx2, of2, x2);
     double y2 = Math.fma(vy2, of2, s[b + FlightRow.Y]);
-    if (!(Math.abs(x1 - x2) + Math.abs(y1 - y2) < NEVER)) {
-      found.tau = NEVER; // a position is beyond the range of doubles
+    if (!(Math.abs(x1 - x2) + Math.abs(y1 - y2) < NEVER) || r1 + r2 == 0) {
+      found.tau = NEVER; // a position is beyond the range of doubles, or both are points
       return;
     }
     int contact =

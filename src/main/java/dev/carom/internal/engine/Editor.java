@@ -99,7 +99,7 @@ public final class Editor {
 
   public void setRadius(int slot, double radius, double now) {
     try {
-      limits.checkRadius(radius, 0, 0);
+      limits.checkRadius(radius, 0, 0, haveLines());
     } catch (IllegalArgumentException e) {
       throw named(e, Codes.circle(slot));
     }
@@ -113,7 +113,7 @@ public final class Editor {
     checkId(Kind.CIRCLE, registry.idLimit(), CircleRegistry.ID_LIMIT);
     try {
       checkPlace(x, y);
-      limits.checkRadius(radius, x, y);
+      limits.checkRadius(radius, x, y, haveLines());
       checkVelocity(vx, vy);
     } catch (IllegalArgumentException e) {
       throw named(e, Kind.CIRCLE, registry.idLimit());
@@ -225,10 +225,27 @@ public final class Editor {
     ObstacleRows rows = obstacles.ofKind(kind);
     checkId(kind, rows.count(), Codes.limit(kind));
     check(rows, rows.end);
+    if (kind == Kind.LINE) {
+      checkNoPoint(rows.end);
+    }
     int code = obstacles.add(kind, numbers);
     keepPlace(rows);
     engine.appeared(code, now);
     return Codes.index(code);
+  }
+
+  private boolean haveLines() {
+    return obstacles.lines.present().count() > 0;
+  }
+
+  /** Refuses a line where there is a circle of radius 0. */
+  private void checkNoPoint(int line) {
+    for (int slot : registry.slots()) {
+      if (circles.radius(slot) == 0) {
+        String name = "radius of " + Kind.nameOf(Kind.CIRCLE, registry.id(slot));
+        throw named(Check.refused(name, 0.0, "more than 0, for a line to be added"), line);
+      }
+    }
   }
 
   private void move(int code, double now) {

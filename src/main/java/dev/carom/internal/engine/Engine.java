@@ -91,7 +91,7 @@ public abstract class Engine {
   /** Prepares the search structures for a step that ends at a given time. */
   final void prepare(double end) {
     staticScene.prepare(circles, registry);
-    staticScene.search.beginStep(reached, end);
+    staticScene.beginStep(reached, end);
   }
 
   // Lines and pegs.

@@ -53,6 +53,10 @@ public final class SizeClasses {
 
   private final TreeMap<Integer, Octave> octaves = new TreeMap<>();
   private final double area;
+
+  /** The longer side of the extent. */
+  private final double side;
+
   private final double slack;
   private final double diameters;
 
@@ -72,6 +76,7 @@ public final class SizeClasses {
    */
   public SizeClasses(CircleTable circles, int[] ids, BoundingBox extent, double diameters) {
     area = extent.area();
+    side = Math.max(extent.right() - extent.left(), extent.top() - extent.bottom());
     slack = ROUNDING * extent.farthest();
     this.diameters = diameters;
     for (int i : ids) {
@@ -113,6 +118,10 @@ public final class SizeClasses {
   private double width(Octave octave) {
     double diameter = 2 * octave.largest * SLACK * diameters;
     double distance = Math.sqrt(area / octave.listed);
+    if (diameter == 0) { // points, which may stand in line, or at one place
+      distance = Math.max(distance, side / octave.listed);
+      return distance > 0 ? distance + slack : 1;
+    }
     return (distance > SPARSE * diameter ? distance : diameter) + slack;
   }
 

@@ -4,6 +4,7 @@ package dev.carom.internal.engine;
 import dev.carom.internal.search.BroadPhase;
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.search.Grids;
+import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.EngineDescription;
@@ -24,7 +25,10 @@ public final class StaticScene {
 
   public final ObstacleTable obstacles;
   private final Grids grids;
-  public final BroadPhase search;
+  private final BroadPhase search;
+
+  /** The index of questions; steps do not use it. */
+  public final ObstacleIndex index;
 
   /** The grid of all circles, while they share one; null if none is used. */
   private Grid shared;
@@ -39,6 +43,7 @@ public final class StaticScene {
     obstacles = ObstacleTable.of(scene);
     grids = new Grids(scene, obstacles, options);
     search = new BroadPhase(obstacles, grids.loose());
+    index = new ObstacleIndex(obstacles, options.grid());
     assign(IntStream.range(0, scene.circleCount()).toArray(), scene::radius);
   }
 
@@ -83,11 +88,6 @@ public final class StaticScene {
     return search.near(m, grid(m.id));
   }
 
-  /** A grid for circles of at least this radius; null if there is none. */
-  public Grid gridAtLeast(double radius) {
-    return grids.atLeast(radius);
-  }
-
   /** Whether a flight, if it never ended, would hit a line or a peg. */
   boolean meets(MovingCircle m, int code) {
     return search.meets(m, code);
@@ -110,6 +110,7 @@ public final class StaticScene {
       grids.changed(code);
     }
     search.lookAgain(code);
+    index.changed(code);
   }
 
   /** Rebuilds grids that edits have made inefficient. */
@@ -121,9 +122,10 @@ public final class StaticScene {
     }
   }
 
-  /** Drops all grids: the next step makes new ones. */
+  /** Drops all grids and the index of questions: the next step or question makes new ones. */
   void forgetGrids() {
     grids.forget();
+    index.changedAll();
     shared = null;
     own = null;
   }
@@ -135,6 +137,12 @@ public final class StaticScene {
     }
     obstacles.set(other);
     search.lookAgainAtAll();
+    index.changedAll();
+  }
+
+  /** Prepares the search for a step from now to a given time. */
+  void beginStep(double now, double end) {
+    search.beginStep(now, end);
   }
 
   /**

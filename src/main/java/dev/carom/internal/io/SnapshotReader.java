@@ -221,6 +221,7 @@ public final class SnapshotReader {
     DoubleList numbers = new DoubleList();
     IntStream.Builder codes = IntStream.builder();
     List<IgnoreList> jams = new ArrayList<>();
+    boolean lines = obstacles.lines.present().count() > 0;
     int least = 0;
     for (int i = 0; i < count; i++) {
       int id = in.readInt();
@@ -231,7 +232,7 @@ public final class SnapshotReader {
       ids.add(id);
       traits.write(traits(3));
       masses.add(mass());
-      flight(now, limits, numbers, codes);
+      flight(now, limits, lines, numbers, codes);
       jams.add(jam());
     }
     long[] filters = filters(count);
@@ -262,7 +263,8 @@ public final class SnapshotReader {
     return mass;
   }
 
-  private void flight(double now, SizeLimits limits, DoubleList numbers, IntStream.Builder codes)
+  private void flight(
+      double now, SizeLimits limits, boolean lines, DoubleList numbers, IntStream.Builder codes)
       throws IOException {
     double[] n = new double[SavedFlights.NUMBERS];
     for (int k = 0; k < n.length; k++) {
@@ -276,9 +278,11 @@ public final class SnapshotReader {
     double tail = n[FlightRow.TL];
     expect(Math.abs(tail) <= Math.ulp(start), "the tail of a time is " + tail);
     double radius = n[FlightRow.RADIUS];
-    Check.positive("radius", radius);
+    Check.notNegative("radius", radius);
+    expect(radius > 0 || !lines, "radius is " + radius + ": expected " + SizeLimits.NO_POINT);
     expect(
-        radius >= limits.least(), "radius is " + radius + ": expected at least " + limits.least());
+        radius == 0 || radius >= limits.least(),
+        "radius is " + radius + ": expected at least " + limits.least());
     Check.notNegative("restitution", n[SavedFlights.RESTITUTION]);
     double sensed = n[SavedFlights.SENSED];
     expect(sensed >= 0, "a flight is known for " + sensed);

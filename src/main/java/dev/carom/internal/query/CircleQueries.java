@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.query;
 
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.search.BoxTree;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
@@ -9,68 +11,203 @@ import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.Hit;
-import dev.carom.internal.util.Index;
+import dev.carom.internal.util.IntList;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
 /** Queries about the circles of a world, by their slots. */
 public final class CircleQueries {
 
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** In units of the terms of a position: far more than its rounding. */
+  private static final double ROUNDING = 0x1p-40;
+
   private final CircleTable circles;
   private final CircleRegistry registry;
+  private final CircleIndex index;
+  private final IntList found = new IntList();
+  private final BoxTree.Outside box = new BoxTree.Outside();
+  private final Hit hit = new Hit();
 
-  public CircleQueries(CircleTable circles, CircleRegistry registry) {
+  /**
+   * Makes queries about circles.
+   *
+   * @param indexed whether an index may be made; if not, each circle is tested
+   */
+  public CircleQueries(CircleTable circles, CircleRegistry registry, boolean indexed) {
     this.circles = circles;
     this.registry = registry;
+    index = new CircleIndex(circles, registry, indexed);
+  }
+
+  /** Takes notice that circles have moved, or were edited. */
+  public void forget() {
+    index.forget();
+  }
+
+  /** Takes notice of questions that are about to be asked; see {@link CircleIndex#expect}. */
+  public void expect(int questions, double now) {
+    index.expect(questions, now);
+  }
+
+  // The first impact.
+
+  /**
+   * Finds the first contact of a cast with any circle but sensors, if it is exactly earlier than a
+   * contact with an obstacle that was found before. Of exactly simultaneous ones the smallest code
+   * is first.
+   *
+   * @param m the circle that is cast, at the start; it holds the first contact with an obstacle
+   *     until maxTime, if there is one, and receives the answer
+   * @param tracer the one that found the contact with the obstacle
+   * @param maxTime the end of the window, counted from now
+   */
+  public void first(MovingCircle m, Tracer tracer, double maxTime, double now) {
+    if (index.tree() == null) {
+      LiveCodes present = registry.present();
+      for (int i = 0; i < present.size(); i++) {
+        int slot = present.get(i);
+        if (index.isThere(slot, now)) {
+          consider(m, slot, tracer, maxTime, now);
+        }
+      }
+    } else if (index.tree().size() > 0) {
+      walk(m, tracer, maxTime, now);
+    }
   }
 
   /**
-   * The first contact of a cast with any circle but sensors, or with an obstacle found before:
-   * exactly the earliest one. Of exactly simultaneous ones circles come last.
-   *
-   * @param m the circle that is cast, at the start
-   * @param before a contact with an obstacle until maxTime, null for none
-   * @param maxTime the end of the window, counted from now
-   * @return the contact, null if there is none until maxTime
+   * Considers the circles along the path, piece by piece. A circle that is hit by the end of a
+   * piece is now no further from it than it moves until then.
    */
-  public Candidate first(MovingCircle m, Candidate before, double maxTime, double now) {
-    Candidate first = before;
-    LiveCodes present = registry.present();
-    for (int i = 0; i < present.size(); i++) {
-      int slot = present.get(i);
-      if (isThere(slot, now)
-          && Filter.meet(m.filter, registry.filter(slot))
-          && !registry.isSensor(slot)) {
-        Candidate other = candidate(m, slot, first == null ? maxTime : first.time(), now);
-        if (other != null && (first == null ? other.isWithin(maxTime) : other.isBefore(first))) {
-          first = other;
+  private void walk(MovingCircle m, Tracer tracer, double maxTime, double now) {
+    index.beginCast();
+    BoxTree tree = index.tree();
+    double width = tree.side(BoxTree.RIGHT) - tree.side(BoxTree.LEFT);
+    double height = tree.side(BoxTree.TOP) - tree.side(BoxTree.BOTTOM);
+    double piece = m.radius + Math.sqrt(width / tree.size() * height);
+    double wx = index.fastestX();
+    double wy = index.fastestY();
+    double speed = Math.abs(m.vx) + Math.abs(m.vy) + wx + wy;
+    int most = 16 + 4 * (int) Math.sqrt(tree.size());
+    double from = 0;
+    for (int pieces = 0; from <= end(m, maxTime) && from < NEVER; pieces++) {
+      double to = pieces < most ? from + (piece + (wx + wy) * from) / speed : NEVER;
+      double ahead = Math.min(to, end(m, maxTime));
+      double rounding = ROUNDING * (Math.abs(m.x) + Math.abs(m.y) + tree.extent + speed * ahead);
+      double reachX = m.radius + wx * ahead + rounding;
+      double reachY = m.radius + wy * ahead + rounding;
+      double x0 = m.x + m.vx * from;
+      double y0 = m.y + m.vy * from;
+      double x1 = m.x + m.vx * ahead;
+      double y1 = m.y + m.vy * ahead;
+      found.clear();
+      tree.find(
+          box.set(
+              Math.min(x0, x1) - reachX,
+              Math.min(y0, y1) - reachY,
+              Math.max(x0, x1) + reachX,
+              Math.max(y0, y1) + reachY),
+          found);
+      for (int k = 0; k < found.size(); k++) {
+        if (index.isNew(found.get(k))) {
+          consider(m, found.get(k), tracer, maxTime, now);
         }
       }
+      from = leaves(m, x1, y1, reachX, reachY) ? NEVER : to;
     }
-    return first;
   }
 
-  /** The contact with a circle, null for none whose rounded time is at most a limit. */
-  private Candidate candidate(MovingCircle m, int slot, double limit, double now) {
+  /** Whether a cast at (x, y) is beyond all circles, and no circle can come up with it. */
+  private boolean leaves(MovingCircle m, double x, double y, double reachX, double reachY) {
+    BoxTree tree = index.tree();
+    return (m.vx >= index.fastestX() && x - reachX > tree.side(BoxTree.RIGHT))
+        || (m.vx <= -index.fastestX() && x + reachX < tree.side(BoxTree.LEFT))
+        || (m.vy >= index.fastestY() && y - reachY > tree.side(BoxTree.TOP))
+        || (m.vy <= -index.fastestY() && y + reachY < tree.side(BoxTree.BOTTOM));
+  }
+
+  /** The time beyond which no contact is of interest. */
+  private static double end(MovingCircle m, double maxTime) {
+    return m.next == MovingCircle.NOTHING ? maxTime : m.cleared;
+  }
+
+  /** Keeps the contact with a circle if it is the first one. */
+  private void consider(MovingCircle m, int slot, Tracer tracer, double maxTime, double now) {
+    if (registry.isSensor(slot) || !Filter.meet(m.filter, registry.filter(slot))) {
+      return;
+    }
     double x = circles.x(slot, now);
     double y = circles.y(slot, now);
     double r = circles.radius(slot);
+    if (m.radius + r == 0) {
+      return; // two points do not meet
+    }
     double vx = circles.vx(slot);
     double vy = circles.vy(slot);
     int contact = DiskSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy);
+    double limit = end(m, maxTime);
     // What rounds to the limit is exactly before the next double.
     double end = Math.nextUp(limit);
     double t = DiskSweep.time(contact, m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy, end);
-    if (t > limit || t == Double.POSITIVE_INFINITY) {
-      return null;
+    if (t > limit || t == NEVER || (t == limit && !isFirst(m, slot, contact, tracer, t, now))) {
+      return;
     }
-    return new Candidate(
-        Codes.circle(slot),
-        contact,
-        t,
-        () -> DiskSweep.exactTime(contact, m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy),
-        () -> Hit.ofDisks(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy, contact, t));
+    m.next = Codes.circle(slot);
+    m.contact = contact;
+    m.cleared = t;
   }
+
+  /** Whether a contact is before the limit, with which its rounded time is equal. */
+  private boolean isFirst(
+      MovingCircle m, int slot, int contact, Tracer tracer, double limit, double now) {
+    ExactTime time = exactTime(m, slot, contact, now);
+    if (m.next == MovingCircle.NOTHING) {
+      return time.compare(ExactTime.of(limit)) <= 0;
+    }
+    int order =
+        time.compare(
+            Codes.isCircle(m.next)
+                ? exactTime(m, Codes.slot(m.next), m.contact, now)
+                : tracer.exactTime(m));
+    return order != 0 ? order < 0 : Codes.circle(slot) < m.next;
+  }
+
+  private ExactTime exactTime(MovingCircle m, int slot, int contact, double now) {
+    return DiskSweep.exactTime(
+        contact,
+        m.x,
+        m.y,
+        m.radius,
+        m.vx,
+        m.vy,
+        circles.x(slot, now),
+        circles.y(slot, now),
+        circles.radius(slot),
+        circles.vx(slot),
+        circles.vy(slot));
+  }
+
+  /** Where a cast hits the circle that it found first; always the same object. */
+  public Hit hit(MovingCircle m, double now) {
+    int slot = Codes.slot(m.next);
+    return hit.ofDisks(
+        m.x,
+        m.y,
+        m.radius,
+        m.vx,
+        m.vy,
+        circles.x(slot, now),
+        circles.y(slot, now),
+        circles.radius(slot),
+        circles.vx(slot),
+        circles.vy(slot),
+        m.contact,
+        m.cleared);
+  }
+
+  // What is near.
 
   /**
    * The slot of the circle nearest to a point, of equally near ones the first; or NONE.
@@ -78,46 +215,64 @@ public final class CircleQueries {
    * @param seen the slots that count
    */
   public int nearest(double x, double y, double now, IntPredicate seen) {
-    double least = Double.POSITIVE_INFINITY;
-    int nearest = Index.NONE;
-    for (int slot : slots(now).filter(seen).toArray()) {
-      double distance =
-          Proximity.distance(
-              circles.x(slot, now), circles.y(slot, now), circles.radius(slot), x, y);
-      if (nearest == Index.NONE || distance < least) {
-        least = distance;
-        nearest = slot;
-      }
+    index.expect(1, now);
+    NearestItem nearest =
+        new NearestItem(
+            seen,
+            slot ->
+                Proximity.distance(
+                    circles.x(slot, now), circles.y(slot, now), circles.radius(slot), x, y));
+    if (index.tree() == null) {
+      slots(now).forEach(nearest::look);
+    } else {
+      nearest.search(index.tree(), x, y);
     }
-    return nearest;
+    return nearest.item();
   }
 
-  /** The slots of circles that overlap a disk. */
-  public IntStream overlapping(double x, double y, double r, double now) {
-    return slots(now)
-        .filter(
-            slot ->
-                Proximity.overlaps(
+  /**
+   * The slots of circles that overlap a disk, ascending.
+   *
+   * @param seen the slots that count
+   */
+  public int[] overlapping(double x, double y, double r, double now, IntPredicate seen) {
+    return find(
+        Proximity.outside(x, y, r),
+        now,
+        slot ->
+            seen.test(slot)
+                && Proximity.overlaps(
                     circles.x(slot, now), circles.y(slot, now), circles.radius(slot), x, y, r));
   }
 
-  /** The slots of circles that overlap a box. */
-  public IntStream overlapping(double[] box, double now) {
-    return slots(now)
-        .filter(
-            slot ->
-                Proximity.overlaps(
+  /**
+   * The slots of circles that overlap a box, ascending.
+   *
+   * @param seen the slots that count
+   */
+  public int[] overlapping(double[] box, double now, IntPredicate seen) {
+    return find(
+        Proximity.outside(box),
+        now,
+        slot ->
+            seen.test(slot)
+                && Proximity.overlaps(
                     circles.x(slot, now), circles.y(slot, now), circles.radius(slot), box));
   }
 
-  private IntStream slots(double now) {
-    return registry.present().stream(slot -> !isThere(slot, now));
+  /** The slots of circles that pass a test, which none outside of a box does. */
+  private int[] find(BoxTree.Outside box, double now, IntPredicate test) {
+    index.expect(1, now);
+    found.clear();
+    if (index.tree() == null) {
+      slots(now).forEach(found::add);
+    } else {
+      index.tree().find(box, found);
+    }
+    return found.filtered(test);
   }
 
-  /** Whether a circle is there, and not beyond the range of doubles. */
-  private boolean isThere(int slot, double now) {
-    return registry.contains(slot)
-        && Math.abs(circles.x(slot, now)) <= Double.MAX_VALUE
-        && Math.abs(circles.y(slot, now)) <= Double.MAX_VALUE;
+  private IntStream slots(double now) {
+    return registry.present().stream(slot -> !index.isThere(slot, now));
   }
 }

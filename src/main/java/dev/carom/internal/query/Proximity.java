@@ -3,12 +3,20 @@ package dev.carom.internal.query;
 
 import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.search.BoxTree;
+import dev.carom.internal.search.ObstacleIndex;
+import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.PegShape;
+import dev.carom.internal.util.Index;
+import dev.carom.internal.util.IntList;
 import dev.carom.internal.util.Kind;
+import java.util.Arrays;
 import java.util.function.DoubleSupplier;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 
 /**
@@ -19,48 +27,55 @@ import java.util.stream.IntStream;
  */
 public final class Proximity {
 
-  public static final int NONE = -1;
+  public static final int NONE = Index.NONE;
 
+  private final ObstacleIndex index;
   private final ObstacleTable obstacles;
   private final DoubleSupplier clock;
 
-  /** Asks about some obstacles as they are at time 0. */
-  public Proximity(ObstacleTable obstacles) {
-    this(obstacles, () -> 0);
-  }
-
   /**
-   * Asks about some obstacles.
+   * Asks about the obstacles of an index.
    *
    * @param clock tells the time at which moving obstacles are asked for
    */
-  public Proximity(ObstacleTable obstacles, DoubleSupplier clock) {
-    this.obstacles = obstacles;
+  public Proximity(ObstacleIndex index, DoubleSupplier clock) {
+    this.index = index;
     this.clock = clock;
+    obstacles = index.obstacles;
   }
 
-  /** The codes of the obstacles of one {@link Kind}. */
-  public IntStream codes(int kind) {
-    return obstacles.codes(kind);
-  }
+  // The nearest obstacle.
 
   /** The nearest obstacle; among equally near ones that of the smallest code. */
   public int nearest(double x, double y) {
-    return nearest(obstacles.codes(), x, y);
+    index.expect(1);
+    NearestItem nearest = new NearestItem(code -> true, code -> distance(code, x, y));
+    for (int kind = Kind.WALL; kind < Kind.CIRCLE; kind++) {
+      search(nearest, kind, x, y);
+    }
+    return nearest.item();
   }
 
-  /** The nearest of some obstacles, NONE if there are none. */
-  public int nearest(IntStream codes, double x, double y) {
-    double least = Double.POSITIVE_INFINITY;
-    int nearest = NONE;
-    for (int code : codes.toArray()) {
-      double distance = distance(code, x, y);
-      if (nearest == NONE || distance < least) {
-        least = distance;
-        nearest = code;
-      }
+  /**
+   * The nearest obstacle of a kind, NONE if there is none.
+   *
+   * @param seen the codes that count
+   */
+  public int nearest(int kind, double x, double y, IntPredicate seen) {
+    index.expect(1);
+    NearestItem nearest = new NearestItem(seen, code -> distance(code, x, y));
+    search(nearest, kind, x, y);
+    return nearest.item();
+  }
+
+  private void search(NearestItem nearest, int kind, double x, double y) {
+    BoxTree tree = kind == Kind.WALL ? null : index.tree(kind);
+    if (tree == null) {
+      obstacles.codes(kind).forEach(nearest::look);
+      return;
     }
-    return nearest;
+    besideTree(kind).forEach(nearest::look);
+    nearest.search(tree, x, y);
   }
 
   private double distance(int code, double x, double y) {
@@ -85,11 +100,38 @@ public final class Proximity {
 
   // Overlap with a disk.
 
-  public IntStream overlapping(double x, double y, double r) {
-    return obstacles.codes().filter(code -> overlaps(code, x, y, r));
+  /** All obstacles that overlap a disk, ascending. */
+  public int[] overlapping(double x, double y, double r) {
+    return overlapping(Kind.WALL, Kind.CIRCLE, x, y, r, code -> true);
   }
 
-  public boolean overlaps(int code, double x, double y, double r) {
+  /**
+   * The obstacles of a kind that overlap a disk, ascending.
+   *
+   * @param seen the codes that count
+   */
+  public int[] overlapping(int kind, double x, double y, double r, IntPredicate seen) {
+    return overlapping(kind, kind + 1, x, y, r, seen);
+  }
+
+  private int[] overlapping(int from, int to, double x, double y, double r, IntPredicate seen) {
+    double now = clock.getAsDouble();
+    return find(
+        from,
+        to,
+        outside(x, y, r),
+        code -> seen.test(code) && overlaps(obstacles, code, x, y, r, now));
+  }
+
+  /** A test that rejects what is apart from the box around a disk. */
+  static BoxTree.Outside outside(double x, double y, double r) {
+    return new BoxTree.Outside()
+        .set(Math.nextDown(x - r), Math.nextDown(y - r), Math.nextUp(x + r), Math.nextUp(y + r));
+  }
+
+  /** Whether an obstacle overlaps a disk at a given time. */
+  static boolean overlaps(
+      ObstacleTable obstacles, int code, double x, double y, double r, double now) {
     if (Codes.isWall(code)) {
       double p = Codes.isVertical(code) ? x : y;
       double wall = obstacles.walls[code];
@@ -98,7 +140,7 @@ public final class Proximity {
     }
     ObstacleRows rows = obstacles.of(code);
     return obstacles.moves(code)
-        ? rows.shape.overlaps(placed(code), 0, x, y, r)
+        ? rows.shape.overlaps(obstacles.rowAt(code, now, 0), 0, x, y, r)
         : rows.shape.overlaps(rows.values, rows.offset(code), x, y, r);
   }
 
@@ -114,11 +156,27 @@ public final class Proximity {
 
   // Overlap with a box.
 
-  public IntStream overlapping(double[] box) {
-    return obstacles.codes().filter(code -> overlaps(code, box));
+  /** All obstacles that overlap a box, ascending. */
+  public int[] overlapping(double[] box) {
+    return find(Kind.WALL, Kind.CIRCLE, outside(box), code -> overlaps(code, box));
   }
 
-  public boolean overlaps(int code, double[] box) {
+  /**
+   * The obstacles of a kind that overlap a box, ascending.
+   *
+   * @param seen the codes that count
+   */
+  public int[] overlapping(int kind, double[] box, IntPredicate seen) {
+    return find(kind, kind + 1, outside(box), code -> seen.test(code) && overlaps(code, box));
+  }
+
+  /** A test that rejects what is apart from a box. */
+  static BoxTree.Outside outside(double[] box) {
+    return new BoxTree.Outside()
+        .set(box[Codes.LEFT], box[Codes.BOTTOM], box[Codes.RIGHT], box[Codes.TOP]);
+  }
+
+  private boolean overlaps(int code, double[] box) {
     if (Codes.isWall(code)) {
       double wall = obstacles.walls[code];
       boolean isLower = Codes.isLower(code);
@@ -133,5 +191,35 @@ public final class Proximity {
   /** Whether a disk and a box overlap. */
   static boolean overlaps(double cx, double cy, double r, double[] box) {
     return PegShape.overlaps(cx, cy, r, box);
+  }
+
+  /** The obstacles of some kinds that pass a test, which none outside of a box does. */
+  private int[] find(int fromKind, int toKind, BoxTree.Outside box, IntPredicate test) {
+    index.expect(1);
+    IntList found = new IntList();
+    for (int kind = fromKind; kind < toKind; kind++) {
+      BoxTree tree = kind == Kind.WALL ? null : index.tree(kind);
+      if (tree == null) {
+        obstacles.codes(kind).forEach(found::add);
+      } else {
+        tree.find(box, found);
+        besideTree(kind).forEach(found::add);
+      }
+    }
+    return found.filtered(code -> isLive(code) && test.test(code));
+  }
+
+  /** The obstacles of a kind that are in no tree: those that changed, and those that move. */
+  private IntStream besideTree(int kind) {
+    CodeSet loose = index.loose();
+    ObstacleMotions motions = obstacles.motions();
+    return IntStream.concat(
+            Arrays.stream(loose.codes, 0, loose.size),
+            IntStream.range(0, motions.count()).map(motions::code))
+        .filter(code -> Codes.kind(code) == kind);
+  }
+
+  private boolean isLive(int code) {
+    return Codes.isWall(code) || !obstacles.isGone(code);
   }
 }

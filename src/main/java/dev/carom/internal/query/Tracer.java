@@ -2,74 +2,75 @@
 package dev.carom.internal.query;
 
 import dev.carom.internal.exact.ExactBudget;
+import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.search.BroadPhase;
 import dev.carom.internal.search.Grid;
+import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Hit;
-import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.util.DoubleList;
 
 /** Follows one circle among static obstacles, with all its bounces. */
 public final class Tracer {
 
   private final ObstacleTable obstacles;
+  private final ObstacleIndex index;
   private final BroadPhase search;
-  private final ObstacleResponse response;
+  private final Hit hit = new Hit();
 
-  /** The grid of the obstacles, or null to test each of them. */
-  private final Grid grid;
+  /** The grid for the circle that is followed, or null to test each obstacle. */
+  private Grid grid;
 
-  public Tracer(ObstacleTable obstacles, BroadPhase search, Grid grid) {
-    this.obstacles = obstacles;
-    this.search = search;
-    this.grid = grid;
-    response = new ObstacleResponse(obstacles);
+  public Tracer(ObstacleIndex index) {
+    this.index = index;
+    obstacles = index.obstacles;
+    search = index.search();
   }
 
   /**
-   * The first contact until a given time: exactly the earliest one, sensors ignored; null if there
-   * is none.
+   * Finds the first contact until a given time: exactly the earliest one, sensors ignored.
    *
-   * @param mover the circle at the start; the caller must not change it while the answer is in use
+   * @param mover the circle at the start; it receives the contact: {@code next}, {@code contact}
+   *     and its time {@code cleared}; {@code next} is NOTHING if there is none
    */
-  public Candidate first(MovingCircle mover, double maxTime) {
-    search.cast(mover, grid, maxTime);
-    if (mover.next == MovingCircle.NOTHING) {
-      return null;
+  public void first(MovingCircle mover, double maxTime) {
+    search.cast(mover, index.grid(mover.radius), maxTime);
+    boolean hits = mover.next != MovingCircle.NOTHING;
+    double t = mover.cleared;
+    if (hits && (t > maxTime || (t == maxTime && isLater(mover, maxTime)))) {
+      mover.next = MovingCircle.NOTHING;
     }
-    Candidate first =
-        new Candidate(
-            mover.next,
-            mover.contact,
-            mover.cleared,
-            () -> search.exactTime(mover),
-            () -> hit(mover, mover.next, mover.cleared));
-    return first.isWithin(maxTime) ? first : null;
   }
 
-  /** Where a search found an impact. */
-  private Hit hit(MovingCircle m, int code, double t) {
+  /** Whether a contact is exactly later than a time to which it rounds. */
+  private boolean isLater(MovingCircle mover, double time) {
+    return exactTime(mover).compare(ExactTime.of(time)) > 0;
+  }
+
+  /** The exact time of the contact that was found. */
+  ExactTime exactTime(MovingCircle mover) {
+    return search.exactTime(mover);
+  }
+
+  /** Where the contact is that was found; always the same object. */
+  public Hit hit(MovingCircle m) {
+    int code = m.next;
+    double t = m.cleared;
     if (Codes.isWall(code)) {
-      return Hit.ofWall(m.x, m.y, m.vx, m.vy, code, obstacles.walls[code], t);
+      return hit.ofWall(m.x, m.y, m.vx, m.vy, code, obstacles.walls[code], t);
     }
-    double[] row = obstacles.rowAt(code, m.t, m.tl);
-    ObstacleShape shape = obstacles.of(code).shape;
-    return shape.hit(
-        m.contact,
-        t,
-        m.x,
-        m.y,
-        m.radius,
-        m.vx,
-        m.vy,
-        row,
-        0,
-        obstacles.ux(code),
-        obstacles.uy(code));
+    ObstacleRows rows = obstacles.of(code);
+    boolean moves = obstacles.moves(code);
+    double[] values = moves ? obstacles.rowAt(code, m.t, m.tl) : rows.values;
+    int k = moves ? 0 : rows.offset(code);
+    double ux = obstacles.ux(code);
+    double uy = obstacles.uy(code);
+    return rows.shape.hit(hit, m.contact, t, m.x, m.y, m.radius, m.vx, m.vy, values, k, ux, uy);
   }
 
   /**
@@ -78,6 +79,8 @@ public final class Tracer {
    * @param most how many impacts a path may have; one with more ends there, incomplete
    */
   public TracedPath trace(MovingCircle mover, double duration, int bounces, int most) {
+    grid = index.grid(mover.radius);
+    ObstacleResponse response = new ObstacleResponse(obstacles);
     DoubleList flights = new DoubleList();
     ImpactRows impacts = new ImpactRows(1);
     add(mover, flights);

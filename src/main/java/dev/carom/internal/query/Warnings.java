@@ -31,7 +31,6 @@ public final class Warnings {
 
   private final SceneData scene;
   private final ObstacleTable obstacles;
-  private final Proximity proximity;
   private final List<String> texts = new ArrayList<>();
 
   /**
@@ -43,7 +42,6 @@ public final class Warnings {
   private Warnings(SceneData scene) {
     this.scene = scene;
     obstacles = ObstacleTable.of(scene);
-    proximity = new Proximity(obstacles);
   }
 
   public static List<String> of(SceneData scene) {
@@ -86,7 +84,7 @@ public final class Warnings {
       return;
     }
     for (int wall = 0; Codes.isWall(wall); wall++) {
-      if (proximity.overlaps(wall, scene.x(i), scene.y(i), scene.radius(i))) {
+      if (Proximity.overlaps(obstacles, wall, scene.x(i), scene.y(i), scene.radius(i), 0)) {
         keep(i, wall);
       }
     }
@@ -126,7 +124,7 @@ public final class Warnings {
           double x = scene.x(i);
           double y = scene.y(i);
           if (Filter.meet(filter, scene.filter(i))
-              && proximity.overlaps(code, x, y, scene.radius(i))
+              && Proximity.overlaps(obstacles, code, x, y, scene.radius(i), 0)
               && !(oneWay && Predicates.cross(bx, by, ax, ay, x, y, ax, ay) <= 0)) {
             keep(i, code); // a one-way line is there only for a centre strictly left of it
           }

@@ -41,6 +41,9 @@ final class ContactPoint {
 
   double ny;
 
+  /** The detector's normal, where that is asked for. */
+  private final UnitVector unit = new UnitVector();
+
   /** The velocity of the obstacle. */
   double ux;
 
@@ -242,9 +245,8 @@ final class ContactPoint {
       double offsetY = DiskSweep.offset(startY, cy, m.vy, uy, t, c);
       normal(m, offsetX, offsetY, 0, 0);
     } else {
-      UnitVector n =
-          DiskSweep.normal(startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, ux, uy, t);
-      normal(m, n.x(), n.y(), 0, 0);
+      DiskSweep.normal(unit, startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, ux, uy, t);
+      normal(m, unit.x(), unit.y(), 0, 0);
     }
   }
 
@@ -264,9 +266,8 @@ final class ContactPoint {
     if (radiusSum == 0) {
       normal(m, 0, 0, m.vx, m.vy);
     } else if (radiusSum < SMALL * Math.max(size(cx, cy), size(startX, startY))) {
-      UnitVector n =
-          DiskSweep.normal(startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, 0, 0, m.cleared);
-      normal(m, n.x(), n.y(), 0, 0);
+      DiskSweep.normal(unit, startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, 0, 0, m.cleared);
+      normal(m, unit.x(), unit.y(), 0, 0);
     } else {
       offset(m, cx, cy);
     }

@@ -28,10 +28,13 @@ record Touch(int code, int contact, double nx, double ny) {
   /** The distance at which things touch, relative to their coordinates: 64 ulps. */
   private static final double TOUCH = 0x1p-46;
 
-  /** The contact of a circle with another one, null if they do not touch. */
+  /** The contact of a circle with another one, null if they do not touch; two points never do. */
   static Touch of(MovingCircle m, MovingCircle other) {
     double size = Math.max(size(m), size(other));
-    return offset(m, Codes.circle(other.id), 0, other.x, other.y, m.radius + other.radius, size);
+    double radiusSum = m.radius + other.radius;
+    return radiusSum == 0
+        ? null
+        : offset(m, Codes.circle(other.id), 0, other.x, other.y, radiusSum, size);
   }
 
   /** The contact of a circle with an obstacle, null if it does not touch it. */

@@ -104,6 +104,18 @@ public final class BroadPhase extends NarrowPhase {
     lookAgainAtAll();
   }
 
+  /** A search among the same obstacles as another one, in its initial state. */
+  BroadPhase(BroadPhase other) {
+    super(other.obstacles);
+    loose = other.loose;
+    middleX = other.middleX;
+    middleY = other.middleY;
+    halfWidth = other.halfWidth;
+    halfHeight = other.halfHeight;
+    extent = other.extent;
+    readAgain();
+  }
+
   /** Notes that a line or a peg was added, moved or removed. */
   public void lookAgain(int code) {
     isWindowStale = true;

@@ -74,16 +74,6 @@ public final class Grids {
     return byExponent.get(Math.getExponent(radius));
   }
 
-  /** A grid that serves circles of a given radius, null if there is none at present. */
-  public Grid atLeast(double radius) {
-    for (Grid grid : byExponent.values()) {
-      if (grid.radius >= radius && !areTooLoose()) {
-        return grid;
-      }
-    }
-    return null;
-  }
-
   /**
    * Whether a circle's grid still serves its radius.
    *

@@ -136,6 +136,10 @@ public final class ObstacleRows {
     sensors += ContactFlags.isSensor(ofOne) ? one : 0;
   }
 
+  public int kind() {
+    return kind;
+  }
+
   /** The code of the first obstacle. */
   public int first() {
     return Codes.of(kind, 0);

@@ -67,7 +67,7 @@ public final class SceneDataBuilder {
   private static void checkCircle(double x, double y, double radius, double vx, double vy) {
     Check.finite("x", x);
     Check.finite("y", y);
-    Check.positive("radius", radius);
+    Check.notNegative("radius", radius);
     Check.finite("vx", vx);
     Check.finite("vy", vy);
   }
@@ -155,8 +155,10 @@ public final class SceneDataBuilder {
     int i = firstTooSmall();
     if (i >= 0) {
       String expected =
-          "at least %s, 2^10 ulps of the largest coordinate, %s"
-              .formatted(leastRadius(), largestCoordinate());
+          radius(i) == 0
+              ? SizeLimits.NO_POINT
+              : "at least %s, 2^10 ulps of the largest coordinate, %s"
+                  .formatted(leastRadius(), largestCoordinate());
       throw Refusal.of(circles.name(i), Check.refused("radius", radius(i), expected));
     }
     return new SceneData(this);
@@ -165,8 +167,9 @@ public final class SceneDataBuilder {
   /** The number of the first circle whose radius keeps the scene from being built, or -1. */
   public int firstTooSmall() {
     double least = leastRadius();
+    boolean points = obstacles[Kind.LINE].count() == 0;
     for (int i = 0; i < circles.count(); i++) {
-      if (!(radius(i) >= least)) {
+      if (!(radius(i) >= least || (points && radius(i) == 0))) {
         return i;
       }
     }

@@ -6,11 +6,14 @@ import dev.carom.internal.util.Check;
 /**
  * The largest coordinate and the least radius that a world ever had. A radius must be at least 2^10
  * ulps of the largest coordinate: below that, rounding of positions could carry a circle through a
- * line.
+ * line. A radius of 0 does not count: such circles are only where there are no lines.
  */
 public final class SizeLimits {
 
   private static final double LEAST_RADIUS_ULPS = 0x1p10;
+
+  /** What is expected of a radius where there are lines. */
+  public static final String NO_POINT = "more than 0, as there are lines";
 
   private double largest;
   private double least = Double.POSITIVE_INFINITY;
@@ -50,13 +53,16 @@ public final class SizeLimits {
   }
 
   /**
-   * Refuses the radius of a circle at (x, y) that is not positive, or too small for the largest
-   * coordinate.
+   * Refuses the radius of a circle at (x, y) that is negative, or too small for the largest
+   * coordinate; a point, of radius 0, only where there are lines.
    */
-  public void checkRadius(double radius, double x, double y) {
-    Check.positive("radius", radius);
+  public void checkRadius(double radius, double x, double y, boolean lines) {
+    Check.notNegative("radius", radius);
+    if (radius == 0 && lines) {
+      throw Check.refused("radius", radius, NO_POINT);
+    }
     double size = Math.max(largest, Math.max(Math.abs(x), Math.abs(y)));
-    if (radius < leastRadius(size)) {
+    if (radius != 0 && radius < leastRadius(size)) {
       throw Check.refused(
           "radius",
           radius,
@@ -80,6 +86,6 @@ public final class SizeLimits {
   }
 
   public void keepRadius(double radius) {
-    least = Math.min(least, radius);
+    least = radius == 0 ? least : Math.min(least, radius);
   }
 }

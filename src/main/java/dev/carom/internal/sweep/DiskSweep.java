@@ -220,21 +220,22 @@ public final class DiskSweep {
   /**
    * The unit normal at contact, from the second disk to the first, each component within 1e-15.
    *
+   * @param out receives the normal
    * @param t the time of impact, or 0 for an impact {@link Contact#NOW}
    */
   public static UnitVector normal(
-      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
-      double vx2, double vy2, double t) {
+      UnitVector out, double x1, double y1, double r1, double vx1, double vy1, double x2,
+      double y2, double r2, double vx2, double vy2, double t) {
     if (t == 0) {
-      return UnitVectors.unit(x1, y1, x2, y2);
+      return UnitVectors.unit(out, x1, y1, x2, y2);
     }
     double c = correction(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t);
     if (Double.isNaN(c)) {
       PrecisionCounters.exactNormal();
-      return Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).normal();
+      return out.set(Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).normal());
     }
     return UnitVectors.unit(
-        offset(x1, x2, vx1, vx2, t, c), offset(y1, y2, vy1, vy2, t, c), 0, 0);
+        out, offset(x1, x2, vx1, vx2, t, c), offset(y1, y2, vy1, vy2, t, c), 0, 0);
   }
 
   /**

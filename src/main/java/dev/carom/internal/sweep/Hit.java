@@ -6,25 +6,50 @@ import dev.carom.internal.exact.UnitVector;
 
 /**
  * The contact point, the normal and the approach speed where a moving disk meets a line, a wall or
- * a disk. The detector has found the contact code and the time.
- *
- * @param x the x coordinate of the contact point; the largest double if it is beyond the range
- * @param y its y coordinate
- * @param nx the x component of the unit normal, which points to the disk
- * @param ny its y component
- * @param approachSpeed the speed along the normal at which the distance falls; it may be infinite
+ * a disk. The detector has found the contact code and the time. A hit can be set anew, so that many
+ * are computed without allocation.
  */
-public record Hit(double x, double y, double nx, double ny, double approachSpeed) {
+public final class Hit {
+
+  private double x;
+  private double y;
+  private double approachSpeed;
+  private final UnitVector n = new UnitVector();
+
+  /** The x coordinate of the contact point; the largest double if it is beyond the range. */
+  public double x() {
+    return x;
+  }
+
+  /** The y coordinate of the contact point. */
+  public double y() {
+    return y;
+  }
+
+  /** The x component of the unit normal, which points to the disk. */
+  public double nx() {
+    return n.x();
+  }
+
+  /** The y component of the unit normal. */
+  public double ny() {
+    return n.y();
+  }
+
+  /** The speed along the normal at which the distance falls; it may be infinite. */
+  public double approachSpeed() {
+    return approachSpeed;
+  }
 
   /** The hit on a line at rest, from a contact and a time of {@link SegmentSweep}. */
-  public static Hit ofLine(
+  public Hit ofLine(
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
       double by, int contact, double t) {
     return ofLine(px, py, r, vx, vy, ax, ay, bx, by, 0, 0, contact, t);
   }
 
   /** The hit on a line that moves with the velocity u. */
-  public static Hit ofLine(
+  public Hit ofLine(
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
       double by, double ux, double uy, int contact, double t) {
     return switch (contact & ~Contact.NOW) {
@@ -36,14 +61,15 @@ public record Hit(double x, double y, double nx, double ny, double approachSpeed
   }
 
   /** The hit on the endpoint (x, y) of a line whose other endpoint is o. */
-  private static Hit ofEnd(
+  private Hit ofEnd(
       double px, double py, double r, double vx, double vy, double x, double y, double ox,
       double oy, double ux, double uy, double t) {
-    UnitVector n =
-        r == 0 && t > 0 && slides(vx, vy, x, y, ox, oy, ux, uy)
-            ? slideNormal(vx, vy, x, y, ox, oy, ux, uy)
-            : DiskSweep.normal(px, py, r, vx, vy, x, y, 0, ux, uy, t);
-    return of(place(x, ux, t), place(y, uy, t), n, vx, vy, ux, uy);
+    if (r == 0 && t > 0 && slides(vx, vy, x, y, ox, oy, ux, uy)) {
+      setSlideNormal(vx, vy, x, y, ox, oy, ux, uy);
+    } else {
+      DiskSweep.normal(n, px, py, r, vx, vy, x, y, 0, ux, uy, t);
+    }
+    return of(place(x, ux, t), place(y, uy, t), vx, vy, ux, uy);
   }
 
   /**
@@ -57,16 +83,16 @@ public record Hit(double x, double y, double nx, double ny, double approachSpeed
   /**
    * The normal of the side, against the velocity: the limit of the normals for radii that go to 0.
    */
-  private static UnitVector slideNormal(
+  private void setSlideNormal(
       double vx, double vy, double x, double y, double ox, double oy, double ux, double uy) {
     int drift = Predicates.cross(ox, oy, x, y, vx, vy, ux, uy);
-    return UnitVectors.normal(-drift, x, y, ox, oy);
+    UnitVectors.normal(n, -drift, x, y, ox, oy);
   }
 
-  private static Hit ofSide(
+  private Hit ofSide(
       int side, double px, double py, double vx, double vy, double ax, double ay, double bx,
       double by, double ux, double uy, double t) {
-    UnitVector n = UnitVectors.normal(side, ax, ay, bx, by);
+    UnitVectors.normal(n, side, ax, ay, bx, by);
     double startX = place(ax, ux, t);
     double startY = place(ay, uy, t);
     double endX = place(bx, ux, t);
@@ -75,23 +101,25 @@ public record Hit(double x, double y, double nx, double ny, double approachSpeed
         Coordinates.fraction(startX, startY, endX, endY, place(px, vx, t), place(py, vy, t));
     double x = Coordinates.onSegment(s, startX, endX);
     double y = Coordinates.onSegment(s, startY, endY);
-    return of(x, y, n, vx, vy, ux, uy);
+    return of(x, y, vx, vy, ux, uy);
   }
 
   /** The hit on the wall with a given code, at the given coordinate. */
-  public static Hit ofWall(
+  public Hit ofWall(
       double px, double py, double vx, double vy, int code, double wall, double t) {
     if (code <= WallSweep.RIGHT) {
-      return new Hit(wall, place(py, vy, t), vx < 0 ? 1 : -1, 0, Math.abs(vx));
+      n.set(vx < 0 ? 1 : -1, 0);
+      return of(wall, place(py, vy, t), Math.abs(vx));
     }
-    return new Hit(place(px, vx, t), wall, 0, vy < 0 ? 1 : -1, Math.abs(vy));
+    n.set(0, vy < 0 ? 1 : -1);
+    return of(place(px, vx, t), wall, Math.abs(vy));
   }
 
   /** The hit of disk 1 on disk 2, from a contact and a time of {@link DiskSweep}. */
-  public static Hit ofDisks(
+  public Hit ofDisks(
       double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
       double vx2, double vy2, int contact, double t) {
-    UnitVector n = DiskSweep.normal(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t);
+    DiskSweep.normal(n, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t);
     double x;
     double y;
     if (contact == Contact.NOW) { // in the ratio of the radii
@@ -102,12 +130,19 @@ public record Hit(double x, double y, double nx, double ny, double approachSpeed
       x = Coordinates.within(Math.fma(r2, n.x(), place(x2, vx2, t)));
       y = Coordinates.within(Math.fma(r2, n.y(), place(y2, vy2, t)));
     }
-    return of(x, y, n, vx1, vy1, vx2, vy2);
+    return of(x, y, vx1, vy1, vx2, vy2);
   }
 
-  private static Hit of(
-      double x, double y, UnitVector n, double vx1, double vy1, double vx2, double vy2) {
-    return new Hit(x, y, n.x(), n.y(), approach(vx1, vy1, vx2, vy2, n));
+  private Hit of(
+      double atX, double atY, double vx1, double vy1, double vx2, double vy2) {
+    return of(atX, atY, approach(vx1, vy1, vx2, vy2, n));
+  }
+
+  private Hit of(double atX, double atY, double speed) {
+    x = atX;
+    y = atY;
+    approachSpeed = speed;
+    return this;
   }
 
   private static double place(double p, double v, double t) {

@@ -86,6 +86,7 @@ public final class LineShape extends ObstacleShape {
 
   @Override
   public Hit hit(
+      Hit out,
       int contact,
       double t,
       double px,
@@ -97,7 +98,7 @@ public final class LineShape extends ObstacleShape {
       int k,
       double ux,
       double uy) {
-    return Hit.ofLine(
+    return out.ofLine(
         px,
         py,
         r,

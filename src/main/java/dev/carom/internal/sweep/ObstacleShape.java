@@ -113,8 +113,9 @@ public abstract class ObstacleShape {
       double ux,
       double uy);
 
-  /** The point and the normal of such a contact at its time t. */
+  /** The point and the normal of such a contact at its time t, put into a given hit. */
   public abstract Hit hit(
+      Hit out,
       int contact,
       double t,
       double px,

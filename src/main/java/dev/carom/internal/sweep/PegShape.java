@@ -75,6 +75,7 @@ public final class PegShape extends ObstacleShape {
 
   @Override
   public Hit hit(
+      Hit out,
       int contact,
       double t,
       double px,
@@ -86,7 +87,7 @@ public final class PegShape extends ObstacleShape {
       int k,
       double ux,
       double uy) {
-    return Hit.ofDisks(
+    return out.ofDisks(
         px, py, r, vx, vy, rows[k + X], rows[k + Y], rows[k + RADIUS], ux, uy, contact, t);
   }
 

@@ -21,20 +21,30 @@ public final class UnitVectors {
 
   /** (a - b) / |a - b| for two different points. */
   public static UnitVector unit(double ax, double ay, double bx, double by) {
+    return unit(new UnitVector(), ax, ay, bx, by);
+  }
+
+  /** The same, put into a given vector. */
+  static UnitVector unit(UnitVector out, double ax, double ay, double bx, double by) {
     double x = ax - bx;
     double y = ay - by;
     double size = Math.max(Math.abs(x), Math.abs(y));
     if (!(size > LEAST_SAFE && size < MOST_SAFE)) {
-      return Exact.unit(ax, ay, bx, by);
+      return out.set(Exact.unit(ax, ay, bx, by));
     }
     double length = Math.sqrt(x * x + y * y);
-    return new UnitVector(x / length + 0.0, y / length + 0.0);
+    return out.set(x / length + 0.0, y / length + 0.0);
   }
 
   /** The unit normal of the line from a to b: the left one for side +1, the right one for -1. */
   public static UnitVector normal(int side, double ax, double ay, double bx, double by) {
-    UnitVector w = unit(bx, by, ax, ay);
+    return normal(new UnitVector(), side, ax, ay, bx, by);
+  }
+
+  /** The same, put into a given vector. */
+  static UnitVector normal(UnitVector out, int side, double ax, double ay, double bx, double by) {
+    UnitVector w = unit(out, bx, by, ax, ay);
     // + 0 turns -0 into 0.
-    return new UnitVector(-side * w.y() + 0.0, side * w.x() + 0.0);
+    return w.set(-side * w.y() + 0.0, side * w.x() + 0.0);
   }
 }

@@ -13,6 +13,7 @@ import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.SweptCircle;
 import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
 import java.time.Duration;
@@ -212,11 +213,11 @@ class WarningsTest {
   /** The rule in its own words, without an index. */
   private static List<String> ofEachPair(Scene scene) {
     List<String> warnings = new ArrayList<>();
-    Proximity proximity = new Proximity(ObstacleTable.of(Internals.data(scene)));
+    ObstacleTable obstacles = ObstacleTable.of(Internals.data(scene));
+    Proximity proximity = new Proximity(new ObstacleIndex(obstacles), () -> 0);
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle circle = scene.circle(i);
-      ObstacleTable obstacles = ObstacleTable.of(Internals.data(scene));
-      for (int code : proximity.overlapping(circle.x(), circle.y(), circle.radius()).toArray()) {
+      for (int code : proximity.overlapping(circle.x(), circle.y(), circle.radius())) {
         boolean isLeft = Codes.isPeg(code) || !obstacles.isOneWay(code);
         if (!isLeft) {
           Line l = (Line) Internals.record(obstacles, code);

@@ -77,18 +77,6 @@ class GridsTest {
     assertThat(grids.of(3).radius).isEqualTo(4);
   }
 
-  @Test
-  void questionsUseAnyGridThatIsLargeEnough() {
-    Grids grids = grids(scene(MANY));
-    assertThat(grids.atLeast(3)).isSameAs(grids.of(3));
-    assertThat(grids.atLeast(0)).isSameAs(grids.of(3));
-    assertThat(grids.atLeast(3.5)).isNull();
-    change(grids, LOOSE);
-    assertThat(grids.atLeast(3)).isSameAs(grids.of(3));
-    change(grids, LOOSE + 1);
-    assertThat(grids.atLeast(3)).isNull();
-  }
-
   /** Notes changes of pegs from the first one on. */
   private static void change(Grids grids, int pegs) {
     for (int i = 0; i < pegs; i++) {

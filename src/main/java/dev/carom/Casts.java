@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.Hit;
+import dev.carom.internal.util.Check;
+import java.util.Arrays;
+import java.util.Objects;
+
+/**
+ * {@code Casts} are many questions of one form, and their answers: this circle, this motion, what
+ * does it hit first? {@link World#cast(Casts, double) World.cast} and {@link Resolver#cast(Casts,
+ * double) Resolver.cast} answer all of them in one call.
+ *
+ * <p>A program makes one such object and uses it again: then asking allocates nothing. A circle of
+ * radius 0 is a ray.
+ *
+ * <pre>{@code
+ * Resolver room = Resolver.of(List.of(new Bounds(0, 0, 100, 60), new Circle(70, 30, 10)));
+ * Casts rays = new Casts();
+ * for (int i = 0; i < 4; i++) {
+ *   double angle = i * Math.PI / 2;
+ *   rays.add(20, 30, 0, Math.cos(angle), Math.sin(angle));
+ * }
+ * room.cast(rays, 1000);
+ * System.out.println(rays.kind(0) + " at " + rays.time(0)); // PEG at 40.0
+ * }</pre>
+ *
+ * <p>Until it is asked, and if it hits nothing, the answer of a cast is: time {@code +infinity}, no
+ * kind and no feature (null), id -1, normal (0, 0). It belongs to one thread at a time.
+ */
+public final class Casts {
+
+  private static final int NONE = -1;
+
+  // The columns of a cast in the questions, and of its answer in the normals.
+  private static final int X = 0;
+  private static final int Y = 1;
+  private static final int RADIUS = 2;
+  private static final int VX = 3;
+  private static final int VY = 4;
+  private static final int QUESTION = 5;
+
+  private int size;
+  private double[] questions = new double[0];
+  private double[] times = new double[0];
+  private double[] normals = new double[0];
+
+  /** The ordinals of kinds and features, or NONE. */
+  private byte[] kinds = new byte[0];
+
+  private byte[] features = new byte[0];
+  private int[] ids = new int[0];
+
+  /** Makes an empty list of casts. */
+  public Casts() {}
+
+  /**
+   * Returns the number of casts.
+   *
+   * @return at least 0
+   */
+  public int size() {
+    return size;
+  }
+
+  /** Removes all casts. Their room is kept. */
+  public void clear() {
+    size = 0;
+  }
+
+  /**
+   * Adds a cast behind the others.
+   *
+   * @param x the x coordinate of the circle's centre at the start, finite
+   * @param y the y coordinate of the centre, finite
+   * @param radius the radius, finite and at least 0; 0 is a ray
+   * @param vx the x component of the velocity, finite
+   * @param vy the y component of the velocity, finite
+   * @return its number: the first one has 0
+   * @throws IllegalArgumentException if a number is NaN or infinite, or the radius negative;
+   *     nothing is added then
+   */
+  public int add(double x, double y, double radius, double vx, double vy) {
+    check(x, y, radius, vx, vy);
+    if (size == ids.length) {
+      grow(2 * size + 16);
+    }
+    put(size, x, y, radius, vx, vy);
+    return size++;
+  }
+
+  /**
+   * Replaces a cast. Its answer is dropped.
+   *
+   * @param i its number, 0..{@link #size()} - 1
+   * @param x the x coordinate of the circle's centre at the start, finite
+   * @param y the y coordinate of the centre, finite
+   * @param radius the radius, finite and at least 0; 0 is a ray
+   * @param vx the x component of the velocity, finite
+   * @param vy the y component of the velocity, finite
+   * @throws IndexOutOfBoundsException if there is no such cast
+   * @throws IllegalArgumentException if a number is refused, as by {@link #add add}; nothing
+   *     changes then
+   */
+  public void set(int i, double x, double y, double radius, double vx, double vy) {
+    Objects.checkIndex(i, size);
+    check(x, y, radius, vx, vy);
+    put(i, x, y, radius, vx, vy);
+  }
+
+  private static void check(double x, double y, double radius, double vx, double vy) {
+    Check.finite("x", x);
+    Check.finite("y", y);
+    Check.notNegative("radius", radius);
+    Check.finite("vx", vx);
+    Check.finite("vy", vy);
+  }
+
+  private void grow(int room) {
+    questions = Arrays.copyOf(questions, room * QUESTION);
+    times = Arrays.copyOf(times, room);
+    normals = Arrays.copyOf(normals, 2 * room);
+    kinds = Arrays.copyOf(kinds, room);
+    features = Arrays.copyOf(features, room);
+    ids = Arrays.copyOf(ids, room);
+  }
+
+  private void put(int i, double x, double y, double radius, double vx, double vy) {
+    int k = i * QUESTION;
+    questions[k + X] = x;
+    questions[k + Y] = y;
+    questions[k + RADIUS] = radius;
+    questions[k + VX] = vx;
+    questions[k + VY] = vy;
+    miss(i);
+  }
+
+  // How it is asked.
+
+  /** Loads a cast as a circle at the start of its flight. */
+  void load(int i, MovingCircle m) {
+    int k = i * QUESTION;
+    m.start(
+        0,
+        questions[k + X],
+        questions[k + Y],
+        questions[k + RADIUS],
+        questions[k + VX],
+        questions[k + VY],
+        1);
+  }
+
+  /** Keeps that a cast hits nothing. */
+  void miss(int i) {
+    keep(i, Double.POSITIVE_INFINITY, NONE, NONE, NONE, 0, 0);
+  }
+
+  /** Keeps the first impact of a cast. */
+  void hit(int i, MovingCircle first, int id, Hit hit) {
+    int kind = Codes.kind(first.next);
+    boolean wall = Codes.isWall(first.next);
+    int feature = wall ? Feature.SIDE.ordinal() : Contact.part(first.contact);
+    keep(i, first.cleared, kind, id, feature, hit.nx(), hit.ny());
+  }
+
+  private void keep(int i, double t, int kind, int id, int feature, double nx, double ny) {
+    times[i] = t;
+    kinds[i] = (byte) kind;
+    ids[i] = id;
+    features[i] = (byte) feature;
+    normals[2 * i + X] = nx;
+    normals[2 * i + Y] = ny;
+  }
+
+  // The answers.
+
+  /**
+   * Tells whether a cast hits something.
+   *
+   * @param i its number, 0..{@link #size()} - 1
+   * @return true if the other methods describe an impact
+   * @throws IndexOutOfBoundsException if there is no such cast
+   */
+  public boolean hits(int i) {
+    return kinds[Objects.checkIndex(i, size)] != NONE;
+  }
+
+  /**
+   * Returns the time of impact, see {@link Impact#time}.
+   *
+   * @param i its number, 0..{@link #size()} - 1
+   * @return the time; {@code +infinity} if the cast hits nothing
+   * @throws IndexOutOfBoundsException if there is no such cast
+   */
+  public double time(int i) {
+    return times[Objects.checkIndex(i, size)];
+  }
+
+  /**
+   * Returns the kind of thing that is hit.
+   *
+   * @param i its number, 0..{@link #size()} - 1
+   * @return the kind; null if the cast hits nothing
+   * @throws IndexOutOfBoundsException if there is no such cast
+   */
+  public ObstacleKind kind(int i) {
+    int kind = kinds[Objects.checkIndex(i, size)];
+    return kind == NONE ? null : ObstacleKind.of(kind);
+  }
+
+  /**
+   * Returns the id of the thing that is hit, see {@link Impact#id}.
+   *
+   * @param i its number, 0..{@link #size()} - 1
+   * @return the id; -1 if the cast hits nothing
+   * @throws IndexOutOfBoundsException if there is no such cast
+   */
+  public int id(int i) {
+    return ids[Objects.checkIndex(i, size)];
+  }
+
+  /**
+   * Returns the part of the obstacle that is hit.
+   *
+   * @param i its number, 0..{@link #size()} - 1
+   * @return the feature; null if the cast hits nothing
+   * @throws IndexOutOfBoundsException if there is no such cast
+   */
+  public Feature feature(int i) {
+    int feature = features[Objects.checkIndex(i, size)];
+    return feature == NONE ? null : Feature.of(feature);
+  }
+
+  /**
+   * Returns the x component of the unit normal, see {@link Impact#normal}.
+   *
+   * @param i its number, 0..{@link #size()} - 1
+   * @return the component; 0 if the cast hits nothing
+   * @throws IndexOutOfBoundsException if there is no such cast
+   */
+  public double nx(int i) {
+    return normals[2 * Objects.checkIndex(i, size) + X];
+  }
+
+  /**
+   * Returns the y component of the unit normal, see {@link Impact#normal}.
+   *
+   * @param i its number, 0..{@link #size()} - 1
+   * @return the component; 0 if the cast hits nothing
+   * @throws IndexOutOfBoundsException if there is no such cast
+   */
+  public double ny(int i) {
+    return normals[2 * Objects.checkIndex(i, size) + Y];
+  }
+}

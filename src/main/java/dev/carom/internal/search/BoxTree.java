@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.search;
+
+import dev.carom.internal.util.IntList;
+import java.util.Arrays;
+
+/**
+ * A tree of bounding boxes over items, which are named by ints. The items are sorted into vertical
+ * strips, and from bottom to top within a strip; each node is the box of a run of them. So neither
+ * a distant item nor a large one spoils it. Immutable, safe for use by several threads.
+ */
+public final class BoxTree {
+
+  // The places of the sides of a box.
+  public static final int LEFT = 0;
+  public static final int BOTTOM = 1;
+  public static final int RIGHT = 2;
+  public static final int TOP = 3;
+  public static final int BOX = 4;
+
+  /** Items that have no boxes between them: at most as many. */
+  private static final int LEAF_SIZE = 4;
+
+  /** Steps of a coordinate in the key by which items are sorted. */
+  private static final double STEPS = 0x1p30;
+
+  /** The items, sorted, and their boxes in the same order. */
+  private final int[] items;
+
+  private final double[] boxes;
+
+  /** The box of node k, whose halves are nodes 2k + 1 and 2k + 2. */
+  private final double[] nodes;
+
+  /** The largest absolute coordinate of a box. */
+  public final double extent;
+
+  /**
+   * Makes the tree of some items.
+   *
+   * @param boxes {@link #BOX} numbers for each item; rounding is the caller's
+   */
+  public BoxTree(int[] items, double[] boxes) {
+    int[] order = inStrips(boxes, items.length);
+    this.items = new int[items.length];
+    this.boxes = new double[items.length * BOX];
+    for (int k = 0; k < order.length; k++) {
+      this.items[k] = items[order[k]];
+      System.arraycopy(boxes, order[k] * BOX, this.boxes, k * BOX, BOX);
+    }
+    int count = 1;
+    for (int runs = (items.length + LEAF_SIZE - 1) / LEAF_SIZE; runs > 1; runs = (runs + 1) / 2) {
+      count = 2 * count + 1;
+    }
+    nodes = new double[count * BOX];
+    double largest = 0;
+    if (items.length > 0) {
+      build(0, 0, items.length);
+      for (int k = 0; k < BOX; k++) {
+        largest = Math.max(largest, Math.abs(nodes[k]));
+      }
+    }
+    extent = largest;
+  }
+
+  /**
+   * Puts the box around a segment, grown by a radius, in the place of item k. None of it is
+   * outside, whatever rounding takes.
+   */
+  public static void put(
+      double[] boxes, int k, double ax, double ay, double bx, double by, double radius) {
+    int at = k * BOX;
+    boxes[at + LEFT] = Math.nextDown(Math.min(ax, bx) - radius);
+    boxes[at + BOTTOM] = Math.nextDown(Math.min(ay, by) - radius);
+    boxes[at + RIGHT] = Math.nextUp(Math.max(ax, bx) + radius);
+    boxes[at + TOP] = Math.nextUp(Math.max(ay, by) + radius);
+  }
+
+  /** The order of the items: by the middles of their boxes, in steps of the whole. */
+  private static int[] inStrips(double[] boxes, int count) {
+    long[] keys = keys(boxes, count, LEFT);
+    Arrays.sort(keys);
+    int[] byX = places(keys, 0, count);
+    long[] byY = keys(boxes, count, BOTTOM);
+    int strip = LEAF_SIZE * (int) Math.ceil(Math.sqrt(count / (double) LEAF_SIZE));
+    for (int from = 0; from < count; from += strip) {
+      int to = Math.min(count, from + strip);
+      for (int k = from; k < to; k++) {
+        keys[k] = byY[byX[k]];
+      }
+      Arrays.sort(keys, from, to);
+    }
+    return places(keys, 0, count);
+  }
+
+  /** The middles on one axis as whole numbers, each above the place of its item. */
+  private static long[] keys(double[] boxes, int count, int axis) {
+    double least = Double.POSITIVE_INFINITY;
+    double most = Double.NEGATIVE_INFINITY;
+    for (int k = 0; k < count; k++) {
+      least = Math.min(least, middle(boxes, k, axis));
+      most = Math.max(most, middle(boxes, k, axis));
+    }
+    double scale = STEPS / (most / 2 - least / 2);
+    long[] keys = new long[count];
+    for (int k = 0; k < count; k++) {
+      int step = (int) ((middle(boxes, k, axis) / 2 - least / 2) * scale);
+      keys[k] = ((long) step << Integer.SIZE) | k;
+    }
+    return keys;
+  }
+
+  private static double middle(double[] boxes, int item, int axis) {
+    return boxes[item * BOX + axis] / 2 + boxes[item * BOX + axis + RIGHT] / 2;
+  }
+
+  private static int[] places(long[] keys, int from, int to) {
+    int[] places = new int[to - from];
+    Arrays.setAll(places, k -> (int) keys[from + k]);
+    return places;
+  }
+
+  /** Finds the boxes of a run of items, and of its halves. */
+  private void build(int node, int from, int to) {
+    int k = node * BOX;
+    if (to - from <= LEAF_SIZE) {
+      System.arraycopy(boxes, from * BOX, nodes, k, BOX);
+      for (int i = from + 1; i < to; i++) {
+        include(k, boxes, i * BOX);
+      }
+      return;
+    }
+    int middle = (from + to) >>> 1;
+    build(2 * node + 1, from, middle);
+    build(2 * node + 2, middle, to);
+    System.arraycopy(nodes, (2 * node + 1) * BOX, nodes, k, BOX);
+    include(k, nodes, (2 * node + 2) * BOX);
+  }
+
+  private void include(int k, double[] from, int other) {
+    nodes[k + LEFT] = Math.min(nodes[k + LEFT], from[other + LEFT]);
+    nodes[k + BOTTOM] = Math.min(nodes[k + BOTTOM], from[other + BOTTOM]);
+    nodes[k + RIGHT] = Math.max(nodes[k + RIGHT], from[other + RIGHT]);
+    nodes[k + TOP] = Math.max(nodes[k + TOP], from[other + TOP]);
+  }
+
+  public int size() {
+    return items.length;
+  }
+
+  /** A side of the box around all items; there is one at least. */
+  public double side(int place) {
+    return nodes[place];
+  }
+
+  // Which items a test does not reject.
+
+  /** A test that rejects boxes. */
+  public interface Rejects {
+
+    /** Whether nothing in the box at place k of an array is of interest. */
+    boolean test(double[] boxes, int k);
+  }
+
+  /** Rejects what is apart from a box; NaN for a side is no limit. */
+  public static final class Outside implements Rejects {
+
+    private double left;
+    private double bottom;
+    private double right;
+    private double top;
+
+    /** Sets the box. */
+    public Outside set(double newLeft, double newBottom, double newRight, double newTop) {
+      left = newLeft;
+      bottom = newBottom;
+      right = newRight;
+      top = newTop;
+      return this;
+    }
+
+    @Override
+    public boolean test(double[] boxes, int k) {
+      return boxes[k + LEFT] > right
+          || boxes[k + RIGHT] < left
+          || boxes[k + BOTTOM] > top
+          || boxes[k + TOP] < bottom;
+    }
+  }
+
+  /** Finds the items whose boxes a test does not reject, nor those of the runs that hold them. */
+  public void find(Rejects rejects, IntList found) {
+    if (items.length > 0) {
+      find(0, 0, items.length, rejects, found);
+    }
+  }
+
+  private void find(int node, int from, int to, Rejects rejects, IntList found) {
+    if (rejects.test(nodes, node * BOX)) {
+      return;
+    }
+    if (to - from > LEAF_SIZE) {
+      int middle = (from + to) >>> 1;
+      find(2 * node + 1, from, middle, rejects, found);
+      find(2 * node + 2, middle, to, rejects, found);
+      return;
+    }
+    for (int i = from; i < to; i++) {
+      if (!rejects.test(boxes, i * BOX)) {
+        found.add(items[i]);
+      }
+    }
+  }
+
+  // Which items are near a point.
+
+  /** What looks for the nearest item to a point. */
+  public interface Nearest {
+
+    /** Looks at an item. */
+    void look(int item);
+
+    /** The square of the distance beyond which no item is of interest; NaN for no limit. */
+    double limit();
+  }
+
+  /** Shows all items that are as near to a point as the search asks for, the nearer ones first. */
+  public void nearest(double x, double y, Nearest search) {
+    if (items.length > 0) {
+      nearest(0, 0, items.length, x, y, search);
+    }
+  }
+
+  private void nearest(int node, int from, int to, double x, double y, Nearest search) {
+    if (to - from > LEAF_SIZE) {
+      int middle = (from + to) >>> 1;
+      int lower = 2 * node + 1;
+      double ofLower = distance2(nodes, lower * BOX, x, y);
+      double ofUpper = distance2(nodes, (lower + 1) * BOX, x, y);
+      if (ofUpper < ofLower) {
+        descend(lower + 1, middle, to, ofUpper, x, y, search);
+        descend(lower, from, middle, ofLower, x, y, search);
+      } else {
+        descend(lower, from, middle, ofLower, x, y, search);
+        descend(lower + 1, middle, to, ofUpper, x, y, search);
+      }
+      return;
+    }
+    for (int i = from; i < to; i++) {
+      if (!(distance2(boxes, i * BOX, x, y) > search.limit())) {
+        search.look(items[i]);
+      }
+    }
+  }
+
+  private void descend(
+      int node, int from, int to, double distance2, double x, double y, Nearest search) {
+    if (!(distance2 > search.limit())) {
+      nearest(node, from, to, x, y, search);
+    }
+  }
+
+  /** The square of the distance of a point from a box, which errs by a few ulps of the extent. */
+  private static double distance2(double[] boxes, int k, double x, double y) {
+    double dx = outside(boxes[k + LEFT], boxes[k + RIGHT], x);
+    double dy = outside(boxes[k + BOTTOM], boxes[k + TOP], y);
+    return dx * dx + dy * dy;
+  }
+
+  /** How far a coordinate is outside of a range: branch-free, as that is unpredictable. */
+  private static double outside(double low, double high, double p) {
+    return 0.5 * (Math.abs(p - low) + Math.abs(p - high) - (high - low));
+  }
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.util;
+
+import java.util.Arrays;
+import java.util.function.IntPredicate;
+
+/** A growable list of ints. */
+public final class IntList {
+
+  private int[] values = new int[16];
+  private int size;
+
+  public int size() {
+    return size;
+  }
+
+  public int get(int i) {
+    return values[i];
+  }
+
+  public void clear() {
+    size = 0;
+  }
+
+  public void add(int value) {
+    if (size == values.length) {
+      values = Arrays.copyOf(values, 2 * size);
+    }
+    values[size++] = value;
+  }
+
+  public int[] toArray() {
+    return Arrays.copyOf(values, size);
+  }
+
+  /** Keeps the values that pass a test, ascending, each once. */
+  public int[] filtered(IntPredicate test) {
+    Arrays.sort(values, 0, size);
+    int end = 0;
+    for (int i = 0; i < size; i++) {
+      if ((i == 0 || values[i] != values[i - 1]) && test.test(values[i])) {
+        values[end++] = values[i];
+      }
+    }
+    size = end;
+    return toArray();
+  }
+}

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.StringReader;
+import java.io.StringWriter;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Circles of radius 0, in worlds that have no lines. */
+class PointParticlesTest {
+
+  private static SceneBuilder room() {
+    return Scene.builder().bounds(0, 0, 100, 100);
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aPointBouncesOffWallsAndPegs(boolean collide) {
+    Scene scene = room().collide(collide).peg(70, 50, 10).circle(20, 50, 0, 10, 0).build();
+    World world = new World(scene);
+    world.step(8);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.impacts().kind(0)).isEqualTo(ObstacleKind.PEG);
+    assertThat(world.impacts().time(0)).isEqualTo(4);
+    assertThat(world.impacts().nx(0)).isEqualTo(-1);
+    assertThat(world.step(3)).isTrue();
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.x(0)).isEqualTo(10);
+    assertThat(world.radius(0)).isZero();
+  }
+
+  /** The walls of a room are met at their coordinates, for long. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void noPointLeavesItsRoom(boolean collide) {
+    Random random = new Random(1);
+    SceneBuilder scene = room().collide(collide);
+    for (int i = 0; i < 60; i++) {
+      scene.peg(10 + 80 * random.nextDouble(), 10 + 80 * random.nextDouble(), i % 3);
+      scene.circle(
+          5 * random.nextDouble(),
+          100 * random.nextDouble(),
+          0,
+          9 * random.nextGaussian(),
+          9 * random.nextGaussian());
+    }
+    World world = new World(scene.build());
+    int impacts = 0;
+    for (int frame = 0; frame < 200; frame++) {
+      assertThat(world.step(1)).isTrue();
+      impacts += world.impacts().size();
+      for (int row = 0; row < world.impacts().size(); row++) {
+        assertThat(world.impacts().kind(row)).isNotEqualTo(ObstacleKind.CIRCLE);
+        assertThat(world.impacts().outcome(row)).isEqualTo(Outcome.BOUNCED);
+      }
+    }
+    assertThat(impacts).isGreaterThan(2000);
+    for (int i = 0; i < 60; i++) {
+      assertThat(world.x(i)).isBetween(-1e-12, 100 + 1e-12);
+      assertThat(world.y(i)).isBetween(-1e-12, 100 + 1e-12);
+      Circle centre = new Circle(world.x(i), world.y(i), 0);
+      for (int peg : world.overlapping(ObstacleKind.PEG, centre)) {
+        Circle in = world.peg(peg);
+        double depth = in.radius() - Math.hypot(in.x() - centre.x(), in.y() - centre.y());
+        assertThat(depth).isLessThan(1e-12);
+      }
+    }
+  }
+
+  @Test
+  void twoPointsNeverMeet() {
+    World world =
+        new World(
+            room()
+                .collide(true)
+                .circle(20, 50, 0, 10, 0)
+                .circle(80, 50, 0, -10, 0)
+                .circle(50, 20, 0, 0, 10)
+                .build());
+    assertThat(world.step(4)).isTrue();
+    assertThat(world.impacts().size()).isZero();
+    assertThat(world.x(0)).isEqualTo(60);
+    assertThat(world.cast(new Circle(0, 50, 0), new Vec2(1, 0), 30)).isEmpty();
+    assertThat(world.cast(new Circle(20, 50, 1), new Vec2(10, 0), 30).orElseThrow().kind())
+        .isEqualTo(ObstacleKind.CIRCLE);
+  }
+
+  @Test
+  void aPointBouncesOffACircle() {
+    World world =
+        new World(
+            room().collide(true).circle(20, 50, 0, 10, 0).circle(60, 50, 5, 0, 0).mass(3).build());
+    assertThat(world.step(4)).isTrue();
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.impacts().time(0)).isEqualTo(3.5);
+    assertThat(world.vx(0)).isEqualTo(-5);
+    assertThat(world.vx(1)).isEqualTo(5);
+  }
+
+  /** Points among circles: energy stays, and the steps change no bit. */
+  @Test
+  void aGasOfPointsAndCircles() {
+    Random random = new Random(2);
+    SceneBuilder builder = room().collide(true);
+    for (int i = 0; i < 200; i++) {
+      double radius = i % 4 == 0 ? 1.5 : 0;
+      builder.circle(
+          4 + 6.5 * (i % 15),
+          4 + 6.5 * Math.floor(i / 15.0),
+          radius,
+          random.nextGaussian(),
+          random.nextGaussian());
+    }
+    World world = new World(builder.build());
+    World inOne = new World(builder.build());
+    double before = energy(world);
+    int pairs = 0;
+    for (int frame = 1; frame <= 100; frame++) {
+      world.advanceTo(frame);
+      for (int row = 0; row < world.impacts().size(); row++) {
+        ImpactLog log = world.impacts();
+        if (log.kind(row) == ObstacleKind.CIRCLE) {
+          pairs++;
+          double sum = world.radius(log.circle(row)) + world.radius(log.id(row));
+          assertThat(sum).isPositive();
+        }
+      }
+    }
+    assertThat(pairs).isGreaterThan(200);
+    assertThat(energy(world)).isCloseTo(before, within(1e-9));
+    inOne.advanceTo(100);
+    assertThat(world.snapshot()).isEqualTo(inOne.snapshot());
+  }
+
+  private static double energy(World world) {
+    double energy = 0;
+    for (int i = 0; i < world.circleCount(); i++) {
+      energy += world.vx(i) * world.vx(i) + world.vy(i) * world.vy(i);
+    }
+    return energy;
+  }
+
+  /** No area, no diameter: the cells of such points must still have a size. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 500})
+  void pointsInLineWithoutBounds(int count) {
+    SceneBuilder scene = Scene.builder().collide(true);
+    for (int i = 0; i < count; i++) {
+      scene.circle(1000.0 + i, 7, 0, 1, i % 5);
+    }
+    World world = new World(scene.build());
+    assertThat(world.step(100)).isTrue();
+    assertThat(world.impacts().size()).isZero();
+    assertThat(world.x(0)).isEqualTo(1100);
+  }
+
+  @Test
+  void savesKeepPoints() throws IOException {
+    Scene scene = room().collide(true).circle(20, 50, 0, 10, 1).circle(60, 50, 5, 0, 0).build();
+    StringWriter text = new StringWriter();
+    scene.write(text);
+    assertThat(Scene.read(new StringReader(text.toString()), "points")).isEqualTo(scene);
+    World world = new World(scene);
+    world.step(3);
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    world.snapshot().write(bytes);
+    World other = new World(scene);
+    other.restore(Snapshot.read(new ByteArrayInputStream(bytes.toByteArray())));
+    assertThat(other.snapshot()).isEqualTo(world.snapshot());
+    world.step(30);
+    other.step(30);
+    assertThat(other.snapshot()).isEqualTo(world.snapshot());
+  }
+
+  @Test
+  void linesAndPointsRefuseEachOther() {
+    SceneBuilder both = room().line(0, 0, 9, 9).circle(20, 50, 0, 10, 0);
+    assertThatIllegalArgumentException()
+        .isThrownBy(both::build)
+        .withMessage("circle 0: radius is 0.0: expected more than 0, as there are lines");
+    assertThatThrownBy(() -> Scene.read(new StringReader("line,0,0,9,9\ncircle,1,2,0,4,5\n"), "s"))
+        .hasMessageContaining("radius is 0.0: expected more than 0, as there are lines");
+    World lines = new World(room().line(0, 0, 9, 9).circle(20, 50, 1, 10, 0).build());
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> lines.addCircle(5, 5, 0, 0, 0))
+        .withMessage("circle 1: radius is 0.0: expected more than 0, as there are lines");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> lines.setRadius(0, 0))
+        .withMessage("circle 0: radius is 0.0: expected more than 0, as there are lines");
+    lines.remove(ObstacleKind.LINE, 0);
+    lines.setRadius(0, 0);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> lines.addLine(0, 0, 1, 1))
+        .withMessage(
+            "line 1: radius of circle 0 is 0.0: expected more than 0, for a line to be added");
+    assertThat(lines.ids(ObstacleKind.LINE)).isEmpty();
+    lines.step(1);
+    lines.setRadius(0, 2);
+    assertThat(lines.addLine(0, 0, 1, 1)).isEqualTo(1);
+    lines.setRadius(0, 1e-3);
+  }
+
+  /** The smallest radius above 0 limits coordinates; points do not. */
+  @Test
+  void pointsLimitNoCoordinate() {
+    World world = new World(Scene.builder().circle(0, 0, 0, 1, 1).build());
+    world.setPosition(0, 1e300, 1);
+    assertThat(world.addPeg(-1e305, 0, 1)).isZero();
+    assertThatIllegalArgumentException().isThrownBy(() -> world.addCircle(0, 0, 1, 0, 0));
+  }
+}
