@@ -22,9 +22,11 @@ import picocli.CommandLine.Spec;
     name = "cast",
     description = {
       "Answers single questions: does this circle hit, when, with which normal?",
-      "The file is CSV with one of these headers; further columns are ignored:",
+      "The file is CSV with one of these headers:",
       "  ax,ay,bx,by,px,py,r,vx,vy,T             a circle and a line",
       "  x1,y1,r1,vx1,vy1,x2,y2,r2,vx2,vy2,T     two circles",
+      "Further columns are found by name; an absent one counts as 0, others are ignored:",
+      "  ux,uy                                   the velocity of the line",
       "Answers go to the standard output: hit,feature,t,nx,ny; of a miss" + " 0,NONE,NaN,NaN,NaN."
     },
     footer = {"", "Example: carom-bench cast queries.csv"},

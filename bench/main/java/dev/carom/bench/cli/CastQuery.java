@@ -6,16 +6,18 @@ import dev.carom.Impact;
 import dev.carom.Line;
 import dev.carom.SweptCircle;
 import dev.carom.Vec2;
+import java.util.List;
 import java.util.Optional;
 
 /** The two questions that a file can ask, and the columns in which it does. */
 enum CastQuery {
-  /** A moving circle against a line. */
-  LINE("ax,ay,bx,by,px,py,r,vx,vy,T") {
+  /** A moving circle against a line, which may move, too. */
+  LINE("ax,ay,bx,by,px,py,r,vx,vy,T", "ux", "uy") {
     @Override
     Optional<Impact> cast(double[] q) {
+      Circle circle = new Circle(q[4], q[5], q[6]);
       Line line = new Line(q[0], q[1], q[2], q[3]);
-      return SweptCircle.cast(new Circle(q[4], q[5], q[6]), new Vec2(q[7], q[8]), line, q[9]);
+      return SweptCircle.cast(circle, new Vec2(q[7], q[8]), line, new Vec2(q[10], q[11]), q[9]);
     }
   },
   /** Two moving circles. */
@@ -29,17 +31,24 @@ enum CastQuery {
   };
 
   private final String header;
+  private final List<String> optional;
 
-  CastQuery(String header) {
+  CastQuery(String header, String... optional) {
     this.header = header;
+    this.optional = List.of(optional);
   }
 
-  /** The names of the columns, in order, as they stand in the file. */
+  /** The names of the columns with which a file begins, in order. */
   String header() {
     return header;
   }
 
-  /** Asks the question: one number for each column. */
+  /** The names of further columns that have a meaning; a file may have them anywhere, or not. */
+  List<String> optional() {
+    return optional;
+  }
+
+  /** Asks the question: one number for each column of the header, then for each optional one. */
   abstract Optional<Impact> cast(double[] query);
 
   /** What a number in a column must be. */

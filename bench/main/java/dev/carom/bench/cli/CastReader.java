@@ -6,13 +6,14 @@ import java.io.Reader;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
+import java.util.stream.Stream;
 import org.apache.commons.csv.CSVFormat;
 import org.apache.commons.csv.CSVParser;
 import org.apache.commons.csv.CSVRecord;
 
 /**
- * Reads a file of queries as a whole: its header says what is asked, further columns are passed
- * over. Everything malformed is an error that names file, line and column (in chars, from 1) and
+ * Reads a file of queries as a whole: its header says what is asked. Further columns are found by
+ * name; one that is absent counts as 0, and unknown ones are passed over. Everything malformed is an error that names file, line and column (in chars, from 1) and
  * what was expected there.
  */
 final class CastReader {
@@ -26,6 +27,10 @@ final class CastReader {
   private final List<double[]> queries = new ArrayList<>();
   private CastQuery kind;
   private List<String> columns;
+
+  /** Where each column stands in a row; negative if the file does not have it. */
+  private int[] places;
+
   private CSVRecord row;
   private long line;
 
@@ -70,9 +75,11 @@ final class CastReader {
     List<String> found =
         row.stream().map(name -> name.replace("\uFEFF", "").strip()).toList(); // of spreadsheets
     for (CastQuery candidate : CastQuery.values()) {
-      columns = List.of(candidate.header().split(","));
-      if (found.size() >= columns.size() && found.subList(0, columns.size()).equals(columns)) {
+      List<String> first = List.of(candidate.header().split(","));
+      if (found.size() >= first.size() && found.subList(0, first.size()).equals(first)) {
         kind = candidate;
+        columns = Stream.concat(first.stream(), candidate.optional().stream()).toList();
+        places = columns.stream().mapToInt(found::indexOf).toArray();
         return;
       }
     }
@@ -86,15 +93,16 @@ final class CastReader {
   private void readQuery() throws IOException {
     double[] query = new double[columns.size()];
     for (int i = 0; i < query.length; i++) {
-      if (i >= row.size()) {
-        throw malformed(i, columns.get(i) + " is missing", CastQuery.expectation(columns.get(i)));
-      }
-      query[i] = number(columns.get(i), row.get(i), i);
+      query[i] = places[i] < 0 ? 0 : number(columns.get(i), places[i]);
     }
     queries.add(query);
   }
 
-  private double number(String column, String text, int i) throws IOException {
+  private double number(String column, int i) throws IOException {
+    if (i >= row.size()) {
+      throw malformed(i, column + " is missing", CastQuery.expectation(column));
+    }
+    String text = row.get(i);
     double value;
     try {
       value = hasSuffix(text.strip()) ? Double.NaN : Double.parseDouble(text);

@@ -66,6 +66,19 @@ class CastCommandTest {
         .isEqualTo("hit,feature,t,nx,ny\n1,CIRCLE,1.0,-1.0,0.0\n0,NONE,NaN,NaN,NaN\n");
   }
 
+  /** Wherever they stand, and one of them alone. */
+  @Test
+  void theVelocityOfALineIsFoundByName() throws IOException {
+    String query = "0,0,0,10,-15,4,5,20,0,1,";
+    assertThat(cast(LINE + ",uy,note,ux", query + "0,,-20", query + "2,,20").out())
+        .isEqualTo("hit,feature,t,nx,ny\n1,SIDE,0.25,-1.0,0.0\n0,NONE,NaN,NaN,NaN\n");
+    assertThat(cast(LINE + ",ux", query + "-0x1.4p4").out()).contains("1,SIDE,0.25,");
+    assertThat(cast(LINE + ",note,ux", query + ",fast").err())
+        .contains(":2:26: ux is \"fast\": expected a finite number");
+    assertThat(cast(LINE + ",note,uy", query).err())
+        .contains(":2:25: uy is missing: expected a finite number");
+  }
+
   @Test
   void passesOverFurtherColumnsBlankLinesAndCarriageReturns() throws IOException {
     Cli run = cast(LINE + ",hit,note\r", "\r", "0,0,0,10,-15,4,5,20,0,Infinity,1,\"quoted\r");
