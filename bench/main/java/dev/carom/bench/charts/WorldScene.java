@@ -8,6 +8,7 @@ import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Timeline;
+import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.Optional;
 
@@ -52,8 +53,9 @@ public final class WorldScene {
    * @param world the world
    * @param past its timeline
    * @param t a time within the recording
-   * @return what was there then; masses, restitutions, responses and filters are those of now, and
-   *     what was removed since has mass 1 and bounces elastically, from both sides
+   * @return what was there then; masses, restitutions, responses, filters and the velocities of
+   *     obstacles are those of now, and what was removed since has mass 1 and bounces elastically,
+   *     from both sides; an obstacle that was removed since rests
    * @throws IllegalArgumentException if the time is not within the recording
    */
   public static Scene of(World world, Timeline past, double t) {
@@ -93,6 +95,7 @@ public final class WorldScene {
   private void line(int id, Line line) {
     builder.line(line.ax(), line.ay(), line.bx(), line.by());
     keep(ObstacleKind.LINE, id);
+    keepVelocity(ObstacleKind.LINE, id);
     if (world.contains(ObstacleKind.LINE, id) && world.oneWay(id)) {
       builder.oneWay();
     }
@@ -101,6 +104,7 @@ public final class WorldScene {
   private void peg(int id, Circle peg) {
     builder.peg(peg.x(), peg.y(), peg.radius());
     keep(ObstacleKind.PEG, id);
+    keepVelocity(ObstacleKind.PEG, id);
   }
 
   private void circle(int id, double x, double y, double radius, double vx, double vy) {
@@ -117,6 +121,13 @@ public final class WorldScene {
     if (world.contains(kind, id)) {
       builder.restitution(world.restitution(kind, id)).response(world.response(kind, id));
       builder.filter(world.category(kind, id), world.mask(kind, id));
+    }
+  }
+
+  private void keepVelocity(ObstacleKind kind, int id) {
+    if (world.contains(kind, id)) {
+      Vec2 v = world.velocity(kind, id);
+      builder.velocity(v.x(), v.y());
     }
   }
 }

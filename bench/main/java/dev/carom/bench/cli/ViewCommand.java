@@ -7,6 +7,7 @@ import dev.carom.bench.duel.Duel;
 import dev.carom.bench.duel.Preset;
 import dev.carom.bench.duel.Rival;
 import dev.carom.bench.experiment.CannotPlaceException;
+import dev.carom.bench.methods.PlainScene;
 import dev.carom.bench.reference.Reference;
 import dev.carom.bench.reference.References;
 import dev.carom.bench.results.WholeFile;
@@ -91,6 +92,9 @@ final class ViewCommand implements Callable<Integer> {
     Bounded.atLeast(0, "--frames", frames, spec);
     check();
     Scene scene = preset == null ? scenes.scene() : preset.scene();
+    if (rival != null && !PlainScene.isAtRest(scene)) {
+      throw usage("--against plays scenes whose obstacles rest: a line or a peg moves");
+    }
     String title = preset == null ? scenes.title() : preset.about();
     Reference truth = rival == null ? null : truth(scene);
     if (record == null) {

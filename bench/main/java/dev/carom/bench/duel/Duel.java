@@ -3,6 +3,7 @@ package dev.carom.bench.duel;
 
 import dev.carom.Scene;
 import dev.carom.bench.methods.Contender;
+import dev.carom.bench.methods.PlainScene;
 import dev.carom.bench.reference.Reference;
 import java.util.Arrays;
 import java.util.List;
@@ -32,6 +33,7 @@ public final class Duel implements AutoCloseable {
   private final Scene scene;
   private final Rival rival;
   private final Reference truth;
+  private final boolean judges;
   private final Contestant carom;
   private final Contestant other;
 
@@ -46,6 +48,7 @@ public final class Duel implements AutoCloseable {
     this.scene = scene;
     this.rival = rival;
     this.truth = truth;
+    judges = PlainScene.isAtRest(scene);
     carom = new Contestant(Rival.carom(), scene);
     other = new Contestant(rival.contender(), scene);
   }
@@ -114,10 +117,12 @@ public final class Duel implements AutoCloseable {
    * The score of this library.
    *
    * @param frame the number of the frame, 0 for the start
-   * @return lines of text
+   * @return lines of text; a single one where obstacles move, among which nothing is judged
    */
   public List<ScoreLine> caromScore(int frame) {
-    return score(carom(frame), frame, isKnown(frame));
+    return judges
+        ? score(carom(frame), frame, isKnown(frame))
+        : List.of(new ScoreLine("not judged: lines or pegs of this scene move", false));
   }
 
   /**

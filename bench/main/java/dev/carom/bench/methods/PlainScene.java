@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
-import dev.carom.Scene;
+import static dev.carom.ObstacleKind.LINE;
+import static dev.carom.ObstacleKind.PEG;
 
-/** What the plain methods can play: lines and bounds; some of them circles that collide, too. */
+import dev.carom.ObstacleKind;
+import dev.carom.Scene;
+import dev.carom.Vec2;
+import java.util.stream.IntStream;
+
+/**
+ * What the plain methods can play: lines at rest and bounds; some of them pegs, or circles that
+ * collide, too.
+ */
 public final class PlainScene {
 
   private PlainScene() {}
@@ -13,22 +22,22 @@ public final class PlainScene {
    *
    * @param scene any scene
    * @return the scene
-   * @throws UnsupportedOperationException if it has pegs or colliding circles
+   * @throws UnsupportedOperationException if it has pegs, obstacles that move or colliding circles
    */
   public static Scene check(Scene scene) {
     return checkObstacles(checkCircles(scene));
   }
 
   /**
-   * Refuses circles that collide.
+   * Refuses circles that collide, and obstacles that move.
    *
    * @param scene any scene
    * @return the scene
-   * @throws UnsupportedOperationException if its circles collide
+   * @throws UnsupportedOperationException if its circles collide, or a line or a peg moves
    */
   public static Scene checkCircles(Scene scene) {
     refuse(scene.collide(), "its circles collide", "circles that ignore each other");
-    return scene;
+    return checkRest(scene);
   }
 
   /**
@@ -36,11 +45,37 @@ public final class PlainScene {
    *
    * @param scene any scene; its circles may collide
    * @return the scene
-   * @throws UnsupportedOperationException if it has pegs
+   * @throws UnsupportedOperationException if it has pegs, or a line moves
    */
   public static Scene checkObstacles(Scene scene) {
     refuse(scene.pegCount() > 0, "it has pegs", "lines and bounds");
+    return checkRest(scene);
+  }
+
+  /**
+   * Refuses obstacles that move.
+   *
+   * @param scene any scene
+   * @return the scene
+   * @throws UnsupportedOperationException if a line or a peg moves
+   */
+  public static Scene checkRest(Scene scene) {
+    refuse(!isAtRest(scene), "lines or pegs move", "obstacles at rest");
     return scene;
+  }
+
+  /**
+   * Whether no obstacle moves.
+   *
+   * @param scene any scene
+   * @return whether all its lines and pegs rest
+   */
+  public static boolean isAtRest(Scene scene) {
+    return rest(scene, LINE, scene.lineCount()) && rest(scene, PEG, scene.pegCount());
+  }
+
+  private static boolean rest(Scene scene, ObstacleKind kind, int count) {
+    return IntStream.range(0, count).allMatch(i -> scene.velocity(kind, i).equals(Vec2.ZERO));
   }
 
   private static void refuse(boolean condition, String why, String expected) {

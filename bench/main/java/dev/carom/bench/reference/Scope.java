@@ -4,9 +4,11 @@ package dev.carom.bench.reference;
 import dev.carom.ObstacleKind;
 import dev.carom.Response;
 import dev.carom.Scene;
+import dev.carom.Vec2;
 
 /**
- * Which scenes have a reference: those in which everything bounces, from both sides, whoever comes.
+ * Which scenes have a reference: those in which obstacles rest, and everything bounces, from both
+ * sides, whoever comes.
  */
 final class Scope {
 
@@ -21,6 +23,7 @@ final class Scope {
     }
     for (int i = 0; i < scene.lineCount(); i++) {
       bounces("line", scene, ObstacleKind.LINE, i);
+      rests("line", i, scene.velocity(ObstacleKind.LINE, i));
       if (scene.oneWay(i)) {
         throw new IllegalArgumentException(
             "line " + i + " is one-way: a reference expects lines that are there from both sides");
@@ -28,6 +31,7 @@ final class Scope {
     }
     for (int i = 0; i < scene.pegCount(); i++) {
       bounces("peg", scene, ObstacleKind.PEG, i);
+      rests("peg", i, scene.velocity(ObstacleKind.PEG, i));
     }
     for (int i = 0; i < scene.circleCount(); i++) {
       bounces("circle", scene, ObstacleKind.CIRCLE, i);
@@ -43,6 +47,14 @@ final class Scope {
     if (scene.category(kind, i) != 1 || scene.mask(kind, i) != -1) {
       throw new IllegalArgumentException(
           "%s %d has a filter: a reference expects category 1 and mask -1".formatted(name, i));
+    }
+  }
+
+  private static void rests(String kind, int i, Vec2 velocity) {
+    if (!velocity.equals(Vec2.ZERO)) {
+      throw new IllegalArgumentException(
+          "%s %d has the velocity (%s, %s): a reference expects obstacles at rest"
+              .formatted(kind, i, velocity.x(), velocity.y()));
     }
   }
 }

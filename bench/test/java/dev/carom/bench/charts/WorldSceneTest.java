@@ -3,11 +3,14 @@ package dev.carom.bench.charts;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Circle;
+import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Timeline;
+import dev.carom.Vec2;
 import dev.carom.World;
 import org.junit.jupiter.api.Test;
 
@@ -69,5 +72,27 @@ class WorldSceneTest {
     assertThat(then.restitution(ObstacleKind.CIRCLE, 0)).isEqualTo(1);
     assertThat(then.lineCount()).isEqualTo(1);
     assertThat(then.restitution(ObstacleKind.PEG, 0)).isEqualTo(2);
+  }
+
+  /** Where they are at the moment shown, live and in the past, and going on from there. */
+  @Test
+  void obstaclesThatMoveAreInItWhereTheyAre() {
+    Scene start =
+        start().line(0, 0, 0, 9).velocity(2, 1).peg(80, 20, 3).velocity(-0.5, 0).build();
+    World world = new World(start);
+    assertThat(WorldScene.of(world)).isEqualTo(start);
+    Timeline past = world.record(10);
+    world.step(4);
+    Scene now = WorldScene.of(world);
+    Scene then = WorldScene.of(world, past, 1);
+    assertThat(now.line(1)).isEqualTo(new Line(8, 4, 8, 13));
+    assertThat(now.peg(1)).isEqualTo(new Circle(78, 20, 3));
+    assertThat(then.line(1)).isEqualTo(new Line(2, 1, 2, 10));
+    assertThat(then.peg(1)).isEqualTo(new Circle(79.5, 20, 3));
+    for (Scene scene : new Scene[] {now, then}) {
+      assertThat(scene.velocity(ObstacleKind.LINE, 1)).isEqualTo(new Vec2(2, 1));
+      assertThat(scene.velocity(ObstacleKind.PEG, 1)).isEqualTo(new Vec2(-0.5, 0));
+      assertThat(scene.velocity(ObstacleKind.LINE, 0)).isEqualTo(Vec2.ZERO);
+    }
   }
 }

@@ -42,6 +42,32 @@ class SimulateCommandTest {
     Files.writeString(scene, SCENE);
   }
 
+  /** A wall that moves with u turns v into -v + 2 u: here -2 into 8, at time 2. */
+  @Test
+  void aWallThatMovesPushes() throws IOException {
+    Files.writeString(
+        scene,
+        """
+        line,0,-10,0,10,vx=3
+        peg,100,50,1,vy=-2
+        circle,11,0,1,-2,0
+        circle,100,27,2,0,8
+        """);
+
+    Cli.run(
+        "simulate", "--scene", scene, "--frames", 3, "--positions", positions, "--impacts",
+        impacts);
+
+    assertThat(positions).content().endsWith("3,0,15.0,0.0\n3,1,100.0,31.0\n");
+    assertThat(impacts)
+        .hasContent(
+            """
+            time,circle,obstacle,feature,x,y,nx,ny,speed
+            2.0,0,line 0,SIDE,6.0,0.0,1.0,0.0,5.0
+            2.0,1,peg 0,CIRCLE,100.0,45.0,0.0,-1.0,10.0
+            """);
+  }
+
   /** By another name: a link. */
   @Test
   void theSceneIsNotOverwritten() throws IOException {

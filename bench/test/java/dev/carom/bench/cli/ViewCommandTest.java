@@ -48,6 +48,18 @@ class ViewCommandTest {
     assertThat(Files.size(Path.of("results/side-by-side.gif"))).isBetween(10_000L, 2_000_000L);
   }
 
+  @Test
+  void noRivalIsLetInAmongObstaclesThatMove() throws IOException {
+    Path scene = folder.resolve("lift.csv");
+    Files.writeString(scene, "line,0,0,9,0,vy=1\ncircle,5,9,1,0,0\n");
+
+    Cli run = Cli.run("view", "--scene", scene, "--against", "dyn4j");
+
+    assertThat(run.exitCode()).isEqualTo(2);
+    assertThat(run.err())
+        .contains("--against plays scenes whose obstacles rest: a line or a peg moves");
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

@@ -130,4 +130,22 @@ class DuelTest {
       assertThat(duel.rival(30).x(0)).isEqualTo(duel.rival(0).x(0));
     }
   }
+
+  /** Nobody but this library moves obstacles. */
+  @ParameterizedTest
+  @EnumSource
+  void noRivalPlaysAmongObstaclesThatMove(Rival rival) {
+    Scene scene =
+        Scene.builder().line(50, 0, 50, 90).velocity(1, 0).circle(20, 30, 5, 2, 0).build();
+    try (Duel duel = new Duel(scene, rival, null)) {
+      assertThat(duel.rivalScore(9))
+          .containsExactly(
+              new ScoreLine(
+                  "does not play: this scene is not for this method: lines or pegs move; expected"
+                      + " obstacles at rest",
+                  true));
+      assertThat(texts(duel.caromScore(9)))
+          .containsExactly("not judged: lines or pegs of this scene move");
+    }
+  }
 }

@@ -164,6 +164,9 @@ class TruthTest {
         Scene.builder().peg(0, 0, 1).response(Response.SENSOR).circle(5, 0, 1, 0, 0).build();
     assertThatThrownBy(() -> truth(sensor, 1))
         .hasMessage("peg 0 has the response SENSOR: a reference expects BOUNCE");
+    Scene lift = Scene.builder().line(0, 0, 9, 0).velocity(0, 1).circle(5, 9, 1, 0, 0).build();
+    assertThatThrownBy(() -> truth(lift, 1))
+        .hasMessage("line 0 has the velocity (0.0, 1.0): a reference expects obstacles at rest");
     Scene gate = Scene.builder().line(0, 0, 1, 0).oneWay().circle(5, 0, 1, 0, 0).build();
     assertThatThrownBy(() -> truth(gate, 1)).hasMessageStartingWith("line 0 is one-way");
     Scene ghost = Scene.builder().peg(0, 0, 1).circle(5, 0, 1, 0, 0).filter(2, -1).build();

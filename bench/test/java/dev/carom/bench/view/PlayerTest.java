@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.offset;
 
 import dev.carom.Circle;
 import dev.carom.Line;
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 import dev.carom.World;
@@ -108,6 +109,26 @@ class PlayerTest {
     assertThat(player.scene().velocity(0)).isEqualTo(new Vec2(-8, 0));
     player.restart();
     assertThat(player.scene()).isEqualTo(TO_AND_FRO);
+  }
+
+  /** A piston that leaves the circle behind, seen at rest, live, in the past, and taken hold of. */
+  @Test
+  void obstaclesThatMoveAreShownWhereTheyAre() {
+    Scene scene =
+        Scene.builder().line(0, 0, 0, 20).velocity(3, 0).circle(50, 10, 2, 0, 0).build();
+    Player moving = new Player(scene, 1);
+    moving.setRunning(true);
+    for (int i = 0; i < 20; i++) {
+      moving.tick();
+    }
+    assertThat(moving.scene().line(0)).isEqualTo(new Line(60, 0, 60, 20));
+    assertThat(moving.scene().velocity(0)).isEqualTo(new Vec2(6, 0));
+    moving.seek(4);
+    assertThat(moving.scene().line(0)).isEqualTo(new Line(12, 0, 12, 20));
+    assertThat(Grip.at(moving, new Vec2(12, 10), 1).kind()).isEqualTo(ObstacleKind.LINE);
+    moving.moveLine(0, new Line(22, 0, 22, 20));
+    moving.stepFrame();
+    assertThat(moving.scene().line(0)).isEqualTo(new Line(25, 0, 25, 20));
   }
 
   @Test
