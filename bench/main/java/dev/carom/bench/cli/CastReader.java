@@ -13,8 +13,8 @@ import org.apache.commons.csv.CSVRecord;
 
 /**
  * Reads a file of queries as a whole: its header says what is asked. Further columns are found by
- * name; one that is absent counts as 0, and unknown ones are passed over. Everything malformed is an error that names file, line and column (in chars, from 1) and
- * what was expected there.
+ * name; one that is absent counts as 0, and unknown ones are passed over. Everything malformed is
+ * an error that names file, line and column (in chars, from 1) and what was expected there.
  */
 final class CastReader {
 

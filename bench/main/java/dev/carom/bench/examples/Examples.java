@@ -21,7 +21,13 @@ public enum Examples {
   /** See {@link GameLoop}. */
   LOOP("fixed steps in a Swing timer, with gravity", 100),
   /** See {@link Threads}. */
-  THREADS("a scene split over two threads", 150);
+  THREADS("a scene split over two threads", 150),
+  /** See {@link Paddle}. */
+  PADDLE("a paddle that moves as a player wants it, and pushes the ball", 330),
+  /** See {@link Lift}. */
+  LIFT("a platform that carries a ball and throws two", 45),
+  /** See {@link Piston}. */
+  PISTON("a gas that a lid compresses warms by the adiabatic law", 1_000);
 
   private final String about;
   private final int frames;
@@ -64,6 +70,9 @@ public enum Examples {
       case PI -> new PiCollisions();
       case LOOP -> new GameLoop();
       case THREADS -> new Threads();
+      case PADDLE -> new Paddle();
+      case LIFT -> new Lift();
+      case PISTON -> new Piston();
     };
   }
 

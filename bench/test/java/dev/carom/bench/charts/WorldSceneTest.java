@@ -77,8 +77,7 @@ class WorldSceneTest {
   /** Where they are at the moment shown, live and in the past, and going on from there. */
   @Test
   void obstaclesThatMoveAreInItWhereTheyAre() {
-    Scene start =
-        start().line(0, 0, 0, 9).velocity(2, 1).peg(80, 20, 3).velocity(-0.5, 0).build();
+    Scene start = start().line(0, 0, 0, 9).velocity(2, 1).peg(80, 20, 3).velocity(-0.5, 0).build();
     World world = new World(start);
     assertThat(WorldScene.of(world)).isEqualTo(start);
     Timeline past = world.record(10);

@@ -55,7 +55,14 @@ class SimulateCommandTest {
         """);
 
     Cli.run(
-        "simulate", "--scene", scene, "--frames", 3, "--positions", positions, "--impacts",
+        "simulate",
+        "--scene",
+        scene,
+        "--frames",
+        3,
+        "--positions",
+        positions,
+        "--impacts",
         impacts);
 
     assertThat(positions).content().endsWith("3,0,15.0,0.0\n3,1,100.0,31.0\n");

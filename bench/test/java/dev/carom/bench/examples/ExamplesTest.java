@@ -83,7 +83,10 @@ class ExamplesTest {
         "SinaiBilliard",
         "PiCollisions",
         "GameLoop",
-        "SplitWorld"
+        "SplitWorld",
+        "Paddle",
+        "Lift",
+        "Piston"
       })
   void eachCanBeCopied(String name, @TempDir Path out) throws IOException {
     List<String> args = new ArrayList<>(List.of("-proc:none", "-d", out.toString()));
@@ -364,5 +367,85 @@ class ExamplesTest {
     assertThat(loop.world().now())
         .as("no run after the clock")
         .isLessThan(26.0 * GameLoop.STEP / 1e9);
+  }
+
+  /** By itself it plays for ever; each ball that comes with v leaves with -v + 2 u. */
+  @Test
+  void thePaddleBringsTheBallBack() {
+    Paddle game = new Paddle();
+    World world = game.world();
+    ImpactLog log = world.impacts();
+    int swings = 0;
+    for (int i = 0; i < 6_000; i++) {
+      double before = world.vx(0);
+      game.frame();
+      if (log.size() == 1 && log.kind(0) == ObstacleKind.LINE && log.id(0) == 0) {
+        double u = world.velocity(ObstacleKind.LINE, 0).x();
+        assertThat(world.vx(0)).as("frame %d", i).isCloseTo(-before + 2 * u, offset(1e-12));
+        swings += u > 0.1 ? 1 : 0;
+      }
+    }
+    assertThat(swings).isGreaterThan(30);
+    assertThat(game.returned()).isGreaterThanOrEqualTo(swings);
+    assertThat(game.lost()).isZero();
+  }
+
+  @Test
+  void aPaddleThatIsElsewhereLosesTheBall() {
+    Paddle game = new Paddle();
+    game.point(new Vec2(0.1, 0.9));
+    for (int i = 0; i < 600; i++) {
+      game.frame();
+    }
+    assertThat(game.lost()).isPositive();
+    assertThat(game.world().line(0).by()).isCloseTo(160, offset(1e-9));
+  }
+
+  /** One ball stays on it, up and down; the others are thrown higher than they fell from. */
+  @Test
+  void theLiftCarriesOneBallAndThrowsTwo() {
+    Lift lift = new Lift();
+    World world = lift.world();
+    double highest = 0;
+    for (int i = 0; i < 400; i++) {
+      lift.frame();
+      double gap = world.y(Lift.RIDER) - world.radius(Lift.RIDER) - lift.level();
+      if (i > 50 && world.velocity(ObstacleKind.LINE, 0).y() == Lift.SPEED) {
+        assertThat(gap).as("frame %d", i).isCloseTo(0, offset(1e-11));
+        assertThat(world.vy(Lift.RIDER)).as("frame %d", i).isEqualTo(Lift.SPEED);
+      }
+      assertThat(gap).as("frame %d", i).isGreaterThan(-1e-11);
+      highest = Math.max(highest, world.y(2));
+    }
+    assertThat(highest).isGreaterThan(85 + 30);
+    lift.press();
+    for (int i = 0; i < 200; i++) {
+      lift.frame();
+    }
+    double called = lift.level();
+    lift.key(called > 50 ? KeyEvent.VK_DOWN : KeyEvent.VK_UP, true);
+    for (int i = 0; i < 200; i++) {
+      lift.frame();
+    }
+    assertThat(Math.abs(lift.level() - called)).isCloseTo(70, offset(1e-9));
+  }
+
+  /** E V stays, to what 400 circles and a lid of this speed let one expect; E itself doubles. */
+  @Test
+  void thePistonFollowsTheAdiabaticLaw() {
+    Piston piston = new Piston();
+    double before = energy(piston.world());
+    for (int i = 0; i < 1_000; i++) {
+      piston.frame();
+      assertThat(piston.invariant()).as("frame %d", i).isBetween(0.97, 1.03);
+    }
+    assertThat(energy(piston.world()) / before).isCloseTo(2.06, offset(0.06));
+    for (int i = 1_000; i < 2_400; i++) {
+      piston.frame();
+    }
+    assertThat(energy(piston.world()) / before).isCloseTo(1, offset(0.05));
+    Vec2 way = piston.world().velocity(ObstacleKind.LINE, 0);
+    piston.press();
+    assertThat(piston.world().velocity(ObstacleKind.LINE, 0).x()).isEqualTo(-way.x());
   }
 }

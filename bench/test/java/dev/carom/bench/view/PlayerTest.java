@@ -114,8 +114,7 @@ class PlayerTest {
   /** A piston that leaves the circle behind, seen at rest, live, in the past, and taken hold of. */
   @Test
   void obstaclesThatMoveAreShownWhereTheyAre() {
-    Scene scene =
-        Scene.builder().line(0, 0, 0, 20).velocity(3, 0).circle(50, 10, 2, 0, 0).build();
+    Scene scene = Scene.builder().line(0, 0, 0, 20).velocity(3, 0).circle(50, 10, 2, 0, 0).build();
     Player moving = new Player(scene, 1);
     moving.setRunning(true);
     for (int i = 0; i < 20; i++) {
