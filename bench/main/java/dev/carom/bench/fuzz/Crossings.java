@@ -6,6 +6,7 @@ import dev.carom.Circle;
 import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.Response;
+import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.List;
 
@@ -13,17 +14,20 @@ import java.util.List;
  * Whether flights respect what is in their way, decided exactly and without the library's detector.
  * The distance from a convex thing is convex along a flight, and approaching at contact is an
  * impact; so no flight comes nearer than the radius, or than it was at its start if that was less.
+ * Of a thing that moves, the flight is looked at as it is seen from there.
  */
 final class Crossings {
 
   private final World world;
   private final Rounding rounding;
   private final MassCheck masses;
+  private final PassedOver passed;
 
-  Crossings(World world, Rounding rounding, MassCheck masses) {
+  Crossings(World world, Rounding rounding, MassCheck masses, PassedOver passed) {
     this.world = world;
     this.rounding = rounding;
     this.masses = masses;
+    this.passed = passed;
   }
 
   void check(List<List<Flight>> flights) throws FindingException {
@@ -61,10 +65,12 @@ final class Crossings {
 
   private void checkLines(Flight f) throws FindingException {
     for (int id : world.ids(ObstacleKind.LINE)) {
-      if (isSolid(f, ObstacleKind.LINE, id)) {
-        Line line = world.line(id);
-        if (!world.oneWay(id) || isFromTheLeft(f, line)) {
-          check(f, line, f.radius(), "line " + id);
+      Vec2 u = world.velocity(ObstacleKind.LINE, id);
+      if (isSolid(f, ObstacleKind.LINE, id) && !passesOver(u, f)) {
+        Line line = atStart(world.line(id), u, f);
+        Flight seen = f.seenFrom(u);
+        if (!world.oneWay(id) || isFromTheLeft(seen, line)) {
+          check(seen, line, f.radius(), "line " + id);
         }
       }
     }
@@ -72,12 +78,26 @@ final class Crossings {
 
   private void checkPegs(Flight f) throws FindingException {
     for (int id : world.ids(ObstacleKind.PEG)) {
-      if (isSolid(f, ObstacleKind.PEG, id)) {
+      Vec2 u = world.velocity(ObstacleKind.PEG, id);
+      if (isSolid(f, ObstacleKind.PEG, id) && !passesOver(u, f)) {
         Circle peg = world.peg(id);
-        Line centre = new Line(peg.x(), peg.y(), peg.x(), peg.y());
-        check(f, centre, f.radius() + peg.radius(), "peg " + id);
+        Line centre = atStart(new Line(peg.x(), peg.y(), peg.x(), peg.y()), u, f);
+        check(f.seenFrom(u), centre, f.radius() + peg.radius(), "peg " + id);
       }
     }
+  }
+
+  private boolean passesOver(Vec2 u, Flight f) {
+    return !u.equals(Vec2.ZERO) && passed.mayPass(f);
+  }
+
+  /** Where something was at the start of a flight that now is at a place. */
+  private Line atStart(Line now, Vec2 u, Flight f) {
+    double x = u.x() * (world.now() - f.from());
+    double y = u.y() * (world.now() - f.from());
+    return u.equals(Vec2.ZERO)
+        ? now
+        : new Line(now.ax() - x, now.ay() - y, now.bx() - x, now.by() - y);
   }
 
   /** Clearly so; where rounding could decide it, nothing is demanded. */

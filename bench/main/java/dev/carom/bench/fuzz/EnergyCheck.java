@@ -4,13 +4,14 @@ package dev.carom.bench.fuzz;
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
 import dev.carom.Outcome;
+import dev.carom.Vec2;
 import dev.carom.World;
 
 /**
  * Kinetic energy over one step: of each circle, or of all finite masses together if they collide.
- * It grows only if a row bounced with a restitution above 1, or met an infinite mass. It is lost
- * only if a row has a restitution below 1 or another outcome than a bounce, or met an infinite
- * mass.
+ * It grows only if a row bounced with a restitution above 1, or met an infinite mass or a moving
+ * obstacle. It is lost only if a row has a restitution below 1 or another outcome than a bounce, or
+ * met one of those.
  */
 final class EnergyCheck {
 
@@ -60,13 +61,13 @@ final class EnergyCheck {
 
   private boolean mayGain(int row) {
     boolean bounced = world.impacts().outcome(row) == Outcome.BOUNCED;
-    return (bounced && restitution(row) > 1) || meetsInfinite(row);
+    return (bounced && restitution(row) > 1) || meetsInfinite(row) || meetsMoving(row);
   }
 
   private boolean mayLose(int row) {
     return switch (world.impacts().outcome(row)) {
       case SENSED, PASSED -> false;
-      case BOUNCED -> restitution(row) < 1 || meetsInfinite(row);
+      case BOUNCED -> restitution(row) < 1 || meetsInfinite(row) || meetsMoving(row);
       default -> true;
     };
   }
@@ -82,6 +83,12 @@ final class EnergyCheck {
     ImpactLog log = world.impacts();
     return log.kind(row) == ObstacleKind.CIRCLE
         && (isInfinite(log.circle(row)) || isInfinite(log.id(row)));
+  }
+
+  private boolean meetsMoving(int row) {
+    ImpactLog log = world.impacts();
+    return log.kind(row) != ObstacleKind.CIRCLE
+        && !world.velocity(log.kind(row), log.id(row)).equals(Vec2.ZERO);
   }
 
   private boolean isInfinite(int id) {

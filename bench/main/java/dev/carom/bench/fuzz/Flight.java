@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.fuzz;
 
+import dev.carom.Vec2;
 import dev.carom.oracle.Passage;
 
 /**
@@ -33,6 +34,27 @@ record Flight(
   Flight within(double begin, double end) {
     return new Flight(
         circle, radius, begin, end, x(begin), y(begin), x(end), y(end), vx, vy, fastest);
+  }
+
+  /** The same as it is seen from something that moves, whose place at the start stays. */
+  Flight seenFrom(Vec2 u) {
+    if (u.equals(Vec2.ZERO)) {
+      return this;
+    }
+    double dt = to - from;
+    double fast = fastest + u.length();
+    return new Flight(
+        circle,
+        radius,
+        from,
+        to,
+        px,
+        py,
+        Math.fma(-u.x(), dt, qx),
+        Math.fma(-u.y(), dt, qy),
+        vx - u.x(),
+        vy - u.y(),
+        fast);
   }
 
   private double x(double t) {

@@ -13,7 +13,7 @@ import java.util.Set;
 /**
  * One random world, stepped and edited at random, with everything checked after every step. Each
  * fourth seed has a scene on which the end rule works, without random edits as a rule: only then
- * what the scene promises holds.
+ * what the scene promises holds. In one third of the others some lines and pegs move.
  */
 final class Session {
 
@@ -24,6 +24,9 @@ final class Session {
 
   /** One of so many seeds in a row has a scene on which the end rule works. */
   private static final int ENDS = 4;
+
+  /** One of so many seeds in a row has obstacles that move, unless the end rule works there. */
+  private static final int MOVING = 3;
 
   /** Of one step: a corridor hardly wider than its circle would keep a session for hours. */
   private static final int MOST_IMPACTS = 2_000;
@@ -42,6 +45,9 @@ final class Session {
   /** Null for an ordinary scene. */
   private final EndScene ends;
 
+  /** Null where obstacles rest. */
+  private final Motions motions;
+
   private final boolean edited;
   private final Scene scene;
   private final StepWatch watch;
@@ -56,8 +62,10 @@ final class Session {
     random = new Random(seed);
     numbers = new Numbers(random);
     filters = new Filters(~seed);
-    draws = new SessionScene(random, numbers, filters, crowded);
     boolean ordinary = Math.floorMod(seed, ENDS) > 0;
+    boolean moves = ordinary && Math.floorMod(seed, MOVING) == MOVING - 1;
+    motions = moves ? new Motions(seed, numbers) : null;
+    draws = new SessionScene(random, numbers, filters, crowded, motions);
     edited = ordinary || random.nextInt(3) == 0;
     ends = ordinary ? null : endScene(Math.floorDiv(seed, ENDS));
     scene = ordinary ? draws.build() : ends.scene();
@@ -88,6 +96,9 @@ final class Session {
 
   void play() throws FindingException, IOException {
     for (int i = 0; i < ACTIONS && !stuck; i++) {
+      if (motions != null && motions.edit(watch.world())) {
+        watch.edited();
+      }
       int what = random.nextInt(20);
       if (what == 19) {
         reload();

@@ -30,7 +30,11 @@ final class SessionScene {
   private final boolean masses;
   private final boolean crowded;
 
-  SessionScene(Random random, Numbers numbers, Filters filters, boolean crowded) {
+  /** Null where obstacles rest. */
+  private final Motions motions;
+
+  SessionScene(
+      Random random, Numbers numbers, Filters filters, boolean crowded, Motions motions) {
     this.random = random;
     this.numbers = numbers;
     this.filters = filters;
@@ -39,6 +43,7 @@ final class SessionScene {
     traits = random.nextBoolean();
     masses = random.nextBoolean();
     this.crowded = crowded;
+    this.motions = motions;
   }
 
   boolean hasTraits() {
@@ -62,15 +67,23 @@ final class SessionScene {
         builder.oneWay();
       }
       filters.draw(builder);
+      move();
     }
     int pegs = random.nextInt(4);
     for (int i = 0; i < pegs; i++) {
       builder.peg(numbers.x(), numbers.y(), numbers.pegRadius()).restitution(restitution());
       builder.response(response(ObstacleKind.PEG));
       filters.draw(builder);
+      move();
     }
     addCircles();
     return builder.build();
+  }
+
+  private void move() {
+    if (motions != null) {
+      motions.begin(builder);
+    }
   }
 
   /** In a crowd a short one: long ones would leave no room. */

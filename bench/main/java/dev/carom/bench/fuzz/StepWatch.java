@@ -7,6 +7,7 @@ import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.Snapshot;
 import dev.carom.Timeline;
+import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.Set;
 
@@ -26,6 +27,7 @@ final class StepWatch {
   private final double speedUnit;
   private final Rounding rounding = new Rounding();
   private final MassCheck masses = new MassCheck();
+  private final PassedOver passed = new PassedOver();
   private final JamCheck jam;
   private final OtherWays ways;
   private World world;
@@ -58,6 +60,7 @@ final class StepWatch {
     energy = new EnergyCheck(world, speedUnit);
     places = new PlaceCheck(world);
     masses.enter(world);
+    passed.enter(world);
   }
 
   World world() {
@@ -135,6 +138,7 @@ final class StepWatch {
     LogCheck.check(world, start);
     places.end();
     masses.read(log);
+    passed.read(log);
     readImpacts(log);
     if (complete && log.size() < mostRows) {
       keepLimits();
@@ -146,6 +150,7 @@ final class StepWatch {
       }
     }
     masses.end();
+    passed.end();
     return nanos;
   }
 
@@ -173,7 +178,7 @@ final class StepWatch {
       of.forEach(f -> rounding.keepSpeed(f.vx(), f.vy()));
     }
     masses.check(all);
-    new Crossings(world, rounding, masses).check(all);
+    new Crossings(world, rounding, masses, passed).check(all);
   }
 
   /** Everything there is now counts for the bound of rounding. */
@@ -186,10 +191,16 @@ final class StepWatch {
     for (int id : world.ids(ObstacleKind.LINE)) {
       var line = world.line(id);
       rounding.keepPlace(line.ax(), line.ay(), line.bx(), line.by());
+      keepSpeed(world.velocity(ObstacleKind.LINE, id));
     }
     for (int id : world.ids(ObstacleKind.PEG)) {
       var peg = world.peg(id);
       rounding.keepPlace(peg.x(), peg.y(), peg.radius());
+      keepSpeed(world.velocity(ObstacleKind.PEG, id));
     }
+  }
+
+  private void keepSpeed(Vec2 velocity) {
+    rounding.keepSpeed(velocity.x(), velocity.y());
   }
 }

@@ -4,6 +4,7 @@ package dev.carom.bench.fuzz;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.Response;
 import dev.carom.Scene;
@@ -20,6 +21,7 @@ class ChecksTest {
 
   private final Rounding rounding = new Rounding();
   private final MassCheck masses = new MassCheck();
+  private final PassedOver passed = new PassedOver();
 
   private static SceneBuilder box() {
     return Scene.builder().bounds(0, 0, 100, 100).line(50, 20, 50, 80).peg(80, 50, 4);
@@ -34,7 +36,7 @@ class ChecksTest {
     rounding.keepPlace(100);
     rounding.keepSpeed(100, 100);
     masses.enter(world);
-    new Crossings(world, rounding, masses).check(List.of(flights).stream().map(List::of).toList());
+    new Crossings(world, rounding, masses, passed).check(List.of(flights).stream().map(List::of).toList());
   }
 
   private void assertFound(String message, World world, Flight... flights) {
@@ -55,6 +57,63 @@ class ChecksTest {
     check(world, flight(40, 50, 45, 50));
     check(world, flight(30, 15, 70, 15));
     check(world, flight(60, 41, 95, 41));
+  }
+
+  /** A line that goes right and a peg that goes left; each flight takes one unit of time. */
+  private static World withMovingThings() {
+    World world =
+        new World(
+            box()
+                .line(10, 5, 10, 95)
+                .velocity(20, 0)
+                .peg(95, 90, 3)
+                .velocity(-30, 0)
+                .circle(20, 50, 5, 1, 0)
+                .build());
+    world.setResponse(ObstacleKind.CIRCLE, 0, Response.SENSOR); // nothing happens to it
+    world.advanceTo(1);
+    return world;
+  }
+
+  @Test
+  void flightsThroughThingsThatMoveAreFound() throws FindingException {
+    World world = withMovingThings();
+    assertThat(world.line(1)).isEqualTo(new Line(30, 5, 30, 95));
+
+    assertFound("THROUGH", world, flight(20, 50, 20, 50));
+    assertFound("THROUGH", world, flight(20, 50, 28, 50));
+    assertFound("nearer to line 1", world, flight(20, 50, 34.999999, 50));
+    assertFound("nearer to peg 1", world, flight(80, 82.01, 80, 82.01));
+    check(world, flight(20, 50, 35, 50));
+    check(world, flight(9, 50, 25, 50));
+    check(world, flight(80, 81.99, 80, 81.99));
+    check(world, flight(95, 81, 65, 81.9)); // it flies along below the peg
+  }
+
+  @Test
+  void thingsThatMovePassOverJammedCirclesOnly() throws FindingException {
+    World squeezed =
+        new World(
+            Scene.builder()
+                .bounds(0, 0, 100, 100)
+                .line(50, 0, 50, 100)
+                .velocity(8, 0)
+                .circle(94, 50, 5, 0, 0)
+                .build());
+    passed.enter(squeezed);
+    squeezed.advanceTo(6);
+    double x = squeezed.x(0);
+    Flight standing = new Flight(0, 5, 5.5, 6, x, 50, x, 50, 0, 0, 0);
+    Flight moving = new Flight(0, 5, 5.5, 6, x, 50, x, 50.5, 0, 1, 1);
+    Flight before = new Flight(0, 5, 4, 4.75, x, 50, x, 50, 0, 0, 0);
+
+    assertFound("nearer to line 0", squeezed, standing);
+    passed.read(squeezed.impacts());
+    check(squeezed, standing);
+    assertFound("nearer to line 0", squeezed, moving);
+    squeezed.setVelocity(0, 1, 0);
+    passed.end();
+    assertFound("nearer to line 0", squeezed, standing);
   }
 
   /** It was nearer already, and does not come still nearer. */
@@ -116,6 +175,25 @@ class ChecksTest {
           .isInstanceOf(FindingException.class)
           .hasMessageContaining("energy of circle 0 went from 81.0");
     }
+  }
+
+  @Test
+  void energyFromNowhereIsFoundBesideThingsThatMove() throws FindingException {
+    World world =
+        new World(
+            Scene.builder()
+                .line(0, -10, 0, 10)
+                .velocity(1, 0)
+                .circle(3, 0, 1, 0, 0)
+                .circle(3, 50, 1, 1, 0)
+                .build());
+    EnergyCheck energy = new EnergyCheck(world, 1);
+    energy.begin();
+    world.step(3);
+    assertThat(world.vx(0)).isEqualTo(2);
+    energy.end();
+    world.setVelocity(1, 2, 0);
+    assertThatThrownBy(energy::end).hasMessageContaining("energy of circle 1 went from 1.0 to 4.0");
   }
 
   /** Infinite masses give and take energy, but only where they meet others. */

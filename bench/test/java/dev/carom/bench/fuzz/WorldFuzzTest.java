@@ -3,6 +3,7 @@ package dev.carom.bench.fuzz;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.bench.methods.PlainScene;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -22,6 +23,20 @@ class WorldFuzzTest {
     assertThat(fuzz.impacts()).isGreaterThan(1_000).isEqualTo(again.impacts());
     assertThat(fuzz.flights()).isGreaterThan(500).isEqualTo(again.flights());
     assertThat(fuzz.steps()).isGreaterThan(100);
+  }
+
+  /** Lines and pegs that move, in sessions of their own. */
+  @Test
+  void worldsWithThingsThatMovePlayWithoutAFinding() throws FindingException {
+    WorldFuzz fuzz = new WorldFuzz();
+    for (long seed : new long[] {5, 14, 23, 26, 35, 47}) {
+      fuzz.play(seed);
+      assertThat(new Session(seed).scene())
+          .as("%d", seed)
+          .satisfies(scene -> assertThat(PlainScene.isAtRest(scene)).isFalse());
+    }
+    assertThat(PlainScene.isAtRest(new Session(6).scene())).isTrue();
+    assertThat(fuzz.flights()).isGreaterThan(500);
   }
 
   /** Trapped circles, a pocket, a heap, and infinite masses. */

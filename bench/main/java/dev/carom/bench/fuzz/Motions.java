@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.fuzz;
+
+import dev.carom.Circle;
+import dev.carom.Line;
+import dev.carom.ObstacleKind;
+import dev.carom.SceneBuilder;
+import dev.carom.Snapshot;
+import dev.carom.Vec2;
+import dev.carom.World;
+import java.util.Random;
+
+/**
+ * The velocities of the obstacles of a session, at its start and set between its steps. They are
+ * drawn from a generator of their own, so that all else of the session is as it is without them.
+ */
+final class Motions {
+
+  /** One of so many lines and pegs moves. */
+  private static final int MOVING = 3;
+
+  /** Between one of so many actions a velocity is set. */
+  private static final int EDITS = 3;
+
+  private static final long SALT = 0x6D6F76696E67L;
+
+  private final Random random;
+  private final double length;
+  private final double speed;
+
+  Motions(long seed, Numbers numbers) {
+    random = new Random(seed ^ SALT);
+    length = numbers.length();
+    speed = numbers.speedUnit();
+  }
+
+  /** Lets the line or peg just added move, or not. */
+  void begin(SceneBuilder builder) {
+    if (random.nextInt(MOVING) == 0) {
+      builder.velocity(component(), component());
+    }
+  }
+
+  /** Whole numbers as a rule, which circles have, too; sometimes very slow or very fast. */
+  private double component() {
+    double v = random.nextInt(3) > 0 ? random.nextInt(5) - 2.0 : random.nextGaussian();
+    int rare = random.nextInt(20);
+    return speed * v * (rare == 0 ? 1e-9 : rare == 1 ? 100 : 1);
+  }
+
+  /** Sets a velocity, or not; returns whether it did. One that is refused must change nothing. */
+  boolean edit(World world) throws FindingException {
+    ObstacleKind kind = random.nextBoolean() ? ObstacleKind.LINE : ObstacleKind.PEG;
+    int[] ids = world.ids(kind);
+    if (ids.length == 0 || random.nextInt(EDITS) > 0) {
+      return false;
+    }
+    int id = ids[random.nextInt(ids.length)];
+    Vec2 v = velocity(place(world, kind, id));
+    Snapshot before = world.snapshot();
+    try {
+      world.setVelocity(kind, id, v.x(), v.y());
+    } catch (IllegalArgumentException e) {
+      if (!world.snapshot().equals(before)) {
+        throw new FindingException("a velocity that was refused changed the world: " + e, e);
+      }
+    }
+    return true;
+  }
+
+  /** One that leads back, of what has left the box; else any, or none. */
+  private Vec2 velocity(Vec2 place) {
+    double x = place.x() / length - Numbers.WIDTH / 2;
+    double y = place.y() / length - Numbers.HEIGHT / 2;
+    if (Math.abs(x) > Numbers.WIDTH || Math.abs(y) > Numbers.HEIGHT) {
+      double scale = -2 * speed / Math.max(Math.abs(x), Math.abs(y));
+      return new Vec2(scale * x, scale * y);
+    }
+    return random.nextInt(4) == 0 ? Vec2.ZERO : new Vec2(component(), component());
+  }
+
+  private static Vec2 place(World world, ObstacleKind kind, int id) {
+    if (kind == ObstacleKind.PEG) {
+      Circle peg = world.peg(id);
+      return peg.center();
+    }
+    Line line = world.line(id);
+    return new Vec2(line.ax(), line.ay());
+  }
+}
