@@ -33,8 +33,7 @@ final class SessionScene {
   /** Null where obstacles rest. */
   private final Motions motions;
 
-  SessionScene(
-      Random random, Numbers numbers, Filters filters, boolean crowded, Motions motions) {
+  SessionScene(Random random, Numbers numbers, Filters filters, boolean crowded, Motions motions) {
     this.random = random;
     this.numbers = numbers;
     this.filters = filters;

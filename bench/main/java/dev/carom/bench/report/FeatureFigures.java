@@ -29,6 +29,8 @@ public final class FeatureFigures {
     USES.put("steering", "100 lines, one velocity set a frame");
     USES.put("moving-line", "100 lines, one of them moved a frame");
     USES.put("collisions", "walls, and the circles collide");
+    USES.put("many-lines", "1,000 circles among 10,100 lines");
+    USES.put("moving-lines", "1,000 circles, 100 of 10,100 lines move");
   }
 
   private final Results results;

@@ -95,6 +95,8 @@ public final class Features {
     uses.add(new Use("steering", canonical, false, Features::steer));
     uses.add(new Use("moving-line", canonical, false, Features::move));
     uses.add(new Use("collisions", colliding(canonical).build()));
+    uses.add(new Use("many-lines", AmongMovingLines.scene(seed, FRAMES, false)));
+    uses.add(new Use("moving-lines", AmongMovingLines.scene(seed, FRAMES, true)));
   }
 
   private static Scene part(Scene whole, boolean walls, int lines, Response response) {

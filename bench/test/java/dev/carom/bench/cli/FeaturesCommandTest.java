@@ -2,6 +2,7 @@
 package dev.carom.bench.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.withinPercentage;
 
 import dev.carom.bench.results.ResultsCsv;
 import dev.carom.bench.results.Row;
@@ -26,6 +27,8 @@ class FeaturesCommandTest {
     assertThat(value(rows, "circles", "feature_time"))
         .isLessThan(value(rows, "lines", "feature_time"));
     assertThat(value(rows, "circles", "feature_impacts")).isZero();
+    assertThat(value(rows, "moving-lines", "feature_impacts"))
+        .isCloseTo(value(rows, "many-lines", "feature_impacts"), withinPercentage(30));
     assertThat(value(rows, "sensors", "feature_impacts")).isPositive();
     assertThat(value(rows, "lines", "feature_memory"))
         .isLessThan(value(rows, "recording", "feature_memory"));

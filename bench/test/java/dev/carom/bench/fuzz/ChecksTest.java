@@ -36,7 +36,8 @@ class ChecksTest {
     rounding.keepPlace(100);
     rounding.keepSpeed(100, 100);
     masses.enter(world);
-    new Crossings(world, rounding, masses, passed).check(List.of(flights).stream().map(List::of).toList());
+    new Crossings(world, rounding, masses, passed)
+        .check(List.of(flights).stream().map(List::of).toList());
   }
 
   private void assertFound(String message, World world, Flight... flights) {
