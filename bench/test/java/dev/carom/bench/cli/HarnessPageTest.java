@@ -3,7 +3,9 @@ package dev.carom.bench.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
+import dev.carom.Vec2;
 import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Files;
@@ -28,7 +30,8 @@ class HarnessPageTest {
   void theSampleOfASceneFileIsRead() throws IOException {
     String sample = all("(?s)## Scene files.*?```\n(.*?)```").get(0);
     Scene scene = Scene.read(new StringReader(sample), "the sample");
-    assertThat(scene.lineCount()).isEqualTo(2);
+    assertThat(scene.lineCount()).isEqualTo(3);
+    assertThat(scene.velocity(ObstacleKind.LINE, 2)).isEqualTo(new Vec2(2, 0));
     assertThat(scene.pegCount()).isEqualTo(2);
     assertThat(scene.circleCount()).isEqualTo(3);
     assertThat(scene.collide()).isTrue();
