@@ -242,4 +242,28 @@ class CollisionTest {
       assertThat(cut.impacts().time(0)).isEqualTo(time);
     }
   }
+
+  /**
+   * An infinite mass slides along a line that halts it, and crushes a circle in a corner. All that
+   * is left of its approach to the line is rounding: impacts there change nothing, so the crushed
+   * circle is not there for it again.
+   */
+  @Test
+  void anInfiniteMassThatKeepsItsVelocityPassesOverACrushedCircle() {
+    World world =
+        new World(
+            colliding()
+                .bounds(0, 0, 12800, 10240)
+                .line(12724, 9499, 12295, 9876)
+                .response(Response.HALT)
+                .line(10799, 8474, 10384, 7629)
+                .circle(12136, 8935, 383, 0.9, 1.1)
+                .mass(Double.POSITIVE_INFINITY)
+                .circle(11515, 9225, 1015, 0, 0)
+                .restitution(0.9)
+                .build());
+
+    assertThat(world.advanceTo(2000)).isTrue();
+    assertThat(world.impacts().size()).isLessThan(500);
+  }
 }

@@ -185,13 +185,17 @@ public final class PlainWorld {
       meet(m, movers.get(high));
     } else {
       int code = m.next;
+      double vx = m.vx;
+      double vy = m.vy;
       int result = response.resolve(m, rows);
       if (result == ObstacleResponse.SENSED) {
         met.get(low).add(code);
       } else {
         happened();
         begin(m);
-        leaveJamsOfInfinite(m);
+        if (m.vx != vx || m.vy != vy) {
+          leaveJamsOfInfinite(m);
+        }
         settle(result, m);
       }
     }

@@ -216,7 +216,11 @@ public final class CollidingEngine extends Engine {
       double head = m.after(m.cleared);
       stopAt(head, m.afterTail(m.cleared, head));
     }
-    switch (response.resolve(m, log)) {
+    double vx = m.vx;
+    double vy = m.vy;
+    int result = response.resolve(m, log);
+    boolean turned = m.vx != vx || m.vy != vy;
+    switch (result) {
       case ObstacleResponse.SENSED -> {
         staticScene.extend(m, m.cleared);
         circles.store(i, m);
@@ -224,13 +228,13 @@ public final class CollidingEngine extends Engine {
       }
       case ObstacleResponse.STUCK -> {
         circles.store(i, m);
-        leaveJamsOfInfinite(i);
+        leaveJamsOfInfinite(i, turned);
         resolveContacts(i);
       }
       default -> {
         noteEvent(m.t, m.tl);
         startFlight(circles.state, circles.codes, i, m);
-        leaveJamsOfInfinite(i);
+        leaveJamsOfInfinite(i, turned);
         reactivate(i);
         scheduler.predict(i);
       }
@@ -422,7 +426,7 @@ public final class CollidingEngine extends Engine {
     }
     outgrown = outgrown || !scheduler.enter(i, reached);
     repredict(i);
-    leaveJamsOfInfinite(i);
+    leaveJamsOfInfinite(i, true);
   }
 
   /** Schedules a new prediction of a circle for the next step, when all edits are done. */
@@ -453,9 +457,12 @@ public final class CollidingEngine extends Engine {
     }
   }
 
-  /** Lets circles that an infinite mass crushed collide with it again, as its velocity changed. */
-  private void leaveJamsOfInfinite(int i) {
-    if (circles.jams != null && registry.mass(i) == Double.POSITIVE_INFINITY) {
+  /**
+   * Lets circles that an infinite mass crushed collide with it again, if its velocity changed. An
+   * impact that is all rounding may leave the velocity as it was; then nothing is new for them.
+   */
+  private void leaveJamsOfInfinite(int i, boolean turned) {
+    if (turned && circles.jams != null && registry.mass(i) == Double.POSITIVE_INFINITY) {
       leaveJams(Codes.circle(i));
     }
   }
