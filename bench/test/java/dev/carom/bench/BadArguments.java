@@ -2,6 +2,7 @@
 package dev.carom.bench;
 
 import dev.carom.Bounds;
+import dev.carom.Casts;
 import dev.carom.Circle;
 import dev.carom.Endpoint;
 import dev.carom.Feature;
@@ -148,6 +149,7 @@ final class BadArguments {
                   new Object[] {
                     new World(scene(true)).snapshot(), new World(scene(false)).snapshot(), null
                   }),
+          Map.entry(Casts.class, () -> new Object[] {casts(), new Casts(), null}),
           Map.entry(Path.class, this::paths),
           Map.entry(
               Reader.class,
@@ -198,6 +200,13 @@ final class BadArguments {
     }
   }
 
+  private static Casts casts() {
+    Casts casts = new Casts();
+    casts.add(5, 5, 1, 2, 3);
+    casts.add(5, 5, 0, 0, 0);
+    return casts;
+  }
+
   private static Timeline timeline() {
     World world = new World(scene(true));
     Timeline timeline = world.record(100);
@@ -227,6 +236,7 @@ final class BadArguments {
             Map.entry(
                 Resolver.class,
                 List.of(() -> scene(true).resolver(), () -> Resolver.of(List.of()))),
+            Map.entry(Casts.class, List.of(BadArguments::casts, Casts::new)),
             Map.entry(Snapshot.class, List.of(() -> stepped(true).snapshot())),
             Map.entry(Timeline.class, List.of(BadArguments::timeline)),
             Map.entry(Trajectory.class, List.of(() -> scene(true).resolver().trace(CIRCLE, V, 30))),
