@@ -21,9 +21,9 @@ import picocli.CommandLine.Spec;
     name = "fuzz",
     description = {
       "Plays random worlds with random edits, and checks every flight exactly.",
-      "Worlds have neighbours by ulps, ties, lattices, crowds and extremes; in some, lines and"
-          + " pegs move. In each fourth world impacts would not end without a rule: trapped circles, pockets,"
-          + " infinite masses, doors, heaps, bumpers.",
+      "Worlds have neighbours by ulps, ties, lattices, crowds and extremes; in some, lines and pegs"
+          + " move. In each fourth world impacts would not end without a rule: trapped circles,"
+          + " pockets, infinite masses, doors, heaps, bumpers.",
       "Checked after every step, by exact arithmetic of its own: flights are"
           + " continuous and pass through no line, peg, wall or circle; energy is as the"
           + " responses allow; the log is in the order of time; rows and states are the"

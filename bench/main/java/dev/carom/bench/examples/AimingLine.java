@@ -59,7 +59,7 @@ public final class AimingLine implements Example {
 
   @Override
   public void frame() {
-    world.step(1);
+    Example.advance(world, 1, () -> {});
   }
 
   @Override

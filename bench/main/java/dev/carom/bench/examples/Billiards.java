@@ -35,7 +35,7 @@ public final class Billiards implements Example {
   private static final double HARDEST = 8; // metres a second, for a drag of a metre
   private static final Color[] COLORS = {Style.ORANGE, Style.BLUE, Style.VERMILION, Style.YELLOW};
 
-  private final World world;
+  final World world;
   private final SceneDrawing drawing;
   private Rectangle2D shown = new Rectangle2D.Double(0, 0, 840, 640);
   private Vec2 from;
@@ -68,17 +68,19 @@ public final class Billiards implements Example {
       double left = speed > 0 ? Math.max(0, 1 - SLOWING / FRAMES / speed) : 0;
       world.setVelocity(id, left * world.vx(id), left * world.vy(id));
     }
-    world.step(1.0 / FRAMES);
+    Example.advance(world, 1.0 / FRAMES, this::pocket);
+  }
+
+  /** Takes the balls that met a pocket off the table. */
+  private void pocket() {
     for (int row = 0; row < world.impacts().size(); row++) {
       int ball = world.impacts().circle(row);
-      if (world.impacts().kind(row) == ObstacleKind.PEG
-          && world.contains(ObstacleKind.CIRCLE, ball)) {
-        if (ball == CUE) { // back to the table
-          world.setPosition(CUE, LENGTH / 4, WIDTH / 2);
-          world.setVelocity(CUE, 0, 0);
-        } else {
-          world.remove(ObstacleKind.CIRCLE, ball);
-        }
+      boolean met = world.impacts().kind(row) == ObstacleKind.PEG;
+      if (met && ball == CUE) { // back to the table
+        world.setPosition(CUE, LENGTH / 4, WIDTH / 2);
+        world.setVelocity(CUE, 0, 0);
+      } else if (met && world.contains(ObstacleKind.CIRCLE, ball)) {
+        world.remove(ObstacleKind.CIRCLE, ball);
       }
     }
   }
@@ -94,10 +96,6 @@ public final class Billiards implements Example {
     Vec2 to = from == null ? mouse : from;
     Vec2 at = from == null ? new Vec2(world.x(CUE), world.y(CUE)) : mouse;
     return new Vec2(HARDEST * (to.x() - at.x()), HARDEST * (to.y() - at.y()));
-  }
-
-  World world() {
-    return world;
   }
 
   @Override

@@ -40,7 +40,7 @@ public final class Breakout implements Example {
   double paddle = WIDTH / 2; // its middle
   private double goal = Double.NaN;
   private double push;
-  private int bricks = BRICKS;
+  int bricks = BRICKS;
   private int lost;
   private int returned;
 
@@ -66,7 +66,10 @@ public final class Breakout implements Example {
   @Override
   public void frame() {
     movePaddle();
-    world.step(1);
+    Example.advance(world, 1, this::readLog);
+  }
+
+  private void readLog() {
     for (int row = 0; row < world.impacts().size(); row++) {
       if (world.impacts().kind(row) == ObstacleKind.LINE) {
         hit(world.impacts().id(row));
@@ -96,10 +99,6 @@ public final class Breakout implements Example {
       }
       bricks--;
     }
-  }
-
-  int bricks() {
-    return bricks;
   }
 
   int lost() {

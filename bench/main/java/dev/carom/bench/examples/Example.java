@@ -2,6 +2,7 @@
 package dev.carom.bench.examples;
 
 import dev.carom.Vec2;
+import dev.carom.World;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
@@ -59,4 +60,20 @@ public interface Example {
    * @param down whether it was pressed
    */
   default void key(int code, boolean down) {}
+
+  /**
+   * Advances a world by a time span, in as many calls as its budget of work asks for.
+   *
+   * @param world the world
+   * @param dt the time span
+   * @param readLog reads the impacts of a call: the next one empties the log
+   */
+  static void advance(World world, double dt, Runnable readLog) {
+    double end = world.now() + dt;
+    boolean done;
+    do {
+      done = world.advanceTo(end);
+      readLog.run();
+    } while (!done);
+  }
 }

@@ -79,7 +79,7 @@ public final class GameLoop implements Example {
     for (int id : world.ids(ObstacleKind.CIRCLE)) {
       world.setVelocity(id, world.vx(id), world.vy(id) + GRAVITY * DT);
     }
-    world.step(DT);
+    Example.advance(world, DT, () -> {});
   }
 
   /** The moment that is shown, at most a step before the world's. */

@@ -67,7 +67,7 @@ public final class Lift implements Example {
     for (int id : world.ids(ObstacleKind.CIRCLE)) {
       world.setVelocity(id, world.vx(id), world.vy(id) + GRAVITY);
     }
-    world.step(1);
+    Example.advance(world, 1, () -> {});
     frame++;
   }
 

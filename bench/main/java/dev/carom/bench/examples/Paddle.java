@@ -60,7 +60,10 @@ public final class Paddle implements Example {
   @Override
   public void frame() {
     swing(goal == null ? follow() : goal);
-    world.step(1);
+    Example.advance(world, 1, this::readLog);
+  }
+
+  private void readLog() {
     ImpactLog log = world.impacts();
     for (int row = 0; row < log.size(); row++) {
       if (log.kind(row) == ObstacleKind.LINE) {

@@ -69,8 +69,9 @@ public final class PiCollisions implements Example {
   @Override
   public void frame() {
     for (int k = 0; k < LANES; k++) {
-      lanes.get(k).step(1);
-      counts[k] += lanes.get(k).impacts().size();
+      int lane = k;
+      World world = lanes.get(lane);
+      Example.advance(world, 1, () -> counts[lane] += world.impacts().size());
     }
   }
 

@@ -67,7 +67,7 @@ public final class Piston implements Example {
     if (lid <= LEAST || lid >= SIDE) {
       world.setVelocity(ObstacleKind.LINE, LID, lid <= LEAST ? LID_SPEED : -LID_SPEED, 0);
     }
-    world.step(1);
+    Example.advance(world, 1, () -> {});
     path.lineTo(volume() / volume, energy() / energy);
   }
 

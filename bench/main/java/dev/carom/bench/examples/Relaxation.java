@@ -56,7 +56,7 @@ public final class Relaxation implements Example {
 
   @Override
   public void frame() {
-    world.step(1);
+    Example.advance(world, 1, () -> {});
   }
 
   /** The speeds now. */

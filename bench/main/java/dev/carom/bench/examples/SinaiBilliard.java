@@ -70,7 +70,7 @@ public final class SinaiBilliard implements Example {
 
   @Override
   public void frame() {
-    world.step(1);
+    Example.advance(world, 1, () -> {});
   }
 
   /** How far apart the two were. */

@@ -69,19 +69,19 @@ public final class SplitWorld implements AutoCloseable {
   /**
    * Lets all parts go on at once, and waits for the last.
    *
-   * @param dt as for {@link World#step}
-   * @return whether all got there; false if one spent its budget of work before
+   * @param t as for {@link World#advanceTo}
+   * @return whether all got there; false if one spent its budget of work before: call again
    * @throws InterruptedException if this thread is interrupted while it waits
    * @throws ExecutionException if a part failed
    */
-  public boolean step(double dt) throws InterruptedException, ExecutionException {
-    List<Callable<Boolean>> steps = new ArrayList<>();
+  public boolean advanceTo(double t) throws InterruptedException, ExecutionException {
+    List<Callable<Boolean>> calls = new ArrayList<>();
     for (World part : parts) {
-      steps.add(() -> part.step(dt));
+      calls.add(() -> part.advanceTo(t));
     }
     boolean reached = true;
-    for (Future<Boolean> step : pool.invokeAll(steps)) {
-      reached &= step.get();
+    for (Future<Boolean> call : pool.invokeAll(calls)) {
+      reached &= call.get();
     }
     return reached;
   }

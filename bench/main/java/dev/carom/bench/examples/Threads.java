@@ -23,6 +23,7 @@ public final class Threads implements Example {
   private static final int CIRCLES = 4_000;
 
   private final SplitWorld split;
+  private int frame;
   private final SceneDrawing drawing;
 
   /** Starts all circles from one point. */
@@ -42,7 +43,8 @@ public final class Threads implements Example {
   @Override
   public void frame() {
     try {
-      split.step(1);
+      frame++;
+      while (!split.advanceTo(frame)) {} // unfinished: go on
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (ExecutionException e) {

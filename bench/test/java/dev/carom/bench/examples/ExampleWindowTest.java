@@ -109,7 +109,7 @@ class ExampleWindowTest {
     keep("shot");
     robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
     robot.delay(1_500);
-    assertThat(get(() -> table.world().x(1))).isNotEqualTo(0.75 * 2.54);
+    assertThat(get(() -> table.world.x(1))).isNotEqualTo(0.75 * 2.54);
     keep("break");
   }
 }
