@@ -548,12 +548,12 @@ public final class PlainWorld {
   }
 
   void moveLine(int id, double ax, double ay, double bx, double by) {
-    obstacles.move(Codes.line(id), now, ax, ay, bx, by);
+    obstacles.move(Codes.line(id), new double[] {ax, ay, bx, by}, now);
     appear(Codes.line(id));
   }
 
   void movePeg(int id, double x, double y, double radius) {
-    obstacles.move(Codes.peg(id), now, x, y, radius);
+    obstacles.move(Codes.peg(id), new double[] {x, y, radius}, now);
     appear(Codes.peg(id));
   }
 

@@ -109,7 +109,7 @@ enum RoundingBound {
     if (owner == Predicates.class) {
       return !(query instanceof WallQuery);
     }
-    return query instanceof SegmentQuery || query instanceof MovingLineQuery
+    return (query instanceof SegmentQuery || query instanceof MovingLineQuery)
         ? owner != WallSweep.class
         : query instanceof PairQuery ? owner == TimeOfImpact.class : owner == WallSweep.class;
   }

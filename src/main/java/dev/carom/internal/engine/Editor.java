@@ -252,7 +252,7 @@ public final class Editor {
     ObstacleRows rows = obstacles.of(code);
     check(rows, code);
     engine.forget(code);
-    obstacles.move(code, now, numbers);
+    obstacles.move(code, numbers, now);
     keepPlace(rows);
     engine.appeared(code, now);
   }

@@ -44,7 +44,7 @@ public final class BroadPhase extends NarrowPhase {
   private final CodeSet loose;
 
   /** A window lasts for so many more steps like the one at which it begins. */
-  private static final int STEPS_OF_WINDOW = 16;
+  private static final int STEPS_OF_WINDOW = 64;
 
   /** The middle of the bounds, and its distances from the walls. */
   private final double middleX;
@@ -155,7 +155,7 @@ public final class BroadPhase extends NarrowPhase {
       extendAmongMoving(mover, from, end);
     } else {
       extendAmongStatic(mover, grid, needed);
-      considerMoving();
+      considerMoving(mover.cleared);
       keep(mover, mover.cleared);
     }
   }
@@ -197,7 +197,7 @@ public final class BroadPhase extends NarrowPhase {
         Math.fma(vx, known, px),
         Math.fma(vy, known, py),
         r);
-    considerFound();
+    considerFound(known);
     keep(mover, known);
   }
 
@@ -215,16 +215,16 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   /** Considers all that moves. */
-  private void considerMoving() {
+  private void considerMoving(double limit) {
     for (int i = 0; i < obstacles.motions().count(); i++) {
-      considerMoving(i);
+      considerMoving(i, limit);
     }
   }
 
-  private void considerFound() {
+  private void considerFound(double limit) {
     for (int word = 0; word < window.found.length; word++) {
       for (long bits = window.found[word]; bits != 0; bits &= bits - 1) {
-        considerMoving(word * Long.SIZE + Long.numberOfTrailingZeros(bits));
+        considerMoving(word * Long.SIZE + Long.numberOfTrailingZeros(bits), limit);
       }
     }
   }

@@ -127,7 +127,7 @@ abstract class NarrowPhase {
     sensed = -1;
     best = NEVER;
     if (obstacles.moves(code)) {
-      considerMoving(obstacles.motions().indexOf(code));
+      considerMoving(obstacles.motions().indexOf(code), NEVER);
     } else if (canHit()) {
       consider(code);
     }
@@ -181,8 +181,11 @@ abstract class NarrowPhase {
     consider(code, shape, values, k, 0, 0);
   }
 
-  /** Considers number i of the obstacles that move. */
-  final void considerMoving(int i) {
+  /**
+   * Considers number i of the obstacles that move, or passes over it if it is certainly not hit by
+   * a time of interest.
+   */
+  final void considerMoving(int i, double limit) {
     int code = obstacles.motions().code(i);
     if (!isInRange() || skipped(code) || (jam != null && jam.isCrushedBy(code))) {
       return;
@@ -190,7 +193,30 @@ abstract class NarrowPhase {
     obstacles.place(i, t, tl, placed);
     double ux = obstacles.motions().ux(i);
     double uy = obstacles.motions().uy(i);
-    consider(code, obstacles.of(code).shape, placed, 0, ux, uy);
+    if (!Codes.isLine(code) || mayHit(vx - ux, vy - uy, Math.min(limit, latest))) {
+      consider(code, obstacles.of(code).shape, placed, 0, ux, uy);
+    }
+  }
+
+  /**
+   * Whether the moving line may be hit by a given time, by the filter for a line at rest. The
+   * relative velocity s is rounded, by 1 u of each component; twice the margin covers that.
+   */
+  private boolean mayHit(double sx, double sy, double end) {
+    double ax = placed[LineShape.AX];
+    double ay = placed[LineShape.AY];
+    double bx = placed[LineShape.BX];
+    double endY = placed[LineShape.BY];
+    double ofA = Math.max(Math.abs(ax), Math.abs(ay));
+    double ofB = Math.max(Math.abs(bx), Math.abs(endY));
+    double size = Math.abs(px) + Math.abs(py) + r + Math.max(ofA, ofB);
+    double doubt = 2 * SegmentFilter.margin(Math.abs(sx) + Math.abs(sy), size);
+    int contact = SegmentFilter.contact(px, py, r, sx, sy, ax, ay, bx, endY, doubt);
+    if (contact <= Contact.MISS) {
+      return contact == Contact.DOUBT;
+    }
+    double rough = SegmentFilter.time(contact, px, py, r, sx, sy, ax, ay, bx, endY);
+    return !(rough * (1 - SegmentFilter.TIME_ERROR) > end);
   }
 
   private void consider(

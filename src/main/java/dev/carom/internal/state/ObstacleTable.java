@@ -375,7 +375,7 @@ public final class ObstacleTable {
   }
 
   /** Sets the numbers of an obstacle before its restitution, at a given time. */
-  public void move(int code, double now, double... numbers) {
+  public void move(int code, double[] numbers, double now) {
     of(code).move(code, numbers);
     if (moves(code)) {
       motions = motions.with(code, ux(code), uy(code), now);

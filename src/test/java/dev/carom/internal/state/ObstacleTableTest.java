@@ -37,8 +37,10 @@ class ObstacleTableTest {
     int peg = Codes.peg(1);
     List<Consumer<ObstacleTable>> changes =
         List.of(
-            o -> o.move(line, 2, 3, 4, 6),
-            o -> o.move(peg, 6, 7, 2),
+            o -> o.move(line, new double[] {2, 3, 4, 6}, 0),
+            o -> o.move(peg, new double[] {6, 7, 2}, 0),
+            o -> o.setVelocity(line, 1, 0, 0),
+            o -> o.setVelocity(peg, 0, 1, 0),
             o -> o.setRestitution(line, 0.5),
             o -> o.setRestitution(peg, 0.5),
             o -> o.setRestitution(Codes.LEFT, 0.5),
@@ -110,7 +112,7 @@ class ObstacleTableTest {
   @Test
   void otherLinesHaveAnotherHashCode() {
     ObstacleTable moved = obstacles();
-    moved.move(Codes.line(0), 7, 2, 3, 4);
+    moved.move(Codes.line(0), new double[] {7, 2, 3, 4}, 0);
     assertThat(moved).doesNotHaveSameHashCodeAs(obstacles());
   }
 
