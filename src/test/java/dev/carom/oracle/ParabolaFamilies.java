@@ -91,7 +91,16 @@ public final class ParabolaFamilies {
     Point u = v.minus(g.times(t));
     Point at = d.node(5);
     double[] n = {
-      p.x() + at.x(), p.y() + at.y(), radius, u.x(), u.y(), at.x(), at.y(), 0, 0, 0,
+      p.x() + at.x(),
+      p.y() + at.y(),
+      radius,
+      u.x(),
+      u.y(),
+      at.x(),
+      at.y(),
+      0,
+      0,
+      0,
       d.pick(t, 8, Double.POSITIVE_INFINITY)
     };
     if (nudge) {
@@ -103,12 +112,12 @@ public final class ParabolaFamilies {
     return new ParabolaQuery(line ? withLine(d, n) : PairQuery.of(n), g.x(), g.y());
   }
 
-  /** The disk in the way as the end of a line, of any direction, so that the side may be hit too. */
+  /**
+   * The disk in the way as the end of a line, of any direction, so that the side may be hit too.
+   */
   private static Query withLine(Draw d, double[] n) {
     Point w = d.node(9);
-    double[] line = {
-      n[5], n[6], n[5] + w.x(), n[6] + w.y(), n[0], n[1], n[2], n[3], n[4], n[10]
-    };
+    double[] line = {n[5], n[6], n[5] + w.x(), n[6] + w.y(), n[0], n[1], n[2], n[3], n[4], n[10]};
     return SegmentQuery.of(line);
   }
 
@@ -246,9 +255,7 @@ public final class ParabolaFamilies {
     }
     n[n.length - 1] = Math.scalb(end, -half);
     return new ParabolaQuery(
-        bent.straight().with(n),
-        Math.scalb(bent.gx(), 2 * half),
-        Math.scalb(bent.gy(), 2 * half));
+        bent.straight().with(n), Math.scalb(bent.gx(), 2 * half), Math.scalb(bent.gy(), 2 * half));
   }
 
   /** The window ends at the rounded time of impact, or some ulps beside it. */

@@ -79,9 +79,7 @@ final class ParabolaOracle {
 
   private static SturmPolynomial motion(double p, double q, double v, double u, double g) {
     return new SturmPolynomial(
-        Dyadic.of(p).minus(Dyadic.of(q)),
-        Dyadic.of(v).minus(Dyadic.of(u)),
-        Dyadic.of(g).shift(-1));
+        Dyadic.of(p).minus(Dyadic.of(q)), Dyadic.of(v).minus(Dyadic.of(u)), Dyadic.of(g).shift(-1));
   }
 
   private static SturmPolynomial constant(Dyadic value) {

@@ -17,9 +17,7 @@ public record ParabolaQuery(Query straight, double gx, double gy) {
 
   /** Every number as a hexadecimal double. */
   public String hex() {
-    return straight.hex()
-        + ", gx " + Double.toHexString(gx)
-        + ", gy " + Double.toHexString(gy);
+    return straight.hex() + ", gx " + Double.toHexString(gx) + ", gy " + Double.toHexString(gy);
   }
 
   boolean isFinite() {

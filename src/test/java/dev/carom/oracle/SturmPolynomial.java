@@ -45,8 +45,7 @@ final class SturmPolynomial {
   }
 
   SturmPolynomial times(Dyadic factor) {
-    return new SturmPolynomial(
-        Arrays.stream(c).map(x -> x.times(factor)).toArray(Dyadic[]::new));
+    return new SturmPolynomial(Arrays.stream(c).map(x -> x.times(factor)).toArray(Dyadic[]::new));
   }
 
   SturmPolynomial negate() {
@@ -156,7 +155,8 @@ final class SturmPolynomial {
   /** A k: all roots are below 2^k, or their reciprocals. Cauchy's bound is 1 + max |c_i / c_n|. */
   private int reach(boolean reciprocal) {
     Dyadic lead = c[reciprocal ? 0 : degree()];
-    int largest = Arrays.stream(c).filter(x -> x.signum() != 0).mapToInt(Dyadic::magnitude).max().orElse(0);
+    int largest =
+        Arrays.stream(c).filter(x -> x.signum() != 0).mapToInt(Dyadic::magnitude).max().orElse(0);
     return Math.max(1, largest - lead.magnitude() + 2);
   }
 

@@ -17,7 +17,9 @@ final class SturmRoot {
     changesSign = f.value(low).signum() != f.value(high).signum();
   }
 
-  /** A number between two others at which f is not 0: about the middle, by exponent if far apart. */
+  /**
+   * A number between two others at which f is not 0: about the middle, by exponent if far apart.
+   */
   static Dyadic noRoot(SturmPolynomial f, Dyadic low, Dyadic high) {
     boolean far = high.magnitude() - low.magnitude() > 3;
     Dyadic middle =
@@ -31,9 +33,7 @@ final class SturmRoot {
   }
 
   private boolean isBefore(Dyadic m) {
-    return changesSign
-        ? f.value(m).signum() == f.value(high).signum()
-        : f.roots(low, m) == 1;
+    return changesSign ? f.value(m).signum() == f.value(high).signum() : f.roots(low, m) == 1;
   }
 
   private void halve() {
@@ -86,8 +86,8 @@ final class SturmRoot {
   }
 
   /**
-   * Whether this root is before another one. Two that agree to so many bits count as the same: which
-   * one is taken then changes neither the rounded time nor what is hit.
+   * Whether this root is before another one. Two that agree to so many bits count as the same:
+   * which one is taken then changes neither the rounded time nor what is hit.
    */
   boolean isBefore(SturmRoot other) {
     for (int bits = 5; bits < BITS; bits *= 2) {

@@ -41,8 +41,8 @@ public final class Dyadic {
   }
 
   /**
-   * A number of few bits between two positive ones: about their arithmetic mean if they are within a
-   * factor of 4, else about the geometric one.
+   * A number of few bits between two positive ones: about their arithmetic mean if they are within
+   * a factor of 4, else about the geometric one.
    */
   static Dyadic between(Dyadic low, Dyadic high) {
     int bottom = low.magnitude();

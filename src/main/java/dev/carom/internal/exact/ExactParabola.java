@@ -30,11 +30,6 @@ public final class ExactParabola {
 
   private final Polynomial y;
 
-  /** The offset from the line's end; that from the other disk if there is no line. */
-  private final Polynomial endX;
-
-  private final Polynomial endY;
-
   /** The projection on the line beyond its start and beyond its end; 0 if there is no line. */
   private final Polynomial alongStart;
 
@@ -51,8 +46,6 @@ public final class ExactParabola {
   private ExactParabola(Polynomial x, Polynomial y, Dyadic r) {
     this.x = x;
     this.y = y;
-    endX = x;
-    endY = y;
     alongStart = NONE;
     alongEnd = NONE;
     height = NONE;
@@ -70,8 +63,8 @@ public final class ExactParabola {
     alongStart = px.times(x).plus(py.times(y));
     alongEnd = alongStart.minus(ww);
     height = px.times(y).minus(py.times(x));
-    endX = x.minus(px);
-    endY = y.minus(py);
+    Polynomial endX = x.minus(px);
+    Polynomial endY = y.minus(py);
     gaps =
         new Polynomial[] {
           x.times(x).plus(y.times(y)).minus(rr),
@@ -85,8 +78,6 @@ public final class ExactParabola {
   private ExactParabola(Polynomial gap) {
     x = NONE;
     y = NONE;
-    endX = NONE;
-    endY = NONE;
     alongStart = NONE;
     alongEnd = NONE;
     height = NONE;
@@ -96,8 +87,18 @@ public final class ExactParabola {
 
   /** Against a disk that moves straight on. */
   public static ExactParabola disk(
-      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
-      double y2, double r2, double vx2, double vy2) {
+      double x1,
+      double y1,
+      double r1,
+      double vx1,
+      double vy1,
+      double gx,
+      double gy,
+      double x2,
+      double y2,
+      double r2,
+      double vx2,
+      double vy2) {
     return new ExactParabola(
         motion(x1, x2, vx1, vx2, gx),
         motion(y1, y2, vy1, vy2, gy),
@@ -106,8 +107,17 @@ public final class ExactParabola {
 
   /** Against a line from a to b; one of no length is a disk of radius 0. */
   public static ExactParabola line(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by) {
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double gx,
+      double gy,
+      double ax,
+      double ay,
+      double bx,
+      double by) {
     if (ax == bx && ay == by) {
       return disk(px, py, r, vx, vy, gx, gy, ax, ay, 0, 0, 0);
     }
@@ -124,7 +134,8 @@ public final class ExactParabola {
    *
    * @param inward +1 if the disk is to stay above the wall, -1 if below
    */
-  public static ExactParabola wall(double p, double r, double v, double g, double wall, int inward) {
+  public static ExactParabola wall(
+      double p, double r, double v, double g, double wall, int inward) {
     Polynomial place = motion(p, wall, v, 0, g);
     Polynomial distance = inward > 0 ? place : NONE.minus(place);
     return new ExactParabola(distance.minus(constant(Dyadic.of(r))));
@@ -171,16 +182,24 @@ public final class ExactParabola {
   }
 
   /**
-   * The unit vector from an end of the line, or from the other disk, to the disk at an impact; where
-   * that vanishes, its limit from before.
-   *
-   * @param end whether it is the end of the line
+   * The unit vector from the other disk to this one at an impact. Where their offset vanishes, it
+   * is the limit from before: against the velocity.
    */
-  public UnitVector normal(RealRoot t, boolean end) {
-    if (isPoint) {
-      return t.unit(NONE.minus(x.derivative()), NONE.minus(y.derivative()));
-    }
-    return end ? t.unit(endX, endY) : t.unit(x, y);
+  public UnitVector normal(RealRoot t) {
+    return isPoint ? t.unit(NONE.minus(x.derivative()), NONE.minus(y.derivative())) : t.unit(x, y);
+  }
+
+  /** Whether a point that hits an end of a line was beside the line just before. */
+  public boolean comesFromSide(RealRoot t) {
+    return isBefore(alongStart, t, 1) && isBefore(alongEnd, t, -1);
+  }
+
+  /** Whether a quadratic polynomial has a sign just before a time. */
+  private static boolean isBefore(Polynomial along, RealRoot t, int sign) {
+    int at = t.sign(along);
+    int slope = -t.sign(along.derivative());
+    int bend = t.sign(along.derivative().derivative());
+    return (at != 0 ? at : slope != 0 ? slope : bend) == sign;
   }
 
   /** All times at which the gap may begin to fall, in order. */

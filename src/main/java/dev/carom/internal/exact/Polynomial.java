@@ -11,15 +11,13 @@ import java.util.List;
  *
  * <p>Method: a polynomial without multiple roots has at most as many roots in an interval as the
  * coefficients of its Bernstein form on that interval change sign, and exactly one for one change
- * (Descartes' rule of signs). Intervals with more changes are split. Multiple roots go by division by
- * gcd(f, f'). Source: G. E. Collins and A. G. Akritas, Polynomial real root isolation using
+ * (Descartes' rule of signs). Intervals with more changes are split. Multiple roots go by division
+ * by gcd(f, f'). Source: G. E. Collins and A. G. Akritas, Polynomial real root isolation using
  * Descartes' rule of signs, SYMSAC 1976.
  */
 public final class Polynomial {
 
-  private static final long[][] BINOMIAL = {
-    {1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}
-  };
+  private static final long[][] BINOMIAL = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}};
 
   /** The coefficients from the constant one on; the last one is not 0. Empty for 0. */
   private final Dyadic[] c;
@@ -172,8 +170,8 @@ public final class Polynomial {
   }
 
   /**
-   * The one sign of this polynomial in the closed interval from low to high; 0 if its Bernstein form
-   * leaves open whether it has a root there.
+   * The one sign of this polynomial in the closed interval from low to high; 0 if its Bernstein
+   * form leaves open whether it has a root there.
    */
   int signThroughout(Dyadic low, Dyadic high) {
     int[] signs = bernsteinSigns(low, high);

@@ -153,8 +153,8 @@ public final class RealRoot {
 
   /**
    * The unit vector of (x, y) at this root, where it does not vanish. The root is narrowed until
-   * the error of x and y, its relative width times at most twice the terms' degrees, is small beside
-   * the greater of them.
+   * the error of x and y, its relative width times at most twice the terms' degrees, is small
+   * beside the greater of them.
    */
   UnitVector unit(Polynomial x, Polynomial y) {
     while (!isExact() && errorExponent(x, y) > -BITS) {

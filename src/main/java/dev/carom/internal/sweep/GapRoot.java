@@ -7,12 +7,12 @@ package dev.carom.internal.sweep;
  *
  * <p>The search takes the Bernstein coefficients of f on an interval. All above a bound of their
  * errors: no root. Those above it followed by those below its negative, with one in doubt between
- * them at most: exactly one root (Descartes' rule of signs). Otherwise the interval is halved; after
- * one without a root the next is twice as long.
+ * them at most: exactly one root (Descartes' rule of signs). Otherwise the interval is halved;
+ * after one without a root the next is twice as long.
  *
- * <p>The sizes m0, m1, m2 bound f: with {@code A(t) = (m0 + m1 t + m2 t^2)^2}, the absolute values of
- * all terms of f, before anything cancels, add up to A at most. So do those of {@code t f' / 4} and
- * of {@code t^2 f'' / 12}. In the bounds {@code u = 2^-53}.
+ * <p>The sizes m0, m1, m2 bound f: with {@code A(t) = (m0 + m1 t + m2 t^2)^2}, the absolute values
+ * of all terms of f, before anything cancels, add up to A at most. So do those of {@code t f' / 4}
+ * and of {@code t^2 f'' / 12}. In the bounds {@code u = 2^-53}.
  */
 final class GapRoot {
 
@@ -36,8 +36,8 @@ final class GapRoot {
   /**
    * A Bernstein coefficient on the interval from low to high, of A(high): the coefficients of f err
    * by 10 u of their terms; the powers of low and of the width take 8 u, of which one each is the
-   * rounding of the width itself; sums and products of the shift 8 u, of the conversion 8 u: 34 u in
-   * all, and A is computed, too.
+   * rounding of the width itself; sums and products of the shift 8 u, of the conversion 8 u: 34 u
+   * in all, and A is computed, too.
    */
   private static final double BERNSTEIN_BOUND = 48 * 0x1p-53;
 
@@ -51,9 +51,9 @@ final class GapRoot {
   private static final double LEAST_SAFE = 0x1p-600;
 
   /**
-   * The residue, of A: an offset errs by 40 u^2 of its terms, a distance from a line by 160 u^2, the
-   * squares by twice that; their tails and their sums by less than 190 u^2: 512 u^2 at most. The
-   * rest covers the slope and the bend at half an ulp, 4 u^2 and 6 u^2.
+   * The residue, of A: an offset errs by 40 u^2 of its terms, a distance from a line by 160 u^2,
+   * the squares by twice that; their tails and their sums by less than 190 u^2: 512 u^2 at most.
+   * The rest covers the slope and the bend at half an ulp, 4 u^2 and 6 u^2.
    */
   private static final double RESIDUE_BOUND = 1024 * 0x1p-106;
 
@@ -88,11 +88,18 @@ final class GapRoot {
 
   /**
    * The root, approximately: f has it and no other within {@link #MARGIN} of the result, and none
-   * before it. NEVER if f has none up to T, DOUBT if plain doubles do not tell, or f is not above 0 at
-   * time 0.
+   * before it. NEVER if f has none up to T, DOUBT if plain doubles do not tell, or f is not above 0
+   * at time 0.
    */
   static double first(
-      double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
+      double c0,
+      double c1,
+      double c2,
+      double c3,
+      double c4,
+      double m0,
+      double m1,
+      double m2,
       double T) {
     if (!(T <= LATEST && sign(c0, m0 * m0) > 0)) {
       return DOUBT;
@@ -150,7 +157,13 @@ final class GapRoot {
 
   /** The root between low and high, where the sign changes from + to -, by safeguarded Newton. */
   private static double root(
-      double c0, double c1, double c2, double c3, double c4, double low, double high,
+      double c0,
+      double c1,
+      double c2,
+      double c3,
+      double c4,
+      double low,
+      double high,
       double start) {
     double before = low;
     double after = high;
@@ -174,8 +187,9 @@ final class GapRoot {
 
   /**
    * The double nearest to the root beside t; DOUBT if this does not tell. It is {@code n = t - f /
-   * f'} if f is certain to be positive at the middle between n and its lower neighbour, and negative
-   * at that with its upper one: so no error of the slope counts that does not change the signs.
+   * f'} if f is certain to be positive at the middle between n and its lower neighbour, and
+   * negative at that with its upper one: so no error of the slope counts that does not change the
+   * signs.
    *
    * @param f the residue at t, in double-double
    * @param slope f' at t
@@ -196,5 +210,19 @@ final class GapRoot {
             && scale < MOST
             && t < LATEST;
     return isCertain ? n : DOUBT;
+  }
+
+  /**
+   * A bound of the error of a step {@code c = -f / f'} from t to the root; NaN where none is known.
+   * The slope must not err by more than half of itself.
+   */
+  static double stepError(double t, double c, double slope, double size) {
+    double scale = size * size;
+    double ratio = Math.abs(c) / t;
+    double error =
+        Math.fma(scale, RESIDUE_BOUND + ratio * (SLOPE_BOUND + BEND * ratio), RESIDUE_TINY);
+    boolean isKnown =
+        SLOPE_BOUND * scale < 0.5 * -slope * t && ratio < 0x1p-40 && scale < MOST && t < LATEST;
+    return isKnown ? 2 * error / -slope : DOUBT;
   }
 }

@@ -105,7 +105,7 @@ public record Hit(double x, double y, double nx, double ny, double approachSpeed
     return of(x, y, n, vx1, vy1, vx2, vy2);
   }
 
-  private static Hit of(
+  static Hit of(
       double x, double y, UnitVector n, double vx1, double vy1, double vx2, double vy2) {
     return new Hit(x, y, n.x(), n.y(), approach(vx1, vy1, vx2, vy2, n));
   }

@@ -7,14 +7,15 @@ import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
 import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.UnitVector;
 
 /**
  * A disk with a constant acceleration g against a disk that moves straight on or rests. Endpoints
  * are disks of radius zero.
  *
  * <p>With the offset {@code d = c1 - c2}, the velocity {@code u = v1 - v2} and {@code r = r1 + r2},
- * the gap is {@code |d + u t + g t^2 / 2|^2 - r^2}. Its coefficients are {@code d.d - r^2, 2 d.u, u.u
- * + d.g, u.g, g.g / 4}.
+ * the gap is {@code |d + u t + g t^2 / 2|^2 - r^2}. Its coefficients are {@code d.d - r^2, 2 d.u,
+ * u.u + d.g, u.g, g.g / 4}.
  */
 public final class ParabolaDiskSweep {
 
@@ -24,8 +25,19 @@ public final class ParabolaDiskSweep {
 
   /** The correctly rounded time of impact, {@code +infinity} for none up to the window's end T. */
   public static double time(
-      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
-      double y2, double r2, double vx2, double vy2, double T) {
+      double x1,
+      double y1,
+      double r1,
+      double vx1,
+      double vy1,
+      double gx,
+      double gy,
+      double x2,
+      double y2,
+      double r2,
+      double vx2,
+      double vy2,
+      double T) {
     if (gx == 0 && gy == 0) {
       int contact = DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
       return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T);
@@ -39,8 +51,19 @@ public final class ParabolaDiskSweep {
 
   /** The time, if doubles and double-double tell. */
   static double certain(
-      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
-      double y2, double r2, double vx2, double vy2, double T) {
+      double x1,
+      double y1,
+      double r1,
+      double vx1,
+      double vy1,
+      double gx,
+      double gy,
+      double x2,
+      double y2,
+      double r2,
+      double vx2,
+      double vy2,
+      double T) {
     double dx = x1 - x2;
     double dy = y1 - y2;
     double ux = vx1 - vx2;
@@ -68,15 +91,27 @@ public final class ParabolaDiskSweep {
 
   /** The double nearest to the root, DOUBT if some corrections of t do not tell. */
   private static double nearest(
-      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
-      double y2, double r2, double vx2, double vy2, double start) {
+      double x1,
+      double y1,
+      double r1,
+      double vx1,
+      double vy1,
+      double gx,
+      double gy,
+      double x2,
+      double y2,
+      double r2,
+      double vx2,
+      double vy2,
+      double start) {
     double t = start;
     double nearest = GapRoot.DOUBT;
     for (int i = 0; i < GapRoot.CORRECTIONS && nearest != nearest; i++) {
       double f = residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
       double slope =
-          2 * (place(x1, x2, vx1, vx2, gx, t) * ((vx1 - vx2) + gx * t)
-              + place(y1, y2, vy1, vy2, gy, t) * ((vy1 - vy2) + gy * t));
+          2
+              * (place(x1, x2, vx1, vx2, gx, t) * ((vx1 - vx2) + gx * t)
+                  + place(y1, y2, vy1, vy2, gy, t) * ((vy1 - vy2) + gy * t));
       double size = r1 + r2 + size(x1 - x2, vx1 - vx2, gx, t) + size(y1 - y2, vy1 - vy2, gy, t);
       nearest = GapRoot.nearest(t, f, slope, size);
       t -= f / slope;
@@ -84,10 +119,63 @@ public final class ParabolaDiskSweep {
     return nearest;
   }
 
+  /**
+   * The unit normal at an impact, from the second disk to the first, each component within 1e-15.
+   *
+   * @param t the time of impact
+   */
+  static UnitVector normal(
+      double x1,
+      double y1,
+      double r1,
+      double vx1,
+      double vy1,
+      double gx,
+      double gy,
+      double x2,
+      double y2,
+      double r2,
+      double vx2,
+      double vy2,
+      double t) {
+    if (t == 0) {
+      return UnitVectors.unit(x1, y1, x2, y2);
+    }
+    double x = place(x1, x2, vx1, vx2, gx, t);
+    double y = place(y1, y2, vy1, vy2, gy, t);
+    double ux = (vx1 - vx2) + gx * t;
+    double uy = (vy1 - vy2) + gy * t;
+    double slope = 2 * (x * ux + y * uy);
+    double c = -residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t) / slope;
+    double sizeX = size(x1 - x2, vx1 - vx2, gx, t);
+    double sizeY = size(y1 - y2, vy1 - vy2, gy, t);
+    // t is within an ulp of the impact: so is the place, but for this much and the bend's u^2.
+    double error = GapRoot.stepError(t, c, slope, r1 + r2 + sizeX + sizeY);
+    if (!(error * 2 * (sizeX + sizeY) < 0x1p-55 * (r1 + r2) * t)) {
+      PrecisionCounters.exactNormal();
+      ExactParabola exact = ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2);
+      return exact.normal(exact.first());
+    }
+    double xl = terms(x1, x2, vx1, vx2, gx, t);
+    double yl = terms(y1, y2, vy1, vy2, gy, t);
+    return UnitVectors.unit(x + (xl + ux * c), y + (yl + uy * c), 0, 0);
+  }
+
   /** The gap at t. What cancels is kept as head and tail. */
   private static double residue(
-      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
-      double y2, double r2, double vx2, double vy2, double t) {
+      double x1,
+      double y1,
+      double r1,
+      double vx1,
+      double vy1,
+      double gx,
+      double gy,
+      double x2,
+      double y2,
+      double r2,
+      double vx2,
+      double vy2,
+      double t) {
     double x = place(x1, x2, vx1, vx2, gx, t);
     double y = place(y1, y2, vy1, vy2, gy, t);
     double xl = terms(x1, x2, vx1, vx2, gx, t);
@@ -126,7 +214,6 @@ public final class ParabolaDiskSweep {
     double dm = d + m;
     double ml = Math.fma(differenceTail(v1, v2, u), t, productTail(u, t, m));
     double ql = productTail(half, tt, q) + half * productTail(t, t, tt);
-    return sumTail(dm, q, dm + q)
-        + (sumTail(d, m, dm) + (differenceTail(x1, x2, d) + (ml + ql)));
+    return sumTail(dm, q, dm + q) + (sumTail(d, m, dm) + (differenceTail(x1, x2, d) + (ml + ql)));
   }
 }

@@ -12,9 +12,9 @@ import dev.carom.internal.exact.RealRoot;
 /**
  * A disk with a constant acceleration g against a resting line.
  *
- * <p>With {@code w = b - a} and the centre's height {@code h(t) = cross(w, p(t) - a)}, the gap beside
- * the line, times w.w, is {@code h^2 - r^2 w.w}. The disk touches the line when its centre enters the
- * capsule of radius r around it: a disk around each end, and the strip between them. So:
+ * <p>With {@code w = b - a} and the centre's height {@code h(t) = cross(w, p(t) - a)}, the gap
+ * beside the line, times w.w, is {@code h^2 - r^2 w.w}. The disk touches the line when its centre
+ * enters the capsule of radius r around it: a disk around each end, and the strip between them. So:
  *
  * <ol>
  *   <li>A disk that starts outside the strip of width 2 r along the infinite line can touch nothing
@@ -31,7 +31,8 @@ public final class ParabolaSegmentSweep {
 
   /**
    * A projection on the line, or a height, at a rounded time: differences 1, products 3, sums 3, of
-   * the terms; half an ulp of time moves it by 1 of twice the terms: 9 u, and the terms are computed.
+   * the terms; half an ulp of time moves it by 1 of twice the terms: 9 u, and the terms are
+   * computed.
    */
   private static final double PLACE_BOUND = 16 * 0x1p-53;
 
@@ -43,8 +44,18 @@ public final class ParabolaSegmentSweep {
 
   /** The correctly rounded time of impact, {@code +infinity} for none up to the window's end T. */
   public static double time(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double T) {
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double gx,
+      double gy,
+      double ax,
+      double ay,
+      double bx,
+      double by,
+      double T) {
     if (gx == 0 && gy == 0) {
       int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
       return SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, T);
@@ -65,8 +76,18 @@ public final class ParabolaSegmentSweep {
    * @param t its time, from {@link #time}
    */
   public static int contact(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double t) {
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double gx,
+      double gy,
+      double ax,
+      double ay,
+      double bx,
+      double by,
+      double t) {
     int now = t == 0 ? Contact.NOW : 0;
     if (ax == bx && ay == by) {
       return Contact.START | now;
@@ -89,8 +110,17 @@ public final class ParabolaSegmentSweep {
   }
 
   private static int exactContact(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by) {
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double gx,
+      double gy,
+      double ax,
+      double ay,
+      double bx,
+      double by) {
     ExactParabola exact = ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by);
     RealRoot root = exact.first();
     int region = exact.region(root);
@@ -102,8 +132,17 @@ public final class ParabolaSegmentSweep {
 
   /** The sign of w.(p(t) - q) at the time that t is the rounding of; 0 in doubt. */
   private static int along(
-      double px, double py, double vx, double vy, double gx, double gy, double qx, double qy,
-      double wx, double wy, double t) {
+      double px,
+      double py,
+      double vx,
+      double vy,
+      double gx,
+      double gy,
+      double qx,
+      double qy,
+      double wx,
+      double wy,
+      double t) {
     double x = ParabolaDiskSweep.place(px, qx, vx, 0, gx, t);
     double y = ParabolaDiskSweep.place(py, qy, vy, 0, gy, t);
     double sizeX = ParabolaDiskSweep.size(px - qx, vx, gx, t);
@@ -117,8 +156,18 @@ public final class ParabolaSegmentSweep {
 
   /** The time, if doubles and double-double tell. */
   private static double certain(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double T) {
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double gx,
+      double gy,
+      double ax,
+      double ay,
+      double bx,
+      double by,
+      double T) {
     double wx = bx - ax;
     double wy = by - ay;
     double dx = px - ax;
@@ -156,9 +205,10 @@ public final class ParabolaSegmentSweep {
     if (start == 0 || end == 0) {
       return GapRoot.DOUBT;
     }
-    double first = Math.min(
-        ParabolaDiskSweep.certain(px, py, r, vx, vy, gx, gy, ax, ay, 0, 0, 0, T),
-        ParabolaDiskSweep.certain(px, py, r, vx, vy, gx, gy, bx, by, 0, 0, 0, T));
+    double first =
+        Math.min(
+            ParabolaDiskSweep.certain(px, py, r, vx, vy, gx, gy, ax, ay, 0, 0, 0, T),
+            ParabolaDiskSweep.certain(px, py, r, vx, vy, gx, gy, bx, by, 0, 0, 0, T));
     int slope = GapRoot.sign(h1 + 2 * h2 * from, m1 + 2 * m2 * from);
     double to = Math.min(first, T);
     boolean isLinear = isAlong(wx, wy, gx, gy);
@@ -176,8 +226,16 @@ public final class ParabolaSegmentSweep {
 
   /** The end of the window in which the disk can enter the strip. */
   private static double reach(
-      double wx, double wy, double gx, double gy, double h1, double h2, double m0, double m1,
-      double m2, double T) {
+      double wx,
+      double wy,
+      double gx,
+      double gy,
+      double h1,
+      double h2,
+      double m0,
+      double m1,
+      double m2,
+      double T) {
     if (!isAlong(wx, wy, gx, gy)) {
       return GapRoot.reach(m0, m1, Math.abs(h2) - 0x1p-50 * m2, T);
     }
@@ -188,8 +246,18 @@ public final class ParabolaSegmentSweep {
 
   /** The double nearest to the root of the gap beside the line. */
   private static double nearest(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double start) {
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double gx,
+      double gy,
+      double ax,
+      double ay,
+      double bx,
+      double by,
+      double start) {
     double wx = bx - ax;
     double wy = by - ay;
     double t = start;
@@ -210,8 +278,18 @@ public final class ParabolaSegmentSweep {
 
   /** {@code h^2 - r^2 w.w} at t. What cancels is kept as head and tail. */
   private static double residue(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double t) {
+      double px,
+      double py,
+      double r,
+      double vx,
+      double vy,
+      double gx,
+      double gy,
+      double ax,
+      double ay,
+      double bx,
+      double by,
+      double t) {
     double wx = bx - ax;
     double wy = by - ay;
     double wxl = differenceTail(bx, ax, wx);

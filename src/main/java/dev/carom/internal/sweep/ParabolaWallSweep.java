@@ -7,8 +7,8 @@ import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.PrecisionCounters;
 
 /**
- * A disk with a constant acceleration against a wall, on one axis. The gap is {@code s + v t + g t^2
- * / 2} with {@code s = p - wall - r}, all with the other sign for a wall above.
+ * A disk with a constant acceleration against a wall, on one axis. The gap is {@code s + v t + g
+ * t^2 / 2} with {@code s = p - wall - r}, all with the other sign for a wall above.
  */
 public final class ParabolaWallSweep {
 
@@ -21,6 +21,11 @@ public final class ParabolaWallSweep {
   private static final double LEAST_SAFE = 0x1p-900;
 
   private ParabolaWallSweep() {}
+
+  /** +1 if a disk is to stay above the wall with this id, -1 if below. */
+  public static int inward(int id) {
+    return id == WallSweep.LEFT || id == WallSweep.BOTTOM ? 1 : -1;
+  }
 
   /**
    * The correctly rounded time of impact, {@code +infinity} for none up to the window's end T.
@@ -38,14 +43,11 @@ public final class ParabolaWallSweep {
     if (time < T || time == 0) {
       return time;
     }
-    return time > T && time == time
-        ? NEVER
-        : ExactParabola.wall(p, r, v, g, wall, inward).time(T);
+    return time > T && time == time ? NEVER : ExactParabola.wall(p, r, v, g, wall, inward).time(T);
   }
 
   /** The time, if doubles and double-double tell. */
-  private static double certain(
-      double p, double r, double v, double g, double wall, int inward) {
+  private static double certain(double p, double r, double v, double g, double wall, int inward) {
     double away = inward * v;
     double lift = inward * g;
     double h = inward * (p - wall);
