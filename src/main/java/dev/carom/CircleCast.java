@@ -184,7 +184,7 @@ final class CircleCast {
             vertical ? g.x() : g.y(),
             wall(bounds, id),
             ParabolaWallSweep.inward(id))
-        .first();
+        .first(NEVER);
   }
 
   private static double wall(Bounds bounds, int id) {

@@ -87,18 +87,8 @@ public final class ExactParabola {
 
   /** Against a disk that moves straight on. */
   public static ExactParabola disk(
-      double x1,
-      double y1,
-      double r1,
-      double vx1,
-      double vy1,
-      double gx,
-      double gy,
-      double x2,
-      double y2,
-      double r2,
-      double vx2,
-      double vy2) {
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2) {
     return new ExactParabola(
         motion(x1, x2, vx1, vx2, gx),
         motion(y1, y2, vy1, vy2, gy),
@@ -107,17 +97,8 @@ public final class ExactParabola {
 
   /** Against a line from a to b; one of no length is a disk of radius 0. */
   public static ExactParabola line(
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by) {
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by) {
     if (ax == bx && ay == by) {
       return disk(px, py, r, vx, vy, gx, gy, ax, ay, 0, 0, 0);
     }
@@ -141,33 +122,34 @@ public final class ExactParabola {
     return new ExactParabola(distance.minus(constant(Dyadic.of(r))));
   }
 
-  /** The time of impact; null for none. */
-  public RealRoot first() {
+  /** The time of impact; null for none up to the window's end T. */
+  public RealRoot first(double T) {
     PrecisionCounters.exactParabola();
-    if (isPoint) {
-      return height.isZero() && !alongStart.isZero() ? firstEnd() : firstOfPoint();
-    }
-    List<RealRoot> borders = borders();
-    int last = borders.size() - 1;
-    if (falls(last < 0 ? Dyadic.of(1) : borders.get(0).justBefore())) {
-      return START;
-    }
-    for (int i = 0; i <= last; i++) {
-      RealRoot root = borders.get(i);
-      boolean isRepeated = i < last && root.compare(borders.get(i + 1)) == 0;
-      if (!isRepeated && falls(i < last ? root.between(borders.get(i + 1)) : root.after())) {
+    RealRoot first =
+        !isPoint
+            ? firstFall(T == Double.POSITIVE_INFINITY ? null : RealRoot.after(T))
+            : height.isZero() && !alongStart.isZero() ? firstEnd() : firstOfPoint();
+    boolean isLate =
+        first != null && T < Double.POSITIVE_INFINITY && first.compare(Dyadic.of(T)) > 0;
+    return isLate ? null : first;
+  }
+
+  /** 0, or the first border up to a limit, after which the gap falls; null for none. */
+  private RealRoot firstFall(RealRoot limit) {
+    RealRoot root = START;
+    for (RealRoot next : borders(limit)) {
+      if (root.compare(next) != 0 && falls(root.between(next))) {
         return root;
       }
+      root = next;
     }
-    return null;
+    return falls(limit == null ? root.after() : root.between(limit)) ? root : null;
   }
 
   /** The correctly rounded time of impact, {@code +infinity} for none up to the window's end T. */
   public double time(double T) {
-    RealRoot root = first();
-    boolean isLate =
-        root == null || (T < Double.POSITIVE_INFINITY && root.compare(Dyadic.of(T)) > 0);
-    return isLate ? Double.POSITIVE_INFINITY : root.nearest();
+    RealRoot root = first(T);
+    return root == null ? Double.POSITIVE_INFINITY : root.nearest();
   }
 
   /** The region at a time: -1 before the start, 0 beside the line, 1 beyond its end. */
@@ -202,13 +184,13 @@ public final class ExactParabola {
     return (at != 0 ? at : slope != 0 ? slope : bend) == sign;
   }
 
-  /** All times at which the gap may begin to fall, in order. */
-  private List<RealRoot> borders() {
+  /** The times before a limit, null for none, at which the gap may begin to fall, in order. */
+  private List<RealRoot> borders(RealRoot limit) {
     List<RealRoot> borders = new ArrayList<>();
     Stream.concat(
             Stream.of(gaps).flatMap(gap -> Stream.of(gap, gap.derivative())),
             Stream.of(alongStart, alongEnd))
-        .forEach(f -> borders.addAll(f.positiveRoots()));
+        .forEach(f -> borders.addAll(f.positiveRoots(limit)));
     Collections.sort(borders, RealRoot::compare);
     return borders;
   }
@@ -222,7 +204,7 @@ public final class ExactParabola {
   /** A point that comes to a point, or to a line and not along it. */
   private RealRoot firstOfPoint() {
     Polynomial distance = alongStart.isZero() ? x.gcd(y) : height;
-    for (RealRoot root : distance.positiveRoots()) {
+    for (RealRoot root : distance.positiveRoots(null)) {
       if (alongStart.isZero() ? isMoving(root) : isMet(root)) {
         return root;
       }
@@ -254,7 +236,7 @@ public final class ExactParabola {
   }
 
   private static RealRoot firstPassage(Polynomial along, int direction) {
-    for (RealRoot root : along.positiveRoots()) {
+    for (RealRoot root : along.positiveRoots(null)) {
       if (root.sign(along.derivative()) == direction) {
         return root;
       }

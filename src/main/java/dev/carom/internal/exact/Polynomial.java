@@ -131,8 +131,8 @@ public final class Polynomial {
     return divisor.degree() < 1 ? this : quotient(divisor).reduced();
   }
 
-  /** The positive roots, ascending. */
-  public List<RealRoot> positiveRoots() {
+  /** The positive roots, ascending; only those before a limit, if there is one. */
+  List<RealRoot> positiveRoots(RealRoot limit) {
     List<RealRoot> roots = new ArrayList<>();
     Polynomial f = this;
     while (!f.isZero() && f.c[0].sign() == 0) {
@@ -140,13 +140,18 @@ public final class Polynomial {
     }
     if (f.degree() > 0) {
       f = f.squareFree();
-      f.isolate(Dyadic.powerOfTwo(f.leastExponent()), Dyadic.powerOfTwo(f.mostExponent()), roots);
+      Dyadic low = Dyadic.powerOfTwo(f.leastExponent());
+      Dyadic high = Dyadic.powerOfTwo(f.mostExponent());
+      f.isolate(low, limit == null ? high : limit.least(high), roots);
     }
     return roots;
   }
 
   /** Adds the roots between low and high, both excluded, in order. */
   private void isolate(Dyadic low, Dyadic high, List<RealRoot> roots) {
+    if (low.minus(high).sign() >= 0) {
+      return;
+    }
     int[] signs = bernsteinSigns(low, high);
     int changes = changes(signs);
     if (changes == 1) {

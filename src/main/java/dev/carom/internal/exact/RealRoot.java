@@ -34,6 +34,11 @@ public final class RealRoot {
     return new RealRoot(null, 0, t, t);
   }
 
+  /** A power of two after a time. */
+  static RealRoot after(double time) {
+    return at(Dyadic.powerOfTwo(Math.getExponent(Math.max(time, Double.MIN_NORMAL)) + 1));
+  }
+
   private boolean isExact() {
     return low == high;
   }
@@ -114,23 +119,23 @@ public final class RealRoot {
     }
   }
 
-  /** A number between this root and a later one, neither of them. */
+  /** A number between this root, or 0, and a later one. */
   Dyadic between(RealRoot later) {
     while (high.minus(later.low).sign() >= 0) {
       halve();
       later.halve();
     }
-    return Dyadic.between(high, later.low);
+    return high.sign() == 0 ? later.low.half() : Dyadic.between(high, later.low);
   }
 
-  /** A number after this root. */
+  /** A number after this root, or after 0. */
   Dyadic after() {
-    return high.plus(high);
+    return high.sign() == 0 ? Dyadic.of(1) : high.plus(high);
   }
 
-  /** A number between 0 and this root. */
-  Dyadic justBefore() {
-    return low.half();
+  /** The lesser of this given number and another one. */
+  Dyadic least(Dyadic that) {
+    return low.minus(that).sign() < 0 ? low : that;
   }
 
   /** The correctly rounded value, a tie to the even double; infinite beyond the range. */

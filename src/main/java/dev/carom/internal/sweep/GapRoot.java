@@ -92,14 +92,7 @@ final class GapRoot {
    * at time 0.
    */
   static double first(
-      double c0,
-      double c1,
-      double c2,
-      double c3,
-      double c4,
-      double m0,
-      double m1,
-      double m2,
+      double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
       double T) {
     if (!(T <= LATEST && sign(c0, m0 * m0) > 0)) {
       return DOUBT;
@@ -157,13 +150,7 @@ final class GapRoot {
 
   /** The root between low and high, where the sign changes from + to -, by safeguarded Newton. */
   private static double root(
-      double c0,
-      double c1,
-      double c2,
-      double c3,
-      double c4,
-      double low,
-      double high,
+      double c0, double c1, double c2, double c3, double c4, double low, double high,
       double start) {
     double before = low;
     double after = high;

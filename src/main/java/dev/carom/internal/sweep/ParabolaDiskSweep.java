@@ -25,19 +25,8 @@ public final class ParabolaDiskSweep {
 
   /** The correctly rounded time of impact, {@code +infinity} for none up to the window's end T. */
   public static double time(
-      double x1,
-      double y1,
-      double r1,
-      double vx1,
-      double vy1,
-      double gx,
-      double gy,
-      double x2,
-      double y2,
-      double r2,
-      double vx2,
-      double vy2,
-      double T) {
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double T) {
     if (gx == 0 && gy == 0) {
       int contact = DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
       return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T);
@@ -51,19 +40,8 @@ public final class ParabolaDiskSweep {
 
   /** The time, if doubles and double-double tell. */
   static double certain(
-      double x1,
-      double y1,
-      double r1,
-      double vx1,
-      double vy1,
-      double gx,
-      double gy,
-      double x2,
-      double y2,
-      double r2,
-      double vx2,
-      double vy2,
-      double T) {
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double T) {
     double dx = x1 - x2;
     double dy = y1 - y2;
     double ux = vx1 - vx2;
@@ -91,19 +69,8 @@ public final class ParabolaDiskSweep {
 
   /** The double nearest to the root, DOUBT if some corrections of t do not tell. */
   private static double nearest(
-      double x1,
-      double y1,
-      double r1,
-      double vx1,
-      double vy1,
-      double gx,
-      double gy,
-      double x2,
-      double y2,
-      double r2,
-      double vx2,
-      double vy2,
-      double start) {
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double start) {
     double t = start;
     double nearest = GapRoot.DOUBT;
     for (int i = 0; i < GapRoot.CORRECTIONS && nearest != nearest; i++) {
@@ -125,19 +92,8 @@ public final class ParabolaDiskSweep {
    * @param t the time of impact
    */
   static UnitVector normal(
-      double x1,
-      double y1,
-      double r1,
-      double vx1,
-      double vy1,
-      double gx,
-      double gy,
-      double x2,
-      double y2,
-      double r2,
-      double vx2,
-      double vy2,
-      double t) {
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double t) {
     if (t == 0) {
       return UnitVectors.unit(x1, y1, x2, y2);
     }
@@ -154,7 +110,7 @@ public final class ParabolaDiskSweep {
     if (!(error * 2 * (sizeX + sizeY) < 0x1p-55 * (r1 + r2) * t)) {
       PrecisionCounters.exactNormal();
       ExactParabola exact = ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2);
-      return exact.normal(exact.first());
+      return exact.normal(exact.first(NEVER));
     }
     double xl = terms(x1, x2, vx1, vx2, gx, t);
     double yl = terms(y1, y2, vy1, vy2, gy, t);
@@ -163,19 +119,8 @@ public final class ParabolaDiskSweep {
 
   /** The gap at t. What cancels is kept as head and tail. */
   private static double residue(
-      double x1,
-      double y1,
-      double r1,
-      double vx1,
-      double vy1,
-      double gx,
-      double gy,
-      double x2,
-      double y2,
-      double r2,
-      double vx2,
-      double vy2,
-      double t) {
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double t) {
     double x = place(x1, x2, vx1, vx2, gx, t);
     double y = place(y1, y2, vy1, vy2, gy, t);
     double xl = terms(x1, x2, vx1, vx2, gx, t);

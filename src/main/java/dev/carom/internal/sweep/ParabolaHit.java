@@ -12,19 +12,8 @@ public final class ParabolaHit {
 
   /** The hit on a line, from a contact and a time of {@link ParabolaSegmentSweep}. */
   public static Hit ofLine(
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by,
-      int contact,
-      double t) {
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, int contact, double t) {
     int part = Contact.withoutTime(contact);
     double x = place(px, vx, gx, t);
     double y = place(py, vy, gy, t);
@@ -51,18 +40,10 @@ public final class ParabolaHit {
    * the line, else against its velocity.
    */
   private static UnitVector pointNormal(
-      double px,
-      double py,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by) {
+      double px, double py, double vx, double vy, double gx, double gy, double ax, double ay,
+      double bx, double by) {
     ExactParabola exact = ExactParabola.line(px, py, 0, vx, vy, gx, gy, ax, ay, bx, by);
-    RealRoot t = exact.first();
+    RealRoot t = exact.first(Double.POSITIVE_INFINITY);
     return exact.comesFromSide(t)
         ? UnitVectors.normal(exact.side(t), ax, ay, bx, by)
         : exact.normal(t);
@@ -70,14 +51,7 @@ public final class ParabolaHit {
 
   /** The hit on the wall with a given code, at the given coordinate. */
   public static Hit ofWall(
-      double px,
-      double py,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      int code,
-      double wall,
+      double px, double py, double vx, double vy, double gx, double gy, int code, double wall,
       double t) {
     boolean vertical = code <= WallSweep.RIGHT;
     int inward = ParabolaWallSweep.inward(code);
@@ -90,19 +64,8 @@ public final class ParabolaHit {
 
   /** The hit on a disk that moves straight on, from a time of {@link ParabolaDiskSweep}. */
   public static Hit ofDisks(
-      double x1,
-      double y1,
-      double r1,
-      double vx1,
-      double vy1,
-      double gx,
-      double gy,
-      double x2,
-      double y2,
-      double r2,
-      double vx2,
-      double vy2,
-      double t) {
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double t) {
     UnitVector n = ParabolaDiskSweep.normal(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
     double ux = velocity(vx1, gx, t);
     double uy = velocity(vy1, gy, t);

@@ -44,18 +44,8 @@ public final class ParabolaSegmentSweep {
 
   /** The correctly rounded time of impact, {@code +infinity} for none up to the window's end T. */
   public static double time(
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by,
-      double T) {
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double T) {
     if (gx == 0 && gy == 0) {
       int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
       return SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, T);
@@ -76,18 +66,8 @@ public final class ParabolaSegmentSweep {
    * @param t its time, from {@link #time}
    */
   public static int contact(
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by,
-      double t) {
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double t) {
     int now = t == 0 ? Contact.NOW : 0;
     if (ax == bx && ay == by) {
       return Contact.START | now;
@@ -110,19 +90,10 @@ public final class ParabolaSegmentSweep {
   }
 
   private static int exactContact(
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by) {
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by) {
     ExactParabola exact = ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by);
-    RealRoot root = exact.first();
+    RealRoot root = exact.first(NEVER);
     int region = exact.region(root);
     if (region != 0) {
       return region < 0 ? Contact.START : Contact.END;
@@ -132,17 +103,8 @@ public final class ParabolaSegmentSweep {
 
   /** The sign of w.(p(t) - q) at the time that t is the rounding of; 0 in doubt. */
   private static int along(
-      double px,
-      double py,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double qx,
-      double qy,
-      double wx,
-      double wy,
-      double t) {
+      double px, double py, double vx, double vy, double gx, double gy, double qx, double qy,
+      double wx, double wy, double t) {
     double x = ParabolaDiskSweep.place(px, qx, vx, 0, gx, t);
     double y = ParabolaDiskSweep.place(py, qy, vy, 0, gy, t);
     double sizeX = ParabolaDiskSweep.size(px - qx, vx, gx, t);
@@ -156,18 +118,8 @@ public final class ParabolaSegmentSweep {
 
   /** The time, if doubles and double-double tell. */
   private static double certain(
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by,
-      double T) {
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double T) {
     double wx = bx - ax;
     double wy = by - ay;
     double dx = px - ax;
@@ -209,14 +161,62 @@ public final class ParabolaSegmentSweep {
         Math.min(
             ParabolaDiskSweep.certain(px, py, r, vx, vy, gx, gy, ax, ay, 0, 0, 0, T),
             ParabolaDiskSweep.certain(px, py, r, vx, vy, gx, gy, bx, by, 0, 0, 0, T));
-    int slope = GapRoot.sign(h1 + 2 * h2 * from, m1 + 2 * m2 * from);
-    double to = Math.min(first, T);
-    boolean isLinear = isAlong(wx, wy, gx, gy);
+    if (first == 0 || first != first) {
+      return first;
+    }
+    int turn = turn(wx, wy, gx, gy, h1, h2, m1, m2, from, Math.min(first, T));
+    if (turn <= 0) {
+      return turn < 0 ? first : GapRoot.DOUBT;
+    }
+    double vertex = -0.5 * h1 / h2;
+    double height = h0 + 0.5 * h1 * vertex;
+    double m = m0 + (m1 + m2 * vertex) * vertex;
+    int outside = GapRoot.sign(height * height - rr * (wx * wx + wy * wy), m * m);
+    if (outside <= 0) {
+      return outside < 0 ? first : GapRoot.DOUBT;
+    }
+    double gap = Math.abs(height) - r * Math.sqrt(wx * wx + wy * wy);
+    double again = vertex + Math.sqrt(gap / Math.abs(h2));
+    return Math.min(first, again(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, again, first, T));
+  }
+
+  /**
+   * Whether the height turns between two times: 1 if it does, -1 if it is monotone, 0 in doubt. It
+   * does not turn if its slope has the same sign at both.
+   */
+  private static int turn(
+      double wx, double wy, double gx, double gy, double h1, double h2, double m1, double m2,
+      double from, double to) {
+    if (isAlong(wx, wy, gx, gy) || (m1 == 0 && from == 0)) {
+      return -1;
+    }
+    int first = GapRoot.sign(h1 + 2 * h2 * from, m1 + 2 * m2 * from);
     int last =
         to < NEVER
             ? GapRoot.sign(h1 + 2 * h2 * to, m1 + 2 * m2 * to)
-            : isLinear ? slope : GapRoot.sign(h2, m2);
-    return first == 0 || slope * last > 0 ? first : GapRoot.DOUBT;
+            : GapRoot.sign(h2, m2);
+    return -first * last;
+  }
+
+  /**
+   * The time of a hit on the side by a disk that has left the strip, turned and comes again; NEVER
+   * if it then is beyond an end, or later than the first hit of one or the window.
+   */
+  private static double again(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double start, double first, double T) {
+    double t = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, start);
+    if (t > first || t > T) {
+      return NEVER;
+    }
+    double wx = bx - ax;
+    double wy = by - ay;
+    int beyondStart = along(px, py, vx, vy, gx, gy, ax, ay, wx, wy, t);
+    int beyondEnd = along(px, py, vx, vy, gx, gy, bx, by, wx, wy, t);
+    if (beyondStart < 0 || beyondEnd > 0) {
+      return NEVER;
+    }
+    return beyondStart > 0 && beyondEnd < 0 && t < T ? t : GapRoot.DOUBT;
   }
 
   /** Whether the acceleration is along the line by its zeros: the height is linear. */
@@ -226,16 +226,8 @@ public final class ParabolaSegmentSweep {
 
   /** The end of the window in which the disk can enter the strip. */
   private static double reach(
-      double wx,
-      double wy,
-      double gx,
-      double gy,
-      double h1,
-      double h2,
-      double m0,
-      double m1,
-      double m2,
-      double T) {
+      double wx, double wy, double gx, double gy, double h1, double h2, double m0, double m1,
+      double m2, double T) {
     if (!isAlong(wx, wy, gx, gy)) {
       return GapRoot.reach(m0, m1, Math.abs(h2) - 0x1p-50 * m2, T);
     }
@@ -246,18 +238,8 @@ public final class ParabolaSegmentSweep {
 
   /** The double nearest to the root of the gap beside the line. */
   private static double nearest(
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by,
-      double start) {
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double start) {
     double wx = bx - ax;
     double wy = by - ay;
     double t = start;
@@ -278,18 +260,8 @@ public final class ParabolaSegmentSweep {
 
   /** {@code h^2 - r^2 w.w} at t. What cancels is kept as head and tail. */
   private static double residue(
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by,
-      double t) {
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double t) {
     double wx = bx - ax;
     double wy = by - ay;
     double wxl = differenceTail(bx, ax, wx);

@@ -59,18 +59,19 @@ public final class ParabolaWallSweep {
     if (away >= 0 && lift > 0) {
       return NEVER;
     }
-    if (s < 0) {
-      return away < 0 || (away == 0 && lift < 0) ? 0 : GapRoot.DOUBT;
+    if (s < 0 && away <= 0) {
+      return away < 0 || lift < 0 ? 0 : NEVER;
     }
     double square = away * away;
     double product = 2 * lift * s;
     double discriminant = square - product;
     double bound = DISCRIMINANT_BOUND * (square + 2 * Math.abs(lift) * terms);
-    if (!(Math.abs(discriminant) > bound && bound > LEAST_SAFE && s > LEAST_SAFE)) {
+    if (!(Math.abs(discriminant) > bound && bound > LEAST_SAFE && Math.abs(s) > LEAST_SAFE)) {
       return GapRoot.DOUBT;
     }
     if (discriminant < 0) {
-      return NEVER;
+      double top = away / -lift; // turned back while still beyond the wall
+      return s > 0 ? NEVER : top > LEAST_SAFE ? top : GapRoot.DOUBT;
     }
     double root = Math.sqrt(discriminant);
     double t = away <= 0 ? 2 * s / (root - away) : (away + root) / -lift;
