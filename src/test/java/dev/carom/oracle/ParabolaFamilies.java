@@ -33,6 +33,11 @@ public final class ParabolaFamilies {
     all.add(new ParabolaFamily("no_gravity", d -> new ParabolaQuery(any(d), 0, 0)));
     all.add(new ParabolaFamily("resting", ParabolaFamilies::resting));
     all.add(new ParabolaFamily("scaled", ParabolaFamilies::scaled));
+    all.add(new ParabolaFamily("halfway", ParabolaFamilies::halfway));
+    all.add(new ParabolaFamily("halfway_wall", ParabolaFamilies::halfwayToAWall));
+    all.add(new ParabolaFamily("ceiling", ParabolaFamilies::ceiling));
+    all.add(new ParabolaFamily("underflow", ParabolaFamilies::underflow));
+    all.add(new ParabolaFamily("voronoi", ParabolaFamilies::voronoi));
     all.add(new ParabolaFamily("window_end", ParabolaFamilies::windowEnd));
     return all;
   }
@@ -256,6 +261,100 @@ public final class ParabolaFamilies {
     n[n.length - 1] = Math.scalb(end, -half);
     return new ParabolaQuery(
         bent.straight().with(n), Math.scalb(bent.gx(), 2 * half), Math.scalb(bent.gy(), 2 * half));
+  }
+
+  /** A number of 26 bits in 1..2: products of two are exact. */
+  private static double short26(Draw d) {
+    return 1 + Math.scalb(Math.rint(d.in(0, 0x1p25)), -25);
+  }
+
+  /**
+   * The time is halfway between two doubles, up to about 2^-106 of the terms: the other disk's
+   * place is corrected by Newton's method in exact numbers.
+   */
+  private static ParabolaQuery halfway(Draw d) {
+    Point e = d.direction();
+    Point v = e.turned(d.in(-1, 1)).times(-d.log(1, 10));
+    double t = d.in(0.5, 1);
+    double r = d.log(0.1, 2);
+    Point g = d.direction().times(d.log(0.1, 10));
+    Point p = e.times(r).minus(v.times(t)).plus(g.times(t * t / 2));
+    Point u = v.minus(g.times(t));
+    double y = 0;
+    Dyadic middle = Dyadic.of(t).plus(Dyadic.of(Math.ulp(t)).shift(-1));
+    for (int i = 0; i < 3; i++) {
+      Dyadic dx = at(p.x(), u.x(), g.x(), middle);
+      Dyadic dy = at(p.y(), u.y(), g.y(), middle).minus(Dyadic.of(y));
+      Dyadic gap = dx.square().plus(dy.square()).minus(Dyadic.of(r).square());
+      y += gap.near() / (2 * dy.near());
+    }
+    double[] n = {p.x(), p.y(), r, u.x(), u.y(), 0, y, 0, 0, 0, Double.POSITIVE_INFINITY};
+    return new ParabolaQuery(PairQuery.of(n), g.x(), g.y());
+  }
+
+  private static Dyadic at(double p, double v, double g, Dyadic t) {
+    return Dyadic.of(p).plus(Dyadic.of(v).times(t)).plus(Dyadic.of(g).times(t.square()).shift(-1));
+  }
+
+  /** Halfway, exactly but for an acceleration of 2^-96..2^-120. */
+  private static ParabolaQuery halfwayToAWall(Draw d) {
+    double v = short26(d);
+    double r = short26(d);
+    double t = short26(d);
+    double rest = v * Math.ulp(t) / 2;
+    double g = d.sign() * Math.scalb(1 + d.in(0, 1), d.whole(-120, -96));
+    double x = r + v * t;
+    WallQuery q = new WallQuery(x, 5, r, -v, 0, -rest, -9, 99, 99, Double.POSITIVE_INFINITY);
+    return new ParabolaQuery(q, g, 0);
+  }
+
+  /** Thrown up so that it just reaches the ceiling, or just does not. */
+  private static ParabolaQuery ceiling(Draw d) {
+    double v = d.chance(0.3) ? d.whole(1, 9) : d.log(0.1, 100);
+    double g = d.chance(0.3) ? d.whole(1, 9) : d.log(0.1, 100);
+    double y = d.chance(0.5) ? 0 : d.in(-10, 10);
+    double r = d.chance(0.5) ? 0 : d.whole(0, 4);
+    double top = d.nudge(y + v * v / (2 * g) + r);
+    double end = d.pick(v / g, 2 * v / g, Double.POSITIVE_INFINITY);
+    WallQuery q = new WallQuery(3, y, r, 0, v, -50, -50, 50, Math.max(top, -49), end);
+    return new ParabolaQuery(q, 0, -g);
+  }
+
+  /** So small that squares underflow, in part or all. */
+  private static ParabolaQuery underflow(Draw d) {
+    ParabolaQuery q = d.chance(0.5) ? touching(d) : d.chance(0.5) ? graze(d) : bent(d, any(d));
+    double[] n = q.straight().numbers();
+    int k = d.chance(0.8) ? d.whole(-536, -515) : d.whole(-560, -220);
+    Extremes.scale(n, k);
+    return new ParabolaQuery(q.straight().with(n), Math.scalb(q.gx(), k), Math.scalb(q.gy(), k));
+  }
+
+  private static ParabolaQuery touching(Draw d) {
+    double r = d.log(0.5, 2);
+    Point e = d.direction();
+    Point v = e.turned(d.in(-2, 2)).times(-1);
+    return disk(d, e.times(r), v, d.direction(), 0, r, false);
+  }
+
+  /** Comes to the side where it meets an end: the centre is on the perpendicular, up to ulps. */
+  private static ParabolaQuery voronoi(Draw d) {
+    Point w = d.chance(0.5) ? d.node(9) : d.direction().times(d.log(0.1, 100));
+    double length = Math.hypot(w.x(), w.y());
+    double r = d.chance(0.5) ? length * d.whole(1, 3) : d.log(0.1, 20);
+    Point normal = length > 0 ? w.turned().times(1 / length) : new Point(0, 1);
+    Point a = d.node(9);
+    Point foot = d.chance(0.5) ? a : a.plus(w);
+    Point v = normal.turned(d.in(-1.5, 1.5)).times(-d.log(0.5, 100));
+    double t = d.in(0.01, 1);
+    Point g = d.direction().times(d.log(0.1, 100));
+    Point p = foot.plus(normal.times(r)).minus(v.times(t)).plus(g.times(t * t / 2));
+    Point u = v.minus(g.times(t));
+    double[] n = {
+      a.x(), a.y(), a.x() + w.x(), a.y() + w.y(), p.x(), p.y(), r, u.x(), u.y(), d.pick(1, 2)
+    };
+    d.nudgeOne(n, 0.5);
+    n[6] = Math.abs(n[6]);
+    return new ParabolaQuery(SegmentQuery.of(n), g.x(), g.y());
   }
 
   /** The window ends at the rounded time of impact, or some ulps beside it. */

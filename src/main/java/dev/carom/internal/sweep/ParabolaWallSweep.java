@@ -53,7 +53,8 @@ public final class ParabolaWallSweep {
     double h = inward * (p - wall);
     double s = h - r;
     double terms = Math.abs(h) + r;
-    if (!(Math.abs(s) > 4 * 0x1p-53 * terms)) {
+    // h is the nearest double, so the sign of h - r is the true one, unless it is 0.
+    if (!(Math.abs(s) > 0)) {
       return GapRoot.DOUBT;
     }
     if (away >= 0 && lift > 0) {
