@@ -122,6 +122,45 @@ public final class ExactParabola {
     return new ExactParabola(distance.minus(constant(Dyadic.of(r))));
   }
 
+  /** Back to a wall: the gap {@code v t + g t^2 / 2}, a negative v counting as 0. */
+  public static ExactParabola returnToWall(double v, double g, int inward) {
+    Dyadic away = Dyadic.of(inward * v);
+    return returning(away, Dyadic.of(inward * g).half(), Dyadic.ZERO, Dyadic.ZERO);
+  }
+
+  /** Back to the height above a line at the start. */
+  public static ExactParabola returnToSide(
+      int side, double vx, double vy, double gx, double gy, double ax, double ay, double bx,
+      double by) {
+    Dyadic away = Exact.cross(bx, by, ax, ay, side * vx, side * vy, 0, 0);
+    Dyadic lift = Exact.cross(bx, by, ax, ay, side * gx, side * gy, 0, 0);
+    return returning(away, lift.half(), Dyadic.ZERO, Dyadic.ZERO);
+  }
+
+  /** Back to the distance from a disk at the start. */
+  public static ExactParabola returnToDisk(
+      double x1, double y1, double vx1, double vy1, double gx, double gy, double x2, double y2,
+      double vx2, double vy2) {
+    Dyadic[] d = {Dyadic.difference(x1, x2), Dyadic.difference(y1, y2)};
+    Dyadic[] u = {Dyadic.difference(vx1, vx2), Dyadic.difference(vy1, vy2)};
+    Dyadic[] g = {Dyadic.of(gx), Dyadic.of(gy)};
+    return returning(
+        dot(d, u).times(Dyadic.of(2)),
+        dot(u, u).plus(dot(d, g)),
+        dot(u, g),
+        dot(g, g).half().half());
+  }
+
+  private static Dyadic dot(Dyadic[] a, Dyadic[] b) {
+    return a[0].times(b[0]).plus(a[1].times(b[1]));
+  }
+
+  /** The gap from its coefficients after the constant one, which is 0. */
+  private static ExactParabola returning(Dyadic away, Dyadic c2, Dyadic c3, Dyadic c4) {
+    Dyadic c1 = away.sign() > 0 ? away : Dyadic.ZERO;
+    return new ExactParabola(Polynomial.of(Dyadic.ZERO, c1, c2, c3, c4));
+  }
+
   /** The time of impact; null for none up to the window's end T. */
   public RealRoot first(double T) {
     PrecisionCounters.exactParabola();
