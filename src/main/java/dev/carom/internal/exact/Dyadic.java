@@ -44,10 +44,10 @@ public final class Dyadic {
    * A number of few bits between two positive ones: about their arithmetic mean if they are within
    * a factor of 4, else about the geometric one.
    */
-  static Dyadic between(Dyadic low, Dyadic high) {
-    int bottom = low.magnitude();
-    int top = high.magnitude();
-    return top - bottom > 2 ? powerOfTwo(bottom + top + 1 >> 1) : low.plus(high).half();
+  static Dyadic between(Dyadic from, Dyadic to) {
+    int bottom = from.magnitude();
+    int top = to.magnitude();
+    return top - bottom > 2 ? powerOfTwo((bottom + top + 1) >> 1) : from.plus(to).half();
   }
 
   /** a - b, without rounding. */

@@ -45,7 +45,7 @@ final class GapRoot {
   private static final double TINY = 0x1p-460;
 
   /** The latest end of an interval: its fourth power times 2^-1074 stays below {@link #TINY}. */
-  private static final double LATEST = 0x1p150;
+  static final double LATEST = 0x1p150;
 
   /** Above this, no product of a reach underflows if f is above {@link #TINY} at time 0. */
   private static final double LEAST_SAFE = 0x1p-600;

@@ -154,9 +154,15 @@ public final class ParabolaSegmentSweep {
       boolean falls = strip > 0 || GapRoot.sign(h0 * h1, m0 * m1) < 0;
       return falls ? from : GapRoot.DOUBT;
     }
-    if (start == 0 || end == 0) {
-      return GapRoot.DOUBT;
-    }
+    return start == 0 || end == 0
+        ? GapRoot.DOUBT
+        : beyondAnEnd(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, from, T);
+  }
+
+  /** The time of impact of a disk that at a time is in the strip, beyond an end of the line. */
+  private static double beyondAnEnd(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double from, double T) {
     double first =
         Math.min(
             ParabolaDiskSweep.certain(px, py, r, vx, vy, gx, gy, ax, ay, 0, 0, 0, T),
@@ -164,35 +170,48 @@ public final class ParabolaSegmentSweep {
     if (first == 0 || first != first) {
       return first;
     }
-    int turn = turn(wx, wy, gx, gy, h1, h2, m1, m2, from, Math.min(first, T));
+    double wx = bx - ax;
+    double wy = by - ay;
+    int turn = turn(vx, vy, gx, gy, wx, wy, from, Math.min(first, T));
     if (turn <= 0) {
       return turn < 0 ? first : GapRoot.DOUBT;
     }
+    double dx = px - ax;
+    double dy = py - ay;
+    double h1 = wx * vy - wy * vx;
+    double h2 = 0.5 * (wx * gy - wy * gx);
     double vertex = -0.5 * h1 / h2;
-    double height = h0 + 0.5 * h1 * vertex;
-    double m = m0 + (m1 + m2 * vertex) * vertex;
-    int outside = GapRoot.sign(height * height - rr * (wx * wx + wy * wy), m * m);
-    if (outside <= 0) {
-      return outside < 0 ? first : GapRoot.DOUBT;
+    double height = (wx * dy - wy * dx) + 0.5 * h1 * vertex;
+    double width = Math.abs(wx) + Math.abs(wy);
+    double sizeX = ParabolaDiskSweep.size(dx, vx, gx, vertex);
+    double sizeY = ParabolaDiskSweep.size(dy, vy, gy, vertex);
+    double m = r * width + Math.abs(wx) * sizeY + Math.abs(wy) * sizeX;
+    double ww = wx * wx + wy * wy;
+    int outside = GapRoot.sign(height * height - r * r * ww, m * m);
+    if (outside <= 0 || !(vertex < GapRoot.LATEST)) {
+      return outside < 0 && vertex < GapRoot.LATEST ? first : GapRoot.DOUBT;
     }
-    double gap = Math.abs(height) - r * Math.sqrt(wx * wx + wy * wy);
-    double again = vertex + Math.sqrt(gap / Math.abs(h2));
+    double again = vertex + Math.sqrt((Math.abs(height) - r * Math.sqrt(ww)) / Math.abs(h2));
     return Math.min(first, again(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, again, first, T));
   }
 
   /**
    * Whether the height turns between two times: 1 if it does, -1 if it is monotone, 0 in doubt. It
-   * does not turn if its slope has the same sign at both.
+   * does not turn if its slope has the same sign at both, or nothing but the velocity, or nothing but
+   * the acceleration, changes it.
    */
   private static int turn(
-      double wx, double wy, double gx, double gy, double h1, double h2, double m1, double m2,
-      double from, double to) {
-    if (isAlong(wx, wy, gx, gy) || (m1 == 0 && from == 0)) {
+      double vx, double vy, double gx, double gy, double wx, double wy, double from, double to) {
+    double h1 = wx * vy - wy * vx;
+    double h2 = 0.5 * (wx * gy - wy * gx);
+    double m1 = Math.abs(wx * vy) + Math.abs(wy * vx);
+    double m2 = 0.5 * (Math.abs(wx * gy) + Math.abs(wy * gx));
+    if (isAlong(wx, wy, gx, gy) || (isAlong(wx, wy, vx, vy) && from == 0)) {
       return -1;
     }
     int first = GapRoot.sign(h1 + 2 * h2 * from, m1 + 2 * m2 * from);
     int last =
-        to < NEVER
+        to < GapRoot.LATEST
             ? GapRoot.sign(h1 + 2 * h2 * to, m1 + 2 * m2 * to)
             : GapRoot.sign(h2, m2);
     return -first * last;
@@ -219,9 +238,9 @@ public final class ParabolaSegmentSweep {
     return beyondStart > 0 && beyondEnd < 0 && t < T ? t : GapRoot.DOUBT;
   }
 
-  /** Whether the acceleration is along the line by its zeros: the height is linear. */
-  private static boolean isAlong(double wx, double wy, double gx, double gy) {
-    return (wx == 0 || gy == 0) && (wy == 0 || gx == 0);
+  /** Whether a vector is along the line by its zeros: both terms of cross(w, v) are 0. */
+  private static boolean isAlong(double wx, double wy, double vx, double vy) {
+    return (wx == 0 || vy == 0) && (wy == 0 || vx == 0);
   }
 
   /** The end of the window in which the disk can enter the strip. */
