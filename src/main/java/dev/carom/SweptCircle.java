@@ -64,9 +64,12 @@ import java.util.Optional;
  *       approach speed 0; if it has left before, an impact when it touches again.
  * </ul>
  *
- * <p>Lengths share one unit, times another. Coordinates, velocities and accelerations are finite, radii finite and at
- * least 0. The end of the window, maxTime, is at least 0, {@code +infinity} included. Anything else is
- * an {@link IllegalArgumentException} that names it.
+ * <p>Ordinary questions take some hundred nanoseconds. Ties take up to some milliseconds, and so do a
+ * radius of 0 and a start that overlaps a line: exact arithmetic answers them.
+ *
+ * <p>Lengths share one unit, times another. Coordinates, velocities and accelerations are finite,
+ * radii finite and at least 0. The end of the window, maxTime, is at least 0, {@code +infinity}
+ * included. Anything else is an {@link IllegalArgumentException} that names it.
  *
  * <p>Method: a circle against a segment is a point against a capsule, its Minkowski sum with a disk
  * (C. Ericson, Real-Time Collision Detection, 2005, 5.5). Decisions are signs of polynomials that

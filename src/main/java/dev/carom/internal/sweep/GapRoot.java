@@ -88,17 +88,18 @@ final class GapRoot {
 
   /**
    * The root, approximately: f has it and no other within {@link #MARGIN} of the result, and none
-   * before it. NEVER if f has none up to T, DOUBT if plain doubles do not tell, or f is not above 0
-   * at time 0.
+   * between it and the start. NEVER if f has none up to T, DOUBT if plain doubles do not tell.
+   *
+   * @param start a time at which f is certain to be above 0
    */
   static double first(
       double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
-      double T) {
-    if (!(T <= LATEST && sign(c0, m0 * m0) > 0)) {
+      double start, double T) {
+    if (!(T <= LATEST)) {
       return DOUBT;
     }
-    double low = 0;
-    double width = T;
+    double low = start;
+    double width = T - start;
     for (int i = 0; i < INTERVALS && low < T; i++) {
       double high = Math.min(low + width, T);
       double w = high - low;
@@ -135,6 +136,33 @@ final class GapRoot {
       }
     }
     return low < T ? DOUBT : NEVER;
+  }
+
+  /**
+   * A time until which f rises from the start, and at which it is above 0. NEVER if it rises up to T
+   * and is not certain to come above 0, DOUBT if plain doubles do not tell. All Bernstein
+   * coefficients of f' must be above a bound; their terms add up to A' = 2 (m0 + m1 t + m2 t^2) (m1 +
+   * 2 m2 t) at most.
+   */
+  static double leaves(
+      double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
+      double T) {
+    double t = T <= LATEST ? T : DOUBT;
+    for (int i = 0; i < INTERVALS; i++) {
+      double m = m0 + (m1 + m2 * t) * t;
+      double bound = Math.fma(BERNSTEIN_BOUND, 2 * m * (m1 + 2 * m2 * t), TINY);
+      double d2 = c1 + (4 * c2 / 3 + c3 * t) * t;
+      double d3 = c1 + (2 * c2 + (3 * c3 + 4 * c4 * t) * t) * t;
+      if (!(c1 > bound)) {
+        return DOUBT;
+      }
+      if (c1 + 2 * c2 / 3 * t > bound && d2 > bound && d3 > bound) {
+        double f = c0 + (c1 + (c2 + (c3 + c4 * t) * t) * t) * t;
+        return sign(f, m * m) > 0 ? t : t == T ? NEVER : DOUBT;
+      }
+      t *= 0.5;
+    }
+    return DOUBT;
   }
 
   /** Whether the signs change once, whatever one of them is; the first one, of a0, is positive. */

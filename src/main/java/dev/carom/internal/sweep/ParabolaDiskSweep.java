@@ -32,15 +32,19 @@ public final class ParabolaDiskSweep {
       return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T);
     }
     PrecisionCounters.parabola();
-    double time = certain(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, T);
+    double time = certain(true, x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, T);
     return time == time
         ? time
         : ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2).time(T);
   }
 
-  /** The time, if doubles and double-double tell. */
+  /**
+   * The time, if doubles and double-double tell.
+   *
+   * @param overlap whether to follow a disk that may overlap at the start, and leaves
+   */
   static double certain(
-      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      boolean overlap, double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
       double y2, double r2, double vx2, double vy2, double T) {
     double dx = x1 - x2;
     double dy = y1 - y2;
@@ -55,12 +59,19 @@ public final class ParabolaDiskSweep {
     double m0 = Math.abs(dx) + Math.abs(dy) + r;
     double m1 = Math.abs(ux) + Math.abs(uy);
     double m2 = 0.5 * (Math.abs(gx) + Math.abs(gy));
-    if (c0 < 0) {
-      boolean falls = GapRoot.sign(c0, m0 * m0) < 0 && GapRoot.sign(c1, 2 * m0 * m1) < 0;
-      return falls ? 0 : GapRoot.DOUBT;
-    }
     double end = GapRoot.reach(m0, m1, 0.5 * Math.max(Math.abs(gx), Math.abs(gy)), T);
-    double t = GapRoot.first(c0, c1, c2, c3, c4, m0, m1, m2, end);
+    double start = 0;
+    int side = GapRoot.sign(c0, m0 * m0);
+    if (side <= 0) {
+      if (side < 0 && GapRoot.sign(c1, 2 * m0 * m1) < 0) {
+        return 0;
+      }
+      start = overlap ? GapRoot.leaves(c0, c1, c2, c3, c4, m0, m1, m2, end) : GapRoot.DOUBT;
+      if (!(start < NEVER)) {
+        return start;
+      }
+    }
+    double t = GapRoot.first(c0, c1, c2, c3, c4, m0, m1, m2, start, end);
     if (!(t < NEVER)) {
       return t;
     }

@@ -138,7 +138,10 @@ public final class ParabolaReturn {
     double m1 = (u * u + d * g) / (2 * m0);
     double m2 = u * g / (2 * m0);
     double reach = GapRoot.reach(2 * d, u, 0.5 * Math.max(Math.abs(gx), Math.abs(gy)), T);
-    double t = GapRoot.first(c1, c2, c3, c4, 0, m0, m1, m2, reach);
+    if (GapRoot.sign(c1, m0 * m0) <= 0) {
+      return GapRoot.DOUBT;
+    }
+    double t = GapRoot.first(c1, c2, c3, c4, 0, m0, m1, m2, 0, reach);
     if (!(t < NEVER)) {
       return t;
     }

@@ -142,7 +142,7 @@ public final class ParabolaSegmentSweep {
       double end = reach(wx, wy, gx, gy, h1, h2, m0, m1, m2, T);
       from =
           GapRoot.first(
-              c0, 2 * h0 * h1, h1 * h1 + 2 * h0 * h2, 2 * h1 * h2, h2 * h2, m0, m1, m2, end);
+              c0, 2 * h0 * h1, h1 * h1 + 2 * h0 * h2, 2 * h1 * h2, h2 * h2, m0, m1, m2, 0, end);
       if (!(from < NEVER)) {
         return from;
       }
@@ -165,8 +165,8 @@ public final class ParabolaSegmentSweep {
       double ay, double bx, double by, double from, double T) {
     double first =
         Math.min(
-            ParabolaDiskSweep.certain(px, py, r, vx, vy, gx, gy, ax, ay, 0, 0, 0, T),
-            ParabolaDiskSweep.certain(px, py, r, vx, vy, gx, gy, bx, by, 0, 0, 0, T));
+            ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, ax, ay, 0, 0, 0, T),
+            ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, bx, by, 0, 0, 0, T));
     if (first == 0 || first != first) {
       return first;
     }
