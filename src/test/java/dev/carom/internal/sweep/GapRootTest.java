@@ -28,8 +28,7 @@ class GapRootTest {
   void findsTheNextRootAfterAStart() {
     double t = GapRoot.first(24, -50, 35, -10, 1, SIZE, SIZE, SIZE, 2.5, 9);
     assertThat(t).isCloseTo(3, within(1e-12));
-    assertThat(GapRoot.first(24, -50, 35, -10, 1, SIZE, SIZE, SIZE, 5, 9))
-        .isEqualTo(GapRoot.NEVER);
+    assertThat(GapRoot.first(24, -50, 35, -10, 1, SIZE, SIZE, SIZE, 5, 9)).isEqualTo(GapRoot.NEVER);
   }
 
   @Test
