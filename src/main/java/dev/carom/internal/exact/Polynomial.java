@@ -17,7 +17,7 @@ import java.util.List;
  */
 public final class Polynomial {
 
-  private static final long[][] BINOMIAL = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}};
+  private static final double[][] BINOMIAL = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}};
 
   /** The coefficients from the constant one on; the last one is not 0. Empty for 0. */
   private final Dyadic[] c;
