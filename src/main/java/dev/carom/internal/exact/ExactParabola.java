@@ -30,6 +30,11 @@ public final class ExactParabola {
 
   private final Polynomial y;
 
+  /** The vector of the line, as constants. */
+  private final Polynomial lengthX;
+
+  private final Polynomial lengthY;
+
   /** The projection on the line beyond its start and beyond its end; 0 if there is no line. */
   private final Polynomial alongStart;
 
@@ -46,6 +51,8 @@ public final class ExactParabola {
   private ExactParabola(Polynomial x, Polynomial y, Dyadic r) {
     this.x = x;
     this.y = y;
+    lengthX = NONE;
+    lengthY = NONE;
     alongStart = NONE;
     alongEnd = NONE;
     height = NONE;
@@ -58,6 +65,8 @@ public final class ExactParabola {
     this.y = y;
     Polynomial px = constant(wx);
     Polynomial py = constant(wy);
+    lengthX = px;
+    lengthY = py;
     Polynomial ww = constant(wx.square().plus(wy.square()));
     Polynomial rr = constant(r.square());
     alongStart = px.times(x).plus(py.times(y));
@@ -78,6 +87,8 @@ public final class ExactParabola {
   private ExactParabola(Polynomial gap) {
     x = NONE;
     y = NONE;
+    lengthX = NONE;
+    lengthY = NONE;
     alongStart = NONE;
     alongEnd = NONE;
     height = NONE;
@@ -203,11 +214,15 @@ public final class ExactParabola {
   }
 
   /**
-   * The unit vector from the other disk to this one at an impact. Where their offset vanishes, it
+   * The unit vector from the other disk, or the end of the line, to this one at an impact. Where their offset vanishes, it
    * is the limit from before: against the velocity.
    */
   public UnitVector normal(RealRoot t) {
-    return isPoint ? t.unit(NONE.minus(x.derivative()), NONE.minus(y.derivative())) : t.unit(x, y);
+    if (isPoint) {
+      return t.unit(NONE.minus(x.derivative()), NONE.minus(y.derivative()));
+    }
+    boolean end = !alongStart.isZero() && region(t) > 0;
+    return end ? t.unit(x.minus(lengthX), y.minus(lengthY)) : t.unit(x, y);
   }
 
   /** Whether a point that hits an end of a line was beside the line just before. */

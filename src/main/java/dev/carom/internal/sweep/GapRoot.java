@@ -95,7 +95,7 @@ final class GapRoot {
   static double first(
       double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
       double start, double T) {
-    if (!(T <= LATEST)) {
+    if (!(T <= LATEST && isFinite(c0, c1, c2, c3, c4))) {
       return DOUBT;
     }
     double low = start;
@@ -147,7 +147,7 @@ final class GapRoot {
   static double leaves(
       double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
       double T) {
-    double t = T <= LATEST ? T : DOUBT;
+    double t = T <= LATEST && isFinite(c0, c1, c2, c3, c4) ? T : DOUBT;
     for (int i = 0; i < INTERVALS; i++) {
       double m = m0 + (m1 + m2 * t) * t;
       double bound = Math.fma(BERNSTEIN_BOUND, 2 * m * (m1 + 2 * m2 * t), TINY);
@@ -163,6 +163,12 @@ final class GapRoot {
       t *= 0.5;
     }
     return DOUBT;
+  }
+
+  /** Whether no coefficient has overflowed, nor does a small multiple. */
+  private static boolean isFinite(double c0, double c1, double c2, double c3, double c4) {
+    double sum = Math.abs(c0) + Math.abs(c1) + Math.abs(c2) + Math.abs(c3) + Math.abs(c4);
+    return sum < 0x1p1000;
   }
 
   /** Whether the signs change once, whatever one of them is; the first one, of a0, is positive. */

@@ -33,7 +33,7 @@ public final class ParabolaDiskSweep {
     }
     PrecisionCounters.parabola();
     double time = certain(true, x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, T);
-    return time == time
+    return !Double.isNaN(time)
         ? time
         : ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2).time(T);
   }
@@ -84,7 +84,7 @@ public final class ParabolaDiskSweep {
       double y2, double r2, double vx2, double vy2, double start) {
     double t = start;
     double nearest = GapRoot.DOUBT;
-    for (int i = 0; i < GapRoot.CORRECTIONS && nearest != nearest; i++) {
+    for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
       double f = residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
       double slope =
           2
@@ -98,7 +98,8 @@ public final class ParabolaDiskSweep {
   }
 
   /**
-   * The unit normal at an impact, from the second disk to the first, each component within 1e-15.
+   * The unit normal at an impact, from the second disk to the first, each component within 1e-15;
+   * null if doubles and double-double do not tell.
    *
    * @param t the time of impact
    */
@@ -119,9 +120,7 @@ public final class ParabolaDiskSweep {
     // t is within an ulp of the impact: so is the place, but for this much and the bend's u^2.
     double error = GapRoot.stepError(t, c, slope, r1 + r2 + sizeX + sizeY);
     if (!(error * 2 * (sizeX + sizeY) < 0x1p-55 * (r1 + r2) * t)) {
-      PrecisionCounters.exactNormal();
-      ExactParabola exact = ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2);
-      return exact.normal(exact.first(NEVER));
+      return null;
     }
     double xl = terms(x1, x2, vx1, vx2, gx, t);
     double yl = terms(y1, y2, vy1, vy2, gy, t);

@@ -2,6 +2,7 @@
 package dev.carom.internal.sweep;
 
 import dev.carom.internal.exact.ExactParabola;
+import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.exact.UnitVector;
 
@@ -28,23 +29,24 @@ public final class ParabolaHit {
     boolean end = part == Contact.END;
     double qx = end ? bx : ax;
     double qy = end ? by : ay;
-    UnitVector n =
-        r == 0 && t > 0
-            ? pointNormal(px, py, vx, vy, gx, gy, ax, ay, bx, by)
-            : ParabolaDiskSweep.normal(px, py, r, vx, vy, gx, gy, qx, qy, 0, 0, 0, t);
+    UnitVector n = ParabolaDiskSweep.normal(px, py, r, vx, vy, gx, gy, qx, qy, 0, 0, 0, t);
+    if (n == null) {
+      n = exactNormal(px, py, r, vx, vy, gx, gy, ax, ay, bx, by);
+    }
     return Hit.of(qx, qy, n, ux, uy, 0, 0);
   }
 
   /**
-   * The normal where a point comes to an end of a line: that of the side, if it comes from beside
-   * the line, else against its velocity.
+   * The normal at an end of a line. A point that comes to it from beside the line has the normal of
+   * the side.
    */
-  private static UnitVector pointNormal(
-      double px, double py, double vx, double vy, double gx, double gy, double ax, double ay,
-      double bx, double by) {
-    ExactParabola exact = ExactParabola.line(px, py, 0, vx, vy, gx, gy, ax, ay, bx, by);
+  private static UnitVector exactNormal(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by) {
+    PrecisionCounters.exactNormal();
+    ExactParabola exact = ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by);
     RealRoot t = exact.first(Double.POSITIVE_INFINITY);
-    return exact.comesFromSide(t)
+    return r == 0 && exact.comesFromSide(t)
         ? UnitVectors.normal(exact.side(t), ax, ay, bx, by)
         : exact.normal(t);
   }
@@ -67,6 +69,12 @@ public final class ParabolaHit {
       double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
       double y2, double r2, double vx2, double vy2, double t) {
     UnitVector n = ParabolaDiskSweep.normal(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
+    if (n == null) {
+      PrecisionCounters.exactNormal();
+      ExactParabola exact =
+          ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2);
+      n = exact.normal(exact.first(Double.POSITIVE_INFINITY));
+    }
     double ux = velocity(vx1, gx, t);
     double uy = velocity(vy1, gy, t);
     if (t == 0) { // in the ratio of the radii

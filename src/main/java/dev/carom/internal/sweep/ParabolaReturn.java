@@ -114,7 +114,7 @@ public final class ParabolaReturn {
       double vx2, double vy2, double T) {
     PrecisionCounters.parabola();
     double time = certain(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, T);
-    return time == time
+    return !Double.isNaN(time)
         ? time
         : ExactParabola.returnToDisk(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2).time(T);
   }
@@ -146,7 +146,7 @@ public final class ParabolaReturn {
       return t;
     }
     double nearest = GapRoot.DOUBT;
-    for (int i = 0; i < GapRoot.CORRECTIONS && nearest != nearest; i++) {
+    for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
       double f = residue(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, t);
       double slope = c2 + (2 * c3 + 3 * c4 * t) * t;
       nearest = GapRoot.nearest(t, f, slope, m0 + (m1 + m2 * t) * t);

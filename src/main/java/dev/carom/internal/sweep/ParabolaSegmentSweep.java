@@ -55,7 +55,7 @@ public final class ParabolaSegmentSweep {
     }
     PrecisionCounters.parabola();
     double time = certain(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, T);
-    return time == time
+    return !Double.isNaN(time)
         ? time
         : ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by).time(T);
   }
@@ -167,7 +167,7 @@ public final class ParabolaSegmentSweep {
         Math.min(
             ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, ax, ay, 0, 0, 0, T),
             ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, bx, by, 0, 0, 0, T));
-    if (first == 0 || first != first) {
+    if (first == 0 || Double.isNaN(first)) {
       return first;
     }
     double wx = bx - ax;
@@ -263,7 +263,7 @@ public final class ParabolaSegmentSweep {
     double wy = by - ay;
     double t = start;
     double nearest = GapRoot.DOUBT;
-    for (int i = 0; i < GapRoot.CORRECTIONS && nearest != nearest; i++) {
+    for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
       double x = ParabolaDiskSweep.place(px, ax, vx, 0, gx, t);
       double y = ParabolaDiskSweep.place(py, ay, vy, 0, gy, t);
       double f = residue(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, t);

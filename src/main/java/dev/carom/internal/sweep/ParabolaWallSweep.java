@@ -43,7 +43,7 @@ public final class ParabolaWallSweep {
     if (time < T || time == 0) {
       return time;
     }
-    return time > T && time == time ? NEVER : ExactParabola.wall(p, r, v, g, wall, inward).time(T);
+    return time > T ? NEVER : ExactParabola.wall(p, r, v, g, wall, inward).time(T);
   }
 
   /** The time, if doubles and double-double tell. */
@@ -77,7 +77,7 @@ public final class ParabolaWallSweep {
     double root = Math.sqrt(discriminant);
     double t = away <= 0 ? 2 * s / (root - away) : (away + root) / -lift;
     double nearest = GapRoot.DOUBT;
-    for (int i = 0; i < GapRoot.CORRECTIONS && nearest != nearest; i++) {
+    for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
       double residue = residue(p, r, v, g, wall, inward, t);
       double slope = inward * (v + g * t);
       double size = terms + (Math.abs(v) + Math.abs(0.5 * g) * t) * t;

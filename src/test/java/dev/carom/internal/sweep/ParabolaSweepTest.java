@@ -126,6 +126,17 @@ class ParabolaSweepTest {
         .isEqualTo(Contact.START);
   }
 
+  /** The square of the acceleration overflows. */
+  @Test
+  void coefficientsThatOverflowGoToExactNumbers() {
+    double time =
+        ParabolaDiskSweep.time(
+            -0x1.27f1c8b2c0d1dp7, 0x1.45b7f755df968p10, 0x1.bp7, 0x1.1c722cb03473ap301,
+            0x1.10115440d2f73p301, 0x1.c6e9a7e5c62d6p593, -0x1.0115440d2f731p596, 0, 0x1.b98p9,
+            0x1.69p8, 0, 0, 0x1.93e5939a08ceap-199);
+    assertThat(time).isEqualTo(1.2832970836562791E-89);
+  }
+
   /** Prints how many questions of each family exact numbers answered. */
   @Test
   void theFamiliesAskExactNumbersAsOftenAsTheyAreMeantTo() {
