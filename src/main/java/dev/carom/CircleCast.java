@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.Hit;
+import dev.carom.internal.sweep.ParabolaDiskSweep;
+import dev.carom.internal.sweep.ParabolaHit;
+import dev.carom.internal.sweep.ParabolaSegmentSweep;
+import dev.carom.internal.sweep.ParabolaWallSweep;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.WallSweep;
 import java.util.Optional;
@@ -95,6 +101,116 @@ final class CircleCast {
             c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), c2.x(), c2.y(), c2.radius(), v2.x(),
             v2.y(), contact, t);
     return Optional.of(impact(t, kind, Impact.NO_ID, obstacle, contact, hit));
+  }
+
+  /** With a constant acceleration g, against an obstacle of any kind. */
+  static Optional<Impact> accelerated(
+      Circle c, Vec2 v, Vec2 g, Obstacle obstacle, double maxTime) {
+    if (obstacle instanceof Line line) {
+      return acceleratedToLine(c, v, g, line, maxTime);
+    }
+    if (obstacle instanceof Bounds bounds) {
+      return acceleratedToBounds(c, v, g, bounds, maxTime);
+    }
+    return accelerated(
+        c, v, g, peg(obstacle), Vec2.ZERO, ObstacleKind.PEG, obstacle, maxTime);
+  }
+
+  private static Optional<Impact> acceleratedToLine(
+      Circle c, Vec2 v, Vec2 g, Line l, double maxTime) {
+    double t =
+        ParabolaSegmentSweep.time(
+            c.x(), c.y(), c.radius(), v.x(), v.y(), g.x(), g.y(), l.ax(), l.ay(), l.bx(), l.by(),
+            maxTime);
+    if (t == NEVER) {
+      return Optional.empty();
+    }
+    int contact =
+        ParabolaSegmentSweep.contact(
+            c.x(), c.y(), c.radius(), v.x(), v.y(), g.x(), g.y(), l.ax(), l.ay(), l.bx(), l.by(),
+            t);
+    Hit hit =
+        ParabolaHit.ofLine(
+            c.x(), c.y(), c.radius(), v.x(), v.y(), g.x(), g.y(), l.ax(), l.ay(), l.bx(), l.by(),
+            contact, t);
+    return Optional.of(impact(t, ObstacleKind.LINE, Impact.NO_ID, l, contact, hit));
+  }
+
+  private static Optional<Impact> acceleratedToBounds(
+      Circle c, Vec2 v, Vec2 g, Bounds bounds, double maxTime) {
+    int first = -1;
+    double time = NEVER;
+    for (int id = WallSweep.LEFT; id <= WallSweep.TOP; id++) {
+      double t = wallTime(c, v, g, bounds, id, maxTime);
+      if (t < time || (t == time && t < NEVER && isEarlier(c, v, g, bounds, id, first))) {
+        first = id;
+        time = t;
+      }
+    }
+    if (first < 0) {
+      return Optional.empty();
+    }
+    Hit hit =
+        ParabolaHit.ofWall(
+            c.x(), c.y(), v.x(), v.y(), g.x(), g.y(), first, wall(bounds, first), time);
+    return Optional.of(impact(time, ObstacleKind.WALL, first, bounds, 0, hit));
+  }
+
+  private static double wallTime(
+      Circle c, Vec2 v, Vec2 g, Bounds bounds, int id, double maxTime) {
+    boolean vertical = id <= WallSweep.RIGHT;
+    return ParabolaWallSweep.time(
+        vertical ? c.x() : c.y(),
+        c.radius(),
+        vertical ? v.x() : v.y(),
+        vertical ? g.x() : g.y(),
+        wall(bounds, id),
+        ParabolaWallSweep.inward(id),
+        maxTime);
+  }
+
+  /** Tells of two walls with equal rounded times whether the first one is exactly earlier. */
+  private static boolean isEarlier(Circle c, Vec2 v, Vec2 g, Bounds bounds, int id, int other) {
+    return exactWallTime(c, v, g, bounds, id).compare(exactWallTime(c, v, g, bounds, other)) < 0;
+  }
+
+  private static RealRoot exactWallTime(Circle c, Vec2 v, Vec2 g, Bounds bounds, int id) {
+    boolean vertical = id <= WallSweep.RIGHT;
+    return ExactParabola.wall(
+            vertical ? c.x() : c.y(),
+            c.radius(),
+            vertical ? v.x() : v.y(),
+            vertical ? g.x() : g.y(),
+            wall(bounds, id),
+            ParabolaWallSweep.inward(id))
+        .first(NEVER);
+  }
+
+  private static double wall(Bounds bounds, int id) {
+    return switch (id) {
+      case WallSweep.LEFT -> bounds.xmin();
+      case WallSweep.RIGHT -> bounds.xmax();
+      case WallSweep.BOTTOM -> bounds.ymin();
+      default -> bounds.ymax();
+    };
+  }
+
+  /** Disk 1 with a constant acceleration g against disk 2, which is reported as the obstacle. */
+  static Optional<Impact> accelerated(
+      Circle c1, Vec2 v1, Vec2 g, Circle c2, Vec2 v2, ObstacleKind kind, Obstacle obstacle,
+      double maxTime) {
+    double t =
+        ParabolaDiskSweep.time(
+            c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), g.x(), g.y(), c2.x(), c2.y(),
+            c2.radius(), v2.x(), v2.y(), maxTime);
+    if (t == NEVER) {
+      return Optional.empty();
+    }
+    Hit hit =
+        ParabolaHit.ofDisks(
+            c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), g.x(), g.y(), c2.x(), c2.y(),
+            c2.radius(), v2.x(), v2.y(), t);
+    return Optional.of(impact(t, kind, Impact.NO_ID, obstacle, Contact.LATER, hit));
   }
 
   /** The impact that a cast found first. */

@@ -20,7 +20,8 @@ package dev.carom;
  * @param normal the unit vector from the obstacle to the circle (of two circles: from the second to
  *     the first), each component within 1e-15 of the true one
  * @param approachSpeed the speed at which the distance falls at contact, {@code -v.n}: greater than
- *     0, unless it is smaller than the range of a double; infinite if it is larger
+ *     0, unless it is smaller than the range of a double, or an acceleration alone makes the
+ *     distance fall; infinite if it is larger
  */
 public record Impact(
     double time,

@@ -2,6 +2,9 @@
 package dev.carom;
 
 import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.ParabolaDiskSweep;
+import dev.carom.internal.sweep.ParabolaSegmentSweep;
+import dev.carom.internal.sweep.ParabolaWallSweep;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.WallSweep;
 import dev.carom.internal.util.Check;
@@ -47,14 +50,34 @@ import java.util.Optional;
  * its start. The time is the correctly rounded one. A time beyond the range of doubles exceeds every
  * finite maxTime; with {@code maxTime = +infinity} it is {@code +infinity}, which is a miss too.
  *
- * <p>Lengths share one unit, times another. Coordinates and velocities are finite, radii finite and at
- * least 0. The end of the window, maxTime, is at least 0, {@code +infinity} included. Anything else is
- * an {@link IllegalArgumentException} that names it.
+ * <h2>Acceleration</h2>
+ *
+ * <p>The forms with an acceleration (gx, gy), such as gravity, follow the parabola {@code p + v t + g
+ * t^2 / 2}. All of the above holds, and an acceleration of (0, 0) gives the bits of the other forms. An
+ * impact is the first time just after which the distance is at most the radius and falls. So:
+ *
+ * <ul>
+ *   <li>touching at the start without speed along the normal: an impact at 0 with approach speed 0 if
+ *       the circle is accelerated inward, that is, supported; none if outward;
+ *   <li>touching or overlapping at the start and leaving: if the acceleration turns the circle back
+ *       while it still overlaps, an impact at the moment at which the distance is greatest, with
+ *       approach speed 0; if it has left before, an impact when it touches again.
+ * </ul>
+ *
+ * <p>Ordinary questions take some hundred nanoseconds. Ties take up to some milliseconds, and so do a
+ * radius of 0 and a start that overlaps a line: exact arithmetic answers them.
+ *
+ * <p>Lengths share one unit, times another. Coordinates, velocities and accelerations are finite,
+ * radii finite and at least 0. The end of the window, maxTime, is at least 0, {@code +infinity}
+ * included. Anything else is an {@link IllegalArgumentException} that names it.
  *
  * <p>Method: a circle against a segment is a point against a capsule, its Minkowski sum with a disk
  * (C. Ericson, Real-Time Collision Detection, 2005, 5.5). Decisions are signs of polynomials that
  * climb from doubles to exact numbers only in doubt (J. R. Shewchuk, Adaptive Precision
- * Floating-Point Arithmetic, Discrete and Computational Geometry 18, 1997).
+ * Floating-Point Arithmetic, Discrete and Computational Geometry 18, 1997). With an acceleration the
+ * polynomials have degree 4. Their first root is isolated by the signs of Bernstein coefficients (G. E.
+ * Collins and A. G. Akritas, Polynomial real root isolation using Descartes' rule of signs, SYMSAC
+ * 1976). No root is written in closed form.
  */
 public final class SweptCircle {
 
@@ -141,9 +164,7 @@ public final class SweptCircle {
       double maxTime) {
     if (!(0 * (px + py + r + vx + vy + cx + cy + R) == 0 && r >= 0 && R >= 0 && maxTime >= 0)) {
       check(px, py, r, vx, vy, maxTime);
-      Check.finite("cx", cx);
-      Check.finite("cy", cy);
-      Check.notNegative("R", R);
+      checkPeg(cx, cy, R);
     }
     int contact = DiskSweep.contact(px, py, r, vx, vy, cx, cy, R, 0, 0);
     return DiskSweep.time(contact, px, py, r, vx, vy, cx, cy, R, 0, 0, maxTime);
@@ -216,6 +237,143 @@ public final class SweptCircle {
   }
 
   /**
+   * Returns the time at which a circle with a constant acceleration hits a line. The rules are in the
+   * description of this class, under Acceleration.
+   *
+   * @param px the x coordinate of the centre
+   * @param py the y coordinate of the centre
+   * @param r the radius
+   * @param vx the x component of the velocity at the start
+   * @param vy the y component of the velocity at the start
+   * @param gx the x component of the constant acceleration
+   * @param gy the y component of the constant acceleration
+   * @param ax the x coordinate of the line's start
+   * @param ay the y coordinate of the line's start
+   * @param bx the x coordinate of the line's end
+   * @param by the y coordinate of the line's end
+   * @param maxTime the end of the window
+   * @return the time of impact, {@code +infinity} = never
+   * @throws IllegalArgumentException if a number is outside its range
+   */
+  public static double line(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double maxTime) {
+    if (!(0 * (px + py + r + vx + vy + gx + gy + ax + ay + bx + by) == 0
+        && r >= 0
+        && maxTime >= 0)) {
+      check(px, py, r, vx, vy, gx, gy, maxTime);
+      new Line(ax, ay, bx, by);
+    }
+    return ParabolaSegmentSweep.time(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, maxTime);
+  }
+
+  /**
+   * Returns the time at which a circle with a constant acceleration hits a peg, or a single endpoint:
+   * a peg of radius 0. The rules are in the description of this class, under Acceleration.
+   *
+   * @param px the x coordinate of the centre
+   * @param py the y coordinate of the centre
+   * @param r the radius
+   * @param vx the x component of the velocity at the start
+   * @param vy the y component of the velocity at the start
+   * @param gx the x component of the constant acceleration
+   * @param gy the y component of the constant acceleration
+   * @param cx the x coordinate of the peg's centre
+   * @param cy the y coordinate of the peg's centre
+   * @param R the radius of the peg
+   * @param maxTime the end of the window
+   * @return the time of impact, {@code +infinity} = never
+   * @throws IllegalArgumentException if a number is outside its range
+   */
+  public static double peg(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double cx,
+      double cy, double R, double maxTime) {
+    if (!(0 * (px + py + r + vx + vy + gx + gy + cx + cy + R) == 0
+        && r >= 0
+        && R >= 0
+        && maxTime >= 0)) {
+      check(px, py, r, vx, vy, gx, gy, maxTime);
+      checkPeg(cx, cy, R);
+    }
+    return ParabolaDiskSweep.time(px, py, r, vx, vy, gx, gy, cx, cy, R, 0, 0, maxTime);
+  }
+
+  /**
+   * Returns the time at which a circle with a constant acceleration hits the first of the four walls
+   * around it. The rules are in the description of this class, under Acceleration.
+   *
+   * @param px the x coordinate of the centre
+   * @param py the y coordinate of the centre
+   * @param r the radius
+   * @param vx the x component of the velocity at the start
+   * @param vy the y component of the velocity at the start
+   * @param gx the x component of the constant acceleration
+   * @param gy the y component of the constant acceleration
+   * @param xmin the x coordinate of the left wall
+   * @param ymin the y coordinate of the bottom wall
+   * @param xmax the x coordinate of the right wall, greater than xmin
+   * @param ymax the y coordinate of the top wall, greater than ymin
+   * @param maxTime the end of the window
+   * @return the time of the first impact with a wall, {@code +infinity} = never
+   * @throws IllegalArgumentException if a number is outside its range
+   */
+  public static double bounds(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double xmin,
+      double ymin, double xmax, double ymax, double maxTime) {
+    if (!(0 * (px + py + r + vx + vy + gx + gy + xmin + ymin + xmax + ymax) == 0
+        && r >= 0
+        && maxTime >= 0
+        && xmax > xmin
+        && ymax > ymin)) {
+      check(px, py, r, vx, vy, gx, gy, maxTime);
+      new Bounds(xmin, ymin, xmax, ymax);
+    }
+    double left = ParabolaWallSweep.time(px, r, vx, gx, xmin, 1, maxTime);
+    double right = ParabolaWallSweep.time(px, r, vx, gx, xmax, -1, maxTime);
+    double bottom = ParabolaWallSweep.time(py, r, vy, gy, ymin, 1, maxTime);
+    double top = ParabolaWallSweep.time(py, r, vy, gy, ymax, -1, maxTime);
+    return Math.min(Math.min(left, right), Math.min(bottom, top));
+  }
+
+  /**
+   * Returns the time at which a circle with a constant acceleration hits one that moves straight on.
+   * Two circles with the same acceleration move straight relative to each other: the form without
+   * acceleration answers for them. The rules are in the description of this class, under
+   * Acceleration.
+   *
+   * @param x1 the x coordinate of the first circle's centre
+   * @param y1 the y coordinate of the first circle's centre
+   * @param r1 the radius of the first circle
+   * @param vx1 the x component of the first circle's velocity at the start
+   * @param vy1 the y component of the first circle's velocity at the start
+   * @param gx the x component of the first circle's constant acceleration
+   * @param gy the y component of the first circle's constant acceleration
+   * @param x2 the x coordinate of the second circle's centre
+   * @param y2 the y coordinate of the second circle's centre
+   * @param r2 the radius of the second circle
+   * @param vx2 the x component of the second circle's velocity
+   * @param vy2 the y component of the second circle's velocity
+   * @param maxTime the end of the window
+   * @return the time of impact, {@code +infinity} = never
+   * @throws IllegalArgumentException if a number is outside its range
+   */
+  public static double pair(
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double maxTime) {
+    if (!(0 * (x1 + y1 + r1 + vx1 + vy1 + gx + gy + x2 + y2 + r2 + vx2 + vy2) == 0
+        && r1 >= 0
+        && r2 >= 0
+        && maxTime >= 0)) {
+      checkOfTwo("1", x1, y1, r1, vx1, vy1);
+      checkAcceleration(gx, gy);
+      checkOfTwo("2", x2, y2, r2, vx2, vy2);
+      Check.duration("maxTime", maxTime);
+    }
+    return ParabolaDiskSweep.time(
+        x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, maxTime);
+  }
+
+  /**
    * Finds the first impact of a moving circle with an obstacle of any kind.
    *
    * @param circle the circle at the start of its motion
@@ -285,6 +443,59 @@ public final class SweptCircle {
     Check.notNull("v2", v2);
     Check.duration("maxTime", maxTime);
     return CircleCast.disk(first, v1, second, v2, ObstacleKind.CIRCLE, second, maxTime);
+  }
+
+  /**
+   * Finds the first impact of a circle with a constant acceleration with an obstacle of any kind. The
+   * rules are in the description of this class, under Acceleration.
+   *
+   * @param circle the circle at the start of its motion
+   * @param velocity its velocity at the start
+   * @param acceleration its constant acceleration
+   * @param obstacle a line, an endpoint, a peg or bounds; of bounds the wall that is hit first is
+   *     reported, as {@link Feature#SIDE}: exactly the earliest one, and the vertical one of two that
+   *     are hit at exactly the same time
+   * @param maxTime the end of the window
+   * @return the impact, its approach speed that at the impact; empty for a miss
+   * @throws IllegalArgumentException if maxTime is NaN or negative
+   */
+  public static Optional<Impact> cast(
+      Circle circle, Vec2 velocity, Vec2 acceleration, Obstacle obstacle, double maxTime) {
+    Check.notNull("circle", circle);
+    Check.notNull("velocity", velocity);
+    Check.notNull("acceleration", acceleration);
+    Check.notNull("obstacle", obstacle);
+    Check.duration("maxTime", maxTime);
+    return acceleration.x() == 0 && acceleration.y() == 0
+        ? cast(circle, velocity, obstacle, maxTime)
+        : CircleCast.accelerated(circle, velocity, acceleration, obstacle, maxTime);
+  }
+
+  /**
+   * Finds the first impact of a circle with a constant acceleration with one that moves straight on.
+   * The rules are in the description of this class, under Acceleration.
+   *
+   * @param first the first circle at the start of its motion
+   * @param v1 its velocity at the start
+   * @param acceleration its constant acceleration
+   * @param second the second circle at the start of its motion
+   * @param v2 its velocity, which stays
+   * @param maxTime the end of the window
+   * @return the impact, its normal from the second circle to the first; empty for a miss
+   * @throws IllegalArgumentException if maxTime is NaN or negative
+   */
+  public static Optional<Impact> cast(
+      Circle first, Vec2 v1, Vec2 acceleration, Circle second, Vec2 v2, double maxTime) {
+    Check.notNull("first", first);
+    Check.notNull("v1", v1);
+    Check.notNull("acceleration", acceleration);
+    Check.notNull("second", second);
+    Check.notNull("v2", v2);
+    Check.duration("maxTime", maxTime);
+    return acceleration.x() == 0 && acceleration.y() == 0
+        ? cast(first, v1, second, v2, maxTime)
+        : CircleCast.accelerated(
+            first, v1, acceleration, second, v2, ObstacleKind.CIRCLE, second, maxTime);
   }
 
   /**
@@ -370,6 +581,23 @@ public final class SweptCircle {
     Check.finite("vx", vx);
     Check.finite("vy", vy);
     Check.duration("maxTime", maxTime);
+  }
+
+  private static void check(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double maxTime) {
+    check(px, py, r, vx, vy, maxTime);
+    checkAcceleration(gx, gy);
+  }
+
+  private static void checkAcceleration(double gx, double gy) {
+    Check.finite("gx", gx);
+    Check.finite("gy", gy);
+  }
+
+  private static void checkPeg(double cx, double cy, double R) {
+    Check.finite("cx", cx);
+    Check.finite("cy", cy);
+    Check.notNegative("R", R);
   }
 
   /** Checks the numbers of a pair's first or second circle. */

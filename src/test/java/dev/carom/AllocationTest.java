@@ -43,6 +43,9 @@ class AllocationTest {
             sum += SweptCircle.pair(0, 0, 1, 1, 0.01, 9 + i % 100, 0, 2, 0, 0, 1e6);
             sum += SweptCircle.line(5, TOUCHING, 1, 0, 1, 0, 0, 10, 0, 1) > 0 ? 1 : 0;
             sum += SweptCircle.peg(0, TOUCHING, 1, 1, 1, 0, 0, 0, 1) > 0 ? 1 : 0;
+            sum += SweptCircle.line(5, 7 + i % 12, 1, 0.25, 2, 0, -1, 0, 0, 10, 0, 1e6);
+            sum += SweptCircle.peg(0, 0, 1, 1, 0.01, 0, -1, 9 + i % 100, -5, 2, 1e6) > 0 ? 1 : 0;
+            sum += SweptCircle.bounds(5, 7 + i % 12, 1, 0.25, 2, 0, -1, 0, 0, 10, 30, 1e6);
             sum += SweptSphere.pair(0, 0, 0, 1, 1, 0, 0, 9 + i % 100, 0, 1, 2, 0, 0, 0, 1e6);
             sum += SweptSphere.pair(0, 0, TOUCHING, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1) > 0 ? 1 : 0;
           }

@@ -35,6 +35,21 @@ public final class Dyadic {
     return new Dyadic(BigInteger.valueOf(x < 0 ? -integer : integer), exponent + zeros);
   }
 
+  /** 2^k. */
+  static Dyadic powerOfTwo(int k) {
+    return new Dyadic(BigInteger.ONE, k);
+  }
+
+  /**
+   * A number of few bits between two positive ones: about their arithmetic mean if they are within
+   * a factor of 4, else about the geometric one.
+   */
+  static Dyadic between(Dyadic from, Dyadic to) {
+    int bottom = from.magnitude();
+    int top = to.magnitude();
+    return top - bottom > 2 ? powerOfTwo((bottom + top + 1) >> 1) : from.plus(to).half();
+  }
+
   /** a - b, without rounding. */
   static Dyadic difference(double a, double b) {
     return of(a).minus(of(b));
@@ -102,6 +117,16 @@ public final class Dyadic {
     BigInteger shifted = m.shiftLeft(shift);
     ExactBudget.addSquared(shifted.bitLength());
     return new Dyadic(shifted.divide(that.m), e - shift - that.e);
+  }
+
+  /** A number that divides both, so that the quotients are odd parts times powers of two. */
+  Dyadic gcd(Dyadic that) {
+    return new Dyadic(m.gcd(that.m), 0);
+  }
+
+  /** The quotient by a divisor of this number's odd part, without rounding. */
+  Dyadic exactQuotient(Dyadic divisor) {
+    return new Dyadic(m.divide(divisor.m), e - divisor.e);
   }
 
   /**

@@ -192,6 +192,11 @@ public final class Exact {
     return vector(ax, ay, bx, by).unit();
   }
 
+  /** (x, y) / |(x, y)|. */
+  static UnitVector unit(Dyadic x, Dyadic y) {
+    return new Vector(x, y, Dyadic.ZERO).unit();
+  }
+
   /**
    * The double nearest to a time t, low or its upper neighbour; a tie goes to the even one. Low is
    * the largest double at or below an approximation of t to 120 bits, so t is at most that little

@@ -33,12 +33,32 @@ public final class PrecisionCounters {
   /** Pairs of a circle and a line or peg that the broad phase tested. */
   public long pairTests;
 
+  /** Questions about accelerated disks, one for each disk, wall or line that is asked for. */
+  public long parabolas;
+
+  /** Those among them that exact numbers answered. */
+  public long exactParabolas;
+
   private PrecisionCounters() {}
 
   /** Counts a decision that goes from plain doubles to exact numbers at once. */
   public static void exactDecision() {
     if (COUNT != null) {
       COUNT.decision(false);
+    }
+  }
+
+  /** Counts a question about an accelerated disk. */
+  public static void parabola() {
+    if (COUNT != null) {
+      COUNT.parabolas++;
+    }
+  }
+
+  /** Counts one that exact numbers answer. */
+  static void exactParabola() {
+    if (COUNT != null) {
+      COUNT.exactParabolas++;
     }
   }
 

@@ -133,6 +133,19 @@ public final class Hit {
     return of(x, y, vx1, vy1, vx2, vy2);
   }
 
+  /** Sets a hit with a normal; disk 1 has the velocity v1, what it hits v2. */
+  Hit of(
+      double atX, double atY, UnitVector normal, double vx1, double vy1, double vx2, double vy2) {
+    n.set(normal);
+    return of(atX, atY, vx1, vy1, vx2, vy2);
+  }
+
+  /** Sets a hit. */
+  Hit of(double atX, double atY, double nx, double ny, double speed) {
+    n.set(nx, ny);
+    return of(atX, atY, speed);
+  }
+
   private Hit of(
       double atX, double atY, double vx1, double vy1, double vx2, double vy2) {
     return of(atX, atY, approach(vx1, vy1, vx2, vy2, n));

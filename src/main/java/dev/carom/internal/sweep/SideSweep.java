@@ -182,7 +182,7 @@ public final class SideSweep {
   }
 
   /** h^2 - r^2 w.w. */
-  private static double gap(
+  static double gap(
       double h, double hl, double wx, double wxl, double wy, double wyl, double r) {
     double xx = wx * wx;
     double yy = wy * wy;

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+/**
+ * The time at which the gap f of an accelerated disk first falls to 0. The gap is the square of a
+ * distance less that of a radius, a polynomial of degree 4 in time.
+ *
+ * <p>The search takes the Bernstein coefficients of f on an interval. All above a bound of their
+ * errors: no root. Those above it followed by those below its negative, with one in doubt between
+ * them at most: exactly one root (Descartes' rule of signs). Otherwise the interval is halved;
+ * after one without a root the next is twice as long.
+ *
+ * <p>The sizes m0, m1, m2 bound f: with {@code A(t) = (m0 + m1 t + m2 t^2)^2}, the absolute values
+ * of all terms of f, before anything cancels, add up to A at most. So do those of {@code t f' / 4}
+ * and of {@code t^2 f'' / 12}. In the bounds {@code u = 2^-53}.
+ */
+final class GapRoot {
+
+  static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** Plain doubles leave the answer open. */
+  static final double DOUBT = Double.NaN;
+
+  /** Intervals looked at before the search gives up. */
+  private static final int INTERVALS = 64;
+
+  /** Corrections of a time in double-double. */
+  static final int CORRECTIONS = 3;
+
+  /** Steps of Newton's method, or halvings, towards the root. */
+  private static final int STEPS = 20;
+
+  /** How near the root's interval the ends may be, in proportion. */
+  private static final double MARGIN = 0x1p-20;
+
+  /**
+   * A Bernstein coefficient on the interval from low to high, of A(high): the coefficients of f err
+   * by 10 u of their terms; the powers of low and of the width take 8 u, of which one each is the
+   * rounding of the width itself; sums and products of the shift 8 u, of the conversion 8 u: 34 u
+   * in all, and A is computed, too.
+   */
+  private static final double BERNSTEIN_BOUND = 48 * 0x1p-53;
+
+  /** Underflow of fewer than 64 operations, times a power of high up to the fourth. */
+  private static final double TINY = 0x1p-460;
+
+  /** The latest end of an interval: its fourth power times 2^-1074 stays below {@link #TINY}. */
+  static final double LATEST = 0x1p150;
+
+  /** Above this, no product of a reach underflows if f is above {@link #TINY} at time 0. */
+  private static final double LEAST_SAFE = 0x1p-600;
+
+  /**
+   * The residue, of A: an offset errs by 40 u^2 of its terms, a distance from a line by 160 u^2,
+   * the squares by twice that; their tails and their sums by less than 190 u^2: 512 u^2 at most.
+   * The rest covers the slope and the bend at half an ulp, 4 u^2 and 6 u^2.
+   */
+  private static final double RESIDUE_BOUND = 1024 * 0x1p-106;
+
+  /** The slope, of A / t, errs by 8 u of 4 A / t; the sum, and the product with a step, by 8 u. */
+  private static final double SLOPE_BOUND = 64 * 0x1p-53;
+
+  /** The bend: f'' is at most 12 A / t^2, half of it counts; higher terms are far below. */
+  private static final double BEND = 8;
+
+  /** Underflow in a residue: 64 operations, factors up to {@link #LATEST} and {@link #MOST}. */
+  private static final double RESIDUE_TINY = 0x1p-600;
+
+  private static final double MOST = 0x1p300;
+
+  private GapRoot() {}
+
+  /** The sign of a coefficient of f at time 0, of a given size; 0 in doubt. */
+  static int sign(double value, double size) {
+    double bound = Math.fma(BERNSTEIN_BOUND, size, TINY);
+    return value > bound ? 1 : value < -bound ? -1 : 0;
+  }
+
+  /**
+   * The end of the window in which f can reach 0, T at most: later {@code m2 t^2 > m1 t + m0}.
+   *
+   * @param least at most the true |m2|
+   */
+  static double reach(double m0, double m1, double least, double T) {
+    double reach = 1.001 * ((m1 + Math.sqrt(m1 * m1 + 4 * least * m0)) / (2 * least));
+    return reach < T && least > LEAST_SAFE ? reach : T;
+  }
+
+  /**
+   * The root, approximately: f has it and no other within {@link #MARGIN} of the result, and none
+   * between it and the start. NEVER if f has none up to T, DOUBT if plain doubles do not tell.
+   *
+   * @param start a time at which f is certain to be above 0
+   */
+  static double first(
+      double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
+      double start, double T) {
+    if (!(T <= LATEST && isFinite(c0, c1, c2, c3, c4))) {
+      return DOUBT;
+    }
+    double low = start;
+    double width = T - start;
+    for (int i = 0; i < INTERVALS && low < T; i++) {
+      double high = Math.min(low + width, T);
+      double w = high - low;
+      double m = m0 + (m1 + m2 * high) * high;
+      double bound = Math.fma(BERNSTEIN_BOUND, m * m, TINY);
+      // f(low + w x) = a0 + a1 x + ... + a4 x^4
+      double s = c3 + c4 * low;
+      double s2 = s + c4 * low;
+      double q = c2 + s * low;
+      double q2 = q + s2 * low;
+      double l = c1 + q * low;
+      double a0 = c0 + l * low;
+      double a1 = (l + q2 * low) * w;
+      double a2 = (q2 + (s2 + c4 * low) * low) * (w * w);
+      double a3 = (s2 + 2 * c4 * low) * (w * w * w);
+      double a4 = c4 * (w * w) * (w * w);
+      double b1 = a0 + 0.25 * a1;
+      double b2 = a0 + 0.5 * a1 + a2 / 6;
+      double b3 = a0 + 0.75 * a1 + 0.5 * a2 + 0.25 * a3;
+      double b4 = a0 + a1 + a2 + a3 + a4;
+      if (b1 > bound && b2 > bound && b3 > bound && b4 > bound) {
+        low = high;
+        width = 2 * w;
+      } else if (isOneRoot(b1, b2, b3, b4, bound)) {
+        double t = root(c0, c1, c2, c3, c4, low, high, low + w * (a0 / (a0 - b4)));
+        return t - MARGIN * t > low && t + MARGIN * t < high ? t : DOUBT;
+      } else {
+        double largest =
+            Math.max(Math.max(Math.abs(b1), Math.abs(b2)), Math.max(Math.abs(b3), Math.abs(b4)));
+        if (!(largest > 4 * bound)) {
+          return DOUBT;
+        }
+        width = 0.5 * w;
+      }
+    }
+    return low < T ? DOUBT : NEVER;
+  }
+
+  /**
+   * A time until which f rises from the start, and at which it is above 0. NEVER if it rises up to T
+   * and is not certain to come above 0, DOUBT if plain doubles do not tell. All Bernstein
+   * coefficients of f' must be above a bound; their terms add up to A' = 2 (m0 + m1 t + m2 t^2) (m1 +
+   * 2 m2 t) at most.
+   */
+  static double leaves(
+      double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
+      double T) {
+    double t = T <= LATEST && isFinite(c0, c1, c2, c3, c4) ? T : DOUBT;
+    for (int i = 0; i < INTERVALS; i++) {
+      double m = m0 + (m1 + m2 * t) * t;
+      double bound = Math.fma(BERNSTEIN_BOUND, 2 * m * (m1 + 2 * m2 * t), TINY);
+      double d2 = c1 + (4 * c2 / 3 + c3 * t) * t;
+      double d3 = c1 + (2 * c2 + (3 * c3 + 4 * c4 * t) * t) * t;
+      if (!(c1 > bound)) {
+        return DOUBT;
+      }
+      if (c1 + 2 * c2 / 3 * t > bound && d2 > bound && d3 > bound) {
+        double f = c0 + (c1 + (c2 + (c3 + c4 * t) * t) * t) * t;
+        return sign(f, m * m) > 0 ? t : t == T ? NEVER : DOUBT;
+      }
+      t *= 0.5;
+    }
+    return DOUBT;
+  }
+
+  /** Whether no coefficient has overflowed, nor does a small multiple. */
+  private static boolean isFinite(double c0, double c1, double c2, double c3, double c4) {
+    double sum = Math.abs(c0) + Math.abs(c1) + Math.abs(c2) + Math.abs(c3) + Math.abs(c4);
+    return sum < 0x1p1000;
+  }
+
+  /** Whether the signs change once, whatever one of them is; the first one, of a0, is positive. */
+  private static boolean isOneRoot(double b1, double b2, double b3, double b4, double bound) {
+    if (!(b4 < -bound)) {
+      return false;
+    }
+    if (b3 < -bound) {
+      return b2 < -bound || b1 > bound;
+    }
+    return b1 > bound && b2 > bound;
+  }
+
+  /** The root between low and high, where the sign changes from + to -, by safeguarded Newton. */
+  private static double root(
+      double c0, double c1, double c2, double c3, double c4, double low, double high,
+      double start) {
+    double before = low;
+    double after = high;
+    double t = start;
+    for (int i = 0; i < STEPS; i++) {
+      double f = c0 + (c1 + (c2 + (c3 + c4 * t) * t) * t) * t;
+      double slope = c1 + (2 * c2 + (3 * c3 + 4 * c4 * t) * t) * t;
+      if (f > 0) {
+        before = t;
+      } else {
+        after = t;
+      }
+      double next = t - f / slope;
+      if (Math.abs(next - t) <= 0x1p-46 * t) {
+        return next;
+      }
+      t = next > before && next < after ? next : 0.5 * (before + after);
+    }
+    return t;
+  }
+
+  /**
+   * The double nearest to the root beside t; DOUBT if this does not tell. It is {@code n = t - f /
+   * f'} if f is certain to be positive at the middle between n and its lower neighbour, and
+   * negative at that with its upper one: so no error of the slope counts that does not change the
+   * signs.
+   *
+   * @param f the residue at t, in double-double
+   * @param slope f' at t
+   * @param size {@code m0 + m1 t + m2 t^2}
+   */
+  static double nearest(double t, double f, double slope, double size) {
+    double n = t - f / slope;
+    double step = n - t;
+    double up = 0.5 * Math.ulp(n);
+    double down = 0.5 * (n - Math.nextDown(n));
+    double ratio = (Math.abs(step) + up) / t;
+    double scale = size * size;
+    double bound =
+        Math.fma(scale, RESIDUE_BOUND + ratio * (SLOPE_BOUND + BEND * ratio), RESIDUE_TINY);
+    boolean isCertain =
+        f + slope * (step - down) > bound
+            && f + slope * (step + up) < -bound
+            && scale < MOST
+            && t < LATEST;
+    return isCertain ? n : DOUBT;
+  }
+
+  /**
+   * A bound of the error of a step {@code c = -f / f'} from t to the root; NaN where none is known.
+   * The slope must not err by more than half of itself.
+   */
+  static double stepError(double t, double c, double slope, double size) {
+    double scale = size * size;
+    double ratio = Math.abs(c) / t;
+    double error =
+        Math.fma(scale, RESIDUE_BOUND + ratio * (SLOPE_BOUND + BEND * ratio), RESIDUE_TINY);
+    boolean isKnown =
+        SLOPE_BOUND * scale < 0.5 * -slope * t && ratio < 0x1p-40 && scale < MOST && t < LATEST;
+    return isKnown ? 2 * error / -slope : DOUBT;
+  }
+}

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import static dev.carom.internal.exact.DoubleDouble.differenceTail;
+import static dev.carom.internal.exact.DoubleDouble.productTail;
+import static dev.carom.internal.exact.DoubleDouble.sumTail;
+
+import dev.carom.internal.exact.ExactParabola;
+import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.UnitVector;
+
+/**
+ * A disk with a constant acceleration g against a disk that moves straight on or rests. Endpoints
+ * are disks of radius zero.
+ *
+ * <p>With the offset {@code d = c1 - c2}, the velocity {@code u = v1 - v2} and {@code r = r1 + r2},
+ * the gap is {@code |d + u t + g t^2 / 2|^2 - r^2}. Its coefficients are {@code d.d - r^2, 2 d.u,
+ * u.u + d.g, u.g, g.g / 4}.
+ */
+public final class ParabolaDiskSweep {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private ParabolaDiskSweep() {}
+
+  /** The correctly rounded time of impact, {@code +infinity} for none up to the window's end T. */
+  public static double time(
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double T) {
+    if (gx == 0 && gy == 0) {
+      int contact = DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
+      return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T);
+    }
+    PrecisionCounters.parabola();
+    double time = certain(true, x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, T);
+    return !Double.isNaN(time)
+        ? time
+        : ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2).time(T);
+  }
+
+  /**
+   * The time, if doubles and double-double tell.
+   *
+   * @param overlap whether to follow a disk that may overlap at the start, and leaves
+   */
+  static double certain(
+      boolean overlap, double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double T) {
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double ux = vx1 - vx2;
+    double uy = vy1 - vy2;
+    double r = r1 + r2;
+    double c0 = (dx * dx + dy * dy) - r * r;
+    double c1 = 2 * (dx * ux + dy * uy);
+    double c2 = (ux * ux + uy * uy) + (dx * gx + dy * gy);
+    double c3 = ux * gx + uy * gy;
+    double c4 = 0.25 * (gx * gx + gy * gy);
+    double m0 = Math.abs(dx) + Math.abs(dy) + r;
+    double m1 = Math.abs(ux) + Math.abs(uy);
+    double m2 = 0.5 * (Math.abs(gx) + Math.abs(gy));
+    double end = GapRoot.reach(m0, m1, 0.5 * Math.max(Math.abs(gx), Math.abs(gy)), T);
+    double start = 0;
+    int side = GapRoot.sign(c0, m0 * m0);
+    if (side <= 0) {
+      if (side < 0 && GapRoot.sign(c1, 2 * m0 * m1) < 0) {
+        return 0;
+      }
+      start = overlap ? GapRoot.leaves(c0, c1, c2, c3, c4, m0, m1, m2, end) : GapRoot.DOUBT;
+      if (!(start < NEVER)) {
+        return start;
+      }
+    }
+    double t = GapRoot.first(c0, c1, c2, c3, c4, m0, m1, m2, start, end);
+    if (!(t < NEVER)) {
+      return t;
+    }
+    return nearest(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
+  }
+
+  /** The double nearest to the root, DOUBT if some corrections of t do not tell. */
+  private static double nearest(
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double start) {
+    double t = start;
+    double nearest = GapRoot.DOUBT;
+    for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
+      double f = residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
+      double slope =
+          2
+              * (place(x1, x2, vx1, vx2, gx, t) * ((vx1 - vx2) + gx * t)
+                  + place(y1, y2, vy1, vy2, gy, t) * ((vy1 - vy2) + gy * t));
+      double size = r1 + r2 + size(x1 - x2, vx1 - vx2, gx, t) + size(y1 - y2, vy1 - vy2, gy, t);
+      nearest = GapRoot.nearest(t, f, slope, size);
+      t -= f / slope;
+    }
+    return nearest;
+  }
+
+  /**
+   * The unit normal at an impact, from the second disk to the first, each component within 1e-15;
+   * null if doubles and double-double do not tell.
+   *
+   * @param t the time of impact
+   */
+  static UnitVector normal(
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double t) {
+    if (t == 0) {
+      return UnitVectors.unit(x1, y1, x2, y2);
+    }
+    double x = place(x1, x2, vx1, vx2, gx, t);
+    double y = place(y1, y2, vy1, vy2, gy, t);
+    double ux = (vx1 - vx2) + gx * t;
+    double uy = (vy1 - vy2) + gy * t;
+    double slope = 2 * (x * ux + y * uy);
+    double c = -residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t) / slope;
+    double sizeX = size(x1 - x2, vx1 - vx2, gx, t);
+    double sizeY = size(y1 - y2, vy1 - vy2, gy, t);
+    // t is within an ulp of the impact: so is the place, but for this much and the bend's u^2.
+    double error = GapRoot.stepError(t, c, slope, r1 + r2 + sizeX + sizeY);
+    if (!(error * 2 * (sizeX + sizeY) < 0x1p-55 * (r1 + r2) * t)) {
+      return null;
+    }
+    double xl = terms(x1, x2, vx1, vx2, gx, t);
+    double yl = terms(y1, y2, vy1, vy2, gy, t);
+    return UnitVectors.unit(x + (xl + ux * c), y + (yl + uy * c), 0, 0);
+  }
+
+  /** The gap at t. What cancels is kept as head and tail. */
+  private static double residue(
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double t) {
+    double x = place(x1, x2, vx1, vx2, gx, t);
+    double y = place(y1, y2, vy1, vy2, gy, t);
+    double xl = terms(x1, x2, vx1, vx2, gx, t);
+    double yl = terms(y1, y2, vy1, vy2, gy, t);
+    double r = r1 + r2;
+    double rl = sumTail(r1, r2, r);
+    double xx = x * x;
+    double yy = y * y;
+    double rr = r * r;
+    double ee = xx + yy;
+    double f = ee - rr;
+    return f
+        + ((sumTail(xx, yy, ee) + differenceTail(ee, rr, f))
+            + ((productTail(x, x, xx) + productTail(y, y, yy)) - productTail(r, r, rr))
+            + 2 * (x * xl + y * yl - r * rl));
+  }
+
+  /** The sum of the absolute values of the terms of an offset on one axis. */
+  static double size(double d, double u, double g, double t) {
+    return Math.abs(d) + (Math.abs(u) + Math.abs(0.5 * g) * t) * t;
+  }
+
+  /** d + u t + g t^2 / 2 on one axis. */
+  static double place(double x1, double x2, double v1, double v2, double g, double t) {
+    return ((x1 - x2) + (v1 - v2) * t) + 0.5 * g * (t * t);
+  }
+
+  /** The rounding error of that, below 6 u of its terms. */
+  static double terms(double x1, double x2, double v1, double v2, double g, double t) {
+    double d = x1 - x2;
+    double u = v1 - v2;
+    double half = 0.5 * g;
+    double m = u * t;
+    double tt = t * t;
+    double q = half * tt;
+    double dm = d + m;
+    double ml = Math.fma(differenceTail(v1, v2, u), t, productTail(u, t, m));
+    double ql = productTail(half, tt, q) + half * productTail(t, t, tt);
+    return sumTail(dm, q, dm + q) + (sumTail(d, m, dm) + (differenceTail(x1, x2, d) + (ml + ql)));
+  }
+}

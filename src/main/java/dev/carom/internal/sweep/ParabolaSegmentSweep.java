@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import static dev.carom.internal.exact.DoubleDouble.crossTail;
+import static dev.carom.internal.exact.DoubleDouble.differenceTail;
+import static dev.carom.internal.exact.DoubleDouble.sumTail;
+
+import dev.carom.internal.exact.ExactParabola;
+import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.RealRoot;
+
+/**
+ * A disk with a constant acceleration g against a resting line.
+ *
+ * <p>With {@code w = b - a} and the centre's height {@code h(t) = cross(w, p(t) - a)}, the gap
+ * beside the line, times w.w, is {@code h^2 - r^2 w.w}. The disk touches the line when its centre
+ * enters the capsule of radius r around it: a disk around each end, and the strip between them. So:
+ *
+ * <ol>
+ *   <li>A disk that starts outside the strip of width 2 r along the infinite line can touch nothing
+ *       before it enters that. If it then is between the ends, it hits the side.
+ *   <li>If it is beyond an end, or starts in the strip beyond an end, it can hit that end, or the
+ *       other one, or leave the strip and enter it again. If the height is monotone until the first
+ *       contact with an end, it does not enter again, and the earlier end is the answer.
+ *   <li>All else, and all that doubles leave in doubt, goes to exact numbers.
+ * </ol>
+ */
+public final class ParabolaSegmentSweep {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /**
+   * A projection on the line, or a height, at a rounded time: differences 1, products 3, sums 3, of
+   * the terms; half an ulp of time moves it by 1 of twice the terms: 9 u, and the terms are
+   * computed.
+   */
+  private static final double PLACE_BOUND = 16 * 0x1p-53;
+
+  private static final double TINY = 0x1p-600;
+
+  private static final double MOST = 0x1p150;
+
+  private ParabolaSegmentSweep() {}
+
+  /** The correctly rounded time of impact, {@code +infinity} for none up to the window's end T. */
+  public static double time(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double T) {
+    if (gx == 0 && gy == 0) {
+      int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
+      return SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, T);
+    }
+    if (ax == bx && ay == by) {
+      return ParabolaDiskSweep.time(px, py, r, vx, vy, gx, gy, ax, ay, 0, 0, 0, T);
+    }
+    PrecisionCounters.parabola();
+    double time = certain(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, T);
+    return !Double.isNaN(time)
+        ? time
+        : ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by).time(T);
+  }
+
+  /**
+   * The {@link Contact} of an impact.
+   *
+   * @param t its time, from {@link #time}
+   */
+  public static int contact(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double t) {
+    int now = t == 0 ? Contact.NOW : 0;
+    if (ax == bx && ay == by) {
+      return Contact.START | now;
+    }
+    double wx = bx - ax;
+    double wy = by - ay;
+    int start = along(px, py, vx, vy, gx, gy, ax, ay, wx, wy, t);
+    int end = along(px, py, vx, vy, gx, gy, bx, by, wx, wy, t);
+    if (start < 0) {
+      return Contact.START | now;
+    }
+    if (end > 0) {
+      return Contact.END | now;
+    }
+    int side = along(px, py, vx, vy, gx, gy, ax, ay, -wy, wx, t);
+    if (start > 0 && end < 0 && side != 0) {
+      return (side > 0 ? Contact.LEFT : Contact.RIGHT) | now;
+    }
+    return exactContact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by) | now;
+  }
+
+  private static int exactContact(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by) {
+    ExactParabola exact = ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by);
+    RealRoot root = exact.first(NEVER);
+    int region = exact.region(root);
+    if (region != 0) {
+      return region < 0 ? Contact.START : Contact.END;
+    }
+    return exact.side(root) > 0 ? Contact.LEFT : Contact.RIGHT;
+  }
+
+  /** The sign of w.(p(t) - q) at the time that t is the rounding of; 0 in doubt. */
+  private static int along(
+      double px, double py, double vx, double vy, double gx, double gy, double qx, double qy,
+      double wx, double wy, double t) {
+    double x = ParabolaDiskSweep.place(px, qx, vx, 0, gx, t);
+    double y = ParabolaDiskSweep.place(py, qy, vy, 0, gy, t);
+    double sizeX = ParabolaDiskSweep.size(px - qx, vx, gx, t);
+    double sizeY = ParabolaDiskSweep.size(py - qy, vy, gy, t);
+    double value = wx * x + wy * y;
+    double terms = Math.abs(wx) * sizeX + Math.abs(wy) * sizeY;
+    double bound = Math.fma(PLACE_BOUND, terms, TINY);
+    boolean isCertain = Math.abs(value) > bound && t < MOST && Math.abs(wx) + Math.abs(wy) < MOST;
+    return isCertain ? UnitVectors.sign(value) : 0;
+  }
+
+  /** The time, if doubles and double-double tell. */
+  private static double certain(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double T) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double dx = px - ax;
+    double dy = py - ay;
+    double h0 = wx * dy - wy * dx;
+    double h1 = wx * vy - wy * vx;
+    double h2 = 0.5 * (wx * gy - wy * gx);
+    double rr = r * r;
+    double c0 = h0 * h0 - rr * (wx * wx + wy * wy);
+    double width = Math.abs(wx) + Math.abs(wy);
+    double m0 = Math.abs(wx * dy) + Math.abs(wy * dx) + r * width;
+    double m1 = Math.abs(wx * vy) + Math.abs(wy * vx);
+    double m2 = 0.5 * (Math.abs(wx * gy) + Math.abs(wy * gx));
+    int strip = GapRoot.sign(c0, m0 * m0);
+    if (strip == 0) {
+      return GapRoot.DOUBT;
+    }
+    double from = 0;
+    if (strip > 0) {
+      double end = reach(wx, wy, gx, gy, h1, h2, m0, m1, m2, T);
+      from =
+          GapRoot.first(
+              c0, 2 * h0 * h1, h1 * h1 + 2 * h0 * h2, 2 * h1 * h2, h2 * h2, m0, m1, m2, 0, end);
+      if (!(from < NEVER)) {
+        return from;
+      }
+      from = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, from);
+    }
+    int start = along(px, py, vx, vy, gx, gy, ax, ay, wx, wy, from);
+    int end = along(px, py, vx, vy, gx, gy, bx, by, wx, wy, from);
+    if (start > 0 && end < 0) {
+      boolean falls = strip > 0 || GapRoot.sign(h0 * h1, m0 * m1) < 0;
+      return falls ? from : GapRoot.DOUBT;
+    }
+    return start == 0 || end == 0
+        ? GapRoot.DOUBT
+        : beyondAnEnd(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, from, T);
+  }
+
+  /** The time of impact of a disk that at a time is in the strip, beyond an end of the line. */
+  private static double beyondAnEnd(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double from, double T) {
+    double first =
+        Math.min(
+            ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, ax, ay, 0, 0, 0, T),
+            ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, bx, by, 0, 0, 0, T));
+    if (first == 0 || Double.isNaN(first)) {
+      return first;
+    }
+    double wx = bx - ax;
+    double wy = by - ay;
+    int turn = turn(vx, vy, gx, gy, wx, wy, from, Math.min(first, T));
+    if (turn <= 0) {
+      return turn < 0 ? first : GapRoot.DOUBT;
+    }
+    double dx = px - ax;
+    double dy = py - ay;
+    double h1 = wx * vy - wy * vx;
+    double h2 = 0.5 * (wx * gy - wy * gx);
+    double vertex = -0.5 * h1 / h2;
+    double height = (wx * dy - wy * dx) + 0.5 * h1 * vertex;
+    double width = Math.abs(wx) + Math.abs(wy);
+    double sizeX = ParabolaDiskSweep.size(dx, vx, gx, vertex);
+    double sizeY = ParabolaDiskSweep.size(dy, vy, gy, vertex);
+    double m = r * width + Math.abs(wx) * sizeY + Math.abs(wy) * sizeX;
+    double ww = wx * wx + wy * wy;
+    int outside = GapRoot.sign(height * height - r * r * ww, m * m);
+    if (outside <= 0 || !(vertex < GapRoot.LATEST)) {
+      return outside < 0 && vertex < GapRoot.LATEST ? first : GapRoot.DOUBT;
+    }
+    double again = vertex + Math.sqrt((Math.abs(height) - r * Math.sqrt(ww)) / Math.abs(h2));
+    return Math.min(first, again(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, again, first, T));
+  }
+
+  /**
+   * Whether the height turns between two times: 1 if it does, -1 if it is monotone, 0 in doubt. It
+   * does not turn if its slope has the same sign at both, or nothing but the velocity, or nothing but
+   * the acceleration, changes it.
+   */
+  private static int turn(
+      double vx, double vy, double gx, double gy, double wx, double wy, double from, double to) {
+    double h1 = wx * vy - wy * vx;
+    double h2 = 0.5 * (wx * gy - wy * gx);
+    double m1 = Math.abs(wx * vy) + Math.abs(wy * vx);
+    double m2 = 0.5 * (Math.abs(wx * gy) + Math.abs(wy * gx));
+    if (isAlong(wx, wy, gx, gy) || (isAlong(wx, wy, vx, vy) && from == 0)) {
+      return -1;
+    }
+    int first = GapRoot.sign(h1 + 2 * h2 * from, m1 + 2 * m2 * from);
+    int last =
+        to < GapRoot.LATEST
+            ? GapRoot.sign(h1 + 2 * h2 * to, m1 + 2 * m2 * to)
+            : GapRoot.sign(h2, m2);
+    return -first * last;
+  }
+
+  /**
+   * The time of a hit on the side by a disk that has left the strip, turned and comes again; NEVER
+   * if it then is beyond an end, or later than the first hit of one or the window.
+   */
+  private static double again(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double start, double first, double T) {
+    double t = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, start);
+    if (t > first || t > T) {
+      return NEVER;
+    }
+    double wx = bx - ax;
+    double wy = by - ay;
+    int beyondStart = along(px, py, vx, vy, gx, gy, ax, ay, wx, wy, t);
+    int beyondEnd = along(px, py, vx, vy, gx, gy, bx, by, wx, wy, t);
+    if (beyondStart < 0 || beyondEnd > 0) {
+      return NEVER;
+    }
+    return beyondStart > 0 && beyondEnd < 0 && t < T ? t : GapRoot.DOUBT;
+  }
+
+  /** Whether a vector is along the line by its zeros: both terms of cross(w, v) are 0. */
+  private static boolean isAlong(double wx, double wy, double vx, double vy) {
+    return (wx == 0 || vy == 0) && (wy == 0 || vx == 0);
+  }
+
+  /** The end of the window in which the disk can enter the strip. */
+  private static double reach(
+      double wx, double wy, double gx, double gy, double h1, double h2, double m0, double m1,
+      double m2, double T) {
+    if (!isAlong(wx, wy, gx, gy)) {
+      return GapRoot.reach(m0, m1, Math.abs(h2) - 0x1p-50 * m2, T);
+    }
+    double speed = Math.abs(h1) - 0x1p-50 * m1;
+    double reach = 1.001 * (m0 / speed);
+    return speed > 0x1p-600 && reach < T ? reach : T;
+  }
+
+  /** The double nearest to the root of the gap beside the line. */
+  private static double nearest(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double start) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double t = start;
+    double nearest = GapRoot.DOUBT;
+    for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
+      double x = ParabolaDiskSweep.place(px, ax, vx, 0, gx, t);
+      double y = ParabolaDiskSweep.place(py, ay, vy, 0, gy, t);
+      double f = residue(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, t);
+      double slope = 2 * (wx * y - wy * x) * (wx * (vy + gy * t) - wy * (vx + gx * t));
+      double size =
+          Math.abs(wx) * (r + ParabolaDiskSweep.size(py - ay, vy, gy, t))
+              + Math.abs(wy) * (r + ParabolaDiskSweep.size(px - ax, vx, gx, t));
+      nearest = GapRoot.nearest(t, f, slope, size);
+      t -= f / slope;
+    }
+    return nearest;
+  }
+
+  /** {@code h^2 - r^2 w.w} at t. What cancels is kept as head and tail. */
+  private static double residue(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double t) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double wxl = differenceTail(bx, ax, wx);
+    double wyl = differenceTail(by, ay, wy);
+    double x = ParabolaDiskSweep.place(px, ax, vx, 0, gx, t);
+    double y = ParabolaDiskSweep.place(py, ay, vy, 0, gy, t);
+    double xl = ParabolaDiskSweep.terms(px, ax, vx, 0, gx, t);
+    double yl = ParabolaDiskSweep.terms(py, ay, vy, 0, gy, t);
+    double h0 = wx * y - wy * x;
+    double h1 = crossTail(wx, wxl, wy, wyl, x, xl, y, yl, h0);
+    double h = h0 + h1;
+    return SideSweep.gap(h, sumTail(h0, h1, h), wx, wxl, wy, wyl, r);
+  }
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import static dev.carom.internal.exact.DoubleDouble.differenceTail;
+
+import dev.carom.internal.exact.ExactParabola;
+import dev.carom.internal.exact.PrecisionCounters;
+
+/**
+ * A disk with a constant acceleration against a wall, on one axis. The gap is {@code s + v t + g
+ * t^2 / 2} with {@code s = p - wall - r}, all with the other sign for a wall above.
+ */
+public final class ParabolaWallSweep {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** The relative error of the discriminant: s has 2 u, of its terms; products and sum 4 u. */
+  private static final double DISCRIMINANT_BOUND = 8 * 0x1p-53;
+
+  /** Below this, products may have lost all to underflow. */
+  private static final double LEAST_SAFE = 0x1p-900;
+
+  private ParabolaWallSweep() {}
+
+  /** +1 if a disk is to stay above the wall with this id, -1 if below. */
+  public static int inward(int id) {
+    return id == WallSweep.LEFT || id == WallSweep.BOTTOM ? 1 : -1;
+  }
+
+  /**
+   * The correctly rounded time of impact, {@code +infinity} for none up to the window's end T.
+   *
+   * @param inward +1 if the disk is to stay above the wall, -1 if below
+   */
+  public static double time(
+      double p, double r, double v, double g, double wall, int inward, double T) {
+    if (g == 0) {
+      return v * inward < 0 ? WallSweep.time(p, r, v, wall, T) : NEVER;
+    }
+    PrecisionCounters.parabola();
+    double time = certain(p, r, v, g, wall, inward);
+    // A rounded time of T itself may be that of a later one.
+    if (time < T || time == 0) {
+      return time;
+    }
+    return time > T ? NEVER : ExactParabola.wall(p, r, v, g, wall, inward).time(T);
+  }
+
+  /** The time, if doubles and double-double tell. */
+  private static double certain(double p, double r, double v, double g, double wall, int inward) {
+    double away = inward * v;
+    double lift = inward * g;
+    double h = inward * (p - wall);
+    double s = h - r;
+    double terms = Math.abs(h) + r;
+    // h is the nearest double, so the sign of h - r is the true one, unless it is 0.
+    if (!(Math.abs(s) > 0)) {
+      return GapRoot.DOUBT;
+    }
+    if (away >= 0 && lift > 0) {
+      return NEVER;
+    }
+    if (s < 0 && away <= 0) {
+      return away < 0 || lift < 0 ? 0 : NEVER;
+    }
+    double square = away * away;
+    double product = 2 * lift * s;
+    double discriminant = square - product;
+    double bound = DISCRIMINANT_BOUND * (square + 2 * Math.abs(lift) * terms);
+    if (!(Math.abs(discriminant) > bound && bound > LEAST_SAFE && Math.abs(s) > LEAST_SAFE)) {
+      return GapRoot.DOUBT;
+    }
+    if (discriminant < 0) {
+      double top = away / -lift; // turned back while still beyond the wall
+      return s > 0 ? NEVER : top > LEAST_SAFE ? top : GapRoot.DOUBT;
+    }
+    double root = Math.sqrt(discriminant);
+    double t = away <= 0 ? 2 * s / (root - away) : (away + root) / -lift;
+    double nearest = GapRoot.DOUBT;
+    for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
+      double residue = residue(p, r, v, g, wall, inward, t);
+      double slope = inward * (v + g * t);
+      double size = terms + (Math.abs(v) + Math.abs(0.5 * g) * t) * t;
+      nearest = GapRoot.nearest(t, residue, slope, Math.sqrt(size));
+      t -= residue / slope;
+    }
+    return nearest;
+  }
+
+  /** The gap at t. What cancels is kept as head and tail. */
+  private static double residue(
+      double p, double r, double v, double g, double wall, int inward, double t) {
+    double front = inward * ParabolaDiskSweep.place(p, wall, v, 0, g, t);
+    double tail = inward * ParabolaDiskSweep.terms(p, wall, v, 0, g, t);
+    double gap = front - r;
+    return gap + (differenceTail(front, r, gap) + tail);
+  }
+}

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.internal.exact.ExactParabola;
+import dev.carom.internal.exact.RealRoot;
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.ParabolaDiskSweep;
+import dev.carom.internal.sweep.ParabolaSegmentSweep;
+import dev.carom.internal.sweep.ParabolaWallSweep;
+import dev.carom.oracle.Draw;
+import dev.carom.oracle.PairQuery;
+import dev.carom.oracle.ParabolaFamilies;
+import dev.carom.oracle.ParabolaFamily;
+import dev.carom.oracle.ParabolaQuery;
+import dev.carom.oracle.SegmentQuery;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.lang.invoke.MethodHandle;
+import java.lang.invoke.MethodHandles;
+import java.lang.reflect.Method;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/**
+ * The rounding bounds of circles with a constant acceleration. None is violated: the ladder answers
+ * as exact numbers alone do. None of those listed is idle: without it a query is answered wrongly.
+ *
+ * <p>More queries, and others: {@code -Dcarom.queries=1000000 -Dcarom.seed=2}.
+ */
+@Tag("long")
+class ParabolaBoundsTest {
+  private static final int QUERIES =
+      (int) (Long.getLong("carom.queries", 3_300) / ParabolaFamilies.all().size());
+  private static final long SEED = Long.getLong("carom.seed", 1);
+
+  /** Families in which mistakes are rare and queries cheap. */
+  private static final Set<String> RARE = Set.of("ceiling", "halfway");
+
+  /** Constants of a class, and what they are multiplied with. */
+  private record Weakening(String name, String owner, double factor, double... values) {}
+
+  /** Not 0 where a condition keeps a bound of 0 from being used at all. */
+  private static final double NEARLY_NONE = 0x1p-100;
+
+  /** The bounds of the residue, of the slope and of the bend each cover much of the others. */
+  private static final List<Weakening> WEAKENINGS =
+      List.of(
+          new Weakening("Bernstein coefficients", "GapRoot", 0, 48 * 0x1p-53),
+          new Weakening("residue", "GapRoot", 0, 1024 * 0x1p-106, 64 * 0x1p-53, 8),
+          new Weakening("underflow of a gap", "GapRoot", 0, 0x1p-460),
+          new Weakening("projection", "ParabolaSegmentSweep", 0, 16 * 0x1p-53),
+          new Weakening("discriminant of a wall", "ParabolaWallSweep", NEARLY_NONE, 8 * 0x1p-53));
+
+  /**
+   * What is answered.
+   *
+   * @param contact 0 for a miss, and for all that is no line
+   */
+  private record Reply(double time, int contact) {}
+
+  @Test
+  void everyBoundHoldsAndIsNeeded() {
+    Map<String, Detector> without = new TreeMap<>();
+    WEAKENINGS.forEach(weakening -> without.put(weakening.name(), new Detector(weakening)));
+    Detector whole = new Detector(null);
+    List<String> violations = new ArrayList<>();
+    Map<String, String> mistakes = new TreeMap<>();
+    for (ParabolaFamily family : ParabolaFamilies.all()) {
+      Draw draw = new Draw(SEED * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
+      for (int i = 0; i < (RARE.contains(family.name()) ? 20 : 1) * QUERIES; i++) {
+        ParabolaQuery query = family.next(draw);
+        if (query.gx() == 0 && query.gy() == 0) {
+          continue; // a matter of the straight sweeps
+        }
+        Reply truth = exact(query);
+        if (!whole.ask(query).equals(truth)) {
+          violations.add(family.name() + ": " + query.hex());
+        }
+        without.forEach(
+            (name, detector) -> {
+              if (!mistakes.containsKey(name) && !detector.ask(query).equals(truth)) {
+                mistakes.put(name, family.name() + ": " + query.hex());
+              }
+            });
+      }
+    }
+    mistakes.forEach((name, query) -> System.out.println("without " + name + ": " + query));
+    assertThat(violations).isEmpty();
+    assertThat(mistakes).containsOnlyKeys(without.keySet());
+  }
+
+  /** The last rung alone. */
+  private static Reply exact(ParabolaQuery query) {
+    double[] n = query.straight().numbers();
+    double gx = query.gx();
+    double gy = query.gy();
+    if (query.straight() instanceof SegmentQuery) {
+      ExactParabola line =
+          ExactParabola.line(n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3]);
+      return reply(line, line.first(n[9]), n[0] == n[2] && n[1] == n[3]);
+    }
+    if (query.straight() instanceof PairQuery) {
+      double time =
+          ExactParabola.disk(n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9])
+              .time(n[10]);
+      return new Reply(time, 0);
+    }
+    double left = ExactParabola.wall(n[0], n[2], n[3], gx, n[5], 1).time(n[9]);
+    double right = ExactParabola.wall(n[0], n[2], n[3], gx, n[7], -1).time(n[9]);
+    double bottom = ExactParabola.wall(n[1], n[2], n[4], gy, n[6], 1).time(n[9]);
+    double top = ExactParabola.wall(n[1], n[2], n[4], gy, n[8], -1).time(n[9]);
+    return new Reply(Math.min(Math.min(left, right), Math.min(bottom, top)), 0);
+  }
+
+  private static Reply reply(ExactParabola line, RealRoot root, boolean isPoint) {
+    double time = root == null ? Double.POSITIVE_INFINITY : root.nearest();
+    if (time == Double.POSITIVE_INFINITY) {
+      return new Reply(time, 0);
+    }
+    int now = time == 0 ? Contact.NOW : 0;
+    int region = line.region(root);
+    int side = region == 0 && line.side(root) > 0 ? Contact.LEFT : Contact.RIGHT;
+    int part = isPoint || region < 0 ? Contact.START : region > 0 ? Contact.END : side;
+    return new Reply(time, part | now);
+  }
+
+  /** A copy of the sweeps, read from the same class files, with one constant replaced. */
+  private static final class Detector extends ClassLoader {
+    private final Weakening weakening;
+    private final MethodHandle line;
+    private final MethodHandle contact;
+    private final MethodHandle disk;
+    private final MethodHandle wall;
+
+    Detector(Weakening weakening) {
+      super(getPlatformClassLoader());
+      this.weakening = weakening;
+      line = handle(ParabolaSegmentSweep.class, "time", 12);
+      contact = handle(ParabolaSegmentSweep.class, "contact", 12);
+      disk = handle(ParabolaDiskSweep.class, "time", 13);
+      wall = handle(ParabolaWallSweep.class, "time", 7);
+    }
+
+    Reply ask(ParabolaQuery query) {
+      double[] n = query.straight().numbers();
+      double gx = query.gx();
+      double gy = query.gy();
+      if (query.straight() instanceof SegmentQuery) {
+        double[] arguments = {n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], n[9]};
+        double time = (double) call(line, arguments);
+        arguments[11] = time;
+        boolean hit = time < Double.POSITIVE_INFINITY;
+        return new Reply(time, hit ? (int) call(contact, arguments) : 0);
+      }
+      if (query.straight() instanceof PairQuery) {
+        double time =
+            (double)
+                call(
+                    disk, n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9],
+                    n[10]);
+        return new Reply(time, 0);
+      }
+      double left = (double) call(wall, n[0], n[2], n[3], gx, n[5], 1, n[9]);
+      double right = (double) call(wall, n[0], n[2], n[3], gx, n[7], -1, n[9]);
+      double bottom = (double) call(wall, n[1], n[2], n[4], gy, n[6], 1, n[9]);
+      double top = (double) call(wall, n[1], n[2], n[4], gy, n[8], -1, n[9]);
+      return new Reply(Math.min(Math.min(left, right), Math.min(bottom, top)), 0);
+    }
+
+    private static Object call(MethodHandle sweep, double... arguments) {
+      try {
+        Object[] boxed = new Object[arguments.length];
+        for (int i = 0; i < boxed.length; i++) {
+          boolean isInt = sweep.type().parameterType(i) == int.class;
+          boxed[i] = isInt ? (Object) (int) arguments[i] : (Object) arguments[i];
+        }
+        return sweep.invokeWithArguments(boxed);
+      } catch (RuntimeException | Error e) {
+        throw e;
+      } catch (Throwable e) {
+        throw new IllegalStateException(e);
+      }
+    }
+
+    private MethodHandle handle(Class<?> original, String name, int arguments) {
+      try {
+        for (Method method : loadClass(original.getName()).getDeclaredMethods()) {
+          if (method.getName().equals(name) && method.getParameterCount() == arguments) {
+            return MethodHandles.lookup().unreflect(method);
+          }
+        }
+        throw new IllegalStateException(original.getName());
+      } catch (ReflectiveOperationException e) {
+        throw new IllegalStateException(e);
+      }
+    }
+
+    /** Not the parent first: it would find the module that is being tested. */
+    @Override
+    protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+      synchronized (getClassLoadingLock(name)) {
+        Class<?> loaded = findLoadedClass(name);
+        if (loaded != null) {
+          return loaded;
+        }
+        return name.startsWith("dev.carom.") ? findClass(name) : super.loadClass(name, resolve);
+      }
+    }
+
+    @Override
+    protected Class<?> findClass(String name) throws ClassNotFoundException {
+      String file = "/" + name.replace('.', '/') + ".class";
+      try (InputStream in = SweptCircle.class.getResourceAsStream(file)) {
+        if (in == null) {
+          throw new ClassNotFoundException(name);
+        }
+        ConstantPool pool = new ConstantPool(in.readAllBytes());
+        if (weakening != null && name.endsWith("." + weakening.owner())) {
+          for (double value : weakening.values()) {
+            pool.replace(value, value * weakening.factor());
+          }
+        }
+        byte[] classFile = pool.classFile();
+        return defineClass(name, classFile, 0, classFile.length);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+    }
+  }
+}

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.carom.oracle.Draw;
+import dev.carom.oracle.Families;
+import dev.carom.oracle.Family;
+import dev.carom.oracle.PairQuery;
+import dev.carom.oracle.Query;
+import dev.carom.oracle.SegmentQuery;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The detector's answers for a circle with a constant acceleration: the contract by examples. */
+class SweptCircleParabolaTest {
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** From (0, 0) to (10, 0). */
+  private static final Line FLOOR = new Line(0, 0, 10, 0);
+
+  private static final Vec2 G = new Vec2(0, -2);
+
+  private static Optional<Impact> cast(Circle circle, Vec2 v, Obstacle obstacle, double T) {
+    return SweptCircle.cast(circle, v, G, obstacle, T);
+  }
+
+  @Test
+  void aBallFallsOnTheFloor() {
+    Impact impact = cast(new Circle(5, 5, 1), new Vec2(1, 0), FLOOR, NEVER).orElseThrow();
+    assertThat(impact.time()).isEqualTo(2);
+    assertThat(impact.feature()).isEqualTo(Feature.SIDE);
+    assertThat(impact.normal()).isEqualTo(new Vec2(0, 1));
+    assertThat(impact.point()).isEqualTo(new Vec2(7, 0));
+    assertThat(impact.approachSpeed()).isEqualTo(4);
+    assertThat(impact.kind()).isEqualTo(ObstacleKind.LINE);
+    assertThat(impact.obstacle()).isEqualTo(FLOOR);
+    assertThat(impact.id()).isEqualTo(-1);
+  }
+
+  @Test
+  void aBallFallsOnAnEnd() {
+    // Height 0.8 and 0.6 beside the end after 2.
+    Impact impact = cast(new Circle(-0.6, 4.8, 1), new Vec2(0, 0), FLOOR, 9).orElseThrow();
+    assertThat(impact.time()).isCloseTo(2, within(1e-15));
+    assertThat(impact.feature()).isEqualTo(Feature.START);
+    assertThat(impact.normal().x()).isCloseTo(-0.6, within(1e-15));
+    assertThat(impact.normal().y()).isCloseTo(0.8, within(1e-15));
+    assertThat(impact.point()).isEqualTo(new Vec2(0, 0));
+    assertThat(impact.approachSpeed()).isCloseTo(3.2, within(1e-14));
+  }
+
+  @Test
+  void aBallFallsOnAPegAndOnACircleThatRises() {
+    Circle peg = new Circle(5, -1, 1);
+    Impact impact = cast(new Circle(5, 5, 1), Vec2.ZERO, peg, NEVER).orElseThrow();
+    assertThat(impact.time()).isEqualTo(2);
+    assertThat(impact.feature()).isEqualTo(Feature.CIRCLE);
+    assertThat(impact.kind()).isEqualTo(ObstacleKind.PEG);
+    assertThat(impact.point()).isEqualTo(new Vec2(5, 0));
+    Impact rising =
+        SweptCircle.cast(new Circle(5, 5, 1), Vec2.ZERO, G, peg, new Vec2(0, 3), NEVER)
+            .orElseThrow();
+    assertThat(rising.time()).isEqualTo(1);
+    assertThat(rising.approachSpeed()).isEqualTo(5);
+    assertThat(rising.point()).isEqualTo(new Vec2(5, 3));
+    assertThat(rising.kind()).isEqualTo(ObstacleKind.CIRCLE);
+  }
+
+  @Test
+  void aBallThrownUpMeetsTheCeilingOrComesBackToTheFloor() {
+    Bounds box = new Bounds(0, 0, 10, 6);
+    Circle ball = new Circle(5, 1, 1);
+    Impact floor = cast(ball, new Vec2(0, 3), box, NEVER).orElseThrow();
+    assertThat(floor.time()).isEqualTo(3);
+    assertThat(floor.id()).isEqualTo(2);
+    assertThat(floor.normal()).isEqualTo(new Vec2(0, 1));
+    assertThat(floor.approachSpeed()).isEqualTo(3);
+    Impact ceiling = cast(ball, new Vec2(0, 5), box, NEVER).orElseThrow();
+    assertThat(ceiling.time()).isEqualTo(1);
+    assertThat(ceiling.id()).isEqualTo(3);
+    assertThat(ceiling.normal()).isEqualTo(new Vec2(0, -1));
+    assertThat(ceiling.approachSpeed()).isEqualTo(3);
+    // With 4 it reaches the ceiling's distance at its apex: a graze.
+    Impact graze = cast(ball, new Vec2(0, 4), box, NEVER).orElseThrow();
+    assertThat(graze.id()).isEqualTo(2);
+    assertThat(graze.time()).isEqualTo(4);
+  }
+
+  @Test
+  void oneOfTwoWallsThatAreHitAtOnceIsTheVerticalOne() {
+    Bounds box = new Bounds(0, 0, 10, 10);
+    Impact impact = cast(new Circle(3, 5, 1), new Vec2(-1, 0), box, NEVER).orElseThrow();
+    assertThat(impact.time()).isEqualTo(2);
+    assertThat(impact.id()).isZero();
+    assertThat(impact.normal()).isEqualTo(new Vec2(1, 0));
+    assertThat(impact.point()).isEqualTo(new Vec2(0, 1));
+  }
+
+  @Test
+  void touchingWithoutNormalSpeedTheAccelerationDecides() {
+    Impact rests = cast(new Circle(5, 1, 1), Vec2.ZERO, FLOOR, 0).orElseThrow();
+    assertThat(rests.time()).isZero();
+    assertThat(rests.approachSpeed()).isZero();
+    assertThat(rests.normal()).isEqualTo(new Vec2(0, 1));
+    assertThat(cast(new Circle(5, 1, 1), new Vec2(3, 0), FLOOR, 9)).isPresent();
+    assertThat(cast(new Circle(5, -1, 1), Vec2.ZERO, FLOOR, 9)).isEmpty();
+    // Over an end the way bends, too: v.v + d.g > 0.
+    assertThat(cast(new Circle(0, 1, 1), new Vec2(-2, 0), FLOOR, 9)).isEmpty();
+    assertThat(cast(new Circle(0, 1, 1), new Vec2(-1, 0), FLOOR, 9)).isPresent();
+  }
+
+  @Test
+  void turnedBackWhileItOverlapsItHitsThen() {
+    Impact impact = cast(new Circle(5, 0.25, 1), new Vec2(0, 1), FLOOR, NEVER).orElseThrow();
+    assertThat(impact.time()).isEqualTo(0.5);
+    assertThat(impact.approachSpeed()).isZero();
+    assertThat(impact.feature()).isEqualTo(Feature.SIDE);
+    assertThat(cast(new Circle(5, 0.25, 1), new Vec2(0, 1), FLOOR, Math.nextDown(0.5))).isEmpty();
+    Impact after = cast(new Circle(5, 0, 1), new Vec2(0, 3), FLOOR, NEVER).orElseThrow();
+    assertThat(after.time()).isEqualTo((3 + Math.sqrt(5)) / 2);
+  }
+
+  @Test
+  void aGrazeAtTheApexIsNone() {
+    Line ceiling = new Line(0, 6, 10, 6);
+    assertThat(cast(new Circle(5, 1, 1), new Vec2(0, 4), ceiling, NEVER)).isEmpty();
+    assertThat(cast(new Circle(5, 1, 1), new Vec2(0, Math.nextUp(4.0)), ceiling, NEVER))
+        .isPresent();
+  }
+
+  @Test
+  void theWindowIsClosed() {
+    assertThat(SweptCircle.line(5, 5, 1, 0, 0, 0, -2, 0, 0, 10, 0, 2)).isEqualTo(2);
+    assertThat(SweptCircle.line(5, 5, 1, 0, 0, 0, -2, 0, 0, 10, 0, Math.nextDown(2.0)))
+        .isEqualTo(NEVER);
+    assertThat(SweptCircle.peg(5, 5, 1, 0, 0, 0, -2, 5, -1, 1, 2)).isEqualTo(2);
+    assertThat(SweptCircle.peg(5, 5, 1, 0, 0, 0, -2, 5, -1, 1, Math.nextDown(2.0)))
+        .isEqualTo(NEVER);
+    assertThat(SweptCircle.bounds(5, 5, 1, 0, 0, 0, -2, 0, 0, 10, 10, 2)).isEqualTo(2);
+    assertThat(SweptCircle.bounds(5, 5, 1, 0, 0, 0, -2, 0, 0, 10, 10, Math.nextDown(2.0)))
+        .isEqualTo(NEVER);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {-1000, -500, -100, 100, 400, 900})
+  void sizeDoesNotMatter(int exponent) {
+    double s = Math.scalb(1.0, exponent);
+    assertThat(SweptCircle.line(5 * s, 5 * s, s, s, 0, 0, -2 * s, 0, 0, 10 * s, 0, NEVER))
+        .isEqualTo(2);
+    assertThat(SweptCircle.peg(5 * s, 5 * s, s, 0, 0, 0, -2 * s, 5 * s, -s, s, NEVER)).isEqualTo(2);
+    assertThat(SweptCircle.bounds(5 * s, 5 * s, s, s, 0, 0, -2 * s, 0, 0, 9 * s, 9 * s, NEVER))
+        .isEqualTo(2);
+  }
+
+  static Stream<Family> families() {
+    return Families.all().stream();
+  }
+
+  /** Without acceleration the answers are those of the straight forms, bit for bit. */
+  @ParameterizedTest
+  @MethodSource("families")
+  void noAccelerationGivesTheBitsOfTheStraightForms(Family family) {
+    Draw draw = new Draw(11);
+    for (int i = 0; i < 100; i++) {
+      Query query = family.next(draw);
+      double[] n = query.numbers();
+      assertThat(time(query, n, 0.0)).as(query.hex()).isEqualTo(time(query, n, Double.NaN));
+      assertThat(time(query, n, -0.0)).as(query.hex()).isEqualTo(time(query, n, Double.NaN));
+    }
+  }
+
+  /** With the acceleration (g, g), or, if that is NaN, by the straight form. */
+  private static double time(Query query, double[] n, double g) {
+    boolean straight = Double.isNaN(g);
+    if (query instanceof SegmentQuery) {
+      return straight
+          ? SweptCircle.line(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], n[9])
+          : SweptCircle.line(n[4], n[5], n[6], n[7], n[8], g, g, n[0], n[1], n[2], n[3], n[9]);
+    }
+    if (query instanceof PairQuery) {
+      return straight
+          ? SweptCircle.pair(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10])
+          : SweptCircle.pair(
+              n[0], n[1], n[2], n[3], n[4], g, g, n[5], n[6], n[7], n[8], n[9], n[10]);
+    }
+    return straight
+        ? SweptCircle.bounds(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9])
+        : SweptCircle.bounds(n[0], n[1], n[2], n[3], n[4], g, g, n[5], n[6], n[7], n[8], n[9]);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"NaN, 0, gx", "Infinity, 0, gx", "0, NaN, gy", "0, -Infinity, gy"})
+  void anAccelerationMustBeFinite(double gx, double gy, String name) {
+    String message = name + " is " + (name.equals("gx") ? gx : gy);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> SweptCircle.line(0, 5, 1, 0, 0, gx, gy, 0, 0, 1, 0, 1))
+        .withMessageContaining(message);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> SweptCircle.peg(0, 5, 1, 0, 0, gx, gy, 0, 0, 1, 1))
+        .withMessageContaining(message);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> SweptCircle.bounds(1, 5, 1, 0, 0, gx, gy, 0, 0, 9, 9, 1))
+        .withMessageContaining(message);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> SweptCircle.pair(0, 5, 1, 0, 0, gx, gy, 0, 0, 1, 0, 0, 1))
+        .withMessageContaining(message);
+  }
+
+  @Test
+  void otherNumbersAreRefusedByName() {
+    assertRefused("px", () -> SweptCircle.line(NEVER, 5, 1, 0, 0, 0, 1, 0, 0, 1, 0, 1));
+    assertRefused("r", () -> SweptCircle.line(0, 5, -1, 0, 0, 0, 1, 0, 0, 1, 0, 1));
+    assertRefused("by", () -> SweptCircle.line(0, 5, 1, 0, 0, 0, 1, 0, 0, 1, NEVER, 1));
+    assertRefused("maxTime", () -> SweptCircle.line(0, 5, 1, 0, 0, 0, 1, 0, 0, 1, 0, -1));
+    assertRefused("R", () -> SweptCircle.peg(0, 5, 1, 0, 0, 0, 1, 0, 0, -1, 1));
+    assertRefused("cx", () -> SweptCircle.peg(0, 5, 1, 0, 0, 0, 1, NEVER, 0, 1, 1));
+    assertRefused("xmax", () -> SweptCircle.bounds(0, 5, 1, 0, 0, 0, 1, 0, 0, 0, 9, 1));
+    assertRefused("r2", () -> SweptCircle.pair(0, 5, 1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 1));
+    assertRefused("maxTime", () -> cast(new Circle(0, 5, 1), Vec2.ZERO, FLOOR, Double.NaN));
+  }
+
+  private static void assertRefused(
+      String name, org.assertj.core.api.ThrowableAssert.ThrowingCallable call) {
+    assertThatIllegalArgumentException().isThrownBy(call).withMessageStartingWith(name + " ");
+  }
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.SweptCircle;
+import dev.carom.internal.exact.ExactParabola;
+import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.oracle.Draw;
+import dev.carom.oracle.PairQuery;
+import dev.carom.oracle.ParabolaFamilies;
+import dev.carom.oracle.ParabolaFamily;
+import dev.carom.oracle.ParabolaQuery;
+import dev.carom.oracle.SegmentQuery;
+import dev.carom.oracle.WallQuery;
+import java.util.Locale;
+import java.util.SplittableRandom;
+import java.util.StringJoiner;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
+
+/**
+ * How many questions about accelerated disks doubles and double-double answer, and how many exact
+ * numbers. A bound that is larger than it was sends more of them up, and nothing else would notice.
+ */
+@EnabledIfSystemProperty(named = "dev.carom.rungs", matches = "true")
+class ParabolaSweepTest {
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+  private static final int QUERIES = 4_000;
+
+  private final SplittableRandom random = new SplittableRandom(3);
+
+  /** A disk at the origin that falls, and a thing at a distance of 1.05 to 6 radii. */
+  private final double[] v = new double[2];
+
+  private final double[] at = new double[2];
+  private double r;
+  private double g;
+
+  private void draw() {
+    r = random.nextDouble(1, 2);
+    g = -random.nextDouble(0.1, 2);
+    double angle = random.nextDouble(7);
+    double far = r * random.nextDouble(1.05, 6);
+    at[0] = far * Math.cos(angle);
+    at[1] = far * Math.sin(angle);
+    double lean = angle + random.nextDouble(-1.5, 1.5);
+    double speed = random.nextDouble(1, 10);
+    v[0] = speed * Math.cos(lean);
+    v[1] = speed * Math.sin(lean);
+  }
+
+  @Test
+  void ordinaryQuestionsAboutDisksNeedNoExactNumbers() {
+    long before = PrecisionCounters.COUNT.exactParabolas;
+    int hits = 0;
+    for (int i = 0; i < QUERIES; i++) {
+      draw();
+      double T = i % 2 == 0 ? 1 : NEVER;
+      double time = ParabolaDiskSweep.time(0, 0, r, v[0], v[1], 0, g, at[0], at[1], 0, 0, 0, T);
+      hits += time < NEVER ? 1 : 0;
+    }
+    assertThat(hits).isBetween(QUERIES / 5, 4 * QUERIES / 5);
+    assertThat(PrecisionCounters.COUNT.exactParabolas - before).isLessThanOrEqualTo(2);
+  }
+
+  @Test
+  void ordinaryQuestionsAboutLinesNeedNoExactNumbers() {
+    long before = PrecisionCounters.COUNT.exactParabolas;
+    int hits = 0;
+    for (int i = 0; i < QUERIES; i++) {
+      draw();
+      // Across the way to it, so that the disk does not overlap the line.
+      double length = random.nextDouble(0.2, 3);
+      double ax = at[0] - length * at[1];
+      double ay = at[1] + length * at[0];
+      double bx = at[0] + length * at[1];
+      double by = at[1] - length * at[0];
+      double T = i % 2 == 0 ? 1 : NEVER;
+      double time = ParabolaSegmentSweep.time(0, 0, r, v[0], v[1], 0, g, ax, ay, bx, by, T);
+      if (time < NEVER) {
+        ParabolaSegmentSweep.contact(0, 0, r, v[0], v[1], 0, g, ax, ay, bx, by, time);
+        hits++;
+      }
+    }
+    assertThat(hits).isBetween(QUERIES / 5, 4 * QUERIES / 5);
+    assertThat(PrecisionCounters.COUNT.exactParabolas - before).isLessThanOrEqualTo(2);
+  }
+
+  @Test
+  void contactKnowsTheRegionWhereDoublesAreInDoubt() {
+    // Falls beside the end by nothing: the centre is on its perpendicular.
+    assertThat(ParabolaSegmentSweep.contact(0, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 2))
+        .isEqualTo(Contact.START);
+    assertThat(ParabolaSegmentSweep.contact(10, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 2))
+        .isEqualTo(Contact.END);
+    assertThat(ParabolaSegmentSweep.contact(0x1p-60, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 2))
+        .isEqualTo(Contact.LEFT);
+    assertThat(ParabolaSegmentSweep.contact(5, -9, 1, 0, 0, 0, 4, 0, 0, 10, 0, 2))
+        .isEqualTo(Contact.RIGHT);
+    assertThat(ParabolaSegmentSweep.contact(5, 1, 1, 0, -1, 0, 4, 0, 0, 10, 0, 0))
+        .isEqualTo(Contact.LEFT | Contact.NOW);
+  }
+
+  @Test
+  void exactNumbersKnowTheLineOfNoLength() {
+    assertThat(ExactParabola.line(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0).time(NEVER)).isEqualTo(2);
+    assertThat(ParabolaSegmentSweep.time(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, NEVER)).isEqualTo(2);
+    assertThat(ParabolaSegmentSweep.contact(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 2))
+        .isEqualTo(Contact.START);
+  }
+
+  /** The square of the acceleration overflows. */
+  @Test
+  void coefficientsThatOverflowGoToExactNumbers() {
+    double time =
+        ParabolaDiskSweep.time(
+            -0x1.27f1c8b2c0d1dp7,
+            0x1.45b7f755df968p10,
+            0x1.bp7,
+            0x1.1c722cb03473ap301,
+            0x1.10115440d2f73p301,
+            0x1.c6e9a7e5c62d6p593,
+            -0x1.0115440d2f731p596,
+            0,
+            0x1.b98p9,
+            0x1.69p8,
+            0,
+            0,
+            0x1.93e5939a08ceap-199);
+    assertThat(time).isEqualTo(1.2832970836562791E-89);
+  }
+
+  /** Prints how many questions of each family exact numbers answered. */
+  @Test
+  void theFamiliesAskExactNumbersAsOftenAsTheyAreMeantTo() {
+    StringJoiner table = new StringJoiner("\n", "\n", "\n").add("family  questions  exact");
+    long exactUniform = 0;
+    long exactGraze = 0;
+    for (ParabolaFamily family : ParabolaFamilies.all()) {
+      long asked = PrecisionCounters.COUNT.parabolas;
+      long exact = PrecisionCounters.COUNT.exactParabolas;
+      Draw draw = new Draw(family.name().hashCode());
+      for (int i = 0; i < 50; i++) {
+        ask(family.next(draw));
+      }
+      long questions = PrecisionCounters.COUNT.parabolas - asked;
+      long answers = PrecisionCounters.COUNT.exactParabolas - exact;
+      table.add(String.format(Locale.ROOT, "%-24s %6d %6d", family.name(), questions, answers));
+      exactUniform += family.name().endsWith("uniform") ? answers : 0;
+      exactGraze += family.name().equals("graze") ? answers : 0;
+    }
+    System.out.println(table);
+    assertThat(exactUniform).isLessThanOrEqualTo(15); // of 50 + 50 + up to 200
+    assertThat(exactGraze).isGreaterThan(25); // of 50
+  }
+
+  private static void ask(ParabolaQuery query) {
+    double[] n = query.straight().numbers();
+    double gx = query.gx();
+    double gy = query.gy();
+    if (query.straight() instanceof SegmentQuery) {
+      SweptCircle.line(n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], n[9]);
+    } else if (query.straight() instanceof PairQuery) {
+      SweptCircle.pair(n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9], n[10]);
+    } else if (query.straight() instanceof WallQuery) {
+      SweptCircle.bounds(n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9]);
+    }
+  }
+}

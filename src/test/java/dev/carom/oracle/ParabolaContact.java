@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.oracle;
+
+/**
+ * The exact answer to a {@link ParabolaQuery}.
+ *
+ * @param part what is hit
+ * @param moment when: null for time 0, and for a miss
+ * @param normal the unit normal; null for a miss
+ */
+public record ParabolaContact(Part part, SturmRoot moment, Normal normal) {
+  static final ParabolaContact MISS = new ParabolaContact(Part.NONE, null, null);
+
+  public boolean hit() {
+    return part != Part.NONE;
+  }
+
+  /** The correctly rounded time, of two equally near doubles the even one; infinite for a miss. */
+  public double time() {
+    if (!hit()) {
+      return Double.POSITIVE_INFINITY;
+    }
+    if (moment == null) {
+      return 0;
+    }
+    double guess = Math.min(moment.narrow(70).low().near(), Double.MAX_VALUE);
+    while (guess < Double.POSITIVE_INFINITY && roundsAbove(guess)) {
+      guess = Math.nextUp(guess);
+    }
+    while (guess > 0 && !roundsAbove(Math.nextDown(guess))) {
+      guess = Math.nextDown(guess);
+    }
+    return guess;
+  }
+
+  private boolean roundsAbove(double below) {
+    Dyadic above =
+        below == Double.MAX_VALUE ? Dyadic.powerOfTwo(1024) : Dyadic.of(Math.nextUp(below));
+    int side = moment.compareTo(Dyadic.of(below).plus(above).shift(-1));
+    return side > 0 || (side == 0 && (Double.doubleToRawLongBits(below) & 1) == 1);
+  }
+
+  /** How far a time is from the true one, in ulps of that. */
+  public double errorInUlps(double time) {
+    if (!Double.isFinite(time)) {
+      return Double.POSITIVE_INFINITY;
+    }
+    Dyadic truth = moment == null ? Dyadic.ZERO : moment.narrow(120).low();
+    Dyadic error = Dyadic.of(time).minus(truth).abs();
+    return error.signum() == 0 ? 0 : error.over(Dyadic.of(Math.ulp(time())), 64).near();
+  }
+
+  boolean within(double end) {
+    return moment == null
+        || (end == Double.POSITIVE_INFINITY
+            ? Double.isFinite(time())
+            : moment.compareTo(Dyadic.of(end)) <= 0);
+  }
+}

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.oracle;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The contract of contact for a circle with a constant acceleration, taken literally: the first
+ * moment just after which the distance is at most the radius and falls. In each Voronoi region the
+ * square of the distance is a polynomial in time. Every moment at which something can change is an
+ * isolated root, and what holds just after it follows from the signs of the derivatives there, by
+ * {@link SturmPolynomial}.
+ *
+ * <p>A point (radius 0) hits at the first moment at which the distance is 0 and its derivative from
+ * the left is negative: the square of the distance then bends just before.
+ */
+final class ParabolaOracle {
+  private static final int BITS = 260;
+
+  /** A region, and the square of the distance less that of the radius, times a positive number. */
+  private record Region(Part part, SturmPolynomial gap) {}
+
+  private final SturmPolynomial x;
+  private final SturmPolynomial y;
+  private final Dyadic r;
+  private final SturmPolynomial alongStart;
+  private final SturmPolynomial alongEnd;
+  private final List<Region> regions = new ArrayList<>();
+  private Dyadic wx = Dyadic.ZERO;
+  private Dyadic wy = Dyadic.ZERO;
+
+  private ParabolaOracle(SturmPolynomial x, SturmPolynomial y, Dyadic r) {
+    this(x, y, r, Dyadic.ZERO, Dyadic.ZERO, Part.CIRCLE);
+  }
+
+  private ParabolaOracle(
+      SturmPolynomial x, SturmPolynomial y, Dyadic r, Dyadic wx, Dyadic wy, Part first) {
+    this.x = x;
+    this.y = y;
+    this.r = r;
+    this.wx = wx;
+    this.wy = wy;
+    Dyadic ww = wx.square().plus(wy.square());
+    regions.add(new Region(first, squared(x, y).plus(constant(r.square().negate()))));
+    alongStart = x.times(wx).plus(y.times(wy));
+    alongEnd = alongStart.plus(constant(ww.negate()));
+    if (ww.signum() > 0) {
+      SturmPolynomial height = y.times(wx).plus(x.times(wy).negate());
+      Dyadic limit = r.square().times(ww).negate();
+      regions.add(new Region(Part.SIDE, height.times(height).plus(constant(limit))));
+      SturmPolynomial ex = x.plus(constant(wx.negate()));
+      SturmPolynomial ey = y.plus(constant(wy.negate()));
+      regions.add(new Region(Part.END, squared(ex, ey).plus(constant(r.square().negate()))));
+    }
+  }
+
+  static ParabolaContact answer(ParabolaQuery query) {
+    if (query.straight() instanceof WallQuery q) {
+      return bounds(q, query.gx(), query.gy());
+    }
+    if (query.straight() instanceof PairQuery q) {
+      SturmPolynomial x = motion(q.x1(), q.x2(), q.vx1(), q.vx2(), query.gx());
+      SturmPolynomial y = motion(q.y1(), q.y2(), q.vy1(), q.vy2(), query.gy());
+      Dyadic r = Dyadic.of(q.r1()).plus(Dyadic.of(q.r2()));
+      return within(new ParabolaOracle(x, y, r).first(), q.end());
+    }
+    SegmentQuery q = (SegmentQuery) query.straight();
+    SturmPolynomial x = motion(q.px(), q.ax(), q.vx(), 0, query.gx());
+    SturmPolynomial y = motion(q.py(), q.ay(), q.vy(), 0, query.gy());
+    Dyadic wx = Dyadic.of(q.bx()).minus(Dyadic.of(q.ax()));
+    Dyadic wy = Dyadic.of(q.by()).minus(Dyadic.of(q.ay()));
+    Dyadic r = Dyadic.of(q.r());
+    return within(new ParabolaOracle(x, y, r, wx, wy, Part.START).first(), q.end());
+  }
+
+  private static ParabolaContact within(ParabolaContact contact, double end) {
+    return contact.hit() && !contact.within(end) ? ParabolaContact.MISS : contact;
+  }
+
+  private static SturmPolynomial motion(double p, double q, double v, double u, double g) {
+    return new SturmPolynomial(
+        Dyadic.of(p).minus(Dyadic.of(q)), Dyadic.of(v).minus(Dyadic.of(u)), Dyadic.of(g).shift(-1));
+  }
+
+  private static SturmPolynomial constant(Dyadic value) {
+    return new SturmPolynomial(value);
+  }
+
+  private static SturmPolynomial squared(SturmPolynomial x, SturmPolynomial y) {
+    return x.times(x).plus(y.times(y));
+  }
+
+  private ParabolaContact first() {
+    if (r.signum() > 0 && falls(null)) {
+      return contact(null);
+    }
+    List<SturmRoot> events = new ArrayList<>();
+    for (Region region : regions) {
+      events.addAll(region.gap().positiveRoots());
+      events.addAll(region.gap().derivative().positiveRoots());
+    }
+    events.addAll(alongStart.positiveRoots());
+    events.addAll(alongEnd.positiveRoots());
+    SturmRoot first = null;
+    for (SturmRoot event : events) {
+      boolean sooner = first == null || event.isBefore(first);
+      if (sooner && (r.signum() > 0 ? falls(event) : arrives(event))) {
+        first = event;
+      }
+    }
+    return first == null ? ParabolaContact.MISS : contact(first);
+  }
+
+  /** Whether the distance is below the radius and falls just after a moment; null is 0. */
+  private boolean falls(SturmRoot moment) {
+    SturmPolynomial gap = region(after(alongStart, moment), after(alongEnd, moment)).gap();
+    return after(gap, moment) < 0 && after(gap.derivative(), moment) < 0;
+  }
+
+  /** Whether a point comes to distance 0, with a slope. */
+  private boolean arrives(SturmRoot moment) {
+    SturmPolynomial gap = region(before(alongStart, moment), before(alongEnd, moment)).gap();
+    return sign(gap, moment) == 0 && sign(gap.derivative().derivative(), moment) != 0;
+  }
+
+  private ParabolaContact contact(SturmRoot moment) {
+    Part part = region(sign(alongStart, moment), sign(alongEnd, moment)).part();
+    return new ParabolaContact(part, moment, normal(part, moment));
+  }
+
+  /** The region, by the signs of the projections beyond the two ends. */
+  private Region region(int start, int end) {
+    return regions.size() == 1 || start <= 0 ? regions.get(0) : regions.get(end >= 0 ? 2 : 1);
+  }
+
+  private static int sign(SturmPolynomial q, SturmRoot moment) {
+    return moment == null ? q.value(Dyadic.ZERO).signum() : moment.sign(q);
+  }
+
+  /** The sign just after a moment: of the first derivative that does not vanish. */
+  private static int after(SturmPolynomial q, SturmRoot moment) {
+    SturmPolynomial derivative = q;
+    int sign = 0;
+    while (sign == 0 && !derivative.isZero()) {
+      sign = sign(derivative, moment);
+      derivative = derivative.derivative();
+    }
+    return sign;
+  }
+
+  private static int before(SturmPolynomial q, SturmRoot moment) {
+    SturmPolynomial derivative = q;
+    int sign = 0;
+    int turn = -1;
+    while (sign == 0 && !derivative.isZero()) {
+      sign = sign(derivative, moment);
+      derivative = derivative.derivative();
+      turn = -turn;
+    }
+    return sign * turn;
+  }
+
+  /** To so many digits that what cancels does not count. */
+  private Normal normal(Part part, SturmRoot moment) {
+    Dyadic t = moment == null ? Dyadic.ZERO : moment.narrow(BITS).low();
+    if (part == Part.SIDE) {
+      SturmPolynomial height = y.times(wx).plus(x.times(wy).negate());
+      Dyadic side = Dyadic.of(moment == null ? after(height, null) : before(height, moment));
+      return Normal.along(new Vector(wy.negate(), wx).times(side));
+    }
+    if (r.signum() == 0) {
+      SturmPolynomial vx = x.derivative();
+      SturmPolynomial vy = y.derivative();
+      return slidesIn(part, moment)
+          ? Normal.along(new Vector(wy.negate(), wx).times(Dyadic.of(sideBefore(moment))))
+          : Normal.along(new Vector(vx.value(t), vy.value(t)).negate());
+    }
+    boolean end = part == Part.END;
+    Dyadic nx = x.value(t).minus(end ? wx : Dyadic.ZERO);
+    Dyadic ny = y.value(t).minus(end ? wy : Dyadic.ZERO);
+    return Normal.along(new Vector(nx, ny));
+  }
+
+  private int sideBefore(SturmRoot moment) {
+    return before(y.times(wx).plus(x.times(wy).negate()), moment);
+  }
+
+  /** Whether a point comes to an end of the line from beside the line. */
+  private boolean slidesIn(Part part, SturmRoot moment) {
+    if (part == Part.CIRCLE || wx.signum() == 0 && wy.signum() == 0) {
+      return false;
+    }
+    return region(before(alongStart, moment), before(alongEnd, moment)).part() == Part.SIDE;
+  }
+
+  private static ParabolaContact bounds(WallQuery q, double gx, double gy) {
+    ParabolaContact[] walls = {
+      wall(motion(q.px(), q.xmin(), q.vx(), 0, gx), q, new Vector(Dyadic.ONE, Dyadic.ZERO)),
+      wall(
+          motion(q.px(), q.xmax(), q.vx(), 0, gx).negate(),
+          q,
+          new Vector(Dyadic.ONE.negate(), Dyadic.ZERO)),
+      wall(motion(q.py(), q.ymin(), q.vy(), 0, gy), q, new Vector(Dyadic.ZERO, Dyadic.ONE)),
+      wall(
+          motion(q.py(), q.ymax(), q.vy(), 0, gy).negate(),
+          q,
+          new Vector(Dyadic.ZERO, Dyadic.ONE.negate()))
+    };
+    ParabolaContact first = ParabolaContact.MISS;
+    for (ParabolaContact wall : walls) {
+      first = isSooner(wall, first) ? wall : first;
+    }
+    return first;
+  }
+
+  private static boolean isSooner(ParabolaContact one, ParabolaContact other) {
+    if (!one.hit() || !other.hit()) {
+      return one.hit();
+    }
+    if (one.moment() == null || other.moment() == null) {
+      return one.moment() == null && other.moment() != null;
+    }
+    return one.moment().isBefore(other.moment());
+  }
+
+  private static ParabolaContact wall(SturmPolynomial distance, WallQuery q, Vector normal) {
+    SturmPolynomial gap = distance.plus(constant(Dyadic.of(q.r()).negate()));
+    List<SturmRoot> events = new ArrayList<>(List.of());
+    events.add(null);
+    events.addAll(gap.positiveRoots());
+    events.addAll(gap.derivative().positiveRoots());
+    SturmRoot first = null;
+    boolean found = false;
+    for (SturmRoot event : events) {
+      boolean sooner = !found || (first != null && event.isBefore(first));
+      if (sooner && after(gap, event) < 0 && after(gap.derivative(), event) < 0) {
+        first = event;
+        found = true;
+      }
+    }
+    return found
+        ? within(new ParabolaContact(Part.SIDE, first, Normal.along(normal)), q.end())
+        : ParabolaContact.MISS;
+  }
+}
