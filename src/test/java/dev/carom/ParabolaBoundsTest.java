@@ -45,7 +45,7 @@ class ParabolaBoundsTest {
   private static final Set<String> RARE = Set.of("ceiling", "halfway");
 
   /** Constants of a class, and what they are multiplied with. */
-  private record Weakening(String name, String owner, double factor, double... values) {}
+  private record Weakening(String name, String owner, double factor, List<Double> values) {}
 
   /** Not 0 where a condition keeps a bound of 0 from being used at all. */
   private static final double NEARLY_NONE = 0x1p-100;
@@ -53,11 +53,12 @@ class ParabolaBoundsTest {
   /** The bounds of the residue, of the slope and of the bend each cover much of the others. */
   private static final List<Weakening> WEAKENINGS =
       List.of(
-          new Weakening("Bernstein coefficients", "GapRoot", 0, 48 * 0x1p-53),
-          new Weakening("residue", "GapRoot", 0, 1024 * 0x1p-106, 64 * 0x1p-53, 8),
-          new Weakening("underflow of a gap", "GapRoot", 0, 0x1p-460),
-          new Weakening("projection", "ParabolaSegmentSweep", 0, 16 * 0x1p-53),
-          new Weakening("discriminant of a wall", "ParabolaWallSweep", NEARLY_NONE, 8 * 0x1p-53));
+          new Weakening("Bernstein coefficients", "GapRoot", 0, List.of(48 * 0x1p-53)),
+          new Weakening("residue", "GapRoot", 0, List.of(1024 * 0x1p-106, 64 * 0x1p-53, 8.0)),
+          new Weakening("underflow of a gap", "GapRoot", 0, List.of(0x1p-460)),
+          new Weakening("projection", "ParabolaSegmentSweep", 0, List.of(16 * 0x1p-53)),
+          new Weakening(
+              "discriminant of a wall", "ParabolaWallSweep", NEARLY_NONE, List.of(8 * 0x1p-53)));
 
   /**
    * What is answered.

@@ -187,7 +187,7 @@ final class ParabolaOracle {
 
   /** Whether a point comes to an end of the line from beside the line. */
   private boolean slidesIn(Part part, SturmRoot moment) {
-    if (part == Part.CIRCLE || wx.signum() == 0 && wy.signum() == 0) {
+    if (part == Part.CIRCLE || (wx.signum() == 0 && wy.signum() == 0)) {
       return false;
     }
     return region(before(alongStart, moment), before(alongEnd, moment)).part() == Part.SIDE;
