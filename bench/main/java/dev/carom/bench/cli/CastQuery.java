@@ -11,17 +11,26 @@ import java.util.Optional;
 
 /** The two questions that a file can ask, and the columns in which it does. */
 enum CastQuery {
-  /** A moving circle against a line, which may move, too. */
-  LINE("ax,ay,bx,by,px,py,r,vx,vy,T", "ux", "uy") {
+  /** A moving circle, which may be accelerated, against a line, which may move instead. */
+  LINE("ax,ay,bx,by,px,py,r,vx,vy,T", "ux,uy,gx,gy") {
     @Override
     Optional<Impact> cast(double[] q) {
       Circle circle = new Circle(q[4], q[5], q[6]);
       Line line = new Line(q[0], q[1], q[2], q[3]);
-      return SweptCircle.cast(circle, new Vec2(q[7], q[8]), line, new Vec2(q[10], q[11]), q[9]);
+      Vec2 v = new Vec2(q[7], q[8]);
+      if (q[12] == 0 && q[13] == 0) {
+        return SweptCircle.cast(circle, v, line, new Vec2(q[10], q[11]), q[9]);
+      }
+      return SweptCircle.cast(circle, v, new Vec2(q[12], q[13]), line, q[9]);
+    }
+
+    @Override
+    boolean asksTooMuch(double[] q) {
+      return (q[10] != 0 || q[11] != 0) && (q[12] != 0 || q[13] != 0);
     }
   },
-  /** Two moving circles. */
-  PAIR("x1,y1,r1,vx1,vy1,x2,y2,r2,vx2,vy2,T") {
+  /** Two moving circles; one acceleration of both has no effect on the answer. */
+  PAIR("x1,y1,r1,vx1,vy1,x2,y2,r2,vx2,vy2,T", "gx,gy") {
     @Override
     Optional<Impact> cast(double[] q) {
       Circle first = new Circle(q[0], q[1], q[2]);
@@ -31,11 +40,11 @@ enum CastQuery {
   };
 
   private final String header;
-  private final List<String> optional;
+  private final String optional;
 
-  CastQuery(String header, String... optional) {
+  CastQuery(String header, String optional) {
     this.header = header;
-    this.optional = List.of(optional);
+    this.optional = optional;
   }
 
   /** The names of the columns with which a file begins, in order. */
@@ -45,7 +54,12 @@ enum CastQuery {
 
   /** The names of further columns that have a meaning; a file may have them anywhere, or not. */
   List<String> optional() {
-    return optional;
+    return List.of(optional.split(","));
+  }
+
+  /** Whether a line moves and the circle is accelerated: there is no detector for both. */
+  boolean asksTooMuch(double[] query) {
+    return false;
   }
 
   /** Asks the question: one number for each column of the header, then for each optional one. */

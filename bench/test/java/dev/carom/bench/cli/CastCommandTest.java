@@ -79,6 +79,18 @@ class CastCommandTest {
         .contains(":2:25: uy is missing: expected a finite number");
   }
 
+  /** A ball that falls from rest by 8 with an acceleration of 4: t = 2. */
+  @Test
+  void theAccelerationIsFoundByName() throws IOException {
+    String query = "-10,0,10,0,0,9,1,0,0,9,";
+    assertThat(cast(LINE + ",gx,gy", query + "0,-4", query + "0,4").out())
+        .isEqualTo("hit,feature,t,nx,ny\n1,SIDE,2.0,0.0,1.0\n0,NONE,NaN,NaN,NaN\n");
+    assertThat(cast(PAIR + ",gy", "0,0,5,10,0,40,0,5,-20,0,2,7").out())
+        .contains("1,CIRCLE,1.0,-1.0,0.0");
+    assertThat(cast(LINE + ",ux,gy", query + "1,2").err())
+        .contains(":2:24: ux, uy and gx, gy are not 0: expected one of the two pairs to be 0");
+  }
+
   @Test
   void passesOverFurtherColumnsBlankLinesAndCarriageReturns() throws IOException {
     Cli run = cast(LINE + ",hit,note\r", "\r", "0,0,0,10,-15,4,5,20,0,Infinity,1,\"quoted\r");
