@@ -27,14 +27,14 @@
  *
  * <ol>
  *   <li>Geometry: the records {@link dev.carom.Vec2}, {@link dev.carom.Circle}, {@link
- *       dev.carom.Line}, {@link dev.carom.Endpoint} and {@link dev.carom.Bounds}. All but the first
- *       are {@link dev.carom.Obstacle}s. They are checked when they are made, so no other method
- *       meets a NaN in one.
+ *       dev.carom.Line}, {@link dev.carom.Endpoint} and {@link dev.carom.Bounds}. Each but {@code
+ *       Vec2} is an {@link dev.carom.Obstacle}. They are checked when they are made, so no other
+ *       method meets a NaN in one.
  *   <li>Detector: {@link dev.carom.SweptCircle} tells when a moving circle hits an obstacle or
- *       another circle. Its hot form takes and returns doubles, {@code +infinity} for never. Its
- *       friendly form returns an {@link dev.carom.Impact}, with the {@link dev.carom.ObstacleKind}
- *       and the {@link dev.carom.Feature} that was hit. {@link dev.carom.SweptSphere} answers for
- *       two spheres in space.
+ *       another circle. One form of each question takes and returns doubles, {@code +infinity} for
+ *       never. The other takes records and returns an {@link dev.carom.Impact}, with the {@link
+ *       dev.carom.ObstacleKind} and the {@link dev.carom.Feature} that was hit. {@link
+ *       dev.carom.SweptSphere} answers for two spheres in space.
  *   <li>Resolver: {@link dev.carom.Resolver} follows one circle through given obstacles for a given
  *       time, all bounces included, and returns its {@link dev.carom.Trajectory}. It also computes
  *       the velocities of one circle, or of two, after an impact.
@@ -82,8 +82,8 @@
  * <h2 id="conventions">Conventions</h2>
  *
  * <ul>
- *   <li>Units are the caller's: any unit of length, any unit of time, and speeds in the one per the
- *       other. No rule has a fixed length, time or speed in it, so no unit is too large or too
+ *   <li>Units are the caller's: any unit of length, any unit of time, and speeds in lengths per
+ *       time. No rule has a fixed length, time or speed in it, so no unit is too large or too
  *       small.
  *   <li>The x axis points right. Whether y points up or down changes nothing but the names of two
  *       walls: the bottom one is that at the smaller y.
@@ -94,10 +94,10 @@
  *       dev.carom.SceneBuilder#oneWay one-way lines}, and the {@linkplain
  *       dev.carom.SweptCircle#separation(Circle, Line) separation} of a centre exactly on the line.
  *   <li>The restitution of an impact is the product of those of the two parties.
- *   <li>An impact is the first moment at which the distance is falling and at most the radius of
- *       the circle, or the sum of both radii. A circle that touches something and leaves it or
- *       slides along it makes no impact. A circle that overlaps something and approaches it makes
- *       one at once.
+ *   <li>An impact is the first moment at which a circle's centre comes no further than its radius
+ *       from a line or a wall, and comes nearer. From a peg or another circle it is the sum of both
+ *       radii. A circle that touches something and leaves it or slides along it makes no impact. A
+ *       circle that overlaps something and approaches it makes one at once.
  * </ul>
  *
  * <p><img src="doc-files/line.svg" alt="A circle that touches the side of a line, and one that
@@ -141,9 +141,8 @@
  * <h2 id="limits">Limits</h2>
  *
  * <ul>
- *   <li>Only circles move, and straight on between impacts. There is no rotation, friction,
- *       stacking, polygon or force. Gravity and steering are velocities that the caller sets
- *       between steps.
+ *   <li>Circles move straight on between impacts. There is no rotation, friction, stacking, polygon
+ *       or force. Gravity and steering are velocities that the caller sets between steps.
  *   <li>Lines and pegs rest, or move with a {@linkplain dev.carom.World#setVelocity(ObstacleKind,
  *       int, double, double) constant velocity} and push circles. They do not turn, and nothing
  *       deflects them.
@@ -173,8 +172,8 @@
  *   <dd>The moment at which a circle reaches an obstacle or another circle that it approaches; also
  *       the {@linkplain dev.carom.Impact record} of it.
  *   <dt>jam
- *   <dd>A state of a stuck circle and a thing that it touches: the two ignore each other while they
- *       approach no faster than rounding error. See <a href="doc-files/rules.html#stuck">stuck
+ *   <dd>A stuck circle and a thing that it touches are jammed: they ignore each other as long as
+ *       they approach no faster than rounding error. See <a href="doc-files/rules.html#stuck">stuck
  *       circles</a>.
  *   <dt>normal
  *   <dd>The unit vector at a contact, from the obstacle to the circle.
