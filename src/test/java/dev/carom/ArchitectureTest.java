@@ -39,7 +39,7 @@ class ArchitectureTest {
   private static final String GEOMETRY = "Vec2 Obstacle Circle Line Endpoint Bounds PublicRecords";
 
   private static final String DETECTOR =
-      " SweptCircle SweptSphere Separation CircleCast Impact ObstacleKind Feature";
+      " SweptCircle SweptSphere CircleCast Impact ObstacleKind Feature";
 
   private static final String RESOLVER = " Resolver Casts Trajectory Flight";
 
