@@ -45,7 +45,7 @@ class ArchitectureTest {
 
   private static final String WORLD =
       " Scene SceneBuilder SceneFormatException Response World WorldQueries ImpactLog Outcome"
-          + " StopReason Snapshot Timeline";
+          + " StopReason Snapshot Timeline Uncertainty";
 
   private static final Class<?> REFUSAL = IllegalArgumentException.class;
 
