@@ -6,6 +6,7 @@ import dev.carom.internal.sweep.ParabolaDiskSweep;
 import dev.carom.internal.sweep.ParabolaSegmentSweep;
 import dev.carom.internal.sweep.ParabolaWallSweep;
 import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.internal.sweep.Separation;
 import dev.carom.internal.sweep.WallSweep;
 import dev.carom.internal.util.Check;
 import java.util.Optional;

@@ -73,9 +73,9 @@ public final class World {
   private final Handles ids;
   private final Engine engine;
   final CircleTable circles;
-  private final ObstacleTable obstacles;
+  final ObstacleTable obstacles;
   private final Editor editor;
-  private final WorldQueries questions;
+  final WorldQueries questions;
   private double now;
 
   /** The id of the circle that spent the budget of the last step, or -1. */

@@ -141,6 +141,18 @@ final class WorldQueries {
     }
   }
 
+  /**
+   * Finds what a circle hits first until a time, among obstacles that stand where they are at 0.
+   *
+   * @param mover the circle at the start; it receives the contact
+   * @return the code of the obstacle, {@link MovingCircle#NOTHING} for none
+   */
+  int first(MovingCircle mover, double maxTime) {
+    index.expect(1);
+    new Tracer(index).first(mover, maxTime);
+    return mover.next;
+  }
+
   double restitution(int code) {
     return Codes.isCircle(code)
         ? circles.restitution(Codes.slot(code))

@@ -42,7 +42,8 @@
  *       dev.carom.Response}. It is built by a {@link dev.carom.SceneBuilder} or read from a file. A
  *       {@link dev.carom.World} sets it in motion, and its {@link dev.carom.ImpactLog} lists the
  *       impacts. A {@link dev.carom.Snapshot} saves the state of a world, to go on from it later. A
- *       {@link dev.carom.Timeline} records where its circles were.
+ *       {@link dev.carom.Timeline} records where its circles were. An {@link dev.carom.Uncertainty}
+ *       tells how far their places can be trusted.
  * </ol>
  *
  * The program above asks the world. The same question to each of the other layers, after {@code

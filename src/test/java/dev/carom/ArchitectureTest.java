@@ -39,13 +39,13 @@ class ArchitectureTest {
   private static final String GEOMETRY = "Vec2 Obstacle Circle Line Endpoint Bounds PublicRecords";
 
   private static final String DETECTOR =
-      " SweptCircle SweptSphere Separation CircleCast Impact ObstacleKind Feature";
+      " SweptCircle SweptSphere CircleCast Impact ObstacleKind Feature";
 
   private static final String RESOLVER = " Resolver Casts Trajectory Flight";
 
   private static final String WORLD =
       " Scene SceneBuilder SceneFormatException Response World WorldQueries ImpactLog Outcome"
-          + " StopReason Snapshot Timeline";
+          + " StopReason Snapshot Timeline Uncertainty";
 
   private static final Class<?> REFUSAL = IllegalArgumentException.class;
 

@@ -19,6 +19,7 @@ import dev.carom.SceneFormatException;
 import dev.carom.Snapshot;
 import dev.carom.Timeline;
 import dev.carom.Trajectory;
+import dev.carom.Uncertainty;
 import dev.carom.Vec2;
 import dev.carom.World;
 import java.io.ByteArrayInputStream;
@@ -149,6 +150,7 @@ final class BadArguments {
                   new Object[] {
                     new World(scene(true)).snapshot(), new World(scene(false)).snapshot(), null
                   }),
+          Map.entry(World.class, () -> new Object[] {stepped(false), stepped(true), null}),
           Map.entry(Casts.class, () -> new Object[] {casts(), new Casts(), null}),
           Map.entry(Path.class, this::paths),
           Map.entry(
@@ -239,6 +241,7 @@ final class BadArguments {
             Map.entry(Casts.class, List.of(BadArguments::casts, Casts::new)),
             Map.entry(Snapshot.class, List.of(() -> stepped(true).snapshot())),
             Map.entry(Timeline.class, List.of(BadArguments::timeline)),
+            Map.entry(Uncertainty.class, List.of(() -> new Uncertainty(stepped(false), 1))),
             Map.entry(Trajectory.class, List.of(() -> scene(true).resolver().trace(CIRCLE, V, 30))),
             Map.entry(ImpactLog.class, List.of(() -> stepped(true).impacts())),
             Map.entry(Line.class, List.of(() -> LINE, () -> new Line(0, 1e308, 1e308, 0))),

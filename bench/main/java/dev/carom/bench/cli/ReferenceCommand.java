@@ -2,6 +2,7 @@
 package dev.carom.bench.cli;
 
 import dev.carom.Scene;
+import dev.carom.bench.reference.LastPlace;
 import dev.carom.bench.reference.References;
 import dev.carom.bench.reference.Reversal;
 import dev.carom.bench.reference.Truth;
@@ -25,7 +26,9 @@ import picocli.CommandLine.Spec;
       "Computes what really happens in the experiment's scenes.",
       "Event after event in arbitrary precision, each decision proved, until every"
           + " place is known to the last bit of a double and a run with twice the digits"
-          + " agrees. Takes about a minute."
+          + " agrees. Takes about a minute.",
+      "With --scene FILE it prints where the circles of any small scene are at the end, in as many"
+          + " digits as asked."
     },
     footer = {"", "Example: carom-bench reference base-1 --frames 100"},
     mixinStandardHelpOptions = true,
@@ -46,7 +49,20 @@ final class ReferenceCommand implements Callable<Integer> {
       paramLabel = "SCENE",
       arity = "0..*",
       description = "base-1, base-2, base-3, fast-1 or radii (default: all of them).")
-  private List<String> scenes = References.SCENES;
+  private List<String> scenes;
+
+  @Option(
+      names = "--scene",
+      paramLabel = "FILE",
+      description = "Print circle,x,y at the end for a scene from a file, instead of SCENE.")
+  private Path file;
+
+  @Option(
+      names = "--digits",
+      paramLabel = "N",
+      defaultValue = "30",
+      description = "Digits behind the point, with --scene (default: ${DEFAULT-VALUE}).")
+  private int digits;
 
   @Option(
       names = "--frames",
@@ -71,6 +87,16 @@ final class ReferenceCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     Bounded.atLeast(1, "--frames", frames, spec);
+    Bounded.atLeast(0, "--digits", digits, spec);
+    if (file != null) {
+      return printLastPlaces();
+    }
+    if (spec.commandLine().getParseResult().hasMatchedOption("--digits")) {
+      throw new ParameterException(spec.commandLine(), "--digits needs --scene");
+    }
+    if (scenes == null) {
+      scenes = References.SCENES;
+    }
     for (String name : scenes) {
       if (!References.SCENES.contains(name)) {
         throw new ParameterException(
@@ -88,6 +114,21 @@ final class ReferenceCommand implements Callable<Integer> {
       out.println(back ? reversal(name, scene) : truth(name, scene));
       out.flush();
     }
+    return 0;
+  }
+
+  private int printLastPlaces() throws IOException {
+    if (scenes != null || folder != null || back) {
+      throw new ParameterException(
+          spec.commandLine(), "--scene excludes SCENE, --write and --back");
+    }
+    PrintWriter out = spec.commandLine().getOut();
+    out.println("circle,x,y");
+    for (LastPlace place : LastPlace.of(Scene.read(file), frames, digits)) {
+      out.println(
+          place.circle() + "," + place.x().toPlainString() + "," + place.y().toPlainString());
+    }
+    out.flush();
     return 0;
   }
 

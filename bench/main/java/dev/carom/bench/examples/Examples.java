@@ -18,6 +18,8 @@ public enum Examples {
   SINAI("two orbits that start a trillionth apart", 530),
   /** See {@link PiCollisions}. */
   PI("pi by counting collisions", 345),
+  /** See {@link Photon}. */
+  PHOTON("a photon among mirrors, and the digits of its place that are sure", 300),
   /** See {@link GameLoop}. */
   LOOP("fixed steps in a Swing timer, with gravity", 100),
   /** See {@link Threads}. */
@@ -68,6 +70,7 @@ public enum Examples {
       case AIM -> new AimingLine();
       case SINAI -> new SinaiBilliard();
       case PI -> new PiCollisions();
+      case PHOTON -> new Photon();
       case LOOP -> new GameLoop();
       case THREADS -> new Threads();
       case PADDLE -> new Paddle();

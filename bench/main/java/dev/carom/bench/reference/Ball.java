@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.reference;
 
+import java.math.BigDecimal;
 import java.math.BigInteger;
+import java.math.RoundingMode;
 
 /**
  * A real number of which is known that it is within an error of {@code units 2^-bits}. Each
@@ -129,6 +131,21 @@ final class Ball {
       return nearest(tied());
     }
     throw new DoubtException();
+  }
+
+  /** The nearest number of so many decimals, proved: both ends of the ball round to it. */
+  BigDecimal rounded(int decimals) {
+    BigInteger width = error.ceiling();
+    BigDecimal low = nearest(units.subtract(width), decimals);
+    if (low.equals(nearest(units.add(width), decimals))) {
+      return low;
+    }
+    throw new DoubtException();
+  }
+
+  private BigDecimal nearest(BigInteger m, int decimals) {
+    BigDecimal unit = new BigDecimal(BigInteger.ONE.shiftLeft(bits));
+    return new BigDecimal(m).divide(unit, decimals, RoundingMode.HALF_EVEN);
   }
 
   /** Without the bits of a tie that are noise: so the even one of two doubles is taken. */

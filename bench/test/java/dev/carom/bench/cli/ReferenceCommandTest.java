@@ -3,6 +3,11 @@ package dev.carom.bench.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.math.RoundingMode;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -54,5 +59,51 @@ class ReferenceCommandTest {
     assertThat(run.exitCode()).isEqualTo(2);
     assertThat(run.err()).contains("--back and --write exclude each other");
     assertThat(folder).isEmptyDirectory();
+  }
+
+  /**
+   * The photon of the SIAM 100-Digit Challenge among its mirrors, in thirtieths. The published
+   * digits: F. Bornemann, D. Laurie, S. Wagon and J. Waldvogel, The SIAM 100-Digit Challenge, 2004.
+   */
+  @Test
+  void printsAHundredDigitsOfThePhoton(@TempDir Path folder) throws IOException {
+    StringBuilder scene = new StringBuilder("circle,15,3,5,1,0\n");
+    for (int i = -3; i <= 3; i++) {
+      for (int j = -3; j <= 3; j++) {
+        scene.append("peg,%d,%d,5%n".formatted(30 * i, 30 * j));
+      }
+    }
+    Path file = Files.writeString(folder.resolve("photon.csv"), scene);
+
+    Cli run = Cli.run("reference", "--scene", file, "--frames", 300, "--digits", 110);
+
+    assertThat(run.exitCode()).as(run.err()).isZero();
+    List<String> rows = run.out().lines().toList();
+    assertThat(rows).hasSize(2).first().isEqualTo("circle,x,y");
+    String[] fields = rows.get(1).split(",");
+    BigDecimal x = new BigDecimal(fields[1]);
+    BigDecimal y = new BigDecimal(fields[2]);
+    assertThat(x.scale()).isEqualTo(110);
+    MathContext digits = new MathContext(120);
+    BigDecimal distance =
+        x.multiply(x).add(y.multiply(y)).sqrt(digits).divide(BigDecimal.valueOf(30), digits);
+    System.out.println("photon: " + distance.setScale(100, RoundingMode.DOWN));
+    assertThat(distance.toPlainString()).startsWith("0.9952629194433541608903118");
+  }
+
+  @Test
+  void playsOneSceneOrOthers(@TempDir Path folder) throws IOException {
+    Path file = Files.writeString(folder.resolve("one.csv"), "circle,15,3,5,1,0\n");
+
+    Cli run = Cli.run("reference", "base-1", "--scene", file);
+    assertThat(run.exitCode()).isEqualTo(2);
+    assertThat(run.err()).contains("--scene excludes SCENE, --write and --back");
+
+    Cli ofDigits = Cli.run("reference", "base-1", "--digits", 5);
+    assertThat(ofDigits.exitCode()).isEqualTo(2);
+    assertThat(ofDigits.err()).contains("--digits needs --scene");
+
+    Cli one = Cli.run("reference", "--scene", file, "--frames", 2, "--digits", 3);
+    assertThat(one.out().lines()).containsExactly("circle,x,y", "0,17.000,3.000");
   }
 }

@@ -82,6 +82,7 @@ class ExamplesTest {
         "AimingLine",
         "SinaiBilliard",
         "PiCollisions",
+        "Photon",
         "GameLoop",
         "SplitWorld",
         "Paddle",
@@ -276,6 +277,29 @@ class ExamplesTest {
     billiard.press();
     assertThat(billiard.world().now()).isZero();
     assertThat(billiard.world().vy(0)).isPositive();
+  }
+
+  /** The published digits: F. Bornemann et al., The SIAM 100-Digit Challenge, 2004. */
+  @Test
+  void thePhotonShowsTheDigitsThatAreSure() {
+    String published = "0.9952629194433541608903118";
+    Photon photon = new Photon();
+    for (int i = 0; i < Photon.END; i++) {
+      photon.frame();
+    }
+    System.out.println(
+        "photon: " + photon.sureDistance() + " of " + photon.distance() + " are sure");
+    assertThat(photon.reflections()).isEqualTo(14);
+    assertThat(published).startsWith(photon.sureDistance());
+    assertThat(photon.sureDistance()).hasSizeBetween(4, 8);
+  }
+
+  @Test
+  void sureDigitsAreThoseThatAllNumbersShare() {
+    assertThat(Photon.sureDigits(0.125, 0.0001)).isEqualTo("0.12");
+    assertThat(Photon.sureDigits(0.125, 0)).isEqualTo("0.12500000000000000");
+    assertThat(Photon.sureDigits(3.7, 0.5)).isEqualTo("?");
+    assertThat(Photon.sureDigits(3.7, Double.POSITIVE_INFINITY)).isEqualTo("?");
   }
 
   @Test

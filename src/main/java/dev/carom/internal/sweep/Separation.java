@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-package dev.carom;
+package dev.carom.internal.sweep;
 
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.UnitVector;
-import dev.carom.internal.sweep.DiskSweep;
-import dev.carom.internal.sweep.SegmentSweep;
-import dev.carom.internal.sweep.UnitVectors;
 import dev.carom.internal.util.Check;
 
 /**
@@ -20,7 +17,7 @@ import dev.carom.internal.util.Check;
  * @param x by how much along x
  * @param y by how much along y
  */
-record Separation(double x, double y) {
+public record Separation(double x, double y) {
 
   private static final Separation NONE = new Separation(0, 0);
 
@@ -32,7 +29,8 @@ record Separation(double x, double y) {
   }
 
   /** Returns the separation of a circle from a disk. */
-  static Separation ofDisk(double x, double y, double r, double cx, double cy, double radius) {
+  public static Separation ofDisk(
+      double x, double y, double r, double cx, double cy, double radius) {
     Overlap overlap = (atX, atY) -> DiskSweep.overlaps(atX, atY, r, cx, cy, radius);
     if (!overlap.at(x, y)) {
       return NONE;
@@ -47,7 +45,7 @@ record Separation(double x, double y) {
   }
 
   /** Returns the separation of a circle from a line. */
-  static Separation ofLine(
+  public static Separation ofLine(
       double x, double y, double r, double ax, double ay, double bx, double by) {
     Overlap overlap = (atX, atY) -> SegmentSweep.overlaps(atX, atY, r, ax, ay, bx, by);
     if (!overlap.at(x, y)) {

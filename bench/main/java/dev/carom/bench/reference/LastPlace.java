@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.reference;
+
+import dev.carom.Scene;
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/**
+ * Where a circle truly is at the end of a run, to as many decimals as asked.
+ *
+ * @param circle which one
+ * @param x the x coordinate, correctly rounded
+ * @param y the y coordinate, correctly rounded
+ */
+public record LastPlace(int circle, BigDecimal x, BigDecimal y) {
+
+  private static final int FIRST_BITS = 128;
+  private static final int MOST_BITS = 1 << 17;
+
+  /**
+   * Computes the places of all circles. The bits carried are doubled until all decimals are proved.
+   *
+   * @param scene any scene that {@link Truth} plays
+   * @param frames how many, at least 1, each one unit of time
+   * @param decimals how many digits behind the point, at least 0
+   * @return one place a circle, in their order
+   * @throws IllegalArgumentException if something in the scene does not just bounce, or frames is
+   *     less than 1
+   * @throws IllegalStateException if impacts pile up, or 131,072 bits do not decide what happens
+   */
+  public static List<LastPlace> of(Scene scene, int frames, int decimals) {
+    Scope.check(scene, frames);
+    int[] all = IntStream.range(0, scene.circleCount()).toArray();
+    if (scene.collide()) {
+      return prove(scene, all, frames, decimals);
+    }
+    List<LastPlace> places = new ArrayList<>();
+    for (int i : all) {
+      places.addAll(prove(scene, new int[] {i}, frames, decimals));
+    }
+    return places;
+  }
+
+  private static List<LastPlace> prove(Scene scene, int[] circles, int frames, int decimals) {
+    for (int bits = FIRST_BITS; bits <= MOST_BITS; bits *= 2) {
+      try {
+        return attempt(scene, circles, frames, decimals, bits);
+      } catch (DoubtException e) {
+        // With more bits, then.
+      }
+    }
+    throw new IllegalStateException(
+        "circle %d: %d bits do not decide its course: expected fewer frames or digits"
+            .formatted(circles[0], MOST_BITS));
+  }
+
+  private static List<LastPlace> attempt(
+      Scene scene, int[] circles, int frames, int decimals, int bits) {
+    Run run = new Run(scene, circles, new Lookout(scene, bits), frames, bits);
+    run.play();
+    List<LastPlace> places = new ArrayList<>();
+    for (int i = 0; i < circles.length; i++) {
+      Body body = run.body(i);
+      Vec place = body.at(Ball.of(frames, bits).minus(body.t));
+      places.add(
+          new LastPlace(circles[i], place.x().rounded(decimals), place.y().rounded(decimals)));
+    }
+    return places;
+  }
+}

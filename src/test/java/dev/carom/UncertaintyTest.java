@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.offset;
+
+import org.junit.jupiter.api.Test;
+
+/**
+ * What an {@link Uncertainty} says of small scenes whose errors are known. The harness holds its
+ * bound to true courses of large ones.
+ */
+class UncertaintyTest {
+
+  private static final double U = 0x1p-53;
+
+  private static SceneBuilder billiard() {
+    return Scene.builder()
+        .bounds(0, 0, 100, 100)
+        .peg(50, 50, 22)
+        .circle(15, 20, 2, 1.3, 2.1)
+        .circle(80, 15, 2, -0.7, 2.9);
+  }
+
+  /** Steps of 1 until a time, each taken in. */
+  private static void advance(World world, Uncertainty uncertainty, double end) {
+    while (world.now() < end) {
+      world.step(1);
+      uncertainty.update();
+    }
+  }
+
+  @Test
+  void refusesWorldsWhoseCirclesCollide() {
+    World world = new World(billiard().collide(true).build());
+    assertThatThrownBy(() -> new Uncertainty(world, 1))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("collide of the world is true: expected false: circles that ignore each other");
+  }
+
+  @Test
+  void refusesLengthsThatAreNotPositive() {
+    World world = new World(billiard().build());
+    for (double length : new double[] {0, -1, Double.NaN}) {
+      assertThatThrownBy(() -> new Uncertainty(world, length))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessage("length is " + length + ": expected more than 0");
+    }
+  }
+
+  @Test
+  void aCircleThatHitNothingIsWrongByTheRoundingOfItsPlace() {
+    World world = new World(Scene.builder().circle(15, 20, 2, 1.3, 2.1).build());
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    advance(world, uncertainty, 10);
+    double rounding = U * (world.x(0) + world.y(0));
+    assertThat(uncertainty.bound(0)).isBetween(rounding / 2, 4 * rounding);
+    assertThat(uncertainty.lostAt()).isInfinite();
+    assertThat(uncertainty.lyapunovExponent(0)).isZero();
+  }
+
+  /** The errors of each impact add up, and grow no faster. */
+  @Test
+  void wallsAddRoundings() {
+    World world = new World(Scene.builder().bounds(0, 0, 7, 5).circle(3, 2, 1, 1.3, 2.1).build());
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    int impacts = 0;
+    while (world.now() < 1000) {
+      world.step(1);
+      impacts += world.impacts().size();
+      uncertainty.update();
+    }
+    assertThat(impacts).isGreaterThan(900);
+    assertThat(uncertainty.bound(0)).isBetween(impacts * U, impacts * 40 * U);
+    assertThat(uncertainty.lyapunovExponent(0)).isZero();
+  }
+
+  /**
+   * A circle flies to and fro between a wall and a peg. With the gap g and the distance R of the
+   * centres at contact, the map of a period has the trace {@code 2 + 4 g / R}, and so the larger
+   * eigenvalue {@code exp(arcosh(1 + 2 g / R))}.
+   */
+  @Test
+  void theExponentOfAPeriodicPathIsThatOfItsMap() {
+    double gap = 8;
+    double reach = 12;
+    Scene scene =
+        Scene.builder().bounds(0, 0, 40, 40).peg(22, 20, 10).circle(5, 20, 2, 4, 0).build();
+    World world = new World(scene);
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    advance(world, uncertainty, 4000);
+    double cosh = 1 + 2 * gap / reach;
+    double exponent = Math.log(cosh + Math.sqrt(cosh * cosh - 1)) / (2 * gap / 4);
+    assertThat(uncertainty.lyapunovExponent(0)).isCloseTo(exponent, offset(1e-3));
+  }
+
+  @Test
+  void thePlaceIsLostWhenTheBoundPassesTheLength() {
+    World world = new World(billiard().build());
+    Uncertainty uncertainty = new Uncertainty(world, 1e-6);
+    double last = 0;
+    while (uncertainty.lostAt(0) == Double.POSITIVE_INFINITY && world.now() < 10_000) {
+      last = uncertainty.bound(0);
+      world.step(1);
+      uncertainty.update();
+    }
+    assertThat(last).isBetween(1e-12, 1e-6);
+    assertThat(uncertainty.bound(0)).isGreaterThan(1e-6);
+    assertThat(uncertainty.lostAt(0)).isBetween(world.now() - 1, world.now());
+    double lostAt = uncertainty.lostAt(0);
+    advance(world, uncertainty, world.now() + 1000);
+    assertThat(uncertainty.lostAt(0)).isEqualTo(lostAt);
+    assertThat(uncertainty.lostAt()).isLessThanOrEqualTo(lostAt).isPositive();
+    assertThat(uncertainty.bound(0)).isInfinite();
+    assertThat(uncertainty.lyapunovExponent(0)).isPositive();
+  }
+
+  @Test
+  void stepsDoNotMatter() {
+    World world = new World(billiard().build());
+    World other = new World(billiard().build());
+    Uncertainty uncertainty = new Uncertainty(world, 1e-6);
+    Uncertainty ofOther = new Uncertainty(other, 1e-6);
+    advance(world, uncertainty, 60);
+    other.advanceTo(60);
+    ofOther.update();
+    assertThat(ofOther.bound(0)).isCloseTo(uncertainty.bound(0), offset(1e-6 * ofOther.bound(0)));
+    assertThat(ofOther.lyapunovExponent(0))
+        .isCloseTo(uncertainty.lyapunovExponent(0), offset(1e-9));
+  }
+
+  @Test
+  void anEditIsUnknownUntilRestart() {
+    World world = new World(billiard().build());
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    advance(world, uncertainty, 5);
+    world.setVelocity(0, 1, 2);
+    assertThat(uncertainty.bound(0)).isInfinite();
+    assertThat(uncertainty.bound(1)).isFinite();
+    uncertainty.restart(0);
+    assertThat(uncertainty.bound(0)).isLessThan(1e-13);
+    world.setPosition(0, 20, 20);
+    advance(world, uncertainty, 60);
+    assertThat(uncertainty.bound(0)).isInfinite();
+    assertThat(uncertainty.lyapunovExponent(0)).isNaN();
+  }
+
+  @Test
+  void anAddedCircleIsUnknownUntilRestart() {
+    World world = new World(billiard().build());
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    int id = world.addCircle(20, 80, 2, 2, 1);
+    advance(world, uncertainty, 50);
+    assertThat(uncertainty.bound(id)).isInfinite();
+    assertThat(uncertainty.lostAt(id)).isZero();
+    uncertainty.restart(id);
+    assertThat(uncertainty.bound(id)).isLessThan(1e-12);
+  }
+
+  @Test
+  void aRemovedCircleIsNoMore() {
+    World world = new World(billiard().build());
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    world.advanceTo(60);
+    world.remove(ObstacleKind.CIRCLE, 0);
+    uncertainty.update();
+    assertThatThrownBy(() -> uncertainty.bound(0)).isInstanceOf(IndexOutOfBoundsException.class);
+    assertThat(uncertainty.bound(1)).isFinite();
+  }
+
+  @Test
+  void impactsThatWereNotTakenInAreNoticed() {
+    World world = new World(billiard().build());
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    world.advanceTo(60);
+    world.advanceTo(61);
+    uncertainty.update();
+    assertThat(uncertainty.bound(0)).isInfinite();
+  }
+
+  @Test
+  void aRestoredWorldIsUnknown() {
+    World world = new World(billiard().build());
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Snapshot start = world.snapshot();
+    advance(world, uncertainty, 60);
+    world.restore(start);
+    assertThat(uncertainty.bound(0)).isInfinite();
+  }
+
+  @Test
+  void movingObstaclesMakeAllUnknown() {
+    World world = new World(billiard().build());
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    world.setVelocity(ObstacleKind.PEG, 0, 0.1, 0);
+    assertThat(uncertainty.bound(0)).isInfinite();
+    advance(world, uncertainty, 1);
+    assertThat(uncertainty.bound(1)).isInfinite();
+  }
+
+  @Test
+  void aJammedCircleIsUnknown() {
+    Scene scene = Scene.builder().bounds(0, 0, 100, 4).circle(50, 2, 2, 1, 0.5).build();
+    World world = new World(scene);
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    boolean jammed = false;
+    for (int i = 0; i < 100 && !jammed; i++) {
+      world.step(10);
+      uncertainty.update();
+      ImpactLog log = world.impacts();
+      for (int row = 0; row < log.size(); row++) {
+        jammed |= log.outcome(row) == Outcome.JAMMED;
+      }
+    }
+    assertThat(jammed).isTrue();
+    assertThat(uncertainty.bound(0)).isInfinite();
+  }
+
+  /** At a halt along a line only the motion along it remains, and its error. */
+  @Test
+  void aCircleThatHaltsAtALineKeepsItsError() {
+    Scene scene =
+        Scene.builder()
+            .line(-1000, 0, 1000, 0)
+            .response(Response.HALT)
+            .circle(0, 5, 2, 1, -1)
+            .build();
+    World world = new World(scene);
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    advance(world, uncertainty, 20);
+    assertThat(world.vy(0)).isZero();
+    assertThat(uncertainty.bound(0)).isBetween(U, 1000 * U);
+  }
+
+  @Test
+  void aCircleThatRestsIsUnknown() {
+    Scene scene =
+        Scene.builder().line(-9, 0, 9, 0).response(Response.HALT).circle(0, 5, 2, 0, -1).build();
+    World world = new World(scene);
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    advance(world, uncertainty, 20);
+    assertThat(uncertainty.bound(0)).isInfinite();
+    assertThat(uncertainty.lostAt(0)).isEqualTo(3);
+  }
+
+  @Test
+  void sensorsChangeNothing() {
+    World world = new World(billiard().build());
+    World sensed = new World(billiard().line(0, 0, 100, 100).response(Response.SENSOR).build());
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    Uncertainty ofSensed = new Uncertainty(sensed, 1);
+    advance(world, uncertainty, 60);
+    advance(sensed, ofSensed, 60);
+    assertThat(ofSensed.bound(0)).isEqualTo(uncertainty.bound(0));
+  }
+
+  /** Two pegs touched at once: which of them is first depends on roundings. */
+  @Test
+  void twoPegsAtOnceMakeUnknown() {
+    Scene scene =
+        Scene.builder()
+            .bounds(-100, -100, 100, 100)
+            .peg(-9.3, 30.1, 10)
+            .peg(9.3, 30.1, 10)
+            .circle(0, -80, 2, 0, 1.7)
+            .build();
+    World world = new World(scene);
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    advance(world, uncertainty, 100);
+    assertThat(uncertainty.bound(0)).isInfinite();
+  }
+}
