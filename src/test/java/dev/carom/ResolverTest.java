@@ -102,8 +102,8 @@ class ResolverTest {
     assertThat(Resolver.reflect(v, new Vec2(0, 2), 1)).isEqualTo(new Vec2(3, 4));
     assertThat(Resolver.reflect(v, new Vec2(0, 2), 0.5)).isEqualTo(new Vec2(3, 2));
     assertThat(Resolver.reflect(v, new Vec2(0, 2), 0)).isEqualTo(new Vec2(3, 0));
-    assertThat(Resolver.reflect(v, new Vec2(0, -2), 1)).as("leaving").isSameAs(v);
-    assertThat(Resolver.reflect(v, new Vec2(4, 3), 1)).as("along").isSameAs(v);
+    assertThat(Resolver.reflect(v, new Vec2(0, -2), 1)).as("leaving").isEqualTo(v);
+    assertThat(Resolver.reflect(v, new Vec2(4, 3), 1)).as("along").isEqualTo(v);
   }
 
   /** v.n and n.n leave the range of doubles in all of these but the first. */

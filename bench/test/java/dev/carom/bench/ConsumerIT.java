@@ -47,7 +47,7 @@ class ConsumerIT {
   @Test
   void runsOnTheClassPath() throws Exception {
     Path out = folder.resolve("out");
-    run("javac", "-Werror", "-Xlint:all", "-cp", jar(""), "-d", out, source("Main.java", PROGRAM));
+    run("javac", "-Werror", "-Xlint:all", "-cp", jar(""), "-d", out, main());
 
     String printed = run("java", "-cp", jar("") + File.pathSeparator + out, "app.Main");
 
@@ -58,14 +58,27 @@ class ConsumerIT {
   void runsOnTheModulePathOnTheBaseModuleAlone() throws Exception {
     Path out = folder.resolve("out");
     Path module = source("module-info.java", MODULE);
-    Path main = source("Main.java", PROGRAM);
-    run("javac", "-Werror", "-Xlint:all", "-p", jar(""), "-d", out, module, main);
+    run("javac", "-Werror", "-Xlint:all", "-p", jar(""), "-d", out, module, main());
 
     String path = jar("") + File.pathSeparator + out;
     String printed =
         run("java", "--limit-modules", "java.base,dev.carom", "-p", path, "-m", "app/app.Main");
 
     assertThat(printed).isEqualTo("5.0 in dev.carom");
+  }
+
+  /** A run-time image of two modules: Java's base and the library, beside the program. */
+  @Test
+  void runsInAnImageOfItsOwn() throws Exception {
+    Path out = folder.resolve("out");
+    Path image = folder.resolve("image");
+    String path = jar("") + File.pathSeparator + out;
+    run("javac", "-p", jar(""), "-d", out, source("module-info.java", MODULE), main());
+    run("jlink", "-p", path, "--add-modules", "app", "--output", image);
+
+    assertThat(run(image, "java", "--list-modules").lines().map(line -> line.split("@")[0]))
+        .containsExactlyInAnyOrder("app", "dev.carom", "java.base");
+    assertThat(run(image, "java", "-m", "app/app.Main")).isEqualTo("5.0 in dev.carom");
   }
 
   @Test
@@ -116,14 +129,23 @@ class ConsumerIT {
     }
   }
 
+  private Path main() throws IOException {
+    return source("Main.java", PROGRAM);
+  }
+
   private Path source(String name, String text) throws IOException {
     return Files.writeString(folder.resolve(name), text);
   }
 
   /** Runs one of this JDK's tools, and gives what it printed. */
   private String run(String tool, Object... args) throws IOException, InterruptedException {
+    return run(Path.of(System.getProperty("java.home")), tool, args);
+  }
+
+  private String run(Path home, String tool, Object... args)
+      throws IOException, InterruptedException {
     List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", tool).toString());
+    command.add(home.resolve("bin").resolve(tool).toString());
     Stream.of(args).map(Object::toString).forEach(command::add);
     Path output = Files.createTempFile(folder, tool, ".txt");
     ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);

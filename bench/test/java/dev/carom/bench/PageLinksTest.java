@@ -26,7 +26,8 @@ class PageLinksTest {
         "bench/PERFORMANCE.md",
         ".github/ARCHITECTURE.md",
         ".github/CONTRIBUTING.md",
-        ".github/DECISIONS.md"
+        ".github/DECISIONS.md",
+        ".github/SECURITY.md"
       })
   void leadSomewhere(String name) throws IOException {
     Path page = ROOT.resolve(name);

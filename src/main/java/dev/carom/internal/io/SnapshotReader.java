@@ -134,7 +134,8 @@ public final class SnapshotReader {
 
   private void motions(double now, ObstacleTable obstacles) throws IOException {
     int count = count(obstacles.size());
-    ObstacleMotions motions = ObstacleMotions.NONE;
+    IntStream.Builder codes = IntStream.builder();
+    DoubleList rows = new DoubleList();
     int least = Codes.line(0);
     for (int i = 0; i < count; i++) {
       int code = in.readInt();
@@ -148,9 +149,10 @@ public final class SnapshotReader {
       Check.finite("vy", uy);
       double since = in.readDouble();
       expect(since >= 0 && since <= now, "an obstacle moves since " + since);
-      motions = motions.with(code, ux, uy, since);
+      codes.add(code);
+      rows.add(ux, uy, since);
     }
-    obstacles.setMotions(motions);
+    obstacles.setMotions(ObstacleMotions.of(codes.build().toArray(), rows.toArray()));
     for (int code : codesThatCrush.build().toArray()) {
       expectCode(obstacles.moves(code), code);
     }
@@ -305,7 +307,7 @@ public final class SnapshotReader {
 
   private IgnoreList jam() throws IOException {
     int count = count(Codes.limit(Kind.LINE));
-    IgnoreList jam = null;
+    IntStream.Builder entries = IntStream.builder();
     for (int k = 0; k < count; k++) {
       int entry = in.readInt();
       int code = IgnoreList.code(entry);
@@ -313,9 +315,9 @@ public final class SnapshotReader {
       if (IgnoreList.crushes(entry) && !Codes.isCircle(code)) {
         codesThatCrush.add(code);
       }
-      jam = IgnoreList.withEntry(jam, entry);
+      entries.add(entry);
     }
-    return jam;
+    return IgnoreList.of(entries.build().distinct().toArray());
   }
 
   /**

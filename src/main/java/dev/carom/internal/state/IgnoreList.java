@@ -20,6 +20,11 @@ public final class IgnoreList {
     this.entries = entries;
   }
 
+  /** The list of these entries, codes or their complements, each once; null if there is none. */
+  public static IgnoreList of(int... entries) {
+    return entries.length == 0 ? null : new IgnoreList(entries);
+  }
+
   /** The code in an entry. */
   public static int code(int entry) {
     return entry < 0 ? ~entry : entry;
@@ -43,8 +48,8 @@ public final class IgnoreList {
     return withEntry(jam, ~code);
   }
 
-  /** Adds an entry, a code or its complement, to a list, which may be null. */
-  public static IgnoreList withEntry(IgnoreList jam, int entry) {
+  /** Adds an entry to a list, which may be null. */
+  private static IgnoreList withEntry(IgnoreList jam, int entry) {
     if (jam == null) {
       return new IgnoreList(new int[] {entry});
     }
@@ -62,7 +67,7 @@ public final class IgnoreList {
       return null;
     }
     int[] left = Arrays.stream(jam.entries).filter(IgnoreList::stays).toArray();
-    return left.length == jam.entries.length ? jam : left.length == 0 ? null : new IgnoreList(left);
+    return left.length == jam.entries.length ? jam : of(left);
   }
 
   private static boolean stays(int entry) {
@@ -76,7 +81,7 @@ public final class IgnoreList {
   /** Removes one code; null if nothing is left. */
   public IgnoreList without(int code) {
     int[] left = Arrays.stream(entries).filter(entry -> code(entry) != code).toArray();
-    return left.length == 0 ? null : new IgnoreList(left);
+    return of(left);
   }
 
   /** The same with other slots or ids for circles. */

@@ -38,6 +38,13 @@ public final class ObstacleMotions {
       k += ROW;
     }
     int[] codes = velocities.keySet().stream().mapToInt(code -> code).toArray();
+    return of(codes, rows);
+  }
+
+  /**
+   * The obstacles of these codes, ascending, and for each its ux, uy and since, one after another.
+   */
+  public static ObstacleMotions of(int[] codes, double... rows) {
     return codes.length == 0 ? NONE : new ObstacleMotions(codes, rows);
   }
 
