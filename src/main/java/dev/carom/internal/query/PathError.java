@@ -75,7 +75,7 @@ public final class PathError {
 
   /** Whether the flights are known; else nothing is known of the error. */
   public boolean isFollowed() {
-    return x == x;
+    return !Double.isNaN(x);
   }
 
   /** Stops to follow the circle: the error is unknown from the end of the last flight on. */
