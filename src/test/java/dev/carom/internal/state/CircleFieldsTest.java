@@ -184,11 +184,31 @@ class CircleFieldsTest {
     }
   }
 
+  private static FlightHistory history(MovingCircle m) {
+    CircleProperties properties = new CircleProperties(1, m.restitution, 0, m.filter);
+    FlightHistory history = new FlightHistory(2, properties);
+    history.add(m, true, new CircleRegistry(Internals.data(Scene.builder().build()), 1));
+    return history;
+  }
+
+  /** Also if the flight was pending for a while. */
+  @Test
+  void aTimelineHoldsThem() throws IllegalAccessException {
+    MovingCircle m = filled(1);
+    CircleRegistry registry = new CircleRegistry(Internals.data(Scene.builder().build()), 1);
+    FlightRows pending = new FlightRows(3);
+    pending.put(2, m, false, registry);
+    FlightHistory copied = new FlightHistory(2, new CircleProperties(1, m.restitution, 0, 0));
+    copied.add(pending, 2);
+    for (FlightHistory history : new FlightHistory[] {history(m), copied}) {
+      MovingCircle loaded = filled(200);
+      history.load(50, loaded);
+      assertThat(without(fields(loaded), AHEAD)).isEqualTo(without(fields(m), AHEAD));
+    }
+  }
+
   private static double[] answers(MovingCircle m) {
-    double[] row = new double[FlightRow.SIZE];
-    FlightRow.put(m, row, 0);
-    FlightHistory history = new FlightHistory(2);
-    history.add(row, 0);
+    FlightHistory history = history(m);
     int k = history.find(50);
     return new double[] {
       history.x(k, 50, null),
