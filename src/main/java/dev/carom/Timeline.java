@@ -24,7 +24,7 @@ import java.util.Optional;
  * moment, and after the impacts that they caused at once. The places of lines and pegs are recorded
  * too, at their changes.
  *
- * <p>A flight takes 68 bytes, so the size follows the impacts and not the steps. The size is
+ * <p>A flight takes 72 bytes, so the size follows the impacts and not the steps. The size is
  * bounded, and so is the part that is kept of removed circles: see {@link World#record
  * World.record}.
  *

@@ -64,7 +64,9 @@ final class FlightHistories {
 
   /** Makes {@link #start} later if a history dropped something for lack of room. */
   void noteDrop(FlightHistory track) {
-    start = Math.max(start, track.completeFrom());
+    if (track.hasDropped()) {
+      start = Math.max(start, track.completeFrom());
+    }
   }
 
   /** Adds the history of a new circle. Circles must be added in order of their ids. */

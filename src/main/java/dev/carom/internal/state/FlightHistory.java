@@ -49,7 +49,9 @@ public final class FlightHistory {
   /** Null until the first. */
   private Changes<Amendment> amendments;
 
-  /** The time from which nothing was dropped for lack of room. */
+  /** Whether anything was dropped, and the time from which no change within a flight was. */
+  private boolean drops;
+
   private double completeFrom = Double.NEGATIVE_INFINITY;
 
   /** The flight found last. The next query is usually about the same one. */
@@ -68,13 +70,11 @@ public final class FlightHistory {
   /** Adds a flight; drops the oldest one if there is no room. */
   void add(MovingCircle m, boolean confined, CircleRegistry registry) {
     rows.put(next(), m, confined, registry);
-    noteDrop();
   }
 
   /** Adds flight i of a table. */
   void add(FlightRows from, int i) {
     rows.copy(next(), from, i);
-    noteDrop();
   }
 
   /** The index of the row for the next flight. */
@@ -83,16 +83,11 @@ public final class FlightHistory {
     if (size == most) {
       oldest = oldest + 1 == most ? 0 : oldest + 1;
       size--;
+      drops = true;
     } else if (size == rows.room()) {
       rows.resize((int) Math.min(2L * size, most));
     }
     return at(size++);
-  }
-
-  private void noteDrop() {
-    if (begun > size) {
-      complete(startOf(0));
-    }
   }
 
   /** Notes that properties are other ones from a time on. */
@@ -130,6 +125,7 @@ public final class FlightHistory {
   }
 
   private void complete(double from) {
+    drops = true;
     completeFrom = Math.max(completeFrom, from);
   }
 
@@ -175,7 +171,12 @@ public final class FlightHistory {
 
   /** The time from which nothing was dropped for lack of room. */
   double completeFrom() {
-    return completeFrom;
+    return drops ? Math.max(completeFrom, startOf(0)) : completeFrom;
+  }
+
+  /** Whether anything was dropped for lack of room. */
+  boolean hasDropped() {
+    return drops;
   }
 
   /** The start time of the oldest flight that is kept. */

@@ -9,35 +9,29 @@ import java.util.Arrays;
  */
 final class FlightRows {
 
-  private static final int FLIGHT = FlightRow.SIZE;
+  // The columns of a flight, after those of a FlightRow.
+  private static final int LAST = FlightRow.SIZE;
 
-  // The ints of a flight.
-  private static final int LAST = 0;
-  private static final int STUCK = 1;
+  /** The bits of an int for the weight of impacts at one place, then of a {@link ContactWord}. */
+  private static final int MEMORY = FlightRow.SIZE + 1;
 
-  /** A {@link ContactWord} without a contact. */
-  private static final int MEMORY = 2;
-
-  private static final int CONTACTS = 3;
+  private static final int FLIGHT = FlightRow.SIZE + 2;
 
   private double[] flights;
-  private int[] contacts;
 
   /** The ignore list of each flight; null until a circle is jammed. */
   private IgnoreList[] jams;
 
   FlightRows(int room) {
     flights = new double[room * FLIGHT];
-    contacts = new int[room * CONTACTS];
   }
 
   int room() {
-    return contacts.length / CONTACTS;
+    return flights.length / FLIGHT;
   }
 
   void resize(int room) {
     flights = Arrays.copyOf(flights, room * FLIGHT);
-    contacts = Arrays.copyOf(contacts, room * CONTACTS);
     jams = jams == null ? null : Arrays.copyOf(jams, room);
   }
 
@@ -52,10 +46,9 @@ final class FlightRows {
     if (!confined) {
       flights[k + FlightRow.RADIUS] = -m.radius;
     }
-    int c = i * CONTACTS;
-    contacts[c + LAST] = registry.codeWithId(m.last);
-    contacts[c + STUCK] = m.stuck;
-    contacts[c + MEMORY] = ContactWord.of(m, 0);
+    flights[k + LAST] = registry.codeWithId(m.last);
+    long word = Integer.toUnsignedLong(ContactWord.of(m, 0));
+    flights[k + MEMORY] = Double.longBitsToDouble((long) m.stuck << Integer.SIZE | word);
     setJam(i, registry.jamWithIds(m.jam));
   }
 
@@ -71,7 +64,6 @@ final class FlightRows {
   /** Copies a flight of another table to flight i. */
   void copy(int i, FlightRows from, int of) {
     System.arraycopy(from.flights, of * FLIGHT, flights, i * FLIGHT, FLIGHT);
-    System.arraycopy(from.contacts, of * CONTACTS, contacts, i * CONTACTS, CONTACTS);
     setJam(i, from.jam(of));
   }
 
@@ -82,16 +74,20 @@ final class FlightRows {
     m.newFlight();
     m.last = last(i);
     m.stuck = stuck(i);
-    ContactWord.recall(contacts[i * CONTACTS + MEMORY], m);
+    ContactWord.recall((int) memory(i), m);
     m.jam = jam(i);
   }
 
   int last(int i) {
-    return contacts[i * CONTACTS + LAST];
+    return (int) flights[i * FLIGHT + LAST];
   }
 
   int stuck(int i) {
-    return contacts[i * CONTACTS + STUCK];
+    return (int) (memory(i) >> Integer.SIZE);
+  }
+
+  private long memory(int i) {
+    return Double.doubleToRawLongBits(flights[i * FLIGHT + MEMORY]);
   }
 
   IgnoreList jam(int i) {
