@@ -285,6 +285,37 @@ class RewindTest {
     assertThat(past.snapshot(36.25)).isEqualTo(removed);
   }
 
+  /** An edit comes after an impact of that time, also if its circle was removed then. */
+  @Test
+  void theTimeOfAnEditIsThatOfThen() {
+    Scene scene = box(true).scene();
+    World first = new World(scene);
+    assertThat(first.advanceTo(50)).isTrue();
+    int tails = 0;
+    for (int row = 0; row < first.impacts().size(); row++) {
+      double t = first.impacts().time(row);
+      int id = first.impacts().circle(row);
+      World world = new World(scene);
+      Timeline past = world.record(MOST);
+      assertThat(world.advanceTo(t)).isTrue();
+      world.remove(CIRCLE, id);
+      Timeline later = world.record(MOST);
+      Snapshot then = world.snapshot();
+      tails += then.state.flights().tailOfEdit > 0 ? 1 : 0;
+      assertThat(world.step(1)).isTrue();
+      assertThat(later.snapshot(t)).isEqualTo(then);
+      assertThat(past.snapshot(t)).isEqualTo(then);
+
+      World on = new World(scene);
+      Timeline all = on.record(MOST);
+      assertThat(on.advanceTo(t)).isTrue();
+      on.remove(CIRCLE, id);
+      assertThat(on.step(1)).isTrue();
+      assertThat(all.snapshot(t)).isEqualTo(then);
+    }
+    assertThat(tails).isPositive();
+  }
+
   // The ends of a recording.
 
   /** A circle that was turned against the wall that it touches bounces with the next step. */

@@ -115,8 +115,9 @@ final class FlightRows {
     return Confinement.y(isConfined(i) ? walls : null, start, y, radius(i));
   }
 
+  /** The sign tells, also of a radius of 0. */
   private boolean isConfined(int i) {
-    return flights[i * FLIGHT + FlightRow.RADIUS] > 0;
+    return Double.doubleToRawLongBits(flights[i * FLIGHT + FlightRow.RADIUS]) >= 0;
   }
 
   private double since(int i, double t) {

@@ -13,33 +13,31 @@ import java.util.stream.IntStream;
 /** The lines and pegs during a recording: the ones at its start, and each change since. */
 final class ObstacleHistory {
 
-  /**
-   * An obstacle from a time on.
-   *
-   * @param row where it was at the time {@code since}; null once it is removed
-   * @param traits its {@link ContactFlags}
-   * @param filter its {@link Filter}
-   * @param moves whether it moves, or moved before
-   */
-  private record State(
-      double[] row, int traits, long filter, boolean moves, double ux, double uy, double since) {
+  /** An obstacle from a time on. */
+  private static final class State {
 
-    private static final State GONE = new State(null, 0, Filter.DEFAULT, false, 0, 0, 0);
+    /** Where it was at the time {@link #since}; null once it is removed. */
+    final double[] row;
 
-    static State of(ObstacleTable here, int code) {
-      if (here.isGone(code)) {
-        return GONE;
-      }
-      ObstacleMotions motions = here.motions();
-      double since = here.moves(code) ? motions.since(motions.indexOf(code)) : 0;
-      return new State(
-          here.row(code),
-          here.traits(code),
-          here.filter(code),
-          here.moves(code),
-          here.ux(code),
-          here.uy(code),
-          since);
+    final int traits;
+    final long filter;
+
+    /** Whether it moves, or moved before. */
+    final boolean moves;
+
+    final double ux;
+    final double uy;
+    final double since;
+
+    State(ObstacleTable here, int code) {
+      boolean gone = here.isGone(code);
+      row = gone ? null : here.row(code);
+      traits = gone ? 0 : here.traits(code);
+      filter = gone ? Filter.DEFAULT : here.filter(code);
+      moves = !gone && here.moves(code);
+      ux = here.ux(code);
+      uy = here.uy(code);
+      since = moves ? here.motions().since(here.motions().indexOf(code)) : 0;
     }
 
     double[] at(double t, int coordinates) {
@@ -94,7 +92,7 @@ final class ObstacleHistory {
   void note(int code, ObstacleTable now, double t) {
     Changes<State> ofThis = changes.computeIfAbsent(code, this::newChanges);
     ends[Codes.kind(code)] = Math.max(ends[Codes.kind(code)], code + 1);
-    ofThis.add(t, State.of(now, code));
+    ofThis.add(t, new State(now, code));
     if (ofThis.keep(most)) {
       start = Math.max(start, ofThis.start());
     }
@@ -134,16 +132,15 @@ final class ObstacleHistory {
 
   /** The row of an obstacle at a given time; null if it did not exist then. */
   double[] at(int code, double t) {
-    return state(code, t).at(t, first.of(code).shape.coordinates);
+    State its = state(code, t);
+    return its == null ? null : its.at(t, first.of(code).shape.coordinates);
   }
 
+  /** An obstacle at a given time; null if it did not exist by then. */
   private State state(int code, double t) {
     Changes<State> ofThis = changes.get(code);
     State changed = ofThis == null ? null : ofThis.at(t);
-    if (changed != null) {
-      return changed;
-    }
-    return isFirst(code) ? State.of(first, code) : State.GONE;
+    return changed == null && isFirst(code) ? new State(first, code) : changed;
   }
 
   /** All obstacles at a given time; the properties of the walls then are given. */
@@ -172,11 +169,11 @@ final class ObstacleHistory {
     long[] filters = Filter.defaults(count);
     for (int i = 0; i < count; i++) {
       State its = state(from + i, t);
-      if (its != State.GONE) {
+      if (its != null && its.row != null) {
         System.arraycopy(its.row, 0, rows, i * width, width);
+        traits[i] = (byte) its.traits;
+        filters[i] = its.filter;
       }
-      traits[i] = (byte) its.traits;
-      filters[i] = its.filter;
     }
     return ObstacleTable.rows(kind, rows, traits, Filter.unlessDefault(filters, count));
   }
@@ -204,7 +201,7 @@ final class ObstacleHistory {
       int end = endAt(Codes.kind(ofKind.first()), t);
       for (int code = ofKind.first(); code < end; code++) {
         State its = state(code, t);
-        if (its.moves) {
+        if (its != null && its.moves) {
           codes.add(code);
           rows.add(its.ux, its.uy, its.since);
         }

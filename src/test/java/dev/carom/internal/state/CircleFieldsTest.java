@@ -191,6 +191,23 @@ class CircleFieldsTest {
     return history;
   }
 
+  /** Where the clock is too coarse for a flight, walls keep it inside: also a point. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.5})
+  void aTimelineTellsWhomWallsConfine(double radius) {
+    double[] walls = ObstacleTable.walls(0, 0, 10, 10);
+    CircleRegistry registry = new CircleRegistry(Internals.data(Scene.builder().build()), 1);
+    MovingCircle m = new MovingCircle();
+    m.start(0, 5, 5, radius, 1, 2, 1);
+    FlightRows rows = new FlightRows(2);
+    rows.put(0, m, true, registry);
+    rows.put(1, m, false, registry);
+    assertThat(new double[] {rows.x(0, 50, walls), rows.y(0, 50, walls), rows.radius(0)})
+        .containsExactly(10 - radius, 10 - radius, radius);
+    assertThat(new double[] {rows.x(1, 50, walls), rows.y(1, 50, walls), rows.radius(1)})
+        .containsExactly(55, 105, radius);
+  }
+
   /** Also if the flight was pending for a while. */
   @Test
   void aTimelineHoldsThem() throws IllegalAccessException {
