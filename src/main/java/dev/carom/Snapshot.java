@@ -5,9 +5,15 @@ import dev.carom.internal.io.SnapshotReader;
 import dev.carom.internal.io.SnapshotWriter;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Check;
+import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.security.DigestOutputStream;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 
 /**
  * A {@code Snapshot} is a copy of everything that determines the future of a {@link World}. It
@@ -74,6 +80,31 @@ public final class Snapshot {
    */
   public void write(OutputStream out) throws IOException {
     new SnapshotWriter(Check.notNull("out", out)).write(state);
+  }
+
+  /**
+   * Returns a hash of 64 bits, to compare the states of two machines without sending them.
+   *
+   * <p>It is the first 8 bytes, big-endian, of the SHA-256 digest of the bytes that {@link #write
+   * write} writes. Equal snapshots have equal hashes, on every machine and Java virtual machine.
+   * Two unequal ones have the same hash with a probability of 2^-64. A version of this library that
+   * writes another format computes other hashes.
+   *
+   * @return the hash
+   */
+  public long hash64() {
+    try {
+      MessageDigest digest = MessageDigest.getInstance("SHA-256");
+      OutputStream out = new DigestOutputStream(OutputStream.nullOutputStream(), digest);
+      BufferedOutputStream buffered = new BufferedOutputStream(out);
+      write(buffered);
+      buffered.flush();
+      return ByteBuffer.wrap(digest.digest()).getLong();
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("each Java platform must have SHA-256", e);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e); // nothing is written anywhere
+    }
   }
 
   /**

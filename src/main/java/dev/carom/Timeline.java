@@ -9,8 +9,9 @@ import dev.carom.internal.util.Kind;
 import java.util.Optional;
 
 /**
- * A {@code Timeline} holds the recorded flights of a world's circles. It tells where each circle
- * was, and how it moved, at any moment from the start of the recording to now.
+ * A {@code Timeline} holds the recorded past of a world. It tells where each circle was, and how it
+ * moved, at any moment from the start of the recording to now. From any of these moments a world
+ * can go on again: see {@link #snapshot}.
  *
  * <pre>{@code
  * World world =
@@ -23,7 +24,7 @@ import java.util.Optional;
  * moment, and after the impacts that they caused at once. The places of lines and pegs are recorded
  * too, at their changes.
  *
- * <p>A flight takes 56 bytes, so the size follows the impacts and not the steps. The size is
+ * <p>A flight takes 72 bytes, so the size follows the impacts and not the steps. The size is
  * bounded, and so is the part that is kept of removed circles: see {@link World#record
  * World.record}.
  *
@@ -163,6 +164,23 @@ public final class Timeline {
         ? Optional.empty()
         : Optional.ofNullable(recorder.obstacle(Codes.peg(id), time))
             .map(row -> PublicRecords.peg(row, 0));
+  }
+
+  /**
+   * Returns the world as it was at a given time: a snapshot that {@link World#restore
+   * World.restore} goes on from, with or without edits.
+   *
+   * <p>It is equal to the snapshot that a world takes that stands there: after the edits of that
+   * moment, and after the impacts that they caused at once. At the {@linkplain #end end} of the
+   * recording these impacts may be yet to come. The time that this takes follows the circles, lines
+   * and pegs that are recorded, and not the length of the recording.
+   *
+   * @param t a time within the recording
+   * @return the snapshot
+   * @throws IllegalArgumentException if the time is not within the recording
+   */
+  public Snapshot snapshot(double t) {
+    return new Snapshot(recorder.state(checked(t) + 0.0)); // 0 for -0
   }
 
   private static boolean isId(int kind, int id) {

@@ -848,7 +848,7 @@ public final class World {
    * @throws IllegalArgumentException if e is NaN, infinite or negative
    */
   public void setRestitution(ObstacleKind kind, int id, double e) {
-    edit().setRestitution(code(kind, id), e);
+    edit().setRestitution(code(kind, id), e, now);
   }
 
   /**
@@ -1016,14 +1016,17 @@ public final class World {
    * @return the snapshot, which no later step or edit changes
    */
   public Snapshot snapshot() {
-    return new Snapshot(
-        new WorldState(
-            now,
-            scene.collide(),
-            obstacles.copy(),
-            registry.copy(),
-            editor.limits(),
-            engine.save(now)));
+    return new Snapshot(state());
+  }
+
+  private WorldState state() {
+    return new WorldState(
+        now,
+        scene.collide(),
+        obstacles.copy(),
+        registry.copy(),
+        editor.limits().copy(),
+        engine.save(now));
   }
 
   /**
@@ -1065,8 +1068,8 @@ public final class World {
   }
 
   /**
-   * Starts to record the flights of all circles, from now on. A recording that was going on stops,
-   * and its timeline stays as it is.
+   * Starts to record the flights of all circles and every edit, from now on. A recording that was
+   * going on stops, and its timeline stays as it is.
    *
    * <p>The flights of a removed circle are kept within a budget: all removed circles together have
    * {@code most} flights for each circle of the largest number that existed at one time. Beyond
@@ -1074,9 +1077,10 @@ public final class World {
    * Changes of removed lines and pegs have a budget by the same rule. So the memory of a recording
    * is bounded, however many things come and go.
    *
-   * @param most how many flights to keep of each circle, and how many changes of each line and peg,
-   *     at least 1; beyond that the oldest ones are dropped. An edit begins a flight: if each frame
-   *     edits a circle, this is a number of frames
+   * @param most how many flights to keep of each circle, and how many changes of each line, of each
+   *     peg, of the walls, and of a circle's properties, at least 1. Beyond that the oldest ones
+   *     are dropped. As many contacts that sensors report are kept of each circle. An edit begins a
+   *     flight: if each frame edits a circle, this is a number of frames
    * @return the timeline, which goes on as the world does
    * @throws IllegalArgumentException if most is below 1
    */
@@ -1084,7 +1088,8 @@ public final class World {
     if (most < 1) {
       throw Check.refused("most", most, "at least 1");
     }
-    recorder = new FlightRecorder(most, registry::id);
+    stopRecording();
+    recorder = new FlightRecorder(most, scene.collide(), registry, editor.limits(), this::state);
     recorder.begin(now, obstacles);
     engine.record(recorder);
     return new Timeline(recorder);
@@ -1092,6 +1097,9 @@ public final class World {
 
   /** Stops a recording, if there is one. Its timeline stays as it is. */
   public void stopRecording() {
+    if (recorder != null) {
+      recorder.stop();
+    }
     recorder = null;
     engine.record(null);
   }

@@ -16,6 +16,9 @@ final class PastCheck {
   /** Of each circle, by time, how it was when the world left that time. */
   private final TreeMap<Integer, TreeMap<Double, Run.State>> seen = new TreeMap<>();
 
+  /** The snapshot that was taken last at each time. */
+  private final TreeMap<Double, Snapshot> snapshots = new TreeMap<>();
+
   PastCheck(World world) {
     this.world = world;
     past = world.record(FLIGHTS);
@@ -24,10 +27,12 @@ final class PastCheck {
   /** After a step: impacts at once changed what was seen when it began. */
   void forget(double time) {
     seen.values().forEach(states -> states.remove(time));
+    snapshots.remove(time);
   }
 
   /** Before or after a step: what is seen last at a time counts. */
   void look() {
+    snapshots.put(world.now(), world.snapshot());
     for (int i = 0; i < world.idLimit(ObstacleKind.CIRCLE); i++) {
       if (world.contains(ObstacleKind.CIRCLE, i)) {
         Run.State state = new Run.State(world.x(i), world.y(i), world.vx(i), world.vy(i));
@@ -39,7 +44,7 @@ final class PastCheck {
   /** Compares all that is still recorded, and returns how much that is. */
   int compare() {
     look();
-    int compared = 0;
+    int compared = compareSnapshots();
     for (int i : seen.keySet()) {
       for (double t : seen.get(i).keySet()) {
         if (past.contains(i, t)) {
@@ -50,5 +55,17 @@ final class PastCheck {
       }
     }
     return compared;
+  }
+
+  private int compareSnapshots() {
+    snapshots.tailMap(past.start()).forEach(this::compare);
+    return snapshots.size();
+  }
+
+  private void compare(double t, Snapshot snapshot) {
+    assertThat(SnapshotParts.of(past.snapshot(t)))
+        .as("at %s", t)
+        .isEqualTo(SnapshotParts.of(snapshot));
+    assertThat(past.snapshot(t)).as("at %s", t).isEqualTo(snapshot);
   }
 }

@@ -302,7 +302,8 @@ class SnapshotStreamTest {
   void anotherVersionIsRefused() throws IOException {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putInt(VERSION, 1);
-    assertRefused(bytes, "its version is 1: expected 5");
+    assertRefused(
+        bytes, "its format version is 1: expected 5, the only one that this library reads");
   }
 
   @ParameterizedTest

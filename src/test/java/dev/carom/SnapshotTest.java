@@ -9,7 +9,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.IgnoreList;
+import dev.carom.internal.state.SavedFlights;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.math.BigInteger;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -54,6 +62,12 @@ class SnapshotTest {
         w -> w.setResponse(WALL, 1, Response.HALT),
         w -> w.setResponse(LINE, 1, Response.HALT),
         w -> w.setResponse(PEG, 0, Response.SENSOR),
+        w -> w.setFilter(CIRCLE, 1, 2, 3),
+        w -> w.setFilter(WALL, 1, 2, 3),
+        w -> w.setFilter(LINE, 1, 2, 3),
+        w -> w.setFilter(PEG, 0, 2, 3),
+        w -> w.setVelocity(LINE, 1, 0, 0), // listed as one that moves
+        w -> w.setVelocity(PEG, 0, 1, 0),
         w -> w.setOneWay(0, false),
         w -> w.setOneWay(1, true),
         w -> w.moveLine(1, 60, 20, 80, 31),
@@ -83,9 +97,11 @@ class SnapshotTest {
       assertThat(before).isEqualTo(two.snapshot()).hasSameHashCodeAs(two.snapshot());
       change.accept(one);
       assertThat(one.snapshot()).isNotEqualTo(before);
+      assertThat(one.snapshot().hash64()).isNotEqualTo(before.hash64());
       assertThat(two.snapshot()).as("what was taken before").isEqualTo(before);
       change.accept(two);
       assertThat(one.snapshot()).isEqualTo(two.snapshot());
+      assertThat(one.snapshot().hash64()).isEqualTo(two.snapshot().hash64());
       one.restore(before);
       assertThat(one.snapshot()).isEqualTo(before);
     }
@@ -243,5 +259,45 @@ class SnapshotTest {
     Snapshot before = world.snapshot();
     world.setPosition(0, 5, 0);
     assertThat(world.snapshot()).doesNotHaveSameHashCodeAs(before);
+  }
+
+  /** Each number of a circle counts, also one that no edit sets. */
+  @Test
+  void anotherNumberMakesAnotherHash() {
+    World world = world(true);
+    world.step(2.5);
+    Snapshot snapshot = world.snapshot();
+    long before = snapshot.hash64();
+    SavedFlights flights = snapshot.state.flights();
+    for (int k = 0; k < flights.numbers.length; k++) {
+      double number = flights.numbers[k];
+      flights.numbers[k] = Math.nextUp(number);
+      assertThat(snapshot.hash64()).as("number %s", k).isNotEqualTo(before);
+      flights.numbers[k] = number;
+    }
+    for (int k = 0; k < flights.codes.length; k++) {
+      flights.codes[k]++;
+      assertThat(snapshot.hash64()).as("code %s", k).isNotEqualTo(before);
+      flights.codes[k]--;
+    }
+    flights.tailOfEdit = Double.MIN_VALUE;
+    assertThat(snapshot.hash64()).as("tail of an edit").isNotEqualTo(before);
+    flights.tailOfEdit = 0;
+    flights.jams = new IgnoreList[] {IgnoreList.with(null, 5), null, null};
+    assertThat(snapshot.hash64()).as("a jam").isNotEqualTo(before);
+    flights.jams = null;
+    assertThat(snapshot.hash64()).isEqualTo(before);
+  }
+
+  @Test
+  void theHashIsThatOfTheWrittenBytes() throws IOException, NoSuchAlgorithmException {
+    World world = world(true);
+    world.step(7);
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    world.snapshot().write(out);
+    byte[] digest = MessageDigest.getInstance("SHA-256").digest(out.toByteArray());
+    long first8 = new BigInteger(1, Arrays.copyOf(digest, 8)).longValue();
+    assertThat(world.snapshot().hash64()).isEqualTo(first8);
+    assertThat(Long.toHexString(first8)).as("on any machine").isEqualTo("52ea06f53621cdc5");
   }
 }

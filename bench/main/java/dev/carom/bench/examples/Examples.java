@@ -29,7 +29,9 @@ public enum Examples {
   /** See {@link Lift}. */
   LIFT("a platform that carries a ball and throws two", 45),
   /** See {@link Piston}. */
-  PISTON("a gas that a lid compresses warms by the adiabatic law", 1_000);
+  PISTON("a gas that a lid compresses warms by the adiabatic law", 1_000),
+  /** See {@link WhatIf}. */
+  WHATIF("a recorded run, and another future of it with a wall elsewhere", 240);
 
   private final String about;
   private final int frames;
@@ -76,6 +78,7 @@ public enum Examples {
       case PADDLE -> new Paddle();
       case LIFT -> new Lift();
       case PISTON -> new Piston();
+      case WHATIF -> new WhatIf();
     };
   }
 

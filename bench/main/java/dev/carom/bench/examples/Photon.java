@@ -105,7 +105,7 @@ public final class Photon implements Example {
     BigDecimal high = new BigDecimal(value).add(new BigDecimal(error));
     for (int digits = MOST_DIGITS; digits >= 0; digits--) {
       BigDecimal floor = low.setScale(digits, RoundingMode.FLOOR);
-      if (floor.equals(high.setScale(digits, RoundingMode.FLOOR))) {
+      if (floor.compareTo(high.setScale(digits, RoundingMode.FLOOR)) == 0) {
         return floor.toPlainString();
       }
     }

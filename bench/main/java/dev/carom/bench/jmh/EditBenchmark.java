@@ -10,6 +10,9 @@ import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.experiment.Gas;
 import dev.carom.bench.experiment.Tiles;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -31,6 +34,8 @@ import org.openjdk.jmh.annotations.Warmup;
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 5, time = 1)
 public class EditBenchmark {
+
+  private static final int MOMENTS = 997;
 
   /** Times the canonical scene, side by side, in each direction: 10^4 circles, 10^4 lines. */
   private static final int TILES = 10;
@@ -84,14 +89,18 @@ public class EditBenchmark {
     World gas;
     Snapshot ofAlone;
     Snapshot ofGas;
+    byte[] bytesOfGas;
+    Timeline pastOfGas;
+    int next;
 
     /**
      * Starts the worlds.
      *
      * @throws CannotPlaceException never, for these scenes
+     * @throws IOException never
      */
     @Setup(Level.Iteration)
-    public void start() throws CannotPlaceException {
+    public void start() throws CannotPlaceException, IOException {
       SceneBuilder builder = Scene.builder().bounds(0, 0, WIDTH, HEIGHT);
       Scene lines = Crosses.canonical(1).scene();
       for (int i = 0; i < lines.lineCount(); i++) {
@@ -106,10 +115,15 @@ public class EditBenchmark {
       }
       alone = new World(builder.build());
       gas = new World(new Gas(1000, 0.3, 1, false, 1).scene());
+      pastOfGas = gas.record(1000);
       alone.step(50);
       gas.step(5);
+      gas.stopRecording();
       ofAlone = alone.snapshot();
       ofGas = gas.snapshot();
+      ByteArrayOutputStream out = new ByteArrayOutputStream();
+      ofGas.write(out);
+      bytesOfGas = out.toByteArray();
     }
   }
 
@@ -198,6 +212,54 @@ public class EditBenchmark {
   @Benchmark
   public Snapshot snapshotGas(Thousand s) {
     return s.gas.snapshot();
+  }
+
+  /**
+   * The hash of a snapshot of 1,000 circles.
+   *
+   * @param s the worlds
+   * @return the hash
+   */
+  @Benchmark
+  public long hashGas(Thousand s) {
+    return s.ofGas.hash64();
+  }
+
+  /**
+   * A snapshot of 1,000 circles, written.
+   *
+   * @param s the worlds
+   * @return the bytes
+   * @throws IOException never
+   */
+  @Benchmark
+  public byte[] writeGas(Thousand s) throws IOException {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    s.ofGas.write(out);
+    return out.toByteArray();
+  }
+
+  /**
+   * A snapshot of 1,000 circles, read.
+   *
+   * @param s the worlds
+   * @return the snapshot
+   * @throws IOException never
+   */
+  @Benchmark
+  public Snapshot readGas(Thousand s) throws IOException {
+    return Snapshot.read(new ByteArrayInputStream(s.bytesOfGas));
+  }
+
+  /**
+   * A snapshot of 1,000 circles that collide, at a moment of the past.
+   *
+   * @param s the worlds
+   * @return the snapshot
+   */
+  @Benchmark
+  public Snapshot pastGas(Thousand s) {
+    return s.pastOfGas.snapshot(s.next++ % MOMENTS * 5.0 / MOMENTS);
   }
 
   /**

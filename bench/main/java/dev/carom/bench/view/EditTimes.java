@@ -21,6 +21,10 @@ final class EditTimes {
     return last == null ? Double.NEGATIVE_INFINITY : last;
   }
 
+  void forgetAfter(double time) {
+    times.values().forEach(own -> own.tailSet(time, false).clear());
+  }
+
   void clear() {
     times.clear();
   }

@@ -18,7 +18,7 @@ import java.util.stream.IntStream;
 /**
  * A run of a scene that can be stopped, looked at from its beginning to now, and changed by hand.
  * What is shown may lie in the past: going on from there replays the recording, and an edit begins
- * a new run with what is shown. Needs no screen; for one thread.
+ * another future at that moment. Needs no screen; for one thread.
  */
 public final class Player {
 
@@ -341,7 +341,8 @@ public final class Player {
       return world;
     }
     if (look == null) {
-      look = new World(scene());
+      look = new World(world.scene());
+      look.restore(past.snapshot(shown()));
     }
     return look;
   }
@@ -349,7 +350,10 @@ public final class Player {
   /** The world that goes on, with what is shown as its present: what came later is dropped. */
   private World editable() {
     if (!isPresent()) {
-      begin(scene());
+      shown = shown();
+      world.restore(past.snapshot(shown));
+      history.forgetAfter(shown);
+      jumps.forgetAfter(shown);
     }
     changed();
     return world;

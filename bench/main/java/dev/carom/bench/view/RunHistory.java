@@ -51,6 +51,12 @@ final class RunHistory {
     return size < 2 * KEPT ? list : new ArrayList<>(list.subList(size - KEPT, size));
   }
 
+  /** Forgets the impacts after a time, and the ticks that began at it or later. */
+  void forgetAfter(double time) {
+    marks.subList(upTo(marks, Mark::time, time), marks.size()).clear();
+    ticks.subList(upTo(ticks, Tick::from, Math.nextDown(time)), ticks.size()).clear();
+  }
+
   /** The impacts up to a time. */
   long impacts(double time) {
     return dropped + upTo(marks, Mark::time, time);

@@ -87,7 +87,8 @@ class ExamplesTest {
         "SplitWorld",
         "Paddle",
         "Lift",
-        "Piston"
+        "Piston",
+        "WhatIf"
       })
   void eachCanBeCopied(String name, @TempDir Path out) throws IOException {
     List<String> args = new ArrayList<>(List.of("-proc:none", "-d", out.toString()));
@@ -135,6 +136,29 @@ class ExamplesTest {
     assertThat(pages).hasSizeGreaterThan(40);
     for (Path page : pages) {
       assertThat(Files.readAllLines(page)).as("%s", page).noneMatch(ignored.asMatchPredicate());
+    }
+  }
+
+  /** Up to the fork both are the same; then each goes its own way, with the wall elsewhere. */
+  @Test
+  void twoFuturesHaveOnePast() {
+    WhatIf example = new WhatIf();
+    for (double fork : new double[] {60, 110}) {
+      assertThat(example.fork).isEqualTo(fork);
+      int apart = 0;
+      for (double t = example.shown; t < WhatIf.END; t = example.shown) {
+        boolean same = example.scene(true).equals(example.scene(false));
+        assertThat(same).as("at %s", t).isEqualTo(t < fork);
+        apart += example.scene(true).circle(0).equals(example.scene(false).circle(0)) ? 0 : 1;
+        example.frame();
+      }
+      assertThat(apart).isPositive();
+      for (int i = 0; i < 25; i++) {
+        example.key(KeyEvent.VK_LEFT, true);
+      }
+      assertThat(example.shown).isEqualTo(WhatIf.END - 250);
+      example.point(new Vec2(0.6, 0.3));
+      example.press();
     }
   }
 

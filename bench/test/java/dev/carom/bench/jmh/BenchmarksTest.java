@@ -112,6 +112,11 @@ class BenchmarksTest {
     assertThat(edits.restoreAlone(thousand).snapshot()).isEqualTo(thousand.ofAlone);
     assertThat(edits.restoreGas(thousand).circleCount()).isEqualTo(1000);
     assertThat(edits.snapshotGas(thousand)).isEqualTo(thousand.ofGas);
+    assertThat(edits.hashGas(thousand)).isEqualTo(thousand.ofGas.hash64());
+    assertThat(edits.writeGas(thousand)).isEqualTo(thousand.bytesOfGas).hasSize(125_126);
+    assertThat(edits.readGas(thousand)).isEqualTo(thousand.ofGas);
+    assertThat(edits.pastGas(thousand).now()).isZero();
+    assertThat(edits.pastGas(thousand).now()).isBetween(0.005, 0.006);
   }
 
   @Test

@@ -100,13 +100,20 @@ class PlayerTest {
   }
 
   @Test
-  void anEditInThePastBeginsANewRunFromThere() {
+  void anEditInThePastBeginsAnotherFutureThere() {
     run(20);
     player.seek(7);
     player.moveCircle(0, 40, 31);
-    assertThat(player.end()).isZero();
+    assertThat(player.end()).isEqualTo(7);
     assertThat(player.scene().circle(0)).isEqualTo(new Circle(40, 31, 10));
     assertThat(player.scene().velocity(0)).isEqualTo(new Vec2(-8, 0));
+    assertThat(player.impacts()).as("those before").isEqualTo(1);
+    run(8);
+    assertThat(player.end()).isEqualTo(15);
+    assertThat(player.impacts()).isEqualTo(2);
+    player.seek(9);
+    assertThat(x()).isEqualTo(40 - 2 * 8);
+    assertThat(player.impacts()).isEqualTo(1);
     player.restart();
     assertThat(player.scene()).isEqualTo(TO_AND_FRO);
   }
@@ -128,6 +135,43 @@ class PlayerTest {
     moving.moveLine(0, new Line(22, 0, 22, 20));
     moving.stepFrame();
     assertThat(moving.scene().line(0)).isEqualTo(new Line(25, 0, 25, 20));
+  }
+
+  /** The future that was is dropped with its removals and jumps, and ids stay. */
+  @Test
+  void aFutureThatWasDroppedLeavesNoTrace() {
+    player.addCircle(70, 50, 5, 0, 0);
+    player.addPeg(20, 50, 2);
+    run(4);
+    player.remove(ObstacleKind.CIRCLE, 0);
+    player.moveCircle(1, 71, 50);
+    run(4);
+    player.seek(2);
+    player.movePeg(0, 21, 50);
+    assertThat(player.circleIds()).containsExactly(0, 1);
+    assertThat(player.scene().peg(0)).isEqualTo(new Circle(21, 50, 2));
+    run(4);
+    assertThat(player.end()).isEqualTo(6);
+    assertThat(player.lastJump(1)).isEqualTo(Double.NEGATIVE_INFINITY);
+    assertThat(player.look().x(1)).isEqualTo(70);
+    player.seek(3);
+    player.remove(ObstacleKind.CIRCLE, 0);
+    player.seek(3);
+    assertThat(player.circleIds()).containsExactly(1);
+  }
+
+  /** Grips take the ids of the world: circle 0 is gone at the moment that is shown. */
+  @Test
+  void aLookIntoThePastKeepsIds() {
+    player.addCircle(70, 50, 5, 0, 0);
+    player.remove(ObstacleKind.CIRCLE, 0);
+    run(4);
+    player.seek(2);
+    Grip grip = Grip.at(player, new Vec2(70, 50), 2);
+    assertThat(grip.id()).isEqualTo(1);
+    grip.drag(new Vec2(72, 50), 0);
+    assertThat(player.look().x(1)).isEqualTo(72);
+    assertThat(player.end()).isEqualTo(2);
   }
 
   @Test

@@ -9,6 +9,7 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.LiveCodes;
@@ -292,6 +293,10 @@ public final class CollidingEngine extends Engine {
     noteEvent(head, tail);
     sensed.report(low, head, tail, high);
     sensed.report(high, head, tail, low);
+    if (recorder != null) {
+      recorder.noteSensed(low, head, tail, high);
+      recorder.noteSensed(high, head, tail, low);
+    }
   }
 
   /** Advances two circles to the collision predicted of circle i. */
@@ -381,6 +386,8 @@ public final class CollidingEngine extends Engine {
       }
     }
     circles.jams[i] = jam;
+    circles.mover.jam = jam;
+    noteContacts(circles.mover, circles.mover.t);
   }
 
   /**
@@ -442,7 +449,8 @@ public final class CollidingEngine extends Engine {
   }
 
   /** The tail of the last event if that was now, even if its circle was removed since. */
-  private double lastTail(double now) {
+  @Override
+  double lastTail(double now) {
     return lastEvent == now ? Math.max(0, lastEventTail) : 0;
   }
 
@@ -453,7 +461,7 @@ public final class CollidingEngine extends Engine {
     }
     invalidate(circles.codes, i);
     if (circles.jams != null) {
-      leaveJams(Codes.circle(i));
+      leaveJams(Codes.circle(i), reached);
     }
   }
 
@@ -463,12 +471,12 @@ public final class CollidingEngine extends Engine {
    */
   private void leaveJamsOfInfinite(int i, boolean turned) {
     if (turned && circles.jams != null && registry.mass(i) == Double.POSITIVE_INFINITY) {
-      leaveJams(Codes.circle(i));
+      leaveJams(Codes.circle(i), circles.state[circles.at(i) + FlightRow.T]);
     }
   }
 
-  /** Removes a code from all ignore lists. */
-  private void leaveJams(int code) {
+  /** Removes a code from all ignore lists, at a given time. */
+  private void leaveJams(int code, double time) {
     LiveCodes present = registry.present();
     for (int k = 0; k < present.size(); k++) {
       int i = present.get(k);
@@ -477,6 +485,7 @@ public final class CollidingEngine extends Engine {
         circles.load(i);
         circles.mover.forget(code, 0);
         store(i, circles.mover);
+        noteContacts(circles.mover, time);
       }
     }
   }
@@ -490,13 +499,17 @@ public final class CollidingEngine extends Engine {
   // Time.
 
   @Override
+  void recordSensed(int i) {
+    sensed.record(i, recorder);
+  }
+
+  @Override
   public SavedFlights save(double now) {
     SavedFlights states = super.save(now);
     int[] slots = registry.slots();
     for (int k = 0; k < slots.length; k++) {
       sensed.save(slots[k], registry, k, states);
     }
-    states.tailOfEdit = lastTail(now);
     return states;
   }
 

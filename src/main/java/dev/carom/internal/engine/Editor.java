@@ -59,9 +59,9 @@ public final class Editor {
     }
   }
 
-  /** A copy of the limits of size. */
+  /** The limits of size, which edits change. */
   public SizeLimits limits() {
-    return new SizeLimits(limits.largest(), limits.least());
+    return limits;
   }
 
   public void restore(SizeLimits other) {
@@ -140,6 +140,7 @@ public final class Editor {
       restarted(slot, now).forget();
       engine.beginFlight(mover);
     }
+    engine.noteProperties(slot, now);
   }
 
   /** Refuses to add an obstacle or a circle when all ids of its kind were given. */
@@ -302,7 +303,7 @@ public final class Editor {
     }
   }
 
-  public void setRestitution(int code, double e) {
+  public void setRestitution(int code, double e, double now) {
     try {
       Check.notNegative("restitution", e);
     } catch (IllegalArgumentException refused) {
@@ -310,8 +311,10 @@ public final class Editor {
     }
     if (Codes.isCircle(code)) {
       circles.setRestitution(Codes.slot(code), e);
+      engine.noteProperties(Codes.slot(code), now);
     } else {
       obstacles.setRestitution(code, e);
+      engine.noteObstacle(code, now);
     }
   }
 
@@ -320,6 +323,7 @@ public final class Editor {
       int slot = Codes.slot(code);
       registry.setTraits(slot, ContactFlags.with(registry.traits(slot), response));
       engine.beginFlight(restarted(slot, now));
+      engine.noteProperties(slot, now);
     } else if (Codes.isWall(code)) {
       if (response == ContactFlags.SENSOR) {
         throw Refusal.of(
@@ -357,6 +361,7 @@ public final class Editor {
       m.filter = filter;
       m.forget();
       engine.beginFlight(m);
+      engine.noteProperties(slot, now);
     }
   }
 

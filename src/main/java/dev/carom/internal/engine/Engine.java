@@ -4,6 +4,7 @@ package dev.carom.internal.engine;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.FlightRecorder;
 import dev.carom.internal.state.ImpactRows;
@@ -105,6 +106,7 @@ public abstract class Engine {
       circles.load(i);
       if (registry.contains(i) && circles.mover.forget(code, sensed)) {
         store(i, circles.mover);
+        noteContacts(circles.mover, reached);
       }
     }
   }
@@ -136,9 +138,7 @@ public abstract class Engine {
 
   private void changed(int code, double now) {
     staticScene.changed(code);
-    if (recorder != null) {
-      recorder.noteObstacle(code, staticScene.obstacles, now);
-    }
+    noteObstacle(code, now);
   }
 
   // Time.
@@ -147,10 +147,39 @@ public abstract class Engine {
   public final void record(FlightRecorder recorder) {
     this.recorder = recorder;
     if (recorder != null) {
+      recorder.noteTail(reached, lastTail(reached));
       for (int i : registry.slots()) {
         circles.load(i);
         recorder.add(circles.mover);
+        recordSensed(i);
       }
+    }
+  }
+
+  /** Records the last contact of two circles that a sensor reported in the flight of circle i. */
+  abstract void recordSensed(int i);
+
+  /** The tail of the last event of circles that collide if that was now; else 0. */
+  abstract double lastTail(double now);
+
+  /** Records that a line or a peg was added, changed or removed; walls are watched otherwise. */
+  final void noteObstacle(int code, double now) {
+    if (recorder != null && !Codes.isWall(code)) {
+      recorder.noteObstacle(code, staticScene.obstacles, now);
+    }
+  }
+
+  /** Records that the mass, restitution, traits or filter of a circle were set. */
+  final void noteProperties(int i, double now) {
+    if (recorder != null) {
+      recorder.noteProperties(i, circles.restitution(i), now);
+    }
+  }
+
+  /** Records what a circle remembers of its contacts, if it changed within its flight. */
+  final void noteContacts(MovingCircle m, double now) {
+    if (recorder != null) {
+      recorder.noteContacts(m, now);
     }
   }
 
@@ -166,6 +195,7 @@ public abstract class Engine {
       registry.toIds(circles.mover);
       staticScene.save(k, circles.mover, now, states);
     }
+    states.tailOfEdit = lastTail(now);
     return states;
   }
 

@@ -228,6 +228,16 @@ public final class IndependentEngine extends Engine {
   }
 
   @Override
+  double lastTail(double now) {
+    return 0;
+  }
+
+  @Override
+  void recordSensed(int i) {
+    // Circles that ignore each other do not sense each other.
+  }
+
+  @Override
   void remove(int i) {
     circles.due.set(i, Double.POSITIVE_INFINITY);
   }

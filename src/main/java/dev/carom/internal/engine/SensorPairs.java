@@ -2,6 +2,7 @@
 package dev.carom.internal.engine;
 
 import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.FlightRecorder;
 import dev.carom.internal.state.SavedFlights;
 import java.util.Arrays;
 
@@ -64,6 +65,13 @@ public final class SensorPairs {
       states.putSensed(k, heads[i], tails[i], registry.lastId(partners[i]));
     } else {
       states.putSensed(k, -1, 0, 0);
+    }
+  }
+
+  /** Records the last reported contact of circle i, if there is one. */
+  public void record(int i, FlightRecorder recorder) {
+    if (heads != null && i < heads.length && heads[i] >= 0) {
+      recorder.noteSensed(i, heads[i], tails[i], partners[i]);
     }
   }
 

@@ -72,7 +72,11 @@ public final class SnapshotReader {
     int version = in.readInt();
     expect(
         version == SnapshotWriter.VERSION,
-        "its version is " + version + ": expected " + SnapshotWriter.VERSION);
+        "its format version is "
+            + version
+            + ": expected "
+            + SnapshotWriter.VERSION
+            + ", the only one that this library reads");
     double now = in.readDouble();
     Check.notNegative("now", now);
     boolean collide = in.readBoolean();

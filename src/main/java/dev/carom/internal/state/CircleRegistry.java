@@ -236,6 +236,23 @@ public final class CircleRegistry {
     }
   }
 
+  /** A code in which an id stands for the slot of a circle. */
+  int codeWithId(int code) {
+    return ids == null || !Codes.isCircle(code) ? code : Codes.circle(id(Codes.slot(code)));
+  }
+
+  /** An ignore list, which may be null, with ids for the slots of circles. */
+  IgnoreList jamWithIds(IgnoreList jam) {
+    return ids == null || jam == null ? jam : jam.ofOtherCircles(this::id);
+  }
+
+  /** The largest of some ascending ids that is not above a given one; negative if none is. */
+  static int lastId(int[] ids, int upTo) {
+    int k = Arrays.binarySearch(ids, upTo);
+    int last = k < 0 ? -2 - k : k;
+    return last < 0 ? NONE : ids[last];
+  }
+
   // Changes.
 
   /** Adds a circle of mass 1 and no special trait, with the next id, and returns its slot. */

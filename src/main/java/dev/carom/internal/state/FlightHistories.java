@@ -4,6 +4,7 @@ package dev.carom.internal.state;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
+import java.util.stream.IntStream;
 
 /**
  * The flight histories of all circles of a recording, by id. Memory depends on the flights that are
@@ -35,12 +36,20 @@ final class FlightHistories {
   private int present;
   private int mostPresent;
 
+  /** One more than the largest id that was given before the first, or of which all is dropped. */
+  private int idLimit;
+
   /** The earliest time from which all histories are complete, once something was dropped. */
   private double start = Double.NEGATIVE_INFINITY;
 
-  /** Creates histories of at most that many flights per circle. */
-  FlightHistories(int most) {
+  /**
+   * Creates histories of at most that many flights per circle.
+   *
+   * @param idLimit one more than the largest id that was given so far
+   */
+  FlightHistories(int most, int idLimit) {
     this.most = most;
+    this.idLimit = idLimit;
   }
 
   double start() {
@@ -53,21 +62,15 @@ final class FlightHistories {
     return k < 0 ? null : tracks[k];
   }
 
-  /**
-   * Adds a flight of a circle. The first flights of circles must be added in order of their ids.
-   */
-  void add(int id, double[] numbers, int k) {
-    FlightHistory track = get(id);
-    if (track == null) {
-      track = create(id);
-    }
-    track.add(numbers, k);
+  /** Makes {@link #start} later if a history dropped something for lack of room. */
+  void noteDrop(FlightHistory track) {
     if (track.hasDropped()) {
-      start = Math.max(start, track.start());
+      start = Math.max(start, track.completeFrom());
     }
   }
 
-  private FlightHistory create(int id) {
+  /** Adds the history of a new circle. Circles must be added in order of their ids. */
+  FlightHistory create(int id, CircleProperties properties) {
     if (size == ids.length) {
       ids = Arrays.copyOf(ids, 2 * size);
       tracks = Arrays.copyOf(tracks, 2 * size);
@@ -75,8 +78,37 @@ final class FlightHistories {
     present++;
     mostPresent = Math.max(mostPresent, present);
     ids[size] = id;
-    tracks[size] = new FlightHistory(most);
+    tracks[size] = new FlightHistory(most, properties);
     return tracks[size++];
+  }
+
+  /** The ids of the circles that existed at a time, ascending. */
+  int[] idsAt(double t) {
+    return IntStream.range(0, createdBy(t))
+        .filter(k -> tracks[k] != null && t < tracks[k].end())
+        .map(k -> ids[k])
+        .toArray();
+  }
+
+  /** One more than the largest id that was given by a time. */
+  int idLimitAt(double t) {
+    int created = createdBy(t);
+    return created == 0 ? idLimit : Math.max(idLimit, ids[created - 1] + 1);
+  }
+
+  /** The number of listed circles that were created by a time: those with the least ids. */
+  private int createdBy(double t) {
+    int low = 0;
+    int high = size;
+    while (low < high) {
+      int middle = (low + high) >>> 1;
+      if (tracks[middle] == null || tracks[middle].start() <= t) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
   }
 
   /** Ends the history of a circle. */
@@ -93,6 +125,7 @@ final class FlightHistories {
 
   private void dropFirst() {
     int k = find(removed.remove());
+    idLimit = Math.max(idLimit, ids[k] + 1);
     flightsOfRemoved -= tracks[k].size();
     start = Math.max(start, tracks[k].end());
     tracks[k] = null;

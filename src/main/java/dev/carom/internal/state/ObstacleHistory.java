@@ -1,39 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.state;
 
+import dev.carom.internal.util.DoubleList;
+import dev.carom.internal.util.Kind;
 import java.util.ArrayDeque;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Deque;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 
 /** The lines and pegs during a recording: the ones at its start, and each change since. */
 final class ObstacleHistory {
 
   /** An obstacle from a time on. */
-  private static final class Change {
+  private static final class State {
 
-    final double from;
-
-    /** Where it was at a time since when it moves with a velocity; null once it is removed. */
+    /** Where it was at the time {@link #since}; null once it is removed. */
     final double[] row;
 
-    final double since;
+    final int traits;
+    final long filter;
+
+    /** Whether it moves, or moved before. */
+    final boolean moves;
+
     final double ux;
     final double uy;
+    final double since;
 
-    /** From a time t on, obstacle code as it is now. */
-    Change(double t, int code, ObstacleTable now) {
-      from = t;
-      row = now.isGone(code) ? null : now.row(code);
-      since = now.moves(code) ? now.motions().since(now.motions().indexOf(code)) : t;
-      ux = now.ux(code);
-      uy = now.uy(code);
+    State(ObstacleTable here, int code) {
+      boolean gone = here.isGone(code);
+      row = gone ? null : here.row(code);
+      traits = gone ? 0 : here.traits(code);
+      filter = gone ? Filter.DEFAULT : here.filter(code);
+      moves = !gone && here.moves(code);
+      ux = here.ux(code);
+      uy = here.uy(code);
+      since = moves ? here.motions().since(here.motions().indexOf(code)) : 0;
     }
 
     double[] at(double t, int coordinates) {
-      if (row == null || (ux == 0 && uy == 0)) {
+      if (row == null || !moves) {
         return row;
       }
       double[] placed = row.clone();
@@ -44,12 +52,15 @@ final class ObstacleHistory {
 
   private final ObstacleTable first;
   private final int most;
-  private final Map<Integer, List<Change>> changes = new HashMap<>();
+  private final Map<Integer, Changes<State>> changes = new HashMap<>();
 
   /** The codes of removed obstacles in order of removal, and the number of their kept changes. */
   private final Deque<Integer> removed = new ArrayDeque<>();
 
   private long changesOfRemoved;
+
+  /** One more than the largest code that was given, of each kind. */
+  private final int[] ends = new int[Kind.CIRCLE];
 
   private int present;
   private int mostPresent;
@@ -70,6 +81,7 @@ final class ObstacleHistory {
     this.most = most;
     present = first.size();
     mostPresent = present;
+    ObstacleTable.kindsOfRows().forEach(kind -> ends[kind] = first.ofKind(kind).end);
   }
 
   double start() {
@@ -78,24 +90,23 @@ final class ObstacleHistory {
 
   /** Records that a line or a peg was added, changed or removed at a given time. */
   void note(int code, ObstacleTable now, double t) {
-    List<Change> ofThis = changes.computeIfAbsent(code, this::newChanges);
-    boolean gone = now.isGone(code);
-    ofThis.add(new Change(t, code, now));
-    if (ofThis.size() > most) {
-      ofThis.remove(0);
-      start = Math.max(start, ofThis.get(0).from);
+    Changes<State> ofThis = changes.computeIfAbsent(code, this::newChanges);
+    ends[Codes.kind(code)] = Math.max(ends[Codes.kind(code)], code + 1);
+    ofThis.add(t, new State(now, code));
+    if (ofThis.keep(most)) {
+      start = Math.max(start, ofThis.start());
     }
-    if (gone) {
+    if (now.isGone(code)) {
       remove(code, ofThis.size());
     }
   }
 
-  private List<Change> newChanges(int code) {
+  private Changes<State> newChanges(int code) {
     if (!isFirst(code)) {
       present++;
       mostPresent = Math.max(mostPresent, present);
     }
-    return new ArrayList<>();
+    return new Changes<>();
   }
 
   /** Counts an obstacle as removed, and drops those removed first if there is no room. */
@@ -110,24 +121,93 @@ final class ObstacleHistory {
 
   private void dropFirst() {
     int code = removed.remove();
-    List<Change> dropped = changes.remove(code);
-    Change last = dropped.get(dropped.size() - 1);
+    Changes<State> dropped = changes.remove(code);
     changesOfRemoved -= dropped.size();
-    start = Math.max(start, last.from);
+    dropped.keep(1);
+    start = Math.max(start, dropped.start());
     if (isFirst(code)) {
-      changes.put(code, List.of(last)); // else it would still seem to exist
+      changes.put(code, dropped); // else it would still seem to exist
     }
   }
 
   /** The row of an obstacle at a given time; null if it did not exist then. */
   double[] at(int code, double t) {
-    List<Change> ofThis = changes.getOrDefault(code, List.of());
-    for (int i = ofThis.size() - 1; i >= 0; i--) {
-      if (ofThis.get(i).from <= t) {
-        return ofThis.get(i).at(t, first.of(code).shape.coordinates);
+    State its = state(code, t);
+    return its == null ? null : its.at(t, first.of(code).shape.coordinates);
+  }
+
+  /** An obstacle at a given time; null if it did not exist by then. */
+  private State state(int code, double t) {
+    Changes<State> ofThis = changes.get(code);
+    State changed = ofThis == null ? null : ofThis.at(t);
+    return changed == null && isFirst(code) ? new State(first, code) : changed;
+  }
+
+  /** All obstacles at a given time; the properties of the walls then are given. */
+  ObstacleTable at(double t, double restitution, int traits, long filter) {
+    if (changes.isEmpty()) {
+      ObstacleTable same = first.copy();
+      same.boundsRestitution = restitution;
+      same.boundsTraits = traits;
+      same.setFilter(Codes.LEFT, filter);
+      return same;
+    }
+    ObstacleRows[] rows =
+        ObstacleTable.kindsOfRows().mapToObj(kind -> rowsAt(kind, t)).toArray(ObstacleRows[]::new);
+    ObstacleTable then = ObstacleTable.of(first.walls, restitution, traits, filter, rows);
+    then.setMotions(motionsAt(t));
+    return then;
+  }
+
+  private ObstacleRows rowsAt(int kind, double t) {
+    int from = Codes.of(kind, 0);
+    int count = endAt(kind, t) - from;
+    int width = ObstacleTable.width(kind);
+    double[] rows = new double[count * width];
+    Arrays.fill(rows, Double.NaN);
+    byte[] traits = new byte[count];
+    long[] filters = Filter.defaults(count);
+    for (int i = 0; i < count; i++) {
+      State its = state(from + i, t);
+      if (its != null && its.row != null) {
+        System.arraycopy(its.row, 0, rows, i * width, width);
+        traits[i] = (byte) its.traits;
+        filters[i] = its.filter;
       }
     }
-    return isFirst(code) ? first.rowAt(code, t, 0) : null;
+    return ObstacleTable.rows(kind, rows, traits, Filter.unlessDefault(filters, count));
+  }
+
+  /** One more than the largest code of a kind that was given by a time. */
+  private int endAt(int kind, double t) {
+    int low = first.ofKind(kind).end;
+    int high = ends[kind];
+    while (low < high) {
+      int middle = (low + high) >>> 1;
+      Changes<State> its = changes.get(middle);
+      if (its == null || its.start() <= t) { // null: it is dropped
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
+  }
+
+  private ObstacleMotions motionsAt(double t) {
+    IntStream.Builder codes = IntStream.builder();
+    DoubleList rows = new DoubleList();
+    for (ObstacleRows ofKind : first.kinds) {
+      int end = endAt(Codes.kind(ofKind.first()), t);
+      for (int code = ofKind.first(); code < end; code++) {
+        State its = state(code, t);
+        if (its != null && its.moves) {
+          codes.add(code);
+          rows.add(its.ux, its.uy, its.since);
+        }
+      }
+    }
+    return ObstacleMotions.of(codes.build().toArray(), rows.toArray());
   }
 
   /** Whether an obstacle existed when the recording began. */

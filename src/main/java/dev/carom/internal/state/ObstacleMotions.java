@@ -48,6 +48,15 @@ public final class ObstacleMotions {
     return codes.length == 0 ? NONE : new ObstacleMotions(codes, rows);
   }
 
+  /**
+   * Obstacles of ascending codes.
+   *
+   * @param rows of each obstacle its velocity and the time at which it was where its row says
+   */
+  static ObstacleMotions of(int[] codes, double[] rows) {
+    return codes.length == 0 ? NONE : new ObstacleMotions(codes, rows);
+  }
+
   public int count() {
     return codes.length;
   }

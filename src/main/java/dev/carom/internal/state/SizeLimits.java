@@ -33,6 +33,10 @@ public final class SizeLimits {
     return least;
   }
 
+  public SizeLimits copy() {
+    return new SizeLimits(largest, least);
+  }
+
   public void set(SizeLimits other) {
     largest = other.largest;
     least = other.least;

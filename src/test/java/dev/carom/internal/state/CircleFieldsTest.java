@@ -184,11 +184,48 @@ class CircleFieldsTest {
     }
   }
 
+  private static FlightHistory history(MovingCircle m) {
+    CircleProperties properties = new CircleProperties(1, m.restitution, 0, m.filter);
+    FlightHistory history = new FlightHistory(2, properties);
+    history.add(m, true, new CircleRegistry(Internals.data(Scene.builder().build()), 1));
+    return history;
+  }
+
+  /** Where the clock is too coarse for a flight, walls keep it inside: also a point. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.5})
+  void aTimelineTellsWhomWallsConfine(double radius) {
+    double[] walls = ObstacleTable.walls(0, 0, 10, 10);
+    CircleRegistry registry = new CircleRegistry(Internals.data(Scene.builder().build()), 1);
+    MovingCircle m = new MovingCircle();
+    m.start(0, 5, 5, radius, 1, 2, 1);
+    FlightRows rows = new FlightRows(2);
+    rows.put(0, m, true, registry);
+    rows.put(1, m, false, registry);
+    assertThat(new double[] {rows.x(0, 50, walls), rows.y(0, 50, walls), rows.radius(0)})
+        .containsExactly(10 - radius, 10 - radius, radius);
+    assertThat(new double[] {rows.x(1, 50, walls), rows.y(1, 50, walls), rows.radius(1)})
+        .containsExactly(55, 105, radius);
+  }
+
+  /** Also if the flight was pending for a while. */
+  @Test
+  void aTimelineHoldsThem() throws IllegalAccessException {
+    MovingCircle m = filled(1);
+    CircleRegistry registry = new CircleRegistry(Internals.data(Scene.builder().build()), 1);
+    FlightRows pending = new FlightRows(3);
+    pending.put(2, m, false, registry);
+    FlightHistory copied = new FlightHistory(2, new CircleProperties(1, m.restitution, 0, 0));
+    copied.add(pending, 2);
+    for (FlightHistory history : new FlightHistory[] {history(m), copied}) {
+      MovingCircle loaded = filled(200);
+      history.load(50, loaded);
+      assertThat(without(fields(loaded), AHEAD)).isEqualTo(without(fields(m), AHEAD));
+    }
+  }
+
   private static double[] answers(MovingCircle m) {
-    double[] row = new double[FlightRow.SIZE];
-    FlightRow.put(m, row, 0);
-    FlightHistory history = new FlightHistory(2);
-    history.add(row, 0);
+    FlightHistory history = history(m);
     int k = history.find(50);
     return new double[] {
       history.x(k, 50, null),

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.ObstacleKind.CIRCLE;
+import static dev.carom.ObstacleKind.LINE;
+import static dev.carom.ObstacleKind.PEG;
+import static dev.carom.ObstacleKind.WALL;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * A snapshot of a recorded moment is the one that a world takes that stands there. {@link
+ * PastCheck} compares them in random sessions of edits; here are moments within steps, and each
+ * thing that changes without a new flight.
+ */
+class RewindTest {
+
+  private static final int MOST = 1 << 16;
+
+  private static Scene scene(Random random, boolean collide) {
+    SceneBuilder scene = RandomScenes.mixed(random).collide(collide);
+    for (int i = 0; i < 4; i++) {
+      scene.line(100 + 100 * i, 100, 140 + 100 * i, 130).velocity(random.nextInt(5) - 2, 1);
+      scene.peg(100 + 150 * i, 500, 9).velocity(1, random.nextInt(5) - 2).filter(2, 6);
+      scene.circle(120 + 100 * i, 40, 8, 4, 5).filter(4, 7).mass(3);
+    }
+    scene.line(0, 250, 800, 330).response(Response.SENSOR);
+    if (collide) {
+      scene.circle(50, 560, 20, 9, -4).response(Response.SENSOR);
+    }
+    return scene.build();
+  }
+
+  private static void edit(World world, Random random) {
+    int id = random.nextInt(world.idLimit(CIRCLE));
+    if (!world.contains(CIRCLE, id)) {
+      return;
+    }
+    switch (random.nextInt(9)) {
+      case 0 -> world.setVelocity(id, random.nextGaussian() * 9, random.nextGaussian() * 9);
+      case 1 -> world.setRestitution(CIRCLE, id, 0.9);
+      case 2 -> world.setMass(id, 1 + random.nextInt(4));
+      case 3 -> world.addCircle(400, 300, 4, 1, random.nextGaussian());
+      case 4 -> world.addLine(random.nextInt(800), 100, random.nextInt(800), 500);
+      case 5 -> world.remove(CIRCLE, id);
+      case 6 -> world.setVelocity(LINE, random.nextInt(60), 1, random.nextInt(3) - 1);
+      case 7 -> world.setFilter(CIRCLE, id, 1 + random.nextInt(3), 7);
+      default -> world.setRestitution(LINE, random.nextInt(60), 0.8);
+    }
+  }
+
+  /** The recorded world never stood at most of these moments. */
+  @ParameterizedTest
+  @CsvSource({"1, false", "2, true", "3, false", "4, true"})
+  void itIsThatOfAWorldThatStandsThere(int seed, boolean collide) {
+    Random random = new Random(seed);
+    Scene scene = scene(random, collide);
+    World world = new World(scene);
+    World other = new World(scene);
+    Timeline past = world.record(MOST);
+    TreeMap<Double, Snapshot> expected = new TreeMap<>();
+    double lastEdit = 0;
+    for (int i = 0; i < 25; i++) {
+      lastEdit = world.now();
+      long edits = random.nextLong();
+      edit(world, new Random(edits));
+      edit(other, new Random(edits));
+      double end = lastEdit + 4 * random.nextDouble();
+      for (double t : random.doubles(4, lastEdit, end).sorted().toArray()) {
+        assertThat(other.advanceTo(t)).isTrue();
+        expected.put(t, other.snapshot());
+      }
+      assertThat(world.advanceTo(end) && other.advanceTo(end)).isTrue();
+    }
+    expected.forEach((t, then) -> assertThat(past.snapshot(t)).as("at %s", t).isEqualTo(then));
+    World onwards = new World(scene);
+    for (double t : expected.tailMap(lastEdit).keySet()) {
+      onwards.restore(past.snapshot(t));
+      assertThat(onwards.advanceTo(world.now())).isTrue();
+      assertThat(onwards.snapshot()).isEqualTo(world.snapshot());
+    }
+  }
+
+  // Changes within flights.
+
+  private static World box(boolean collide) {
+    return new World(
+        Scene.builder()
+            .bounds(0, 0, 100, 100)
+            .collide(collide)
+            .line(20, 20, 40, 40)
+            .line(60, 20, 80, 30)
+            .peg(50, 70, 5)
+            .circle(10, 50, 3, 4, 1)
+            .circle(90, 50, 2, -3, 2)
+            .circle(50, 50, 4, 1, 1)
+            .build());
+  }
+
+  /** Snapshots before and after each change, then one more change of the same kind. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void eachPropertyIsRecorded(boolean collide) {
+    List<Consumer<World>> changes =
+        List.of(
+            w -> w.setMass(1, 2),
+            w -> w.setMass(1, Double.POSITIVE_INFINITY),
+            w -> w.setRestitution(CIRCLE, 1, 0.5),
+            w -> w.setRestitution(WALL, 2, 0.5),
+            w -> w.setRestitution(LINE, 1, 0.5),
+            w -> w.setRestitution(PEG, 0, 0.5),
+            w -> w.setResponse(CIRCLE, 1, Response.HALT),
+            w -> w.setResponse(WALL, 1, Response.HALT),
+            w -> w.setResponse(LINE, 1, Response.HALT),
+            w -> w.setResponse(PEG, 0, Response.SENSOR),
+            w -> w.setOneWay(1, true),
+            w -> w.setFilter(CIRCLE, 1, 2, 3),
+            w -> w.setFilter(WALL, 1, 3, -1),
+            w -> w.setFilter(LINE, 1, 2, 3),
+            w -> w.setFilter(PEG, 0, 2, 3),
+            w -> w.setVelocity(LINE, 1, 0.25, 0),
+            w -> w.setVelocity(PEG, 0, 0, -0.5),
+            w -> w.setRadius(1, 2.5),
+            w -> w.addLine(1, 1, 2, 2),
+            w -> w.addPeg(1, 1, 0),
+            w -> w.remove(LINE, w.addLine(2, 1, 3, 2)),
+            w -> w.remove(CIRCLE, w.addCircle(5, 5, 1, 0, 0)),
+            w -> w.moveLine(0, 1e6, 20, 40, 40));
+    World world = box(collide);
+    Timeline past = world.record(MOST);
+    TreeMap<Double, Snapshot> expected = new TreeMap<>();
+    for (Consumer<World> change : changes) {
+      assertThat(world.step(0.125)).isTrue();
+      Snapshot before = world.snapshot();
+      change.accept(world);
+      assertThat(world.snapshot()).isNotEqualTo(before);
+      assertThat(world.step(0)).isTrue(); // what an edit brought about happens now
+      expected.put(world.now(), world.snapshot());
+    }
+    assertThat(world.step(1)).isTrue();
+    expected.forEach((t, then) -> assertThat(past.snapshot(t)).as("at %s", t).isEqualTo(then));
+    for (double t : expected.keySet()) {
+      assertThat(past.snapshot(Math.nextDown(t))).isNotEqualTo(expected.get(t));
+    }
+  }
+
+  private static World sensors() {
+    return new World(
+        Scene.builder()
+            .collide(true)
+            .circle(0, 0, 1, 1, 0)
+            .response(Response.SENSOR)
+            .circle(10, 0, 1, 0, 0)
+            .circle(20, 0, 1, 0, 0)
+            .circle(30, 0, 1, 0, 0)
+            .build());
+  }
+
+  /** No flight begins: the sensor flies through three circles. */
+  @Test
+  void contactsThatWereReportedAreNotReportedAgain() {
+    World world = sensors();
+    Timeline past = world.record(MOST);
+    assertThat(world.advanceTo(40)).isTrue();
+    assertThat(world.impacts().size()).isEqualTo(3);
+    for (double t : new double[] {0, 5, 8, 12, 18, 25, 28, 35}) {
+      World then = sensors();
+      assertThat(then.advanceTo(t)).isTrue();
+      assertThat(past.snapshot(t)).as("at %s", t).isEqualTo(then.snapshot());
+    }
+  }
+
+  @Test
+  void contactsFromBeforeTheRecordingAreKnown() {
+    World world = sensors();
+    assertThat(world.advanceTo(9)).isTrue();
+    Timeline past = world.record(MOST);
+    Snapshot then = world.snapshot();
+    assertThat(world.advanceTo(40)).isTrue();
+    assertThat(past.snapshot(9)).isEqualTo(then);
+  }
+
+  /** Two of the three reports of a flight are kept: the time before them is not known any more. */
+  @Test
+  void theBoundHoldsForReportsToo() {
+    World world = sensors();
+    Timeline past = world.record(2);
+    assertThat(world.advanceTo(20)).isTrue();
+    assertThat(past.start()).isZero();
+    assertThat(world.advanceTo(40)).isTrue();
+    assertThat(past.start()).isEqualTo(18);
+    assertThatThrownBy(() -> past.snapshot(17))
+        .hasMessage("t is 17.0: expected a time of the recording, from 18.0 to 40.0");
+    World then = sensors();
+    assertThat(then.advanceTo(18)).isTrue();
+    assertThat(past.snapshot(18)).isEqualTo(then.snapshot());
+  }
+
+  @Test
+  void theBoundHoldsForPropertiesToo() {
+    World world = box(false);
+    Timeline past = world.record(3);
+    for (int i = 1; i <= 5; i++) {
+      assertThat(world.step(0.125)).isTrue();
+      world.setMass(0, i);
+    }
+    assertThat(past.start()).isEqualTo(3 * 0.125);
+    for (int i = 1; i <= 5; i++) {
+      assertThat(world.step(0.125)).isTrue();
+      world.setRestitution(WALL, 0, 1.0 / i);
+    }
+    assertThat(world.step(0.125)).isTrue();
+    assertThat(past.start()).isEqualTo(8 * 0.125);
+    world.restore(past.snapshot(past.start()));
+    assertThat(world.restitution(WALL, 0)).isEqualTo(1.0 / 3);
+  }
+
+  // Stuck circles.
+
+  private static Scene piston(int balls, double e) {
+    SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 40, 10);
+    for (int i = 0; i < balls; i++) {
+      scene.circle(20 + 3 * i, 5, 1, 0.25 * i, 0).restitution(e);
+    }
+    return scene.circle(2, 5, 1, 1, 0).mass(Double.POSITIVE_INFINITY).build();
+  }
+
+  private static Scene heap(Random random) {
+    SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 40, 40);
+    for (int i = 0; i < 24; i++) {
+      scene.circle(3 + 6 * (i % 6), 3 + 6 * (i / 6), 2.9, random.nextGaussian(), 1).restitution(0);
+    }
+    return scene.build();
+  }
+
+  private static void assertPastIsRight(Scene scene, double end, int moments) {
+    World world = new World(scene);
+    Timeline past = world.record(MOST);
+    assertThat(world.advanceTo(end)).isTrue();
+    World other = new World(scene);
+    for (int i = 0; i <= moments; i++) {
+      double t = end * i / moments;
+      assertThat(other.advanceTo(t)).isTrue();
+      assertThat(SnapshotParts.of(past.snapshot(t))).isEqualTo(SnapshotParts.of(other.snapshot()));
+    }
+  }
+
+  /** A piston crushes balls at a wall, passes over them, turns round and comes back. */
+  @ParameterizedTest
+  @CsvSource({"1, 0", "1, 1", "2, 0", "3, 0.5", "5, 0", "5, 0.5", "5, 0.9"})
+  void whoeverIsCrushedIsRecorded(int balls, double e) {
+    assertPastIsRight(piston(balls, e), 120, 1000);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 3})
+  void heapsAreRecorded(int seed) {
+    assertPastIsRight(heap(new Random(seed)), 60, 600);
+  }
+
+  /** The ball that it crushed is free at the moment at which the piston is removed. */
+  @Test
+  void whatWasRemovedIsNotIgnoredAnyMore() {
+    World world = new World(piston(1, 0.5));
+    Timeline past = world.record(MOST);
+    assertThat(world.advanceTo(36)).isTrue();
+    Snapshot crushed = world.snapshot();
+    assertThat(crushed.state.flights().jams).isNotNull();
+    assertThat(world.advanceTo(36.25)).isTrue();
+    world.remove(CIRCLE, 1);
+    Snapshot removed = world.snapshot();
+    assertThat(removed.state.flights().jams).isNull();
+    assertThat(world.advanceTo(40)).isTrue();
+    assertThat(past.snapshot(36)).isEqualTo(crushed);
+    assertThat(past.snapshot(36.25)).isEqualTo(removed);
+  }
+
+  /** An edit comes after an impact of that time, also if its circle was removed then. */
+  @Test
+  void theTimeOfAnEditIsThatOfThen() {
+    Scene scene = box(true).scene();
+    World first = new World(scene);
+    assertThat(first.advanceTo(50)).isTrue();
+    int tails = 0;
+    for (int row = 0; row < first.impacts().size(); row++) {
+      double t = first.impacts().time(row);
+      int id = first.impacts().circle(row);
+      World world = new World(scene);
+      Timeline past = world.record(MOST);
+      assertThat(world.advanceTo(t)).isTrue();
+      world.remove(CIRCLE, id);
+      Timeline later = world.record(MOST);
+      Snapshot then = world.snapshot();
+      tails += then.state.flights().tailOfEdit > 0 ? 1 : 0;
+      assertThat(world.step(1)).isTrue();
+      assertThat(later.snapshot(t)).isEqualTo(then);
+      assertThat(past.snapshot(t)).isEqualTo(then);
+
+      World on = new World(scene);
+      Timeline all = on.record(MOST);
+      assertThat(on.advanceTo(t)).isTrue();
+      on.remove(CIRCLE, id);
+      assertThat(on.step(1)).isTrue();
+      assertThat(all.snapshot(t)).isEqualTo(then);
+    }
+    assertThat(tails).isPositive();
+  }
+
+  // The ends of a recording.
+
+  /** A circle that was turned against the wall that it touches bounces with the next step. */
+  @Test
+  void atTheEndImpactsAreYetToCome() {
+    World world = new World(Scene.builder().bounds(0, 0, 10, 10).circle(1, 5, 1, 1, 0).build());
+    Timeline past = world.record(MOST);
+    world.setVelocity(0, -1, 0);
+    Snapshot before = world.snapshot();
+    assertThat(past.snapshot(0)).isEqualTo(before);
+    assertThat(past.snapshot(-0.0)).isEqualTo(before);
+    assertThat(world.step(0)).isTrue();
+    Snapshot after = world.snapshot();
+    assertThat(after).isNotEqualTo(before);
+    assertThat(world.step(1)).isTrue();
+    assertThat(past.snapshot(0)).isEqualTo(after);
+  }
+
+  @Test
+  void theEndOfARecordingThatStoppedStays() {
+    World world = box(true);
+    Timeline first = world.record(MOST);
+    assertThat(world.step(3)).isTrue();
+    Snapshot atThree = world.snapshot();
+    Timeline second = world.record(MOST);
+    world.addLine(1, 1, 2, 2);
+    world.setRestitution(WALL, 0, 0.5);
+    Snapshot edited = world.snapshot();
+    world.stopRecording();
+    world.remove(CIRCLE, 0);
+    assertThat(world.step(3)).isTrue();
+    assertThat(first.snapshot(3)).isEqualTo(atThree);
+    assertThat(second.snapshot(3)).isEqualTo(edited);
+    World then = box(true);
+    assertThat(then.step(2)).isTrue();
+    assertThat(first.snapshot(2)).isEqualTo(then.snapshot());
+  }
+
+  @Test
+  void timesThatAreNotRecordedAreRefused() {
+    World world = box(false);
+    assertThat(world.step(1)).isTrue();
+    Timeline past = world.record(MOST);
+    assertThat(world.step(1)).isTrue();
+    for (double t : new double[] {0.5, 2.5, Double.NaN, Double.POSITIVE_INFINITY}) {
+      assertThatThrownBy(() -> past.snapshot(t))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessage("t is %s: expected a time of the recording, from 1.0 to 2.0".formatted(t));
+    }
+  }
+
+  /** Those that came and went leave their ids, also when the recording has dropped them. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void idsAreNotGivenAgain(boolean collide) {
+    World world = box(collide);
+    Timeline past = world.record(2);
+    TreeMap<Double, Snapshot> expected = new TreeMap<>();
+    for (int i = 0; i < 100; i++) {
+      world.remove(CIRCLE, world.addCircle(80, 80, 1, 0, i));
+      world.remove(PEG, world.addPeg(5, i, 1));
+      expected.put(world.now(), world.snapshot());
+      assertThat(world.step(0.125)).isTrue();
+    }
+    assertThat(past.start()).isGreaterThan(0);
+    expected
+        .tailMap(past.start())
+        .forEach((t, then) -> assertThat(past.snapshot(t)).as("at %s", t).isEqualTo(then));
+    world.restore(past.snapshot(past.start()));
+    int ids = world.idLimit(CIRCLE);
+    assertThat(world.addCircle(80, 80, 1, 0, 0)).isEqualTo(ids).isGreaterThan(50);
+    assertThat(world.ids(CIRCLE)).hasSize(4);
+    assertThat(Arrays.stream(world.ids(PEG)).max()).hasValue(0);
+  }
+}
