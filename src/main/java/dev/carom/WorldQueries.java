@@ -91,7 +91,7 @@ final class WorldQueries {
     }
   }
 
-  /** What follows paths among the obstacles, for so many casts. */
+  /** Makes a tracer of paths among the obstacles, for so many casts. */
   private Tracer tracer(int casts, double now) {
     index.expect(casts);
     if (collide) {

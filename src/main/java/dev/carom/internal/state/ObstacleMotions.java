@@ -42,18 +42,11 @@ public final class ObstacleMotions {
   }
 
   /**
-   * The obstacles of these codes, ascending, and for each its ux, uy and since, one after another.
-   */
-  public static ObstacleMotions of(int[] codes, double... rows) {
-    return codes.length == 0 ? NONE : new ObstacleMotions(codes, rows);
-  }
-
-  /**
    * Obstacles of ascending codes.
    *
    * @param rows of each obstacle its velocity and the time at which it was where its row says
    */
-  static ObstacleMotions of(int[] codes, double[] rows) {
+  public static ObstacleMotions of(int[] codes, double[] rows) {
     return codes.length == 0 ? NONE : new ObstacleMotions(codes, rows);
   }
 
