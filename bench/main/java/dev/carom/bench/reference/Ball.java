@@ -137,7 +137,7 @@ final class Ball {
   BigDecimal rounded(int decimals) {
     BigInteger width = error.ceiling();
     BigDecimal low = nearest(units.subtract(width), decimals);
-    if (low.equals(nearest(units.add(width), decimals))) {
+    if (low.compareTo(nearest(units.add(width), decimals)) == 0) {
       return low;
     }
     throw new DoubtException();

@@ -60,6 +60,7 @@ class BenchmarksTest {
             .measurementIterations(1)
             .mode(Mode.SingleShotTime)
             .param("circles", "100")
+            .param("lines", "100")
             .param("family", "seg_uniform")
             .param("queries", "4096")
             .verbosity(VerboseMode.SILENT)
