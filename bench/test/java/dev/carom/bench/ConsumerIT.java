@@ -76,7 +76,7 @@ class ConsumerIT {
     run("javac", "-p", jar(""), "-d", out, source("module-info.java", MODULE), main());
     run("jlink", "-p", path, "--add-modules", "app", "--output", image);
 
-    assertThat(run(image, "java", "--list-modules").lines().map(line -> line.split("@")[0]))
+    assertThat(run(image, "java", "--list-modules").lines().map(line -> line.split("@", -1)[0]))
         .containsExactlyInAnyOrder("app", "dev.carom", "java.base");
     assertThat(run(image, "java", "-m", "app/app.Main")).isEqualTo("5.0 in dev.carom");
   }

@@ -88,7 +88,7 @@ final class IdentityUses extends TreePathScanner<Void, Void> {
     if (compares && !withNull && (isRecord(left) || isRecord(right))) {
       add(tree);
     }
-    return super.visitBinary(tree, unused);
+    return super.visitBinary(tree, null);
   }
 
   @Override
@@ -96,7 +96,7 @@ final class IdentityUses extends TreePathScanner<Void, Void> {
     if (isRecord(tree.getExpression())) {
       add(tree.getExpression());
     }
-    return super.visitSynchronized(tree, unused);
+    return super.visitSynchronized(tree, null);
   }
 
   @Override
@@ -111,7 +111,7 @@ final class IdentityUses extends TreePathScanner<Void, Void> {
     if (hands || locks) {
       add(tree);
     }
-    return super.visitMethodInvocation(tree, unused);
+    return super.visitMethodInvocation(tree, null);
   }
 
   @Override
@@ -123,7 +123,7 @@ final class IdentityUses extends TreePathScanner<Void, Void> {
         && isRecord(made.getTypeArguments().get(0))) {
       add(tree);
     }
-    return super.visitNewClass(tree, unused);
+    return super.visitNewClass(tree, null);
   }
 
   private TreePath selected(MethodInvocationTree call) {
@@ -147,8 +147,8 @@ final class IdentityUses extends TreePathScanner<Void, Void> {
     return element.getQualifiedName().toString().matches("dev\\.carom\\.[A-Z]\\w*")
         && element.getModifiers().contains(Modifier.PUBLIC)
         && (element.getKind() == ElementKind.RECORD
-            || !element.getPermittedSubclasses().isEmpty()
-                && element.getPermittedSubclasses().stream().allMatch(IdentityUses::isRecord));
+            || (!element.getPermittedSubclasses().isEmpty()
+                && element.getPermittedSubclasses().stream().allMatch(IdentityUses::isRecord)));
   }
 
   private void add(Tree tree) {
