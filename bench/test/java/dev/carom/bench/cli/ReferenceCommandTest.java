@@ -80,7 +80,7 @@ class ReferenceCommandTest {
     assertThat(run.exitCode()).as(run.err()).isZero();
     List<String> rows = run.out().lines().toList();
     assertThat(rows).hasSize(2).first().isEqualTo("circle,x,y");
-    String[] fields = rows.get(1).split(",");
+    String[] fields = rows.get(1).split(",", -1);
     BigDecimal x = new BigDecimal(fields[1]);
     BigDecimal y = new BigDecimal(fields[2]);
     assertThat(x.scale()).isEqualTo(110);

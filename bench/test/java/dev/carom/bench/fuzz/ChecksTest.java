@@ -106,7 +106,6 @@ class ChecksTest {
     double x = squeezed.x(0);
     Flight standing = new Flight(0, 5, 5.5, 6, x, 50, x, 50, 0, 0, 0);
     Flight moving = new Flight(0, 5, 5.5, 6, x, 50, x, 50.5, 0, 1, 1);
-    Flight before = new Flight(0, 5, 4, 4.75, x, 50, x, 50, 0, 0, 0);
 
     assertFound("nearer to line 0", squeezed, standing);
     passed.read(squeezed.impacts());
