@@ -24,7 +24,7 @@ final class CircleCast {
   private CircleCast() {}
 
   /** A moving circle of no world. */
-  static MovingCircle mover(Circle circle, Vec2 v, double restitution) {
+  static MovingCircle body(Circle circle, Vec2 v, double restitution) {
     MovingCircle m = new MovingCircle();
     m.start(0, circle.x(), circle.y(), circle.radius(), v.x(), v.y(), restitution);
     return m;

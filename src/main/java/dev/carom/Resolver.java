@@ -146,9 +146,9 @@ public final class Resolver {
     Check.notNegative("restitution", restitution);
     Check.notNegative("duration", duration);
     Check.notNegative("bounces", bounces);
-    MovingCircle mover = CircleCast.mover(circle, velocity, restitution);
+    MovingCircle body = CircleCast.body(circle, velocity, restitution);
     index.expect(1);
-    TracedPath path = new Tracer(index).trace(mover, duration, bounces, IMPACTS_PER_TRACE);
+    TracedPath path = new Tracer(index).trace(body, duration, bounces, IMPACTS_PER_TRACE);
     return Trajectory.of(path, records);
   }
 
@@ -170,17 +170,17 @@ public final class Resolver {
     Check.notNull("velocity", velocity);
     Check.duration("maxTime", maxTime);
     index.expect(1);
-    MovingCircle mover = CircleCast.mover(circle, velocity, 1);
+    MovingCircle body = CircleCast.body(circle, velocity, 1);
     Tracer tracer = new Tracer(index);
-    tracer.first(mover, maxTime);
-    if (mover.next == MovingCircle.NOTHING) {
+    tracer.first(body, maxTime);
+    if (body.next == MovingCircle.NOTHING) {
       return Optional.empty();
     }
-    int code = mover.next;
+    int code = body.next;
     ObstacleKind kind = ObstacleKind.of(Codes.kind(code));
     Obstacle obstacle = records.apply(code);
     return Optional.of(
-        CircleCast.impact(mover, tracer.hit(mover), kind, Codes.index(code), obstacle));
+        CircleCast.impact(body, tracer.hit(body), kind, Codes.index(code), obstacle));
   }
 
   /**
@@ -196,14 +196,14 @@ public final class Resolver {
     Check.duration("maxTime", maxTime);
     index.expect(casts.size());
     Tracer tracer = new Tracer(index);
-    MovingCircle mover = new MovingCircle();
+    MovingCircle body = new MovingCircle();
     for (int i = 0; i < casts.size(); i++) {
-      casts.load(i, mover);
-      tracer.first(mover, maxTime);
-      if (mover.next == MovingCircle.NOTHING) {
+      casts.load(i, body);
+      tracer.first(body, maxTime);
+      if (body.next == MovingCircle.NOTHING) {
         casts.miss(i);
       } else {
-        casts.hit(i, mover, Codes.index(mover.next), tracer.hit(mover));
+        casts.hit(i, body, Codes.index(body.next), tracer.hit(body));
       }
     }
   }

@@ -87,7 +87,7 @@ public final class Uncertainty {
   private PathError[] paths;
 
   /** For questions about the paths beside that of a circle. */
-  private final MovingCircle mover = new MovingCircle();
+  private final MovingCircle body = new MovingCircle();
 
   /**
    * Begins with the present state of a world, which is taken as exact.
@@ -248,11 +248,11 @@ public final class Uncertainty {
    * @return its code, or NOTHING
    */
   private int first(PathError path, int id, double beside, double time, int code) {
-    double dt = path.load(mover, world.radius(id), beside, time);
-    mover.filter =
+    double dt = path.load(body, world.radius(id), beside, time);
+    body.filter =
         Filter.of(world.category(ObstacleKind.CIRCLE, id), world.mask(ObstacleKind.CIRCLE, id));
-    mover.last = code;
-    return world.questions.first(mover, dt);
+    body.last = code;
+    return world.questions.first(body, dt);
   }
 
   /**

@@ -50,30 +50,30 @@ final class WorldQueries {
   }
 
   Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime, double now, long filter) {
-    MovingCircle mover = CircleCast.mover(circle, velocity, 1);
-    mover.filter = filter;
+    MovingCircle body = CircleCast.body(circle, velocity, 1);
+    body.filter = filter;
     Tracer tracer = tracer(1, now);
     obstacles.setEpoch(now);
     try {
-      first(mover, tracer, maxTime, now);
-      return mover.next == MovingCircle.NOTHING
+      first(body, tracer, maxTime, now);
+      return body.next == MovingCircle.NOTHING
           ? Optional.empty()
-          : Optional.of(impact(mover, tracer, now));
+          : Optional.of(impact(body, tracer, now));
     } finally {
       obstacles.setEpoch(0);
     }
   }
 
   void cast(Casts casts, double maxTime, double now, long filter) {
-    MovingCircle mover = new MovingCircle();
+    MovingCircle body = new MovingCircle();
     Tracer tracer = tracer(casts.size(), now);
     obstacles.setEpoch(now);
     try {
       for (int i = 0; i < casts.size(); i++) {
-        casts.load(i, mover);
-        mover.filter = filter;
-        first(mover, tracer, maxTime, now);
-        answer(casts, i, mover, tracer, now);
+        casts.load(i, body);
+        body.filter = filter;
+        first(body, tracer, maxTime, now);
+        answer(casts, i, body, tracer, now);
       }
     } finally {
       obstacles.setEpoch(0);
@@ -100,10 +100,10 @@ final class WorldQueries {
     return new Tracer(index);
   }
 
-  private void first(MovingCircle mover, Tracer tracer, double maxTime, double now) {
-    tracer.first(mover, maxTime);
+  private void first(MovingCircle body, Tracer tracer, double maxTime, double now) {
+    tracer.first(body, maxTime);
     if (collide) {
-      queries.first(mover, tracer, maxTime, now);
+      queries.first(body, tracer, maxTime, now);
     }
   }
 
@@ -129,12 +129,12 @@ final class WorldQueries {
       long filter,
       double now) {
     index.expect(1);
-    MovingCircle mover = CircleCast.mover(circle, velocity, restitution);
-    mover.filter = filter;
+    MovingCircle body = CircleCast.body(circle, velocity, restitution);
+    body.filter = filter;
     obstacles.setEpoch(now);
     try {
       TracedPath path =
-          new Tracer(index).trace(mover, duration, bounces, Resolver.IMPACTS_PER_TRACE);
+          new Tracer(index).trace(body, duration, bounces, Resolver.IMPACTS_PER_TRACE);
       return Trajectory.of(path, code -> PublicRecords.of(obstacles, code, 0));
     } finally {
       obstacles.setEpoch(0);
@@ -144,13 +144,13 @@ final class WorldQueries {
   /**
    * Finds what a circle hits first until a time, among obstacles that stand where they are at 0.
    *
-   * @param mover the circle at the start; it receives the contact
+   * @param body the circle at the start; it receives the contact
    * @return the code of the obstacle, {@link MovingCircle#NOTHING} for none
    */
-  int first(MovingCircle mover, double maxTime) {
+  int first(MovingCircle body, double maxTime) {
     index.expect(1);
-    new Tracer(index).first(mover, maxTime);
-    return mover.next;
+    new Tracer(index).first(body, maxTime);
+    return body.next;
   }
 
   double restitution(int code) {

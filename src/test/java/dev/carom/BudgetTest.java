@@ -133,7 +133,7 @@ class BudgetTest {
   private static TracedPath trace(int bounces, int most) {
     ObstacleTable obstacles = ObstacleTable.of(nearTies(true).data);
     Tracer tracer = new Tracer(new ObstacleIndex(obstacles));
-    return tracer.trace(CircleCast.mover(LEAVING, new Vec2(-UNIT, 0), 1), 1e3, bounces, most);
+    return tracer.trace(CircleCast.body(LEAVING, new Vec2(-UNIT, 0), 1), 1e3, bounces, most);
   }
 
   /** What it takes to know the impact that comes after so many. */

@@ -105,7 +105,7 @@ class LockstepTest {
 
   private static double tail(World world, int id) {
     world.circles.load(id);
-    return world.circles.mover.tl;
+    return world.circles.body.tl;
   }
 
   /** What is still to be met at the time at which a budget was spent. */

@@ -41,7 +41,7 @@ public final class PlainWorld {
   private ObstacleResponse response;
   private PairResponse pairs;
   private ContactCluster cluster;
-  private List<MovingCircle> movers = new ArrayList<>();
+  private List<MovingCircle> bodies = new ArrayList<>();
 
   /** The sensors that each circle's flight met: codes of obstacles. */
   private List<Set<Integer>> met = new ArrayList<>();
@@ -76,7 +76,7 @@ public final class PlainWorld {
       Vec2 v = scene.velocity(i);
       MovingCircle m = new MovingCircle();
       m.start(i, c.x(), c.y(), c.radius(), v.x(), v.y(), scene.restitution(ObstacleKind.CIRCLE, i));
-      movers.add(m);
+      bodies.add(m);
       met.add(new HashSet<>());
     }
   }
@@ -94,12 +94,12 @@ public final class PlainWorld {
     public int[] circlesNear(int i) {
       return !collide
           ? new int[0]
-          : movers.stream().mapToInt(m -> m.id).filter(registry::contains).toArray();
+          : bodies.stream().mapToInt(m -> m.id).filter(registry::contains).toArray();
     }
 
     @Override
     public MovingCircle copyOf(int i) {
-      return copy(movers.get(i));
+      return copy(bodies.get(i));
     }
 
     @Override
@@ -121,12 +121,12 @@ public final class PlainWorld {
   /** Goes to where another one is. */
   void restore(PlainWorld other) {
     obstacles = other.obstacles.copy();
-    registry = copy(other.registry, other.movers.size());
+    registry = copy(other.registry, other.bodies.size());
     respond();
     now = other.now;
     last = other.last;
     lastTail = other.lastTail;
-    movers = new ArrayList<>(other.movers.stream().map(PlainWorld::copy).toList());
+    bodies = new ArrayList<>(other.bodies.stream().map(PlainWorld::copy).toList());
     met =
         new ArrayList<>(other.met.stream().map(set -> (Set<Integer>) new HashSet<>(set)).toList());
     metPairs = new HashSet<>(other.metPairs);
@@ -163,11 +163,11 @@ public final class PlainWorld {
   public ImpactLog advance(double end, int most) {
     rows.clear();
     if (collide) {
-      while (log.size() < most && find(movers) <= end) {
+      while (log.size() < most && find(bodies) <= end) {
         happen();
       }
     } else {
-      for (MovingCircle m : movers) {
+      for (MovingCircle m : bodies) {
         while (log.size() < most && find(List.of(m)) <= end) {
           happen();
         }
@@ -179,10 +179,10 @@ public final class PlainWorld {
   }
 
   private void happen() {
-    MovingCircle m = movers.get(low);
+    MovingCircle m = bodies.get(low);
     if (high >= 0) {
       happened();
-      meet(m, movers.get(high));
+      meet(m, bodies.get(high));
     } else {
       int code = m.next;
       double vx = m.vx;
@@ -229,8 +229,8 @@ public final class PlainWorld {
     if (result == ObstacleResponse.SENSED) {
       metPairs.add(pair(a, b));
     } else {
-      movers.set(a.id, one);
-      movers.set(b.id, two);
+      bodies.set(a.id, one);
+      bodies.set(b.id, two);
       begin(one);
       begin(two);
       settle(result, one, two);
@@ -243,7 +243,7 @@ public final class PlainWorld {
     if (result == ObstacleResponse.STUCK && (collide || obstacles.areMoving())) {
       changed = cluster.resolve(rows, hit);
       for (MovingCircle m : changed) {
-        movers.set(m.id, m);
+        bodies.set(m.id, m);
         begin(m);
       }
     }
@@ -258,13 +258,13 @@ public final class PlainWorld {
   }
 
   private void leaveJams(int code) {
-    movers.stream()
+    bodies.stream()
         .filter(other -> other.jam != null && other.jam.concerns(code))
         .forEach(other -> other.forget(code, 0));
   }
 
   private void revive(MovingCircle m) {
-    for (MovingCircle other : movers) {
+    for (MovingCircle other : bodies) {
       int code = Codes.circle(other.id);
       boolean inert = m.jam != null && m.jam.makesInert(code);
       if (inert && pairs.part(m, other)) {
@@ -301,9 +301,9 @@ public final class PlainWorld {
     for (MovingCircle m : some) {
       if (registry.contains(m.id)) {
         lookAtObstacles(m);
-        for (int j = m.id + 1; collide && j < movers.size(); j++) {
+        for (int j = m.id + 1; collide && j < bodies.size(); j++) {
           if (registry.contains(j)) {
-            lookAtPair(m, movers.get(j));
+            lookAtPair(m, bodies.get(j));
           }
         }
       }
@@ -457,7 +457,7 @@ public final class PlainWorld {
   /** When a circle that is not there would first hit something but a sensor. */
   double cast(Circle circle, Vec2 v, int category, int mask) {
     long filter = Filter.of(category, mask);
-    MovingCircle m = CircleCast.mover(circle, v, 1);
+    MovingCircle m = CircleCast.body(circle, v, 1);
     double first = NEVER;
     obstacles.setEpoch(now);
     for (int code : codes()) {
@@ -465,7 +465,7 @@ public final class PlainWorld {
       first = Math.min(first, there ? sweep(m, code) : NEVER);
     }
     obstacles.setEpoch(0);
-    for (MovingCircle other : movers) {
+    for (MovingCircle other : bodies) {
       boolean there =
           collide
               && registry.contains(other.id)
@@ -506,7 +506,7 @@ public final class PlainWorld {
   }
 
   private MovingCircle restarted(int id) {
-    MovingCircle m = movers.get(id);
+    MovingCircle m = bodies.get(id);
     boolean confined = meets(id, obstacles.filter(Codes.LEFT));
     m.restart(now, tailOfEdit(m), confined ? obstacles.walls : null);
     begin(m);
@@ -535,7 +535,7 @@ public final class PlainWorld {
     m.start(registry.add(), x, y, radius, vx, vy, 1);
     m.t = now;
     m.tl = tailOfEdit(m);
-    movers.add(m);
+    bodies.add(m);
     met.add(new HashSet<>());
   }
 
@@ -580,7 +580,7 @@ public final class PlainWorld {
 
   private void removeObstacle(int code) {
     obstacles.remove(code);
-    movers.forEach(m -> m.forget(code, 0));
+    bodies.forEach(m -> m.forget(code, 0));
   }
 
   void setRestitution(ObstacleKind kind, int id, double e) {
@@ -588,7 +588,7 @@ public final class PlainWorld {
       case LINE -> obstacles.setRestitution(Codes.line(id), e);
       case PEG -> obstacles.setRestitution(Codes.peg(id), e);
       case WALL -> obstacles.setRestitution(id, e);
-      case CIRCLE -> movers.get(id).restitution = e;
+      case CIRCLE -> bodies.get(id).restitution = e;
     }
   }
 
@@ -640,7 +640,7 @@ public final class PlainWorld {
   }
 
   private void setFilterOfWalls(long filter) {
-    for (MovingCircle m : movers) {
+    for (MovingCircle m : bodies) {
       boolean was = meets(m.id, obstacles.filter(Codes.LEFT));
       if (registry.contains(m.id) && was != meets(m.id, filter)) {
         restarted(m.id).forget();
@@ -651,7 +651,7 @@ public final class PlainWorld {
 
   /** Flights that would meet a thing that was not there begin anew. */
   private void appear(int code) {
-    for (MovingCircle m : movers) {
+    for (MovingCircle m : bodies) {
       if (registry.contains(m.id)) {
         m.forget(code, 0);
         if (meets(m.id, obstacles.filter(code)) && sweep(m, code) < NEVER) {

@@ -82,7 +82,7 @@ public final class CollidingEngine extends Engine {
     int count = circles.count;
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
-      circles.store(i, circles.mover);
+      circles.store(i, circles.body);
     }
     begin();
   }
@@ -206,7 +206,7 @@ public final class CollidingEngine extends Engine {
 
   private void meetObstacle(int i) {
     circles.load(i);
-    MovingCircle m = circles.mover;
+    MovingCircle m = circles.body;
     if (m.next == MovingCircle.NOTHING) {
       staticScene.extend(m, m.cleared);
       circles.store(i, m);
@@ -257,27 +257,27 @@ public final class CollidingEngine extends Engine {
     scheduler.cancel(j);
     int low = Math.min(i, j);
     int high = Math.max(i, j);
-    circles.loadForMeeting(s, c, low, circles.mover);
+    circles.loadForMeeting(s, c, low, circles.body);
     circles.loadForMeeting(s, c, high, other);
-    advanceToMeeting(s, circles.mover, other, i);
+    advanceToMeeting(s, circles.body, other, i);
     if (stopsAtImpact) {
       stopAt(CollisionPredictor.time(s, i), CollisionPredictor.tail(s, i));
     }
-    circles.mover.crushed = cluster.isCrushed(circles.mover);
+    circles.body.crushed = cluster.isCrushed(circles.body);
     other.crushed = cluster.isCrushed(other);
-    switch (pairs.resolve(circles.mover, other, log)) {
+    switch (pairs.resolve(circles.body, other, log)) {
       case ObstacleResponse.SENSED -> {
         report(low, high, i);
         scheduler.predict(s, c, low, high);
       }
       case ObstacleResponse.STUCK -> {
-        circles.store(low, circles.mover);
+        circles.store(low, circles.body);
         circles.store(high, other);
         resolveContacts(low, high);
       }
       default -> {
         noteEvent(other.t, other.tl); // for both
-        startFlight(s, c, low, circles.mover);
+        startFlight(s, c, low, circles.body);
         startFlight(s, c, high, other);
         reactivate(low);
         reactivate(high);
@@ -380,14 +380,14 @@ public final class CollidingEngine extends Engine {
     for (int code : jam.entries()) {
       if (Codes.isCircle(code)) {
         circles.load(Codes.slot(code), other);
-        if (pairs.part(circles.mover, other)) {
+        if (pairs.part(circles.body, other)) {
           jam = jam.without(code);
         }
       }
     }
     circles.jams[i] = jam;
-    circles.mover.jam = jam;
-    noteContacts(circles.mover, circles.mover.t);
+    circles.body.jam = jam;
+    noteContacts(circles.body, circles.body.t);
   }
 
   /**
@@ -407,8 +407,8 @@ public final class CollidingEngine extends Engine {
     boolean nothingNear = nothingInside && scheduler.isInside(s, i);
     if (!nothingNear && !EventScheduler.isObstacleKnown(s, c, i)) {
       circles.load(i);
-      staticScene.extend(circles.mover, 0);
-      circles.store(i, circles.mover);
+      staticScene.extend(circles.body, 0);
+      circles.store(i, circles.body);
     }
   }
 
@@ -483,9 +483,9 @@ public final class CollidingEngine extends Engine {
       IgnoreList jam = circles.jam(i);
       if (registry.contains(i) && jam != null && jam.concerns(code)) {
         circles.load(i);
-        circles.mover.forget(code, 0);
-        store(i, circles.mover);
-        noteContacts(circles.mover, time);
+        circles.body.forget(code, 0);
+        store(i, circles.body);
+        noteContacts(circles.body, time);
       }
     }
   }

@@ -35,7 +35,7 @@ public final class Editor {
   private final CircleTable circles;
   private final CircleRegistry registry;
   private final ObstacleTable obstacles;
-  private final MovingCircle mover = new MovingCircle();
+  private final MovingCircle body = new MovingCircle();
 
   private final SizeLimits limits = new SizeLimits();
 
@@ -119,10 +119,10 @@ public final class Editor {
       throw named(e, Kind.CIRCLE, registry.idLimit());
     }
     int slot = registry.add();
-    mover.start(slot, x, y, radius, vx, vy, 1);
-    mover.t = now;
-    mover.tl = engine.tailOfEdit(mover, now);
-    engine.beginFlight(mover);
+    body.start(slot, x, y, radius, vx, vy, 1);
+    body.t = now;
+    body.tl = engine.tailOfEdit(body, now);
+    engine.beginFlight(body);
     limits.keepPlace(x, y);
     limits.keepRadius(radius);
     return registry.id(slot);
@@ -138,7 +138,7 @@ public final class Editor {
     registry.setMass(slot, m);
     if (collide && passes) {
       restarted(slot, now).forget();
-      engine.beginFlight(mover);
+      engine.beginFlight(body);
     }
     engine.noteProperties(slot, now);
   }
@@ -178,9 +178,9 @@ public final class Editor {
 
   /** Loads a circle at the start of a new flight, now. */
   private MovingCircle restarted(int slot, double now) {
-    circles.load(slot, mover);
-    restart(mover, now);
-    return mover;
+    circles.load(slot, body);
+    restart(body, now);
+    return body;
   }
 
   private void restart(MovingCircle m, double now) {

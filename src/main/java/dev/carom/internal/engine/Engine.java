@@ -104,9 +104,9 @@ public abstract class Engine {
     for (int k = 0; k < present.size(); k++) {
       int i = present.get(k);
       circles.load(i);
-      if (registry.contains(i) && circles.mover.forget(code, sensed)) {
-        store(i, circles.mover);
-        noteContacts(circles.mover, reached);
+      if (registry.contains(i) && circles.body.forget(code, sensed)) {
+        store(i, circles.body);
+        noteContacts(circles.body, reached);
       }
     }
   }
@@ -117,7 +117,7 @@ public abstract class Engine {
    */
   final void appeared(int code, double now) {
     changed(code, now);
-    MovingCircle m = circles.mover;
+    MovingCircle m = circles.body;
     LiveCodes present = registry.present();
     for (int k = 0; k < present.size(); k++) {
       int i = present.get(k);
@@ -150,7 +150,7 @@ public abstract class Engine {
       recorder.noteTail(reached, lastTail(reached));
       for (int i : registry.slots()) {
         circles.load(i);
-        recorder.add(circles.mover);
+        recorder.add(circles.body);
         recordSensed(i);
       }
     }
@@ -192,8 +192,8 @@ public abstract class Engine {
     int[] slots = registry.slots();
     for (int k = 0; k < slots.length; k++) {
       circles.load(slots[k]);
-      registry.toIds(circles.mover);
-      staticScene.save(k, circles.mover, now, states);
+      registry.toIds(circles.body);
+      staticScene.save(k, circles.body, now, states);
     }
     states.tailOfEdit = lastTail(now);
     return states;
@@ -203,7 +203,7 @@ public abstract class Engine {
   public void restore(SavedFlights flights, double now) {
     reached = now;
     circles.clear();
-    MovingCircle m = circles.mover;
+    MovingCircle m = circles.body;
     for (int i = 0; i < flights.count(); i++) {
       circles.add();
       flights.get(i, m);

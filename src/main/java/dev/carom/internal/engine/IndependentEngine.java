@@ -55,7 +55,7 @@ public final class IndependentEngine extends Engine {
     undoLog = new UndoLog(Math.min(count, JOURNAL));
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
-      staticScene.extend(circles.mover, 0);
+      staticScene.extend(circles.body, 0);
       circles.storeAndSetDue(i);
     }
   }
@@ -104,7 +104,7 @@ public final class IndependentEngine extends Engine {
    */
   private double nextImpact(double end) {
     DueTimes due = circles.due;
-    MovingCircle m = circles.mover;
+    MovingCircle m = circles.body;
     while (true) {
       int i = due.earliest(end);
       if (i == due.size()) {
@@ -133,8 +133,8 @@ public final class IndependentEngine extends Engine {
     int i = many ? prefetcher.first(end) : due.next(0, end);
     while (i < due.size()) {
       circles.load(i);
-      undoLog.save(circles.mover);
-      double stopped = resolveUntil(circles.mover, work, end);
+      undoLog.save(circles.body);
+      double stopped = resolveUntil(circles.body, work, end);
       circles.storeAndSetDue(i);
       if (stopped <= end) {
         unfinished = true;

@@ -35,26 +35,26 @@ public final class Tracer {
   /**
    * Finds the first contact until a given time: exactly the earliest one, sensors ignored.
    *
-   * @param mover the circle at the start; it receives the contact: {@code next}, {@code contact}
-   *     and its time {@code cleared}; {@code next} is NOTHING if there is none
+   * @param body the circle at the start; it receives the contact: {@code next}, {@code contact} and
+   *     its time {@code cleared}; {@code next} is NOTHING if there is none
    */
-  public void first(MovingCircle mover, double maxTime) {
-    search.cast(mover, index.grid(mover.radius), maxTime);
-    boolean hits = mover.next != MovingCircle.NOTHING;
-    double t = mover.cleared;
-    if (hits && (t > maxTime || (t == maxTime && isLater(mover, maxTime)))) {
-      mover.next = MovingCircle.NOTHING;
+  public void first(MovingCircle body, double maxTime) {
+    search.cast(body, index.grid(body.radius), maxTime);
+    boolean hits = body.next != MovingCircle.NOTHING;
+    double t = body.cleared;
+    if (hits && (t > maxTime || (t == maxTime && isLater(body, maxTime)))) {
+      body.next = MovingCircle.NOTHING;
     }
   }
 
   /** Whether a contact is exactly later than a time to which it rounds. */
-  private boolean isLater(MovingCircle mover, double time) {
-    return exactTime(mover).compare(ExactTime.of(time)) > 0;
+  private boolean isLater(MovingCircle body, double time) {
+    return exactTime(body).compare(ExactTime.of(time)) > 0;
   }
 
   /** The exact time of the contact that was found. */
-  ExactTime exactTime(MovingCircle mover) {
-    return search.exactTime(mover);
+  ExactTime exactTime(MovingCircle body) {
+    return search.exactTime(body);
   }
 
   /** Where the contact is that was found; always the same object. */
@@ -78,36 +78,36 @@ public final class Tracer {
    *
    * @param most how many impacts a path may have; one with more ends there, incomplete
    */
-  public TracedPath trace(MovingCircle mover, double duration, int bounces, int most) {
-    grid = index.grid(mover.radius);
+  public TracedPath trace(MovingCircle body, double duration, int bounces, int most) {
+    grid = index.grid(body.radius);
     ObstacleResponse response = new ObstacleResponse(obstacles);
     DoubleList flights = new DoubleList();
     ImpactRows impacts = new ImpactRows(1);
-    add(mover, flights);
+    add(body, flights);
     ExactBudget work = ExactBudget.ofThread();
     long before = work.bits();
-    while (next(mover, duration)) {
+    while (next(body, duration)) {
       int count = impacts.size();
       if (count == bounces) {
-        return new TracedPath(flights, impacts, mover.due(), true);
+        return new TracedPath(flights, impacts, body.due(), true);
       }
       if (count > 0 && count + work.impactsSince(before) >= most) {
-        return new TracedPath(flights, impacts, mover.t, false);
+        return new TracedPath(flights, impacts, body.t, false);
       }
-      response.resolve(mover, impacts);
-      add(mover, flights);
+      response.resolve(body, impacts);
+      add(body, flights);
     }
     return new TracedPath(flights, impacts, duration, true);
   }
 
   /** Looks for the next impact, past sensors; false if there is none until the given time. */
-  private boolean next(MovingCircle mover, double end) {
+  private boolean next(MovingCircle body, double end) {
     do {
-      search.extendPastSensors(mover, grid, end - mover.t);
-      if (mover.due() <= end && mover.next != MovingCircle.NOTHING) {
+      search.extendPastSensors(body, grid, end - body.t);
+      if (body.due() <= end && body.next != MovingCircle.NOTHING) {
         return true;
       }
-    } while (mover.due() <= end && mover.cleared < Double.POSITIVE_INFINITY);
+    } while (body.due() <= end && body.cleared < Double.POSITIVE_INFINITY);
     return false;
   }
 

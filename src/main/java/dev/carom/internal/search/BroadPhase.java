@@ -140,57 +140,57 @@ public final class BroadPhase extends NarrowPhase {
    * @param grid the grid of the obstacles, or null to test each of them
    * @param needed the time, from the start of the flight, up to which the path must be known
    */
-  public void extend(MovingCircle mover, Grid grid, double needed) {
+  public void extend(MovingCircle body, Grid grid, double needed) {
     if (!moving) {
-      extendAmongStatic(mover, grid, needed);
+      extendAmongStatic(body, grid, needed);
       return;
     }
-    double from = mover.cleared;
-    double end = window.end - obstacles.epoch() - mover.t - mover.tl;
+    double from = body.cleared;
+    double end = window.end - obstacles.epoch() - body.t - body.tl;
     boolean inWindow =
-        !isWindowStale && obstacles.epoch() + mover.t + from >= window.begin && from < end;
+        !isWindowStale && obstacles.epoch() + body.t + from >= window.begin && from < end;
     if (inWindow) {
-      mover.lookahead = MovingCircle.EDITED_LOOKAHEAD; // no further than the window
-      extendAmongStatic(mover, grid, Math.max(needed, end));
-      extendAmongMoving(mover, from, end);
+      body.lookahead = MovingCircle.EDITED_LOOKAHEAD; // no further than the window
+      extendAmongStatic(body, grid, Math.max(needed, end));
+      extendAmongMoving(body, from, end);
     } else {
-      extendAmongStatic(mover, grid, needed);
-      considerMoving(mover.cleared);
-      keep(mover, mover.cleared);
+      extendAmongStatic(body, grid, needed);
+      considerMoving(body.cleared);
+      keep(body, body.cleared);
     }
   }
 
-  private void extendAmongStatic(MovingCircle mover, Grid grid, double needed) {
-    start(mover);
+  private void extendAmongStatic(MovingCircle body, Grid grid, double needed) {
+    start(body);
     measure();
     if (!canHit()) {
-      mover.cleared = NEVER;
-      mover.next = MovingCircle.NOTHING;
+      body.cleared = NEVER;
+      body.next = MovingCircle.NOTHING;
       return;
     }
     double ahead = wallAhead();
     // The last cell before the wall is visited in any case, and its list reaches up to the wall.
-    double from = Math.min(mover.cleared, ahead);
-    double known = explore(mover, grid, from, needed, ahead);
+    double from = Math.min(body.cleared, ahead);
+    double known = explore(body, grid, from, needed, ahead);
     if (known >= ahead) {
       walls();
       known = best;
       if (grid != null && isFar(ahead, grid)) {
-        known = explore(mover, grid, Math.max(mover.cleared, ahead), needed, best);
+        known = explore(body, grid, Math.max(body.cleared, ahead), needed, best);
       }
     }
-    mover.cleared = known;
+    body.cleared = known;
     boolean hits = known == best && known != NEVER;
-    mover.next = hits ? bestCode : MovingCircle.NOTHING;
-    mover.contact = hits ? bestContact : 0;
+    body.next = hits ? bestCode : MovingCircle.NOTHING;
+    body.contact = hits ? bestContact : 0;
   }
 
   /**
    * Considers the moving obstacles whose boxes the path meets, up to the time until which it is
    * known among the others, and no further than the window of time goes.
    */
-  private void extendAmongMoving(MovingCircle mover, double from, double end) {
-    double known = Math.min(mover.cleared, end);
+  private void extendAmongMoving(MovingCircle body, double from, double end) {
+    double known = Math.min(body.cleared, end);
     window.find(
         Math.fma(vx, from, px),
         Math.fma(vy, from, py),
@@ -198,19 +198,19 @@ public final class BroadPhase extends NarrowPhase {
         Math.fma(vy, known, py),
         r);
     considerFound(known);
-    keep(mover, known);
+    keep(body, known);
   }
 
   /** Keeps what was found first, or that there is nothing until the path is known no further. */
-  private void keep(MovingCircle mover, double known) {
+  private void keep(MovingCircle body, double known) {
     if (best <= known && best != NEVER) {
-      mover.cleared = best;
-      mover.next = bestCode;
-      mover.contact = bestContact;
-    } else if (known < mover.cleared) {
-      mover.cleared = known;
-      mover.next = MovingCircle.NOTHING;
-      mover.contact = 0;
+      body.cleared = best;
+      body.next = bestCode;
+      body.contact = bestContact;
+    } else if (known < body.cleared) {
+      body.cleared = known;
+      body.next = MovingCircle.NOTHING;
+      body.contact = 0;
     }
   }
 
@@ -242,10 +242,10 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   /** The same as {@link #extend}, without sensors. */
-  public void extendPastSensors(MovingCircle mover, Grid grid, double needed) {
+  public void extendPastSensors(MovingCircle body, Grid grid, double needed) {
     setPassesSensors(true);
     try {
-      extend(mover, grid, needed);
+      extend(body, grid, needed);
     } finally {
       setPassesSensors(false);
     }
@@ -255,15 +255,15 @@ public final class BroadPhase extends NarrowPhase {
    * Finds the first impact of a circle, sensors ignored. Impacts of equal rounded times are
    * compared exactly; among exactly equal times the smallest code is first.
    *
-   * @param mover receives the impact: {@code next}, {@code contact} and {@code cleared}; {@code
+   * @param body receives the impact: {@code next}, {@code contact} and {@code cleared}; {@code
    *     next} is NOTHING if it is later than the end by rounded times
    */
-  public void cast(MovingCircle mover, Grid grid, double end) {
+  public void cast(MovingCircle body, Grid grid, double end) {
     setOrdersExactly(true);
     try {
       do {
-        extendPastSensors(mover, grid, end);
-      } while (mover.next == MovingCircle.NOTHING && mover.cleared <= end && mover.cleared < NEVER);
+        extendPastSensors(body, grid, end);
+      } while (body.next == MovingCircle.NOTHING && body.cleared <= end && body.cleared < NEVER);
     } finally {
       setOrdersExactly(false);
     }
@@ -282,13 +282,13 @@ public final class BroadPhase extends NarrowPhase {
    * Searches lines and pegs; returns the time until which the path is known, or that of the wall
    * ahead.
    */
-  private double explore(MovingCircle mover, Grid grid, double from, double needed, double ahead) {
+  private double explore(MovingCircle body, Grid grid, double from, double needed, double ahead) {
     if (grid != null && grid.resolves(px, py, manhattanSpeed)) {
       for (int i = 0; i < loose.size; i++) {
         consider(loose.codes[i]);
       }
-      int lookahead = mover.lookahead;
-      mover.lookahead = Math.min(2 * lookahead, 1 << 28);
+      int lookahead = body.lookahead;
+      body.lookahead = Math.min(2 * lookahead, 1 << 28);
       return walk(grid, from, needed, ahead, lookahead);
     }
     if (obstacles.size() == 0) {
@@ -530,7 +530,7 @@ public final class BroadPhase extends NarrowPhase {
   }
 
   /** The codes of all obstacles that may touch a circle at its place; a superset. */
-  public int[] near(MovingCircle mover, Grid grid) {
+  public int[] near(MovingCircle body, Grid grid) {
     if (grid == null) {
       return obstacles.codes().toArray();
     }
@@ -540,7 +540,7 @@ public final class BroadPhase extends NarrowPhase {
             Arrays.stream(loose.codes, 0, loose.size),
             IntStream.range(0, motions.count()).map(motions::code));
     return IntStream.concat(
-            obstacles.codes(Kind.WALL), IntStream.concat(others, grid.listedAt(mover.x, mover.y)))
+            obstacles.codes(Kind.WALL), IntStream.concat(others, grid.listedAt(body.x, body.y)))
         .filter(code -> Codes.isWall(code) || !obstacles.isGone(code))
         .sorted()
         .distinct()

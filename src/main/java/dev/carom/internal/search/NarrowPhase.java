@@ -120,8 +120,8 @@ abstract class NarrowPhase {
   }
 
   /** Whether a flight, followed for ever from its start, meets a line or a peg. */
-  public final boolean meets(MovingCircle mover, int code) {
-    start(mover);
+  public final boolean meets(MovingCircle body, int code) {
+    start(body);
     last = MovingCircle.NOTHING;
     jam = null;
     sensed = -1;
@@ -135,21 +135,21 @@ abstract class NarrowPhase {
   }
 
   /** Begins a search: nothing is found yet. */
-  final void start(MovingCircle mover) {
-    px = mover.x;
-    py = mover.y;
-    vx = mover.vx;
-    vy = mover.vy;
-    r = mover.radius;
-    t = mover.t;
-    tl = mover.tl;
-    last = mover.last;
-    jam = mover.jam;
-    filter = mover.filter;
+  final void start(MovingCircle body) {
+    px = body.x;
+    py = body.y;
+    vx = body.vx;
+    vy = body.vy;
+    r = body.radius;
+    t = body.t;
+    tl = body.tl;
+    last = body.last;
+    jam = body.jam;
+    filter = body.filter;
     filtered = obstacles.areFiltered() || filter != Filter.DEFAULT;
     bounded = filtered ? obstacles.wallsFor(filter) != null : obstacles.walls != null;
-    sensed = mover.cleared;
-    sensedCode = mover.contact;
+    sensed = body.cleared;
+    sensedCode = body.contact;
     best = NEVER;
     latest = NEVER;
     isRough = false;
@@ -377,9 +377,9 @@ abstract class NarrowPhase {
   }
 
   /** The exact time of the next impact of a circle. */
-  public final ExactTime exactTime(MovingCircle mover) {
-    start(mover);
-    return exactTime(mover.next, mover.contact);
+  public final ExactTime exactTime(MovingCircle body) {
+    start(body);
+    return exactTime(body.next, body.contact);
   }
 
   private ExactTime exactTime(int code, int contact) {

@@ -90,7 +90,7 @@ public final class CircleTable {
   /** The ignore list of each jammed circle; null until there is one. */
   public IgnoreList[] jams;
 
-  public final MovingCircle mover = new MovingCircle();
+  public final MovingCircle body = new MovingCircle();
 
   /** A table of circles that ignore each other. */
   public CircleTable(int count) {
@@ -181,11 +181,11 @@ public final class CircleTable {
     return CODES_ALIGNMENT + i * COLLIDING_CODES;
   }
 
-  /** Starts the first flight of circle i of a scene in {@link #mover}, without storing it. */
+  /** Starts the first flight of circle i of a scene in {@link #body}, without storing it. */
   public void start(SceneData scene, int i) {
-    mover.start(
+    body.start(
         i, scene.x(i), scene.y(i), scene.radius(i), scene.vx(i), scene.vy(i), scene.restitution(i));
-    mover.filter = scene.filter(i);
+    body.filter = scene.filter(i);
   }
 
   public double x(int i, double now) {
@@ -229,7 +229,7 @@ public final class CircleTable {
   }
 
   public void load(int i) {
-    load(i, mover);
+    load(i, body);
   }
 
   public void load(int i, MovingCircle m) {
@@ -292,7 +292,7 @@ public final class CircleTable {
   }
 
   public void storeAndSetDue(int i) {
-    storeAndSetDue(i, mover);
+    storeAndSetDue(i, body);
   }
 
   /** Stores a circle that ignores others, and sets its next event time. */

@@ -51,7 +51,7 @@ public final class UndoLog {
 
   /** Restores all saved circles, and clears the log. */
   public void restore(CircleTable table) {
-    MovingCircle m = table.mover;
+    MovingCircle m = table.body;
     for (int row = 0; row < size; row++) {
       CircleTable.get(m, state, row * CircleTable.STATE, codes, row * CircleTable.CODES);
       m.jam = jams == null ? null : jams[row];

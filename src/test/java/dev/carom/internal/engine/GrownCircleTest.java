@@ -102,7 +102,7 @@ class GrownCircleTest {
 
   private static void resize(CircleTable circles, StaticScene staticScene, int i, double radius) {
     circles.load(i);
-    circles.mover.radius = radius;
+    circles.body.radius = radius;
     circles.storeAndSetDue(i);
     staticScene.setRadius(i, radius);
   }

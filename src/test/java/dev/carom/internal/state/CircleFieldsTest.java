@@ -108,7 +108,7 @@ class CircleFieldsTest {
   void theTableReadsTheFilterFromTheRegistry() {
     Scene scene = Scene.builder().circle(0, 0, 1, 0, 0).circle(9, 0, 1, 0, 0).filter(6, 5).build();
     CircleTable circles = CircleTable.colliding(2);
-    MovingCircle m = circles.mover;
+    MovingCircle m = circles.body;
     circles.load(1, m);
     assertThat(m.filter).isEqualTo(Filter.DEFAULT);
     CircleRegistry registry = new CircleRegistry(Internals.data(scene), 1);

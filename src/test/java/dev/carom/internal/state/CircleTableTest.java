@@ -39,7 +39,7 @@ class CircleTableTest {
     for (CircleTable circles : new CircleTable[] {new CircleTable(2), CircleTable.colliding(2)}) {
       circles.store(1, m);
       circles.load(1);
-      assertThat(circles.mover).usingRecursiveComparison().isEqualTo(m);
+      assertThat(circles.body).usingRecursiveComparison().isEqualTo(m);
     }
   }
 }

@@ -13,7 +13,7 @@ class MovingCircleTest {
     return new BigDecimal(x);
   }
 
-  private static MovingCircle mover(double t, double tl) {
+  private static MovingCircle body(double t, double tl) {
     MovingCircle m = new MovingCircle();
     m.start(0, 1, 2, 1, 1, 3, 1);
     m.t = t;
@@ -24,7 +24,7 @@ class MovingCircleTest {
   /** A thousand flights of a tenth, each a little off a tenth, from a late time on. */
   @Test
   void theClockKeepsTwiceTheDigits() {
-    MovingCircle m = mover(1e6, 0);
+    MovingCircle m = body(1e6, 0);
     BigDecimal time = exact(m.t);
     for (int i = 0; i < 1000; i++) {
       double dt = 0.1 + i * 1e-9;
@@ -40,7 +40,7 @@ class MovingCircleTest {
 
   @Test
   void anEditBeginsWhereItIsByThen() {
-    MovingCircle m = mover(0x1p53, -0.5);
+    MovingCircle m = body(0x1p53, -0.5);
     m.restart(0x1p53 + 2, 0, null);
     assertThat(m.x).isEqualTo(3.5);
     assertThat(m.y).isEqualTo(9.5);
@@ -81,7 +81,7 @@ class MovingCircleTest {
       double t = random.nextDouble() * Math.scalb(1.0, random.nextInt(-30, 30));
       double tl = (random.nextDouble() - 0.5) * Math.ulp(t);
       double now = t + random.nextDouble() * Math.scalb(1.0, random.nextInt(-80, 30));
-      MovingCircle m = mover(t, tl);
+      MovingCircle m = body(t, tl);
       double latest = m.latestBy(now);
       assertThat(latest).isNotNegative();
       assertThat(m.after(latest)).isLessThanOrEqualTo(now);

@@ -25,7 +25,7 @@ class UndoLogTest {
 
   /** A circle of which each number is another one. */
   private void store(int i, int base, IgnoreList jam) {
-    MovingCircle m = circles.mover;
+    MovingCircle m = circles.body;
     m.start(i, base + 1, base + 2, base + 3, base + 4, base + 5, 0.5);
     m.t = base + 6;
     m.tl = 0x1p-60;
@@ -44,7 +44,7 @@ class UndoLogTest {
 
   private void save(int i) {
     circles.load(i);
-    undoLog.save(circles.mover);
+    undoLog.save(circles.body);
   }
 
   private record Stored(
