@@ -95,10 +95,11 @@
  *       dev.carom.SceneBuilder#oneWay one-way lines}, and the {@linkplain
  *       dev.carom.SweptCircle#separation(Circle, Line) separation} of a centre exactly on the line.
  *   <li>The restitution of an impact is the product of those of the two parties.
- *   <li>An impact is the first moment at which a circle's centre comes no further than its radius
- *       from a line or a wall, and comes nearer. From a peg or another circle it is the sum of both
- *       radii. A circle that touches something and leaves it or slides along it makes no impact. A
- *       circle that overlaps something and approaches it makes one at once.
+ *   <li>An impact is the first moment at which a circle touches or overlaps a thing and approaches
+ *       it. To touch is to have the centre as far from a line or a wall as the radius, and from a
+ *       peg or another circle as both radii together. A circle that touches something and leaves it
+ *       or slides along it makes no impact. A circle that overlaps something and approaches it
+ *       makes one at once.
  * </ul>
  *
  * <p><img src="doc-files/line.svg" alt="A circle that touches the side of a line, and one that
