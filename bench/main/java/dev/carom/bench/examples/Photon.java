@@ -143,6 +143,6 @@ public final class Photon implements Example {
     g.drawString("computed: " + distance(), x, y + 60);
     g.drawString(String.format("off by at most %.0e", uncertainty.bound(0) / UNIT), x, y + 84);
     g.drawString(String.format("time %.1f of 10", world.now() / UNIT), x, y + 130);
-    g.drawString(reflections + " reflections", x, y + 154);
+    g.drawString("reflections: " + reflections, x, y + 154);
   }
 }

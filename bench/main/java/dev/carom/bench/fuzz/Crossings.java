@@ -14,7 +14,7 @@ import java.util.List;
  * Whether flights respect what is in their way, decided exactly and without the library's detector.
  * The distance from a convex thing is convex along a flight, and approaching at contact is an
  * impact; so no flight comes nearer than the radius, or than it was at its start if that was less.
- * Of a thing that moves, the flight is looked at as it is seen from there.
+ * For a moving obstacle, the flight is taken relative to it.
  */
 final class Crossings {
 

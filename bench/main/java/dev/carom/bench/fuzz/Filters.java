@@ -7,8 +7,8 @@ import dev.carom.World;
 import java.util.Random;
 
 /**
- * The filters of a session: drawn in one of three sessions, from numbers of their own. And which
- * things can meet by them.
+ * Draws the filters of a session, in one of three sessions, from a generator of its own. It also
+ * says which things can meet.
  */
 final class Filters {
 
