@@ -18,8 +18,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A {@code Scene} describes what exists at time 0: at most one bounds, and any number of lines,
- * pegs and moving circles. A {@link World} sets it in motion.
+ * A {@code Scene} describes what exists at time 0: at most one bounds, any number of lines, pegs
+ * and moving circles, and the gravity. A {@link World} sets it in motion.
  *
  * <p>A scene is immutable, checked as a whole when it is built, and safe to share between threads.
  * Things of one kind are numbered from 0 in the order in which they were added.
@@ -53,14 +53,17 @@ import java.util.Optional;
  *       infinities and numbers beyond the range of a double are refused.
  *   <li>{@code wall} is the {@linkplain Bounds bounds}. There is at most one such row.
  *   <li>The mass of a circle is 1 if it is left out. {@code inf} or {@code Infinity} is an infinite
- *       mass. Masses have no effect as long as circles ignore each other.
+ *       mass. See {@link SceneBuilder#mass}.
  *   <li>{@code collide,1} makes circles collide with each other. With {@code collide,0}, or without
  *       such a row, they ignore each other.
- *   <li>Any row but {@code collide} may end in {@code restitution=NUMBER}. Without it, it is 1.
- *   <li>Any row but {@code collide} may end in {@code response=bounce}, {@code response=halt} or
- *       {@code response=sensor}, see {@link Response}. The bounds cannot be a sensor.
- *   <li>Any row but {@code collide} may end in {@code category=INTEGER} and {@code mask=INTEGER},
- *       see {@link SceneBuilder#filter}. Without them, they are 1 and -1.
+ *   <li>{@code gravity,gx,gy} is the {@linkplain SceneBuilder#gravity gravity}. There is at most
+ *       one such row. Without it, circles fly straight.
+ *   <li>The row of a wall, line, peg or circle may end in {@code restitution=NUMBER}. Without it,
+ *       it is 1.
+ *   <li>Such a row may end in {@code response=bounce}, {@code response=halt} or {@code
+ *       response=sensor}, see {@link Response}. The bounds cannot be a sensor.
+ *   <li>Such a row may end in {@code category=INTEGER} and {@code mask=INTEGER}, see {@link
+ *       SceneBuilder#filter}. Without them, they are 1 and -1.
  *   <li>The row of a line may end in {@code oneway=1}, see {@link SceneBuilder#oneWay()}.
  *   <li>The reader skips blank lines, spaces and tabs around fields, {@code #} comments on lines of
  *       their own or after a row, and a byte order mark. It takes either kind of line end.
@@ -140,7 +143,7 @@ public final class Scene {
   }
 
   /**
-   * Writes this scene: wall, lines, pegs, circles, each kind in the order of its numbers.
+   * Writes this scene: gravity, wall, lines, pegs, circles, each kind in the order of its numbers.
    *
    * @param out where to write; it is neither flushed nor closed
    * @throws IOException if writing fails
@@ -216,7 +219,7 @@ public final class Scene {
   }
 
   /**
-   * Returns the mass of a circle. It has no effect as long as circles ignore each other.
+   * Returns the mass of a circle: see {@link SceneBuilder#mass}.
    *
    * @param i its number, 0..{@link #circleCount()} - 1
    * @return greater than 0, infinite for a circle that nothing deflects
@@ -307,6 +310,16 @@ public final class Scene {
   }
 
   /**
+   * Returns the gravity: the acceleration of all circles of finite mass. See {@link
+   * SceneBuilder#gravity}.
+   *
+   * @return the acceleration, in lengths per time squared; (0, 0) if there is none
+   */
+  public Vec2 gravity() {
+    return new Vec2(data.gx, data.gy);
+  }
+
+  /**
    * Returns the category of a circle or an obstacle, a set of 32 bits: see {@link
    * SceneBuilder#filter}.
    *
@@ -345,7 +358,7 @@ public final class Scene {
    *
    * <p>It passes through sensors, and meets one-way lines from their left only. Its circle has
    * category 1 and mask -1, and passes through all that it cannot {@linkplain SceneBuilder#filter
-   * meet}. It does not know the circles of the scene.
+   * meet}. It does not know the circles of the scene, nor its gravity: its circle flies straight.
    *
    * @return a new resolver
    */
@@ -395,9 +408,13 @@ public final class Scene {
 
   @Override
   public String toString() {
-    return "Scene[circles=%d, lines=%d, pegs=%d, bounds=%s]"
+    return "Scene[circles=%d, lines=%d, pegs=%d, bounds=%s%s]"
         .formatted(
-            circleCount(), lineCount(), pegCount(), PublicRecords.describe(data.obstacles.walls));
+            circleCount(),
+            lineCount(),
+            pegCount(),
+            PublicRecords.describe(data.obstacles.walls),
+            data.hasGravity() ? ", gravity=" + gravity() : "");
   }
 
   /** Returns the {@link ContactFlags} of a thing that exists. */

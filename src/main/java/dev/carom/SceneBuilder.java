@@ -191,8 +191,8 @@ public final class SceneBuilder {
   }
 
   /**
-   * Sets the mass of the circle just added; without it, it is 1. Masses have no effect as long as
-   * circles ignore each other.
+   * Sets the mass of the circle just added; without it, it is 1. As long as circles ignore each
+   * other, masses have no effect, except that {@link #gravity} spares a circle of infinite mass.
    *
    * @param m a number from 2^-500 to 2^500, or infinity: a circle that nothing deflects
    * @return this builder
@@ -212,6 +212,37 @@ public final class SceneBuilder {
    */
   public SceneBuilder collide(boolean collide) {
     data.collide = collide;
+    return this;
+  }
+
+  /**
+   * Sets the gravity: one constant acceleration of all circles. Without it, circles fly straight.
+   *
+   * <p>Its unit is a length per time squared, in the units of the scene. With 30 px to the metre
+   * and 60 frames to the second, 9.81 m/s^2 are {@code 9.81 * 30 / (60 * 60)} px per frame squared.
+   *
+   * <p>All circles of finite mass fall alike, whatever their masses. A circle of infinite mass does
+   * not fall, even where circles ignore each other. Neither do lines, pegs and bounds.
+   *
+   * <p>Gravity (0, 0) is none. The world then runs the same code as without this call, and gives
+   * the same bits.
+   *
+   * <pre>{@code
+   * Scene scene = Scene.builder()
+   *     .bounds(0, 0, 100, 100)
+   *     .circle(50, 80, 5, 1, 0).restitution(0.8)
+   *     .gravity(0, -0.5) // towards the bottom wall, at y = 0
+   *     .build();
+   * System.out.println(scene.gravity()); // Vec2[x=0.0, y=-0.5]
+   * }</pre>
+   *
+   * @param gx the x component, finite
+   * @param gy the y component, finite
+   * @return this builder
+   * @throws IllegalArgumentException if a component is NaN or infinite
+   */
+  public SceneBuilder gravity(double gx, double gy) {
+    data.gravity(gx, gy);
     return this;
   }
 

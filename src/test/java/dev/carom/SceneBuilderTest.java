@@ -66,7 +66,11 @@ class SceneBuilderTest {
             "bounds: restitution is Infinity: expected a finite number, at least 0"),
         refusal(
             b -> b.line(0, 0, 1, 1).restitution(-1),
-            "line 2: restitution is -1.0: expected a finite number, at least 0"));
+            "line 2: restitution is -1.0: expected a finite number, at least 0"),
+        refusal(b -> b.gravity(nan, 0), "gravity: gx is NaN: expected a finite number"),
+        refusal(b -> b.gravity(INFINITY, nan), "gravity: gx is Infinity: expected a finite number"),
+        refusal(
+            b -> b.gravity(0, -INFINITY), "gravity: gy is -Infinity: expected a finite number"));
   }
 
   private static Arguments refusal(Consumer<SceneBuilder> call, String message) {
@@ -87,6 +91,7 @@ class SceneBuilderTest {
     assertThatIllegalArgumentException().isThrownBy(() -> builder.bounds(0, 0, 0, 0));
     assertThatIllegalArgumentException().isThrownBy(() -> builder.restitution(-1));
     assertThatIllegalArgumentException().isThrownBy(() -> builder.mass(0));
+    assertThatIllegalArgumentException().isThrownBy(() -> builder.gravity(1, INFINITY));
     assertThat(builder.build()).isEqualTo(two().build());
     assertThat(builder.restitution(0.5).build().restitution(ObstacleKind.CIRCLE, 2)).isEqualTo(0.5);
   }

@@ -44,7 +44,9 @@ class SceneFormatExceptionTest {
       })
   void unknownKind(String row, int column, String found) {
     assertRefused(
-        row, column, "\"" + found + "\" is unknown: expected wall, line, peg, circle or collide");
+        row,
+        column,
+        "\"" + found + "\" is unknown: expected wall, line, peg, circle, collide or gravity");
   }
 
   @ParameterizedTest
@@ -58,6 +60,8 @@ class SceneFormatExceptionTest {
         "line,1,2,3,restitution=1 | 12 | by | line,ax,ay,bx,by",
         "peg,1,2 | 8 | radius | peg,x,y,radius",
         "circle,1,2,3,4 | 15 | vy | circle,x,y,radius,vx,vy[,mass]",
+        "gravity | 8 | gx | gravity,gx,gy",
+        "gravity,0 | 10 | gy | gravity,gx,gy",
       })
   void missingField(String row, int column, String name, String shape) {
     assertRefused(row, column, name + " is missing: expected " + shape);
@@ -73,6 +77,7 @@ class SceneFormatExceptionTest {
         "line,1,2,3,4, | 14 | `` | line,ax,ay,bx,by",
         "peg,1,2,3,0.5,restitution=1 | 11 | 0.5 | peg,x,y,radius",
         "circle,1,2,3,4,5,6,7 | 20 | 7 | circle,x,y,radius,vx,vy[,mass]",
+        "gravity,0,-1,2 | 14 | 2 | gravity,gx,gy",
       })
   void excessField(String row, int column, String found, String shape) {
     assertRefused(row, column, "\"" + found + "\" is one field too many: expected " + shape);
@@ -111,6 +116,9 @@ class SceneFormatExceptionTest {
         "circle,100.25,200.5,abc,4,5 | 21 | radius | abc",
         "circle,1,2,3,0x4,5 | 14 | vx | 0x4",
         "circle,1,2,3,4,5 6 | 16 | vy | 5 6",
+        "gravity,down,0 | 9 | gx | down",
+        "gravity,0, -inf | 12 | gy | -inf",
+        "gravity,0,1e999 | 11 | gy | 1e999",
         "line,1,2,3,4,restitution=high | 14 | restitution | high",
         "line,1,2,3,4,restitution= | 14 | restitution | ``",
         "line,1,2,3,4,restitution==1 | 14 | restitution | =1",
@@ -179,6 +187,7 @@ class SceneFormatExceptionTest {
     assertRefused("line,1,2,3,4,restitution=1,", 28, "\"\" is out of place: expected key=value");
     assertRefused(
         "collide,0,restitution=1", 11, "\"restitution=1\" is out of place: expected no more");
+    assertRefused("gravity,0,1,mask=1", 13, "\"mask=1\" is out of place: expected no more");
   }
 
   @Test
@@ -196,6 +205,8 @@ class SceneFormatExceptionTest {
         .hasMessage("scene.csv:3:2: a second wall row, after line 1: expected one only");
     assertThat(refused("\ncollide,0\ncollide,0"))
         .hasMessage("scene.csv:3:1: a second collide row, after line 2: expected one only");
+    assertThat(refused("gravity,0,0\nline,1,2,3,4\ngravity,0,0"))
+        .hasMessage("scene.csv:3:1: a second gravity row, after line 1: expected one only");
   }
 
   /** Such a circle shows only at the end of the file, when the largest coordinate is known. */

@@ -27,7 +27,8 @@ class SceneTest {
         .circle(51, 52, 53, 54, 55)
         .mass(56)
         .restitution(0)
-        .circle(61, 62, 63, 64, 65);
+        .circle(61, 62, 63, 64, 65)
+        .gravity(71, -72);
   }
 
   @Test
@@ -45,6 +46,32 @@ class SceneTest {
     assertThat(scene.circle(1)).isEqualTo(new Circle(61, 62, 63));
     assertThat(scene.velocity(0)).isEqualTo(new Vec2(54, 55));
     assertThat(scene.velocity(1)).isEqualTo(new Vec2(64, 65));
+    assertThat(scene.gravity()).isEqualTo(new Vec2(71, -72));
+  }
+
+  @Test
+  void withoutGravityItIsZeroOfPositiveSign() {
+    Scene none = Scene.builder().build();
+    assertThat(none.gravity()).isEqualTo(Vec2.ZERO);
+    for (SceneBuilder zero :
+        new SceneBuilder[] {
+          Scene.builder().gravity(0, 0),
+          Scene.builder().gravity(-0.0, -0.0),
+          Scene.builder().gravity(3, 4).gravity(0, -0.0)
+        }) {
+      assertThat(zero.build()).isEqualTo(none).hasSameHashCodeAs(none);
+      assertThat(zero.build().gravity()).isEqualTo(Vec2.ZERO);
+    }
+    assertThat(Scene.builder().gravity(-0.0, -2).build().gravity()).isEqualTo(new Vec2(0, -2));
+  }
+
+  /** A property of the scene: the thing added last stays the one that is spoken of. */
+  @Test
+  void gravityIsNoThing() {
+    Scene scene = Scene.builder().peg(1, 2, 3).gravity(0, 1).restitution(0.5).build();
+    assertThat(scene.restitution(ObstacleKind.PEG, 0)).isEqualTo(0.5);
+    assertThat(scene)
+        .hasToString("Scene[circles=0, lines=0, pegs=1, bounds=none, gravity=Vec2[x=0.0, y=1.0]]");
   }
 
   @Test
@@ -133,7 +160,9 @@ class SceneTest {
         full().restitution(0.5),
         full().line(1, 2, 3, 4),
         full().peg(1, 2, 3),
-        full().circle(1, 2, 3, 4, 5));
+        full().circle(1, 2, 3, 4, 5),
+        full().gravity(0, -72),
+        full().gravity(71, 72));
   }
 
   @ParameterizedTest

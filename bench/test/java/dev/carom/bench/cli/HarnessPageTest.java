@@ -35,6 +35,7 @@ class HarnessPageTest {
     assertThat(scene.pegCount()).isEqualTo(2);
     assertThat(scene.circleCount()).isEqualTo(3);
     assertThat(scene.collide()).isTrue();
+    assertThat(scene.gravity()).isEqualTo(new Vec2(0, -0.5));
     assertThat(scene.warnings()).isEmpty();
   }
 

@@ -32,6 +32,7 @@ final class SceneReader {
   private double vy;
   private int wallLine;
   private int collideLine;
+  private int gravityLine;
 
   SceneData read(Reader in) throws IOException {
     BufferedReader lines = new BufferedReader(in);
@@ -57,6 +58,7 @@ final class SceneReader {
         case PEG -> builder.obstacle(Kind.PEG, row.numbers());
         case CIRCLE -> circle(row);
         case COLLIDE -> collide(row);
+        case GRAVITY -> gravity(row);
       }
       options(row);
     } catch (IllegalArgumentException e) {
@@ -104,6 +106,11 @@ final class SceneReader {
     builder.collide = flag(row, 1, "collide", row.field(1));
   }
 
+  private void gravity(SceneRow row) throws RowException {
+    gravityLine = only(row, gravityLine);
+    builder.gravity(row.number(1), row.number(2));
+  }
+
   /**
    * Refuses a second row of a kind. {@code first} is the line of the earlier one, 0 if there is
    * none.
@@ -120,7 +127,7 @@ final class SceneReader {
     vx = 0;
     vy = 0;
     for (int i = row.plain(); i < row.size(); i++) {
-      if (row.kind() == SceneRowKind.COLLIDE) {
+      if (!row.kind().isThing()) {
         throw row.error(i, SceneText.quoted(row.field(i)) + " is out of place: expected no more");
       }
       for (int k = row.plain(); k < i; k++) {

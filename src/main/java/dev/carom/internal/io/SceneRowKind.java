@@ -12,7 +12,8 @@ public enum SceneRowKind {
   LINE("line,ax,ay,bx,by"),
   PEG("peg,x,y,radius"),
   CIRCLE("circle,x,y,radius,vx,vy[,mass]"),
-  COLLIDE("collide,0|1");
+  COLLIDE("collide,0|1"),
+  GRAVITY("gravity,gx,gy");
 
   /** The words for the responses, indexed by the constants of {@link ContactFlags}. */
   public static final List<String> RESPONSES = List.of("bounce", "halt", "sensor");
@@ -39,6 +40,11 @@ public enum SceneRowKind {
       }
     }
     return null;
+  }
+
+  /** Whether such a row is of a thing, which may have key=value fields. */
+  boolean isThing() {
+    return this != COLLIDE && this != GRAVITY;
   }
 
   /** The words that can begin a row, as messages list them. */

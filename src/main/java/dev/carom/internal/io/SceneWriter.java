@@ -23,6 +23,11 @@ final class SceneWriter {
     if (scene.collide) {
       out.append("collide,1\n");
     }
+    if (scene.hasGravity()) {
+      begin("gravity");
+      numbers(scene.gx, scene.gy);
+      endRow();
+    }
     ObstacleTable obstacles = scene.obstacles;
     double[] w = obstacles.walls;
     if (w != null) {
@@ -90,6 +95,10 @@ final class SceneWriter {
     if (Filter.mask(filter) != Filter.mask(Filter.DEFAULT)) {
       row.append(",mask=").append(Filter.mask(filter));
     }
+    endRow();
+  }
+
+  private void endRow() throws IOException {
     out.append(row.append('\n'));
     row.setLength(0);
   }

@@ -28,6 +28,10 @@ public final class SceneData {
 
   public final boolean collide;
 
+  // The acceleration of all circles of finite mass; finite, and never -0.
+  public final double gx;
+  public final double gy;
+
   /** See {@link ContactFlags}. */
   public final byte[] circleTraits;
 
@@ -40,7 +44,13 @@ public final class SceneData {
     circleTraits = from.circles.traits();
     circleFilters = from.circles.filters();
     collide = from.collide;
+    gx = from.gx;
+    gy = from.gy;
     obstacles = from.obstacles();
+  }
+
+  public boolean hasGravity() {
+    return gx != 0 || gy != 0;
   }
 
   public int circleCount() {
@@ -82,6 +92,8 @@ public final class SceneData {
         && Arrays.equals(circles, that.circles)
         && Arrays.equals(masses, that.masses)
         && collide == that.collide
+        && gx == that.gx
+        && gy == that.gy
         && Arrays.equals(circleTraits, that.circleTraits)
         && Arrays.equals(circleFilters, that.circleFilters)
         && obstacles.equals(that.obstacles);
@@ -89,6 +101,7 @@ public final class SceneData {
 
   @Override
   public int hashCode() {
-    return 31 * Arrays.hashCode(circles) + obstacles.hashCode();
+    int things = 31 * Arrays.hashCode(circles) + obstacles.hashCode();
+    return 31 * (31 * things + Double.hashCode(gx)) + Double.hashCode(gy);
   }
 }

@@ -32,6 +32,8 @@ public final class SceneDataBuilder {
   public final SceneRows bounds = new SceneRows("bounds", BOUNDS_ROW, 4);
   final DoubleList masses = new DoubleList();
   public boolean collide;
+  double gx;
+  double gy;
 
   /** The rows whose last one was added last; null before the first. */
   private SceneRows last;
@@ -150,6 +152,18 @@ public final class SceneDataBuilder {
   }
 
   // The whole.
+
+  /** Sets the acceleration of all circles. A zero has the positive sign. */
+  public void gravity(double x, double y) {
+    try {
+      Check.finite("gx", x);
+      Check.finite("gy", y);
+    } catch (IllegalArgumentException e) {
+      throw Refusal.of("gravity", e);
+    }
+    gx = x + 0.0; // -0 + 0 is 0
+    gy = y + 0.0;
+  }
 
   public SceneData build() {
     int i = firstTooSmall();

@@ -150,12 +150,14 @@ class SceneFileTest {
             .circle(-0.0, -MIN, 0x1p1000, Double.MIN_NORMAL, -0.0)
             .mass(0x1p-500)
             .restitution(-0.0)
+            .gravity(-MAX, MIN)
             .build();
     Scene small =
         Scene.builder()
             .bounds(-MIN, -0.0, 0.0, MIN)
             .peg(-0.0, 3 * MIN, MIN)
             .circle(-MIN, Math.nextDown(Double.MIN_NORMAL), 0x1p-1064, -0.0, MIN)
+            .gravity(-MIN, MAX)
             .build();
     assertThat(read(written(large))).isEqualTo(large);
     assertThat(read(hex(written(large)))).isEqualTo(large);
@@ -250,6 +252,42 @@ class SceneFileTest {
     assertThat(read(written(scene)).collide()).isTrue();
     assertThat(read("circle,1,2,3,4,5\ncollide,1\ncircle,11,2,3,4,5").collide()).isTrue();
     assertThat(read("collide,0\ncircle,1,2,3,4,5").collide()).isFalse();
+  }
+
+  @Test
+  void gravityReadsBackWhereverItsRowStands() throws IOException {
+    Scene scene =
+        Scene.builder().gravity(0.1, -1.0 / 3).collide(true).circle(1, 2, 3, 4, 5).build();
+    assertThat(written(scene))
+        .isEqualTo(
+            """
+            collide,1
+            gravity,0.1,-0.3333333333333333
+            circle,1.0,2.0,3.0,4.0,5.0
+            """);
+    assertThat(read(written(scene))).isEqualTo(scene);
+    assertThat(read("circle,1,2,3,4,5\n gravity , 0.1, -0x1.5555555555555p-2 # down\ncollide,1"))
+        .isEqualTo(scene);
+  }
+
+  @Test
+  void noGravityIsNotWritten() throws IOException {
+    for (String zero : new String[] {"gravity,0,0", "gravity,-0.0,0", "gravity,1e-999,-0x0p0"}) {
+      Scene scene = read(zero);
+      assertThat(scene).isEqualTo(Scene.builder().build());
+      assertThat(written(scene)).isEmpty();
+    }
+    assertThat(written(read("gravity,-0,2"))).isEqualTo("gravity,0.0,2.0\n");
+  }
+
+  @Test
+  void anyBitsOfGravityReadBack() throws IOException {
+    SplittableRandom random = new SplittableRandom(2);
+    for (int i = 0; i < 1000; i++) {
+      Scene scene = Scene.builder().gravity(anyFinite(random), anyFinite(random)).build();
+      assertThat(read(written(scene))).isEqualTo(scene);
+      assertThat(read(hex(written(scene)))).isEqualTo(scene);
+    }
   }
 
   @Test
