@@ -13,6 +13,9 @@ import java.util.function.IntUnaryOperator;
  * stand as they happened. Where circles collide, it is the order in which the impacts were
  * resolved, see {@link ObstacleKind}.
  *
+ * <p>Under {@linkplain SceneBuilder#gravity gravity}, a circle that bounces lower and lower ends in
+ * one row with the outcome {@link Outcome#SETTLED}. To slide or to rest makes no further rows.
+ *
  * <p>A row takes some 70 bytes. A log keeps room for the longest step so far, or up to twice that.
  * The <a href="doc-files/rules.html#unfinished">budget of work</a> bounds the rows of a step.
  */

@@ -27,5 +27,13 @@ public enum Outcome {
   JAMMED,
 
   /** The circle stopped, because doubles cannot hold the speed that it would have had. */
-  STOPPED
+  STOPPED,
+
+  /**
+   * The circle stopped bouncing, because its bounces had become lower than rounding can show.
+   *
+   * <p>From this impact on it slides along the side or wall that it hit, or rests on it. This
+   * happens only in a scene with {@linkplain SceneBuilder#gravity gravity}.
+   */
+  SETTLED
 }

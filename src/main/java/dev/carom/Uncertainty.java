@@ -62,12 +62,13 @@ import java.util.Arrays;
  * The bound of a circle is infinite from the moment when
  *
  * <ul>
- *   <li>it is {@link Outcome#JAMMED} or {@link Outcome#STOPPED}, or an impact leaves it at rest;
+ *   <li>it is {@link Outcome#JAMMED}, {@link Outcome#STOPPED} or {@link Outcome#SETTLED}, or an
+ *       impact leaves it at rest;
  *   <li>it hits something that it overlaps;
  *   <li>an edit gives it another place or velocity, or adds it;
  *   <li>it made an impact in a step without {@code update}, or the world was {@linkplain
  *       World#restore restored} to an earlier flight;
- *   <li>any line or peg moves.
+ *   <li>any line or peg moves, or there is {@linkplain SceneBuilder#gravity gravity}.
  * </ul>
  *
  * <p>{@link #restart} begins anew with a circle.
@@ -135,7 +136,7 @@ public final class Uncertainty {
    * and before an edit.
    */
   public void update() {
-    if (world.obstacles.areMoving()) {
+    if (!areFollowed()) {
       loseAll();
       return;
     }
@@ -154,6 +155,11 @@ public final class Uncertainty {
         path.setVelocity(world.vx(id), world.vy(id));
       }
     }
+  }
+
+  /** Tells whether all flights are straight, among obstacles at rest: others are not followed. */
+  private boolean areFollowed() {
+    return !world.obstacles.areMoving() && !world.scene().data.hasGravity();
   }
 
   private void loseAll() {
@@ -321,7 +327,7 @@ public final class Uncertainty {
     }
     double now = world.now();
     path.check(x, world.y(id), world.vx(id), world.vy(id), now);
-    if (world.obstacles.areMoving()) {
+    if (!areFollowed()) {
       path.lose();
     }
     if (isWide(path, id, now) && mayHaveHitOther(path, id, now)) {

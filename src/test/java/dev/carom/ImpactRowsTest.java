@@ -18,6 +18,8 @@ class ImpactRowsTest {
     assertThat(ImpactRows.PASSED).isEqualTo(Outcome.PASSED.ordinal());
     assertThat(ImpactRows.JAMMED).isEqualTo(Outcome.JAMMED.ordinal());
     assertThat(ImpactRows.STOPPED).isEqualTo(Outcome.STOPPED.ordinal());
+    assertThat(ImpactRows.SETTLED).isEqualTo(Outcome.SETTLED.ordinal());
+    assertThat(Outcome.values()).hasSize(7);
   }
 
   @Test
@@ -27,5 +29,16 @@ class ImpactRowsTest {
     ImpactLog log = new ImpactLog(rows);
     assertThat(List.of(log.kind(0), log.feature(0), log.outcome(0)))
         .containsExactly(ObstacleKind.CIRCLE, Feature.CIRCLE, Outcome.BOUNCED);
+  }
+
+  @Test
+  void aCircleSettlesOnASide() {
+    ImpactRows rows = new ImpactRows(1);
+    rows.add(2.5, 4, ObstacleKind.LINE.ordinal(), 3, Feature.SIDE.ordinal());
+    rows.set(10, 20, 0, 2, -1e-9);
+    rows.setOutcome(ImpactRows.SETTLED);
+    ImpactLog log = new ImpactLog(rows);
+    assertThat(log.outcome(0)).isEqualTo(Outcome.SETTLED);
+    assertThat(log.toString()).endsWith("line 3 SIDE, approach speed 5.0E-10, SETTLED");
   }
 }

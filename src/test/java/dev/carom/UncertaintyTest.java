@@ -255,6 +255,18 @@ class UncertaintyTest {
     assertThat(ofSensed.bound(0)).isEqualTo(uncertainty.bound(0));
   }
 
+  @Test
+  void underGravityNothingIsKnown() {
+    Scene scene =
+        Scene.builder().bounds(0, 0, 100, 90).circle(50, 60, 2, 1, 0).gravity(0, -1).build();
+    World world = new World(scene);
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    assertThat(uncertainty.bound(0)).isInfinite();
+    advance(world, uncertainty, 20);
+    assertThat(uncertainty.bound(0)).isInfinite();
+    assertThat(uncertainty.lostAt(0)).isZero();
+  }
+
   /** Two pegs touched at once: which of them is first depends on roundings. */
   @Test
   void twoPegsAtOnceMakeUnknown() {

@@ -18,7 +18,7 @@ record Recorder(OutputFile positions, OutputFile impacts) {
 
   static final String[] POSITIONS = {"frame", "circle", "x", "y"};
   static final String[] IMPACTS = {
-    "time", "circle", "obstacle", "feature", "x", "y", "nx", "ny", "speed"
+    "time", "circle", "obstacle", "feature", "x", "y", "nx", "ny", "speed", "outcome"
   };
 
   private static final List<String> WALLS = List.of("left", "right", "bottom", "top");
@@ -46,7 +46,8 @@ record Recorder(OutputFile positions, OutputFile impacts) {
           Decimals.shortest(log.y(row)),
           Decimals.shortest(log.nx(row)),
           Decimals.shortest(log.ny(row)),
-          Decimals.shortest(log.approachSpeed(row)));
+          Decimals.shortest(log.approachSpeed(row)),
+          log.outcome(row));
     }
   }
 

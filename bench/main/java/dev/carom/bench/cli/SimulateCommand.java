@@ -59,8 +59,10 @@ final class SimulateCommand implements Callable<Integer> {
       names = "--impacts",
       paramLabel = "OUT.csv",
       description =
-          "Write time,circle,obstacle,feature,x,y,nx,ny,speed of every impact: x,y is the contact"
-              + " point, nx,ny the unit normal to the circle, speed the approach speed.")
+          "Write time,circle,obstacle,feature,x,y,nx,ny,speed,outcome of every impact: x,y is the"
+              + " contact point, nx,ny the unit normal to the circle, speed the approach speed,"
+              + " outcome what the impact did: BOUNCED, HALTED, SENSED, PASSED, JAMMED, STOPPED or"
+              + " SETTLED.")
   private Path impacts;
 
   @Override

@@ -18,6 +18,7 @@ final class Simulation {
   private long impacts;
   private long wallImpacts;
   private long jammed;
+  private long settled;
 
   Simulation(Scene scene, Recorder recorder) {
     world = new World(scene);
@@ -43,6 +44,7 @@ final class Simulation {
     for (int row = 0; row < log.size(); row++) {
       wallImpacts += log.kind(row) == ObstacleKind.WALL ? 1 : 0;
       jammed += log.outcome(row) == Outcome.JAMMED ? 1 : 0;
+      settled += log.outcome(row) == Outcome.SETTLED ? 1 : 0;
     }
   }
 
@@ -56,6 +58,10 @@ final class Simulation {
             Counted.of(world.circleCount(), "circle"),
             Counted.of(impacts, "impact"),
             wallImpacts);
-    return jammed == 0 ? line : line + ", " + Counted.of(jammed, "time") + " jammed";
+    return line + times(jammed, "jammed") + times(settled, "settled");
+  }
+
+  private static String times(long count, String outcome) {
+    return count == 0 ? "" : ", " + Counted.of(count, "time") + " " + outcome;
   }
 }

@@ -12,8 +12,8 @@ import java.util.HexFormat;
 
 /**
  * SHA-256 over the bits of a run: of every impact in the order of the log (time, circle, kind,
- * obstacle, feature, contact point, normal, approach speed, whether it jams), and of every circle's
- * place and velocity at the end. How the run is cut into frames does not matter.
+ * obstacle, feature, contact point, normal, approach speed, whether it jams or settles), and of
+ * every circle's place and velocity at the end. How the run is cut into frames does not matter.
  *
  * <p>The arithmetic's order decides these bits, and nothing else does: not the virtual machine, its
  * compilers, or the processor. So a change of the order of operations in the library changes the
@@ -81,8 +81,18 @@ public final class RunHash {
           .putDouble(log.nx(row))
           .putDouble(log.ny(row))
           .putDouble(log.approachSpeed(row))
-          .put((byte) (log.outcome(row) == Outcome.JAMMED ? 1 : 0));
+          .put(outcome(log.outcome(row)));
     }
+  }
+
+  /** The other outcomes follow from the rest of the row and the scene. */
+  private static byte outcome(Outcome outcome) {
+    return (byte)
+        switch (outcome) {
+          case JAMMED -> 1;
+          case SETTLED -> 2;
+          default -> 0;
+        };
   }
 
   private void addStates(World world) {

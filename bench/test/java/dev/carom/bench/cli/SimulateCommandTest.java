@@ -69,9 +69,9 @@ class SimulateCommandTest {
     assertThat(impacts)
         .hasContent(
             """
-            time,circle,obstacle,feature,x,y,nx,ny,speed
-            2.0,0,line 0,SIDE,6.0,0.0,1.0,0.0,5.0
-            2.0,1,peg 0,CIRCLE,100.0,45.0,0.0,-1.0,10.0
+            time,circle,obstacle,feature,x,y,nx,ny,speed,outcome
+            2.0,0,line 0,SIDE,6.0,0.0,1.0,0.0,5.0,BOUNCED
+            2.0,1,peg 0,CIRCLE,100.0,45.0,0.0,-1.0,10.0,BOUNCED
             """);
   }
 
@@ -111,10 +111,10 @@ class SimulateCommandTest {
     assertThat(impacts)
         .hasContent(
             """
-            time,circle,obstacle,feature,x,y,nx,ny,speed
-            1.0,1,peg 0,CIRCLE,50.0,88.0,0.0,-1.0,10.0
-            1.25,2,wall left,SIDE,0.0,80.0,1.0,0.0,8.0
-            1.5,0,line 1,SIDE,60.0,20.0,-1.0,0.0,10.0
+            time,circle,obstacle,feature,x,y,nx,ny,speed,outcome
+            1.0,1,peg 0,CIRCLE,50.0,88.0,0.0,-1.0,10.0,BOUNCED
+            1.25,2,wall left,SIDE,0.0,80.0,1.0,0.0,8.0,BOUNCED
+            1.5,0,line 1,SIDE,60.0,20.0,-1.0,0.0,10.0,BOUNCED
             """);
     assertThat(run.out())
         .isEqualToNormalizingNewlines("time 2.0: 3 circles, 3 impacts, 1 of them with walls\n");
@@ -128,8 +128,33 @@ class SimulateCommandTest {
     assertThat(impacts)
         .hasContent(
             """
-            time,circle,obstacle,feature,x,y,nx,ny,speed
-            2.0,0,circle 1,CIRCLE,5.0,0.0,1.0,0.0,4.0
+            time,circle,obstacle,feature,x,y,nx,ny,speed,outcome
+            2.0,0,circle 1,CIRCLE,5.0,0.0,1.0,0.0,4.0,BOUNCED
+            """);
+  }
+
+  @Test
+  void theLastColumnIsWhatTheImpactDid() throws IOException {
+    Files.writeString(
+        scene,
+        """
+        line,10,0,10,9,response=sensor
+        line,26,0,26,9,response=halt
+        circle,1,5,1,8,0
+        circle,40,5,2,3,0,inf
+        circle,55,5,1,0,0,inf
+        collide,1
+        """);
+
+    Cli.run("simulate", "--scene", scene, "--frames", 4, "--impacts", impacts);
+
+    assertThat(impacts)
+        .hasContent(
+            """
+            time,circle,obstacle,feature,x,y,nx,ny,speed,outcome
+            1.0,0,line 0,SIDE,10.0,5.0,-1.0,0.0,8.0,SENSED
+            3.0,0,line 1,SIDE,26.0,5.0,-1.0,0.0,8.0,HALTED
+            4.0,1,circle 2,CIRCLE,54.0,5.0,-1.0,0.0,3.0,PASSED
             """);
   }
 

@@ -19,6 +19,7 @@ public final class ImpactRows {
   public static final int PASSED = 3;
   public static final int JAMMED = 4;
   public static final int STOPPED = 5;
+  public static final int SETTLED = 6;
 
   /**
    * Doubles of one row: time, contact x and y, normal n of any length, and v.n before the impact.
