@@ -99,8 +99,9 @@ final class GdxPeer extends Peer {
   /** Inertia is scaled along; nothing here makes a circle turn. */
   private static void setMass(Body body, double mass) {
     MassData data = body.getMassData();
-    data.I *= (float) mass / data.mass;
-    data.mass = (float) mass;
+    float finite = finiteMass(mass);
+    data.I *= finite / data.mass;
+    data.mass = finite;
     body.setMassData(data);
   }
 

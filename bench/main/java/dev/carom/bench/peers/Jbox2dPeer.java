@@ -87,8 +87,9 @@ final class Jbox2dPeer extends Peer {
   private static void setMass(Body body, double mass) {
     MassData data = new MassData();
     body.getMassData(data);
-    data.I *= (float) mass / data.mass;
-    data.mass = (float) mass;
+    float finite = finiteMass(mass);
+    data.I *= finite / data.mass;
+    data.mass = finite;
     body.setMassData(data);
   }
 

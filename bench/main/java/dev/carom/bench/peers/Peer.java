@@ -76,6 +76,11 @@ abstract class Peer implements Method {
     return fastest;
   }
 
+  /** Of an infinite mass both Box2Ds would make a NaN; their largest one is as hard to move. */
+  static float finiteMass(double mass) {
+    return (float) Math.min(mass, Float.MAX_VALUE);
+  }
+
   /** A line, and the restitution of its fixture. */
   record Edge(Line line, double restitution) {}
 

@@ -120,6 +120,24 @@ class PeersTest {
 
   @ParameterizedTest
   @MethodSource("all")
+  void noCircleDeflectsAnInfiniteMass(Contender peer) {
+    Scene scene =
+        Scene.builder()
+            .collide(true)
+            .circle(0, 0, 10, 2, 0)
+            .mass(Double.POSITIVE_INFINITY)
+            .circle(40, 0, 10, -1, 0)
+            .build();
+
+    try (Method method = peer.start(scene)) {
+      play(method, 20);
+      assertThat(method.vx(0)).isCloseTo(2, within(1e-4));
+      assertThat(method.vx(1)).isCloseTo(2 * 2 + 1, within(1e-4));
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
   void restitutionsThatTheGreaterOneDoesNotGiveAreRefused(Contender peer) {
     Scene circles =
         Scene.builder().circle(0, 0, 1, 1, 1).restitution(0.5).circle(9, 9, 1, 1, 1).build();
