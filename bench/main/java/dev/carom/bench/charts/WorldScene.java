@@ -33,7 +33,7 @@ public final class WorldScene {
    */
   public static Scene of(World world) {
     WorldScene now = new WorldScene(world);
-    now.bounds();
+    now.whole();
     for (int id : world.ids(ObstacleKind.LINE)) {
       now.line(id, world.line(id));
     }
@@ -60,7 +60,7 @@ public final class WorldScene {
    */
   public static Scene of(World world, Timeline past, double t) {
     WorldScene then = new WorldScene(world);
-    then.bounds();
+    then.whole();
     for (int id = 0; id < world.idLimit(ObstacleKind.LINE); id++) {
       Optional<Line> line = past.line(id, t);
       if (line.isPresent()) {
@@ -82,8 +82,9 @@ public final class WorldScene {
     return then.builder.build();
   }
 
-  private void bounds() {
-    builder.collide(world.scene().collide());
+  private void whole() {
+    Vec2 g = world.scene().gravity();
+    builder.collide(world.scene().collide()).gravity(g.x(), g.y());
     Optional<Bounds> bounds = world.scene().bounds();
     if (bounds.isPresent()) {
       Bounds b = bounds.get();

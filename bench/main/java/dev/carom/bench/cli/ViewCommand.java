@@ -69,8 +69,9 @@ final class ViewCommand implements Callable<Integer> {
       paramLabel = "METHOD",
       converter = Rivals.class,
       description =
-          "Let another method play the same scene, in which obstacles rest: box2d, dyn4j, jbox2d,"
-              + " published, substeps; or, at their best, box2d-best, dyn4j-best, jbox2d-best.")
+          "Let another method play the same scene, in which obstacles rest: box2d, dyn4j, jbox2d;"
+              + " or, at their best, box2d-best, dyn4j-best, jbox2d-best; without gravity also"
+              + " published, substeps.")
   private Rival rival;
 
   @Option(

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.duel;
 
+import dev.carom.Bounds;
 import dev.carom.Scene;
+import dev.carom.Vec2;
 import dev.carom.bench.measures.SolidScene;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Method;
+import dev.carom.bench.methods.PlainScene;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -136,7 +139,8 @@ final class Contestant implements AutoCloseable {
         Math.max(
             Math.hypot(before.vx(i), before.vy(i)),
             Math.hypot(states[STATE * i + 2], states[STATE * i + 3]));
-    return solid.passes(before.x(i), before.y(i), x, y, speed);
+    // Under gravity it may have been faster in between, at a bounce.
+    return solid.passes(before.x(i), before.y(i), x, y, speed + scene.gravity().length());
   }
 
   /** The deepest overlap of a circle with those after it, in its own radii. */
@@ -161,10 +165,27 @@ final class Contestant implements AutoCloseable {
       double vx = states[STATE * i + 2];
       double vy = states[STATE * i + 3];
       if (scene.mass(i) < Double.POSITIVE_INFINITY) {
-        sum += scene.mass(i) * (vx * vx + vy * vy);
+        double fall = fall(states[STATE * i], states[STATE * i + 1], i);
+        sum += scene.mass(i) * (vx * vx + vy * vy + 2 * fall);
       }
     }
     return sum;
+  }
+
+  /** The energy of a unit of mass that falls from a place as low as the bounds let circle i. */
+  private double fall(double x, double y, int i) {
+    if (PlainScene.isStraight(scene)) {
+      return 0;
+    }
+    if (scene.bounds().isEmpty()) {
+      return Double.NaN;
+    }
+    Bounds b = scene.bounds().get();
+    Vec2 g = scene.gravity();
+    double r = scene.circle(i).radius();
+    double lowX = g.x() > 0 ? b.xmax() - r : b.xmin() + r;
+    double lowY = g.y() > 0 ? b.ymax() - r : b.ymin() + r;
+    return g.x() * (lowX - x) + g.y() * (lowY - y);
   }
 
   /** The median: the virtual machine's own pauses are no part of it. */

@@ -163,7 +163,9 @@ public final class Duel implements AutoCloseable {
 
   private ScoreLine energy(PlayedFrame played, int frame) {
     if (Double.isNaN(played.energy())) {
-      return new ScoreLine("energy: none at the start", false);
+      boolean deep = scene.bounds().isEmpty() && !PlainScene.isStraight(scene);
+      String why = deep ? "not judged, a fall without bounds has no end" : "none at the start";
+      return new ScoreLine("energy: " + why, false);
     }
     String text = String.format(Locale.ROOT, "energy: %.2f %%", 100 * played.energy());
     double difference = Math.abs(played.energy() - carom(frame).energy());

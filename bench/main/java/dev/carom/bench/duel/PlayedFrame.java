@@ -106,9 +106,10 @@ public final class PlayedFrame {
   }
 
   /**
-   * The kinetic energy.
+   * The energy: kinetic, and under gravity also potential, from the lowest place within the bounds
+   * on.
    *
-   * @return as a part of that at the start; NaN if there was none
+   * @return as a part of that at the start; NaN if there was none, or under gravity without bounds
    */
   public double energy() {
     return energy;

@@ -77,7 +77,8 @@ final class States {
   }
 
   private static Scene with(Scene scene, State state) {
-    SceneBuilder builder = Scene.builder().collide(scene.collide());
+    Vec2 g = scene.gravity();
+    SceneBuilder builder = Scene.builder().collide(scene.collide()).gravity(g.x(), g.y());
     addObstacles(scene, builder);
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = state.circle(i);

@@ -34,7 +34,7 @@ abstract class PlainMethod implements Method {
   int wallImpacts;
 
   PlainMethod(Scene scene) {
-    PlainScene.checkObstacles(scene);
+    PlainScene.checkStraight(PlainScene.checkObstacles(scene));
     circles = scene.circleCount();
     x = new double[circles];
     y = new double[circles];

@@ -10,8 +10,8 @@ import dev.carom.Vec2;
 import java.util.stream.IntStream;
 
 /**
- * What the plain methods can play: lines at rest and bounds; some of them pegs, or circles that
- * collide, too.
+ * What the plain methods can play: lines at rest and bounds, without gravity; some of them pegs, or
+ * circles that collide, too.
  */
 public final class PlainScene {
 
@@ -22,22 +22,46 @@ public final class PlainScene {
    *
    * @param scene any scene
    * @return the scene
-   * @throws UnsupportedOperationException if it has pegs, obstacles that move or colliding circles
+   * @throws UnsupportedOperationException if it has pegs, obstacles that move, colliding circles or
+   *     gravity
    */
   public static Scene check(Scene scene) {
     return checkObstacles(checkCircles(scene));
   }
 
   /**
-   * Refuses circles that collide, and obstacles that move.
+   * Refuses circles that collide or fall, and obstacles that move.
    *
    * @param scene any scene
    * @return the scene
-   * @throws UnsupportedOperationException if its circles collide, or a line or a peg moves
+   * @throws UnsupportedOperationException if its circles collide, a line or a peg moves, or there
+   *     is gravity
    */
   public static Scene checkCircles(Scene scene) {
     refuse(scene.collide(), "its circles collide", "circles that ignore each other");
-    return checkRest(scene);
+    return checkRest(checkStraight(scene));
+  }
+
+  /**
+   * Refuses gravity.
+   *
+   * @param scene any scene
+   * @return the scene
+   * @throws UnsupportedOperationException if there is gravity
+   */
+  public static Scene checkStraight(Scene scene) {
+    refuse(!isStraight(scene), "it has gravity", "circles that fly straight");
+    return scene;
+  }
+
+  /**
+   * Whether circles fly straight.
+   *
+   * @param scene any scene
+   * @return whether there is no gravity
+   */
+  public static boolean isStraight(Scene scene) {
+    return scene.gravity().equals(Vec2.ZERO);
   }
 
   /**

@@ -34,7 +34,8 @@ final class Dyn4jPeer extends Peer {
   Dyn4jPeer(Scene scene, boolean best) {
     super(scene, best ? metreFor(scene, 10, 1.6) : USUAL_METRE, SECONDS_PER_FRAME);
     this.best = best;
-    world.setGravity(0, 0);
+    Vec2 g = scene.gravity();
+    world.setGravity(metresPerSecondSquared(g.x()), metresPerSecondSquared(g.y()));
     if (best) {
       Settings settings = world.getSettings();
       settings.setAtRestDetectionEnabled(false);
@@ -68,6 +69,7 @@ final class Dyn4jPeer extends Peer {
     body.translate(metres(scene.circle(i).x()), metres(scene.circle(i).y()));
     Vec2 v = scene.velocity(i);
     body.setLinearVelocity(metresPerSecond(v.x()), metresPerSecond(v.y()));
+    body.setGravityScale(falls(scene, i) ? 1 : 0);
     world.addBody(body);
     return body;
   }

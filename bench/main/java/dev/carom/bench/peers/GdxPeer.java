@@ -43,7 +43,12 @@ final class GdxPeer extends Peer {
     super(scene, best ? metreFor(scene, 10, 1.6) : USUAL_METRE, SECONDS_PER_FRAME);
     this.best = best;
     loadNatives();
-    world = new World(new Vector2(0, 0), !best);
+    Vec2 g = scene.gravity();
+    world =
+        new World(
+            new Vector2(
+                (float) metresPerSecondSquared(g.x()), (float) metresPerSecondSquared(g.y())),
+            !best);
     edges(scene).forEach(this::addLine);
     circles = new Body[scene.circleCount()];
     for (int i = 0; i < circles.length; i++) {
@@ -85,6 +90,7 @@ final class GdxPeer extends Peer {
         (float) metres(scene.circle(i).x()), (float) metres(scene.circle(i).y()));
     Vec2 v = scene.velocity(i);
     definition.linearVelocity.set((float) metresPerSecond(v.x()), (float) metresPerSecond(v.y()));
+    definition.gravityScale = falls(scene, i) ? 1 : 0;
     CircleShape shape = new CircleShape();
     shape.setRadius((float) metres(scene.circle(i).radius()));
     Body body = world.createBody(definition);

@@ -30,7 +30,7 @@ final class Jbox2dPeer extends Peer {
 
   private final boolean best;
   private final float step;
-  private final World world = new World(new org.jbox2d.common.Vec2(0, 0));
+  private final World world;
   private final Body[] circles;
 
   Jbox2dPeer(Scene scene, boolean best) {
@@ -40,6 +40,11 @@ final class Jbox2dPeer extends Peer {
         best ? SECONDS_PER_FRAME_AT_BEST : SECONDS_PER_FRAME);
     this.best = best;
     step = (float) (best ? SECONDS_PER_FRAME_AT_BEST : SECONDS_PER_FRAME);
+    Vec2 g = scene.gravity();
+    world =
+        new World(
+            new org.jbox2d.common.Vec2(
+                (float) metresPerSecondSquared(g.x()), (float) metresPerSecondSquared(g.y())));
     world.setAllowSleep(!best);
     edges(scene).forEach(this::addLine);
     circles = new Body[scene.circleCount()];
@@ -72,6 +77,7 @@ final class Jbox2dPeer extends Peer {
     Vec2 v = scene.velocity(i);
     definition.linearVelocity =
         new org.jbox2d.common.Vec2((float) metresPerSecond(v.x()), (float) metresPerSecond(v.y()));
+    definition.gravityScale = falls(scene, i) ? 1 : 0;
     CircleShape shape = new CircleShape();
     shape.setRadius((float) metres(scene.circle(i).radius()));
     Body body = world.createBody(definition);

@@ -5,6 +5,7 @@ import dev.carom.Bounds;
 import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.Scene;
+import dev.carom.Vec2;
 import dev.carom.bench.methods.Method;
 import dev.carom.bench.methods.PlainScene;
 import java.util.ArrayList;
@@ -21,6 +22,9 @@ import java.util.List;
  *
  * <p>Of two things that touch, all of them take the greater restitution, where a scene takes the
  * product: obstacles get the product, and circles that of two circles, or 0 if they do not collide.
+ *
+ * <p>Under gravity all of them change the velocity by {@code g h} at the beginning of a step of
+ * length h, so a circle in free fall is ahead by {@code g t h / 2} after a time t.
  */
 abstract class Peer implements Method {
 
@@ -41,7 +45,10 @@ abstract class Peer implements Method {
     this.secondsPerFrame = secondsPerFrame;
   }
 
-  /** The least metre, of at least some px, at which the fastest circle moves by no more a frame. */
+  /**
+   * The least metre, of at least some px, at which the fastest circle moves by no more a frame.
+   * Where it falls without bounds, that is so at the start only.
+   */
   static double metreFor(Scene scene, double leastPx, double metresPerFrame) {
     return Math.max(leastPx, fastest(scene) / metresPerFrame);
   }
@@ -73,7 +80,21 @@ abstract class Peer implements Method {
     for (int i = 0; i < scene.circleCount(); i++) {
       fastest = Math.max(fastest, scene.velocity(i).length());
     }
-    return fastest;
+    return Math.hypot(fastest, Math.sqrt(2 * deepestFall(scene)));
+  }
+
+  /** The energy of a unit of mass that falls from one corner of the bounds to the other. */
+  private static double deepestFall(Scene scene) {
+    Vec2 g = scene.gravity();
+    return scene
+        .bounds()
+        .map(b -> Math.abs(g.x()) * (b.xmax() - b.xmin()) + Math.abs(g.y()) * (b.ymax() - b.ymin()))
+        .orElse(0.0);
+  }
+
+  /** Whether gravity acts on a circle, also where circles ignore each other. */
+  static boolean falls(Scene scene, int i) {
+    return scene.mass(i) < Double.POSITIVE_INFINITY;
   }
 
   /** Of an infinite mass both Box2Ds would make a NaN; their largest one is as hard to move. */
@@ -108,6 +129,10 @@ abstract class Peer implements Method {
 
   final double metresPerSecond(double pxPerFrame) {
     return pxPerFrame / metre / secondsPerFrame;
+  }
+
+  final double metresPerSecondSquared(double pxPerFrameSquared) {
+    return metresPerSecond(pxPerFrameSquared) / secondsPerFrame;
   }
 
   final double px(double metres) {

@@ -7,8 +7,8 @@ import dev.carom.Scene;
 import dev.carom.Vec2;
 
 /**
- * Which scenes have a reference: those in which obstacles rest, and everything bounces, from both
- * sides, whoever comes.
+ * Which scenes have a reference: those without gravity in which obstacles rest, and everything
+ * bounces, from both sides, whoever comes.
  */
 final class Scope {
 
@@ -17,6 +17,12 @@ final class Scope {
   static void check(Scene scene, int frames) {
     if (frames < 1) {
       throw new IllegalArgumentException("frames is " + frames + ": expected at least 1");
+    }
+    Vec2 gravity = scene.gravity();
+    if (!gravity.equals(Vec2.ZERO)) {
+      throw new IllegalArgumentException(
+          "gravity is (%s, %s): a reference expects circles that fly straight"
+              .formatted(gravity.x(), gravity.y()));
     }
     if (scene.bounds().isPresent()) {
       bounces("bounds", scene, ObstacleKind.WALL, 0);

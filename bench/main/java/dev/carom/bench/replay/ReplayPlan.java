@@ -4,6 +4,7 @@ package dev.carom.bench.replay;
 import dev.carom.Scene;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Methods;
+import dev.carom.bench.methods.PlainScene;
 import java.util.List;
 
 /**
@@ -29,8 +30,8 @@ public record ReplayPlan(
     int warmUpMillis) {
 
   /**
-   * This library beside the published algorithm; alone where circles collide, which that one does
-   * not know.
+   * This library beside the published algorithm; alone where circles collide or fall, or obstacles
+   * move, which that one does not know.
    *
    * @param name what to call the scene
    * @param scene the scene that is measured
@@ -45,7 +46,9 @@ public record ReplayPlan(
         name,
         scene,
         others,
-        scene.collide() ? List.of(Methods.CAROM) : List.of(Methods.CAROM, Methods.POSTER),
+        scene.collide() || !PlainScene.isStraight(scene) || !PlainScene.isAtRest(scene)
+            ? List.of(Methods.CAROM)
+            : List.of(Methods.CAROM, Methods.POSTER),
         frames,
         ReplayBenchmark.REPLAYS,
         forks,

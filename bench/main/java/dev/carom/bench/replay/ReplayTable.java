@@ -72,9 +72,9 @@ public final class ReplayTable {
       line("(%s times by the medians).", us(medians));
     } else {
       line(
-          "A frame of carom takes %s us on average. Circles collide in this scene, which the",
+          "A frame of carom takes %s us on average. The published algorithm knows no circles",
           us(carom.mean()));
-      line("published algorithm does not know: it does not replay it.");
+      line("that collide or fall, and no obstacles that move: it does not replay this scene.");
     }
     line("");
   }

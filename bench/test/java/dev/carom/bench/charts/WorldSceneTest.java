@@ -74,6 +74,14 @@ class WorldSceneTest {
     assertThat(then.restitution(ObstacleKind.PEG, 0)).isEqualTo(2);
   }
 
+  @Test
+  void gravityIsInIt() {
+    World world = new World(start().gravity(0.5, -2).build());
+    Timeline past = world.record(10);
+    assertThat(WorldScene.of(world)).isEqualTo(world.scene());
+    assertThat(WorldScene.of(world, past, 0).gravity()).isEqualTo(new Vec2(0.5, -2));
+  }
+
   /** Where they are at the moment shown, live and in the past, and going on from there. */
   @Test
   void obstaclesThatMoveAreInItWhereTheyAre() {

@@ -2,6 +2,7 @@
 package dev.carom.bench.duel;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Scene;
 import dev.carom.World;
@@ -128,6 +129,34 @@ class DuelTest {
                       + " circles that ignore each other",
                   true));
       assertThat(duel.rival(30).x(0)).isEqualTo(duel.rival(0).x(0));
+    }
+  }
+
+  /** In free fall the engine is ahead by g t h / 2, here 0.5 px: a thousandth of the height. */
+  @Test
+  void theEnergyUnderGravityIsThatOfThePlaceToo() {
+    Scene scene =
+        Scene.builder().bounds(0, 0, 800, 600).gravity(0, -0.1).circle(50, 500, 10, 0, 0).build();
+    try (Duel duel = new Duel(scene, Rival.DYN4J_BEST, null)) {
+      assertThat(duel.rival(10).vy(0)).isCloseTo(-1, within(1e-6));
+      assertThat(duel.rival(10).energy()).isBetween(0.998, 1.0);
+    }
+    Scene open = Scene.builder().gravity(0, -0.1).circle(50, 500, 10, 1, 0).build();
+    try (Duel duel = new Duel(open, Rival.DYN4J_BEST, null)) {
+      assertThat(texts(duel.rivalScore(10)))
+          .contains("energy: not judged, a fall without bounds has no end");
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"PUBLISHED", "SUBSTEPS"})
+  void whoKnowsNoGravitySaysSo(Rival rival) {
+    Scene scene = Scene.builder().gravity(0, -0.1).circle(50, 500, 10, 1, 0).build();
+    try (Duel duel = new Duel(scene, rival, null)) {
+      assertThat(texts(duel.rivalScore(9)))
+          .containsExactly(
+              "does not play: this scene is not for this method: it has gravity; expected circles"
+                  + " that fly straight");
     }
   }
 

@@ -182,6 +182,22 @@ class MethodsTest {
     assertThatThrownBy(() -> contender.start(pegs)).hasMessageContaining("it has pegs");
   }
 
+  static Stream<Contender> others() {
+    return Methods.all().stream().filter(contender -> !contender.equals(Methods.CAROM));
+  }
+
+  @ParameterizedTest
+  @MethodSource("others")
+  void gravityIsRefused(Contender contender) {
+    Scene scene = Scene.builder().gravity(0, -1).circle(10, 10, 5, 1, 1).build();
+
+    assertThatThrownBy(() -> contender.start(scene))
+        .isInstanceOf(UnsupportedOperationException.class)
+        .hasMessage(
+            "this scene is not for this method: it has gravity; expected circles that fly"
+                + " straight");
+  }
+
   /** Contact after half of the frame: half of the speed is left to the side that is not at rest. */
   @ParameterizedTest
   @MethodSource("eventDriven")

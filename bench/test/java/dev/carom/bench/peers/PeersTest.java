@@ -47,6 +47,51 @@ class PeersTest {
     }
   }
 
+  /**
+   * A step of length h changes the velocity before the place: after a time t the fall is ahead by g
+   * t h / 2.
+   */
+  @ParameterizedTest
+  @MethodSource("all")
+  void aCircleFallsByTheIntegratorOfItsEngine(Contender peer) {
+    for (boolean collide : new boolean[] {false, true}) {
+      Scene scene =
+          Scene.builder()
+              .bounds(0, 0, 800, 600)
+              .circle(100, 500, 10, 3, 2)
+              .circle(400, 500, 10, 0, 0)
+              .mass(Double.POSITIVE_INFINITY)
+              .collide(collide)
+              .gravity(0.05, -0.1)
+              .build();
+      int t = 40;
+
+      try (Method method = peer.start(scene)) {
+        play(method, t);
+        assertThat(method.vx(0)).isCloseTo(3 + 0.05 * t, within(1e-4));
+        assertThat(method.vy(0)).isCloseTo(2 - 0.1 * t, within(1e-4));
+        assertThat(method.x(0)).isCloseTo(100 + 3 * t + 0.05 * t * (t + 1) / 2, within(5e-3));
+        assertThat(method.y(0)).isCloseTo(500 + 2 * t - 0.1 * t * (t + 1) / 2, within(5e-3));
+        assertThat(method.x(1)).as("an infinite mass does not fall").isCloseTo(400, within(1e-4));
+        assertThat(method.y(1)).isCloseTo(500, within(1e-4));
+      }
+    }
+  }
+
+  /** The cap of 2 m on the motion of a step is out of reach for a fall, too. */
+  @ParameterizedTest
+  @MethodSource("best")
+  void atItsBestALongFallIsNotCapped(Contender peer) {
+    Scene scene =
+        Scene.builder().bounds(0, 0, 100, 6000).circle(50, 5900, 10, 0, 0).gravity(0, -2).build();
+
+    try (Method method = peer.start(scene)) {
+      play(method, 70);
+      assertThat(method.vy(0)).isCloseTo(-140, within(1e-2));
+      assertThat(method.y(0)).isCloseTo(5900 - 70 * 71, within(1.0));
+    }
+  }
+
   @ParameterizedTest
   @MethodSource("all")
   void theExperimentPlaysTenFramesWithinItsBounds(Contender peer) throws CannotPlaceException {

@@ -167,6 +167,9 @@ class TruthTest {
     Scene lift = Scene.builder().line(0, 0, 9, 0).velocity(0, 1).circle(5, 9, 1, 0, 0).build();
     assertThatThrownBy(() -> truth(lift, 1))
         .hasMessage("line 0 has the velocity (0.0, 1.0): a reference expects obstacles at rest");
+    Scene falling = Scene.builder().gravity(0, -0.5).circle(5, 9, 1, 0, 0).build();
+    assertThatThrownBy(() -> truth(falling, 1))
+        .hasMessage("gravity is (0.0, -0.5): a reference expects circles that fly straight");
     Scene gate = Scene.builder().line(0, 0, 1, 0).oneWay().circle(5, 0, 1, 0, 0).build();
     assertThatThrownBy(() -> truth(gate, 1)).hasMessageStartingWith("line 0 is one-way");
     Scene ghost = Scene.builder().peg(0, 0, 1).circle(5, 0, 1, 0, 0).filter(2, -1).build();

@@ -105,9 +105,23 @@ class ReplayResultTest {
     assertThat(ReplayJson.of(pair).ratioToPoster()).isNull();
     assertThat(ReplayTable.render(pair))
         .contains("BUDGET MET")
-        .contains("it does not replay it")
+        .contains("it does not replay this scene.")
         .containsPattern("impacts with lines, pegs and circles +1\n")
         .doesNotContain("poster");
+  }
+
+  @Test
+  void thePublishedAlgorithmReplaysWhatItKnows() {
+    Scene straight = Scene.builder().line(0, 0, 9, 0).circle(5, 9, 1, 1, 0).build();
+    Scene falling = Scene.builder().gravity(0, 1).circle(5, 9, 1, 1, 0).build();
+    Scene lift = Scene.builder().line(0, 0, 9, 0).velocity(0, 1).circle(5, 9, 1, 1, 0).build();
+
+    assertThat(new ReplayPlan("straight", straight, List.of(), 3, 1, 0).contenders())
+        .containsExactly(Methods.CAROM, Methods.POSTER);
+    for (Scene scene : List.of(falling, lift)) {
+      assertThat(new ReplayPlan("other", scene, List.of(), 3, 1, 0).contenders())
+          .containsExactly(Methods.CAROM);
+    }
   }
 
   @Test
