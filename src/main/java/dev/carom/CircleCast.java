@@ -16,7 +16,7 @@ import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.WallSweep;
 import java.util.Optional;
 
-/** The friendly form of detector and tracer: from public records to numbers, and back. */
+/** Answers casts that are given as public records: asks the detector, and makes the impacts. */
 final class CircleCast {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;

@@ -23,9 +23,9 @@ import java.util.Optional;
  * System.out.println(impact.feature() + ", " + impact.normal()); // SIDE, Vec2[x=-1.0, y=0.0]
  * }</pre>
  *
- * <p>There are two forms. The hot form takes and returns doubles, {@code +infinity} for never. It
- * allocates nothing, unless a query is so close to a tie that only exact arithmetic decides it. The
- * friendly form, {@code cast}, takes records and returns the {@link Impact}.
+ * <p>There are two forms of each question. One takes and returns doubles, {@code +infinity} for never.
+ * It allocates nothing, unless a question is so close to a tie that only exact arithmetic decides it.
+ * The other, {@code cast}, takes records and returns the {@link Impact}.
  *
  * <p><img src="doc-files/line.svg" alt="A circle that touches the side of a line, and one that
  * touches its end: the normal points from the line to the centre, which lies on a capsule around
@@ -51,11 +51,19 @@ import java.util.Optional;
  * its start. The time is the correctly rounded one. A time beyond the range of doubles exceeds every
  * finite maxTime; with {@code maxTime = +infinity} it is {@code +infinity}, which is a miss too.
  *
+ * <p>Lengths share one unit, times another. Coordinates, velocities and accelerations are finite,
+ * radii finite and at least 0. The end of the window, maxTime, is at least 0, {@code +infinity}
+ * included. Anything else is an {@link IllegalArgumentException} that names it.
+ *
  * <h2>Acceleration</h2>
  *
  * <p>The forms with an acceleration (gx, gy), such as gravity, follow the parabola {@code p + v t + g
- * t^2 / 2}. All of the above holds, and an acceleration of (0, 0) gives the bits of the other forms. An
- * impact is the first time just after which the distance is at most the radius and falls. So:
+ * t^2 / 2}. An acceleration of (0, 0) gives the bits of the other forms. With any other, an impact is
+ * the first time in the window just after which the distance is at most the radius and falls. For two
+ * points, and for a point and a line, it is the first time above 0 at which the distance falls to 0
+ * with a speed above 0. Decisions are as exact as above, and times are rounded in the same way.
+ *
+ * <p>Two starts that are no impact above can then be one:
  *
  * <ul>
  *   <li>touching at the start without speed along the normal: an impact at 0 with approach speed 0 if
@@ -65,16 +73,15 @@ import java.util.Optional;
  *       approach speed 0; if it has left before, an impact when it touches again.
  * </ul>
  *
- * <p>Ordinary questions take some hundred nanoseconds. Ties take up to some milliseconds, and so do a
- * radius of 0 and a start that overlaps a line: exact arithmetic answers them.
+ * <p>Exact arithmetic decides ties. It also decides the impacts of a point with a line, an endpoint or
+ * another point, and those of a circle that leaves a line that it overlaps at the start. It takes far
+ * longer than doubles.
  *
- * <p>Lengths share one unit, times another. Coordinates, velocities and accelerations are finite,
- * radii finite and at least 0. The end of the window, maxTime, is at least 0, {@code +infinity}
- * included. Anything else is an {@link IllegalArgumentException} that names it.
+ * <h2>Method</h2>
  *
- * <p>Method: a circle against a segment is a point against a capsule, its Minkowski sum with a disk
- * (C. Ericson, Real-Time Collision Detection, 2005, 5.5). Decisions are signs of polynomials that
- * climb from doubles to exact numbers only in doubt (J. R. Shewchuk, Adaptive Precision
+ * <p>A circle against a segment is a point against a capsule, its Minkowski sum with a disk (C.
+ * Ericson, Real-Time Collision Detection, 2005, 5.5). Decisions are signs of polynomials that climb
+ * from doubles to exact numbers only in doubt (J. R. Shewchuk, Adaptive Precision
  * Floating-Point Arithmetic, Discrete and Computational Geometry 18, 1997). With an acceleration the
  * polynomials have degree 4. Their first root is isolated by the signs of Bernstein coefficients (G. E.
  * Collins and A. G. Akritas, Polynomial real root isolation using Descartes' rule of signs, SYMSAC
@@ -112,8 +119,8 @@ public final class SweptCircle {
   }
 
   /**
-   * Returns the time at which a moving circle hits a line that moves, too. What counts is the
-   * difference of the two velocities, taken exactly.
+   * Returns the time at which a moving circle hits a line that moves, too. The line keeps its
+   * direction. The answer depends on the difference of the two velocities, taken exactly.
    *
    * @param px the x coordinate of the centre
    * @param py the y coordinate of the centre
@@ -410,8 +417,8 @@ public final class SweptCircle {
    * @param line the line at the same moment
    * @param lineVelocity the velocity of the line
    * @param maxTime the end of the window
-   * @return the impact, empty for a miss; its obstacle is the line as it was given, and its point is
-   *     where the two touch
+   * @return the impact; its obstacle is the line as it was given, its point is where the two touch,
+   *     and its approach speed is that of the circle relative to the line; empty for a miss
    * @throws IllegalArgumentException if maxTime is NaN or negative
    */
   public static Optional<Impact> cast(
@@ -457,7 +464,7 @@ public final class SweptCircle {
    *     reported, as {@link Feature#SIDE}: exactly the earliest one, and the vertical one of two that
    *     are hit at exactly the same time
    * @param maxTime the end of the window
-   * @return the impact, its approach speed that at the impact; empty for a miss
+   * @return the impact; its approach speed is the one at the moment of impact; empty for a miss
    * @throws IllegalArgumentException if maxTime is NaN or negative
    */
   public static Optional<Impact> cast(
