@@ -10,12 +10,13 @@ import java.util.Arrays;
 import java.util.Objects;
 
 /**
- * {@code Casts} are many questions of one form, and their answers: this circle, this motion, what
- * does it hit first? {@link World#cast(Casts, double) World.cast} and {@link Resolver#cast(Casts,
- * double) Resolver.cast} answer all of them in one call.
+ * {@code Casts} holds many casts and their answers: each is a circle, its velocity, and the first
+ * thing that it hits. {@link World#cast(Casts, double) World.cast} and {@link Resolver#cast(Casts,
+ * double) Resolver.cast} answer all of them in one call. A circle of radius 0 is a ray.
  *
- * <p>A program makes one such object and uses it again: then asking allocates nothing. A circle of
- * radius 0 is a ray.
+ * <p>A program makes one such object and uses it again. A call then allocates a few small objects,
+ * and nothing per cast. It allocates more when it makes an <a
+ * href="doc-files/rules.html#questions">index</a>, and when exact arithmetic has to decide.
  *
  * <pre>{@code
  * Resolver room = Resolver.of(List.of(new Bounds(0, 0, 100, 60), new Circle(70, 30, 10)));

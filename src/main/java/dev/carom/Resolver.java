@@ -185,7 +185,8 @@ public final class Resolver {
 
   /**
    * Finds the first impact of each of many moving circles, as {@link #cast(Circle, Vec2, double)
-   * cast} does for one. Nothing is allocated per cast, unless exact arithmetic has to decide.
+   * cast} does for one. A call allocates a few small objects, and nothing per cast unless exact
+   * arithmetic has to decide.
    *
    * @param casts the circles; they receive the answers
    * @param maxTime the end of the window, at least 0, {@code +infinity} included

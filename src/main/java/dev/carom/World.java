@@ -496,8 +496,9 @@ public final class World {
    * exactly simultaneous impacts walls come first, then lines, then pegs, then circles, each by id.
    * A {@link #step step} instead treats impacts with equal rounded times as simultaneous.
    *
-   * <p>The search uses an <a href="doc-files/rules.html#questions">index</a>. It allocates; {@link
-   * #cast(Casts, double) many casts in one call} do not.
+   * <p>The search uses an <a href="doc-files/rules.html#questions">index</a>. A call allocates a few
+   * small objects. For many casts use {@link #cast(Casts, double) one call}, which allocates them
+   * once.
    *
    * @param circle the circle now
    * @param velocity its velocity
@@ -535,7 +536,8 @@ public final class World {
 
   /**
    * Finds the first impact of each of many moving circles, as {@link #cast(Circle, Vec2, double)
-   * cast} does for one. Nothing is allocated per cast, unless exact arithmetic has to decide.
+   * cast} does for one. A call allocates a few small objects, and nothing per cast unless exact
+   * arithmetic has to decide.
    *
    * <p>See <a href="doc-files/recipes.html#lidar">a lidar</a> for an example.
    *
