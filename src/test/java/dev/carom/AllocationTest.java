@@ -124,7 +124,8 @@ class AllocationTest {
       double x = 800 * random.nextDouble();
       double y = 600 * random.nextDouble();
       scene.line(x, y, x + 20 * random.nextDouble(), y - 20 * random.nextDouble());
-      scene.peg(y, x, 2).circle(x, y, 3, random.nextGaussian(), random.nextGaussian());
+      scene.peg(y, x, 2).velocity(i % 10 == 0 ? 0.1 : 0, 0);
+      scene.circle(x, y, 3, random.nextGaussian(), random.nextGaussian());
     }
     World world = new World(scene.build());
     Resolver resolver = world.scene().resolver();

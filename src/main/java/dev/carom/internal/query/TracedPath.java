@@ -5,12 +5,12 @@ import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.util.DoubleList;
 
 /**
- * The path of one circle among static obstacles.
+ * The path of one circle among obstacles.
  *
  * @param flights {@link #FLIGHT} numbers for each flight, one flight more than there are impacts
  * @param impacts in the order of time
  * @param duration the time covered
- * @param complete whether that is all that was asked for
+ * @param complete false if the path would go on, but its budget of work is spent
  */
 public record TracedPath(
     DoubleList flights, ImpactRows impacts, double duration, boolean complete) {

@@ -15,13 +15,16 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.DoubleList;
 
-/** Follows one circle among static obstacles, with all its bounces. */
+/** Follows one circle among obstacles at rest and in motion, with all its bounces. */
 public final class Tracer {
 
   private final ObstacleTable obstacles;
   private final ObstacleIndex index;
   private final BroadPhase search;
   private final Hit hit = new Hit();
+
+  /** The row of a moving obstacle that is hit. */
+  private final double[] placed = new double[ObstacleTable.MOST_NUMBERS + 1];
 
   /** The grid for the circle that is followed, or null to test each obstacle. */
   private Grid grid;
@@ -65,9 +68,13 @@ public final class Tracer {
       return hit.ofWall(m.x, m.y, m.vx, m.vy, code, obstacles.walls[code], t);
     }
     ObstacleRows rows = obstacles.of(code);
-    boolean moves = obstacles.moves(code);
-    double[] values = moves ? obstacles.rowAt(code, m.t, m.tl) : rows.values;
-    int k = moves ? 0 : rows.offset(code);
+    double[] values = rows.values;
+    int k = rows.offset(code);
+    if (obstacles.moves(code)) {
+      obstacles.place(obstacles.motions().indexOf(code), m.t, m.tl, placed);
+      values = placed;
+      k = 0;
+    }
     double ux = obstacles.ux(code);
     double uy = obstacles.uy(code);
     return rows.shape.hit(hit, m.contact, t, m.x, m.y, m.radius, m.vx, m.vy, values, k, ux, uy);
