@@ -96,6 +96,36 @@ class UncertaintyTest {
   }
 
   @Test
+  void withoutRoundObstaclesTheExponentFollowsTheRestitution() {
+    assertThat(exponentInABox(0.9)).isFinite().isNegative();
+    assertThat(exponentInABox(1)).isZero();
+    assertThat(exponentInABox(1.1)).isFinite().isPositive();
+    assertThat(exponentInABox(0)).isEqualTo(Double.NEGATIVE_INFINITY);
+  }
+
+  private static double exponentInABox(double restitution) {
+    Scene scene =
+        Scene.builder()
+            .bounds(0, 0, 90, 5).restitution(restitution)
+            .circle(3, 2, 1, 1.3, 2.1)
+            .build();
+    World world = new World(scene);
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    advance(world, uncertainty, 20);
+    return uncertainty.lyapunovExponent(0);
+  }
+
+  @Test
+  void aSecondUpdateForOneStepLosesTheCirclesThatBounced() {
+    World world = new World(Scene.builder().bounds(0, 0, 7, 5).circle(3, 2, 1, 1.3, 2.1).build());
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    advance(world, uncertainty, 1);
+    assertThat(uncertainty.bound(0)).isFinite();
+    uncertainty.update();
+    assertThat(uncertainty.bound(0)).isInfinite();
+  }
+
+  @Test
   void thePlaceIsLostWhenTheBoundPassesTheLength() {
     World world = new World(billiard().build());
     Uncertainty uncertainty = new Uncertainty(world, 1e-6);
