@@ -207,7 +207,7 @@ public final class Scene {
    * Returns the velocity of a circle or an obstacle at time 0.
    *
    * @param kind its kind
-   * @param i its id
+   * @param i its number: of a wall 0..3, else from 0 to the number of such things less 1
    * @return the velocity; (0, 0) for a wall, and for a line or a peg that does not move
    * @throws IndexOutOfBoundsException if there is no such thing
    */
@@ -359,6 +359,10 @@ public final class Scene {
    * <p>It passes through sensors, and meets one-way lines from their left only. Its circle has
    * category 1 and mask -1, and passes through all that it cannot {@linkplain SceneBuilder#filter
    * meet}. It does not know the circles of the scene, nor its gravity: its circle flies straight.
+   *
+   * <p>Lines and pegs with a velocity are where the scene has them at the start of each cast and of
+   * each path, and move from then on. {@link Resolver#nearest nearest} and {@link
+   * Resolver#overlapping(Circle) overlapping} take them where the scene has them.
    *
    * @return a new resolver
    */

@@ -483,13 +483,13 @@ public final class World {
   // Questions.
 
   /**
-   * Finds the first impact of a moving circle with this world as it is now. Nothing moves, and the
-   * circle need not belong to the world.
+   * Finds the first impact of a moving circle with this world as it is now. The world does not
+   * change, and the circle need not belong to it.
    *
    * <p>The circle meets walls, lines and pegs, and, if circles collide in this world, the circles
-   * too, each as it moves now. It passes through sensors. A circle of radius 0 is a ray. A circle
-   * that is exactly concentric with one of this world does not meet it, so a program can ask for a
-   * circle of the world itself.
+   * too. Each of them goes on with its present velocity. The circle passes through sensors. A circle
+   * of radius 0 is a ray. A circle that is exactly concentric with one of this world does not meet
+   * it, so a program can ask for a circle of the world itself.
    *
    * <p>The earliest impact is found as if in real arithmetic, on the given doubles and on the
    * positions and velocities that this world reports. The circle has category 1 and mask -1. Among
@@ -568,9 +568,9 @@ public final class World {
 
   /**
    * Follows a circle along its path among the walls, lines and pegs of this world, bounces
-   * included. Nothing moves.
+   * included. The world does not change.
    *
-   * <p>The circle passes through sensors and through all other circles. It has category 1 and mask
+   * <p>Lines and pegs go on with their present velocities. The circle passes through sensors and through all other circles. It has category 1 and mask
    * -1. For an aiming line that ends at the first ball in the way, see <a
    * href="doc-files/recipes.html#aiming">an aiming line that sees balls</a>. A path has at most
    * 100,000 impacts; one that would go on is not {@linkplain Trajectory#complete complete}.
@@ -650,8 +650,8 @@ public final class World {
    * @param kind which kind of thing
    * @param x the x coordinate of the point, finite
    * @param y the y coordinate of the point, finite
-   * @param category the categories that the asker belongs to
-   * @param mask the categories that it can meet
+   * @param category the categories of the thing that would meet it
+   * @param mask the categories that this thing can meet
    * @return its id, -1 if there is none
    * @throws IllegalArgumentException if a coordinate is NaN or infinite
    */
@@ -688,8 +688,8 @@ public final class World {
    *
    * @param kind which kind of thing
    * @param disk the disk
-   * @param category the categories that the asker belongs to
-   * @param mask the categories that it can meet
+   * @param category the categories of the thing that would meet them
+   * @param mask the categories that this thing can meet
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Circle disk, int category, int mask) {
@@ -721,8 +721,8 @@ public final class World {
    *
    * @param kind which kind of thing
    * @param box the box
-   * @param category the categories that the asker belongs to
-   * @param mask the categories that it can meet
+   * @param category the categories of the thing that would meet them
+   * @param mask the categories that this thing can meet
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Bounds box, int category, int mask) {

@@ -20,7 +20,7 @@ import java.util.Optional;
 import java.util.function.DoubleSupplier;
 import java.util.function.IntPredicate;
 
-/** Answers questions about a world. Nothing moves by them. */
+/** Answers questions about a world, without a change of it. */
 final class WorldQueries {
 
   /** For questions without a filter: everything is seen. */
@@ -44,7 +44,7 @@ final class WorldQueries {
     queries = new CircleQueries(circles, registry, index.wanted);
   }
 
-  /** Takes notice of a step or an edit: circles are elsewhere, or others. */
+  /** Notes that circles may have moved, or were edited. */
   void forget() {
     queries.forget();
   }
@@ -164,7 +164,7 @@ final class WorldQueries {
     return Codes.isCircle(code) ? registry.filter(Codes.slot(code)) : obstacles.filter(code);
   }
 
-  /** Returns a predicate for the codes of what someone of a given filter meets. */
+  /** Returns a predicate for the codes of all that a thing of a given category and mask meets. */
   IntPredicate met(int category, int mask) {
     long filter = Filter.of(category, mask);
     return code -> Filter.meet(filter, filter(code));
