@@ -507,10 +507,7 @@ public final class World {
    * @throws IllegalArgumentException if maxTime is NaN or negative
    */
   public Optional<Impact> cast(Circle circle, Vec2 velocity, double maxTime) {
-    Check.notNull("circle", circle);
-    Check.notNull("velocity", velocity);
-    Check.duration("maxTime", maxTime);
-    return questions.cast(circle, velocity, maxTime, now, Filter.DEFAULT);
+    return cast(circle, velocity, maxTime, 1, -1);
   }
 
   /**
@@ -834,7 +831,7 @@ public final class World {
     if (kind == ObstacleKind.CIRCLE) {
       setVelocity(id, vx, vy);
     } else {
-      editor.setObstacleVelocity(code, vx, vy, now);
+      edit().setObstacleVelocity(code, vx, vy, now);
     }
   }
 
@@ -886,7 +883,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public void setFilter(ObstacleKind kind, int id, int category, int mask) {
-    editor.setFilter(code(kind, id), Filter.of(category, mask), now);
+    edit().setFilter(code(kind, id), Filter.of(category, mask), now);
   }
 
   /**
