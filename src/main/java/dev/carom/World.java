@@ -55,9 +55,10 @@ import java.util.function.IntPredicate;
  * recorded ({@link #record record}). A world belongs to one thread at a time. Different worlds
  * share nothing that changes.
  *
- * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, budget, stuck
- * circles, infinite mass, accuracy. <a href="doc-files/recipes.html">Recipes</a>: frames and
- * netcode, a paddle, a piston, pockets, teams, an aiming line, a lidar, periodic cells.
+ * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, questions, budget,
+ * stuck circles, moving obstacles, infinite mass, accuracy. <a
+ * href="doc-files/recipes.html">Recipes</a>: frames and netcode, a paddle, a piston, pockets, teams,
+ * an aiming line, a lidar, periodic cells, Lyapunov exponents.
  */
 public final class World {
 
