@@ -1077,10 +1077,13 @@ public final class World {
    * Changes of removed lines and pegs have a budget by the same rule. So the memory of a recording
    * is bounded, however many things come and go.
    *
-   * @param most how many flights to keep of each circle, and how many changes of each line, of each
-   *     peg, of the walls, and of a circle's properties, at least 1. Beyond that the oldest ones
-   *     are dropped. As many contacts that sensors report are kept of each circle. An edit begins a
-   *     flight: if each frame edits a circle, this is a number of frames
+   * <p>Besides flights, {@code most} limits four other things: the changes of each line and of each
+   * peg, those of the walls, those of each circle's properties, and the contacts of each circle that
+   * sensors report.
+   *
+   * @param most the number of flights to keep of each circle, at least 1; beyond it the oldest are
+   *     dropped. An edit of a circle begins a flight: for a circle that is edited in each frame, this
+   *     is a number of frames
    * @return the timeline, which goes on as the world does
    * @throws IllegalArgumentException if most is below 1
    */

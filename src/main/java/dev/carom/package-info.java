@@ -144,7 +144,8 @@
  *
  * <ul>
  *   <li>Circles move straight on between impacts. There is no rotation, friction, stacking, polygon
- *       or force. Gravity and steering are velocities that the caller sets between steps.
+ *       or force. Gravity and steering are velocities that the caller sets between steps. {@link
+ *       dev.carom.SweptCircle} alone takes a constant acceleration.
  *   <li>Lines and pegs rest, or move with a {@linkplain dev.carom.World#setVelocity(ObstacleKind,
  *       int, double, double) constant velocity} and push circles. They do not turn, and nothing
  *       deflects them.
