@@ -175,7 +175,7 @@ final class SceneReader {
     }
   }
 
-  /** What messages say is expected of a key. */
+  /** The keys that a row may have, as messages name them. */
   private static String keys(SceneRow row) {
     String all = "restitution=NUMBER, response=WORD, category=INTEGER";
     return switch (row.kind()) {

@@ -119,7 +119,7 @@ public final class SnapshotReader {
     return ObstacleTable.of(walls, restitution, traits, filter, rows);
   }
 
-  /** What moves may be anywhere. */
+  /** Refuses an obstacle beyond the largest coordinate; moving ones may be anywhere. */
   private static void checkExtent(ObstacleTable obstacles, SizeLimits limits) throws IOException {
     double extent =
         ObstacleTable.kindsOfRows()

@@ -41,12 +41,12 @@ public final class CircleQueries {
     index = new CircleIndex(circles, registry, indexed);
   }
 
-  /** Takes notice that circles have moved, or were edited. */
+  /** Notes that circles have moved, or were edited. */
   public void forget() {
     index.forget();
   }
 
-  /** Takes notice of questions that are about to be asked; see {@link CircleIndex#expect}. */
+  /** Counts questions that are about to be asked, see {@link CircleIndex#expect}. */
   public void expect(int questions, double now) {
     index.expect(questions, now);
   }
@@ -148,7 +148,7 @@ public final class CircleQueries {
     double vy = circles.vy(slot);
     int contact = DiskSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy);
     double limit = end(m, maxTime);
-    // What rounds to the limit is exactly before the next double.
+    // A time that rounds to the limit is exactly before the next double.
     double end = Math.nextUp(limit);
     double t = DiskSweep.time(contact, m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy, end);
     if (t > limit || t == NEVER || (t == limit && !isFirst(m, slot, contact, tracer, t, now))) {
@@ -189,7 +189,7 @@ public final class CircleQueries {
         circles.vy(slot));
   }
 
-  /** Where a cast hits the circle that it found first; always the same object. */
+  /** The hit of a cast on the circle that it found first; always the same object. */
   public Hit hit(MovingCircle m, double now) {
     int slot = Codes.slot(m.next);
     return hit.ofDisks(
@@ -207,7 +207,7 @@ public final class CircleQueries {
         m.cleared);
   }
 
-  // What is near.
+  // Circles near a point, a disk or a box.
 
   /**
    * The slot of the circle nearest to a point, of equally near ones the first; or NONE.

@@ -44,7 +44,7 @@ final class CircleTree {
     tree = new BoxTree(items, boxes);
   }
 
-  /** Finds all circles that come nearer to a segment than a radius, and some more. */
+  /** Finds all circles that come nearer to a segment than a radius, and perhaps others. */
   void near(double fromX, double fromY, double toX, double toY, double r, IntConsumer found) {
     ax = fromX;
     ay = fromY;

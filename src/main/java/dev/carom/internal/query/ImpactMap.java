@@ -29,19 +29,19 @@ final class ImpactMap {
   /** The ratio of the speeds after and before. */
   final double ratio;
 
-  /** Of b in b', and of q in q'. */
+  /** The factor of b in b', and of q in q'. */
   final double kept;
 
-  /** Of b in q'. */
+  /** The factor of b in q'. */
   final double turned;
 
-  /** Of b in a'. */
+  /** The factor of b in a'. */
   final double shifted;
 
-  /** Of q in p'. */
+  /** The factor of q in p'. */
   final double braked;
 
-  /** Of b in p'. */
+  /** The factor of b in p'. */
   final double brakedByPlace;
 
   /**

@@ -24,7 +24,7 @@ public final class PathError {
 
   private static final double U = 0x1p-53;
 
-  /** Two computations of one number that differ by more of it are not of one flight. */
+  /** Two computations of one number in the same flight differ by less than this part of it. */
   private static final double SAME = 0x1p-20;
 
   // Bounds: of the place along and across the velocity, and of their rates of change.
@@ -53,7 +53,8 @@ public final class PathError {
   private double lostAt = Double.POSITIVE_INFINITY;
 
   /**
-   * Begins with a flight that is as it was computed; at a time other than 0 its place is rounded.
+   * Begins with a flight whose computed state is taken as exact, but for the rounding of its place at
+   * a time other than 0.
    *
    * @param most the bound up to which the place counts as known
    */
@@ -140,7 +141,7 @@ public final class PathError {
    * @param radius the distance of the centre from the centre of curvature, infinite where the
    *     normal does not depend on the place
    * @param e the restitution
-   * @param isWall whether walls are hit: any two of them may be hit in either order
+   * @param isWall whether the obstacle is a wall: two walls may be hit in either order
    */
   public void bounce(
       double time,

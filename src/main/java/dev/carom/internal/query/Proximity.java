@@ -123,7 +123,7 @@ public final class Proximity {
         code -> seen.test(code) && overlaps(obstacles, code, x, y, r, now));
   }
 
-  /** A test that rejects what is apart from the box around a disk. */
+  /** A test that rejects boxes apart from the one around a disk. */
   static BoxTree.Outside outside(double x, double y, double r) {
     return new BoxTree.Outside()
         .set(Math.nextDown(x - r), Math.nextDown(y - r), Math.nextUp(x + r), Math.nextUp(y + r));
@@ -170,7 +170,7 @@ public final class Proximity {
     return find(kind, kind + 1, outside(box), code -> seen.test(code) && overlaps(code, box));
   }
 
-  /** A test that rejects what is apart from a box. */
+  /** A test that rejects boxes apart from a given one. */
   static BoxTree.Outside outside(double[] box) {
     return new BoxTree.Outside()
         .set(box[Codes.LEFT], box[Codes.BOTTOM], box[Codes.RIGHT], box[Codes.TOP]);

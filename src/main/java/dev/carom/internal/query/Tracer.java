@@ -60,7 +60,7 @@ public final class Tracer {
     return search.exactTime(body);
   }
 
-  /** Where the contact is that was found; always the same object. */
+  /** The hit at the contact that was found; always the same object. */
   public Hit hit(MovingCircle m) {
     int code = m.next;
     double t = m.cleared;

@@ -18,7 +18,7 @@ public final class BoxTree {
   public static final int TOP = 3;
   public static final int BOX = 4;
 
-  /** Items that have no boxes between them: at most as many. */
+  /** A run of at most this many items is not divided further. */
   private static final int LEAF_SIZE = 4;
 
   /** Steps of a coordinate in the key by which items are sorted. */
@@ -64,8 +64,8 @@ public final class BoxTree {
   }
 
   /**
-   * Puts the box around a segment, grown by a radius, in the place of item k. None of it is
-   * outside, whatever rounding takes.
+   * Puts the box around a segment, grown by a radius, in the place of item k. The box covers all of
+   * that, in spite of rounding.
    */
   public static void put(
       double[] boxes, int k, double ax, double ay, double bx, double by, double radius) {
@@ -148,12 +148,12 @@ public final class BoxTree {
     return items.length;
   }
 
-  /** A side of the box around all items; there is one at least. */
-  public double side(int place) {
-    return nodes[place];
+  /** A side of the box around all items: {@link #LEFT} to {@link #TOP}. There must be an item. */
+  public double side(int side) {
+    return nodes[side];
   }
 
-  // Which items a test does not reject.
+  // Items that a test does not reject.
 
   /** A test that rejects boxes. */
   public interface Rejects {
@@ -162,7 +162,7 @@ public final class BoxTree {
     boolean test(double[] boxes, int k);
   }
 
-  /** Rejects what is apart from a box; NaN for a side is no limit. */
+  /** Rejects boxes that are apart from a given box; a side that is NaN is no limit. */
   public static final class Outside implements Rejects {
 
     private double left;
@@ -188,7 +188,7 @@ public final class BoxTree {
     }
   }
 
-  /** Finds the items whose boxes a test does not reject, nor those of the runs that hold them. */
+  /** Finds the items for which a test rejects neither their box nor that of a run that holds them. */
   public void find(Rejects rejects, IntList found) {
     if (items.length > 0) {
       find(0, 0, items.length, rejects, found);
@@ -212,9 +212,9 @@ public final class BoxTree {
     }
   }
 
-  // Which items are near a point.
+  // Items near a point.
 
-  /** What looks for the nearest item to a point. */
+  /** A search for the item that is nearest to a point. */
   public interface Nearest {
 
     /** Looks at an item. */
@@ -224,7 +224,7 @@ public final class BoxTree {
     double limit();
   }
 
-  /** Shows all items that are as near to a point as the search asks for, the nearer ones first. */
+  /** Shows a search all items whose boxes are within its limit; items of nearer runs come first. */
   public void nearest(double x, double y, Nearest search) {
     if (items.length > 0) {
       nearest(0, 0, items.length, x, y, search);

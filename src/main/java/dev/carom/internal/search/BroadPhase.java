@@ -201,7 +201,7 @@ public final class BroadPhase extends NarrowPhase {
     keep(body, known);
   }
 
-  /** Keeps what was found first, or that there is nothing until the path is known no further. */
+  /** Stores the first impact up to a time; without one, that the path is known free up to there. */
   private void keep(MovingCircle body, double known) {
     if (best <= known && best != NEVER) {
       body.cleared = best;
@@ -214,7 +214,7 @@ public final class BroadPhase extends NarrowPhase {
     }
   }
 
-  /** Considers all that moves. */
+  /** Considers each moving obstacle. */
   private void considerMoving(double limit) {
     for (int i = 0; i < obstacles.motions().count(); i++) {
       considerMoving(i, limit);
@@ -241,7 +241,7 @@ public final class BroadPhase extends NarrowPhase {
     }
   }
 
-  /** The same as {@link #extend}, without sensors. */
+  /** The same as {@link #extend}, past sensors. */
   public void extendPastSensors(MovingCircle body, Grid grid, double needed) {
     setPassesSensors(true);
     try {
@@ -357,7 +357,7 @@ public final class BroadPhase extends NarrowPhase {
     return t > 0 ? t : 0; // NaN if a distance is beyond the doubles
   }
 
-  /** The two walls that the flight moves towards; the later one only if it may come first. */
+  /** Considers the two walls ahead; the one that is later by estimate only if it may come first. */
   private void walls() {
     if (!bounded) {
       return;
@@ -529,7 +529,7 @@ public final class BroadPhase extends NarrowPhase {
     }
   }
 
-  /** The codes of all obstacles that may touch a circle at its place; a superset. */
+  /** The codes of all obstacles that touch a circle at its place, and perhaps of others near it. */
   public int[] near(MovingCircle body, Grid grid) {
     if (grid == null) {
       return obstacles.codes().toArray();

@@ -2,10 +2,10 @@
 package dev.carom.internal.search;
 
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.ObstacleShape;
-import dev.carom.internal.state.LiveCodes;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 
@@ -24,7 +24,7 @@ public final class Grid {
 
   private static final double MARGIN = 0x1p-8;
 
-  /** Cells a unit of time, and its inverse, within which times and cells convert. */
+  /** The most cells a unit of time with which times and cells convert; its inverse is the least. */
   private static final double MOST_PACE = 0x1p500;
 
   private static final double LEAST_SPEED = 0x1p-900;
@@ -150,7 +150,10 @@ public final class Grid {
     return (row + 1) * stride + column + 1;
   }
 
-  /** {@link #CELLS_EACH} an obstacle, none smaller than the radius: measured, it is flat there. */
+  /**
+   * The size of a cell: {@link #CELLS_EACH} cells an obstacle, but none smaller than the radius.
+   * Measured: some more or fewer cells cost the same.
+   */
   private double chosen(double width, double height) {
     double fair = Math.sqrt(width * height / (CELLS_EACH * obstacles.staticSize()));
     double least = Math.max(width, height) / MOST;
@@ -225,9 +228,10 @@ public final class Grid {
   }
 
   /**
-   * Whether a path from this place can be followed to within the margin: 2^-40 of its size is; and
-   * whether cells that are passed at this speed can be counted by time, on both axes: 1 / |v| is
-   * beyond the doubles only where an axis is slower than that by far.
+   * Whether a path from this place can be followed. The place is at most about 2^40 cells from the
+   * origin, so that its rounding stays far below the margin. The Manhattan speed is in the range in
+   * which times and cells convert. One axis may be slower: 1 / |v| overflows only far below that
+   * range.
    */
   public boolean resolves(double x, double y, double speed) {
     return Math.abs(x) + Math.abs(y) < farthest && speed > slowest && speed < fastest;
@@ -238,8 +242,8 @@ public final class Grid {
   }
 
   /**
-   * When a path from (x, y) along (vx, vy) is first inside, at {@code from} or later; {@code
-   * +infinity} if it never is.
+   * The time at which a path from (x, y) along (vx, vy) is first inside, at {@code from} or later;
+   * {@code +infinity} if it never is.
    */
   public double entry(double x, double y, double vx, double vy, double from) {
     double enter = Math.max(enter(x, vx, xmin, xmax, from), enter(y, vy, ymin, ymax, from));
@@ -258,7 +262,7 @@ public final class Grid {
     return v == 0 ? Double.POSITIVE_INFINITY : ((v < 0 ? low : high) - p) / v;
   }
 
-  /** How many columns lie between the edge of the grid and x. */
+  /** The number of columns between the left edge of the grid and x; negative beyond it. */
   public double columns(double x) {
     return (x - xmin) * perCell;
   }
@@ -267,7 +271,7 @@ public final class Grid {
     return (y - ymin) * perCell;
   }
 
-  /** The column where so many lie before, the nearest one outside of the grid. */
+  /** The column that has so many before it; for a place outside of the grid the nearest one. */
   public int column(double columnsBefore) {
     return Math.max(0, Math.min(columns - 1, (int) columnsBefore));
   }
@@ -276,7 +280,7 @@ public final class Grid {
     return Math.max(0, Math.min(rows - 1, (int) rowsBefore));
   }
 
-  /** Counts, then fills: two passes over the obstacles. */
+  /** Lists the codes of each cell, in two passes over the obstacles: counts, then fills. */
   private int[] list(int[] starts) {
     int cells = columns * rows;
     int[] counts = new int[cells + 1];

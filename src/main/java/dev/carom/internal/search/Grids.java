@@ -139,13 +139,13 @@ public final class Grids {
     return stale;
   }
 
-  /** Makes the grids anew, for the radii of these circles. */
-  public void remake(CircleTable circles, int[] ids) {
+  /** Makes the grids anew, for the radii of the circles at these slots. */
+  public void remake(CircleTable circles, int[] slots) {
     loose.clear();
     isIncomplete = false;
     byExponent.clear();
-    for (int i : ids) {
-      ofNew(circles.radius(i));
+    for (int slot : slots) {
+      ofNew(circles.radius(slot));
     }
   }
 

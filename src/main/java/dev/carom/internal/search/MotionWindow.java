@@ -91,7 +91,7 @@ final class MotionWindow {
       }
     }
 
-    /** The strip of a coordinate, which grows with it; those beyond the strips have the nearest. */
+    /** The strip of a coordinate, or the nearest one. It never falls as the coordinate grows. */
     int strip(double p) {
       return (int) Math.max(0, Math.min(STRIPS - 1, (p - origin) * perStrip)); // 0 for NaN
     }

@@ -17,7 +17,8 @@ import java.util.concurrent.atomic.AtomicLong;
  *
  * <p>An index costs more than a question that tests each obstacle. So it is made once such
  * questions have tested as many obstacles as it costs. Obstacles that change later are <i>loose</i>
- * and tested beside it; when that has cost as much, or when they are many, it is made anew.
+ * and tested beside it. When that has cost as much, it is made anew. When they are many, it is
+ * dropped. Obstacles that move are in no index.
  *
  * <p>Without changes of the obstacles it is safe for use by several threads.
  */
@@ -39,7 +40,7 @@ public final class ObstacleIndex {
 
   public final ObstacleTable obstacles;
 
-  /** A search in its initial state, which knows the extent of the obstacles. */
+  /** The search that is copied for each thread. It knows the extent of the obstacles. */
   private final BroadPhase model;
 
   /** The obstacles that changed since the index was made. */
@@ -175,8 +176,7 @@ public final class ObstacleIndex {
   /** Notes that a line or a peg is new, elsewhere, or gone. */
   public void changed(int code) {
     model.lookAgain(code);
-    if (trees != null && !obstacles.moves(code)) { // what moves is not in it
-
+    if (trees != null && !obstacles.moves(code)) {
       loose.add(code);
       if (loose.size > FEW + Math.sqrt(obstacles.staticSize())) {
         forget();

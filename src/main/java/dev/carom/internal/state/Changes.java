@@ -3,7 +3,7 @@ package dev.carom.internal.state;
 
 import java.util.Arrays;
 
-/** Values of one thing, each from a time on, in order of time. */
+/** The values that one thing had, each with the time from which it holds, in order of time. */
 final class Changes<V> {
 
   private static final int FIRST_ROOM = 2;
@@ -25,7 +25,7 @@ final class Changes<V> {
     return times[first];
   }
 
-  /** Adds a value from a time on, but not from before the newest one. */
+  /** Adds a value that holds from a time on, or from the time of the newest value if later. */
   void add(double from, V value) {
     if (end == times.length) {
       makeRoom();

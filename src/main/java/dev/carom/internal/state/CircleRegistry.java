@@ -5,7 +5,7 @@ import dev.carom.internal.util.Kind;
 import java.util.Arrays;
 
 /**
- * The circles of a world, with what does not move: their masses, {@link ContactFlags} and {@link
+ * The circles of a world, without their motion: their masses, {@link ContactFlags} and {@link
  * Filter}s. Callers name a circle by its id, which is never reused. The engine names it by its
  * slot, an array index. The arrays are compacted when most slots belong to removed circles. The
  * order of slots is the order of ids, so whatever the order of slots decides does not depend on

@@ -80,10 +80,10 @@ public final class CircleTable {
    */
   public final DueTimes due;
 
-  /** The walls, as {@link ObstacleTable#walls}; the filters tell which circles they confine. */
+  /** The walls, as {@link ObstacleTable#walls}. Filters may let some circles pass. */
   private double[] walls;
 
-  // What the filters say: null in a table of no engine, where each is the default.
+  // These have the filters. Null in a table without an engine, where each filter is the default.
   private CircleRegistry registry;
   private ObstacleTable obstacles;
 
@@ -276,8 +276,7 @@ public final class CircleTable {
   }
 
   /**
-   * Loads a circle for a collision, without its prediction: the new flight that begins there
-   * forgets it.
+   * Loads a circle for a collision, without its prediction, which ends with its flight there.
    */
   public void loadForMeeting(double[] s, int[] c, int i, MovingCircle m) {
     int k = collidingAt(i);

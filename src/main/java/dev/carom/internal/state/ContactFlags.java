@@ -15,9 +15,10 @@ public final class ContactFlags {
   private static final int RESPONSE = 3;
   private static final int ONE_WAY = 4;
 
-  /** All flags that anything can have, and those that a line can have. */
+  /** All flags that a thing can have that is no line. */
   public static final int MOST = RESPONSE;
 
+  /** All flags that a line can have. */
   public static final int MOST_OF_LINES = RESPONSE | ONE_WAY;
 
   private ContactFlags() {}

@@ -141,7 +141,7 @@ public final class DueTimes {
     return k;
   }
 
-  /** Recomputes the lower bound of a block that has no event in this step. */
+  /** Makes the lower bound of a block exact. */
   private void refresh(int from, int to) {
     long first = NEVER_BITS;
     for (int k = from; k < to; k++) {

@@ -12,7 +12,7 @@ public final class FlightHistory {
   private static final int FIRST_ROOM = 8;
 
   /**
-   * What changed within a flight: it holds for the rest of that flight.
+   * A change within a flight, which holds for the rest of it.
    *
    * @param flight the number of the flight, counted from the first that was ever added
    * @param sensedHead the time of the last contact of two circles that a sensor reported, as head
@@ -49,9 +49,10 @@ public final class FlightHistory {
   /** Null until the first. */
   private Changes<Amendment> amendments;
 
-  /** Whether anything was dropped, and the time from which no change within a flight was. */
+  /** Whether anything was dropped for lack of room. */
   private boolean drops;
 
+  /** The time from which no change within a flight was dropped. */
   private double completeFrom = Double.NEGATIVE_INFINITY;
 
   /** The flight found last. The next query is usually about the same one. */

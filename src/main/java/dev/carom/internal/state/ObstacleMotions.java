@@ -84,7 +84,7 @@ public final class ObstacleMotions {
     }
   }
 
-  /** The same with another velocity of one obstacle, from its row on at a given time. */
+  /** A copy in which an obstacle has this velocity, and is where its row says at a given time. */
   public ObstacleMotions with(int code, double ux, double uy, double since) {
     int known = indexOf(code);
     int i = known < 0 ? -1 - known : known;
@@ -109,7 +109,7 @@ public final class ObstacleMotions {
     return grown;
   }
 
-  /** The same without one obstacle. */
+  /** A copy without one obstacle. */
   public ObstacleMotions without(int code) {
     int at = indexOf(code);
     if (at < 0) {

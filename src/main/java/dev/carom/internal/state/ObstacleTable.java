@@ -14,7 +14,7 @@ import java.util.stream.IntStream;
 
 /**
  * The obstacles: the walls, and a table of rows for each other kind, found by their {@link Codes}.
- * Of an obstacle that moves, the row says where it was at one time.
+ * The row of a moving obstacle says where it was at one time, which {@link ObstacleMotions} holds.
  */
 public final class ObstacleTable {
 
@@ -54,7 +54,7 @@ public final class ObstacleTable {
   /** The obstacles that move, or moved before; never null. */
   private ObstacleMotions motions = ObstacleMotions.NONE;
 
-  /** The time at which the clock of whoever asks is 0. */
+  /** The time of the world that a question counts as 0, see {@link #setEpoch}. */
   private double epoch;
 
   private ObstacleTable(double[] walls, ObstacleRows... rows) {
@@ -220,13 +220,13 @@ public final class ObstacleTable {
     return !isGone(code) && !moves(code);
   }
 
-  // What moves.
+  // Moving obstacles.
 
   public ObstacleMotions motions() {
     return motions;
   }
 
-  /** Sets what moves, for obstacles that were just read or built. */
+  /** Sets the motions of obstacles that were just read or built. */
   public void setMotions(ObstacleMotions all) {
     motions = all;
   }
@@ -277,8 +277,8 @@ public final class ObstacleTable {
   }
 
   /**
-   * Sets the time at which the clock is 0 by which places are asked for: that of a question while
-   * it is answered, else 0.
+   * Sets the time of the world from which the times count that places are asked for: that of a
+   * question while it is answered, else 0.
    */
   public void setEpoch(double time) {
     epoch = time;

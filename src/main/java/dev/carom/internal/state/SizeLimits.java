@@ -6,13 +6,13 @@ import dev.carom.internal.util.Check;
 /**
  * The largest coordinate and the least radius that a world ever had. A radius must be at least 2^10
  * ulps of the largest coordinate: below that, rounding of positions could carry a circle through a
- * line. A radius of 0 does not count: such circles are only where there are no lines.
+ * line. A radius of 0 is exempt, but allowed only where there are no lines.
  */
 public final class SizeLimits {
 
   private static final double LEAST_RADIUS_ULPS = 0x1p10;
 
-  /** What is expected of a radius where there are lines. */
+  /** The text that says which radius is expected where there are lines. */
   public static final String NO_POINT = "more than 0, as there are lines";
 
   private double largest;
@@ -57,8 +57,8 @@ public final class SizeLimits {
   }
 
   /**
-   * Refuses the radius of a circle at (x, y) that is negative, or too small for the largest
-   * coordinate; a point, of radius 0, only where there are lines.
+   * Refuses the radius of a circle at (x, y) if it is negative, or too small for the largest
+   * coordinate. A radius of 0 is refused only where there are lines.
    */
   public void checkRadius(double radius, double x, double y, boolean lines) {
     Check.notNegative("radius", radius);
