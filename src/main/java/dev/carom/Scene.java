@@ -65,6 +65,8 @@ import java.util.Optional;
  *   <li>Such a row may end in {@code category=INTEGER} and {@code mask=INTEGER}, see {@link
  *       SceneBuilder#filter}. Without them, they are 1 and -1.
  *   <li>The row of a line may end in {@code oneway=1}, see {@link SceneBuilder#oneWay()}.
+ *   <li>The row of a line or a peg may end in {@code vx=NUMBER} and {@code vy=NUMBER}, see {@link
+ *       SceneBuilder#velocity}. Without them, they are 0: the obstacle rests.
  *   <li>The reader skips blank lines, spaces and tabs around fields, {@code #} comments on lines of
  *       their own or after a row, and a byte order mark. It takes either kind of line end.
  * </ul>
