@@ -31,6 +31,11 @@ public final class Grid {
 
   private static final double CELLS_EACH = 3;
 
+  /** Beyond these sizes of coordinates, numbers of cells could overflow or underflow. */
+  private static final double LARGEST = 0x1p400;
+
+  private static final double SMALLEST = 0x1p-400;
+
   final double cell;
   public final int columns;
   public final int rows;
@@ -91,6 +96,11 @@ public final class Grid {
     lists = new long[stride * (rows + 2)];
     pairs = new long[1 + room(starts, listed)]; // a list at 0 would be OUTSIDE
     pack(starts, listed);
+  }
+
+  /** Whether a grid can be made of obstacles with this largest coordinate. */
+  static boolean serves(double extent) {
+    return extent > SMALLEST && extent < LARGEST;
   }
 
   /** The pairs that longer lists take. */

@@ -23,11 +23,6 @@ public final class Grids {
   /** Up to this many lines and pegs no grid is made: measured, it would gain nothing. */
   private static final int FEW = 8;
 
-  /** Beyond these sizes of coordinates, numbers of cells could overflow or underflow. */
-  private static final double LARGEST = 0x1p400;
-
-  private static final double SMALLEST = 0x1p-400;
-
   private final ObstacleTable obstacles;
   private final EngineOptions options;
   private final Map<Integer, Grid> byExponent = new TreeMap<>();
@@ -48,12 +43,10 @@ public final class Grids {
   private boolean wanted() {
     int size = obstacles.staticSize();
     boolean chosen = options.cell() == 0;
-    return options.grid() && size > 0 && isOrdinary() && !(chosen && size <= FEW);
-  }
-
-  private boolean isOrdinary() {
-    double extent = obstacles.extent();
-    return extent > SMALLEST && extent < LARGEST;
+    return options.grid()
+        && size > 0
+        && Grid.serves(obstacles.extent())
+        && !(chosen && size <= FEW);
   }
 
   private void make(int exponent, double radius) {

@@ -33,11 +33,6 @@ public final class ObstacleIndex {
   /** The radii of point rays, and all below 2^-20 of the size of the scene, share a grid. */
   private static final int OCTAVES = 20;
 
-  /** Beyond these sizes of coordinates, numbers of cells could overflow or underflow. */
-  private static final double LARGEST = 0x1p400;
-
-  private static final double SMALLEST = 0x1p-400;
-
   public final ObstacleTable obstacles;
 
   /** The search that is copied for each thread. It knows the extent of the obstacles. */
@@ -129,9 +124,8 @@ public final class ObstacleIndex {
       made[k] = tree(obstacles.kinds.get(k));
       size = Math.max(size, size(made[k]));
     }
-    double extent = obstacles.extent();
-    boolean ordinary = extent > SMALLEST && extent < LARGEST;
-    mostExponent = ordinary ? Math.getExponent(size) : Integer.MIN_VALUE;
+    mostExponent =
+        Grid.serves(obstacles.extent()) ? Math.getExponent(size) : Double.MIN_EXPONENT - 1;
     leastExponent = Math.max(Double.MIN_EXPONENT, mostExponent - OCTAVES);
     trees = made;
   }
