@@ -167,7 +167,7 @@ public final class Warnings {
   }
 
   /** The warning about a circle and a thing that it overlaps. */
-  public static String text(SceneData scene, int i, int code) {
+  static String text(SceneData scene, int i, int code) {
     double r = scene.radius(i);
     if (Codes.isWall(code)) {
       String wall = "the " + WALLS.get(code) + " wall";

@@ -17,7 +17,7 @@ import dev.carom.internal.state.Codes;
  * <p>A longer list is a run of pairs, each of lines or of other obstacles. The sign is set in all
  * but the last pair.
  */
-public final class CellList {
+final class CellList {
 
   /** Marks the ring of cells outside of the grid, in place of a list. */
   static final long OUTSIDE = Long.MIN_VALUE;
@@ -45,17 +45,17 @@ public final class CellList {
   }
 
   /** Whether a list is a pair of lines, or empty. */
-  public static boolean isPairOfLines(long list) {
+  static boolean isPairOfLines(long list) {
     return list >= 0;
   }
 
   /** Whether a pair, or a list that is no pair of lines, is a pair of other obstacles. */
-  public static boolean areOthers(long pair) {
+  static boolean areOthers(long pair) {
     return Codes.isAfterLines(second(pair));
   }
 
   /** The start of a longer list. */
-  public static int start(long list) {
+  static int start(long list) {
     return (int) list;
   }
 
@@ -64,11 +64,11 @@ public final class CellList {
     return (int) (pair >>> (number * Integer.SIZE));
   }
 
-  public static int first(long pair) {
+  static int first(long pair) {
     return (int) pair;
   }
 
-  public static int second(long pair) {
+  static int second(long pair) {
     return (int) (pair >>> Integer.SIZE) & Integer.MAX_VALUE;
   }
 
@@ -85,7 +85,7 @@ public final class CellList {
   }
 
   /** Whether another pair follows. */
-  public static boolean isMore(long pair) {
+  static boolean isMore(long pair) {
     return pair < 0;
   }
 }

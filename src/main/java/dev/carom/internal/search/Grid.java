@@ -37,17 +37,17 @@ public final class Grid {
   private static final double SMALLEST = 0x1p-400;
 
   final double cell;
-  public final int columns;
-  public final int rows;
+  final int columns;
+  final int rows;
 
   /** The difference of the numbers of a cell and of the one in the next row. */
   final int stride;
 
   /** The list of each cell, by its number: a {@link CellList}. */
-  public final long[] lists;
+  final long[] lists;
 
   /** The pairs of longer lists, see {@link CellList}. */
-  public final long[] pairs;
+  final long[] pairs;
 
   /** Places so far from the origin are not resolved, nor speeds outside of this range. */
   private final double farthest;
@@ -73,7 +73,7 @@ public final class Grid {
    *
    * @param cell the size of a cell, or 0 to have it chosen
    */
-  public Grid(ObstacleTable obstacles, double radius, double cell) {
+  Grid(ObstacleTable obstacles, double radius, double cell) {
     this.obstacles = obstacles;
     this.radius = radius;
     double[] box = box();
@@ -156,7 +156,7 @@ public final class Grid {
   }
 
   /** The number of a cell. */
-  public int number(int column, int row) {
+  int number(int column, int row) {
     return (row + 1) * stride + column + 1;
   }
 
@@ -233,7 +233,7 @@ public final class Grid {
         + (lists[cell + stride - 1] + lists[cell + stride + 1]);
   }
 
-  public int cells() {
+  int cells() {
     return columns * rows;
   }
 
@@ -243,11 +243,11 @@ public final class Grid {
    * which times and cells convert. One axis may be slower: 1 / |v| overflows only far below that
    * range.
    */
-  public boolean resolves(double x, double y, double speed) {
+  boolean resolves(double x, double y, double speed) {
     return Math.abs(x) + Math.abs(y) < farthest && speed > slowest && speed < fastest;
   }
 
-  public boolean contains(double x, double y) {
+  boolean contains(double x, double y) {
     return x >= xmin && x <= xmax && y >= ymin && y <= ymax;
   }
 
@@ -255,7 +255,7 @@ public final class Grid {
    * The time at which a path from (x, y) along (vx, vy) is first inside, at {@code from} or later;
    * {@code +infinity} if it never is.
    */
-  public double entry(double x, double y, double vx, double vy, double from) {
+  double entry(double x, double y, double vx, double vy, double from) {
     double enter = Math.max(enter(x, vx, xmin, xmax, from), enter(y, vy, ymin, ymax, from));
     double leave = Math.min(leave(x, vx, xmin, xmax), leave(y, vy, ymin, ymax));
     return enter <= leave ? enter : Double.POSITIVE_INFINITY;
@@ -273,20 +273,20 @@ public final class Grid {
   }
 
   /** The number of columns between the left edge of the grid and x; negative beyond it. */
-  public double columns(double x) {
+  double columns(double x) {
     return (x - xmin) * perCell;
   }
 
-  public double rows(double y) {
+  double rows(double y) {
     return (y - ymin) * perCell;
   }
 
   /** The column that has so many before it; for a place outside of the grid the nearest one. */
-  public int column(double columnsBefore) {
+  int column(double columnsBefore) {
     return Math.max(0, Math.min(columns - 1, (int) columnsBefore));
   }
 
-  public int row(double rowsBefore) {
+  int row(double rowsBefore) {
     return Math.max(0, Math.min(rows - 1, (int) rowsBefore));
   }
 
