@@ -13,6 +13,7 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneDataBuilder;
 import dev.carom.internal.util.Check;
+import dev.carom.internal.util.Index;
 import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
 import java.util.List;
@@ -222,7 +223,7 @@ public final class Resolver {
   public Optional<Obstacle> nearest(Vec2 point) {
     Check.notNull("point", point);
     int nearest = new Proximity(index, () -> 0).nearest(point.x(), point.y());
-    return nearest == Proximity.NONE ? Optional.empty() : Optional.of(records.apply(nearest));
+    return nearest == Index.NONE ? Optional.empty() : Optional.of(records.apply(nearest));
   }
 
   /**

@@ -200,7 +200,7 @@ final class WorldQueries {
   int nearest(ObstacleKind kind, double x, double y, double now, IntPredicate seen) {
     if (kind != ObstacleKind.CIRCLE) {
       int code = proximity.nearest(kind.ordinal(), x, y, seen);
-      return code == Proximity.NONE ? -1 : Codes.index(code);
+      return code == Index.NONE ? -1 : Codes.index(code);
     }
     int slot = queries.nearest(x, y, now, slots(seen));
     return slot == Index.NONE ? -1 : registry.id(slot);

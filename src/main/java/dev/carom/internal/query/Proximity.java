@@ -27,8 +27,6 @@ import java.util.stream.IntStream;
  */
 public final class Proximity {
 
-  public static final int NONE = Index.NONE;
-
   private final ObstacleIndex index;
   private final ObstacleTable obstacles;
   private final DoubleSupplier clock;
@@ -46,7 +44,7 @@ public final class Proximity {
 
   // The nearest obstacle.
 
-  /** The nearest obstacle; among equally near ones that of the smallest code. */
+  /** The nearest obstacle, {@link Index#NONE} if there is none; of equally near ones the first. */
   public int nearest(double x, double y) {
     index.expect(1);
     NearestItem nearest = new NearestItem(code -> true, code -> distance(code, x, y));
@@ -57,7 +55,7 @@ public final class Proximity {
   }
 
   /**
-   * The nearest obstacle of a kind, NONE if there is none.
+   * The nearest obstacle of a kind, {@link Index#NONE} if there is none.
    *
    * @param seen the codes that count
    */

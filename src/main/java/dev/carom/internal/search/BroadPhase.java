@@ -41,10 +41,10 @@ public final class BroadPhase extends NarrowPhase {
   /** No overflow up to this: a sum of two cross products is at most 8 times as large. */
   private static final double MOST_SAFE = 0x1p1020;
 
-  private final CodeSet loose;
-
   /** A window lasts for so many more steps like the one at which it begins. */
   private static final int STEPS_OF_WINDOW = 64;
+
+  private final CodeSet loose;
 
   /** The middle of the bounds, and its distances from the walls. */
   private final double middleX;

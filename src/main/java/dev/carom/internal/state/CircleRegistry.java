@@ -217,13 +217,9 @@ public final class CircleRegistry {
    * one.
    */
   public void toIds(MovingCircle m) {
-    if (Codes.isCircle(m.last)) {
-      int slot = Codes.slot(m.last);
-      m.last = contains(slot) ? Codes.circle(id(slot)) : MovingCircle.NOTHING;
-    }
-    if (m.jam != null && ids != null) {
-      m.jam = m.jam.ofOtherCircles(this::id);
-    }
+    boolean removed = Codes.isCircle(m.last) && !contains(Codes.slot(m.last));
+    m.last = removed ? MovingCircle.NOTHING : codeWithId(m.last);
+    m.jam = jamWithIds(m.jam);
   }
 
   /** The inverse of {@link #toIds}. */

@@ -115,7 +115,7 @@ public final class SceneDataBuilder {
   }
 
   public void oneWay() {
-    if (last == null || last != obstacles[Kind.LINE]) {
+    if (last != obstacles[Kind.LINE]) {
       throw new IllegalStateException("one-way belongs to the line just added: add one first");
     }
     last.setLastTraits(ContactFlags.withOneWay(last.lastTraits(), true));
