@@ -148,7 +148,7 @@ class ArchitectureTest {
     slices().matching("dev.carom.(**)").should().beFreeOfCycles().check(CLASSES);
   }
 
-  /** What is thrown below reaches users as an exception of Java, or the one of the API. */
+  /** An internal exception reaches users as one of Java, or as that of the API. */
   @Test
   void noInternalExceptionLeavesTheLibrary() {
     assertThat(

@@ -58,7 +58,7 @@ class BudgetTest {
     assertThat(world.now()).isEqualTo(2 * most - 0.5);
   }
 
-  /** Whatever the first one spent, each of the others may make its thousand impacts. */
+  /** A circle that spends much leaves the others their thousand impacts each. */
   @Test
   void eachMayMakeAThousandImpactsBesides() {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 0x1p11, 0);
@@ -136,7 +136,7 @@ class BudgetTest {
     return tracer.trace(CircleCast.body(LEAVING, new Vec2(-UNIT, 0), 1), 1e3, bounces, most);
   }
 
-  /** What it takes to know the impact that comes after so many. */
+  /** The work to find the impact that comes after so many. */
   private static long workAfter(int impacts) {
     long before = bits();
     assertThat(trace(impacts, Integer.MAX_VALUE).complete()).isTrue();

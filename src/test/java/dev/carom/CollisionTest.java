@@ -127,7 +127,7 @@ class CollisionTest {
         .containsExactly(new Run.State(100, 0, 1, 0), new Run.State(-90, 0, -1, 0));
   }
 
-  /** Of one time, the lower numbers first; the middle one is hit from both sides. */
+  /** Collisions at one time go by number, the lower first; one circle is hit from both sides. */
   @Test
   void simultaneousCollisionsAreTakenByNumber() {
     Run run = run(colliding().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).circle(5, 0, 1, -1, 0));
@@ -185,7 +185,7 @@ class CollisionTest {
     }
   }
 
-  /** Of pairs that meet at one time the one of the smallest ids is first. */
+  /** Among pairs that collide at one time, the one with the smallest ids is first. */
   @Test
   void simultaneousMeetingsStandInTheOrderOfIds() {
     SceneBuilder scene = Scene.builder().collide(true);

@@ -19,10 +19,10 @@ final class EditSession {
   private final int mostImpacts;
   private final boolean sensors;
 
-  /** What the filters are drawn from; null for a session without any. */
+  /** The source of random filters; null for a session without filters. */
   private final Random masks;
 
-  /** What is drawn for obstacles that move; null if none does. */
+  /** The source of random velocities of obstacles; null if none moves. */
   private final Random motion;
 
   private final ThreeWorlds worlds;

@@ -309,7 +309,7 @@ class EndsTest {
     assertThat(new Run(rows, Run.states(world))).isEqualTo(Run.advance(new World(busy()), LONG));
   }
 
-  /** What an earlier step did is not taken back by a later one that has to. */
+  /** A step that takes back its own impacts leaves those of earlier steps. */
   @Test
   void anUnfinishedStepTakesBackNothingButItsOwn() {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 64, 64);

@@ -17,8 +17,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * What a cast hits first, of several things whose times of impact round to the same double: the one
- * that is earlier exactly, and only of exactly equal times the first in order.
+ * The first impact of a cast among several whose times round to the same double: the one that is
+ * exactly earlier. If the times are exactly equal, it is the first in the order of codes.
  */
 class FirstImpactTest {
 
@@ -97,7 +97,7 @@ class FirstImpactTest {
     assertThat(impact.id()).isEqualTo(Codes.RIGHT);
   }
 
-  /** Of a kind that comes later in order, but earlier in time. */
+  /** The exact time decides before the order of the kinds. */
   @Test
   void anEarlierLineIsBeforeAWallAndAnEarlierPegBeforeALine() {
     Bounds room = new Bounds(-9, -9, 1, 9);
@@ -268,7 +268,7 @@ class FirstImpactTest {
     return new World((collide ? builder : builder.circle(0, 0, 5, 0, 0)).build(), options);
   }
 
-  /** What was found is removed, or made a sensor, or one-way; what is first then, is next. */
+  /** Each thing found is removed, or made a sensor or one-way. The next cast finds the second. */
   @Tag("long")
   @Test
   void whatIsNotThereIsNotFirst() {

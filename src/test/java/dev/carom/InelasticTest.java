@@ -23,7 +23,7 @@ class InelasticTest {
   /** Budgets that a frame may take: measured, each takes one. */
   private static final int CALLS = 1;
 
-  /** What a run left. */
+  /** The counts at the end of a run. */
   private record End(int impacts, int jammed) {}
 
   private static End play(World world, int frames) {

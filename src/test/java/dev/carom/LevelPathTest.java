@@ -57,7 +57,7 @@ class LevelPathTest {
     }
   }
 
-  /** What is computed of either end is then but a few bits, of which the last one is rounded. */
+  /** The products for either end have but a few bits, of which the last one is rounded. */
   @Test
   void aLineIsHitWhereProductsUnderflow() {
     for (int i = 0; i < LINES; i++) {
@@ -68,7 +68,7 @@ class LevelPathTest {
     }
   }
 
-  /** Of one end it is nearly the largest double, so that the sum of both is beyond. */
+  /** The product for one end is nearly the largest double, and the sum of both is beyond. */
   @Test
   void aLineIsHitWhereSumsOfProductsOverflow() {
     double unit = 0x1p511;

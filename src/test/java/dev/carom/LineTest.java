@@ -208,7 +208,7 @@ class LineTest {
     assertThat(new Line(-most, 0, most, 0).closestPoint(new Vec2(0, 5))).isEqualTo(new Vec2(0, 0));
   }
 
-  /** Of some of the least doubles, none of which has a half. */
+  /** Coordinates are among the least doubles; an odd one cannot be halved. */
   @Test
   void closestPointOfTheShortestLines() {
     double least = Double.MIN_VALUE;

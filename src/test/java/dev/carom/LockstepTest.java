@@ -108,7 +108,7 @@ class LockstepTest {
     return world.circles.body.tl;
   }
 
-  /** What is still to be met at the time at which a budget was spent. */
+  /** Contacts that are still to come at the time at which a budget was spent. */
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 2, 3})
   void anUnfinishedStepLeavesNoDifference(int sensors) {

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Who has no common bit of category and mask does not exist for each other. */
+/** Two things whose categories and masks have no bit in common do not exist for each other. */
 class MasksTest {
 
   private static final int A = 2;

@@ -207,7 +207,7 @@ class MovingObstaclesTest {
     assertThat(world.vx(1)).as("it was hit by it").isEqualTo(-1);
   }
 
-  /** What moves among things that move alike sees what it would see if nothing moved. */
+  /** If all obstacles share a velocity, the impacts are those of obstacles at rest. */
   @Test
   void aFrameOfReferenceThatMovesGivesTheSameImpacts() {
     Random random = new Random(7);

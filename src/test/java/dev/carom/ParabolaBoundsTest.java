@@ -61,9 +61,9 @@ class ParabolaBoundsTest {
               "discriminant of a wall", "ParabolaWallSweep", NEARLY_NONE, List.of(8 * 0x1p-53)));
 
   /**
-   * What is answered.
+   * The answer to a question.
    *
-   * @param contact 0 for a miss, and for all that is no line
+   * @param contact 0 for a miss, and for anything but a line
    */
   private record Reply(double time, int contact) {}
 

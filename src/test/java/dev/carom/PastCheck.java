@@ -13,7 +13,7 @@ final class PastCheck {
   private final World world;
   private final Timeline past;
 
-  /** Of each circle, by time, how it was when the world left that time. */
+  /** The states of each circle, by the times at which the world left them. */
   private final TreeMap<Integer, TreeMap<Double, Run.State>> seen = new TreeMap<>();
 
   /** The snapshot that was taken last at each time. */

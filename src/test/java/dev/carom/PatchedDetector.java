@@ -34,9 +34,9 @@ final class PatchedDetector {
   private final MethodHandle sphereTime;
 
   /**
-   * What is hit and when.
+   * The part that is hit, and the time.
    *
-   * @param part null for no answer at all, from exact numbers asked for the time of what is a miss
+   * @param part null if exact numbers were asked for the time of a miss, and gave no answer
    * @param time infinite for a miss
    */
   record Reply(Part part, double time) {}

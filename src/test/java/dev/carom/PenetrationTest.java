@@ -13,7 +13,7 @@ class PenetrationTest {
 
   private static final int FRAMES = 600;
 
-  /** What rounding may leave, in px. */
+  /** The overlap that rounding may leave, in px. */
   private static final double DEPTH = 1e-11;
 
   @ParameterizedTest

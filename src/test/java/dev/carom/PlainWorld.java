@@ -237,7 +237,7 @@ public final class PlainWorld {
     }
   }
 
-  /** What the new flights do to jams. */
+  /** Updates the jams of circles that begin new flights. */
   private void settle(int result, MovingCircle... hit) {
     Collection<MovingCircle> changed = List.of(hit);
     if (result == ObstacleResponse.STUCK && (collide || obstacles.areMoving())) {

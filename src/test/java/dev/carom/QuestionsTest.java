@@ -328,7 +328,7 @@ class QuestionsTest {
     return hits;
   }
 
-  /** Of two equal worlds one is asked in each frame. */
+  /** Two equal worlds stay equal, though only one is asked questions in each frame. */
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void questionsChangeNoStep(boolean collide) {

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
- * What a trajectory can promise. Each impact rounds the state once, an error of 2^-53, and the
+ * The accuracy that a trajectory can promise. Each impact rounds the state once, an error of 2^-53, and the
  * scene multiplies it; the conditioning of a place, the sum of |d place / d ln q| over the start
  * values q, says how much. The promise: an error of at most 4 x 2^-53 x conditioning.
  *
@@ -139,7 +139,7 @@ class RadiiTrajectoryTest {
     assertThat(compared[0]).isGreaterThan(15);
   }
 
-  /** Of the same circles, the velocity at the end, as far as their places are known. */
+  /** The velocities of the same circles at the end, if their places are known. */
   @Test
   void velocitiesAreThoseOfTheReference() throws IOException {
     World world = new World(TestScenes.read("radii.csv"));

@@ -28,7 +28,7 @@ enum RoundingBound {
   ROOT_GAP(TimeOfImpact.class, "GAP_BOUND"),
   ROOT_REACH(TimeOfImpact.class, "DISCRIMINANT_BOUND"),
   ROOT_WINDOW(TimeOfImpact.class, "WINDOW_BOUND"),
-  /** What a place loses, in the error of a step, and so the whole of f's share. */
+  /** The rounding of a place in the error of a step, and so the whole of f's share. */
   ROOT_PLACE(TimeOfImpact.class, "PLACE_BOUND"),
   ROOT_TINY(TimeOfImpact.class, "TINY"),
   SEGMENT_PLACE(SegmentSweep.class, "PLACE_BOUND"),
@@ -37,21 +37,21 @@ enum RoundingBound {
   SEGMENT_CORNER(SegmentSweep.class, "CORNER_BOUND"),
   SEGMENT_TINY(SegmentSweep.class, "TINY"),
   SIDE_WINDOW(SideSweep.class, "WINDOW_BOUND"),
-  /** What h loses, in the error of a step. */
+  /** The rounding of h in the error of a step. */
   SIDE_PLACE(SideSweep.class, Kind.BOUND, 256 * 0x1p-106),
-  /** What the divisions lose, in the error of a step. */
+  /** The rounding of the divisions in the error of a step. */
   SIDE_LEAN(SideSweep.class, Kind.BOUND, 16 * 0x1p-53),
   SIDE_TINY(SideSweep.class, Kind.LEAST, 0x1p-1000),
   SIDE_LEAST(SideSweep.class, "LEAST_SAFE"),
   SIDE_LEAST_LENGTH(SideSweep.class, "LEAST_LENGTH"),
-  /** Of the gap's tail and of the remainder: each is so generous that it covers the other. */
+  /** The bounds of the gap's tail and of the remainder: each is generous enough for both. */
   WALL_REST(WallSweep.class, Kind.BOUND, 0x1p-104, 0x1p-50),
   WALL_LEAST(WallSweep.class, "LEAST_SAFE"),
   PREDICATES(Predicates.class, "BOUND"),
   PREDICATES_TINY(Predicates.class, "TINY"),
   PREDICATES_LARGE(Predicates.class, "LARGE");
 
-  /** What a constant does. */
+  /** The purpose of a constant. */
   enum Kind {
     /** Bounds an error: none at 0. */
     BOUND,

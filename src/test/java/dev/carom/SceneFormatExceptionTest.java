@@ -233,7 +233,7 @@ class SceneFormatExceptionTest {
     assertThat(e).hasMessage(file + ":2:9: bx is missing: expected line,ax,ay,bx,by");
   }
 
-  /** What a mistaken argument looks like: the first bytes of something compressed. */
+  /** A mistaken argument: the first bytes of a compressed file. */
   @Test
   void aFileThatIsNotText(@TempDir Path folder) throws Exception {
     Path file = folder.resolve("scene.csv.gz");

@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** More queries, and others: {@code -Dcarom.queries=10000000 -Dcarom.seed=2}. */
 class SweptSphereTest {
-  /** Of each family; of some, few are hits. */
+  /** The queries of each family; in some families few are hits. */
   private static final int QUERIES =
       (int) Math.max(500, Long.getLong("carom.queries", 46_000) / SphereFamilies.NAMES.size());
 

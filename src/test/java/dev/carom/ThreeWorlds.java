@@ -29,7 +29,7 @@ final class ThreeWorlds {
 
   private static final int BOUNCES = 5;
 
-  /** What is drawn for the twin alone. */
+  /** The source of random choices for the twin alone. */
   private final Random random;
 
   private final Scene scene;
@@ -42,9 +42,9 @@ final class ThreeWorlds {
   private final RestoredTwin restored;
 
   /**
-   * Of a scene.
+   * Makes the worlds of a scene.
    *
-   * @param unit of its lengths
+   * @param unit the unit of its lengths
    */
   ThreeWorlds(Scene scene, double unit, long seed) {
     this.scene = scene;
@@ -97,8 +97,8 @@ final class ThreeWorlds {
   }
 
   /**
-   * What would one of the circles, or a point in its place, hit first if it were here for the first
-   * time, and which way would it go?
+   * Asks for the first impact and for the path of one of the circles, or of a point in its place, as
+   * if it began there.
    */
   private void ask() {
     int id = random.nextInt(world.idLimit(ObstacleKind.CIRCLE));

@@ -246,7 +246,7 @@ class TimelineTest {
     assertThat(second.y(0, 5)).isEqualTo(7);
   }
 
-  // What stands still.
+  // Lines and pegs.
 
   @Test
   void linesAndPegsAreWhereTheyWere() {
@@ -325,7 +325,7 @@ class TimelineTest {
     assertThat(timeline.peg(-1, 0.5)).isEmpty();
   }
 
-  /** Of its two flights none is dropped for what comes later. */
+  /** A timeline with room for two flights keeps both, as later flights are not recorded. */
   @Test
   void whatFollowsAfterARecordingDropsNothing() {
     World world = new World(Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 4, 0).build());
@@ -339,7 +339,7 @@ class TimelineTest {
     assertThat(timeline.x(0, 0.5)).isEqualTo(7);
   }
 
-  // What was removed.
+  // Removed things.
 
   /** One comes and bounces once, another one goes, ten are there. */
   private static World turnover(boolean collide, int rounds, Timeline[] past) {
@@ -402,7 +402,7 @@ class TimelineTest {
     return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
   }
 
-  /** Whoever came and went, 500 bytes each would be 500 MB. */
+  /** With 500 bytes for each of the removed circles it would be 500 MB. */
   @Tag("long")
   @Test
   void whatCameAndWentTakesNoMemory() {

@@ -180,7 +180,7 @@ class WindowEndTest {
 
   /**
    * Apart by next to nothing, and moving nearly along each other: they touch soon, and part again.
-   * Of the plain time no digit is right, so that it may lie beyond the window's end.
+   * No digit of the plain time is right, so it may lie beyond the window's end.
    */
   private double[] touching() {
     double size = radius();

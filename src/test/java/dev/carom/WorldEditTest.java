@@ -183,7 +183,7 @@ class WorldEditTest {
     assertThat(Run.advance(world, 1000).impacts()).isEmpty();
   }
 
-  /** What it was to meet as a small circle does not count, whatever else is edited then. */
+  /** The prediction for the old radius is dropped, also if a line is edited afterwards. */
   @Test
   void anEditedCircleForeseesAnewWhenWhatItHitLastIsMoved() {
     World world =

@@ -78,7 +78,7 @@ class OracleTest {
     }
   }
 
-  /** Of -8 BigInteger.bitLength is 3, of 8 it is 4: once this made a tie of two surds a win. */
+  /** BigInteger.bitLength is 3 for -8 and 4 for 8: once this made a tie of two surds a win. */
   @Test
   void comparesNegativePowersOfTwo() {
     assertEquals(0, new Surd(Dyadic.of(-8), Dyadic.of(2), Dyadic.of(16)).sign());

@@ -51,7 +51,7 @@ class CollapseTest {
     assertThat(world.x(0)).isCloseTo(0.1 * Math.hypot(100, 1), within(1e-9));
   }
 
-  /** Of the first and last one towards each other; all end as one piece, or part slowly. */
+  /** The first and the last one move inwards; all end as one piece, or part slowly. */
   @ParameterizedTest
   @CsvSource({"3, 0.05", "8, 0", "8, 0.3", "20, 0.5"})
   void aChainCollapsesAndGoesOn(int count, double e) {

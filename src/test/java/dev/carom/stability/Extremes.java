@@ -56,7 +56,7 @@ final class Extremes {
     return v;
   }
 
-  /** Of any size, at least 0. */
+  /** A number of any size, at least 0. */
   double size() {
     return switch (random.nextInt(8)) {
       case 0, 1 -> drawn.isEmpty() ? 1 : Math.abs(drawn.get(random.nextInt(drawn.size())));

@@ -134,7 +134,7 @@ class InfiniteMassTest {
     assertThat(world.x(0)).isCloseTo(19, within(1e-4));
   }
 
-  /** What hits a crushed circle finds a rock; when the doors have left it, it moves again. */
+  /** A crushed circle is hit like one of infinite mass, and moves again once the doors left it. */
   @Test
   void aCrushedCircleStandsUntilTheDoorsHaveLeft() {
     World world =

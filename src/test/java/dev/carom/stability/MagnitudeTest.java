@@ -161,7 +161,7 @@ class MagnitudeTest {
     assertThat(hit.normal().y()).isCloseTo(0.6, within(1e-15));
   }
 
-  /** Of radius 1, with a way that is as much longer. */
+  /** Two circles with radii that add up to 1, and a way that is far longer. */
   @ParameterizedTest
   @ValueSource(doubles = {0x1p130, 0x1p300, 0x1p900})
   void theNormalAfterALongWayIsAccurate(double way) {

@@ -16,7 +16,7 @@ import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 
 /**
- * What is refused leaves all as it was: builder, world, file. More of it: RefusedEditTest,
+ * A refused call leaves builder, world and file as they were. See also RefusedEditTest,
  * SceneBuilderTest, SceneFormatExceptionTest, SnapshotStreamTest.
  */
 class NothingHalfDoneTest {

@@ -109,7 +109,7 @@ class TimeStepTest {
     Play.assertState(world, 0, 0, 2, 0, 1);
   }
 
-  /** Of many circles, so that the budget of each is a small one. */
+  /** There are many circles, so that the budget of each is small. */
   @Test
   void anUnfinishedStepReportsItsOwnImpactsOnly() {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 0, 8);

@@ -58,7 +58,7 @@ class ProximityTest {
     assertThat(Resolver.of(List.of(new Line(x, y, x, y))).overlapping(box)).hasSize(expected);
   }
 
-  /** Of a line along x: beside it, and beyond each end. */
+  /** Disks that touch a line along x: beside it, and beyond each end. */
   @ParameterizedTest
   @CsvSource({"3, 5", "0, 5", "10, 5", "-3, 4", "13, 4", "-5, 0", "15, 0"})
   void whatTouchesALineDoesNotOverlapIt(double x, double y) {

@@ -132,7 +132,7 @@ class CalendarQueueTest {
             });
   }
 
-  /** What suited the calendar when a round began is soon far too long, and then far too short. */
+  /** The bucket width at the start of a round is soon far too long, and then far too short. */
   @ParameterizedTest
   @ValueSource(ints = {1, 40, 300, 3000})
   void timesThatGrowShortAndLongAgain(int count) {
@@ -197,7 +197,7 @@ class CalendarQueueTest {
     assertThat(told).doesNotHaveDuplicates();
   }
 
-  /** Of those at one moment no more than a core waits for at once. */
+  /** Events at one moment are prefetched up to a limit: the loads that a core can wait for at once. */
   @Test
   void tellsNoMoreThanThereIsRoomFor() {
     int count = 3 * CalendarQueue.MOST_PREFETCHED;

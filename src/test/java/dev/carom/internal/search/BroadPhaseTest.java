@@ -26,7 +26,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * What comes first, and that nothing is passed over: at the edges of what the search allows for.
+ * The search finds the first impact and misses none, at the limits for which it was made.
  */
 class BroadPhaseTest {
 

@@ -141,7 +141,7 @@ class GridTest {
     assertThat(gridOf(scene.peg(0, 0, 1)).pairs).hasSizeGreaterThan(1);
   }
 
-  /** Whatever a cell lists is found again, once or twice, lines and pegs apart. */
+  /** All obstacles in a cell's list are found again, once or twice, lines and pegs apart. */
   @ParameterizedTest
   @CsvSource({
     "0, 0", "1, 0", "2, 0", "3, 0", "4, 0", "5, 0", "0, 1", "0, 2", "0, 3", "1, 1", "2, 1", "3, 2",

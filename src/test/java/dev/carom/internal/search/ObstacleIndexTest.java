@@ -80,7 +80,7 @@ class ObstacleIndexTest {
     assertThat(index.tree(Kind.PEG)).isNull();
   }
 
-  /** What is loose costs each question something, which adds up to an index. */
+  /** Loose obstacles cost each question something, which adds up to the cost of an index. */
   @Test
   void itIsMadeAnewOnceThatPays() {
     ObstacleIndex index = made();
@@ -95,7 +95,7 @@ class ObstacleIndexTest {
     assertThat(index.loose().size).isZero();
   }
 
-  /** Of 100 pegs a small box finds those that it touches. */
+  /** A small box among 100 pegs finds those that it touches. */
   @Test
   void aTreeFindsWhatIsInABox() {
     IntList found = new IntList();

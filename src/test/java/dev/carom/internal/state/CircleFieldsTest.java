@@ -92,7 +92,7 @@ class CircleFieldsTest {
     assertThat(fields(loaded)).isEqualTo(fields(m));
   }
 
-  /** What is ahead is not read for a meeting, nor what was hit last: the meeting sets it. */
+  /** A collision reads neither the prediction nor the thing hit last, which it sets. */
   @Test
   void theTableHoldsThemForAMeeting() throws IllegalAccessException {
     CircleTable circles = CircleTable.colliding(3);
@@ -167,7 +167,7 @@ class CircleFieldsTest {
     assertThat(loaded.next).isEqualTo(MovingCircle.NOTHING);
   }
 
-  /** Of a recorded flight, each number tells in one of the answers. */
+  /** Each number of a recorded flight changes one of the answers. */
   @Test
   void aTimelineHoldsTheFlight() throws IllegalAccessException {
     MovingCircle m = filled(1);

@@ -24,7 +24,7 @@ class CircleRegistryTest {
     assertThat(scene.mass(1)).isOne();
   }
 
-  /** What asks each circle would else take longer with all that ever were there. */
+  /** The list of live slots does not grow with the circles that were ever there. */
   @Test
   void whoIsGoneIsNotAmongWhomToAsk() {
     CircleRegistry registry =

@@ -9,10 +9,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** What is kept of a circle in the arrays is there when it is loaded. */
+/** A circle that is stored in the arrays is the same when it is loaded. */
 class CircleTableTest {
 
-  /** Of what is ahead, its contact; where nothing is, the sensor met last in its place. */
+  /** The next impact and its contact; without one, the sensor met last stands in its place. */
   static Stream<Arguments> aheadAndContact() {
     return Stream.of(
         Arguments.of(MovingCircle.NOTHING, 0),

@@ -89,7 +89,7 @@ class ObstacleTableTest {
     }
   }
 
-  /** What looks at each would else take longer with all that ever was there. */
+  /** The list of live obstacles does not grow with the obstacles that were ever there. */
   @Test
   void whatIsGoneIsNotAmongWhatIsThere() {
     ObstacleTable obstacles = obstacles();
