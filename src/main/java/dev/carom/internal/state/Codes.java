@@ -112,10 +112,6 @@ public final class Codes {
     return code >= FIRST_PEG;
   }
 
-  public static boolean isPeg(int code) {
-    return code >= FIRST_PEG && code < FIRST_CIRCLE;
-  }
-
   public static boolean isCircle(int code) {
     return code >= FIRST_CIRCLE;
   }

@@ -218,7 +218,7 @@ class WarningsTest {
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle circle = scene.circle(i);
       for (int code : proximity.overlapping(circle.x(), circle.y(), circle.radius())) {
-        boolean isLeft = Codes.isPeg(code) || !obstacles.isOneWay(code);
+        boolean isLeft = !obstacles.isOneWay(code);
         if (!isLeft) {
           Line l = (Line) Internals.record(obstacles, code);
           isLeft =

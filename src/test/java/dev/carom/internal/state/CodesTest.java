@@ -21,7 +21,6 @@ class CodesTest {
       assertThat(Codes.index(code)).isEqualTo(i);
       assertThat(Codes.isWall(code)).isEqualTo(kind == Kind.WALL);
       assertThat(Codes.isLine(code)).isEqualTo(kind == Kind.LINE);
-      assertThat(Codes.isPeg(code)).isEqualTo(kind == Kind.PEG);
       assertThat(Codes.isCircle(code)).isEqualTo(kind == Kind.CIRCLE);
     }
   }
@@ -46,7 +45,6 @@ class CodesTest {
   @Test
   void whatIsNoCodeIsNoneOfThoseThatAreLookedUp() {
     assertThat(Codes.isLine(-1)).isFalse();
-    assertThat(Codes.isPeg(-1)).isFalse();
     assertThat(Codes.isCircle(-1)).isFalse();
   }
 
