@@ -315,9 +315,9 @@ public final class Uncertainty {
    * <p>The path nearby starts beside the circle at the same velocity, infinitely near. After many
    * impacts this is the largest exponent of the circle's motion.
    *
-   * <p>Without round obstacles it is 0 if all impacts are elastic. Otherwise it is not: an oblique
-   * impact draws the two paths together if its restitution is below 1, and apart if it is above. The
-   * ends of lines are round obstacles.
+   * <p>Without round obstacles it is 0 if all impacts are elastic; the ends of lines are round, too.
+   * Other restitutions change it: an oblique impact draws the two paths together if its restitution
+   * is below 1, and apart if it is above.
    *
    * @param id the id of the circle
    * @return the exponent, in 1 / time unit; NaN at the start, and where the flights are unknown;

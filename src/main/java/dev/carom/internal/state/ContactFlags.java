@@ -15,7 +15,7 @@ public final class ContactFlags {
   private static final int RESPONSE = 3;
   private static final int ONE_WAY = 4;
 
-  /** All flags that a thing can have that is no line. */
+  /** All flags that a wall, a peg or a circle can have. */
   public static final int MOST = RESPONSE;
 
   /** All flags that a line can have. */

@@ -277,7 +277,7 @@ public final class ObstacleTable {
   }
 
   /**
-   * Sets the time of the world from which the times count that places are asked for: that of a
+   * Sets the time of the world that counts as time 0 in {@link #place} and {@link #rowAt}: that of a
    * question while it is answered, else 0.
    */
   public void setEpoch(double time) {
