@@ -19,10 +19,10 @@ package dev.carom;
  *     A coordinate beyond the range of doubles is the largest one
  * @param normal the unit vector from the obstacle to the circle (of two circles: from the second to
  *     the first), each component within 1e-15 of the true one
- * @param approachSpeed the speed at which the distance falls at contact: {@code -(v - u).n}, with the
- *     velocity v of the circle and u of the thing that was hit. It is greater than 0, unless it is
- *     smaller than the range of a double, or an acceleration alone makes the distance fall; infinite
- *     if it is larger
+ * @param approachSpeed the speed at which the distance falls at contact: {@code -(v - u).n}, with
+ *     the velocity v of the circle and u of the thing that was hit. It is greater than 0, unless it
+ *     is smaller than the range of a double, or an acceleration alone makes the distance fall;
+ *     infinite if it is larger
  */
 public record Impact(
     double time,

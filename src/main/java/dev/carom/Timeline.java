@@ -20,9 +20,9 @@ import java.util.Optional;
  * System.out.println(world.step(6) + ", " + past.x(0, 2.5) + ", " + past.x(0, 5.5)); // true, 70.0, 86.0
  * }</pre>
  *
- * <p>Answers are those that the world gave at that moment, to the bit. If it was edited then, they are
- * those after the edits, and after the impacts that the edits caused at once. Each change of a line
- * or a peg is recorded, too.
+ * <p>Answers are those that the world gave at that moment, to the bit. If it was edited then, they
+ * are those after the edits, and after the impacts that the edits caused at once. Each change of a
+ * line or a peg is recorded, too.
  *
  * <p>A flight takes 72 bytes, so the size follows the impacts and not the steps. The size is
  * bounded, and so is the part that is kept of removed circles: see {@link World#record
@@ -170,8 +170,8 @@ public final class Timeline {
    * Returns the world as it was at a given time: a snapshot that {@link World#restore
    * World.restore} goes on from, with or without edits.
    *
-   * <p>It equals the snapshot that the world would have taken when it stood at that time. If the world
-   * was edited there, it holds the edits, and the impacts that they caused at once. At the
+   * <p>It equals the snapshot that the world would have taken when it stood at that time. If the
+   * world was edited there, it holds the edits, and the impacts that they caused at once. At the
    * {@linkplain #end end} of the recording such impacts may still be missing: the next step makes
    * them. A call takes time in proportion to the circles, lines and pegs that are recorded. The
    * length of the recording does not matter.

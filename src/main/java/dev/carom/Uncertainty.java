@@ -49,13 +49,13 @@ import java.util.Arrays;
  * <p>A small error can also lead to another obstacle. When the error exceeds 2^-10 radii, each
  * flight is checked: a circle that flies beside it by the bound, to the left or to the right, must
  * hit the same obstacle. Otherwise the bound becomes infinite. It also becomes infinite when it
- * exceeds the radius, or the length of a flight between two impacts. For a point particle the radius
- * of the smallest peg at the construction takes the place of its own. If a smaller peg is added,
- * make a new {@code Uncertainty}.
+ * exceeds the radius, or the length of a flight between two impacts. For a point particle the
+ * radius of the smallest peg at the construction takes the place of its own. If a smaller peg is
+ * added, make a new {@code Uncertainty}.
  *
  * <p>The harness compares the bound with runs in arbitrary precision ({@code
- * UncertaintyBoundTest}). There the error of a circle never exceeds the bound, as long as the bound is
- * below the radius. At half of the places or more the bound is below 100 times the error.
+ * UncertaintyBoundTest}). There the error of a circle never exceeds the bound, as long as the bound
+ * is below the radius. At half of the places or more the bound is below 100 times the error.
  *
  * <h2>What is unknown</h2>
  *
@@ -283,9 +283,9 @@ public final class Uncertainty {
    * constructor.
    *
    * @param id the id of the circle
-   * @return the time, at most now. It is the start of the flight in which the bound became infinite;
-   *     infinite if the place is still known; 0 if the circle was added and never {@linkplain
-   *     #restart begun} with
+   * @return the time, at most now. It is the start of the flight in which the bound became
+   *     infinite; infinite if the place is still known; 0 if the circle was added and never
+   *     {@linkplain #restart begun} with
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double lostAt(int id) {
@@ -297,8 +297,8 @@ public final class Uncertainty {
    * Returns the time at which the first of all circles passed the length: up to it all places are
    * known.
    *
-   * @return the least of the times that {@link #lostAt(int)} gives: infinite if all places are known,
-   *     0 if a circle was added and never {@linkplain #restart begun} with
+   * @return the least of the times that {@link #lostAt(int)} gives: infinite if all places are
+   *     known, 0 if a circle was added and never {@linkplain #restart begun} with
    */
   public double lostAt() {
     double first = Double.POSITIVE_INFINITY;
@@ -315,14 +315,14 @@ public final class Uncertainty {
    * <p>The path nearby starts beside the circle at the same velocity, infinitely near. After many
    * impacts this is the largest exponent of the circle's motion.
    *
-   * <p>Without round obstacles it is 0 if all impacts are elastic; the ends of lines are round, too.
-   * Other restitutions change it: an oblique impact draws the two paths together if its restitution
-   * is below 1, and apart if it is above.
+   * <p>Without round obstacles it is 0 if all impacts are elastic; the ends of lines are round,
+   * too. Other restitutions change it: an oblique impact draws the two paths together if its
+   * restitution is below 1, and apart if it is above.
    *
    * @param id the id of the circle
    * @return the exponent, in 1 / time unit; NaN at the start, and where the flights are unknown;
-   *     {@code -infinity} after an impact of restitution 0, or with {@link Response#HALT}, against a
-   *     side or a wall: nearby paths are then one
+   *     {@code -infinity} after an impact of restitution 0, or with {@link Response#HALT}, against
+   *     a side or a wall: nearby paths are then one
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double lyapunovExponent(int id) {

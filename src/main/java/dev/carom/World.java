@@ -57,8 +57,8 @@ import java.util.function.IntPredicate;
  *
  * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, questions, budget,
  * stuck circles, moving obstacles, infinite mass, accuracy. <a
- * href="doc-files/recipes.html">Recipes</a>: frames and netcode, a paddle, a piston, pockets, teams,
- * an aiming line, a lidar, periodic cells, Lyapunov exponents.
+ * href="doc-files/recipes.html">Recipes</a>: frames and netcode, a paddle, a piston, pockets,
+ * teams, an aiming line, a lidar, periodic cells, Lyapunov exponents.
  */
 public final class World {
 
@@ -488,18 +488,18 @@ public final class World {
    * change, and the circle need not belong to it.
    *
    * <p>The circle meets walls, lines and pegs, and, if circles collide in this world, the circles
-   * too. Each of them goes on with its present velocity. The circle passes through sensors. A circle
-   * of radius 0 is a ray. A circle that is exactly concentric with one of this world does not meet
-   * it, so a program can ask for a circle of the world itself.
+   * too. Each of them goes on with its present velocity. The circle passes through sensors. A
+   * circle of radius 0 is a ray. A circle that is exactly concentric with one of this world does
+   * not meet it, so a program can ask for a circle of the world itself.
    *
    * <p>The earliest impact is found as if in real arithmetic, on the given doubles and on the
    * positions and velocities that this world reports. The circle has category 1 and mask -1. Among
    * exactly simultaneous impacts walls come first, then lines, then pegs, then circles, each by id.
    * A {@link #step step} instead treats impacts with equal rounded times as simultaneous.
    *
-   * <p>The search uses an <a href="doc-files/rules.html#questions">index</a>. A call allocates a few
-   * small objects. For many casts use {@link #cast(Casts, double) one call}, which allocates them
-   * once.
+   * <p>The search uses an <a href="doc-files/rules.html#questions">index</a>. A call allocates a
+   * few small objects. For many casts use {@link #cast(Casts, double) one call}, which allocates
+   * them once.
    *
    * @param circle the circle now
    * @param velocity its velocity
@@ -568,10 +568,11 @@ public final class World {
    * Follows a circle along its path among the walls, lines and pegs of this world, bounces
    * included. The world does not change.
    *
-   * <p>Lines and pegs go on with their present velocities. The circle passes through sensors and through all other circles. It has category 1 and mask
-   * -1. For an aiming line that ends at the first ball in the way, see <a
-   * href="doc-files/recipes.html#aiming">an aiming line that sees balls</a>. A path has at most
-   * 100,000 impacts; one that would go on is not {@linkplain Trajectory#complete complete}.
+   * <p>Lines and pegs go on with their present velocities. The circle passes through sensors and
+   * through all other circles. It has category 1 and mask -1. For an aiming line that ends at the
+   * first ball in the way, see <a href="doc-files/recipes.html#aiming">an aiming line that sees
+   * balls</a>. A path has at most 100,000 impacts; one that would go on is not {@linkplain
+   * Trajectory#complete complete}.
    *
    * @param circle the circle at the start; its radius may be 0
    * @param velocity its velocity at the start
@@ -1078,12 +1079,12 @@ public final class World {
    * is bounded, however many things come and go.
    *
    * <p>Besides flights, {@code most} limits four other things: the changes of each line and of each
-   * peg, those of the walls, those of each circle's properties, and the contacts of each circle that
-   * sensors report.
+   * peg, those of the walls, those of each circle's properties, and the contacts of each circle
+   * that sensors report.
    *
    * @param most the number of flights to keep of each circle, at least 1; beyond it the oldest are
-   *     dropped. An edit of a circle begins a flight: for a circle that is edited in each frame, this
-   *     is a number of frames
+   *     dropped. An edit of a circle begins a flight: for a circle that is edited in each frame,
+   *     this is a number of frames
    * @return the timeline, which goes on as the world does
    * @throws IllegalArgumentException if most is below 1
    */

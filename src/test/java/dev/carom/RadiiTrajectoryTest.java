@@ -18,9 +18,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
- * The accuracy that a trajectory can promise. Each impact rounds the state once, an error of 2^-53, and the
- * scene multiplies it; the conditioning of a place, the sum of |d place / d ln q| over the start
- * values q, says how much. The promise: an error of at most 4 x 2^-53 x conditioning.
+ * The accuracy that a trajectory can promise. Each impact rounds the state once, an error of 2^-53,
+ * and the scene multiplies it; the conditioning of a place, the sum of |d place / d ln q| over the
+ * start values q, says how much. The promise: an error of at most 4 x 2^-53 x conditioning.
  *
  * <p>Reference: the scene {@code radii} in arbitrary precision, places correctly rounded at each of
  * 600 frames.

@@ -97,8 +97,8 @@ final class ThreeWorlds {
   }
 
   /**
-   * Asks for the first impact and for the path of one of the circles, or of a point in its place, as
-   * if it began there.
+   * Asks for the first impact and for the path of one of the circles, or of a point in its place,
+   * as if it began there.
    */
   private void ask() {
     int id = random.nextInt(world.idLimit(ObstacleKind.CIRCLE));

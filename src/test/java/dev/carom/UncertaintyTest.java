@@ -106,7 +106,8 @@ class UncertaintyTest {
   private static double exponentInABox(double restitution) {
     Scene scene =
         Scene.builder()
-            .bounds(0, 0, 90, 5).restitution(restitution)
+            .bounds(0, 0, 90, 5)
+            .restitution(restitution)
             .circle(3, 2, 1, 1.3, 2.1)
             .build();
     World world = new World(scene);

@@ -53,8 +53,8 @@ public final class PathError {
   private double lostAt = Double.POSITIVE_INFINITY;
 
   /**
-   * Begins with a flight whose computed state is taken as exact, but for the rounding of its place at
-   * a time other than 0.
+   * Begins with a flight whose computed state is taken as exact, but for the rounding of its place
+   * at a time other than 0.
    *
    * @param most the bound up to which the place counts as known
    */

@@ -188,7 +188,9 @@ public final class BoxTree {
     }
   }
 
-  /** Finds the items for which a test rejects neither their box nor that of a run that holds them. */
+  /**
+   * Finds the items for which a test rejects neither their box nor that of a run that holds them.
+   */
   public void find(Rejects rejects, IntList found) {
     if (items.length > 0) {
       find(0, 0, items.length, rejects, found);

@@ -275,9 +275,7 @@ public final class CircleTable {
     codes[c + LOOKAHEAD] = m.lookahead;
   }
 
-  /**
-   * Loads a circle for a collision, without its prediction, which ends with its flight there.
-   */
+  /** Loads a circle for a collision, without its prediction, which ends with its flight there. */
   public void loadForMeeting(double[] s, int[] c, int i, MovingCircle m) {
     int k = collidingAt(i);
     m.id = i;

@@ -58,8 +58,8 @@ public final class FlightRecorder {
   private CircleProperties usual;
 
   /**
-   * The tail of the last event at some times, if it is above 0. Tails are kept here if the circle of
-   * that event may be removed, and its flights with it. See {@link SavedFlights#tailOfEdit}.
+   * The tail of the last event at some times, if it is above 0. Tails are kept here if the circle
+   * of that event may be removed, and its flights with it. See {@link SavedFlights#tailOfEdit}.
    */
   private final SortedMap<Double, Double> tails = new TreeMap<>();
 

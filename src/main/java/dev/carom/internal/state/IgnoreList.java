@@ -11,8 +11,8 @@ import java.util.function.IntUnaryOperator;
 public final class IgnoreList {
 
   /**
-   * The {@link Codes} of the things that are ignored; ~code for a moving obstacle or an infinite mass
-   * that crushed the circle.
+   * The {@link Codes} of the things that are ignored; ~code for a moving obstacle or an infinite
+   * mass that crushed the circle.
    */
   private final int[] entries;
 

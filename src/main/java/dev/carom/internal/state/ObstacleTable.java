@@ -277,8 +277,8 @@ public final class ObstacleTable {
   }
 
   /**
-   * Sets the time of the world that counts as time 0 in {@link #place} and {@link #rowAt}: that of a
-   * question while it is answered, else 0.
+   * Sets the time of the world that counts as time 0 in {@link #place} and {@link #rowAt}: that of
+   * a question while it is answered, else 0.
    */
   public void setEpoch(double time) {
     epoch = time;

@@ -197,7 +197,9 @@ class CalendarQueueTest {
     assertThat(told).doesNotHaveDuplicates();
   }
 
-  /** Events at one moment are prefetched up to a limit: the loads that a core can wait for at once. */
+  /**
+   * Events at one moment are prefetched up to a limit: the loads that a core can wait for at once.
+   */
   @Test
   void tellsNoMoreThanThereIsRoomFor() {
     int count = 3 * CalendarQueue.MOST_PREFETCHED;

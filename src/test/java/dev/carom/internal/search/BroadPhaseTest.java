@@ -25,9 +25,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/**
- * The search finds the first impact and misses none, at the limits for which it was made.
- */
+/** The search finds the first impact and misses none, at the limits for which it was made. */
 class BroadPhaseTest {
 
   private static ImpactLog step(World world, double dt) {
