@@ -112,7 +112,7 @@ class UncertaintyTest {
             .build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
-    advance(world, uncertainty, 20);
+    advance(world, uncertainty, 10);
     return uncertainty.lyapunovExponent(0);
   }
 
