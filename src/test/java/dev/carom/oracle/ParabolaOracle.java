@@ -162,7 +162,7 @@ final class ParabolaOracle {
 
   /** To so many digits that what cancels does not count. */
   private Normal normal(Part part, SturmRoot moment) {
-    Dyadic t = moment == null ? Dyadic.ZERO : moment.narrow(BITS).low();
+    Dyadic t = moment == null ? Dyadic.ZERO : moment.narrow(bits(moment)).low();
     if (part == Part.SIDE) {
       SturmPolynomial height = y.times(wx).plus(x.times(wy).negate());
       Dyadic side = Dyadic.of(moment == null ? after(height, null) : before(height, moment));
@@ -179,6 +179,13 @@ final class ParabolaOracle {
     Dyadic nx = x.value(t).minus(end ? wx : Dyadic.ZERO);
     Dyadic ny = y.value(t).minus(end ? wy : Dyadic.ZERO);
     return Normal.along(new Vector(nx, ny));
+  }
+
+  /** As many digits as cancel between the terms of an offset and the radius, and some more. */
+  private int bits(SturmRoot moment) {
+    Dyadic terms = x.terms(moment.high()).plus(y.terms(moment.high()));
+    int cancelled = r.signum() == 0 ? 0 : terms.magnitude() - r.magnitude();
+    return BITS + Math.max(0, cancelled);
   }
 
   private int sideBefore(SturmRoot moment) {
