@@ -121,18 +121,18 @@ final class CircleCast {
     double t =
         ParabolaSegmentSweep.time(
             c.x(), c.y(), c.radius(), v.x(), v.y(), g.x(), g.y(), l.ax(), l.ay(), l.bx(), l.by(),
-            maxTime);
+            0, 0, maxTime);
     if (t == NEVER) {
       return Optional.empty();
     }
     int contact =
         ParabolaSegmentSweep.contact(
             c.x(), c.y(), c.radius(), v.x(), v.y(), g.x(), g.y(), l.ax(), l.ay(), l.bx(), l.by(),
-            t);
+            0, 0, t);
     Hit hit =
         ParabolaHit.ofLine(
             c.x(), c.y(), c.radius(), v.x(), v.y(), g.x(), g.y(), l.ax(), l.ay(), l.bx(), l.by(),
-            contact, t);
+            0, 0, contact, t);
     return Optional.of(impact(t, ObstacleKind.LINE, Impact.NO_ID, l, contact, hit));
   }
 

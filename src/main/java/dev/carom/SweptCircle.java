@@ -272,7 +272,8 @@ public final class SweptCircle {
       check(px, py, r, vx, vy, gx, gy, maxTime);
       new Line(ax, ay, bx, by);
     }
-    return ParabolaSegmentSweep.time(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, maxTime);
+    return ParabolaSegmentSweep.time(
+        px, py, r, vx, vy, gx, gy, ax, ay, bx, by, 0, 0, maxTime);
   }
 
   /**

@@ -10,6 +10,7 @@ import dev.carom.internal.sweep.ParabolaDiskSweep;
 import dev.carom.internal.sweep.ParabolaSegmentSweep;
 import dev.carom.internal.sweep.ParabolaWallSweep;
 import dev.carom.oracle.Draw;
+import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.ParabolaFamilies;
 import dev.carom.oracle.ParabolaFamily;
@@ -26,6 +27,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -38,7 +40,7 @@ import org.junit.jupiter.api.Test;
 @Tag("long")
 class ParabolaBoundsTest {
   private static final int QUERIES =
-      (int) (Long.getLong("carom.queries", 3_300) / ParabolaFamilies.all().size());
+      (int) (Long.getLong("carom.queries", 5_500) / families().size());
   private static final long SEED = Long.getLong("carom.seed", 1);
 
   /** Families in which mistakes are rare and queries cheap. */
@@ -74,7 +76,7 @@ class ParabolaBoundsTest {
     Detector whole = new Detector(null);
     List<String> violations = new ArrayList<>();
     Map<String, String> mistakes = new TreeMap<>();
-    for (ParabolaFamily family : ParabolaFamilies.all()) {
+    for (ParabolaFamily family : families()) {
       Draw draw = new Draw(SEED * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
       for (int i = 0; i < (RARE.contains(family.name()) ? 20 : 1) * QUERIES; i++) {
         ParabolaQuery query = family.next(draw);
@@ -98,15 +100,48 @@ class ParabolaBoundsTest {
     assertThat(mistakes).containsOnlyKeys(without.keySet());
   }
 
+  private static List<ParabolaFamily> families() {
+    return Stream.concat(ParabolaFamilies.all().stream(), ParabolaFamilies.ofMovingLines().stream())
+        .toList();
+  }
+
+  /** Of a disk against a line, in the order of the sweep: velocity 0 for a line at rest. */
+  private static double[] ofLine(ParabolaQuery query) {
+    double[] n = query.straight().numbers();
+    boolean moves = query.straight() instanceof MovingLineQuery;
+    return new double[] {
+      n[4],
+      n[5],
+      n[6],
+      n[7],
+      n[8],
+      query.gx(),
+      query.gy(),
+      n[0],
+      n[1],
+      n[2],
+      n[3],
+      moves ? n[9] : 0,
+      moves ? n[10] : 0,
+      n[n.length - 1]
+    };
+  }
+
+  private static boolean isLine(ParabolaQuery query) {
+    return query.straight() instanceof SegmentQuery || query.straight() instanceof MovingLineQuery;
+  }
+
   /** The last rung alone. */
   private static Reply exact(ParabolaQuery query) {
     double[] n = query.straight().numbers();
     double gx = query.gx();
     double gy = query.gy();
-    if (query.straight() instanceof SegmentQuery) {
+    if (isLine(query)) {
+      double[] a = ofLine(query);
       ExactParabola line =
-          ExactParabola.line(n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3]);
-      return reply(line, line.first(n[9]), n[0] == n[2] && n[1] == n[3]);
+          ExactParabola.line(
+              a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12]);
+      return reply(line, line.first(a[13]), n[0] == n[2] && n[1] == n[3]);
     }
     if (query.straight() instanceof PairQuery) {
       double time =
@@ -144,8 +179,8 @@ class ParabolaBoundsTest {
     Detector(Weakening weakening) {
       super(getPlatformClassLoader());
       this.weakening = weakening;
-      line = handle(ParabolaSegmentSweep.class, "time", 12);
-      contact = handle(ParabolaSegmentSweep.class, "contact", 12);
+      line = handle(ParabolaSegmentSweep.class, "time", 14);
+      contact = handle(ParabolaSegmentSweep.class, "contact", 14);
       disk = handle(ParabolaDiskSweep.class, "time", 13);
       wall = handle(ParabolaWallSweep.class, "time", 7);
     }
@@ -154,10 +189,10 @@ class ParabolaBoundsTest {
       double[] n = query.straight().numbers();
       double gx = query.gx();
       double gy = query.gy();
-      if (query.straight() instanceof SegmentQuery) {
-        double[] arguments = {n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], n[9]};
+      if (isLine(query)) {
+        double[] arguments = ofLine(query);
         double time = (double) call(line, arguments);
-        arguments[11] = time;
+        arguments[13] = time;
         boolean hit = time < Double.POSITIVE_INFINITY;
         return new Reply(time, hit ? (int) call(contact, arguments) : 0);
       }

@@ -3,7 +3,12 @@ package dev.carom;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.Hit;
+import dev.carom.internal.sweep.ParabolaHit;
+import dev.carom.internal.sweep.ParabolaSegmentSweep;
 import dev.carom.oracle.Answer;
+import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.ParabolaFamilies;
 import dev.carom.oracle.ParabolaFamily;
@@ -13,9 +18,11 @@ import dev.carom.oracle.Part;
 import dev.carom.oracle.SegmentQuery;
 import dev.carom.oracle.Tally;
 import dev.carom.oracle.WallQuery;
+import java.util.List;
 import java.util.Optional;
 import java.util.StringJoiner;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -38,7 +45,7 @@ class ParabolaExactnessTest {
     StringJoiner table = new StringJoiner("\n", "\n", "\n").add(Tally.HEAD);
     StringJoiner failures = new StringJoiner("\n");
     Tally total = new Tally();
-    for (ParabolaFamily family : ParabolaFamilies.all()) {
+    for (ParabolaFamily family : families()) {
       Tally tally = judge(family);
       table.add(tally.row(family.name()));
       total = total.plus(tally);
@@ -51,17 +58,28 @@ class ParabolaExactnessTest {
     assertEquals(0, total.notNearest(), "times not rounded correctly");
   }
 
+  private static List<ParabolaFamily> families() {
+    return Stream.concat(ParabolaFamilies.all().stream(), ParabolaFamilies.ofMovingLines().stream())
+        .toList();
+  }
+
   /** The share of one family, in chunks that each have their own seed. */
   private Tally judge(ParabolaFamily family) {
-    int chunks = (int) Math.max(1, QUERIES / ParabolaFamilies.all().size() / CHUNK);
+    int chunks = (int) Math.max(1, QUERIES / families().size() / CHUNK);
     return IntStream.range(0, chunks)
         .parallel()
         .mapToObj(chunk -> judge.judge(family, SEED * 1_000_000 + chunk, CHUNK))
         .reduce(new Tally(), Tally::plus);
   }
 
-  /** {@link SweptCircle} in its two forms, which must agree to the bit. */
+  /**
+   * {@link SweptCircle} in its two forms, which must agree to the bit. It has none for a moving
+   * line: the sweep itself is asked.
+   */
   private static Answer ask(ParabolaQuery query) {
+    if (query.straight() instanceof MovingLineQuery q) {
+      return movingLine(q, query.gx(), query.gy());
+    }
     Vec2 g = new Vec2(query.gx(), query.gy());
     if (query.straight() instanceof SegmentQuery q) {
       return line(q, g);
@@ -69,6 +87,33 @@ class ParabolaExactnessTest {
     return query.straight() instanceof PairQuery q
         ? pair(q, g)
         : bounds((WallQuery) query.straight(), g);
+  }
+
+  private static Answer movingLine(MovingLineQuery q, double gx, double gy) {
+    double time =
+        ParabolaSegmentSweep.time(
+            q.px(), q.py(), q.r(), q.vx(), q.vy(), gx, gy, q.ax(), q.ay(), q.bx(), q.by(), q.ux(),
+            q.uy(), q.end());
+    if (time == Double.POSITIVE_INFINITY) {
+      return Answer.MISS;
+    }
+    int contact =
+        ParabolaSegmentSweep.contact(
+            q.px(), q.py(), q.r(), q.vx(), q.vy(), gx, gy, q.ax(), q.ay(), q.bx(), q.by(), q.ux(),
+            q.uy(), time);
+    Hit hit =
+        ParabolaHit.ofLine(
+            q.px(), q.py(), q.r(), q.vx(), q.vy(), gx, gy, q.ax(), q.ay(), q.bx(), q.by(), q.ux(),
+            q.uy(), contact, time);
+    return new Answer(time, part(contact), hit.nx(), hit.ny());
+  }
+
+  private static Part part(int contact) {
+    return switch (Contact.withoutTime(contact)) {
+      case Contact.START -> Part.START;
+      case Contact.END -> Part.END;
+      default -> Part.SIDE;
+    };
   }
 
   private static Answer line(SegmentQuery q, Vec2 g) {

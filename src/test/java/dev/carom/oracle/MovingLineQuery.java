@@ -27,7 +27,8 @@ public record MovingLineQuery(
     return new Family("moving_" + still.name(), draw -> of(draw, still.next(draw)));
   }
 
-  private static Query of(Draw draw, Query still) {
+  /** The same contact, but for rounding, on a line that moves with a velocity u. */
+  static Query of(Draw draw, Query still) {
     double[] n = still.numbers();
     // Half of the differences v - u are exact, and the rest are as near to it as rounding leaves
     // it.

@@ -42,6 +42,28 @@ public final class ParabolaFamilies {
     return all;
   }
 
+  /** The families with a line in them; all goes with the velocity of the line besides. */
+  public static List<ParabolaFamily> ofMovingLines() {
+    return all().stream()
+        .filter(family -> !family.name().matches("(circ|wall|halfway|ceiling|no_gravity).*"))
+        .map(
+            still ->
+                new ParabolaFamily("moving_" + still.name(), d -> moving(d, still, still.next(d))))
+        .toList();
+  }
+
+  private static ParabolaQuery moving(Draw d, ParabolaFamily family, ParabolaQuery first) {
+    ParabolaQuery still = first;
+    while (!(still.straight() instanceof SegmentQuery)) {
+      still = family.next(d);
+    }
+    Query straight = MovingLineQuery.of(d, still.straight());
+    ParabolaQuery moving = new ParabolaQuery(straight, still.gx(), still.gy());
+    return family.name().endsWith("window_end") && moving.isFinite()
+        ? endingAtImpact(d, moving)
+        : moving;
+  }
+
   /** The places of x and of vx in the numbers of a query. */
   private static int place(Query q) {
     return q instanceof SegmentQuery ? 4 : 0;
@@ -367,6 +389,10 @@ public final class ParabolaFamilies {
           case 3 -> osculating(d);
           default -> bent(d, any(d));
         };
+    return endingAtImpact(d, q);
+  }
+
+  private static ParabolaQuery endingAtImpact(Draw d, ParabolaQuery q) {
     double[] n = q.straight().numbers();
     n[n.length - 1] = Double.POSITIVE_INFINITY;
     double time = new ParabolaQuery(q.straight().with(n), q.gx(), q.gy()).truth().time();

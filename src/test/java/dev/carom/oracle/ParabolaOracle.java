@@ -64,13 +64,24 @@ final class ParabolaOracle {
       Dyadic r = Dyadic.of(q.r1()).plus(Dyadic.of(q.r2()));
       return within(new ParabolaOracle(x, y, r).first(), q.end());
     }
-    SegmentQuery q = (SegmentQuery) query.straight();
-    SturmPolynomial x = motion(q.px(), q.ax(), q.vx(), 0, query.gx());
-    SturmPolynomial y = motion(q.py(), q.ay(), q.vy(), 0, query.gy());
+    MovingLineQuery q = line(query.straight());
+    return within(of(q, query.gx(), query.gy()).first(), q.end());
+  }
+
+  /** A line at rest moves with velocity 0. */
+  static MovingLineQuery line(Query straight) {
+    return straight instanceof SegmentQuery q
+        ? new MovingLineQuery(
+            q.ax(), q.ay(), q.bx(), q.by(), q.px(), q.py(), q.r(), q.vx(), q.vy(), 0, 0, q.end())
+        : (MovingLineQuery) straight;
+  }
+
+  private static ParabolaOracle of(MovingLineQuery q, double gx, double gy) {
+    SturmPolynomial x = motion(q.px(), q.ax(), q.vx(), q.ux(), gx);
+    SturmPolynomial y = motion(q.py(), q.ay(), q.vy(), q.uy(), gy);
     Dyadic wx = Dyadic.of(q.bx()).minus(Dyadic.of(q.ax()));
     Dyadic wy = Dyadic.of(q.by()).minus(Dyadic.of(q.ay()));
-    Dyadic r = Dyadic.of(q.r());
-    return within(new ParabolaOracle(x, y, r, wx, wy, Part.START).first(), q.end());
+    return new ParabolaOracle(x, y, Dyadic.of(q.r()), wx, wy, Part.START);
   }
 
   private static ParabolaContact within(ParabolaContact contact, double end) {

@@ -106,16 +106,19 @@ public final class ExactParabola {
         Dyadic.of(r1).plus(Dyadic.of(r2)));
   }
 
-  /** Against a line from a to b; one of no length is a disk of radius 0. */
+  /**
+   * Against a line that is from a to b at the start and moves with the velocity u; one of no length
+   * is a disk of radius 0.
+   */
   public static ExactParabola line(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by) {
+      double ay, double bx, double by, double ux, double uy) {
     if (ax == bx && ay == by) {
-      return disk(px, py, r, vx, vy, gx, gy, ax, ay, 0, 0, 0);
+      return disk(px, py, r, vx, vy, gx, gy, ax, ay, 0, ux, uy);
     }
     return new ExactParabola(
-        motion(px, ax, vx, 0, gx),
-        motion(py, ay, vy, 0, gy),
+        motion(px, ax, vx, ux, gx),
+        motion(py, ay, vy, uy, gy),
         Dyadic.of(r),
         Dyadic.difference(bx, ax),
         Dyadic.difference(by, ay));
@@ -214,8 +217,8 @@ public final class ExactParabola {
   }
 
   /**
-   * The unit vector from the other disk, or the end of the line, to this one at an impact. Where their offset vanishes, it
-   * is the limit from before: against the velocity.
+   * The unit vector from the other disk, or the end of the line, to this one at an impact. Where
+   * their offset vanishes, it is the limit from before: against the velocity.
    */
   public UnitVector normal(RealRoot t) {
     if (isPoint) {

@@ -11,29 +11,37 @@ public final class ParabolaHit {
 
   private ParabolaHit() {}
 
-  /** The hit on a line, from a contact and a time of {@link ParabolaSegmentSweep}. */
+  /**
+   * The hit on a line that moves with the velocity u, from a contact and a time of {@link
+   * ParabolaSegmentSweep}.
+   */
   public static Hit ofLine(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, int contact, double t) {
+      double ay, double bx, double by, double ux, double uy, int contact, double t) {
     int part = Contact.withoutTime(contact);
-    double x = place(px, vx, gx, t);
-    double y = place(py, vy, gy, t);
-    double ux = velocity(vx, gx, t);
-    double uy = velocity(vy, gy, t);
+    double speedX = velocity(vx, gx, t);
+    double speedY = velocity(vy, gy, t);
+    double startX = place(ax, ux, 0, t);
+    double startY = place(ay, uy, 0, t);
+    double endX = place(bx, ux, 0, t);
+    double endY = place(by, uy, 0, t);
     if (part == Contact.LEFT || part == Contact.RIGHT) {
       UnitVector n = UnitVectors.normal(part == Contact.LEFT ? 1 : -1, ax, ay, bx, by);
-      double s = Coordinates.fraction(ax, ay, bx, by, x, y);
-      return new Hit().of(
-          Coordinates.onSegment(s, ax, bx), Coordinates.onSegment(s, ay, by), n, ux, uy, 0, 0);
+      double x = place(px, vx, gx, t);
+      double y = place(py, vy, gy, t);
+      double s = Coordinates.fraction(startX, startY, endX, endY, x, y);
+      double atX = Coordinates.onSegment(s, startX, endX);
+      double atY = Coordinates.onSegment(s, startY, endY);
+      return new Hit().of(atX, atY, n, speedX, speedY, ux, uy);
     }
     boolean end = part == Contact.END;
     double qx = end ? bx : ax;
     double qy = end ? by : ay;
-    UnitVector n = ParabolaDiskSweep.normal(px, py, r, vx, vy, gx, gy, qx, qy, 0, 0, 0, t);
+    UnitVector n = ParabolaDiskSweep.normal(px, py, r, vx, vy, gx, gy, qx, qy, 0, ux, uy, t);
     if (n == null) {
-      n = exactNormal(px, py, r, vx, vy, gx, gy, ax, ay, bx, by);
+      n = exactNormal(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
     }
-    return new Hit().of(qx, qy, n, ux, uy, 0, 0);
+    return new Hit().of(end ? endX : startX, end ? endY : startY, n, speedX, speedY, ux, uy);
   }
 
   /**
@@ -42,9 +50,9 @@ public final class ParabolaHit {
    */
   private static UnitVector exactNormal(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by) {
+      double ay, double bx, double by, double ux, double uy) {
     PrecisionCounters.exactNormal();
-    ExactParabola exact = ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by);
+    ExactParabola exact = ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
     RealRoot t = exact.first(Double.POSITIVE_INFINITY);
     return r == 0 && exact.comesFromSide(t)
         ? UnitVectors.normal(exact.side(t), ax, ay, bx, by)

@@ -10,10 +10,12 @@ import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.exact.RealRoot;
 
 /**
- * A disk with a constant acceleration g against a resting line.
+ * A disk with a constant acceleration g against a line that moves with the velocity u, or rests.
  *
- * <p>With {@code w = b - a} and the centre's height {@code h(t) = cross(w, p(t) - a)}, the gap
- * beside the line, times w.w, is {@code h^2 - r^2 w.w}. The disk touches the line when its centre
+ * <p>All is seen from the line: with {@code w = b - a}, {@code d = p - a} and the relative velocity
+ * {@code s = v - u}, the centre's height is {@code h(t) = cross(w, d + s t + g t^2 / 2)}. The gap
+ * beside the line, times w.w, is {@code h^2 - r^2 w.w}. Double-double takes s with its tail, and
+ * exact numbers take it exactly. The disk touches the line when its centre
  * enters the capsule of radius r around it: a disk around each end, and the strip between them. So:
  *
  * <ol>
@@ -30,8 +32,8 @@ public final class ParabolaSegmentSweep {
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   /**
-   * A projection on the line, or a height, at a rounded time: differences 1, products 3, sums 3, of
-   * the terms; half an ulp of time moves it by 1 of twice the terms: 9 u, and the terms are
+   * A projection on the line, or a height, at a rounded time: differences 2, products 3, sums 3, of
+   * the terms; half an ulp of time moves it by 1 of twice the terms: 10 u, and the terms are
    * computed.
    */
   private static final double PLACE_BOUND = 16 * 0x1p-53;
@@ -45,19 +47,19 @@ public final class ParabolaSegmentSweep {
   /** The correctly rounded time of impact, {@code +infinity} for none up to the window's end T. */
   public static double time(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double T) {
+      double ay, double bx, double by, double ux, double uy, double T) {
     if (gx == 0 && gy == 0) {
-      int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
-      return SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, T);
+      int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, ux, uy);
+      return SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, T);
     }
     if (ax == bx && ay == by) {
-      return ParabolaDiskSweep.time(px, py, r, vx, vy, gx, gy, ax, ay, 0, 0, 0, T);
+      return ParabolaDiskSweep.time(px, py, r, vx, vy, gx, gy, ax, ay, 0, ux, uy, T);
     }
     PrecisionCounters.parabola();
-    double time = certain(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, T);
+    double time = certain(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, T);
     return !Double.isNaN(time)
         ? time
-        : ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by).time(T);
+        : ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy).time(T);
   }
 
   /**
@@ -67,32 +69,32 @@ public final class ParabolaSegmentSweep {
    */
   public static int contact(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double t) {
+      double ay, double bx, double by, double ux, double uy, double t) {
     int now = t == 0 ? Contact.NOW : 0;
     if (ax == bx && ay == by) {
       return Contact.START | now;
     }
     double wx = bx - ax;
     double wy = by - ay;
-    int start = along(px, py, vx, vy, gx, gy, ax, ay, wx, wy, t);
-    int end = along(px, py, vx, vy, gx, gy, bx, by, wx, wy, t);
+    int start = along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, t);
+    int end = along(px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, t);
     if (start < 0) {
       return Contact.START | now;
     }
     if (end > 0) {
       return Contact.END | now;
     }
-    int side = along(px, py, vx, vy, gx, gy, ax, ay, -wy, wx, t);
+    int side = along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, -wy, wx, t);
     if (start > 0 && end < 0 && side != 0) {
       return (side > 0 ? Contact.LEFT : Contact.RIGHT) | now;
     }
-    return exactContact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by) | now;
+    return exactContact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy) | now;
   }
 
   private static int exactContact(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by) {
-    ExactParabola exact = ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by);
+      double ay, double bx, double by, double ux, double uy) {
+    ExactParabola exact = ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
     RealRoot root = exact.first(NEVER);
     int region = exact.region(root);
     if (region != 0) {
@@ -104,11 +106,11 @@ public final class ParabolaSegmentSweep {
   /** The sign of w.(p(t) - q) at the time that t is the rounding of; 0 in doubt. */
   private static int along(
       double px, double py, double vx, double vy, double gx, double gy, double qx, double qy,
-      double wx, double wy, double t) {
-    double x = ParabolaDiskSweep.place(px, qx, vx, 0, gx, t);
-    double y = ParabolaDiskSweep.place(py, qy, vy, 0, gy, t);
-    double sizeX = ParabolaDiskSweep.size(px - qx, vx, gx, t);
-    double sizeY = ParabolaDiskSweep.size(py - qy, vy, gy, t);
+      double ux, double uy, double wx, double wy, double t) {
+    double x = ParabolaDiskSweep.place(px, qx, vx, ux, gx, t);
+    double y = ParabolaDiskSweep.place(py, qy, vy, uy, gy, t);
+    double sizeX = ParabolaDiskSweep.size(px - qx, vx - ux, gx, t);
+    double sizeY = ParabolaDiskSweep.size(py - qy, vy - uy, gy, t);
     double value = wx * x + wy * y;
     double terms = Math.abs(wx) * sizeX + Math.abs(wy) * sizeY;
     double bound = Math.fma(PLACE_BOUND, terms, TINY);
@@ -119,19 +121,21 @@ public final class ParabolaSegmentSweep {
   /** The time, if doubles and double-double tell. */
   private static double certain(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double T) {
+      double ay, double bx, double by, double ux, double uy, double T) {
     double wx = bx - ax;
     double wy = by - ay;
     double dx = px - ax;
     double dy = py - ay;
+    double sx = vx - ux;
+    double sy = vy - uy;
     double h0 = wx * dy - wy * dx;
-    double h1 = wx * vy - wy * vx;
+    double h1 = wx * sy - wy * sx;
     double h2 = 0.5 * (wx * gy - wy * gx);
     double rr = r * r;
     double c0 = h0 * h0 - rr * (wx * wx + wy * wy);
     double width = Math.abs(wx) + Math.abs(wy);
     double m0 = Math.abs(wx * dy) + Math.abs(wy * dx) + r * width;
-    double m1 = Math.abs(wx * vy) + Math.abs(wy * vx);
+    double m1 = Math.abs(wx * sy) + Math.abs(wy * sx);
     double m2 = 0.5 * (Math.abs(wx * gy) + Math.abs(wy * gx));
     int strip = GapRoot.sign(c0, m0 * m0);
     if (strip == 0) {
@@ -146,45 +150,47 @@ public final class ParabolaSegmentSweep {
       if (!(from < NEVER)) {
         return from;
       }
-      from = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, from);
+      from = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, from);
     }
-    int start = along(px, py, vx, vy, gx, gy, ax, ay, wx, wy, from);
-    int end = along(px, py, vx, vy, gx, gy, bx, by, wx, wy, from);
+    int start = along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, from);
+    int end = along(px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, from);
     if (start > 0 && end < 0) {
       boolean falls = strip > 0 || GapRoot.sign(h0 * h1, m0 * m1) < 0;
       return falls ? from : GapRoot.DOUBT;
     }
     return start == 0 || end == 0
         ? GapRoot.DOUBT
-        : beyondAnEnd(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, from, T);
+        : beyondAnEnd(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, from, T);
   }
 
   /** The time of impact of a disk that at a time is in the strip, beyond an end of the line. */
   private static double beyondAnEnd(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double from, double T) {
+      double ay, double bx, double by, double ux, double uy, double from, double T) {
     double first =
         Math.min(
-            ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, ax, ay, 0, 0, 0, T),
-            ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, bx, by, 0, 0, 0, T));
+            ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, ax, ay, 0, ux, uy, T),
+            ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, bx, by, 0, ux, uy, T));
     if (first == 0 || Double.isNaN(first)) {
       return first;
     }
     double wx = bx - ax;
     double wy = by - ay;
-    int turn = turn(vx, vy, gx, gy, wx, wy, from, Math.min(first, T));
+    double sx = vx - ux;
+    double sy = vy - uy;
+    int turn = turn(sx, sy, gx, gy, wx, wy, from, Math.min(first, T));
     if (turn <= 0) {
       return turn < 0 ? first : GapRoot.DOUBT;
     }
     double dx = px - ax;
     double dy = py - ay;
-    double h1 = wx * vy - wy * vx;
+    double h1 = wx * sy - wy * sx;
     double h2 = 0.5 * (wx * gy - wy * gx);
     double vertex = -0.5 * h1 / h2;
     double height = (wx * dy - wy * dx) + 0.5 * h1 * vertex;
     double width = Math.abs(wx) + Math.abs(wy);
-    double sizeX = ParabolaDiskSweep.size(dx, vx, gx, vertex);
-    double sizeY = ParabolaDiskSweep.size(dy, vy, gy, vertex);
+    double sizeX = ParabolaDiskSweep.size(dx, sx, gx, vertex);
+    double sizeY = ParabolaDiskSweep.size(dy, sy, gy, vertex);
     double m = r * width + Math.abs(wx) * sizeY + Math.abs(wy) * sizeX;
     double ww = wx * wx + wy * wy;
     int outside = GapRoot.sign(height * height - r * r * ww, m * m);
@@ -192,21 +198,24 @@ public final class ParabolaSegmentSweep {
       return outside < 0 && vertex < GapRoot.LATEST ? first : GapRoot.DOUBT;
     }
     double again = vertex + Math.sqrt((Math.abs(height) - r * Math.sqrt(ww)) / Math.abs(h2));
-    return Math.min(first, again(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, again, first, T));
+    return Math.min(
+        first, again(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, again, first, T));
   }
 
   /**
    * Whether the height turns between two times: 1 if it does, -1 if it is monotone, 0 in doubt. It
    * does not turn if its slope has the same sign at both, or nothing but the velocity, or nothing but
    * the acceleration, changes it.
+   *
+   * @param sx the velocity of the disk less that of the line
    */
   private static int turn(
-      double vx, double vy, double gx, double gy, double wx, double wy, double from, double to) {
-    double h1 = wx * vy - wy * vx;
+      double sx, double sy, double gx, double gy, double wx, double wy, double from, double to) {
+    double h1 = wx * sy - wy * sx;
     double h2 = 0.5 * (wx * gy - wy * gx);
-    double m1 = Math.abs(wx * vy) + Math.abs(wy * vx);
+    double m1 = Math.abs(wx * sy) + Math.abs(wy * sx);
     double m2 = 0.5 * (Math.abs(wx * gy) + Math.abs(wy * gx));
-    if (isAlong(wx, wy, gx, gy) || (isAlong(wx, wy, vx, vy) && from == 0)) {
+    if (isAlong(wx, wy, gx, gy) || (isAlong(wx, wy, sx, sy) && from == 0)) {
       return -1;
     }
     int first = GapRoot.sign(h1 + 2 * h2 * from, m1 + 2 * m2 * from);
@@ -223,15 +232,16 @@ public final class ParabolaSegmentSweep {
    */
   private static double again(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double start, double first, double T) {
-    double t = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, start);
+      double ay, double bx, double by, double ux, double uy, double start, double first,
+      double T) {
+    double t = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, start);
     if (t > first || t > T) {
       return NEVER;
     }
     double wx = bx - ax;
     double wy = by - ay;
-    int beyondStart = along(px, py, vx, vy, gx, gy, ax, ay, wx, wy, t);
-    int beyondEnd = along(px, py, vx, vy, gx, gy, bx, by, wx, wy, t);
+    int beyondStart = along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, t);
+    int beyondEnd = along(px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, t);
     if (beyondStart < 0 || beyondEnd > 0) {
       return NEVER;
     }
@@ -258,19 +268,21 @@ public final class ParabolaSegmentSweep {
   /** The double nearest to the root of the gap beside the line. */
   private static double nearest(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double start) {
+      double ay, double bx, double by, double ux, double uy, double start) {
     double wx = bx - ax;
     double wy = by - ay;
+    double sx = vx - ux;
+    double sy = vy - uy;
     double t = start;
     double nearest = GapRoot.DOUBT;
     for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
-      double x = ParabolaDiskSweep.place(px, ax, vx, 0, gx, t);
-      double y = ParabolaDiskSweep.place(py, ay, vy, 0, gy, t);
-      double f = residue(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, t);
-      double slope = 2 * (wx * y - wy * x) * (wx * (vy + gy * t) - wy * (vx + gx * t));
+      double x = ParabolaDiskSweep.place(px, ax, vx, ux, gx, t);
+      double y = ParabolaDiskSweep.place(py, ay, vy, uy, gy, t);
+      double f = residue(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
+      double slope = 2 * (wx * y - wy * x) * (wx * (sy + gy * t) - wy * (sx + gx * t));
       double size =
-          Math.abs(wx) * (r + ParabolaDiskSweep.size(py - ay, vy, gy, t))
-              + Math.abs(wy) * (r + ParabolaDiskSweep.size(px - ax, vx, gx, t));
+          Math.abs(wx) * (r + ParabolaDiskSweep.size(py - ay, sy, gy, t))
+              + Math.abs(wy) * (r + ParabolaDiskSweep.size(px - ax, sx, gx, t));
       nearest = GapRoot.nearest(t, f, slope, size);
       t -= f / slope;
     }
@@ -280,15 +292,15 @@ public final class ParabolaSegmentSweep {
   /** {@code h^2 - r^2 w.w} at t. What cancels is kept as head and tail. */
   private static double residue(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double t) {
+      double ay, double bx, double by, double ux, double uy, double t) {
     double wx = bx - ax;
     double wy = by - ay;
     double wxl = differenceTail(bx, ax, wx);
     double wyl = differenceTail(by, ay, wy);
-    double x = ParabolaDiskSweep.place(px, ax, vx, 0, gx, t);
-    double y = ParabolaDiskSweep.place(py, ay, vy, 0, gy, t);
-    double xl = ParabolaDiskSweep.terms(px, ax, vx, 0, gx, t);
-    double yl = ParabolaDiskSweep.terms(py, ay, vy, 0, gy, t);
+    double x = ParabolaDiskSweep.place(px, ax, vx, ux, gx, t);
+    double y = ParabolaDiskSweep.place(py, ay, vy, uy, gy, t);
+    double xl = ParabolaDiskSweep.terms(px, ax, vx, ux, gx, t);
+    double yl = ParabolaDiskSweep.terms(py, ay, vy, uy, gy, t);
     double h0 = wx * y - wy * x;
     double h1 = crossTail(wx, wxl, wy, wyl, x, xl, y, yl, h0);
     double h = h0 + h1;

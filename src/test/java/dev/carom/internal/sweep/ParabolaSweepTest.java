@@ -77,9 +77,9 @@ class ParabolaSweepTest {
       double bx = at[0] + length * at[1];
       double by = at[1] - length * at[0];
       double T = i % 2 == 0 ? 1 : NEVER;
-      double time = ParabolaSegmentSweep.time(0, 0, r, v[0], v[1], 0, g, ax, ay, bx, by, T);
+      double time = ParabolaSegmentSweep.time(0, 0, r, v[0], v[1], 0, g, ax, ay, bx, by, 0, 0, T);
       if (time < NEVER) {
-        ParabolaSegmentSweep.contact(0, 0, r, v[0], v[1], 0, g, ax, ay, bx, by, time);
+        ParabolaSegmentSweep.contact(0, 0, r, v[0], v[1], 0, g, ax, ay, bx, by, 0, 0, time);
         hits++;
       }
     }
@@ -90,23 +90,38 @@ class ParabolaSweepTest {
   @Test
   void contactKnowsTheRegionWhereDoublesAreInDoubt() {
     // Falls beside the end by nothing: the centre is on its perpendicular.
-    assertThat(ParabolaSegmentSweep.contact(0, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 2))
+    assertThat(ParabolaSegmentSweep.contact(0, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 0, 2))
         .isEqualTo(Contact.START);
-    assertThat(ParabolaSegmentSweep.contact(10, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 2))
+    assertThat(ParabolaSegmentSweep.contact(10, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 0, 2))
         .isEqualTo(Contact.END);
-    assertThat(ParabolaSegmentSweep.contact(0x1p-60, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 2))
+    assertThat(ParabolaSegmentSweep.contact(0x1p-60, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 0, 2))
         .isEqualTo(Contact.LEFT);
-    assertThat(ParabolaSegmentSweep.contact(5, -9, 1, 0, 0, 0, 4, 0, 0, 10, 0, 2))
+    assertThat(ParabolaSegmentSweep.contact(5, -9, 1, 0, 0, 0, 4, 0, 0, 10, 0, 0, 0, 2))
         .isEqualTo(Contact.RIGHT);
-    assertThat(ParabolaSegmentSweep.contact(5, 1, 1, 0, -1, 0, 4, 0, 0, 10, 0, 0))
+    assertThat(ParabolaSegmentSweep.contact(5, 1, 1, 0, -1, 0, 4, 0, 0, 10, 0, 0, 0, 0))
         .isEqualTo(Contact.LEFT | Contact.NOW);
+  }
+
+  /** 8 - 6 t - 2 t^2 beside a line that rises with 6 and goes aside with 5. */
+  @Test
+  void aLineMayMove() {
+    assertThat(ParabolaSegmentSweep.time(5, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 6, NEVER))
+        .isEqualTo(1);
+    assertThat(ParabolaSegmentSweep.contact(5, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 5, 6, 1))
+        .isEqualTo(Contact.START);
+    Hit hit = ParabolaHit.ofLine(5, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 1, 6, Contact.LEFT, 1);
+    assertThat(new double[] {hit.x(), hit.y(), hit.ny()}).containsExactly(5, 6, 1);
+    assertThat(hit.approachSpeed()).isEqualTo(10);
+    assertThat(ParabolaSegmentSweep.time(5, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 5, 6, NEVER))
+        .isEqualTo(1);
   }
 
   @Test
   void exactNumbersKnowTheLineOfNoLength() {
-    assertThat(ExactParabola.line(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0).time(NEVER)).isEqualTo(2);
-    assertThat(ParabolaSegmentSweep.time(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, NEVER)).isEqualTo(2);
-    assertThat(ParabolaSegmentSweep.contact(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 2))
+    assertThat(ExactParabola.line(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0).time(NEVER)).isEqualTo(2);
+    assertThat(ParabolaSegmentSweep.time(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0, NEVER))
+        .isEqualTo(2);
+    assertThat(ParabolaSegmentSweep.contact(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0, 2))
         .isEqualTo(Contact.START);
   }
 
