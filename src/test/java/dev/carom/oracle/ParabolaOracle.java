@@ -20,14 +20,14 @@ final class ParabolaOracle {
   /** A region, and the square of the distance less that of the radius, times a positive number. */
   private record Region(Part part, SturmPolynomial gap) {}
 
-  private final SturmPolynomial x;
-  private final SturmPolynomial y;
-  private final Dyadic r;
-  private final SturmPolynomial alongStart;
-  private final SturmPolynomial alongEnd;
+  final SturmPolynomial x;
+  final SturmPolynomial y;
+  final Dyadic r;
+  final SturmPolynomial alongStart;
+  final SturmPolynomial alongEnd;
   private final List<Region> regions = new ArrayList<>();
-  private Dyadic wx = Dyadic.ZERO;
-  private Dyadic wy = Dyadic.ZERO;
+  final Dyadic wx;
+  final Dyadic wy;
 
   private ParabolaOracle(SturmPolynomial x, SturmPolynomial y, Dyadic r) {
     this(x, y, r, Dyadic.ZERO, Dyadic.ZERO, Part.CIRCLE);
@@ -55,36 +55,52 @@ final class ParabolaOracle {
   }
 
   static ParabolaContact answer(ParabolaQuery query) {
-    if (query.straight() instanceof WallQuery q) {
-      return bounds(q, query.gx(), query.gy());
+    return query.straight() instanceof WallQuery q
+        ? bounds(q, query.gx(), query.gy())
+        : within(of(query).first(), query.end());
+  }
+
+  /**
+   * The first contact with a rounded time above s that comes from outside: before it the distance
+   * is above the radius, after it below. A point comes from outside whenever it arrives.
+   */
+  static ParabolaContact after(ParabolaQuery query, double s) {
+    ParabolaOracle oracle = of(query);
+    SturmRoot first = null;
+    for (SturmRoot event : oracle.events()) {
+      boolean sooner = first == null || event.isBefore(first);
+      boolean counts = oracle.r.signum() > 0 ? oracle.enters(event) : oracle.arrives(event);
+      if (sooner && counts && oracle.contact(event).time() > s) {
+        first = event;
+      }
     }
+    return first == null ? ParabolaContact.MISS : within(oracle.contact(first), query.end());
+  }
+
+  /** A disk against a disk or a line. */
+  static ParabolaOracle of(ParabolaQuery query) {
     if (query.straight() instanceof PairQuery q) {
       SturmPolynomial x = motion(q.x1(), q.x2(), q.vx1(), q.vx2(), query.gx());
       SturmPolynomial y = motion(q.y1(), q.y2(), q.vy1(), q.vy2(), query.gy());
-      Dyadic r = Dyadic.of(q.r1()).plus(Dyadic.of(q.r2()));
-      return within(new ParabolaOracle(x, y, r).first(), q.end());
+      return new ParabolaOracle(x, y, Dyadic.of(q.r1()).plus(Dyadic.of(q.r2())));
     }
     MovingLineQuery q = line(query.straight());
-    return within(of(q, query.gx(), query.gy()).first(), q.end());
+    SturmPolynomial x = motion(q.px(), q.ax(), q.vx(), q.ux(), query.gx());
+    SturmPolynomial y = motion(q.py(), q.ay(), q.vy(), q.uy(), query.gy());
+    Dyadic wx = Dyadic.of(q.bx()).minus(Dyadic.of(q.ax()));
+    Dyadic wy = Dyadic.of(q.by()).minus(Dyadic.of(q.ay()));
+    return new ParabolaOracle(x, y, Dyadic.of(q.r()), wx, wy, Part.START);
   }
 
   /** A line at rest moves with velocity 0. */
-  static MovingLineQuery line(Query straight) {
+  private static MovingLineQuery line(Query straight) {
     return straight instanceof SegmentQuery q
         ? new MovingLineQuery(
             q.ax(), q.ay(), q.bx(), q.by(), q.px(), q.py(), q.r(), q.vx(), q.vy(), 0, 0, q.end())
         : (MovingLineQuery) straight;
   }
 
-  private static ParabolaOracle of(MovingLineQuery q, double gx, double gy) {
-    SturmPolynomial x = motion(q.px(), q.ax(), q.vx(), q.ux(), gx);
-    SturmPolynomial y = motion(q.py(), q.ay(), q.vy(), q.uy(), gy);
-    Dyadic wx = Dyadic.of(q.bx()).minus(Dyadic.of(q.ax()));
-    Dyadic wy = Dyadic.of(q.by()).minus(Dyadic.of(q.ay()));
-    return new ParabolaOracle(x, y, Dyadic.of(q.r()), wx, wy, Part.START);
-  }
-
-  private static ParabolaContact within(ParabolaContact contact, double end) {
+  static ParabolaContact within(ParabolaContact contact, double end) {
     return contact.hit() && !contact.within(end) ? ParabolaContact.MISS : contact;
   }
 
@@ -93,18 +109,30 @@ final class ParabolaOracle {
         Dyadic.of(p).minus(Dyadic.of(q)), Dyadic.of(v).minus(Dyadic.of(u)), Dyadic.of(g).shift(-1));
   }
 
-  private static SturmPolynomial constant(Dyadic value) {
+  static SturmPolynomial constant(Dyadic value) {
     return new SturmPolynomial(value);
   }
 
-  private static SturmPolynomial squared(SturmPolynomial x, SturmPolynomial y) {
+  static SturmPolynomial squared(SturmPolynomial x, SturmPolynomial y) {
     return x.times(x).plus(y.times(y));
   }
 
-  private ParabolaContact first() {
+  ParabolaContact first() {
     if (r.signum() > 0 && falls(null)) {
       return contact(null);
     }
+    SturmRoot first = null;
+    for (SturmRoot event : events()) {
+      boolean sooner = first == null || event.isBefore(first);
+      if (sooner && (r.signum() > 0 ? falls(event) : arrives(event))) {
+        first = event;
+      }
+    }
+    return first == null ? ParabolaContact.MISS : contact(first);
+  }
+
+  /** All moments at which the distance may begin to fall, or the region changes. */
+  private List<SturmRoot> events() {
     List<SturmRoot> events = new ArrayList<>();
     for (Region region : regions) {
       events.addAll(region.gap().positiveRoots());
@@ -112,14 +140,14 @@ final class ParabolaOracle {
     }
     events.addAll(alongStart.positiveRoots());
     events.addAll(alongEnd.positiveRoots());
-    SturmRoot first = null;
-    for (SturmRoot event : events) {
-      boolean sooner = first == null || event.isBefore(first);
-      if (sooner && (r.signum() > 0 ? falls(event) : arrives(event))) {
-        first = event;
-      }
-    }
-    return first == null ? ParabolaContact.MISS : contact(first);
+    return events;
+  }
+
+  /** Whether the distance is above the radius just before a moment, and below it just after. */
+  private boolean enters(SturmRoot moment) {
+    SturmPolynomial last = region(before(alongStart, moment), before(alongEnd, moment)).gap();
+    SturmPolynomial next = region(after(alongStart, moment), after(alongEnd, moment)).gap();
+    return before(last, moment) > 0 && after(next, moment) < 0;
   }
 
   /** Whether the distance is below the radius and falls just after a moment; null is 0. */
@@ -135,8 +163,23 @@ final class ParabolaOracle {
   }
 
   private ParabolaContact contact(SturmRoot moment) {
-    Part part = region(sign(alongStart, moment), sign(alongEnd, moment)).part();
+    Part part = part(moment);
     return new ParabolaContact(part, moment, normal(part, moment));
+  }
+
+  /** The part of a line in whose region the centre is; the disk itself if there is no line. */
+  Part part(SturmRoot moment) {
+    return region(sign(alongStart, moment), sign(alongEnd, moment)).part();
+  }
+
+  /** The gap in the region of a part. */
+  SturmPolynomial gap(Part part) {
+    return regions.stream().filter(region -> region.part() == part).findFirst().orElseThrow().gap();
+  }
+
+  /** Replaces the gap in the region of a part. */
+  void setGap(Part part, SturmPolynomial gap) {
+    regions.replaceAll(region -> region.part() == part ? new Region(part, gap) : region);
   }
 
   /** The region, by the signs of the projections beyond the two ends. */
@@ -144,12 +187,12 @@ final class ParabolaOracle {
     return regions.size() == 1 || start <= 0 ? regions.get(0) : regions.get(end >= 0 ? 2 : 1);
   }
 
-  private static int sign(SturmPolynomial q, SturmRoot moment) {
+  static int sign(SturmPolynomial q, SturmRoot moment) {
     return moment == null ? q.value(Dyadic.ZERO).signum() : moment.sign(q);
   }
 
   /** The sign just after a moment: of the first derivative that does not vanish. */
-  private static int after(SturmPolynomial q, SturmRoot moment) {
+  static int after(SturmPolynomial q, SturmRoot moment) {
     SturmPolynomial derivative = q;
     int sign = 0;
     while (sign == 0 && !derivative.isZero()) {
@@ -231,7 +274,7 @@ final class ParabolaOracle {
     return first;
   }
 
-  private static boolean isSooner(ParabolaContact one, ParabolaContact other) {
+  static boolean isSooner(ParabolaContact one, ParabolaContact other) {
     if (!one.hit() || !other.hit()) {
       return one.hit();
     }
@@ -243,6 +286,11 @@ final class ParabolaOracle {
 
   private static ParabolaContact wall(SturmPolynomial distance, WallQuery q, Vector normal) {
     SturmPolynomial gap = distance.plus(constant(Dyadic.of(q.r()).negate()));
+    return within(firstFall(gap, Part.SIDE, Normal.along(normal)), q.end());
+  }
+
+  /** The first moment just after which a gap is not above 0 and falls. */
+  static ParabolaContact firstFall(SturmPolynomial gap, Part part, Normal normal) {
     List<SturmRoot> events = new ArrayList<>(List.of());
     events.add(null);
     events.addAll(gap.positiveRoots());
@@ -256,8 +304,6 @@ final class ParabolaOracle {
         found = true;
       }
     }
-    return found
-        ? within(new ParabolaContact(Part.SIDE, first, Normal.along(normal)), q.end())
-        : ParabolaContact.MISS;
+    return found ? new ParabolaContact(part, first, normal) : ParabolaContact.MISS;
   }
 }

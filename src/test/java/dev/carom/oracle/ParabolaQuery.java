@@ -15,6 +15,22 @@ public record ParabolaQuery(Query straight, double gx, double gy) {
     return ParabolaOracle.answer(this);
   }
 
+  /** The exact first contact from outside with a rounded time above s; -1 for any. */
+  public ParabolaContact truthAfter(double s) {
+    return ParabolaOracle.after(this, s);
+  }
+
+  /** The exact next contact with a thing that is touched at the start. */
+  public ParabolaContact truthOfReturn() {
+    return ParabolaReturnOracle.answer(this);
+  }
+
+  /** The end of the window. */
+  public double end() {
+    double[] n = straight.numbers();
+    return n[n.length - 1];
+  }
+
   /** Every number as a hexadecimal double. */
   public String hex() {
     return straight.hex() + ", gx " + Double.toHexString(gx) + ", gy " + Double.toHexString(gy);

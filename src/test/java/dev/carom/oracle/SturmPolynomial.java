@@ -71,6 +71,15 @@ final class SturmPolynomial {
     return new SturmPolynomial(d);
   }
 
+  /** This polynomial less its value at 0. A negative slope there counts as 0. */
+  SturmPolynomial fromZero() {
+    Dyadic[] d = c.clone();
+    for (int i = 0; i < d.length && i < 2; i++) {
+      d[i] = i == 0 || d[i].signum() < 0 ? Dyadic.ZERO : d[i];
+    }
+    return new SturmPolynomial(d);
+  }
+
   /** The polynomial over the highest power of t that divides it: the roots other than 0 stay. */
   SturmPolynomial withoutZeroRoots() {
     int zeros = 0;

@@ -4,6 +4,7 @@ package dev.carom.internal.exact;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 
 /**
@@ -23,7 +24,7 @@ public final class ExactParabola {
   private static final Polynomial NONE = Polynomial.of();
 
   /** Time 0. */
-  private static final RealRoot START = RealRoot.at(Dyadic.ZERO);
+  static final RealRoot START = RealRoot.at(Dyadic.ZERO);
 
   /** The offset from the other disk, or from the line's start. */
   private final Polynomial x;
@@ -46,61 +47,60 @@ public final class ExactParabola {
   /** The gaps before the start, beside the line and beyond the end; one gap if there is no line. */
   private final Polynomial[] gaps;
 
-  private final boolean isPoint;
+  /** The radius, of two disks the sum of theirs; null against a wall. */
+  private final Dyadic radius;
 
-  private ExactParabola(Polynomial x, Polynomial y, Dyadic r) {
+  private ExactParabola(
+      Polynomial x, Polynomial y, Polynomial lengthX, Polynomial lengthY, Dyadic radius,
+      Polynomial... gaps) {
     this.x = x;
     this.y = y;
-    lengthX = NONE;
-    lengthY = NONE;
-    alongStart = NONE;
-    alongEnd = NONE;
-    height = NONE;
-    gaps = new Polynomial[] {x.times(x).plus(y.times(y)).minus(constant(r.square()))};
-    isPoint = r.sign() == 0;
+    this.lengthX = lengthX;
+    this.lengthY = lengthY;
+    this.radius = radius;
+    this.gaps = gaps;
+    alongStart = lengthX.times(x).plus(lengthY.times(y));
+    alongEnd = alongStart.minus(squared(lengthX, lengthY));
+    height = lengthX.times(y).minus(lengthY.times(x));
   }
 
-  private ExactParabola(Polynomial x, Polynomial y, Dyadic r, Dyadic wx, Dyadic wy) {
-    this.x = x;
-    this.y = y;
-    Polynomial px = constant(wx);
-    Polynomial py = constant(wy);
-    lengthX = px;
-    lengthY = py;
-    Polynomial ww = constant(wx.square().plus(wy.square()));
-    Polynomial rr = constant(r.square());
-    alongStart = px.times(x).plus(py.times(y));
-    alongEnd = alongStart.minus(ww);
-    height = px.times(y).minus(py.times(x));
-    Polynomial endX = x.minus(px);
-    Polynomial endY = y.minus(py);
-    gaps =
-        new Polynomial[] {
-          x.times(x).plus(y.times(y)).minus(rr),
-          height.times(height).minus(rr.times(ww)),
-          endX.times(endX).plus(endY.times(endY)).minus(rr)
-        };
-    isPoint = r.sign() == 0;
+  private static ExactParabola disk(Polynomial x, Polynomial y, Dyadic radius) {
+    return new ExactParabola(x, y, NONE, NONE, radius, gap(x, y, radius));
   }
 
-  /** A wall has a gap that is linear in the place. */
-  private ExactParabola(Polynomial gap) {
-    x = NONE;
-    y = NONE;
-    lengthX = NONE;
-    lengthY = NONE;
-    alongStart = NONE;
-    alongEnd = NONE;
-    height = NONE;
-    gaps = new Polynomial[] {gap};
-    isPoint = false;
+  private static ExactParabola line(
+      Polynomial x, Polynomial y, Polynomial wx, Polynomial wy, Dyadic radius) {
+    Polynomial height = wx.times(y).minus(wy.times(x));
+    Polynomial limit = squared(wx, wy).times(constant(radius.square()));
+    return new ExactParabola(
+        x,
+        y,
+        wx,
+        wy,
+        radius,
+        gap(x, y, radius),
+        height.times(height).minus(limit),
+        gap(x.minus(wx), y.minus(wy), radius));
+  }
+
+  /** Against what has one gap everywhere: a wall, or the thing just hit. */
+  static ExactParabola ofGap(Polynomial gap) {
+    return new ExactParabola(NONE, NONE, NONE, NONE, null, gap);
+  }
+
+  private static Polynomial gap(Polynomial x, Polynomial y, Dyadic radius) {
+    return squared(x, y).minus(constant(radius.square()));
+  }
+
+  private static Polynomial squared(Polynomial x, Polynomial y) {
+    return x.times(x).plus(y.times(y));
   }
 
   /** Against a disk that moves straight on. */
   public static ExactParabola disk(
       double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
       double y2, double r2, double vx2, double vy2) {
-    return new ExactParabola(
+    return disk(
         motion(x1, x2, vx1, vx2, gx),
         motion(y1, y2, vy1, vy2, gy),
         Dyadic.of(r1).plus(Dyadic.of(r2)));
@@ -116,12 +116,12 @@ public final class ExactParabola {
     if (ax == bx && ay == by) {
       return disk(px, py, r, vx, vy, gx, gy, ax, ay, 0, ux, uy);
     }
-    return new ExactParabola(
+    return line(
         motion(px, ax, vx, ux, gx),
         motion(py, ay, vy, uy, gy),
-        Dyadic.of(r),
-        Dyadic.difference(bx, ax),
-        Dyadic.difference(by, ay));
+        constant(Dyadic.difference(bx, ax)),
+        constant(Dyadic.difference(by, ay)),
+        Dyadic.of(r));
   }
 
   /**
@@ -133,68 +133,83 @@ public final class ExactParabola {
       double p, double r, double v, double g, double wall, int inward) {
     Polynomial place = motion(p, wall, v, 0, g);
     Polynomial distance = inward > 0 ? place : NONE.minus(place);
-    return new ExactParabola(distance.minus(constant(Dyadic.of(r))));
-  }
-
-  /** Back to a wall: the gap {@code v t + g t^2 / 2}, a negative v counting as 0. */
-  public static ExactParabola returnToWall(double v, double g, int inward) {
-    Dyadic away = Dyadic.of(inward * v);
-    return returning(away, Dyadic.of(inward * g).half(), Dyadic.ZERO, Dyadic.ZERO);
-  }
-
-  /** Back to the height above a line at the start. */
-  public static ExactParabola returnToSide(
-      int side, double vx, double vy, double gx, double gy, double ax, double ay, double bx,
-      double by) {
-    Dyadic away = Exact.cross(bx, by, ax, ay, side * vx, side * vy, 0, 0);
-    Dyadic lift = Exact.cross(bx, by, ax, ay, side * gx, side * gy, 0, 0);
-    return returning(away, lift.half(), Dyadic.ZERO, Dyadic.ZERO);
-  }
-
-  /** Back to the distance from a disk at the start. */
-  public static ExactParabola returnToDisk(
-      double x1, double y1, double vx1, double vy1, double gx, double gy, double x2, double y2,
-      double vx2, double vy2) {
-    Dyadic[] d = {Dyadic.difference(x1, x2), Dyadic.difference(y1, y2)};
-    Dyadic[] u = {Dyadic.difference(vx1, vx2), Dyadic.difference(vy1, vy2)};
-    Dyadic[] g = {Dyadic.of(gx), Dyadic.of(gy)};
-    return returning(
-        dot(d, u).times(Dyadic.of(2)),
-        dot(u, u).plus(dot(d, g)),
-        dot(u, g),
-        dot(g, g).half().half());
-  }
-
-  private static Dyadic dot(Dyadic[] a, Dyadic[] b) {
-    return a[0].times(b[0]).plus(a[1].times(b[1]));
-  }
-
-  /** The gap from its coefficients after the constant one, which is 0. */
-  private static ExactParabola returning(Dyadic away, Dyadic c2, Dyadic c3, Dyadic c4) {
-    Dyadic c1 = away.sign() > 0 ? away : Dyadic.ZERO;
-    return new ExactParabola(Polynomial.of(Dyadic.ZERO, c1, c2, c3, c4));
+    return ofGap(distance.minus(constant(Dyadic.of(r))));
   }
 
   /** The time of impact; null for none up to the window's end T. */
   public RealRoot first(double T) {
     PrecisionCounters.exactParabola();
-    RealRoot first =
-        !isPoint
-            ? firstFall(T == Double.POSITIVE_INFINITY ? null : RealRoot.after(T))
-            : height.isZero() && !alongStart.isZero() ? firstEnd() : firstOfPoint();
-    boolean isLate =
-        first != null && T < Double.POSITIVE_INFINITY && first.compare(Dyadic.of(T)) > 0;
-    return isLate ? null : first;
+    return firstFrom(START, T);
   }
 
-  /** 0, or the first border up to a limit, after which the gap falls; null for none. */
-  private RealRoot firstFall(RealRoot limit) {
+  /** The first time from a given one on that is one of impact; null for none up to T. */
+  RealRoot firstFrom(RealRoot from, double T) {
+    RealRoot first =
+        isPoint() ? firstOfPoint(root -> root.compare(from) >= 0) : firstFall(from, limit(T));
+    return isLate(first, T) ? null : first;
+  }
+
+  /**
+   * The correctly rounded time of the first entry that is above s: the gap comes from above 0 and
+   * falls below 0. Contact at the start is no entry. It is {@code +infinity} for none up to T.
+   */
+  public double timeAfter(double s, double T) {
+    PrecisionCounters.exactParabola();
+    RealRoot root = entryAfter(s, T);
+    return root == null ? Double.POSITIVE_INFINITY : root.nearest();
+  }
+
+  private RealRoot entryAfter(double s, double T) {
+    RealRoot entry =
+        isPoint() ? firstOfPoint(root -> root.isRoundedAbove(s)) : fallAfter(s, limit(T));
+    return isLate(entry, T) ? null : entry;
+  }
+
+  /** The first border with a rounded time above s at which the gap turns from above to below 0. */
+  private RealRoot fallAfter(double s, RealRoot limit) {
     RealRoot root = START;
+    int before = 0;
     for (RealRoot next : borders(limit)) {
-      if (root.compare(next) != 0 && falls(root.between(next))) {
-        return root;
+      if (root.compare(next) < 0) {
+        int sign = sign(root.between(next));
+        if (before > 0 && sign < 0 && root.isRoundedAbove(s)) {
+          return root;
+        }
+        before = sign;
+        root = next;
       }
-      root = next;
+    }
+    int last = sign(limit == null ? root.after() : root.between(limit));
+    return before > 0 && last < 0 && root.isRoundedAbove(s) ? root : null;
+  }
+
+  /** The impact or the later entry whose rounded time is t; t itself if there is none. */
+  public RealRoot at(double t) {
+    RealRoot root = first(Double.POSITIVE_INFINITY);
+    if (root == null || root.nearest() != t) {
+      root = entryAfter(Math.nextDown(t), Double.POSITIVE_INFINITY);
+    }
+    return root == null || root.nearest() != t ? RealRoot.at(Dyadic.of(t)) : root;
+  }
+
+  private static RealRoot limit(double T) {
+    return T == Double.POSITIVE_INFINITY ? null : RealRoot.after(T);
+  }
+
+  private static boolean isLate(RealRoot root, double T) {
+    return root != null && T < Double.POSITIVE_INFINITY && root.compare(Dyadic.of(T)) > 0;
+  }
+
+  /** A time, or the first border from it up to a limit, after which the gap falls; null for none. */
+  private RealRoot firstFall(RealRoot from, RealRoot limit) {
+    RealRoot root = from;
+    for (RealRoot next : borders(limit)) {
+      if (root.compare(next) < 0) {
+        if (falls(root.between(next))) {
+          return root;
+        }
+        root = next;
+      }
     }
     return falls(limit == null ? root.after() : root.between(limit)) ? root : null;
   }
@@ -210,6 +225,48 @@ public final class ExactParabola {
     return t.sign(alongStart) <= 0 ? -1 : t.sign(alongEnd) >= 0 ? 1 : 0;
   }
 
+  /** Whether the centre is between the ends of the line at a time, or exactly at one. */
+  boolean isBeside(RealRoot t) {
+    return t.sign(alongStart) >= 0 && t.sign(alongEnd) <= 0;
+  }
+
+  /**
+   * The side of the line that a disk touches at the start: by its place; that of a point, or of a
+   * centre on the line, by the velocity with which it leaves. Without one nothing holds it there.
+   */
+  int sideAtStart() {
+    int place = height.sign(Dyadic.ZERO);
+    int speed = height.derivative().sign(Dyadic.ZERO);
+    if (isPoint() && speed != 0) {
+      return speed;
+    }
+    int bend = height.derivative().derivative().sign(Dyadic.ZERO);
+    return place != 0 ? place : speed != 0 ? speed : bend;
+  }
+
+  boolean isPoint() {
+    return radius != null && radius.sign() == 0;
+  }
+
+  /** The gap in a region. */
+  Polynomial gap(int region) {
+    return gaps[1 + region];
+  }
+
+  /** The same line, but for the gap in a region. */
+  ExactParabola withGap(int region, ExactParabola gap) {
+    Polynomial[] others = gaps.clone();
+    others[1 + region] = gap.gaps[0];
+    return new ExactParabola(x, y, lengthX, lengthY, radius, others);
+  }
+
+  /** The end of the line in a region, as a disk. */
+  ExactParabola part(int region) {
+    return region < 0
+        ? disk(x, y, radius)
+        : disk(x.minus(lengthX), y.minus(lengthY), radius);
+  }
+
   /** The side of the line just before an impact: +1 left, -1 right. */
   public int side(RealRoot t) {
     int sign = t.sign(height);
@@ -221,7 +278,7 @@ public final class ExactParabola {
    * their offset vanishes, it is the limit from before: against the velocity.
    */
   public UnitVector normal(RealRoot t) {
-    if (isPoint) {
+    if (isPoint()) {
       return t.unit(NONE.minus(x.derivative()), NONE.minus(y.derivative()));
     }
     boolean end = !alongStart.isZero() && region(t) > 0;
@@ -252,21 +309,37 @@ public final class ExactParabola {
     return borders;
   }
 
+  /** The gap of the region in which the disk is at a time. */
+  private Polynomial gap(Dyadic t) {
+    return gaps[gaps.length == 1 ? 0 : 1 + region(RealRoot.at(t))];
+  }
+
+  private int sign(Dyadic t) {
+    return gap(t).sign(t);
+  }
+
   /** Whether the gap at a time is not above 0 and falls. */
   private boolean falls(Dyadic t) {
-    Polynomial gap = gaps[gaps.length == 1 ? 0 : 1 + region(RealRoot.at(t))];
+    Polynomial gap = gap(t);
     return gap.sign(t) <= 0 && gap.derivative().sign(t) < 0;
   }
 
-  /** A point that comes to a point, or to a line and not along it. */
-  private RealRoot firstOfPoint() {
-    Polynomial distance = alongStart.isZero() ? x.gcd(y) : height;
-    for (RealRoot root : distance.positiveRoots(null)) {
-      if (alongStart.isZero() ? isMoving(root) : isMet(root)) {
-        return root;
-      }
+  /** The first of the times that count at which a point comes to a point, or to a line. */
+  private RealRoot firstOfPoint(Predicate<RealRoot> counts) {
+    if (alongStart.isZero()) {
+      return first(x.gcd(y), counts.and(this::isMoving));
     }
-    return null;
+    if (!height.isZero()) {
+      return first(height, counts.and(this::isMet));
+    }
+    // It moves along the line's direction, in line with it.
+    RealRoot start = first(alongStart, counts.and(t -> t.sign(alongStart.derivative()) > 0));
+    RealRoot end = first(alongEnd, counts.and(t -> t.sign(alongEnd.derivative()) < 0));
+    return start == null || (end != null && end.compare(start) < 0) ? end : start;
+  }
+
+  private static RealRoot first(Polynomial f, Predicate<RealRoot> counts) {
+    return f.positiveRoots(null).stream().filter(counts).findFirst().orElse(null);
   }
 
   private boolean isMoving(RealRoot t) {
@@ -285,24 +358,8 @@ public final class ExactParabola {
         || (end == 0 && t.sign(alongEnd.derivative()) < 0);
   }
 
-  /** A point that moves along the line's direction, in line with it. */
-  private RealRoot firstEnd() {
-    RealRoot start = firstPassage(alongStart, 1);
-    RealRoot end = firstPassage(alongEnd, -1);
-    return start == null || (end != null && end.compare(start) < 0) ? end : start;
-  }
-
-  private static RealRoot firstPassage(Polynomial along, int direction) {
-    for (RealRoot root : along.positiveRoots(null)) {
-      if (root.sign(along.derivative()) == direction) {
-        return root;
-      }
-    }
-    return null;
-  }
-
   /** (p - q) + (v - u) t + g / 2 t^2. */
-  private static Polynomial motion(double p, double q, double v, double u, double g) {
+  static Polynomial motion(double p, double q, double v, double u, double g) {
     return Polynomial.of(Dyadic.difference(p, q), Dyadic.difference(v, u), Dyadic.of(g).half());
   }
 

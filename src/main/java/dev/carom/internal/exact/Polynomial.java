@@ -85,6 +85,15 @@ public final class Polynomial {
     return new Polynomial(Arrays.copyOfRange(c, Math.min(1, c.length), c.length));
   }
 
+  /** This polynomial less its value at 0. Its slope there counts as 0 if it is negative. */
+  Polynomial fromStart() {
+    Dyadic[] gap = c.clone();
+    for (int i = 0; i < Math.min(2, gap.length); i++) {
+      gap[i] = i == 1 && gap[i].sign() > 0 ? gap[i] : Dyadic.ZERO;
+    }
+    return new Polynomial(gap);
+  }
+
   /** The value at t. */
   Dyadic value(Dyadic t) {
     Dyadic value = Dyadic.ZERO;

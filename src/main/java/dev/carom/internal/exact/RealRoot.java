@@ -156,6 +156,15 @@ public final class RealRoot {
     return Double.longBitsToDouble(first);
   }
 
+  /** Whether the correctly rounded value is above s. */
+  boolean isRoundedAbove(double s) {
+    if (s < 0) {
+      return true;
+    }
+    int sign = compare(middle(s));
+    return sign > 0 || (sign == 0 && (Double.doubleToRawLongBits(s) & 1) == 1);
+  }
+
   /**
    * The unit vector of (x, y) at this root, where it does not vanish. The root is narrowed until
    * the error of x and y, its relative width times at most twice the terms' degrees, is small

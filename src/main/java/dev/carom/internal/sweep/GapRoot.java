@@ -143,26 +143,92 @@ final class GapRoot {
   }
 
   /**
+   * The root at which f next falls to 0 after a start: {@link #first} if f is above 0 there, else
+   * that after f has come above 0.
+   *
+   * @param sign the sign of f at the start, and up to half an ulp after it; 0 in doubt
+   */
+  static double nextFall(
+      int sign, double c0, double c1, double c2, double c3, double c4, double m0, double m1,
+      double m2, double start, double T) {
+    if (sign == 0) {
+      return DOUBT;
+    }
+    double from = sign > 0 ? start : comesOut(c0, c1, c2, c3, c4, m0, m1, m2, start, T);
+    return from < NEVER ? first(c0, c1, c2, c3, c4, m0, m1, m2, from, T) : from;
+  }
+
+  /**
+   * A time at which f is certain to be above 0, with one root between it and a start at which f is
+   * below 0. NEVER if f stays below 0 up to T, DOUBT if plain doubles do not tell.
+   */
+  static double comesOut(
+      double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
+      double start, double T) {
+    double t = first(-c0, -c1, -c2, -c3, -c4, m0, m1, m2, start, T);
+    if (!(t < NEVER)) {
+      return t;
+    }
+    double out = t + MARGIN * t;
+    return sign(c0, c1, c2, c3, c4, m0, m1, m2, out) > 0 ? out : DOUBT;
+  }
+
+  /**
+   * The sign of f at a time and up to half an ulp beside it; 0 in doubt. The coefficients err by 10
+   * u, the sums and products here by 8 u, and half an ulp of time changes f by 4 u: less than {@link
+   * #BERNSTEIN_BOUND}.
+   */
+  static int sign(
+      double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
+      double t) {
+    double m = m0 + (m1 + m2 * t) * t;
+    boolean isSafe = t <= LATEST && isFinite(c0, c1, c2, c3, c4);
+    return isSafe ? sign(c0 + (c1 + (c2 + (c3 + c4 * t) * t) * t) * t, m * m) : 0;
+  }
+
+  /**
+   * The sign of f half an ulp after t; 0 in doubt. The bound is that of {@link #nearest}.
+   *
+   * @param f the residue at t, in double-double
+   * @param slope f' at t
+   * @param size {@code m0 + m1 t + m2 t^2}
+   */
+  static int signAfter(double t, double f, double slope, double size) {
+    double up = 0.5 * Math.ulp(t);
+    double ratio = up / t;
+    double scale = size * size;
+    double bound =
+        Math.fma(scale, RESIDUE_BOUND + ratio * (SLOPE_BOUND + BEND * ratio), RESIDUE_TINY);
+    double value = f + slope * up;
+    boolean isCertain = Math.abs(value) > bound && scale < MOST && t < LATEST;
+    return isCertain ? UnitVectors.sign(value) : 0;
+  }
+
+  /**
+   * Whether f rises from 0 up to t: all Bernstein coefficients of f' are above a bound. Their terms
+   * add up to A' = 2 (m0 + m1 t + m2 t^2) (m1 + 2 m2 t) at most.
+   */
+  static boolean rises(
+      double c1, double c2, double c3, double c4, double m0, double m1, double m2, double t) {
+    double m = m0 + (m1 + m2 * t) * t;
+    double bound = Math.fma(BERNSTEIN_BOUND, 2 * m * (m1 + 2 * m2 * t), TINY);
+    double d1 = c1 + 2 * c2 / 3 * t;
+    double d2 = c1 + (4 * c2 / 3 + c3 * t) * t;
+    double d3 = c1 + (2 * c2 + (3 * c3 + 4 * c4 * t) * t) * t;
+    return c1 > bound && d1 > bound && d2 > bound && d3 > bound;
+  }
+
+  /**
    * A time until which f rises from the start, and at which it is above 0. NEVER if it rises up to T
-   * and is not certain to come above 0, DOUBT if plain doubles do not tell. All Bernstein
-   * coefficients of f' must be above a bound; their terms add up to A' = 2 (m0 + m1 t + m2 t^2) (m1 +
-   * 2 m2 t) at most.
+   * and is not certain to come above 0, DOUBT if plain doubles do not tell.
    */
   static double leaves(
       double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
       double T) {
     double t = T <= LATEST && isFinite(c0, c1, c2, c3, c4) ? T : DOUBT;
-    for (int i = 0; i < INTERVALS; i++) {
-      double m = m0 + (m1 + m2 * t) * t;
-      double bound = Math.fma(BERNSTEIN_BOUND, 2 * m * (m1 + 2 * m2 * t), TINY);
-      double d2 = c1 + (4 * c2 / 3 + c3 * t) * t;
-      double d3 = c1 + (2 * c2 + (3 * c3 + 4 * c4 * t) * t) * t;
-      if (!(c1 > bound)) {
-        return DOUBT;
-      }
-      if (c1 + 2 * c2 / 3 * t > bound && d2 > bound && d3 > bound) {
-        double f = c0 + (c1 + (c2 + (c3 + c4 * t) * t) * t) * t;
-        return sign(f, m * m) > 0 ? t : t == T ? NEVER : DOUBT;
+    for (int i = 0; i < INTERVALS && c1 > 0; i++) {
+      if (rises(c1, c2, c3, c4, m0, m1, m2, t)) {
+        return sign(c0, c1, c2, c3, c4, m0, m1, m2, t) > 0 ? t : t == T ? NEVER : DOUBT;
       }
       t *= 0.5;
     }

@@ -104,7 +104,7 @@ public final class ParabolaSegmentSweep {
   }
 
   /** The sign of w.(p(t) - q) at the time that t is the rounding of; 0 in doubt. */
-  private static int along(
+  static int along(
       double px, double py, double vx, double vy, double gx, double gy, double qx, double qy,
       double ux, double uy, double wx, double wy, double t) {
     double x = ParabolaDiskSweep.place(px, qx, vx, ux, gx, t);
@@ -249,12 +249,12 @@ public final class ParabolaSegmentSweep {
   }
 
   /** Whether a vector is along the line by its zeros: both terms of cross(w, v) are 0. */
-  private static boolean isAlong(double wx, double wy, double vx, double vy) {
+  static boolean isAlong(double wx, double wy, double vx, double vy) {
     return (wx == 0 || vy == 0) && (wy == 0 || vx == 0);
   }
 
   /** The end of the window in which the disk can enter the strip. */
-  private static double reach(
+  static double reach(
       double wx, double wy, double gx, double gy, double h1, double h2, double m0, double m1,
       double m2, double T) {
     if (!isAlong(wx, wy, gx, gy)) {
@@ -266,7 +266,7 @@ public final class ParabolaSegmentSweep {
   }
 
   /** The double nearest to the root of the gap beside the line. */
-  private static double nearest(
+  static double nearest(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
       double ay, double bx, double by, double ux, double uy, double start) {
     double wx = bx - ax;

@@ -216,7 +216,7 @@ public final class SegmentSweep {
   }
 
   /** The sign of (p - q).w: whether p projects beyond q. */
-  private static int along(
+  static int along(
       double px, double py, double qx, double qy, double ax, double ay, double bx, double by) {
     double c0 = (px - qx) * (bx - ax);
     double c1 = (py - qy) * (by - ay);

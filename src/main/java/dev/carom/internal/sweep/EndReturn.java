@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+/**
+ * When a disk with a constant acceleration that touches an end of a line, q, hits the line next, as
+ * far as doubles and double-double tell. The other end is o. {@link ParabolaReturn} says what counts.
+ *
+ * <p>While the centre stays beyond q, only the return to q counts. Otherwise the disk must have left
+ * the strip of {@link ParabolaSegmentSweep} when its centre comes beside the line. Until it is in the
+ * strip again it hits nothing. If it then is beside the line, it hits the side; if it is beyond an
+ * end and stays there, it can hit this end alone. All else is left open.
+ */
+final class EndReturn {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private EndReturn() {}
+
+  /** The time of the next hit up to T; NaN if doubles and double-double do not tell. */
+  static double certain(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double qx,
+      double qy, double ox, double oy, double ux, double uy, double T) {
+    double back = ParabolaReturn.certain(px, py, vx, vy, gx, gy, qx, qy, ux, uy, T);
+    if (back == 0 || Double.isNaN(back)) {
+      return back;
+    }
+    double wx = ox - qx;
+    double wy = oy - qy;
+    double sx = vx - ux;
+    double sy = vy - uy;
+    double until = Math.min(back, T);
+    if (isBeyond(px, py, sx, sy, gx, gy, qx, qy, -wx, -wy, 0, until)) {
+      return back;
+    }
+    double dx = px - qx;
+    double dy = py - qy;
+    double h0 = wx * dy - wy * dx;
+    double h1 = wx * sy - wy * sx;
+    double h2 = 0.5 * (wx * gy - wy * gx);
+    double c0 = h0 * h0 - r * r * (wx * wx + wy * wy);
+    double c1 = 2 * h0 * h1;
+    double c2 = h1 * h1 + 2 * h0 * h2;
+    double c3 = 2 * h1 * h2;
+    double c4 = h2 * h2;
+    double m0 = Math.abs(wx * dy) + Math.abs(wy * dx) + r * (Math.abs(wx) + Math.abs(wy));
+    double m1 = Math.abs(wx * sy) + Math.abs(wy * sx);
+    double m2 = 0.5 * (Math.abs(wx * gy) + Math.abs(wy * gx));
+    double limit = ParabolaSegmentSweep.reach(wx, wy, gx, gy, h1, h2, m0, m1, m2, T);
+    int strip = GapRoot.sign(c0, m0 * m0);
+    double out =
+        strip > 0
+            ? 0
+            : strip < 0
+                ? GapRoot.comesOut(c0, c1, c2, c3, c4, m0, m1, m2, 0, limit)
+                : GapRoot.leaves(c0, c1, c2, c3, c4, m0, m1, m2, limit);
+    // Nothing is hit up to then: beside the line the height rises, if it does.
+    boolean isFree =
+        out < back
+            && (isBeyond(px, py, sx, sy, gx, gy, qx, qy, -wx, -wy, 0, out)
+                || (GapRoot.rises(c1, c2, c3, c4, m0, m1, m2, out)
+                    && isBeyond(px, py, sx, sy, gx, gy, ox, oy, -wx, -wy, 0, out)));
+    if (!isFree) {
+      return GapRoot.DOUBT;
+    }
+    double in = GapRoot.first(c0, c1, c2, c3, c4, m0, m1, m2, out, limit);
+    if (!(in < NEVER)) {
+      return in == back ? in : GapRoot.DOUBT;
+    }
+    double t = ParabolaSegmentSweep.nearest(px, py, r, vx, vy, gx, gy, qx, qy, ox, oy, ux, uy, in);
+    return t < back
+        ? inStrip(px, py, r, vx, vy, gx, gy, qx, qy, ox, oy, ux, uy, t, back, T)
+        : GapRoot.DOUBT;
+  }
+
+  /** The next hit of a disk that enters the strip at a time t, before it could be back at q. */
+  private static double inStrip(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double qx,
+      double qy, double ox, double oy, double ux, double uy, double t, double back, double T) {
+    double wx = ox - qx;
+    double wy = oy - qy;
+    int start = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, qx, qy, ux, uy, wx, wy, t);
+    int end = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, ox, oy, ux, uy, wx, wy, t);
+    if (start > 0 && end < 0) {
+      return t;
+    }
+    double sx = vx - ux;
+    double sy = vy - uy;
+    if (start < 0) {
+      boolean stays = isBeyond(px, py, sx, sy, gx, gy, qx, qy, -wx, -wy, t, Math.min(back, T));
+      return stays ? back : GapRoot.DOUBT;
+    }
+    if (end <= 0) {
+      return GapRoot.DOUBT;
+    }
+    double hit = ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, ox, oy, 0, ux, uy, T);
+    boolean stays =
+        hit > t && isBeyond(px, py, sx, sy, gx, gy, ox, oy, wx, wy, t, Math.min(hit, T));
+    return stays ? hit : GapRoot.DOUBT;
+  }
+
+  /**
+   * Whether the projection of {@code p - q} on a vector e is certain to be above 0 from one time to
+   * another, by its Bernstein coefficients there. At time 0 it is known not to be below 0.
+   *
+   * @param sx the velocity of the disk less that of the line
+   */
+  private static boolean isBeyond(
+      double px, double py, double sx, double sy, double gx, double gy, double qx, double qy,
+      double ex, double ey, double from, double to) {
+    double dx = px - qx;
+    double dy = py - qy;
+    double a0 = ex * dx + ey * dy;
+    double a1 = ex * sx + ey * sy;
+    double a2 = 0.5 * (ex * gx + ey * gy);
+    double m0 = Math.abs(ex * dx) + Math.abs(ey * dy);
+    double m1 = Math.abs(ex * sx) + Math.abs(ey * sy);
+    double m2 = 0.5 * (Math.abs(ex * gx) + Math.abs(ey * gy));
+    boolean begins = from == 0 || isAbove(a0, a1, a2, m0, m1, m2, from, from);
+    boolean rises =
+        (GapRoot.sign(a1, m1) > 0 || ParabolaSegmentSweep.isAlong(-ey, ex, sx, sy))
+            && (GapRoot.sign(a2, m2) > 0 || ParabolaSegmentSweep.isAlong(-ey, ex, gx, gy));
+    return begins
+        && (rises
+            || (to < GapRoot.LATEST
+                && isAbove(a0, a1, a2, m0, m1, m2, from, to)
+                && isAbove(a0, a1, a2, m0, m1, m2, to, to)));
+  }
+
+  /** Whether {@code a0 + a1 (s + t) / 2 + a2 s t} is certain to be above 0. */
+  private static boolean isAbove(
+      double a0, double a1, double a2, double m0, double m1, double m2, double s, double t) {
+    double middle = 0.5 * (s + t);
+    double value = a0 + a1 * middle + a2 * s * t;
+    return GapRoot.sign(value, m0 + m1 * middle + m2 * s * t) > 0;
+  }
+}

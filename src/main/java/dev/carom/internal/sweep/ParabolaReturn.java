@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import static dev.carom.internal.exact.DoubleDouble.crossTail;
+import static dev.carom.internal.exact.DoubleDouble.differenceTail;
+import static dev.carom.internal.exact.DoubleDouble.productTail;
+import static dev.carom.internal.exact.DoubleDouble.sumTail;
+
+import dev.carom.internal.exact.ExactReturn;
+import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.exact.RealRoot;
+
+/**
+ * When a disk with a constant acceleration comes back to the thing that it has just hit.
+ *
+ * <p>Its gap at the start is 0 by definition, whatever its rounded place says. So the gap is counted
+ * from there, and its root at time 0 is divided out, exactly. A speed along the normal that is
+ * negative counts as 0: it is a rounding error of the response. Without that speed the acceleration
+ * decides: inward, the answer is 0, for the disk is supported; outward, it leaves.
+ *
+ * <p>A line has three parts, its side and its ends. The disk touches the part in whose region its
+ * centre is at the start, and the gap of this part counts from there. Those of the others are what
+ * the given numbers say. So the disk comes back
+ *
+ * <ul>
+ *   <li>from the side: when its height above the line is again that at the start, if its centre is
+ *       beside the line then; otherwise at the first impact from then on with the end that it has
+ *       passed. Until then it is above the line and its ends.
+ *   <li>from an end: when its distance from this end is again that at the start while its centre is
+ *       beyond it; or at an impact with the side, or with the other end; whichever is first.
+ * </ul>
+ */
+public final class ParabolaReturn {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /**
+   * The quotient of two cross products, each of which errs by 64 u^2 of its terms; the remainder and
+   * its quotient by a few u of themselves.
+   */
+  private static final double CROSS_BOUND = 128 * 0x1p-106;
+
+  private static final double STEP_BOUND = 8 * 0x1p-53;
+
+  private static final double LEAST_SAFE = 0x1p-400;
+
+  private static final double MOST_SAFE = 0x1p400;
+
+  private ParabolaReturn() {}
+
+  /**
+   * The correctly rounded time of the return to a wall, {@code -2 v / g}; {@code +infinity} for none
+   * up to the window's end T.
+   *
+   * @param inward +1 if the disk is above the wall, -1 if below
+   */
+  public static double toWall(double v, double g, int inward, double T) {
+    if (!(inward * g < 0)) {
+      return NEVER;
+    }
+    if (!(inward * v > 0)) {
+      return 0;
+    }
+    double t = 2 * v / -g;
+    // A rounded time of T itself may be that of a later one.
+    if (t > LEAST_SAFE && t < MOST_SAFE && t != T) {
+      return t < T ? t : NEVER;
+    }
+    return ExactReturn.toWall(v, g, inward).time(T);
+  }
+
+  /**
+   * The correctly rounded time of the return to the height above the infinite line at which the disk
+   * starts, {@code -2 n.(v - u) / n.g}, where u is the velocity of the line; {@code +infinity} for
+   * none up to the window's end T. The centre may then be beyond an end.
+   *
+   * @param side +1 if the disk is left of the line, -1 if right
+   */
+  public static double toSide(
+      int side, double vx, double vy, double gx, double gy, double ax, double ay, double bx,
+      double by, double ux, double uy, double T) {
+    if (side * Predicates.cross(bx, by, ax, ay, gx, gy, 0, 0) >= 0) {
+      return NEVER;
+    }
+    if (side * Predicates.cross(bx, by, ax, ay, vx, vy, ux, uy) <= 0) {
+      return 0;
+    }
+    double sx = vx - ux;
+    double sy = vy - uy;
+    double wx = bx - ax;
+    double wy = by - ay;
+    double wxl = differenceTail(bx, ax, wx);
+    double wyl = differenceTail(by, ay, wy);
+    double sxl = differenceTail(vx, ux, sx);
+    double syl = differenceTail(vy, uy, sy);
+    double n = 2 * (wx * sy - wy * sx);
+    double nl = 2 * crossTail(wx, wxl, wy, wyl, sx, sxl, sy, syl, 0.5 * n);
+    double d = wy * gx - wx * gy;
+    double dl = -crossTail(wx, wxl, wy, wyl, gx, 0, gy, 0, -d);
+    double t = n / d;
+    double step = (Math.fma(-t, d, n) + (nl - t * dl)) / d;
+    double terms =
+        2 * (Math.abs(wx * sy) + Math.abs(wy * sx))
+            + t * (Math.abs(wx * gy) + Math.abs(wy * gx));
+    double error = Math.fma(STEP_BOUND, Math.abs(step), CROSS_BOUND * (terms / Math.abs(d)));
+    double low = t + (step - error);
+    boolean isCertain =
+        low == t + (step + error)
+            && low != T
+            && low > LEAST_SAFE
+            && Math.abs(d) > LEAST_SAFE
+            && t * terms < MOST_SAFE
+            && terms > LEAST_SAFE
+            && terms < MOST_SAFE;
+    if (isCertain) {
+      return low < T ? low : NEVER;
+    }
+    return ExactReturn.toSide(side, vx, vy, gx, gy, ax, ay, bx, by, ux, uy).time(T);
+  }
+
+  /**
+   * The correctly rounded time of the return to a disk that moves straight on, or an endpoint: the
+   * first one at which their distance falls below that at the start. {@code +infinity} for none up to
+   * the window's end T.
+   *
+   * <p>With {@code e = u + g t / 2} the gap over time is {@code e.(2 d + t e)}, a cubic polynomial.
+   * The acceleration along the normal has a part by the curvature: its sign is that of {@code u.u +
+   * d.g}.
+   */
+  public static double toDisk(
+      double x1, double y1, double vx1, double vy1, double gx, double gy, double x2, double y2,
+      double vx2, double vy2, double T) {
+    PrecisionCounters.parabola();
+    double time = certain(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, T);
+    return !Double.isNaN(time)
+        ? time
+        : ExactReturn.toDisk(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2).time(T);
+  }
+
+  /** The same, if doubles and double-double tell. */
+  static double certain(
+      double x1, double y1, double vx1, double vy1, double gx, double gy, double x2, double y2,
+      double vx2, double vy2, double T) {
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double ux = vx1 - vx2;
+    double uy = vy1 - vy2;
+    double c1 = 2 * (dx * ux + dy * uy);
+    double c2 = (ux * ux + uy * uy) + (dx * gx + dy * gy);
+    double c3 = ux * gx + uy * gy;
+    double c4 = 0.25 * (gx * gx + gy * gy);
+    double d = Math.abs(dx) + Math.abs(dy);
+    double u = Math.abs(ux) + Math.abs(uy);
+    double g = Math.abs(gx) + Math.abs(gy);
+    boolean leaves =
+        GapRoot.sign(c1, 2 * d * u) > 0
+            || Predicates.dot(x1, y1, x2, y2, vx1, vy1, vx2, vy2) > 0;
+    if (!leaves) {
+      return withoutSpeed(c2, u * u + d * g, c3, u * g, dx * gx + dy * gy, d * g);
+    }
+    // (m0 + m1 t + m2 t^2)^2 exceeds the terms 2 d u, u u + d g, u g and g g / 4 one by one.
+    double m0 = Math.sqrt(2 * d * u);
+    double m1 = (u * u + d * g) / (2 * m0);
+    double m2 = u * g / (2 * m0);
+    double reach = GapRoot.reach(2 * d, u, 0.5 * Math.max(Math.abs(gx), Math.abs(gy)), T);
+    double t = GapRoot.first(c1, c2, c3, c4, 0, m0, m1, m2, 0, reach);
+    if (!(t < NEVER)) {
+      return t;
+    }
+    double nearest = GapRoot.DOUBT;
+    for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
+      double f = residue(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, t);
+      double slope = c2 + (2 * c3 + 3 * c4 * t) * t;
+      nearest = GapRoot.nearest(t, f, slope, m0 + (m1 + m2 * t) * t);
+      t -= f / slope;
+    }
+    return nearest;
+  }
+
+  /**
+   * The return of a disk without normal speed, from the coefficients c2 and c3 of its gap and d.g,
+   * each with the sum of its terms. With {@code c4 = g.g / 4} the gap over the square of time has the
+   * discriminant {@code -cross(u, g)^2 - (d.g) (g.g)}.
+   */
+  private static double withoutSpeed(
+      double c2, double terms2, double c3, double terms3, double lift, double termsOfLift) {
+    int bend = GapRoot.sign(c2, terms2);
+    if (bend < 0) {
+      return 0;
+    }
+    boolean leaves =
+        bend > 0 && (GapRoot.sign(c3, terms3) > 0 || GapRoot.sign(lift, termsOfLift) > 0);
+    return leaves ? NEVER : GapRoot.DOUBT;
+  }
+
+  /**
+   * The correctly rounded time of the next hit on a line that is from a to b at the start and moves
+   * with the velocity u, by a disk that touches it at the start; {@code +infinity} for none up to
+   * the window's end T. A line of no length is a disk of radius 0.
+   */
+  public static double toLine(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy, double T) {
+    if (gx == 0 && gy == 0) {
+      return NEVER;
+    }
+    if (ax == bx && ay == by) {
+      return toDisk(px, py, vx, vy, gx, gy, ax, ay, ux, uy, T);
+    }
+    PrecisionCounters.parabola();
+    double time = certain(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, T);
+    return !Double.isNaN(time)
+        ? time
+        : ExactReturn.toLine(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy).time(T);
+  }
+
+  private static double certain(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy, double T) {
+    int part = part(px, py, ax, ay, bx, by);
+    if (part == Contact.START) {
+      return EndReturn.certain(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, T);
+    }
+    if (part == Contact.END) {
+      return EndReturn.certain(px, py, r, vx, vy, gx, gy, bx, by, ax, ay, ux, uy, T);
+    }
+    int side = side(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
+    double back = toSide(side, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, T);
+    if (back == 0 || back == NEVER) {
+      return back;
+    }
+    double wx = bx - ax;
+    double wy = by - ay;
+    int start = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, back);
+    int end = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, back);
+    if (start > 0 && end < 0) {
+      return back;
+    }
+    if (start >= 0 && end <= 0) {
+      return GapRoot.DOUBT;
+    }
+    double qx = start < 0 ? ax : bx;
+    double qy = start < 0 ? ay : by;
+    double time = ParabolaDiskSweep.certain(true, px, py, r, vx, vy, gx, gy, qx, qy, 0, ux, uy, T);
+    return time > back ? time : GapRoot.DOUBT;
+  }
+
+  /** The part of a line in whose region a point is: START, END, or LEFT for the side. */
+  private static int part(double px, double py, double ax, double ay, double bx, double by) {
+    if (SegmentSweep.along(px, py, ax, ay, ax, ay, bx, by) <= 0) {
+      return Contact.START;
+    }
+    return SegmentSweep.along(px, py, bx, by, ax, ay, bx, by) >= 0 ? Contact.END : Contact.LEFT;
+  }
+
+  /**
+   * The side of the line that a disk touches at the start: by its place. That of a point, or of a
+   * centre on the line, is the one to which it leaves; without a speed the acceleration pulls it off.
+   */
+  private static int side(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy) {
+    int place = Predicates.cross(bx, by, ax, ay, px, py, ax, ay);
+    if (r > 0 && place != 0) {
+      return place;
+    }
+    int speed = Predicates.cross(bx, by, ax, ay, vx, vy, ux, uy);
+    if (speed != 0 || place != 0) {
+      return speed != 0 ? speed : place;
+    }
+    return Predicates.cross(bx, by, ax, ay, gx, gy, 0, 0);
+  }
+
+  /**
+   * The {@link Contact} of the next hit on a line that the disk touches at the start.
+   *
+   * @param t its time, from {@link #toLine}
+   */
+  public static int contactOfReturn(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy, double t) {
+    int now = t == 0 ? Contact.NOW : 0;
+    if (ax == bx && ay == by) {
+      return Contact.START | now;
+    }
+    double wx = bx - ax;
+    double wy = by - ay;
+    int start = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, t);
+    int end = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, t);
+    if (start < 0) {
+      return Contact.START | now;
+    }
+    if (end > 0) {
+      return Contact.END | now;
+    }
+    int side = 0;
+    if (start > 0 && end < 0) {
+      side =
+          part(px, py, ax, ay, bx, by) == Contact.LEFT
+              ? side(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy)
+              : ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, -wy, wx, t);
+    }
+    return now
+        | (side == 0
+            ? exactContact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy)
+            : side > 0 ? Contact.LEFT : Contact.RIGHT);
+  }
+
+  private static int exactContact(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy) {
+    ExactReturn exact = ExactReturn.toLine(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
+    RealRoot root = exact.first(NEVER);
+    int region = exact.region(root);
+    if (region != 0) {
+      return region < 0 ? Contact.START : Contact.END;
+    }
+    return exact.side(root) > 0 ? Contact.LEFT : Contact.RIGHT;
+  }
+
+  /** The gap over time at t. What cancels is kept as head and tail. */
+  private static double residue(
+      double x1, double y1, double vx1, double vy1, double gx, double gy, double x2, double y2,
+      double vx2, double vy2, double t) {
+    double ex = middle(vx1, vx2, gx, t);
+    double ey = middle(vy1, vy2, gy, t);
+    double exl = middleTail(vx1, vx2, gx, t);
+    double eyl = middleTail(vy1, vy2, gy, t);
+    double kx = 2 * (x1 - x2) + t * ex;
+    double ky = 2 * (y1 - y2) + t * ey;
+    double kxl = sumOfPlacesTail(x1, x2, ex, exl, t);
+    double kyl = sumOfPlacesTail(y1, y2, ey, eyl, t);
+    double px = ex * kx;
+    double py = ey * ky;
+    double sum = px + py;
+    return sum
+        + (sumTail(px, py, sum)
+            + (productTail(ex, exl, kx, kxl, px) + productTail(ey, eyl, ky, kyl, py)));
+  }
+
+  /** The mean velocity up to t, e = u + g t / 2, on one axis. */
+  private static double middle(double v1, double v2, double g, double t) {
+    return (v1 - v2) + 0.5 * g * t;
+  }
+
+  private static double middleTail(double v1, double v2, double g, double t) {
+    double u = v1 - v2;
+    double m = 0.5 * g * t;
+    return sumTail(u, m, u + m) + (differenceTail(v1, v2, u) + productTail(0.5 * g, t, m));
+  }
+
+  /** The tail of 2 d + t e on one axis. */
+  private static double sumOfPlacesTail(
+      double x1, double x2, double e, double el, double t) {
+    double d = x1 - x2;
+    double m = t * e;
+    return sumTail(2 * d, m, 2 * d + m)
+        + (2 * differenceTail(x1, x2, d) + (productTail(t, e, m) + t * el));
+  }
+}

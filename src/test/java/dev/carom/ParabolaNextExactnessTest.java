@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.ParabolaReturn;
+import dev.carom.oracle.Draw;
+import dev.carom.oracle.MovingLineQuery;
+import dev.carom.oracle.PairQuery;
+import dev.carom.oracle.ParabolaContact;
+import dev.carom.oracle.ParabolaFamily;
+import dev.carom.oracle.ParabolaNextFamilies;
+import dev.carom.oracle.ParabolaQuery;
+import dev.carom.oracle.Part;
+import java.util.List;
+import java.util.Locale;
+import java.util.StringJoiner;
+import java.util.function.BiFunction;
+import org.junit.jupiter.api.Test;
+
+/**
+ * What follows a contact under a constant acceleration, held to the oracle: the return to the thing
+ * just hit. No wrong decision, every time the correctly rounded one.
+ *
+ * <p>More queries, and others: {@code mvn -pl src test -Dtest=ParabolaNextExactnessTest
+ * -Dcarom.queries=1000000 -Dcarom.seed=2}. Prints a table.
+ */
+class ParabolaNextExactnessTest {
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+  private static final long QUERIES = Long.getLong("carom.queries", 4_000);
+  private static final long SEED = Long.getLong("carom.seed", 1);
+
+  /** What is said, or true: a time, and of a hit on a line the part that is hit. */
+  private record Answer(double time, Part part, int side) {}
+
+  private static final Answer MISS = new Answer(NEVER, Part.NONE, 0);
+
+  @Test
+  void returnsAreTheTrueOnes() {
+    judge(ParabolaNextFamilies.ofReturns(), ParabolaNextExactnessTest::judgeReturn);
+  }
+
+  /** Prints, and expects no failure; the judge returns a description of one, or an empty text. */
+  private static void judge(
+      List<ParabolaFamily> families, BiFunction<ParabolaQuery, Draw, String> judge) {
+    StringJoiner table = new StringJoiner("\n", "\n", "\n").add("family  questions  exact  wrong");
+    StringJoiner failures = new StringJoiner("\n");
+    long all = 0;
+    for (ParabolaFamily family : families) {
+      Draw draw = new Draw(SEED * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
+      long asked = PrecisionCounters.COUNT.parabolas;
+      long exact = PrecisionCounters.COUNT.exactParabolas;
+      int wrong = 0;
+      for (int i = 0; i < Math.max(1, QUERIES / families.size()); i++) {
+        String failure = judge.apply(family.next(draw), draw);
+        wrong += failure.isEmpty() ? 0 : 1;
+        if (wrong == 1 && !failure.isEmpty()) {
+          failures.add(family.name() + ", query " + i + ": " + failure);
+        }
+      }
+      all += wrong;
+      table.add(
+          String.format(
+              Locale.ROOT,
+              "%-32s %6d %6d %4d",
+              family.name(),
+              PrecisionCounters.COUNT.parabolas - asked,
+              PrecisionCounters.COUNT.exactParabolas - exact,
+              wrong));
+    }
+    System.out.println(table);
+    assertThat(all).as(failures.toString()).isZero();
+  }
+
+  private static String judgeReturn(ParabolaQuery query, Draw draw) {
+    Answer truth = truth(query, query.truthOfReturn());
+    return compare(query, truth, askReturn(query), "");
+  }
+
+  private static String compare(ParabolaQuery query, Answer truth, Answer said, String how) {
+    return truth.equals(said)
+        ? ""
+        : query.hex() + "\n" + query + how + "\n  is   " + truth + "\n  said " + said;
+  }
+
+  private static Answer truth(ParabolaQuery query, ParabolaContact contact) {
+    double time = contact.time();
+    if (time == NEVER) {
+      return MISS;
+    }
+    if (query.straight() instanceof PairQuery) {
+      return new Answer(time, Part.CIRCLE, 0);
+    }
+    double[] n = query.straight().numbers();
+    int side = 0;
+    if (contact.part() == Part.SIDE) {
+      double left = contact.normal().x().near() * (n[1] - n[3]);
+      side = left + contact.normal().y().near() * (n[2] - n[0]) > 0 ? 1 : -1;
+    }
+    return new Answer(time, contact.part(), side);
+  }
+
+  private static Answer askReturn(ParabolaQuery query) {
+    double[] n = query.straight().numbers();
+    double gx = query.gx();
+    double gy = query.gy();
+    if (query.straight() instanceof PairQuery q) {
+      double time =
+          ParabolaReturn.toDisk(n[0], n[1], n[3], n[4], gx, gy, n[5], n[6], n[8], n[9], q.end());
+      return time < NEVER ? new Answer(time, Part.CIRCLE, 0) : MISS;
+    }
+    double[] u = velocityOfLine(query);
+    double time =
+        ParabolaReturn.toLine(
+            n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], u[0], u[1], query.end());
+    if (time == NEVER) {
+      return MISS;
+    }
+    return answer(
+        time,
+        ParabolaReturn.contactOfReturn(
+            n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], u[0], u[1], time));
+  }
+
+  private static double[] velocityOfLine(ParabolaQuery query) {
+    return query.straight() instanceof MovingLineQuery q
+        ? new double[] {q.ux(), q.uy()}
+        : new double[2];
+  }
+
+  private static Answer answer(double time, int contact) {
+    return switch (Contact.withoutTime(contact)) {
+      case Contact.START -> new Answer(time, Part.START, 0);
+      case Contact.END -> new Answer(time, Part.END, 0);
+      case Contact.LEFT -> new Answer(time, Part.SIDE, 1);
+      default -> new Answer(time, Part.SIDE, -1);
+    };
+  }
+}
