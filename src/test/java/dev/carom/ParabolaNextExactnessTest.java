@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.ParabolaDiskSweep;
 import dev.carom.internal.sweep.ParabolaReturn;
+import dev.carom.internal.sweep.ParabolaSegmentSweep;
 import dev.carom.oracle.Draw;
 import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
@@ -22,15 +24,17 @@ import org.junit.jupiter.api.Test;
 
 /**
  * What follows a contact under a constant acceleration, held to the oracle: the return to the thing
- * just hit. No wrong decision, every time the correctly rounded one.
+ * just hit, and later entries. No wrong decision, every time the correctly rounded one.
  *
  * <p>More queries, and others: {@code mvn -pl src test -Dtest=ParabolaNextExactnessTest
  * -Dcarom.queries=1000000 -Dcarom.seed=2}. Prints a table.
  */
 class ParabolaNextExactnessTest {
   private static final double NEVER = Double.POSITIVE_INFINITY;
-  private static final long QUERIES = Long.getLong("carom.queries", 4_000);
+  private static final long QUERIES = Long.getLong("carom.queries", 1_500);
   private static final long SEED = Long.getLong("carom.seed", 1);
+
+  private static long hits;
 
   /** What is said, or true: a time, and of a hit on a line the part that is hit. */
   private record Answer(double time, Part part, int side) {}
@@ -42,19 +46,26 @@ class ParabolaNextExactnessTest {
     judge(ParabolaNextFamilies.ofReturns(), ParabolaNextExactnessTest::judgeReturn);
   }
 
+  @Test
+  void laterEntriesAreTheTrueOnes() {
+    judge(ParabolaNextFamilies.ofEntries(), ParabolaNextExactnessTest::judgeEntry);
+  }
+
   /** Prints, and expects no failure; the judge returns a description of one, or an empty text. */
   private static void judge(
-      List<ParabolaFamily> families, BiFunction<ParabolaQuery, Draw, String> judge) {
-    StringJoiner table = new StringJoiner("\n", "\n", "\n").add("family  questions  exact  wrong");
+      List<ParabolaFamily> families, BiFunction<ParabolaQuery, Integer, String> judge) {
+    StringJoiner table =
+        new StringJoiner("\n", "\n", "\n").add("family  questions  hits  exact  wrong");
     StringJoiner failures = new StringJoiner("\n");
     long all = 0;
     for (ParabolaFamily family : families) {
       Draw draw = new Draw(SEED * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
       long asked = PrecisionCounters.COUNT.parabolas;
       long exact = PrecisionCounters.COUNT.exactParabolas;
+      hits = 0;
       int wrong = 0;
       for (int i = 0; i < Math.max(1, QUERIES / families.size()); i++) {
-        String failure = judge.apply(family.next(draw), draw);
+        String failure = judge.apply(family.next(draw), i);
         wrong += failure.isEmpty() ? 0 : 1;
         if (wrong == 1 && !failure.isEmpty()) {
           failures.add(family.name() + ", query " + i + ": " + failure);
@@ -64,9 +75,10 @@ class ParabolaNextExactnessTest {
       table.add(
           String.format(
               Locale.ROOT,
-              "%-32s %6d %6d %4d",
+              "%-32s %6d %6d %6d %4d",
               family.name(),
               PrecisionCounters.COUNT.parabolas - asked,
+              hits,
               PrecisionCounters.COUNT.exactParabolas - exact,
               wrong));
     }
@@ -74,12 +86,31 @@ class ParabolaNextExactnessTest {
     assertThat(all).as(failures.toString()).isZero();
   }
 
-  private static String judgeReturn(ParabolaQuery query, Draw draw) {
-    Answer truth = truth(query, query.truthOfReturn());
-    return compare(query, truth, askReturn(query), "");
+  private static String judgeReturn(ParabolaQuery query, int number) {
+    return compare(query, truth(query, query.truthOfReturn()), askReturn(query), "");
+  }
+
+  /** After one of the times around the entries. */
+  private static String judgeEntry(ParabolaQuery query, int number) {
+    double first = query.truthAfter(-1).time();
+    double s =
+        switch (number % 8) {
+          case 0 -> -1;
+          case 1 -> 0;
+          case 2 -> Math.nextDown(first);
+          case 3 -> Math.nextUp(first);
+          case 4 -> Math.min(query.end(), 8) / (1 + number % 5);
+          case 5 -> first < NEVER ? query.truthAfter(first).time() : NEVER;
+          default -> first;
+        };
+    if (s == NEVER) {
+      s = -1;
+    }
+    return compare(query, truth(query, query.truthAfter(s)), askEntry(query, s), " after " + s);
   }
 
   private static String compare(ParabolaQuery query, Answer truth, Answer said, String how) {
+    hits += truth.time() < NEVER ? 1 : 0;
     return truth.equals(said)
         ? ""
         : query.hex() + "\n" + query + how + "\n  is   " + truth + "\n  said " + said;
@@ -121,6 +152,30 @@ class ParabolaNextExactnessTest {
     return answer(
         time,
         ParabolaReturn.contactOfReturn(
+            n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], u[0], u[1], time));
+  }
+
+  private static Answer askEntry(ParabolaQuery query, double s) {
+    double[] n = query.straight().numbers();
+    double gx = query.gx();
+    double gy = query.gy();
+    double end = query.end();
+    if (query.straight() instanceof PairQuery) {
+      double time =
+          ParabolaDiskSweep.timeAfter(
+              n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9], s, end);
+      return time < NEVER ? new Answer(time, Part.CIRCLE, 0) : MISS;
+    }
+    double[] u = velocityOfLine(query);
+    double time =
+        ParabolaSegmentSweep.timeAfter(
+            n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], u[0], u[1], s, end);
+    if (time == NEVER) {
+      return MISS;
+    }
+    return answer(
+        time,
+        ParabolaSegmentSweep.contact(
             n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], u[0], u[1], time));
   }
 

@@ -51,7 +51,7 @@ final class EndReturn {
         strip > 0
             ? 0
             : strip < 0
-                ? GapRoot.comesOut(c0, c1, c2, c3, c4, m0, m1, m2, 0, limit)
+                ? GapRoot.exit(c0, c1, c2, c3, c4, m0, m1, m2, limit)
                 : GapRoot.leaves(c0, c1, c2, c3, c4, m0, m1, m2, limit);
     // Nothing is hit up to then: beside the line the height rises, if it does.
     boolean isFree =
@@ -67,15 +67,34 @@ final class EndReturn {
       return in == back ? in : GapRoot.DOUBT;
     }
     double t = ParabolaSegmentSweep.nearest(px, py, r, vx, vy, gx, gy, qx, qy, ox, oy, ux, uy, in);
+    double below = below(h0, h1, h2, r * Math.sqrt(wx * wx + wy * wy));
+    boolean isBelow =
+        strip <= 0 && below > t && GapRoot.sign(c0, c1, c2, c3, c4, m0, m1, m2, below) > 0;
     return t < back
-        ? inStrip(px, py, r, vx, vy, gx, gy, qx, qy, ox, oy, ux, uy, t, back, T)
+        ? inStrip(
+            px, py, r, vx, vy, gx, gy, qx, qy, ox, oy, ux, uy, t, back, isBelow ? below : T, T)
         : GapRoot.DOUBT;
   }
 
-  /** The next hit of a disk that enters the strip at a time t, before it could be back at q. */
+  /**
+   * A time just after the height h0 + h1 t + h2 t^2 turned and passed a distance behind the line. A
+   * disk that left the strip and entered it again is behind it then, and does not come back.
+   */
+  private static double below(double h0, double h1, double h2, double distance) {
+    double vertex = -0.5 * h1 / h2;
+    double height = h0 + 0.5 * h1 * vertex;
+    return (vertex + Math.sqrt((Math.abs(height) + distance) / Math.abs(h2))) * (1 + 0x1p-20);
+  }
+
+  /**
+   * The next hit of a disk that enters the strip at a time t, before it could be back at q.
+   *
+   * @param last the time from which it hits nothing
+   */
   private static double inStrip(
       double px, double py, double r, double vx, double vy, double gx, double gy, double qx,
-      double qy, double ox, double oy, double ux, double uy, double t, double back, double T) {
+      double qy, double ox, double oy, double ux, double uy, double t, double back, double last,
+      double T) {
     double wx = ox - qx;
     double wy = oy - qy;
     int start = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, qx, qy, ux, uy, wx, wy, t);
@@ -86,16 +105,17 @@ final class EndReturn {
     double sx = vx - ux;
     double sy = vy - uy;
     if (start < 0) {
-      boolean stays = isBeyond(px, py, sx, sy, gx, gy, qx, qy, -wx, -wy, t, Math.min(back, T));
-      return stays ? back : GapRoot.DOUBT;
+      double until = Math.min(back, Math.min(last, T));
+      boolean stays = isBeyond(px, py, sx, sy, gx, gy, qx, qy, -wx, -wy, t, until);
+      return stays && (back <= until || back == NEVER) ? back : GapRoot.DOUBT;
     }
     if (end <= 0) {
       return GapRoot.DOUBT;
     }
     double hit = ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, ox, oy, 0, ux, uy, T);
-    boolean stays =
-        hit > t && isBeyond(px, py, sx, sy, gx, gy, ox, oy, wx, wy, t, Math.min(hit, T));
-    return stays ? hit : GapRoot.DOUBT;
+    double until = Math.min(hit, Math.min(last, T));
+    boolean stays = hit > t && isBeyond(px, py, sx, sy, gx, gy, ox, oy, wx, wy, t, until);
+    return stays && (hit <= until || hit == NEVER) ? hit : GapRoot.DOUBT;
   }
 
   /**

@@ -99,6 +99,17 @@ final class GapRoot {
   static double first(
       double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
       double start, double T) {
+    return search(true, c0, c1, c2, c3, c4, m0, m1, m2, start, T);
+  }
+
+  /**
+   * The search for the first root.
+   *
+   * @param root whether to return the root, or else a time after it, up to which there is no other
+   */
+  private static double search(
+      boolean root, double c0, double c1, double c2, double c3, double c4, double m0, double m1,
+      double m2, double start, double T) {
     if (!(T <= LATEST && isFinite(c0, c1, c2, c3, c4))) {
       return DOUBT;
     }
@@ -128,6 +139,9 @@ final class GapRoot {
         low = high;
         width = 2 * w;
       } else if (isOneRoot(b1, b2, b3, b4, bound)) {
+        if (!root) {
+          return high;
+        }
         double t = root(c0, c1, c2, c3, c4, low, high, low + w * (a0 / (a0 - b4)));
         return t - MARGIN * t > low && t + MARGIN * t < high ? t : DOUBT;
       } else {
@@ -159,18 +173,26 @@ final class GapRoot {
   }
 
   /**
+   * A time just after the root at which f, below 0 at time 0, first comes above 0. NEVER if f stays
+   * below 0 up to T, DOUBT if plain doubles do not tell.
+   */
+  static double exit(
+      double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
+      double T) {
+    double t = first(-c0, -c1, -c2, -c3, -c4, m0, m1, m2, 0, T);
+    double out = t + MARGIN * t;
+    boolean isOut = t < NEVER && sign(c0, c1, c2, c3, c4, m0, m1, m2, out) > 0;
+    return isOut ? out : t < NEVER ? DOUBT : t;
+  }
+
+  /**
    * A time at which f is certain to be above 0, with one root between it and a start at which f is
    * below 0. NEVER if f stays below 0 up to T, DOUBT if plain doubles do not tell.
    */
   static double comesOut(
       double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
       double start, double T) {
-    double t = first(-c0, -c1, -c2, -c3, -c4, m0, m1, m2, start, T);
-    if (!(t < NEVER)) {
-      return t;
-    }
-    double out = t + MARGIN * t;
-    return sign(c0, c1, c2, c3, c4, m0, m1, m2, out) > 0 ? out : DOUBT;
+    return search(false, -c0, -c1, -c2, -c3, -c4, m0, m1, m2, start, T);
   }
 
   /**

@@ -39,13 +39,80 @@ public final class ParabolaDiskSweep {
   }
 
   /**
+   * The correctly rounded time of the first entry that is above s: the gap comes from above 0 and
+   * falls below 0. Contact at the start is no entry. It is {@code +infinity} for none up to the
+   * window's end T.
+   *
+   * @param s a time from 0 on, or -1 for the first entry of all
+   */
+  public static double timeAfter(
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double s, double T) {
+    if (!(s < T)) {
+      return NEVER;
+    }
+    if (gx == 0 && gy == 0) {
+      int contact = DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
+      double t =
+          contact == Contact.NOW
+              ? NEVER
+              : DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T);
+      return t > s ? t : NEVER;
+    }
+    PrecisionCounters.parabola();
+    double time = certainAfter(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, s, T);
+    return !Double.isNaN(time)
+        ? time
+        : ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2).timeAfter(s, T);
+  }
+
+  /** The same, if doubles and double-double tell. */
+  static double certainAfter(
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double s, double T) {
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double ux = vx1 - vx2;
+    double uy = vy1 - vy2;
+    double r = r1 + r2;
+    double c0 = (dx * dx + dy * dy) - r * r;
+    double c1 = 2 * (dx * ux + dy * uy);
+    double c2 = (ux * ux + uy * uy) + (dx * gx + dy * gy);
+    double c3 = ux * gx + uy * gy;
+    double c4 = 0.25 * (gx * gx + gy * gy);
+    double m0 = Math.abs(dx) + Math.abs(dy) + r;
+    double m1 = Math.abs(ux) + Math.abs(uy);
+    double m2 = 0.5 * (Math.abs(gx) + Math.abs(gy));
+    double end = GapRoot.reach(m0, m1, 0.5 * Math.max(Math.abs(gx), Math.abs(gy)), T);
+    double from = Math.max(0, s);
+    int sign = GapRoot.sign(c0, c1, c2, c3, c4, m0, m1, m2, from);
+    if (sign == 0 && s > 0) {
+      double f = residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, s);
+      double slope = slope(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, s);
+      sign = GapRoot.signAfter(s, f, slope, m0 + (m1 + m2 * s) * s);
+    } else if (sign == 0) {
+      from = GapRoot.leaves(c0, c1, c2, c3, c4, m0, m1, m2, end);
+      sign = 1;
+    }
+    double t =
+        from < NEVER
+            ? GapRoot.nextFall(sign, c0, c1, c2, c3, c4, m0, m1, m2, from, end)
+            : from;
+    if (!(t < NEVER)) {
+      return t;
+    }
+    double time = nearest(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
+    return time > s ? time : GapRoot.DOUBT;
+  }
+
+  /**
    * The time, if doubles and double-double tell.
    *
    * @param overlap whether to follow a disk that may overlap at the start, and leaves
    */
   static double certain(
-      boolean overlap, double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
-      double y2, double r2, double vx2, double vy2, double T) {
+      boolean overlap, double x1, double y1, double r1, double vx1, double vy1, double gx,
+      double gy, double x2, double y2, double r2, double vx2, double vy2, double T) {
     double dx = x1 - x2;
     double dy = y1 - y2;
     double ux = vx1 - vx2;
@@ -86,10 +153,7 @@ public final class ParabolaDiskSweep {
     double nearest = GapRoot.DOUBT;
     for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
       double f = residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
-      double slope =
-          2
-              * (place(x1, x2, vx1, vx2, gx, t) * ((vx1 - vx2) + gx * t)
-                  + place(y1, y2, vy1, vy2, gy, t) * ((vy1 - vy2) + gy * t));
+      double slope = slope(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, t);
       double size = r1 + r2 + size(x1 - x2, vx1 - vx2, gx, t) + size(y1 - y2, vy1 - vy2, gy, t);
       nearest = GapRoot.nearest(t, f, slope, size);
       t -= f / slope;
@@ -125,6 +189,15 @@ public final class ParabolaDiskSweep {
     double xl = terms(x1, x2, vx1, vx2, gx, t);
     double yl = terms(y1, y2, vy1, vy2, gy, t);
     return UnitVectors.unit(x + (xl + ux * c), y + (yl + uy * c), 0, 0);
+  }
+
+  /** The slope of the gap at t. */
+  private static double slope(
+      double x1, double y1, double vx1, double vy1, double gx, double gy, double x2, double y2,
+      double vx2, double vy2, double t) {
+    double x = place(x1, x2, vx1, vx2, gx, t);
+    double y = place(y1, y2, vy1, vy2, gy, t);
+    return 2 * (x * ((vx1 - vx2) + gx * t) + y * ((vy1 - vy2) + gy * t));
   }
 
   /** The gap at t. What cancels is kept as head and tail. */

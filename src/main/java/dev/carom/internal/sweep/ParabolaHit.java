@@ -39,7 +39,7 @@ public final class ParabolaHit {
     double qy = end ? by : ay;
     UnitVector n = ParabolaDiskSweep.normal(px, py, r, vx, vy, gx, gy, qx, qy, 0, ux, uy, t);
     if (n == null) {
-      n = exactNormal(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
+      n = exactNormal(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
     }
     return new Hit().of(end ? endX : startX, end ? endY : startY, n, speedX, speedY, ux, uy);
   }
@@ -50,10 +50,10 @@ public final class ParabolaHit {
    */
   private static UnitVector exactNormal(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double ux, double uy) {
+      double ay, double bx, double by, double ux, double uy, double time) {
     PrecisionCounters.exactNormal();
     ExactParabola exact = ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
-    RealRoot t = exact.first(Double.POSITIVE_INFINITY);
+    RealRoot t = exact.at(time);
     return r == 0 && exact.comesFromSide(t)
         ? UnitVectors.normal(exact.side(t), ax, ay, bx, by)
         : exact.normal(t);
@@ -81,7 +81,7 @@ public final class ParabolaHit {
       PrecisionCounters.exactNormal();
       ExactParabola exact =
           ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2);
-      n = exact.normal(exact.first(Double.POSITIVE_INFINITY));
+      n = exact.normal(exact.at(t));
     }
     double ux = velocity(vx1, gx, t);
     double uy = velocity(vy1, gy, t);

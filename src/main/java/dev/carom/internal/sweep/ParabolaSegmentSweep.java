@@ -63,9 +63,40 @@ public final class ParabolaSegmentSweep {
   }
 
   /**
+   * The correctly rounded time of the first entry that is above s: the distance from the line comes
+   * from above the radius and falls below it. Contact at the start is no entry. It is {@code
+   * +infinity} for none up to the window's end T.
+   *
+   * @param s a time from 0 on, or -1 for the first entry of all
+   */
+  public static double timeAfter(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy, double s, double T) {
+    if (!(s < T)) {
+      return NEVER;
+    }
+    if (gx == 0 && gy == 0) {
+      int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, ux, uy);
+      double t =
+          (contact & Contact.NOW) != 0
+              ? NEVER
+              : SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, T);
+      return t > s ? t : NEVER;
+    }
+    if (ax == bx && ay == by) {
+      return ParabolaDiskSweep.timeAfter(px, py, r, vx, vy, gx, gy, ax, ay, 0, ux, uy, s, T);
+    }
+    PrecisionCounters.parabola();
+    double time = LaterEntry.certain(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, s, T);
+    return !Double.isNaN(time)
+        ? time
+        : ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy).timeAfter(s, T);
+  }
+
+  /**
    * The {@link Contact} of an impact.
    *
-   * @param t its time, from {@link #time}
+   * @param t its time, from {@link #time} or {@link #timeAfter}
    */
   public static int contact(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
@@ -88,14 +119,14 @@ public final class ParabolaSegmentSweep {
     if (start > 0 && end < 0 && side != 0) {
       return (side > 0 ? Contact.LEFT : Contact.RIGHT) | now;
     }
-    return exactContact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy) | now;
+    return exactContact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t) | now;
   }
 
   private static int exactContact(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double ux, double uy) {
+      double ay, double bx, double by, double ux, double uy, double t) {
     ExactParabola exact = ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
-    RealRoot root = exact.first(NEVER);
+    RealRoot root = exact.at(t);
     int region = exact.region(root);
     if (region != 0) {
       return region < 0 ? Contact.START : Contact.END;
@@ -269,24 +300,48 @@ public final class ParabolaSegmentSweep {
   static double nearest(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
       double ay, double bx, double by, double ux, double uy, double start) {
-    double wx = bx - ax;
-    double wy = by - ay;
-    double sx = vx - ux;
-    double sy = vy - uy;
     double t = start;
     double nearest = GapRoot.DOUBT;
     for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
-      double x = ParabolaDiskSweep.place(px, ax, vx, ux, gx, t);
-      double y = ParabolaDiskSweep.place(py, ay, vy, uy, gy, t);
       double f = residue(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
-      double slope = 2 * (wx * y - wy * x) * (wx * (sy + gy * t) - wy * (sx + gx * t));
-      double size =
-          Math.abs(wx) * (r + ParabolaDiskSweep.size(py - ay, sy, gy, t))
-              + Math.abs(wy) * (r + ParabolaDiskSweep.size(px - ax, sx, gx, t));
+      double slope = slope(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
+      double size = size(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
       nearest = GapRoot.nearest(t, f, slope, size);
       t -= f / slope;
     }
     return nearest;
+  }
+
+  /** The sign of the gap beside the line half an ulp after t, by double-double; 0 in doubt. */
+  static int signAfter(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy, double t) {
+    return GapRoot.signAfter(
+        t,
+        residue(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t),
+        slope(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t),
+        size(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t));
+  }
+
+  /** The slope of the gap beside the line at t. */
+  private static double slope(
+      double px, double py, double vx, double vy, double gx, double gy, double ax, double ay,
+      double bx, double by, double ux, double uy, double t) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double x = ParabolaDiskSweep.place(px, ax, vx, ux, gx, t);
+    double y = ParabolaDiskSweep.place(py, ay, vy, uy, gy, t);
+    double speedX = (vx - ux) + gx * t;
+    double speedY = (vy - uy) + gy * t;
+    return 2 * (wx * y - wy * x) * (wx * speedY - wy * speedX);
+  }
+
+  /** The root of the sum of the absolute values of its terms at t. */
+  private static double size(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy, double t) {
+    return Math.abs(bx - ax) * (r + ParabolaDiskSweep.size(py - ay, vy - uy, gy, t))
+        + Math.abs(by - ay) * (r + ParabolaDiskSweep.size(px - ax, vx - ux, gx, t));
   }
 
   /** {@code h^2 - r^2 w.w} at t. What cancels is kept as head and tail. */

@@ -53,6 +53,76 @@ class ParabolaReturnTest {
     assertThat(ParabolaReturn.toDisk(0, 1, 9, 3, 0, -2, 0, 0, 0, 0, NEVER)).isEqualTo(NEVER);
   }
 
+  /** A disk of radius 1 on or near a line from (0, 0) to (10, 0), with an acceleration of -2. */
+  private static double toFloor(double x, double y, double vx, double vy, double T) {
+    return ParabolaReturn.toLine(x, y, 1, vx, vy, 0, -2, 0, 0, 10, 0, 0, 0, T);
+  }
+
+  private static int contact(double x, double y, double vx, double vy, double t) {
+    return ParabolaReturn.contactOfReturn(x, y, 1, vx, vy, 0, -2, 0, 0, 10, 0, 0, 0, t);
+  }
+
+  @Test
+  void aBounceOnALineComesBackToItsSideOrOneOfItsEnds() {
+    assertThat(toFloor(5, 1, 1, 3, NEVER)).isEqualTo(3);
+    assertThat(contact(5, 1, 1, 3, 3)).isEqualTo(Contact.LEFT);
+    assertThat(toFloor(5, 1, 1, 3, Math.nextDown(3.0))).isEqualTo(NEVER);
+    // 0.2 beyond the end after 3, and falling.
+    double onEnd = toFloor(7.2, 1, 1, 3, NEVER);
+    assertThat(onEnd).isBetween(3.0, 3.1);
+    assertThat(contact(7.2, 1, 1, 3, onEnd)).isEqualTo(Contact.END);
+    assertThat(toFloor(9.5, 1, 1, 3, NEVER)).isEqualTo(NEVER);
+    // Exactly over the end when it is back.
+    assertThat(toFloor(7, 1, 1, 3, NEVER)).isEqualTo(3);
+    assertThat(contact(7, 1, 1, 3, 3)).isEqualTo(Contact.END);
+  }
+
+  @Test
+  void aBounceOnAnEndComesBackToItOrOntoTheSide() {
+    assertThat(toFloor(10, 1, 0, 3, NEVER)).isEqualTo(3);
+    assertThat(contact(10, 1, 0, 3, 3)).isEqualTo(Contact.END);
+    assertThat(toFloor(0, 1, 1, 3, NEVER)).isEqualTo(3);
+    assertThat(contact(0, 1, 1, 3, 3)).isEqualTo(Contact.LEFT);
+    assertThat(toFloor(-0.6, 0.8, 1, 3, NEVER)).isBetween(2.8, 3.0);
+    assertThat(toFloor(0, 1, 4, 3, NEVER)).isEqualTo(NEVER); // right over the line
+    assertThat(toFloor(-1, 0, -1, 0, NEVER)).isEqualTo(NEVER);
+  }
+
+  @Test
+  void withoutNormalSpeedALineSupports() {
+    assertThat(toFloor(5, 1, 2, 0, 9)).isZero();
+    assertThat(contact(5, 1, 2, 0, 0)).isEqualTo(Contact.LEFT | Contact.NOW);
+    assertThat(toFloor(5, 1, 2, -1e-300, 9)).isZero();
+    assertThat(toFloor(10, 1, 0, 0, 9)).isZero();
+    assertThat(contact(10, 1, 0, 0, 0)).isEqualTo(Contact.END | Contact.NOW);
+    assertThat(toFloor(10, 1, 2, 0, 9)).isEqualTo(NEVER); // too fast for the curve of the end
+    assertThat(toFloor(5, -1, 2, 0, 9)).isEqualTo(NEVER);
+  }
+
+  /**
+   * Rounded to beyond the start of the line and into it, with a hop too low for its gap to show.
+   */
+  @Test
+  void noHopBelowRoundingFallsThroughALine() {
+    double y = Math.nextDown(1.0);
+    for (double up : new double[] {0, 1e-300, 1e-20, 1e-12, 1e-9}) {
+      double t = toFloor(-1e-20, y, 1, up, NEVER);
+      assertThat(t).as("hop with %s", up).isLessThan(1e-8);
+      double over = toFloor(5, y, 1, up, NEVER);
+      assertThat(over).isEqualTo(up);
+    }
+  }
+
+  /** Seen from a line that moves, only the difference of the velocities counts. */
+  @Test
+  void theLineMayMove() {
+    assertThat(ParabolaReturn.toLine(5, 1, 1, 3, 7, 0, -2, 0, 0, 10, 0, 2, 4, NEVER)).isEqualTo(3);
+    assertThat(ParabolaReturn.toSide(1, 3, 7, 0, -2, 0, 0, 10, 0, 2, 4, NEVER)).isEqualTo(3);
+    assertThat(ParabolaReturn.toLine(0, 1, 1, 0, 7, 0, -2, 0, 0, 0, 0, 0, 4, NEVER)).isEqualTo(3);
+    assertThat(ParabolaReturn.toLine(5, 1, 1, 0, 4, 0, -2, 0, 0, 10, 0, 0, 4, NEVER)).isZero();
+    assertThat(ParabolaReturn.toLine(5, 1, 1, 0, 4, 0, 0, 0, 0, 10, 0, 0, 5, 9)).isEqualTo(NEVER);
+  }
+
   @Test
   void theLadderAnswersAsExactNumbersDo() {
     SplittableRandom random = new SplittableRandom(5);

@@ -87,6 +87,107 @@ class ParabolaSweepTest {
     assertThat(PrecisionCounters.COUNT.exactParabolas - before).isLessThanOrEqualTo(2);
   }
 
+  /**
+   * A line of length 0.2 to 10 through the origin, in any direction, and a disk of radius r on it:
+   * on its side, or at an end at an angle of at most a quarter turn beyond it.
+   *
+   * @return ax, ay, bx, by, px, py, nx, ny: n is the normal
+   */
+  private double[] drawTouching(boolean atEnd) {
+    double length = random.nextDouble(0.2, 10);
+    double angle = random.nextDouble(-0.5, 0.5);
+    double wx = Math.cos(angle);
+    double wy = Math.sin(angle);
+    double lean = atEnd ? random.nextDouble(0, Math.PI / 2) : 0;
+    double s = atEnd ? length : length * random.nextDouble();
+    double nx = Math.sin(lean) * wx - Math.cos(lean) * wy;
+    double ny = Math.sin(lean) * wy + Math.cos(lean) * wx;
+    double px = s * wx + r * nx;
+    double py = s * wy + r * ny;
+    return new double[] {0, 0, length * wx, length * wy, px, py, nx, ny};
+  }
+
+  /**
+   * Asks for returns with a speed along the normal in a range; some hit, and exact numbers rest.
+   */
+  private void assertCertainReturns(boolean atEnd, double leastSpeed, double mostSpeed) {
+    long before = PrecisionCounters.COUNT.exactParabolas;
+    int hits = 0;
+    for (int i = 0; i < QUERIES; i++) {
+      draw();
+      double[] n = drawTouching(atEnd);
+      double up = Math.exp(random.nextDouble(Math.log(leastSpeed), Math.log(mostSpeed)));
+      double along = random.nextDouble(-3, 3);
+      double vx = up * n[6] - along * n[7];
+      double vy = up * n[7] + along * n[6];
+      double T = i % 2 == 0 ? 1 : NEVER;
+      double time =
+          ParabolaReturn.toLine(n[4], n[5], r, vx, vy, 0, g, n[0], n[1], n[2], n[3], 0, 0, T);
+      if (time < NEVER) {
+        ParabolaReturn.contactOfReturn(
+            n[4], n[5], r, vx, vy, 0, g, n[0], n[1], n[2], n[3], 0, 0, time);
+        hits++;
+      }
+    }
+    assertThat(hits).isBetween(QUERIES / 5, QUERIES);
+    assertThat(PrecisionCounters.COUNT.exactParabolas - before).isLessThanOrEqualTo(2);
+  }
+
+  @Test
+  void ordinaryReturnsNeedNoExactNumbers() {
+    assertCertainReturns(false, 0.01, 10);
+    assertCertainReturns(true, 0.01, 10);
+  }
+
+  @Test
+  void lowHopsNeedNoExactNumbers() {
+    assertCertainReturns(false, 1e-8, 1e-3);
+    assertCertainReturns(true, 1e-8, 1e-3);
+  }
+
+  /** A disk of half the size, or a line, that is passed; the next entry is asked for after each. */
+  @Test
+  void ordinaryEntriesNeedNoExactNumbers() {
+    long before = PrecisionCounters.COUNT.exactParabolas;
+    int[] entries = new int[3];
+    for (int i = 0; i < QUERIES; i++) {
+      draw();
+      double length = random.nextDouble(0.2, 10);
+      double angle = random.nextDouble(-0.5, 0.5);
+      double wx = length * Math.cos(angle);
+      double wy = length * Math.sin(angle);
+      double T = i % 4 < 2 ? 5 : NEVER;
+      double s = -1;
+      for (int k = 0; k < 3 && s < NEVER; k++) {
+        s =
+            i % 2 == 0
+                ? ParabolaSegmentSweep.timeAfter(
+                    0,
+                    0,
+                    r,
+                    v[0],
+                    v[1],
+                    0,
+                    g,
+                    at[0] - wx,
+                    at[1] - wy,
+                    at[0] + wx,
+                    at[1] + wy,
+                    0,
+                    0,
+                    s,
+                    T)
+                : ParabolaDiskSweep.timeAfter(
+                    0, 0, r, v[0], v[1], 0, g, at[0], at[1], r / 2, 0, 0, s, T);
+        entries[k] += s < NEVER ? 1 : 0;
+      }
+    }
+    assertThat(entries[0]).isGreaterThan(QUERIES / 5);
+    assertThat(entries[1]).isPositive();
+    assertThat(entries[2]).isZero();
+    assertThat(PrecisionCounters.COUNT.exactParabolas - before).isLessThanOrEqualTo(2);
+  }
+
   @Test
   void contactKnowsTheRegionWhereDoublesAreInDoubt() {
     // Falls beside the end by nothing: the centre is on its perpendicular.
