@@ -9,6 +9,7 @@ import dev.carom.internal.response.Impulse;
 import dev.carom.internal.response.SphereResponse;
 import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneDataBuilder;
@@ -47,6 +48,7 @@ public final class Resolver {
   static final int IMPACTS_PER_TRACE = 100_000;
 
   private final ObstacleIndex index;
+  private final Gravity gravity;
 
   /** The records of the obstacles, by their codes. */
   private final IntFunction<Obstacle> records;
@@ -54,10 +56,12 @@ public final class Resolver {
   /**
    * Makes a resolver among the obstacles of a table.
    *
+   * @param gravity the acceleration of circles whose path is traced
    * @param records the obstacle that a code stands for
    */
-  Resolver(ObstacleTable obstacles, IntFunction<Obstacle> records) {
+  Resolver(ObstacleTable obstacles, Gravity gravity, IntFunction<Obstacle> records) {
     index = new ObstacleIndex(obstacles);
+    this.gravity = gravity;
     this.records = records;
   }
 
@@ -87,7 +91,7 @@ public final class Resolver {
       }
     }
     ObstacleTable table = ObstacleTable.of(builder.build());
-    return new Resolver(table, code -> record(table, code, lines, pegs));
+    return new Resolver(table, new Gravity(0, 0), code -> record(table, code, lines, pegs));
   }
 
   private static void add(SceneDataBuilder builder, Bounds bounds) {
@@ -149,7 +153,7 @@ public final class Resolver {
     Check.notNegative("bounces", bounces);
     MovingCircle body = CircleCast.body(circle, velocity, restitution);
     index.expect(1);
-    TracedPath path = new Tracer(index).trace(body, duration, bounces, IMPACTS_PER_TRACE);
+    TracedPath path = new Tracer(index, gravity).trace(body, duration, bounces, IMPACTS_PER_TRACE);
     return Trajectory.of(path, records);
   }
 

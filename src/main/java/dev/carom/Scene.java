@@ -7,6 +7,7 @@ import dev.carom.internal.query.Warnings;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.util.Check;
@@ -370,7 +371,8 @@ public final class Scene {
    */
   public Resolver resolver() {
     ObstacleTable obstacles = ObstacleTable.of(data);
-    return new Resolver(obstacles, code -> PublicRecords.of(obstacles, code, 0));
+    return new Resolver(
+        obstacles, new Gravity(data.gx, data.gy), code -> PublicRecords.of(obstacles, code, 0));
   }
 
   /**

@@ -105,7 +105,7 @@ public final class Timeline {
    */
   public double vx(int id, double t) {
     FlightHistory track = track(id, t);
-    return track.vx(track.find(t));
+    return track.vx(track.find(t), t);
   }
 
   /**
@@ -118,7 +118,7 @@ public final class Timeline {
    */
   public double vy(int id, double t) {
     FlightHistory track = track(id, t);
-    return track.vy(track.find(t));
+    return track.vy(track.find(t), t);
   }
 
   /**

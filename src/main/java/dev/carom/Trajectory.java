@@ -24,7 +24,7 @@ public final class Trajectory {
   private final double duration;
   private final boolean complete;
 
-  /** Flight i + 1 starts where and when impact i ends flight i; there is at least one flight. */
+  /** Each flight but the first starts where an impact, or a slide along a line, has ended. */
   Trajectory(List<Flight> flights, List<Impact> impacts, double duration, boolean complete) {
     this.flights = List.copyOf(flights);
     this.impacts = List.copyOf(impacts);
@@ -41,7 +41,15 @@ public final class Trajectory {
     List<Flight> flights = new ArrayList<>();
     DoubleList f = path.flights();
     for (int k = 0; k < f.size(); k += TracedPath.FLIGHT) {
-      flights.add(new Flight(f.get(k), f.get(k + 1), f.get(k + 2), f.get(k + 3), f.get(k + 4)));
+      flights.add(
+          new Flight(
+              f.get(k),
+              f.get(k + 1),
+              f.get(k + 2),
+              f.get(k + 3),
+              f.get(k + 4),
+              f.get(k + 5),
+              f.get(k + 6)));
     }
     List<Impact> impacts = new ArrayList<>();
     for (int row = 0; row < path.impacts().size(); row++) {
@@ -94,9 +102,10 @@ public final class Trajectory {
 
   /**
    * Returns the corners of the path: the centre at the start, at each impact, and at the end.
-   * Straight lines join them.
+   * Straight lines join them; with gravity, arcs of parabolas: ask for {@linkplain #at places}
+   * between them. There is a point, too, where the circle slides off the end of a line.
    *
-   * @return two points more than there are impacts
+   * @return two points more than there are impacts; with gravity, maybe further ones
    */
   public List<Vec2> points() {
     return Stream.concat(flights.stream().map(f -> f.at(f.t0())), Stream.of(end())).toList();
@@ -121,8 +130,7 @@ public final class Trajectory {
    * @throws IllegalArgumentException if the time is NaN or outside of the trajectory
    */
   public Vec2 velocityAt(double t) {
-    Flight flight = flightAt(t);
-    return new Vec2(flight.vx(), flight.vy());
+    return flightAt(t).velocity(t);
   }
 
   /**

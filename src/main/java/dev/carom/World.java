@@ -211,7 +211,9 @@ public final class World {
   public StopReason advanceToImpact(double t) {
     checkGoal(t);
     begin();
-    finish(engine.advanceToImpact(t + 0.0));
+    do { // the end of a slide is no impact
+      finish(engine.advanceToImpact(t + 0.0));
+    } while (rows.size() == 0 && now < t && !engine.unfinished);
     if (engine.unfinished) {
       return StopReason.BUDGET;
     }
@@ -293,7 +295,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double vx(int id) {
-    return circles.vx(ids.circle(id));
+    return circles.vx(ids.circle(id), now);
   }
 
   /**
@@ -304,7 +306,7 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double vy(int id) {
-    return circles.vy(ids.circle(id));
+    return circles.vy(ids.circle(id), now);
   }
 
   /**
@@ -360,7 +362,16 @@ public final class World {
    * @throws IndexOutOfBoundsException if there is no such thing
    */
   public Vec2 velocity(ObstacleKind kind, int id) {
-    return questions.velocity(code(kind, id));
+    return questions.velocity(code(kind, id), now);
+  }
+
+  /**
+   * Returns the acceleration of circles in free flight now.
+   *
+   * @return the acceleration; (0, 0) without gravity
+   */
+  public Vec2 gravity() {
+    return new Vec2(engine.gravity.x, engine.gravity.y);
   }
 
   /**
@@ -736,6 +747,19 @@ public final class World {
 
   // Edits.
 
+  /**
+   * Sets gravity, from now on: the acceleration of all circles of finite mass. Circles that slide
+   * or rest on something fall from it, and may come to rest anew.
+   *
+   * @param gx the x component, finite
+   * @param gy the y component, finite
+   * @throws IllegalArgumentException if a component is NaN or infinite
+   * @see SceneBuilder#gravity
+   */
+  public void setGravity(double gx, double gy) {
+    edit().setGravity(gx, gy, now);
+  }
+
   /** Returns the editor; questions forget where circles were. */
   private Editor edit() {
     questions.forget();
@@ -1027,7 +1051,9 @@ public final class World {
         obstacles.copy(),
         registry.copy(),
         editor.limits().copy(),
-        engine.save(now));
+        engine.save(now),
+        engine.gravity.x,
+        engine.gravity.y);
   }
 
   /**
@@ -1061,6 +1087,7 @@ public final class World {
     registry.set(state.registry());
     editor.restore(state.limits());
     engine.staticScene.restore(state.obstacles());
+    engine.setGravity(state.gx(), state.gy());
     engine.restore(state.flights(), now);
     if (recorder != null) {
       recorder.begin(now, obstacles);
@@ -1093,7 +1120,9 @@ public final class World {
       throw Check.refused("most", most, "at least 1");
     }
     stopRecording();
-    recorder = new FlightRecorder(most, scene.collide(), registry, editor.limits(), this::state);
+    recorder =
+        new FlightRecorder(
+            most, scene.collide(), registry, editor.limits(), engine.gravity, this::state);
     recorder.begin(now, obstacles);
     engine.record(recorder);
     return new Timeline(recorder);

@@ -12,6 +12,7 @@ import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Index;
@@ -33,11 +34,13 @@ final class WorldQueries {
   private final Proximity proximity;
   private final CircleQueries queries;
   private final boolean collide;
+  private final Gravity gravity;
 
   WorldQueries(Engine engine, CircleRegistry registry, boolean collide, DoubleSupplier clock) {
     this.registry = registry;
     this.collide = collide;
     index = engine.staticScene.index;
+    gravity = engine.gravity;
     obstacles = index.obstacles;
     circles = engine.circles;
     proximity = new Proximity(index, clock);
@@ -134,7 +137,7 @@ final class WorldQueries {
     obstacles.setEpoch(now);
     try {
       TracedPath path =
-          new Tracer(index).trace(body, duration, bounces, Resolver.IMPACTS_PER_TRACE);
+          new Tracer(index, gravity).trace(body, duration, bounces, Resolver.IMPACTS_PER_TRACE);
       return Trajectory.of(path, code -> PublicRecords.of(obstacles, code, 0));
     } finally {
       obstacles.setEpoch(0);
@@ -170,9 +173,9 @@ final class WorldQueries {
     return code -> Filter.meet(filter, filter(code));
   }
 
-  Vec2 velocity(int code) {
+  Vec2 velocity(int code, double now) {
     return Codes.isCircle(code)
-        ? new Vec2(circles.vx(Codes.slot(code)), circles.vy(Codes.slot(code)))
+        ? new Vec2(circles.vx(Codes.slot(code), now), circles.vy(Codes.slot(code), now))
         : new Vec2(obstacles.ux(code), obstacles.uy(code));
   }
 

@@ -11,6 +11,7 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -82,8 +83,8 @@ public final class PlainWorld {
   }
 
   private void respond() {
-    response = new ObstacleResponse(obstacles);
-    pairs = new PairResponse(registry);
+    response = new ObstacleResponse(obstacles, new Gravity(0, 0), m -> codes());
+    pairs = new PairResponse(registry, response.settling);
     cluster = new ContactCluster(registry, pairs, response, obstacles, new Vicinity());
   }
 

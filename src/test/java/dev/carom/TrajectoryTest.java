@@ -17,7 +17,9 @@ class TrajectoryTest {
   private static final Trajectory BETWEEN_POSTS =
       new Trajectory(
           List.of(
-              new Flight(0, 5, 1, 5, 0), new Flight(1, 10, 1, -5, 0), new Flight(3, 0, 1, 5, 0)),
+              new Flight(0, 5, 1, 5, 0, 0, 0),
+              new Flight(1, 10, 1, -5, 0, 0, 0),
+              new Flight(3, 0, 1, 5, 0, 0, 0)),
           List.of(post(1, 10, -1), post(3, 0, 1)),
           4,
           true);
@@ -57,7 +59,9 @@ class TrajectoryTest {
     Trajectory corner =
         new Trajectory(
             List.of(
-                new Flight(0, 1, 1, -1, -1), new Flight(1, 0, 0, 1, -1), new Flight(1, 0, 0, 1, 1)),
+                new Flight(0, 1, 1, -1, -1, 0, 0),
+                new Flight(1, 0, 0, 1, -1, 0, 0),
+                new Flight(1, 0, 0, 1, 1, 0, 0)),
             List.of(post(1, 0, 1), post(1, 0, 1)),
             2,
             true);
@@ -71,7 +75,7 @@ class TrajectoryTest {
   void findsEachOfManyFlights(int count) {
     List<Flight> flights = new ArrayList<>();
     for (int i = 0; i < count; i++) {
-      flights.add(new Flight(i, i, 0, 1, i));
+      flights.add(new Flight(i, i, 0, 1, i, 0, 0));
     }
     Trajectory trajectory = new Trajectory(flights, List.of(), count, true);
     for (int i = 0; i < count; i++) {
@@ -92,7 +96,7 @@ class TrajectoryTest {
 
   @Test
   void keepsItsOwnCopies() {
-    List<Flight> flights = new ArrayList<>(List.of(new Flight(0, 0, 0, 1, 0)));
+    List<Flight> flights = new ArrayList<>(List.of(new Flight(0, 0, 0, 1, 0, 0, 0)));
     List<Impact> impacts = new ArrayList<>();
     Trajectory trajectory = new Trajectory(flights, impacts, 1, false);
     flights.clear();
@@ -105,13 +109,13 @@ class TrajectoryTest {
 
   @Test
   void equalsWhatHoldsTheSame() {
-    List<Flight> flights = List.of(new Flight(0, 0, 0, 1, 0));
+    List<Flight> flights = List.of(new Flight(0, 0, 0, 1, 0, 0, 0));
     Trajectory path = new Trajectory(flights, List.of(), 2, true);
     assertThat(path.duration()).isEqualTo(2);
     assertThat(path.complete()).isTrue();
     Trajectory same = new Trajectory(flights, List.of(), 2, true);
     assertThat(path).isEqualTo(same).hasSameHashCodeAs(same).isNotEqualTo("path");
-    List<Flight> others = List.of(new Flight(0, 1, 0, 1, 0));
+    List<Flight> others = List.of(new Flight(0, 1, 0, 1, 0, 0, 0));
     assertThat(path)
         .isNotEqualTo(new Trajectory(others, List.of(), 2, true))
         .isNotEqualTo(new Trajectory(flights, List.of(post(1, 0, 1)), 2, true))

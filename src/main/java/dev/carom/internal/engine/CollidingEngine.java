@@ -77,11 +77,12 @@ public final class CollidingEngine extends Engine {
       SceneData scene, CircleRegistry registry, EngineOptions options, ImpactRows log) {
     super(scene, registry, CircleTable.colliding(scene.circleCount()), options, log);
     this.options = options;
-    pairs = new PairResponse(registry);
+    pairs = new PairResponse(registry, response.settling);
     cluster = new ContactCluster(registry, pairs, response, staticScene.obstacles, new Vicinity());
     int count = circles.count;
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
+      release(circles.body);
       circles.store(i, circles.body);
     }
     begin();

@@ -32,7 +32,7 @@ final class CollisionPredictor {
   private static final double OPEN = Double.NaN;
 
   // Bounds of b and discriminant, the same as in DiskSweep with more to spare.
-  private static final double DOT_BOUND = 8 * 0x1p-53;
+  static final double DOT_BOUND = 8 * 0x1p-53;
   private static final double DISCRIMINANT_BOUND = 16 * 0x1p-53;
 
   /**
@@ -51,7 +51,7 @@ final class CollisionPredictor {
    * d.d), errs by 5 u 2^10 of itself; g by 6 u 2^20, discriminant by 12 u 2^20, its root by half of
    * that.
    */
-  private static final double WELL_CONDITIONED = 0x1p-20;
+  static final double WELL_CONDITIONED = 0x1p-20;
 
   /** t = g / (sqrt(discriminant) - b) errs by less than 2^4 u 2^20 = 2^-29 of itself. */
   private static final double TIME_BOUND = 0x1p-28;
@@ -65,6 +65,11 @@ final class CollisionPredictor {
   private final CircleTable circles;
   private final PairResponse pairs;
   private final SensorPairs sensed;
+
+  /** Whether circles may have accelerations. */
+  private final boolean falls;
+
+  private final FallingPair pair;
 
   // The first collision found so far: its partner, and the latest time at which it may come. The
   // rest is in the circle's row.
@@ -80,6 +85,8 @@ final class CollisionPredictor {
     this.sensed = sensed;
     this.circles = circles;
     this.pairs = pairs;
+    falls = circles.allowsGravity();
+    pair = new FallingPair(circles);
   }
 
   /** The earliest time at which circle i may collide; the exact time once it is refined. */
@@ -154,7 +161,12 @@ final class CollisionPredictor {
    *     to be tested {@linkplain #predictAmong anew}
    */
   boolean predictEarlier(double[] s, int[] codes, int i, int[] found, int size) {
-    int left = size == 0 ? 0 : filterPairs(s, codes, i, found, size);
+    int left =
+        size == 0
+            ? 0
+            : falls
+                ? filterFalling(s, codes, i, found, size)
+                : filterPairs(s, codes, i, found, size);
     if (left == 0) {
       return true;
     }
@@ -239,6 +251,24 @@ final class CollisionPredictor {
     return left;
   }
 
+  /** The same for circles that may have accelerations; not branch-free. */
+  int filterFalling(double[] s, int[] codes, int i, int[] found, int size) {
+    int left = 0;
+    int end = size;
+    for (int k = 0; k < end; k++) {
+      int j = found[k];
+      int follower = codes[CircleTable.collidingCodesAt(j) + CircleTable.FOLLOWER];
+      if (follower >= 0) {
+        found[end++] = follower;
+      }
+      found[left] = j;
+      if (i != j && pair.mayMeet(s, i, j)) {
+        left++;
+      }
+    }
+    return left;
+  }
+
   /** x, or 0 if x is negative; branch-free. */
   static double positive(double x) {
     long bits = Double.doubleToRawLongBits(x);
@@ -258,6 +288,9 @@ final class CollisionPredictor {
   private boolean consider(double[] s, int[] codes, int i, int j, int before) {
     if (!pairs.meet(i, j)) {
       return true;
+    }
+    if (falls) {
+      return considerFalling(s, codes, i, j, before);
     }
     int a = CircleTable.collidingAt(i);
     int c = CircleTable.collidingAt(j);
@@ -311,6 +344,30 @@ final class CollisionPredictor {
       }
     }
     return pairs.skips(circles, i, j) || compareExactly(s, codes, i, j, before, silent);
+  }
+
+  /** The same for circles that may have accelerations. */
+  private boolean considerFalling(double[] s, int[] codes, int i, int j, int before) {
+    boolean alike = pair.fallAlike(i, j);
+    if ((alike && pairs.skips(circles, i, j)) || pairs.areInert(circles, i, j)) {
+      return true;
+    }
+    boolean silent = pairs.haveSilent() && pairs.isSilent(i, j);
+    double t = alike && !silent && pair.start(s, i, j) ? pair.roughTime() : Double.NaN;
+    if (Double.isNaN(t)) {
+      return compareExactly(s, codes, i, j, before, silent);
+    }
+    int a = CircleTable.collidingAt(i);
+    double time = Math.max(s[a + FlightRow.T], s[CircleTable.collidingAt(j) + FlightRow.T]) + t;
+    double error = Math.fma(t, TIME_BOUND, time * SUM_BOUND);
+    if (time - error > high) {
+      return true;
+    }
+    if (time + error < s[a + CircleTable.MEETING]) {
+      setFirst(s, i, j, time - error, time + error, OPEN, Double.NEGATIVE_INFINITY);
+      return true;
+    }
+    return compareExactly(s, codes, i, j, before, false);
   }
 
   private void start(double[] s, int[] codes, int i) {
@@ -392,7 +449,11 @@ final class CollisionPredictor {
    *
    * @param known whether they are known to collide, but not at once
    */
-  private static void find(MeetingTime found, double[] s, int i, int j, boolean known) {
+  private void find(MeetingTime found, double[] s, int i, int j, boolean known) {
+    if (falls) {
+      findFalling(found, s, i, j);
+      return;
+    }
     int a = CircleTable.collidingAt(Math.min(i, j));
     int b = CircleTable.collidingAt(Math.max(i, j));
     // The first and the last column first, as in consider.
@@ -423,6 +484,34 @@ final class CollisionPredictor {
         known ? Contact.LATER : DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
     double tau = DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
     // The later start plus tau, as head and tail.
+    double t = s[late + FlightRow.T];
+    double sum = t + tau;
+    double l = sumTail(t, tau, sum) + s[late + FlightRow.TL];
+    found.tau = tau;
+    found.head = sum + l;
+    found.tail = sumTail(sum, l, found.head);
+  }
+
+  /** The same for circles that may have accelerations. */
+  private void findFalling(MeetingTime found, double[] s, int i, int j) {
+    int low = Math.min(i, j);
+    int high = Math.max(i, j);
+    double tau = NEVER;
+    if (pair.start(s, low, high)) {
+      boolean silent = pairs.haveSilent() && pairs.isSilent(low, high);
+      tau = silent ? pair.timeAfter(-1) : pair.time(pairs.skips(circles, low, high));
+      keep(found, s, tau);
+      while (silent && tau < NEVER && !isEntered(found, i, j)) {
+        tau = pair.timeAfter(tau);
+        keep(found, s, tau);
+      }
+    }
+    found.tau = tau;
+  }
+
+  /** Keeps the later start of the pair plus tau, as head and tail. */
+  private void keep(MeetingTime found, double[] s, double tau) {
+    int late = CircleTable.collidingAt(pair.later());
     double t = s[late + FlightRow.T];
     double sum = t + tau;
     double l = sumTail(t, tau, sum) + s[late + FlightRow.TL];

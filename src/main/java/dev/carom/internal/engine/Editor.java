@@ -122,6 +122,7 @@ public final class Editor {
     body.start(slot, x, y, radius, vx, vy, 1);
     body.t = now;
     body.tl = engine.tailOfEdit(body, now);
+    engine.release(body);
     engine.beginFlight(body);
     limits.keepPlace(x, y);
     limits.keepRadius(radius);
@@ -136,7 +137,7 @@ public final class Editor {
     }
     boolean passes = (registry.mass(slot) == INFINITE) != (m == INFINITE);
     registry.setMass(slot, m);
-    if (collide && passes) {
+    if (passes && (collide || engine.gravity.acts())) {
       restarted(slot, now).forget();
       engine.beginFlight(body);
     }
@@ -176,7 +177,7 @@ public final class Editor {
         : named(e, Codes.kind(code), Codes.index(code));
   }
 
-  /** Loads a circle at the start of a new flight, now. */
+  /** Loads a circle at the start of a new flight, now, which nothing carries. */
   private MovingCircle restarted(int slot, double now) {
     circles.load(slot, body);
     restart(body, now);
@@ -185,6 +186,26 @@ public final class Editor {
 
   private void restart(MovingCircle m, double now) {
     m.restart(now, engine.tailOfEdit(m, now), circles.wallsOf(m.id));
+    engine.release(m);
+  }
+
+  /** Sets the acceleration of all circles of finite mass. */
+  public void setGravity(double gx, double gy, double now) {
+    Check.finite("gx", gx);
+    Check.finite("gy", gy);
+    List<MovingCircle> all = new ArrayList<>();
+    for (int slot : registry.slots()) {
+      MovingCircle m = new MovingCircle();
+      circles.load(slot, m);
+      m.restart(now, engine.tailOfEdit(m, now), circles.wallsOf(slot));
+      all.add(m);
+    }
+    engine.setGravity(gx + 0.0, gy + 0.0); // 0 for -0
+    for (MovingCircle m : all) {
+      m.forget();
+      engine.release(m);
+      engine.beginFlight(m);
+    }
   }
 
   // Obstacles.

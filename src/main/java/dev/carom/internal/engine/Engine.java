@@ -7,6 +7,7 @@ import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.FlightRecorder;
+import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
@@ -26,6 +27,7 @@ public abstract class Engine {
   public final StaticScene staticScene;
   final ObstacleResponse response;
   final ImpactRows log;
+  public final Gravity gravity;
 
   /** The time of the last event, or of the end of the last step. */
   double reached;
@@ -50,7 +52,29 @@ public abstract class Engine {
     this.log = log;
     staticScene = new StaticScene(scene, options);
     circles.setFilters(registry, staticScene.obstacles);
-    response = new ObstacleResponse(staticScene.obstacles);
+    gravity = new Gravity(scene.gx, scene.gy);
+    response = new ObstacleResponse(staticScene.obstacles, gravity, staticScene::near);
+    if (gravity.acts()) {
+      circles.allowGravity();
+    }
+  }
+
+  /** Lets a circle fly freely: it falls unless its mass is infinite. */
+  final void release(MovingCircle m) {
+    if (registry.mass(m.id) < Double.POSITIVE_INFINITY) {
+      m.fall(gravity.x, gravity.y);
+    } else {
+      m.fall(0, 0);
+    }
+  }
+
+  /** Sets gravity, for flights that begin from now on. */
+  public final void setGravity(double gx, double gy) {
+    gravity.x = gx;
+    gravity.y = gy;
+    if (gravity.acts()) {
+      circles.allowGravity();
+    }
   }
 
   /**
@@ -104,11 +128,30 @@ public abstract class Engine {
     for (int k = 0; k < present.size(); k++) {
       int i = present.get(k);
       circles.load(i);
-      if (registry.contains(i) && circles.body.forget(code, sensed)) {
-        store(i, circles.body);
-        noteContacts(circles.body, reached);
+      if (registry.contains(i)) {
+        if (isCarriedBy(circles.body, code)) {
+          letGo(circles.body, code);
+        } else if (circles.body.forget(code, sensed)) {
+          store(i, circles.body);
+          noteContacts(circles.body, reached);
+        }
       }
     }
+  }
+
+  /** Whether a circle slides or rests on an obstacle, or rests between it and another one. */
+  private boolean isCarriedBy(MovingCircle m, int code) {
+    return m.support == code
+        || m.support == ~code
+        || (m.isSupported() && m.gx == 0 && m.gy == 0 && response.settling.touches(m, code));
+  }
+
+  /** Lets a circle fall from an obstacle that is about to change. */
+  private void letGo(MovingCircle m, int code) {
+    m.restart(reached, tailOfEdit(m, reached), circles.wallsOf(m.id));
+    m.forget(code, 0);
+    release(m);
+    beginFlight(m);
   }
 
   /**
@@ -203,6 +246,9 @@ public abstract class Engine {
   public void restore(SavedFlights flights, double now) {
     reached = now;
     circles.clear();
+    if (flights.haveAccelerations()) {
+      circles.allowGravity();
+    }
     MovingCircle m = circles.body;
     for (int i = 0; i < flights.count(); i++) {
       circles.add();

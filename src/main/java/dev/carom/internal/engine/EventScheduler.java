@@ -35,6 +35,9 @@ final class EventScheduler {
   private final int[] found;
   private final int[] foundOfOther;
 
+  /** Whether circles may have accelerations. */
+  private final boolean falls;
+
   /**
    * Creates a scheduler without events.
    *
@@ -51,6 +54,7 @@ final class EventScheduler {
       double now) {
     state = circles.state;
     codes = circles.codes;
+    falls = circles.allowsGravity();
     int room = circles.capacity();
     found = new int[room + NeighborGrid.SPARE];
     foundOfOther = new int[room + NeighborGrid.SPARE];
@@ -152,8 +156,14 @@ final class EventScheduler {
     int[] c = codes;
     int size = neighbors.find(c, i, found);
     double crossing = neighbors.nextCrossing(s, c, i);
-    predictor.predictAmong(s, c, i, found, CollisionPredictor.filterPairs(s, c, i, found, size));
+    predictor.predictAmong(s, c, i, found, filterPairs(s, c, i, found, size));
     schedule(s, c, i, crossing);
+  }
+
+  private int filterPairs(double[] s, int[] c, int i, int[] others, int size) {
+    return falls
+        ? predictor.filterFalling(s, c, i, others, size)
+        : CollisionPredictor.filterPairs(s, c, i, others, size);
   }
 
   /**
@@ -165,8 +175,8 @@ final class EventScheduler {
     int sizeOfJ = neighbors.find(c, j, foundOfOther);
     double crossing = neighbors.nextCrossing(s, c, i);
     double crossingOfJ = neighbors.nextCrossing(s, c, j);
-    int leftOfI = CollisionPredictor.filterPairs(s, c, i, found, size);
-    int leftOfJ = CollisionPredictor.filterPairs(s, c, j, foundOfOther, sizeOfJ);
+    int leftOfI = filterPairs(s, c, i, found, size);
+    int leftOfJ = filterPairs(s, c, j, foundOfOther, sizeOfJ);
     predictor.predictAmong(s, c, i, found, leftOfI);
     schedule(s, c, i, crossing);
     predictor.predictAmong(s, c, j, foundOfOther, leftOfJ);

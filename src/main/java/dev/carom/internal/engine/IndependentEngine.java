@@ -55,6 +55,7 @@ public final class IndependentEngine extends Engine {
     undoLog = new UndoLog(Math.min(count, JOURNAL));
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
+      release(circles.body);
       staticScene.extend(circles.body, 0);
       circles.storeAndSetDue(i);
     }
@@ -183,7 +184,7 @@ public final class IndependentEngine extends Engine {
   /** Resolves what a moving obstacle squeezes. */
   private ContactCluster cluster() {
     if (cluster == null) {
-      PairResponse pairs = new PairResponse(registry);
+      PairResponse pairs = new PairResponse(registry, response.settling);
       ObstacleTable obstacles = staticScene.obstacles;
       cluster = new ContactCluster(registry, pairs, response, obstacles, new Solitude());
     }

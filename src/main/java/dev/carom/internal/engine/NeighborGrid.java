@@ -62,6 +62,14 @@ public final class NeighborGrid {
    */
   private final double[] inside;
 
+  // Null without gravity: how long after the start of its flight each circle came into its cells,
+  // and leaves the first of them.
+  private final double[] entered;
+  private final double[] leaving;
+
+  private final FallingExit exitX = new FallingExit();
+  private final FallingExit exitY = new FallingExit();
+
   public NeighborGrid(
       CircleTable circles, int[] ids, double[] walls, double diameters, double now) {
     this.circles = circles;
@@ -79,6 +87,8 @@ public final class NeighborGrid {
     own = new CellLinks[levels];
     smaller = new CellLinks[levels];
     levelOf = new short[count];
+    entered = circles.allowsGravity() ? new double[count] : null;
+    leaving = circles.allowsGravity() ? new double[count] : null;
     int[] next = new int[levels == 1 ? 0 : count];
     for (int k = 0; k < levels; k++) {
       own[k] = new CellLinks(k == 0 ? cells : cells(extent, size[k]), next, null);
@@ -144,6 +154,9 @@ public final class NeighborGrid {
       return false;
     }
     levelOf[i] = (short) level;
+    if (entered != null) {
+      entered[i] = circles.since(i, now);
+    }
     enter(i, circles.x(i, now) - originX, circles.y(i, now) - originY);
     return true;
   }
@@ -179,6 +192,9 @@ public final class NeighborGrid {
    * circle may have crossed further cells within one stored time.
    */
   public void comeBack(double[] s, int i) {
+    if (entered != null) {
+      entered[i] = 0;
+    }
     int a = CircleTable.collidingAt(i);
     double cellWidth = width(i);
     double x = s[a + FlightRow.X] - originX;
@@ -268,6 +284,9 @@ public final class NeighborGrid {
 
   /** When circle i next leaves a cell; stores which {@linkplain CellExit way} in its row. */
   public double nextCrossing(double[] s, int[] c, int i) {
+    if (entered != null) {
+      return nextCrossingOfFalling(s, c, i);
+    }
     int a = CircleTable.collidingAt(i);
     double x = s[a + FlightRow.X] - originX;
     double y = s[a + FlightRow.Y] - originY;
@@ -294,8 +313,35 @@ public final class NeighborGrid {
     return first < NEVER ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], first) : NEVER;
   }
 
+  private double nextCrossingOfFalling(double[] s, int[] c, int i) {
+    int a = CircleTable.collidingAt(i);
+    double x = s[a + FlightRow.X] - originX;
+    double y = s[a + FlightRow.Y] - originY;
+    double vx = s[a + FlightRow.VX];
+    double vy = s[a + FlightRow.VY];
+    double first = NEVER;
+    int way = 0;
+    for (int level = levelOf(i); level < levels; level++) {
+      double[] cellsOf = cellsOf(i, level);
+      int k = cellAt(i, level);
+      exitX.find(x, vx, circles.gx(i), entered[i], cellsOf[k], size[level]);
+      exitY.find(y, vy, circles.gy(i), entered[i], cellsOf[k + 1], size[level]);
+      double soonest = Math.min(exitX.after, exitY.after);
+      if (soonest < first) {
+        first = soonest;
+        way = CellExit.way(level, exitX.after, exitY.after, exitX.direction, exitY.direction);
+      }
+    }
+    c[CircleTable.collidingCodesAt(i) + CircleTable.WAY] = way;
+    leaving[i] = first;
+    return first < NEVER ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], first) : NEVER;
+  }
+
   /** How long after the start of its flight circle i leaves a cell. */
   double untilCrossing(double[] s, int i) {
+    if (leaving != null) {
+      return leaving[i];
+    }
     int a = CircleTable.collidingAt(i);
     double x = s[a + FlightRow.X] - originX;
     double y = s[a + FlightRow.Y] - originY;
@@ -327,6 +373,9 @@ public final class NeighborGrid {
   public int cross(double[] s, int[] c, int i, int way, int[] found) {
     int vertical = CellExit.vertical(way);
     int sign = CellExit.sign(way);
+    if (entered != null) {
+      entered[i] = leaving[i];
+    }
     if (levels > 1) {
       return cross(i, CellExit.level(way), vertical, sign, found);
     }

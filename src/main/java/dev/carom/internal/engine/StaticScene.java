@@ -2,6 +2,7 @@
 package dev.carom.internal.engine;
 
 import dev.carom.internal.search.BroadPhase;
+import dev.carom.internal.search.FallSearch;
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.search.Grids;
 import dev.carom.internal.search.ObstacleIndex;
@@ -26,6 +27,7 @@ public final class StaticScene {
   public final ObstacleTable obstacles;
   private final Grids grids;
   private final BroadPhase search;
+  private final FallSearch falls;
 
   /** The index of questions; steps do not use it. */
   public final ObstacleIndex index;
@@ -43,6 +45,7 @@ public final class StaticScene {
     obstacles = ObstacleTable.of(scene);
     grids = new Grids(scene, obstacles, options);
     search = new BroadPhase(obstacles, grids.loose());
+    falls = new FallSearch(obstacles, grids.loose());
     index = new ObstacleIndex(obstacles, options.grid());
     assign(IntStream.range(0, scene.circleCount()).toArray(), scene::radius);
   }
@@ -80,7 +83,11 @@ public final class StaticScene {
 
   /** Extends the prediction of a circle; see {@link BroadPhase#extend}. */
   void extend(MovingCircle m, double needed) {
-    search.extend(m, grid(m.id), needed);
+    if (m.isFalling()) {
+      falls.extend(m, grid(m.id), needed);
+    } else {
+      search.extend(m, grid(m.id), needed);
+    }
   }
 
   /** The codes of all obstacles that may touch a circle at its position, and maybe of others. */
@@ -90,7 +97,7 @@ public final class StaticScene {
 
   /** Whether a flight, if it never ended, would hit a line or a peg. */
   boolean meets(MovingCircle m, int code) {
-    return search.meets(m, code);
+    return m.isFalling() ? falls.meets(m, code) : search.meets(m, code);
   }
 
   /** Registers a circle's radius, which may be new. */

@@ -85,10 +85,40 @@ public final class SnapshotReader {
     WorldState state = circles(now, collide, obstacles, limits);
     state.flights().tailOfEdit = tailOfEdit(now);
     motions(now, obstacles);
+    double gx = in.readDouble();
+    double gy = in.readDouble();
+    Check.finite("gx", gx);
+    Check.finite("gy", gy);
+    accelerations(state.flights(), obstacles);
     checkExtent(obstacles, limits);
     long expected = sum.getValue();
     expect(in.readLong() == expected, "its check sum differs from what it holds");
-    return state;
+    return new WorldState(
+        now, collide, obstacles, state.registry(), limits, state.flights(), gx, gy);
+  }
+
+  private void accelerations(SavedFlights flights, ObstacleTable obstacles) throws IOException {
+    if (!in.readBoolean()) {
+      return;
+    }
+    MovingCircle m = new MovingCircle();
+    for (int i = 0; i < flights.count(); i++) {
+      double gx = in.readDouble();
+      double gy = in.readDouble();
+      Check.finite("gx", gx);
+      Check.finite("gy", gy);
+      m.fall(gx, gy);
+      m.support = in.readInt();
+      if (m.support != MovingCircle.NOTHING && m.support != MovingCircle.HELD) {
+        int code = m.support < 0 ? ~m.support : m.support;
+        expectCode(!Codes.isCircle(code) && (m.support >= 0 || Codes.isLine(code)), code);
+        checkCode(code);
+        expectCode(Codes.isWall(code) ? obstacles.walls != null : !obstacles.isGone(code), code);
+      }
+      if (m.isFalling()) {
+        flights.putAcceleration(i, m);
+      }
+    }
   }
 
   private SizeLimits limits() throws IOException {
@@ -254,7 +284,7 @@ public final class SnapshotReader {
             jams.stream().anyMatch(Objects::nonNull) ? jams.toArray(IgnoreList[]::new) : null);
     CircleRegistry registry =
         new CircleRegistry(masses.toArray(), traits.toByteArray(), filters, present, idLimit);
-    return new WorldState(now, collide, obstacles, registry, limits, flights);
+    return new WorldState(now, collide, obstacles, registry, limits, flights, 0, 0);
   }
 
   private double tailOfEdit(double now) throws IOException {

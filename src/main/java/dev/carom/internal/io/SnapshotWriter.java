@@ -3,6 +3,7 @@ package dev.carom.internal.io;
 
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
+import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
@@ -23,7 +24,7 @@ public final class SnapshotWriter {
   /** "CAROM" and a zero byte, which no text contains. */
   static final long MARK = 0x4341524F4D00L;
 
-  static final int VERSION = 5;
+  static final int VERSION = 6;
 
   /**
    * Marks a removed obstacle: this byte stands for its traits, and nothing else of it is written.
@@ -51,6 +52,7 @@ public final class SnapshotWriter {
     circles(s);
     out.writeDouble(s.flights().tailOfEdit);
     motions(s.obstacles().motions());
+    gravity(s);
     out.writeLong(sum.getValue());
   }
 
@@ -86,6 +88,18 @@ public final class SnapshotWriter {
     for (int i = 0; i < motions.count(); i++) {
       out.writeInt(motions.code(i));
       numbers(motions.ux(i), motions.uy(i), motions.since(i));
+    }
+  }
+
+  /** Writes gravity, then what moves each circle; where nothing does, only that it is so. */
+  private void gravity(WorldState s) throws IOException {
+    numbers(s.gx(), s.gy());
+    out.writeBoolean(s.flights().haveAccelerations());
+    MovingCircle m = new MovingCircle();
+    for (int i = 0; s.flights().haveAccelerations() && i < s.flights().count(); i++) {
+      s.flights().get(i, m);
+      numbers(m.gx, m.gy);
+      out.writeInt(m.support);
     }
   }
 

@@ -75,8 +75,8 @@ final class CircleIndex {
       int slot = present.get(i);
       if (isThere(slot, now)) {
         slots.add(slot);
-        fastestX = Math.max(fastestX, Math.abs(circles.vx(slot)));
-        fastestY = Math.max(fastestY, Math.abs(circles.vy(slot)));
+        fastestX = Math.max(fastestX, Math.abs(circles.vx(slot, now)));
+        fastestY = Math.max(fastestY, Math.abs(circles.vy(slot, now)));
       }
     }
     int[] items = slots.toArray();

@@ -9,8 +9,11 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.Hit;
+import dev.carom.internal.sweep.ParabolaDiskSweep;
+import dev.carom.internal.sweep.ParabolaHit;
 import dev.carom.internal.util.IntList;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
@@ -64,7 +67,7 @@ public final class CircleQueries {
    * @param maxTime the end of the window, counted from now
    */
   public void first(MovingCircle m, Tracer tracer, double maxTime, double now) {
-    if (index.tree() == null) {
+    if (index.tree() == null || circles.allowsGravity()) {
       LiveCodes present = registry.present();
       for (int i = 0; i < present.size(); i++) {
         int slot = present.get(i);
@@ -144,8 +147,12 @@ public final class CircleQueries {
     if (m.radius + r == 0) {
       return; // two points do not meet
     }
-    double vx = circles.vx(slot);
-    double vy = circles.vy(slot);
+    double vx = circles.vx(slot, now);
+    double vy = circles.vy(slot, now);
+    if (isFalling(slot)) {
+      considerFalling(m, slot, maxTime, now);
+      return;
+    }
     int contact = DiskSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy);
     double limit = end(m, maxTime);
     // A time that rounds to the limit is exactly before the next double.
@@ -159,6 +166,31 @@ public final class CircleQueries {
     m.cleared = t;
   }
 
+  /** The same for a circle that falls; of equal rounded times the smallest code is first. */
+  private void considerFalling(MovingCircle m, int slot, double maxTime, double now) {
+    double t =
+        ParabolaDiskSweep.time(
+            m.x,
+            m.y,
+            m.radius,
+            m.vx,
+            m.vy,
+            -circles.gx(slot),
+            -circles.gy(slot),
+            circles.x(slot, now),
+            circles.y(slot, now),
+            circles.radius(slot),
+            circles.vx(slot, now),
+            circles.vy(slot, now),
+            end(m, maxTime));
+    boolean none = m.next == MovingCircle.NOTHING;
+    if (t < NEVER && (none || t < m.cleared || Codes.circle(slot) < m.next)) {
+      m.next = Codes.circle(slot);
+      m.contact = t == 0 ? Contact.NOW : Contact.LATER;
+      m.cleared = t;
+    }
+  }
+
   /** Whether a contact is before the limit, with which its rounded time is equal. */
   private boolean isFirst(
       MovingCircle m, int slot, int contact, Tracer tracer, double limit, double now) {
@@ -166,12 +198,19 @@ public final class CircleQueries {
     if (m.next == MovingCircle.NOTHING) {
       return time.compare(ExactTime.of(limit)) <= 0;
     }
+    if (Codes.isCircle(m.next) && isFalling(Codes.slot(m.next))) {
+      return Codes.circle(slot) < m.next;
+    }
     int order =
         time.compare(
             Codes.isCircle(m.next)
                 ? exactTime(m, Codes.slot(m.next), m.contact, now)
                 : tracer.exactTime(m));
     return order != 0 ? order < 0 : Codes.circle(slot) < m.next;
+  }
+
+  private boolean isFalling(int slot) {
+    return circles.gx(slot) != 0 || circles.gy(slot) != 0;
   }
 
   private ExactTime exactTime(MovingCircle m, int slot, int contact, double now) {
@@ -185,13 +224,32 @@ public final class CircleQueries {
         circles.x(slot, now),
         circles.y(slot, now),
         circles.radius(slot),
-        circles.vx(slot),
-        circles.vy(slot));
+        circles.vx(slot, now),
+        circles.vy(slot, now));
   }
 
   /** The hit of a cast on the circle that it found first; always the same object. */
   public Hit hit(MovingCircle m, double now) {
     int slot = Codes.slot(m.next);
+    if (isFalling(slot)) {
+      return ParabolaHit.ofDisks(
+              m.x,
+              m.y,
+              m.radius,
+              m.vx,
+              m.vy,
+              -circles.gx(slot),
+              -circles.gy(slot),
+              circles.x(slot, now),
+              circles.y(slot, now),
+              circles.radius(slot),
+              circles.vx(slot, now),
+              circles.vy(slot, now),
+              m.cleared)
+          .moved(
+              MovingCircle.place(0, 0, circles.gx(slot), m.cleared),
+              MovingCircle.place(0, 0, circles.gy(slot), m.cleared));
+    }
     return hit.ofDisks(
         m.x,
         m.y,
@@ -201,8 +259,8 @@ public final class CircleQueries {
         circles.x(slot, now),
         circles.y(slot, now),
         circles.radius(slot),
-        circles.vx(slot),
-        circles.vy(slot),
+        circles.vx(slot, now),
+        circles.vy(slot, now),
         m.contact,
         m.cleared);
   }

@@ -7,7 +7,8 @@ import dev.carom.internal.util.DoubleList;
 /**
  * The path of one circle among obstacles.
  *
- * @param flights {@link #FLIGHT} numbers for each flight, one flight more than there are impacts
+ * @param flights {@link #FLIGHT} numbers for each flight, one flight more than there are impacts;
+ *     further ones where the circle slides off a line
  * @param impacts in the order of time
  * @param duration the time covered
  * @param complete false if the path would go on, but its budget of work is spent
@@ -15,6 +16,6 @@ import dev.carom.internal.util.DoubleList;
 public record TracedPath(
     DoubleList flights, ImpactRows impacts, double duration, boolean complete) {
 
-  /** Doubles of one flight: t, x, y, vx, vy. */
-  public static final int FLIGHT = 5;
+  /** Doubles of one flight: t, x, y, vx, vy, gx, gy. */
+  public static final int FLIGHT = 7;
 }

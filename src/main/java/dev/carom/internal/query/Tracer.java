@@ -5,9 +5,11 @@ import dev.carom.internal.exact.ExactBudget;
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.search.BroadPhase;
+import dev.carom.internal.search.FallSearch;
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleRows;
@@ -21,6 +23,8 @@ public final class Tracer {
   private final ObstacleTable obstacles;
   private final ObstacleIndex index;
   private final BroadPhase search;
+  private final FallSearch falls;
+  private final Gravity gravity;
   private final Hit hit = new Hit();
 
   /** The row of a moving obstacle that is hit. */
@@ -30,9 +34,16 @@ public final class Tracer {
   private Grid grid;
 
   public Tracer(ObstacleIndex index) {
+    this(index, new Gravity(0, 0));
+  }
+
+  /** Makes a tracer of paths under gravity; the casts go straight on. */
+  public Tracer(ObstacleIndex index, Gravity gravity) {
     this.index = index;
+    this.gravity = gravity;
     obstacles = index.obstacles;
     search = index.search();
+    falls = new FallSearch(obstacles, index.loose());
   }
 
   /**
@@ -87,9 +98,10 @@ public final class Tracer {
    */
   public TracedPath trace(MovingCircle body, double duration, int bounces, int most) {
     grid = index.grid(body.radius);
-    ObstacleResponse response = new ObstacleResponse(obstacles);
+    ObstacleResponse response = new ObstacleResponse(obstacles, gravity, m -> search.near(m, grid));
     DoubleList flights = new DoubleList();
     ImpactRows impacts = new ImpactRows(1);
+    body.fall(gravity.x, gravity.y);
     add(body, flights);
     ExactBudget work = ExactBudget.ofThread();
     long before = work.bits();
@@ -110,7 +122,11 @@ public final class Tracer {
   /** Looks for the next impact, past sensors; false if there is none until the given time. */
   private boolean next(MovingCircle body, double end) {
     do {
-      search.extendPastSensors(body, grid, end - body.t);
+      if (body.isFalling()) {
+        falls.extendPastSensors(body, grid, end - body.t);
+      } else {
+        search.extendPastSensors(body, grid, end - body.t);
+      }
       if (body.due() <= end && body.next != MovingCircle.NOTHING) {
         return true;
       }
@@ -119,6 +135,6 @@ public final class Tracer {
   }
 
   private static void add(MovingCircle m, DoubleList flights) {
-    flights.add(m.t, m.x, m.y, m.vx, m.vy);
+    flights.add(m.t, m.x, m.y, m.vx, m.vy, m.gx, m.gy);
   }
 }

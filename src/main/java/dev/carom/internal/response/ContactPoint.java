@@ -11,6 +11,7 @@ import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.LineShape;
+import dev.carom.internal.sweep.ParabolaDiskSweep;
 import dev.carom.internal.sweep.PegShape;
 
 /**
@@ -58,8 +59,15 @@ final class ContactPoint {
   private double startX;
 
   private double startY;
+  private double startVx;
+  private double startVy;
   private double startT;
   private double startTl;
+
+  /** The acceleration in that flight. */
+  private double gx;
+
+  private double gy;
 
   ContactPoint(ObstacleTable obstacles) {
     this.obstacles = obstacles;
@@ -69,6 +77,10 @@ final class ContactPoint {
   void startAt(MovingCircle m) {
     startX = m.x;
     startY = m.y;
+    startVx = m.vx;
+    startVy = m.vy;
+    gx = m.gx;
+    gy = m.gy;
     startT = m.t;
     startTl = m.tl;
   }
@@ -236,6 +248,10 @@ final class ContactPoint {
     double share = Coordinates.share(radius, m.radius);
     x = Coordinates.between(share, Math.fma(ux, t, cx), Coordinates.within(m.x));
     y = Coordinates.between(share, Math.fma(uy, t, cy), Coordinates.within(m.y));
+    if (gx != 0 || gy != 0) {
+      locateFallen(m, cx, cy, radius);
+      return;
+    }
     double c =
         t == 0
             ? 0
@@ -265,11 +281,37 @@ final class ContactPoint {
     double radiusSum = radius + m.radius;
     if (radiusSum == 0) {
       normal(m, 0, 0, m.vx, m.vy);
+    } else if (gx != 0 || gy != 0) {
+      locateFallen(m, cx, cy, radius);
     } else if (radiusSum < SMALL * Math.max(size(cx, cy), size(startX, startY))) {
       DiskSweep.normal(unit, startX, startY, m.radius, m.vx, m.vy, cx, cy, radius, 0, 0, m.cleared);
       normal(m, unit.x(), unit.y(), 0, 0);
     } else {
       offset(m, cx, cy);
+    }
+  }
+
+  /**
+   * The normal on something round of a circle that fell: the offset with the places that the
+   * rounded centre lacks; where the offset is lost in the rounding of coordinates, the detector's.
+   */
+  private void locateFallen(MovingCircle m, double cx, double cy, double radius) {
+    double t = m.cleared;
+    double size = size(cx, cy) + size(startX, startY);
+    UnitVector exact =
+        radius + m.radius < SMALL * size
+            ? ParabolaDiskSweep.normal(
+                startX, startY, m.radius, startVx, startVy, gx, gy, cx, cy, radius, ux, uy, t)
+            : null;
+    if (exact != null) {
+      normal(m, exact.x(), exact.y(), 0, 0);
+    } else {
+      normal(
+          m,
+          ParabolaDiskSweep.offset(startX, cx, startVx, ux, gx, t),
+          ParabolaDiskSweep.offset(startY, cy, startVy, uy, gy, t),
+          0,
+          0);
     }
   }
 

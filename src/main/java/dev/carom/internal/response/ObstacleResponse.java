@@ -2,10 +2,13 @@
 package dev.carom.internal.response;
 
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.util.Part;
+import java.util.function.Function;
 import java.util.function.Predicate;
 
 /**
@@ -47,8 +50,16 @@ public final class ObstacleResponse {
   /** Tells of a jammed circle whether something that crushed it is still upon it. */
   private Predicate<MovingCircle> isCrushed;
 
-  public ObstacleResponse(ObstacleTable obstacles) {
+  public final Settling settling;
+
+  /** The codes of obstacles that a circle may touch, ascending. */
+  private final Function<MovingCircle, int[]> near;
+
+  public ObstacleResponse(
+      ObstacleTable obstacles, Gravity gravity, Function<MovingCircle, int[]> near) {
+    this.near = near;
     this.obstacles = obstacles;
+    settling = new Settling(obstacles, gravity, near);
     point = new ContactPoint(obstacles);
     isCrushed = m -> Touch.isCrushed(m, obstacles);
   }
@@ -70,11 +81,20 @@ public final class ObstacleResponse {
       sense(m, code, log);
       return SENSED;
     }
+    boolean falls = m.isFalling();
     point.startAt(m);
     m.advance(m.cleared);
+    if (falls && code == m.support) {
+      slideOff(m);
+      return NEW_FLIGHT;
+    }
     double vn = report(m, code, m.t, log);
     if (obstacles.moves(code) && m.jam != null && isCrushed.test(m)) {
       passOver(m, code, log);
+      return NEW_FLIGHT;
+    }
+    if (falls) {
+      bounce(m, code, vn, log);
       return NEW_FLIGHT;
     }
     double e = m.restitution * obstacles.restitution(code);
@@ -97,6 +117,61 @@ public final class ObstacleResponse {
     m.last = code;
     m.newFlight();
     return stuck && !faint ? STUCK : NEW_FLIGHT;
+  }
+
+  /** At an end of the line on which it slides, a circle goes on along another one, or falls. */
+  private void slideOff(MovingCircle m) {
+    int line = m.support;
+    m.last = line;
+    m.newFlight();
+    for (int code : near.apply(m)) {
+      if (code != line && settling.slidesOnto(m, code)) {
+        return;
+      }
+    }
+    settling.fall(m);
+    m.support = ~line;
+  }
+
+  /**
+   * Changes the velocity of a circle that falls or slides. Bounces on one thing follow each other
+   * without end; {@link Settling} ends them. Other impacts at one place are counted.
+   */
+  private void bounce(MovingCircle m, int code, double vn, ImpactRows log) {
+    double e = m.restitution * obstacles.restitution(code);
+    double reach = ObstacleTable.part(code, m.contact) == Part.SIDE ? 0 : reach(m, code);
+    if (code == m.last) {
+      m.leavePlace();
+    } else {
+      count(m, vn, e);
+    }
+    m.last = code;
+    m.newFlight();
+    m.jam = IgnoreList.ofCircles(m.jam);
+    if (StuckRule.isStuck(m)) {
+      boolean pushes = point.ux != 0 || point.uy != 0;
+      m.jam = pushes ? IgnoreList.crushedBy(m.jam, code) : m.jam;
+      Settling.hold(m);
+      log.setOutcome(ImpactRows.JAMMED);
+      return;
+    }
+    change(m, code, vn, e, log);
+    settling.settle(m, code, point, reach, e, log);
+  }
+
+  /** The distance of the centre of a circle from that of something round that it touches. */
+  private double reach(MovingCircle m, int code) {
+    return m.radius + obstacles.radius(code);
+  }
+
+  /** Counts an impact of a falling circle at one place, which is not wider than rounding. */
+  private void count(MovingCircle m, double vn, double e) {
+    double speed = Math.abs(sx) + Math.abs(sy);
+    double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
+    double speeds = Math.abs(m.vx) + Math.abs(m.vy) + Math.abs(point.ux) + Math.abs(point.uy);
+    double driven = obstacles.areMoving() ? StuckRule.PUSHED_PLACE : StuckRule.DRIVEN_PLACE;
+    StuckRule.countFalling(m, m.flown * speed, speeds, approach, e, driven);
+    m.driven |= point.ux * point.nx + point.uy * point.ny > 0;
   }
 
   /**
@@ -143,12 +218,15 @@ public final class ObstacleResponse {
     double startX = m.x;
     double startY = m.y;
     point.startAt(m);
-    m.x = Math.fma(m.vx, m.cleared, m.x);
-    m.y = Math.fma(m.vy, m.cleared, m.y);
+    double startVx = m.vx;
+    double startVy = m.vy;
+    m.move(m.cleared);
     report(m, code, m.after(m.cleared), log);
     log.setOutcome(ImpactRows.SENSED);
     m.x = startX;
     m.y = startY;
+    m.vx = startVx;
+    m.vy = startVy;
     m.next = MovingCircle.NOTHING;
     m.contact = code;
   }

@@ -32,6 +32,7 @@ public final class PairResponse {
 
   private final CircleRegistry registry;
   private final Impulse impulse = new Impulse();
+  private final Settling settling;
 
   // The current collision: u / 2^fast, n, and u.n.
   private int fast;
@@ -41,8 +42,9 @@ public final class PairResponse {
   private double ny;
   private double un;
 
-  public PairResponse(CircleRegistry registry) {
+  public PairResponse(CircleRegistry registry, Settling settling) {
     this.registry = registry;
+    this.settling = settling;
   }
 
   /** Whether the filters of circles i and j let them meet. */
@@ -56,10 +58,12 @@ public final class PairResponse {
         && circles.codes[CircleTable.collidingCodesAt(j) + CircleTable.LAST] == Codes.circle(i)) {
       return true;
     }
-    if (circles.jams == null) {
-      return false;
-    }
-    return isInert(i, circles.jam(i), j, circles.jam(j));
+    return areInert(circles, i, j);
+  }
+
+  /** Whether two circles are jammed together. */
+  public boolean areInert(CircleTable circles, int i, int j) {
+    return circles.jams != null && isInert(i, circles.jam(i), j, circles.jam(j));
   }
 
   /**
@@ -142,6 +146,10 @@ public final class PairResponse {
     }
     boolean halt = registry.halts(a.id) || registry.halts(b.id);
     double e = halt ? 0 : a.restitution * b.restitution;
+    if (a.isFalling() || b.isFalling()) {
+      bounce(a, b, e, halt, log);
+      return ObstacleResponse.NEW_FLIGHT;
+    }
     double approach = un / (Math.abs(nx) + Math.abs(ny));
     count(a, b, e, approach);
     count(b, a, e, approach);
@@ -162,6 +170,63 @@ public final class PairResponse {
     beginFlight(a, b);
     beginFlight(b, a);
     return stuck && !faint ? ObstacleResponse.STUCK : ObstacleResponse.NEW_FLIGHT;
+  }
+
+  /**
+   * Changes the velocities of two circles of which one falls, slides or rests. They leave each
+   * other by a least speed; so only an infinite mass that crushes a circle can make it stuck.
+   */
+  private void bounce(MovingCircle a, MovingCircle b, double e, boolean halt, ImpactRows log) {
+    double approach = un / (Math.abs(nx) + Math.abs(ny));
+    countDriven(a, b, e, approach, 1);
+    countDriven(b, a, e, approach, -1);
+    if (un < 0) {
+      change(a, b, e, halt, log);
+    }
+    double length = Math.sqrt(nx * nx + ny * ny);
+    double kx = nx / length;
+    double ky = ny / length;
+    double out = (a.vx - b.vx) * kx + (a.vy - b.vy) * ky;
+    double least = settling.leastSpeed(a, b, out, e);
+    if (out < least) {
+      impulse.of(1, (out - least) * kx, (out - least) * ky, nx, ny);
+      push(a, -1, mass(b), mass(a), nx, ny);
+      push(b, 1, mass(a), mass(b), nx, ny);
+    }
+    beginFlight(a, b);
+    beginFlight(b, a);
+    boolean jammed = crush(a, b) | crush(b, a);
+    if (jammed) {
+      log.setOutcome(ImpactRows.JAMMED);
+    }
+    settling.afterPair(a);
+    settling.afterPair(b);
+  }
+
+  /** Counts an impact of a circle that an infinite mass drives. */
+  private void countDriven(
+      MovingCircle m, MovingCircle other, double e, double approach, int sign) {
+    if (m.crushed || !m.isFalling()) {
+      return;
+    }
+    if (mass(other) == INFINITE) {
+      double speed = Math.abs(m.vx - other.vx) + Math.abs(m.vy - other.vy);
+      StuckRule.countFalling(
+          m, m.flown * speed, speeds(m, other), approach, e, StuckRule.DRIVEN_PLACE);
+      m.driven |= sign * (other.vx * nx + other.vy * ny) > 0;
+    } else {
+      m.leavePlace();
+    }
+  }
+
+  /** Stops a stuck circle that an infinite mass crushes; returns whether it did. */
+  private boolean crush(MovingCircle m, MovingCircle other) {
+    if (!isStuck(m) || !m.isFalling() || mass(other) < INFINITE) {
+      return false;
+    }
+    m.jam = IgnoreList.crushedBy(m.jam, Codes.circle(other.id));
+    Settling.hold(m);
+    return true;
   }
 
   /** Begins a flight after a crushed circle met another infinite mass: they ignore each other. */

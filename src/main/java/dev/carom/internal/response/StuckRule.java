@@ -105,6 +105,23 @@ public final class StuckRule {
     }
   }
 
+  /**
+   * Counts an impact of a circle that falls. Its place is no wider than rounding: in a wider one
+   * gravity would bring it somewhere else.
+   */
+  static void countFalling(
+      MovingCircle m, double way, double speed, double approach, double e, double driven) {
+    int exponent = exponent(speed);
+    boolean isHere = m.standsStill || way <= place(m, 1);
+    if (isHere || (m.driven && way <= driven * m.radius)) {
+      m.speedExponent = Math.max(m.speedExponent, exponent);
+      add(m, isHere && isFaint(m, approach) ? FAINT : weight(e, ELASTIC));
+    } else {
+      m.leavePlace();
+      m.speedExponent = exponent;
+    }
+  }
+
   /** Whether a circle slid along its partner: they came nearer by no more than rounding. */
   private static boolean slides(MovingCircle m, double approach, int exponent) {
     return isFaint(approach, exponent)

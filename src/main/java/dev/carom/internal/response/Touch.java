@@ -34,19 +34,24 @@ record Touch(int code, int contact, double nx, double ny) {
     double radiusSum = m.radius + other.radius;
     return radiusSum == 0
         ? null
-        : offset(m, Codes.circle(other.id), 0, other.x, other.y, radiusSum, size);
+        : offset(m, Codes.circle(other.id), 0, other.x, other.y, radiusSum, tolerance(m, size));
   }
 
   /** The contact of a circle with an obstacle, null if it does not touch it. */
   static Touch of(MovingCircle m, ObstacleTable obstacles, int code) {
+    return of(m, obstacles, code, tolerance(m, size(m)));
+  }
+
+  /** The same for an obstacle that is no further than a given distance from the circle. */
+  static Touch of(MovingCircle m, ObstacleTable obstacles, int code, double most) {
     if (Codes.isWall(code)) {
-      return ofWall(m, code, obstacles.walls[code]);
+      return ofWall(m, code, obstacles.walls[code], most);
     }
     ObstacleRows rows = obstacles.of(code);
     boolean oneWay = obstacles.isOneWay(code);
     return obstacles.moves(code)
-        ? ofRow(m, code, rows.shape, obstacles.rowAt(code, m.t, m.tl), 0, oneWay)
-        : ofRow(m, code, rows.shape, rows.values, rows.offset(code), oneWay);
+        ? ofRow(m, code, rows.shape, obstacles.rowAt(code, m.t, m.tl), 0, oneWay, most)
+        : ofRow(m, code, rows.shape, rows.values, rows.offset(code), oneWay, most);
   }
 
   /** Whether a moving obstacle that crushed a circle is still upon it. */
@@ -63,23 +68,27 @@ record Touch(int code, int contact, double nx, double ny) {
     return false;
   }
 
-  private static Touch ofWall(MovingCircle m, int code, double wall) {
+  private static Touch ofWall(MovingCircle m, int code, double wall, double most) {
     boolean vertical = Codes.isVertical(code);
     int inwards = Codes.inwards(code);
     double gap = inwards * ((vertical ? m.x : m.y) - wall) - m.radius;
-    return gap <= tolerance(m, size(m))
-        ? new Touch(code, 0, vertical ? inwards : 0, vertical ? 0 : inwards)
-        : null;
+    return gap <= most ? new Touch(code, 0, vertical ? inwards : 0, vertical ? 0 : inwards) : null;
   }
 
   /** The contact with the spine's start or end, or with the side between. */
   private static Touch ofRow(
-      MovingCircle m, int code, ObstacleShape shape, double[] values, int k, boolean oneWay) {
+      MovingCircle m,
+      int code,
+      ObstacleShape shape,
+      double[] values,
+      int k,
+      boolean oneWay,
+      double most) {
     double radiusSum = m.radius + shape.radius(values, k);
     double ax = values[k + ObstacleShape.X];
     double ay = values[k + ObstacleShape.Y];
     if (shape.toEnd == 0) {
-      return offset(m, code, 0, ax, ay, radiusSum, size(m));
+      return offset(m, code, 0, ax, ay, radiusSum, most);
     }
     double bx = values[k + shape.toEnd + ObstacleShape.X];
     double by = values[k + shape.toEnd + ObstacleShape.Y];
@@ -89,14 +98,14 @@ record Touch(int code, int contact, double nx, double ny) {
     }
     double s = ax == bx && ay == by ? 0 : Coordinates.fraction(ax, ay, bx, by, m.x, m.y);
     if (s <= 0) {
-      return offset(m, code, Contact.START, ax, ay, radiusSum, size(m));
+      return offset(m, code, Contact.START, ax, ay, radiusSum, most);
     }
     if (s >= 1) {
-      return offset(m, code, Contact.END, bx, by, radiusSum, size(m));
+      return offset(m, code, Contact.END, bx, by, radiusSum, most);
     }
     double x = m.x - Coordinates.between(s, ax, bx);
     double y = m.y - Coordinates.between(s, ay, by);
-    if (side == 0 || StrictMath.hypot(x, y) - radiusSum > tolerance(m, size(m))) {
+    if (side == 0 || StrictMath.hypot(x, y) - radiusSum > most) {
       return null;
     }
     UnitVector n = UnitVectors.normal(side, ax, ay, bx, by);
@@ -108,11 +117,11 @@ record Touch(int code, int contact, double nx, double ny) {
    * nearer.
    */
   private static Touch offset(
-      MovingCircle m, int code, int contact, double cx, double cy, double radiusSum, double size) {
+      MovingCircle m, int code, int contact, double cx, double cy, double radiusSum, double most) {
     double x = m.x - cx;
     double y = m.y - cy;
     double distance = StrictMath.hypot(x, y);
-    return distance > 0 && distance - radiusSum <= tolerance(m, size)
+    return distance > 0 && distance - radiusSum <= most
         ? new Touch(code, contact, x / distance, y / distance)
         : null;
   }

@@ -251,6 +251,11 @@ public final class Grid {
     return x >= xmin && x <= xmax && y >= ymin && y <= ymax;
   }
 
+  /** Whether a box overlaps the grid. */
+  boolean meets(double left, double bottom, double right, double top) {
+    return right >= xmin && left <= xmax && top >= ymin && bottom <= ymax;
+  }
+
   /**
    * The time at which a path from (x, y) along (vx, vy) is first inside, at {@code from} or later;
    * {@code +infinity} if it never is.

@@ -90,6 +90,9 @@ public final class CircleTable {
   /** The ignore list of each jammed circle; null until there is one. */
   public IgnoreList[] jams;
 
+  /** What moves each circle; null until there is gravity. */
+  private Accelerations accelerations;
+
   public final MovingCircle body = new MovingCircle();
 
   /** A table of circles that ignore each other. */
@@ -129,6 +132,18 @@ public final class CircleTable {
     return obstacles == null ? null : obstacles.wallsFor(filter(i));
   }
 
+  /** Makes room for accelerations, all 0. */
+  public void allowGravity() {
+    if (accelerations == null) {
+      accelerations = new Accelerations(capacity());
+    }
+  }
+
+  /** Whether circles may have accelerations. */
+  public boolean allowsGravity() {
+    return accelerations != null;
+  }
+
   /** The number of circles for which there is room. */
   public int capacity() {
     return (codes.length - firstCode) / codeStride;
@@ -154,6 +169,9 @@ public final class CircleTable {
         due.extend(capacity);
       }
       jams = jams == null ? null : Arrays.copyOf(jams, capacity);
+      if (accelerations != null) {
+        accelerations.resize(capacity);
+      }
     }
     count++;
   }
@@ -191,7 +209,8 @@ public final class CircleTable {
   public double x(int i, double now) {
     int k = at(i);
     double since = MovingCircle.since(state[k + FlightRow.T], state[k + FlightRow.TL], now);
-    double x = Math.fma(state[k + FlightRow.VX], since, state[k + FlightRow.X]);
+    double g = gx(i);
+    double x = MovingCircle.place(state[k + FlightRow.X], state[k + FlightRow.VX], g, since);
     double confined = Confinement.x(walls, state[k + FlightRow.X], x, state[k + FlightRow.RADIUS]);
     return confined == x || wallsOf(i) != null ? confined : x;
   }
@@ -199,17 +218,42 @@ public final class CircleTable {
   public double y(int i, double now) {
     int k = at(i);
     double since = MovingCircle.since(state[k + FlightRow.T], state[k + FlightRow.TL], now);
-    double y = Math.fma(state[k + FlightRow.VY], since, state[k + FlightRow.Y]);
+    double g = gy(i);
+    double y = MovingCircle.place(state[k + FlightRow.Y], state[k + FlightRow.VY], g, since);
     double confined = Confinement.y(walls, state[k + FlightRow.Y], y, state[k + FlightRow.RADIUS]);
     return confined == y || wallsOf(i) != null ? confined : y;
   }
 
-  public double vx(int i) {
-    return state[at(i) + FlightRow.VX];
+  public double vx(int i, double now) {
+    int k = at(i);
+    double since = MovingCircle.since(state[k + FlightRow.T], state[k + FlightRow.TL], now);
+    return MovingCircle.velocity(state[k + FlightRow.VX], gx(i), since);
   }
 
-  public double vy(int i) {
-    return state[at(i) + FlightRow.VY];
+  public double vy(int i, double now) {
+    int k = at(i);
+    double since = MovingCircle.since(state[k + FlightRow.T], state[k + FlightRow.TL], now);
+    return MovingCircle.velocity(state[k + FlightRow.VY], gy(i), since);
+  }
+
+  /** How long a circle has been on its flight. */
+  public double since(int i, double now) {
+    int k = at(i);
+    return MovingCircle.since(state[k + FlightRow.T], state[k + FlightRow.TL], now);
+  }
+
+  /** The acceleration of a circle. */
+  public double gx(int i) {
+    return accelerations == null ? 0 : accelerations.x(i);
+  }
+
+  public double gy(int i) {
+    return accelerations == null ? 0 : accelerations.y(i);
+  }
+
+  /** The side or wall on which a circle slides or rests, or NOTHING. */
+  public int support(int i) {
+    return accelerations == null ? MovingCircle.NOTHING : accelerations.support(i);
   }
 
   public double radius(int i) {
@@ -238,6 +282,21 @@ public final class CircleTable {
     get(m, state, at(i), codes, codesAt(i));
     m.filter = filter(i);
     m.jam = jam(i);
+    getAcceleration(i, m);
+  }
+
+  private void getAcceleration(int i, MovingCircle m) {
+    if (accelerations != null) {
+      accelerations.get(i, m);
+    } else {
+      m.fall(0, 0);
+    }
+  }
+
+  private void putAcceleration(int i, MovingCircle m) {
+    if (accelerations != null) {
+      accelerations.put(i, m);
+    }
   }
 
   /** Reads a circle from its row of doubles at k and its row of ints at c. */
@@ -286,6 +345,7 @@ public final class CircleTable {
     ContactWord.recall(c[code + CONTACT], m);
     m.filter = filter(i);
     m.jam = jams == null ? null : jams[i];
+    getAcceleration(i, m);
   }
 
   public void storeAndSetDue(int i) {
@@ -302,6 +362,7 @@ public final class CircleTable {
   public void store(int i, MovingCircle m) {
     put(m, state, at(i), codes, codesAt(i));
     setJam(i, m.jam);
+    putAcceleration(i, m);
   }
 
   /**
@@ -318,6 +379,7 @@ public final class CircleTable {
     c[code + CONTACT] = ContactWord.of(m, 0);
     c[code + LOOKAHEAD] = m.lookahead;
     setJam(i, m.jam);
+    putAcceleration(i, m);
   }
 
   private void setJam(int i, IgnoreList jam) {

@@ -227,12 +227,12 @@ public final class FlightHistory {
     return rows.y(k, t, walls);
   }
 
-  public double vx(int k) {
-    return rows.vx(k);
+  public double vx(int k, double t) {
+    return rows.vx(k, t);
   }
 
-  public double vy(int k) {
-    return rows.vy(k);
+  public double vy(int k, double t) {
+    return rows.vy(k, t);
   }
 
   public double radius(int k) {

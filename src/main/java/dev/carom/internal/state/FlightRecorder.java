@@ -14,23 +14,33 @@ public final class FlightRecorder {
 
   /** The limits of sizes, and the properties of the walls. */
   private record Settings(
-      double largest, double least, double restitution, int traits, long filter) {
+      double largest,
+      double least,
+      double restitution,
+      int traits,
+      long filter,
+      double gx,
+      double gy) {
 
-    static Settings of(SizeLimits limits, ObstacleTable here) {
+    static Settings of(SizeLimits limits, ObstacleTable here, Gravity gravity) {
       return new Settings(
           limits.largest(),
           limits.least(),
           here.boundsRestitution,
           here.boundsTraits,
-          here.filter(Codes.LEFT));
+          here.filter(Codes.LEFT),
+          gravity.x,
+          gravity.y);
     }
 
-    boolean holdsFor(SizeLimits limits, ObstacleTable here) {
+    boolean holdsFor(SizeLimits limits, ObstacleTable here, Gravity gravity) {
       return largest == limits.largest()
           && least == limits.least()
           && restitution == here.boundsRestitution
           && traits == here.boundsTraits
-          && filter == here.filter(Codes.LEFT);
+          && filter == here.filter(Codes.LEFT)
+          && gx == gravity.x
+          && gy == gravity.y;
     }
   }
 
@@ -40,6 +50,7 @@ public final class FlightRecorder {
   private final boolean collide;
   private final CircleRegistry registry;
   private final SizeLimits limits;
+  private final Gravity gravity;
 
   /** The state of the world at the end of the recording. */
   private Supplier<WorldState> present;
@@ -73,6 +84,7 @@ public final class FlightRecorder {
    *
    * @param most the number of flights to keep of each circle, and of changes of each thing
    * @param limits those of the world, which change as it does
+   * @param gravity that of the world, which may change
    * @param present gives the state of the world
    */
   public FlightRecorder(
@@ -80,11 +92,13 @@ public final class FlightRecorder {
       boolean collide,
       CircleRegistry registry,
       SizeLimits limits,
+      Gravity gravity,
       Supplier<WorldState> present) {
     this.most = most;
     this.collide = collide;
     this.registry = registry;
     this.limits = limits;
+    this.gravity = gravity;
     this.present = present;
   }
 
@@ -125,7 +139,7 @@ public final class FlightRecorder {
     tracks = new FlightHistories(most, registry.idLimit());
     obstacles = new ObstacleHistory(here, most);
     settings = new Changes<>();
-    settings.add(Double.NEGATIVE_INFINITY, Settings.of(limits, here));
+    settings.add(Double.NEGATIVE_INFINITY, Settings.of(limits, here, gravity));
     tails.clear();
     this.here = here;
     begin = now;
@@ -190,8 +204,8 @@ public final class FlightRecorder {
 
   /** Notes the settings that edits have changed since the last step. */
   private void noteSettings() {
-    if (!settings.last().holdsFor(limits, here)) {
-      settings.add(end, Settings.of(limits, here));
+    if (!settings.last().holdsFor(limits, here, gravity)) {
+      settings.add(end, Settings.of(limits, here, gravity));
       if (settings.keep(most)) {
         settingsStart = Math.max(settingsStart, settings.start());
       }
@@ -256,7 +270,9 @@ public final class FlightRecorder {
         itsObstacles,
         registry(ids, t),
         new SizeLimits(then.largest, then.least),
-        flights(ids, t, itsObstacles.haveSensors()));
+        flights(ids, t, itsObstacles.haveSensors()),
+        then.gx,
+        then.gy);
   }
 
   private CircleRegistry registry(int[] ids, double t) {

@@ -22,6 +22,9 @@ final class FlightRows {
   /** The ignore list of each flight; null until a circle is jammed. */
   private IgnoreList[] jams;
 
+  /** What moves the circle in each flight; null until one falls, slides or rests. */
+  private Accelerations accelerations;
+
   FlightRows(int room) {
     flights = new double[room * FLIGHT];
   }
@@ -33,6 +36,9 @@ final class FlightRows {
   void resize(int room) {
     flights = Arrays.copyOf(flights, room * FLIGHT);
     jams = jams == null ? null : Arrays.copyOf(jams, room);
+    if (accelerations != null) {
+      accelerations.resize(room);
+    }
   }
 
   /**
@@ -50,6 +56,16 @@ final class FlightRows {
     long word = Integer.toUnsignedLong(ContactWord.of(m, 0));
     flights[k + MEMORY] = Double.longBitsToDouble((long) m.stuck << Integer.SIZE | word);
     setJam(i, registry.jamWithIds(m.jam));
+    if (accelerations != null || m.isFalling()) {
+      allowGravity();
+      accelerations.put(i, m);
+    }
+  }
+
+  private void allowGravity() {
+    if (accelerations == null) {
+      accelerations = new Accelerations(room());
+    }
   }
 
   private void setJam(int i, IgnoreList jam) {
@@ -65,6 +81,12 @@ final class FlightRows {
   void copy(int i, FlightRows from, int of) {
     System.arraycopy(from.flights, of * FLIGHT, flights, i * FLIGHT, FLIGHT);
     setJam(i, from.jam(of));
+    if (from.accelerations != null) {
+      allowGravity();
+      accelerations.copy(i, from.accelerations, of);
+    } else if (accelerations != null) {
+      accelerations.clear(i);
+    }
   }
 
   /** Reads flight i, without a prediction. */
@@ -76,6 +98,10 @@ final class FlightRows {
     m.stuck = stuck(i);
     ContactWord.recall((int) memory(i), m);
     m.jam = jam(i);
+    m.fall(0, 0);
+    if (accelerations != null) {
+      accelerations.get(i, m);
+    }
   }
 
   int last(int i) {
@@ -105,13 +131,13 @@ final class FlightRows {
 
   double x(int i, double t, double[] walls) {
     double start = flights[i * FLIGHT + FlightRow.X];
-    double x = Math.fma(vx(i), since(i, t), start);
+    double x = MovingCircle.place(start, flights[i * FLIGHT + FlightRow.VX], gx(i), since(i, t));
     return Confinement.x(isConfined(i) ? walls : null, start, x, radius(i));
   }
 
   double y(int i, double t, double[] walls) {
     double start = flights[i * FLIGHT + FlightRow.Y];
-    double y = Math.fma(vy(i), since(i, t), start);
+    double y = MovingCircle.place(start, flights[i * FLIGHT + FlightRow.VY], gy(i), since(i, t));
     return Confinement.y(isConfined(i) ? walls : null, start, y, radius(i));
   }
 
@@ -124,12 +150,20 @@ final class FlightRows {
     return MovingCircle.since(start(i), startTail(i), t);
   }
 
-  double vx(int i) {
-    return flights[i * FLIGHT + FlightRow.VX];
+  double vx(int i, double t) {
+    return MovingCircle.velocity(flights[i * FLIGHT + FlightRow.VX], gx(i), since(i, t));
   }
 
-  double vy(int i) {
-    return flights[i * FLIGHT + FlightRow.VY];
+  double vy(int i, double t) {
+    return MovingCircle.velocity(flights[i * FLIGHT + FlightRow.VY], gy(i), since(i, t));
+  }
+
+  private double gx(int i) {
+    return accelerations == null ? 0 : accelerations.x(i);
+  }
+
+  private double gy(int i) {
+    return accelerations == null ? 0 : accelerations.y(i);
   }
 
   double radius(int i) {

@@ -21,6 +21,9 @@ public final class MovingCircle {
   /** No obstacle or circle: nothing was hit yet, or nothing since the last edit. */
   public static final int NOTHING = -1;
 
+  /** The support of a jammed circle under gravity: it stays where it is. */
+  public static final int HELD = Integer.MAX_VALUE;
+
   /**
    * How far the first search of a flight looks ahead where less is needed, in halves of a cell at
    * the Manhattan speed. Each further search may look twice as far.
@@ -43,6 +46,17 @@ public final class MovingCircle {
   public double vy;
   public double t;
   public double tl;
+
+  /** The acceleration in this flight; 0 without gravity, and where the circle rests. */
+  public double gx;
+
+  public double gy;
+
+  /**
+   * The code of the line or wall on which it slides or rests; ~code of a line from whose side it
+   * has just slid; else NOTHING.
+   */
+  public int support = NOTHING;
 
   public int id;
   public double radius;
@@ -117,6 +131,7 @@ public final class MovingCircle {
     filter = Filter.DEFAULT;
     t = 0;
     tl = 0;
+    fall(0, 0);
     forget();
     newFlight();
   }
@@ -130,12 +145,55 @@ public final class MovingCircle {
    */
   public void restart(double now, double tail, double[] walls) {
     double dt = (now - t) + (tail - tl);
-    x = Confinement.x(walls, x, Math.fma(vx, dt, x), radius);
-    y = Confinement.y(walls, y, Math.fma(vy, dt, y), radius);
+    x = Confinement.x(walls, x, xAfter(dt), radius);
+    y = Confinement.y(walls, y, yAfter(dt), radius);
+    accelerate(dt);
     t = now;
     tl = tail;
     newFlight();
     lookahead = EDITED_LOOKAHEAD;
+  }
+
+  /** Lets the circle fly freely, with a given acceleration. */
+  public void fall(double gravityX, double gravityY) {
+    gx = gravityX;
+    gy = gravityY;
+    support = NOTHING;
+  }
+
+  /** Whether the circle slides or rests on something. */
+  public boolean isSupported() {
+    return support > NOTHING;
+  }
+
+  /** Whether the circle has an acceleration, or slides or rests on something. */
+  public boolean isFalling() {
+    return gx != 0 || gy != 0 || support != NOTHING;
+  }
+
+  /** Where the centre is after a duration of this flight, on one axis. */
+  public double xAfter(double dt) {
+    return place(x, vx, gx, dt);
+  }
+
+  public double yAfter(double dt) {
+    return place(y, vy, gy, dt);
+  }
+
+  /** p + v dt + g dt^2 / 2. */
+  public static double place(double p, double v, double g, double dt) {
+    return Math.fma(g == 0 ? v : Math.fma(0.5 * g, dt, v), dt, p);
+  }
+
+  /** The velocity after a duration, on one axis. */
+  public static double velocity(double v, double g, double dt) {
+    return g == 0 ? v : Math.fma(g, dt, v);
+  }
+
+  /** Takes the velocity after a duration of this flight. */
+  private void accelerate(double dt) {
+    vx = velocity(vx, gx, dt);
+    vy = velocity(vy, gy, dt);
   }
 
   /** Forgets what was hit last, so that the next impact may be with anything. */
@@ -271,23 +329,35 @@ public final class MovingCircle {
    */
   public void advance(
       double first, double second, double head, double tail, boolean standsStill, double[] walls) {
-    x = Confinement.x(walls, x, Math.fma(vx, second, Math.fma(vx, first, x)), radius);
-    y = Confinement.y(walls, y, Math.fma(vy, second, Math.fma(vy, first, y)), radius);
+    x = Confinement.x(walls, x, inTwoParts(x, vx, gx, first, second), radius);
+    y = Confinement.y(walls, y, inTwoParts(y, vy, gy, first, second), radius);
+    accelerate(first);
+    accelerate(second);
     t = head;
     tl = tail;
     flown = first + second;
     this.standsStill = standsStill && flown == second;
   }
 
+  private static double inTwoParts(double p, double v, double g, double first, double second) {
+    return place(place(p, v, g, first), velocity(v, g, first), g, second);
+  }
+
   /** Advances by dt, to the start of a new flight. */
   public void advance(double dt) {
-    x = Math.fma(vx, dt, x);
-    y = Math.fma(vy, dt, y);
+    move(dt);
     double head = after(dt);
     double tail = afterTail(dt, head);
     standsStill = isAt(head, tail);
     t = head;
     tl = tail;
     flown = dt;
+  }
+
+  /** Moves the centre, and takes the velocity, to those after a duration; time stays. */
+  public void move(double dt) {
+    x = xAfter(dt);
+    y = yAfter(dt);
+    accelerate(dt);
   }
 }

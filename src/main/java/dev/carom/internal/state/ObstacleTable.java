@@ -210,6 +210,12 @@ public final class ObstacleTable {
     return IntStream.range(0, byKind.length).flatMap(this::codes);
   }
 
+  /** The radius of an obstacle other than a wall around its spine. */
+  public double radius(int code) {
+    ObstacleRows rows = of(code);
+    return rows.shape.radius(rows.values, rows.offset(code));
+  }
+
   /** A copy of the row of an obstacle. */
   double[] row(int code) {
     return of(code).row(code);

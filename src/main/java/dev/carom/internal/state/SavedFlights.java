@@ -2,6 +2,7 @@
 package dev.carom.internal.state;
 
 import java.util.Arrays;
+import java.util.Objects;
 
 /** The saved flights of all live circles, in flat arrays, for a {@link WorldState}. */
 public final class SavedFlights {
@@ -46,6 +47,9 @@ public final class SavedFlights {
   /** The ignore list of each jammed circle; null if no circle is jammed. */
   public IgnoreList[] jams;
 
+  /** What moves the circles; null if none falls, slides or rests. */
+  private Accelerations accelerations;
+
   /**
    * The tail of the time of the next edit. It is above 0 if events after the head of that time
    * precede the edit.
@@ -89,6 +93,20 @@ public final class SavedFlights {
       jams = jams == null ? new IgnoreList[count()] : jams;
       jams[i] = m.jam;
     }
+    if (m.isFalling()) {
+      putAcceleration(i, m);
+    }
+  }
+
+  /** Saves what moves the i-th circle. */
+  public void putAcceleration(int i, MovingCircle m) {
+    accelerations = accelerations == null ? new Accelerations(count()) : accelerations;
+    accelerations.put(i, m);
+  }
+
+  /** Whether any circle falls, slides or rests. */
+  public boolean haveAccelerations() {
+    return accelerations != null;
   }
 
   /**
@@ -128,6 +146,10 @@ public final class SavedFlights {
     m.contact = codes[c + SENSED_CODE];
     ContactWord.recall(codes[c + MEMORY], m);
     m.jam = jams == null ? null : jams[i];
+    m.fall(0, 0);
+    if (accelerations != null) {
+      accelerations.get(i, m);
+    }
   }
 
   @Override
@@ -137,7 +159,8 @@ public final class SavedFlights {
         && Arrays.equals(ids, that.ids)
         && Arrays.equals(numbers, that.numbers)
         && Arrays.equals(codes, that.codes)
-        && Arrays.equals(jams, that.jams);
+        && Arrays.equals(jams, that.jams)
+        && Objects.equals(accelerations, that.accelerations);
   }
 
   @Override

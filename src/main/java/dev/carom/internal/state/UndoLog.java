@@ -17,6 +17,9 @@ public final class UndoLog {
   /** The ignore lists of jammed circles; null as long as none was jammed. */
   private IgnoreList[] jams;
 
+  /** What moves the circles; null as long as nothing falls. */
+  private Accelerations accelerations;
+
   /** Creates a log with room for some circles. It grows as needed. */
   public UndoLog(int circles) {
     int capacity = Math.max(1, circles);
@@ -39,6 +42,9 @@ public final class UndoLog {
     if (jams != null || m.jam != null) {
       saveJam(m.jam);
     }
+    if (accelerations != null || m.isFalling()) {
+      saveAcceleration(m);
+    }
     size++;
   }
 
@@ -49,12 +55,24 @@ public final class UndoLog {
     jams[size] = jam;
   }
 
+  private void saveAcceleration(MovingCircle m) {
+    if (accelerations == null) {
+      accelerations = new Accelerations(circles.length);
+    }
+    accelerations.put(size, m);
+  }
+
   /** Restores all saved circles, and clears the log. */
   public void restore(CircleTable table) {
     MovingCircle m = table.body;
     for (int row = 0; row < size; row++) {
       CircleTable.get(m, state, row * CircleTable.STATE, codes, row * CircleTable.CODES);
       m.jam = jams == null ? null : jams[row];
+      if (accelerations != null) {
+        accelerations.get(row, m);
+      } else {
+        m.fall(0, 0);
+      }
       table.storeAndSetDue(circles[row], m);
     }
     size = 0;
@@ -65,5 +83,8 @@ public final class UndoLog {
     state = Arrays.copyOf(state, 2 * state.length);
     codes = Arrays.copyOf(codes, 2 * codes.length);
     jams = jams == null ? null : Arrays.copyOf(jams, 2 * size);
+    if (accelerations != null) {
+      accelerations.resize(2 * size);
+    }
   }
 }

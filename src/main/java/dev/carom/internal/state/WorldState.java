@@ -11,6 +11,8 @@ package dev.carom.internal.state;
  * @param registry the circles
  * @param limits the largest coordinate and the least radius that the world ever had
  * @param flights the flights of the circles
+ * @param gx the x component of gravity
+ * @param gy its y component
  */
 public record WorldState(
     double now,
@@ -18,4 +20,6 @@ public record WorldState(
     ObstacleTable obstacles,
     CircleRegistry registry,
     SizeLimits limits,
-    SavedFlights flights) {}
+    SavedFlights flights,
+    double gx,
+    double gy) {}

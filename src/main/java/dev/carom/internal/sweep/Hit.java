@@ -41,6 +41,13 @@ public final class Hit {
     return approachSpeed;
   }
 
+  /** The same hit with the contact point elsewhere. */
+  public Hit moved(double dx, double dy) {
+    x = Coordinates.within(x + dx);
+    y = Coordinates.within(y + dy);
+    return this;
+  }
+
   /** The hit on a line at rest, from a contact and a time of {@link SegmentSweep}. */
   public Hit ofLine(
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,

@@ -167,7 +167,7 @@ public final class ParabolaDiskSweep {
    *
    * @param t the time of impact
    */
-  static UnitVector normal(
+  public static UnitVector normal(
       double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
       double y2, double r2, double vx2, double vy2, double t) {
     if (t == 0) {
@@ -219,6 +219,11 @@ public final class ParabolaDiskSweep {
         + ((sumTail(xx, yy, ee) + differenceTail(ee, rr, f))
             + ((productTail(x, x, xx) + productTail(y, y, yy)) - productTail(r, r, rr))
             + 2 * (x * xl + y * yl - r * rl));
+  }
+
+  /** The offset on one axis at t, with its rounding error. */
+  public static double offset(double x1, double x2, double v1, double v2, double g, double t) {
+    return place(x1, x2, v1, v2, g, t) + terms(x1, x2, v1, v2, g, t);
   }
 
   /** The sum of the absolute values of the terms of an offset on one axis. */

@@ -52,7 +52,7 @@ class IdLimitTest {
             s.flights().jams);
     world.restore(
         Internals.snapshot(
-            new WorldState(s.now(), collide, s.obstacles(), registry, s.limits(), flights)));
+            new WorldState(s.now(), collide, s.obstacles(), registry, s.limits(), flights, 0, 0)));
     return world;
   }
 

@@ -10,6 +10,7 @@ import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.World;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -27,7 +28,9 @@ class ObstacleResponseTest {
 
   private final ObstacleResponse response =
       new ObstacleResponse(
-          ObstacleTable.of(Internals.data(Scene.builder().line(0, 0, 10, 10).build())));
+          ObstacleTable.of(Internals.data(Scene.builder().line(0, 0, 10, 10).build())),
+          new Gravity(0, 0),
+          m -> new int[0]);
   private final ImpactRows rows = new ImpactRows(1);
   private final ImpactLog log = Internals.log(rows);
   private final MovingCircle m = new MovingCircle();
@@ -93,7 +96,9 @@ class ObstacleResponseTest {
   /** The first line turns it to the left, the second to the right: it would never end. */
   @Test
   void withoutBounceItStopsWhenItIsTurnedBack() {
-    ObstacleResponse wedge = new ObstacleResponse(ObstacleTable.of(Internals.data(wedge(0))));
+    ObstacleResponse wedge =
+        new ObstacleResponse(
+            ObstacleTable.of(Internals.data(wedge(0))), new Gravity(0, 0), m -> new int[0]);
     m.start(0, 0, 5, 1, 0, -1, 1);
     hitInWedge(wedge, 0, Contact.LEFT);
     assertThat(m.vy).isEqualTo(-0.8);
@@ -106,7 +111,9 @@ class ObstacleResponseTest {
 
   @Test
   void itGoesOnIfItCameFromElsewhere() {
-    ObstacleResponse wedge = new ObstacleResponse(ObstacleTable.of(Internals.data(wedge(0))));
+    ObstacleResponse wedge =
+        new ObstacleResponse(
+            ObstacleTable.of(Internals.data(wedge(0))), new Gravity(0, 0), m -> new int[0]);
     m.start(0, 0, 5, 1, 0, -1, 1);
     hitInWedge(wedge, 0, Contact.LEFT);
     m.next = Codes.line(1);
@@ -128,7 +135,9 @@ class ObstacleResponseTest {
             .line(0, 0, -20, 10)
             .restitution(0)
             .build();
-    ObstacleResponse wedge = new ObstacleResponse(ObstacleTable.of(Internals.data(wide)));
+    ObstacleResponse wedge =
+        new ObstacleResponse(
+            ObstacleTable.of(Internals.data(wide)), new Gravity(0, 0), m -> new int[0]);
     m.start(0, 0, 5, 1, 0, -1, 1);
     hitInWedge(wedge, 0, Contact.LEFT);
     hitInWedge(wedge, 1, Contact.RIGHT);
@@ -160,7 +169,9 @@ class ObstacleResponseTest {
   void slidingIsToApproachByRoundingOfTheSpeedAtMost() {
     ObstacleResponse level =
         new ObstacleResponse(
-            ObstacleTable.of(Internals.data(Scene.builder().line(0, 0, 8, 0).build())));
+            ObstacleTable.of(Internals.data(Scene.builder().line(0, 0, 8, 0).build())),
+            new Gravity(0, 0),
+            m -> new int[0]);
     slide(level, 0x1p48, -1);
     assertThat(m.jam.makesInert(Codes.line(0))).isTrue();
     slide(level, 0x1p48, -1.0001);
@@ -171,7 +182,9 @@ class ObstacleResponseTest {
   void soItIsAlongAnUprightLine() {
     ObstacleResponse upright =
         new ObstacleResponse(
-            ObstacleTable.of(Internals.data(Scene.builder().line(5, 5, 5, -3).build())));
+            ObstacleTable.of(Internals.data(Scene.builder().line(5, 5, 5, -3).build())),
+            new Gravity(0, 0),
+            m -> new int[0]);
     slide(upright, -1, 0x1p48);
     assertThat(m.jam.makesInert(Codes.line(0))).isTrue();
     slide(upright, -1.0001, 0x1p48);

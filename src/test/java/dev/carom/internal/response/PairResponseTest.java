@@ -12,9 +12,12 @@ import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.SceneData;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -37,7 +40,7 @@ class PairResponseTest {
     for (double mass : masses) {
       scene.circle(0, 0, 1, 0, 0).mass(mass);
     }
-    return new PairResponse(new CircleRegistry(Internals.data(scene.build()), 1));
+    return pairs(scene.build());
   }
 
   /** The first circle at the origin, the second where the angle says, both of radius 1. */
@@ -323,8 +326,14 @@ class PairResponseTest {
   void whoHaltsGoesOnAlongsideWhatItDoesNotApproach() {
     Scene scene =
         Scene.builder().circle(0, 0, 1, 0, 0).response(Response.HALT).circle(2, 0, 1, 0, 0).build();
-    collide(new PairResponse(new CircleRegistry(Internals.data(scene), 1)), 0, 3, 1, 3, 0);
+    collide(pairs(scene), 0, 3, 1, 3, 0);
     assertThat(a.vx).isEqualTo(3);
     assertThat(b.vx).isEqualTo(3);
+  }
+
+  private static PairResponse pairs(Scene scene) {
+    SceneData data = Internals.data(scene);
+    Settling none = new Settling(ObstacleTable.of(data), new Gravity(0, 0), m -> new int[0]);
+    return new PairResponse(new CircleRegistry(data, 1), none);
   }
 }

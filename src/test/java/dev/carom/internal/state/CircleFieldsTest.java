@@ -81,10 +81,15 @@ class CircleFieldsTest {
     values.forEach((name, value) -> assertThat(value).as(name).isNotEqualTo(first.get(name)));
   }
 
+  private static CircleTable falling(CircleTable circles) {
+    circles.allowGravity();
+    return circles;
+  }
+
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void theTableHoldsThem(boolean collide) throws IllegalAccessException {
-    CircleTable circles = collide ? CircleTable.colliding(3) : new CircleTable(3);
+    CircleTable circles = falling(collide ? CircleTable.colliding(3) : new CircleTable(3));
     MovingCircle m = filled(100);
     circles.store(1, m);
     MovingCircle loaded = filled(200);
@@ -95,7 +100,7 @@ class CircleFieldsTest {
   /** A collision reads neither the prediction nor the thing hit last, which it sets. */
   @Test
   void theTableHoldsThemForAMeeting() throws IllegalAccessException {
-    CircleTable circles = CircleTable.colliding(3);
+    CircleTable circles = falling(CircleTable.colliding(3));
     MovingCircle m = filled(100);
     circles.store(1, m);
     MovingCircle loaded = filled(200);
@@ -124,7 +129,7 @@ class CircleFieldsTest {
   /** Its restitution is not that of a flight, and stays. */
   @Test
   void theTableTakesOverANewFlight() throws IllegalAccessException {
-    CircleTable circles = CircleTable.colliding(3);
+    CircleTable circles = falling(CircleTable.colliding(3));
     circles.store(1, filled(200));
     double restitution = circles.restitution(1);
     MovingCircle m = filled(100);
@@ -140,7 +145,7 @@ class CircleFieldsTest {
 
   @Test
   void theUndoLogPutsThemBack() throws IllegalAccessException {
-    CircleTable circles = new CircleTable(3);
+    CircleTable circles = falling(new CircleTable(3));
     MovingCircle m = filled(100);
     circles.storeAndSetDue(2, m);
     UndoLog undoLog = new UndoLog(1);
@@ -230,8 +235,8 @@ class CircleFieldsTest {
     return new double[] {
       history.x(k, 50, null),
       history.y(k, 50, null),
-      history.vx(k),
-      history.vy(k),
+      history.vx(k, 50),
+      history.vy(k, 50),
       history.radius(k)
     };
   }

@@ -95,7 +95,7 @@ class UndoLogTest {
       assertThat(circles.x(i, 0)).isEqualTo(changed.state.get(circles.at(i)));
       assertThat(circles.due.get(i)).isEqualTo(changed.due.get(i));
     }
-    assertThat(circles.vx(2)).isEqualTo(204);
+    assertThat(circles.vx(2, 0)).isEqualTo(204);
   }
 
   /** One that was noted before there was any jam, after one that was jammed in an earlier step. */

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.engine;
+
+/**
+ * Where a circle that falls leaves a cell, on one axis. It may turn back once: until then it moves
+ * against gravity, from then on along it. An edge is passed once in each direction.
+ */
+final class FallingExit {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** Beyond this many cells from the origin, a coordinate cannot distinguish adjacent cells. */
+  private static final double FARTHEST = 0x1p48;
+
+  /** How long after the start of the flight it leaves the cell. */
+  double after;
+
+  /** 1 if it leaves towards larger coordinates, else -1. */
+  double direction;
+
+  /**
+   * Finds the exit from a cell.
+   *
+   * @param p the place at the start of the flight, from the origin of the cells
+   * @param since the circle has been in this cell since this time of the flight, or longer
+   * @param cell the column or the row
+   */
+  void find(double p, double v, double g, double since, double cell, double width) {
+    after = NEVER;
+    if (!(Math.abs(cell) < FARTHEST)) {
+      return;
+    }
+    if (g == 0) {
+      direction = v < 0 ? -1 : 1;
+      after = v == 0 ? NEVER : (edge(cell, direction, width) - p) / v;
+      return;
+    }
+    double down = Math.signum(g);
+    if (v * down < 0 && since < -v / g) {
+      double way = edge(cell, -down, width) - p;
+      double square = v * v + 2 * g * way;
+      if (square >= 0) {
+        direction = -down;
+        after = 2 * way / (v - down * Math.sqrt(square));
+        return;
+      }
+    }
+    double way = edge(cell, down, width) - p;
+    double speed = Math.sqrt(Math.max(0, v * v + 2 * g * way));
+    direction = down;
+    after = v * down > 0 ? 2 * way / (v + down * speed) : (-v + down * speed) / g;
+  }
+
+  private static double edge(double cell, double direction, double width) {
+    return (direction > 0 ? cell + 1 : cell) * width;
+  }
+}

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.engine;
+
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.FlightRow;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.ParabolaDiskSweep;
+import dev.carom.internal.sweep.ParabolaReturn;
+import dev.carom.internal.sweep.TimeOfImpact;
+
+/**
+ * Two circles of which each may have an acceleration, at the start of the later of their flights.
+ * Relative to each other, circles with the same acceleration move straight on.
+ */
+final class FallingPair {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** In units of the terms: far more than the rounding of a square of a distance. */
+  private static final double ROUNDING = 0x1p-40;
+
+  private final CircleTable circles;
+
+  private double x1;
+  private double y1;
+  private double vx1;
+  private double vy1;
+  private double r1;
+  private double x2;
+  private double y2;
+  private double vx2;
+  private double vy2;
+  private double r2;
+
+  /** The acceleration of the first less that of the second, each component rounded. */
+  private double gx;
+
+  private double gy;
+
+  /** The one whose flight began later. */
+  private int later;
+
+  FallingPair(CircleTable circles) {
+    this.circles = circles;
+  }
+
+  /** Whether two circles have the same acceleration. */
+  boolean fallAlike(int i, int j) {
+    return circles.gx(i) == circles.gx(j) && circles.gy(i) == circles.gy(j);
+  }
+
+  /** The circle whose flight began later. */
+  int later() {
+    return later;
+  }
+
+  /** Takes two circles; false if they can never meet: both are points, or out of range. */
+  boolean start(double[] s, int first, int second) {
+    int a = CircleTable.collidingAt(first);
+    int b = CircleTable.collidingAt(second);
+    double delay =
+        (s[b + FlightRow.T] - s[a + FlightRow.T]) + (s[b + FlightRow.TL] - s[a + FlightRow.TL]);
+    double of1 = Math.max(0, delay);
+    double of2 = Math.max(0, -delay);
+    later = delay > 0 ? second : first;
+    double gx1 = circles.gx(first);
+    double gy1 = circles.gy(first);
+    double gx2 = circles.gx(second);
+    double gy2 = circles.gy(second);
+    x1 = MovingCircle.place(s[a + FlightRow.X], s[a + FlightRow.VX], gx1, of1);
+    y1 = MovingCircle.place(s[a + FlightRow.Y], s[a + FlightRow.VY], gy1, of1);
+    vx1 = MovingCircle.velocity(s[a + FlightRow.VX], gx1, of1);
+    vy1 = MovingCircle.velocity(s[a + FlightRow.VY], gy1, of1);
+    r1 = s[a + FlightRow.RADIUS];
+    x2 = MovingCircle.place(s[b + FlightRow.X], s[b + FlightRow.VX], gx2, of2);
+    y2 = MovingCircle.place(s[b + FlightRow.Y], s[b + FlightRow.VY], gy2, of2);
+    vx2 = MovingCircle.velocity(s[b + FlightRow.VX], gx2, of2);
+    vy2 = MovingCircle.velocity(s[b + FlightRow.VY], gy2, of2);
+    r2 = s[b + FlightRow.RADIUS];
+    gx = gx1 - gx2;
+    gy = gy1 - gy2;
+    return Math.abs(x1 - x2) + Math.abs(y1 - y2) < NEVER && r1 + r2 > 0;
+  }
+
+  /** Whether two circles may meet; false only if that is certain. */
+  boolean mayMeet(double[] s, int i, int j) {
+    if (!start(s, i, j)) {
+      return false;
+    }
+    if (gx != 0 || gy != 0) {
+      return true;
+    }
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double ux = vx1 - vx2;
+    double uy = vy1 - vy2;
+    double b = ux * dx + uy * dy;
+    double terms = Math.abs(ux * dx) + Math.abs(uy * dy);
+    if (b > ROUNDING * terms) {
+      return false;
+    }
+    double r = r1 + r2;
+    double cross = ux * dy - uy * dx;
+    double area = Math.abs(ux * dy) + Math.abs(uy * dx);
+    double reach = (ux * ux + uy * uy) * (r * r);
+    return !(cross * cross > reach + ROUNDING * (area * area + reach));
+  }
+
+  /**
+   * The duration from the later start to the collision of two circles with the same acceleration,
+   * by the bounds of {@link CollisionPredictor}; NaN in doubt.
+   */
+  double roughTime() {
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double ux = vx1 - vx2;
+    double uy = vy1 - vy2;
+    double r = r1 + r2;
+    double b = ux * dx + uy * dy;
+    double terms = Math.abs(ux * dx) + Math.abs(uy * dy);
+    double area = Math.abs(ux * dy) + Math.abs(uy * dx);
+    double cross = ux * dy - uy * dx;
+    double rr = r * r;
+    double u2 = ux * ux + uy * uy;
+    double reach = u2 * rr;
+    double discriminant = reach - cross * cross;
+    double dd = dx * dx + dy * dy;
+    double gap = dd - rr;
+    boolean isCertain =
+        b < -(CollisionPredictor.DOT_BOUND * terms + TimeOfImpact.TINY)
+            && discriminant
+                > CollisionPredictor.WELL_CONDITIONED * (reach + area * area)
+                    + TimeOfImpact.TINY * (u2 + rr + area + 1)
+            && gap > CollisionPredictor.WELL_CONDITIONED * (dd + rr) + TimeOfImpact.TINY;
+    return isCertain ? gap / (Math.sqrt(discriminant) - b) : Double.NaN;
+  }
+
+  /**
+   * The duration from the later start to the collision.
+   *
+   * @param justMet whether they have just hit each other: then it is that to their return
+   */
+  double time(boolean justMet) {
+    if (gx == 0 && gy == 0) {
+      int contact = DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
+      return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
+    }
+    return justMet
+        ? ParabolaReturn.toDisk(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, NEVER)
+        : ParabolaDiskSweep.time(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, NEVER);
+  }
+
+  /** The duration to the first contact from outside that comes after a given one. */
+  double timeAfter(double after) {
+    if (gx == 0 && gy == 0) {
+      double t = time(false);
+      return t > after ? t : NEVER;
+    }
+    return ParabolaDiskSweep.timeAfter(
+        x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, after, NEVER);
+  }
+}

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.response;
+
+import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.Gravity;
+import dev.carom.internal.state.ImpactRows;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.LineShape;
+import java.util.function.Function;
+
+/**
+ * How bounces under gravity end. A ball that bounces with a restitution below 1 makes infinitely
+ * many impacts in finite time. So, after an impact that has changed the velocity:
+ *
+ * <ul>
+ *   <li><b>Side or wall.</b> A circle whose next hop would be lower than rounding can show slides
+ *       along it from now on, with the part of gravity along it. On level ground it rests or rolls
+ *       on for ever.
+ *   <li><b>Corner.</b> A sliding circle that hits something else, and hops from neither, rests if
+ *       the two normals hold gravity between them; else it slides on along what it hit.
+ *   <li><b>Round.</b> Sliding over an end of a line, a peg or a circle has no closed form. A circle
+ *       pressed against one leaves it fast enough for a hop of 2^-12 of the combined radius R. If
+ *       all its motion could lift it by no more than 2^-10 R, and something within 2^-9 R holds it
+ *       together with what it hit, it rests.
+ * </ul>
+ */
+public final class Settling {
+
+  /** The least hop from what is round, in combined radii. */
+  private static final double LEAST_HOP = 0x1p-12;
+
+  /** A circle whose motion could lift it by no more than so many least hops may rest. */
+  private static final double CALM_HOPS = 4;
+
+  /** What holds such a circle is no further away, in combined radii. */
+  private static final double HOLD = 8 * LEAST_HOP;
+
+  /** A hop that is no higher than so many ulps of the coordinates is none. */
+  private static final double ULPS = 2;
+
+  /** At a joint, gaps and hops of so many ulps are none. */
+  private static final double JOINT_ULPS = 8;
+
+  private final ObstacleTable obstacles;
+  private final Gravity gravity;
+  private final Impulse impulse = new Impulse();
+
+  /** The unit normal of what the circle hit, and of what carries it. */
+  private double nx;
+
+  private double ny;
+  private double carrierX;
+  private double carrierY;
+
+  /** The codes of obstacles that a circle may touch, ascending. */
+  private final Function<MovingCircle, int[]> near;
+
+  public Settling(ObstacleTable obstacles, Gravity gravity, Function<MovingCircle, int[]> near) {
+    this.obstacles = obstacles;
+    this.gravity = gravity;
+    this.near = near;
+  }
+
+  /**
+   * Decides how a circle goes on after an impact.
+   *
+   * @param m the circle, with its new velocity
+   * @param point where it touches
+   * @param reach the distance of its centre from what is round; 0 for a side or a wall
+   * @param e the restitution
+   */
+  void settle(
+      MovingCircle m, int code, ContactPoint point, double reach, double e, ImpactRows log) {
+    double length = Math.sqrt(point.nx * point.nx + point.ny * point.ny);
+    nx = point.nx / length;
+    ny = point.ny / length;
+    boolean carried = m.isSupported() && m.support != code && staysOn(m);
+    if (!carried) {
+      m.fall(gravity.x, gravity.y);
+    }
+    double sx = m.vx - point.ux;
+    double sy = m.vy - point.uy;
+    double out = sx * nx + sy * ny;
+    double pressure = -(m.gx * nx + m.gy * ny);
+    if (reach > 0 && !carried) {
+      double along = sy * nx - sx * ny;
+      hop(m, out, pressure - along * along / reach, reach, e);
+      if (e < 1 && isCalm(m, reach) && isHeld(m, code)) {
+        hold(m);
+        log.setOutcome(ImpactRows.SETTLED);
+      }
+    } else if (pressure > 0 && !isHop(m, out, pressure)) {
+      log.setOutcome(ImpactRows.SETTLED);
+      if (carried && holdsBetween() && movesAlike(m.support, point)) {
+        rest(m, code, point);
+      } else if (reach == 0) {
+        slide(m, code, point);
+      } else {
+        m.fall(gravity.x, gravity.y);
+      }
+    }
+  }
+
+  /** Lets a circle go on falling freely. */
+  public void fall(MovingCircle m) {
+    m.fall(gravity.x, gravity.y);
+  }
+
+  /**
+   * The least speed at which two circles leave each other.
+   *
+   * @param out the speed at which they would
+   * @param e the restitution
+   */
+  double leastSpeed(MovingCircle a, MovingCircle b, double out, double e) {
+    double g = Math.sqrt(gravity.x * gravity.x + gravity.y * gravity.y);
+    double least = Math.sqrt(2 * g * LEAST_HOP * (a.radius + b.radius));
+    return out < least && (e < 1 || !isHop(a, out, g)) ? least : out;
+  }
+
+  /**
+   * Decides whether a circle that slid or rested still does after a collision. If that changes its
+   * velocity, it may meet its partner again.
+   */
+  void afterPair(MovingCircle m) {
+    if (!m.isFalling() || m.jam != null) {
+      return;
+    }
+    double vx = m.vx;
+    double vy = m.vy;
+    if (!m.isSupported() || !staysOn(m)) {
+      m.fall(gravity.x, gravity.y);
+    } else if (m.vx != vx || m.vy != vy) {
+      m.last = MovingCircle.NOTHING;
+    }
+  }
+
+  /** Stops a circle where it is: it rests there, as a jammed one. */
+  static void hold(MovingCircle m) {
+    StopRule.stop(m);
+    m.fall(0, 0);
+    m.support = MovingCircle.HELD;
+  }
+
+  private static void rest(MovingCircle m, int code, ContactPoint point) {
+    m.fall(0, 0);
+    m.vx = point.ux;
+    m.vy = point.uy;
+    m.support = code;
+  }
+
+  /** Whether a circle leaves with a speed that makes a hop of more than rounding. */
+  private static boolean isHop(MovingCircle m, double out, double pressure) {
+    return out * out > 2 * pressure * ULPS * ulp(m);
+  }
+
+  private static double ulp(MovingCircle m) {
+    return Math.ulp(Math.max(Math.max(Math.abs(m.x), Math.abs(m.y)), m.radius));
+  }
+
+  /**
+   * Lets a circle that comes to the end of the line on which it slides go on along another one, if
+   * that carries it: it touches its side, and moves along it.
+   *
+   * @return whether it does
+   */
+  boolean slidesOnto(MovingCircle m, int code) {
+    if (!Codes.isLine(code) || !isSolid(m, code)) {
+      return false;
+    }
+    boolean moves = obstacles.moves(code);
+    double[] row = moves ? obstacles.rowAt(code, m.t, m.tl) : obstacles.lines.values;
+    int k = moves ? 0 : obstacles.lines.offset(code);
+    double wx = row[k + LineShape.BX] - row[k + LineShape.AX];
+    double wy = row[k + LineShape.BY] - row[k + LineShape.AY];
+    double x = m.x - row[k + LineShape.AX];
+    double y = m.y - row[k + LineShape.AY];
+    double length = Math.sqrt(wx * wx + wy * wy);
+    double height = (wx * y - wy * x) / length;
+    double from = (wx * x + wy * y) / length;
+    double ux = obstacles.ux(code);
+    double uy = obstacles.uy(code);
+    double along = (wx * (m.vx - ux) + wy * (m.vy - uy)) / length;
+    double side = Math.signum(height);
+    double out = side * (wx * (m.vy - uy) - wy * (m.vx - ux)) / length;
+    double pressure = -side * (wx * gravity.y - wy * gravity.x) / length;
+    double near = JOINT_ULPS * ulp(m);
+    boolean carries =
+        Math.abs(side * height - m.radius) <= near
+            && (along > 0 ? from >= -near && from < length : from > 0 && from <= length + near)
+            && along != 0
+            && pressure > 0
+            && out * out <= 2 * pressure * near
+            && !(obstacles.isOneWay(code) && side < 0);
+    if (carries) {
+      project(m, ux, uy, -side * wy, side * wx);
+      accelerateAlong(m, -side * wy, side * wx);
+      m.support = code;
+      m.last = code;
+    }
+    return carries;
+  }
+
+  /** Lets a circle that is pressed against something round leave it by the least speed. */
+  private void hop(MovingCircle m, double out, double pressure, double reach, double e) {
+    if (pressure > 0 && (e < 1 || !isHop(m, out, pressure))) {
+      double least = Math.sqrt(2 * pressure * LEAST_HOP * reach);
+      if (out < least) {
+        m.vx += (least - out) * nx;
+        m.vy += (least - out) * ny;
+      }
+    }
+  }
+
+  /** Lets a circle slide along the side or wall that it hit, with the part of gravity along it. */
+  private void slide(MovingCircle m, int code, ContactPoint point) {
+    project(m, point.ux, point.uy, point.nx, point.ny);
+    accelerateAlong(m, point.nx, point.ny);
+    m.support = code;
+  }
+
+  /** Sets the acceleration to the part of gravity along a side with a given normal. */
+  private void accelerateAlong(MovingCircle m, double normalX, double normalY) {
+    impulse.of(1, gravity.x, gravity.y, normalX, normalY);
+    m.gx = impulse.less(gravity.x, normalX) + 0.0; // 0 for -0
+    m.gy = impulse.less(gravity.y, normalY) + 0.0;
+  }
+
+  /** Removes the part along a normal from the velocity relative to an obstacle. */
+  private void project(MovingCircle m, double ux, double uy, double normalX, double normalY) {
+    double sx = m.vx - ux;
+    double sy = m.vy - uy;
+    if (sx * normalX + sy * normalY != 0) {
+      impulse.of(1, sx, sy, normalX, normalY);
+      m.vx = impulse.less(m.vx, normalX) + 0.0;
+      m.vy = impulse.less(m.vy, normalY) + 0.0;
+    }
+  }
+
+  /** Whether a circle that slides or rests goes on doing so after an impact with something else. */
+  private boolean staysOn(MovingCircle m) {
+    int code = m.support;
+    double wx = 0;
+    double wy = 0;
+    if (Codes.isWall(code)) {
+      wx = Codes.isVertical(code) ? Codes.inwards(code) : 0;
+      wy = Codes.isVertical(code) ? 0 : Codes.inwards(code);
+    } else if (Codes.isLine(code)) {
+      boolean moves = obstacles.moves(code);
+      double[] row = moves ? obstacles.rowAt(code, m.t, m.tl) : obstacles.lines.values;
+      int k = moves ? 0 : obstacles.lines.offset(code);
+      wx = row[k + LineShape.AY] - row[k + LineShape.BY];
+      wy = row[k + LineShape.BX] - row[k + LineShape.AX];
+      double side = wx * (m.x - row[k + LineShape.AX]) + wy * (m.y - row[k + LineShape.AY]);
+      wx = side < 0 ? -wx : wx;
+      wy = side < 0 ? -wy : wy;
+    }
+    double length = Math.sqrt(wx * wx + wy * wy);
+    if (!(length > 0)) {
+      return false;
+    }
+    carrierX = wx / length;
+    carrierY = wy / length;
+    double ux = obstacles.ux(code);
+    double uy = obstacles.uy(code);
+    double out = (m.vx - ux) * carrierX + (m.vy - uy) * carrierY;
+    double pressure = -(gravity.x * carrierX + gravity.y * carrierY);
+    if (!(pressure > 0) || isHop(m, out, pressure)) {
+      return false;
+    }
+    project(m, ux, uy, wx, wy);
+    accelerateAlong(m, wx, wy);
+    return true;
+  }
+
+  private boolean movesAlike(int carrier, ContactPoint point) {
+    return obstacles.ux(carrier) == point.ux && obstacles.uy(carrier) == point.uy;
+  }
+
+  /** Whether all the motion of a circle could lift it by no more than some least hops. */
+  private boolean isCalm(MovingCircle m, double reach) {
+    double g = Math.sqrt(gravity.x * gravity.x + gravity.y * gravity.y);
+    return m.vx * m.vx + m.vy * m.vy <= 2 * g * CALM_HOPS * LEAST_HOP * reach;
+  }
+
+  /** Whether what a circle hit holds it against gravity, alone or with another thing at rest. */
+  private boolean isHeld(MovingCircle m, int code) {
+    if (obstacles.moves(code)) {
+      return false;
+    }
+    if (nx * gravity.y == ny * gravity.x) {
+      return true;
+    }
+    for (int other : near.apply(m)) {
+      if (other != code && isSolid(m, other) && !obstacles.moves(other)) {
+        Touch touch = touch(m, other);
+        if (touch != null) {
+          carrierX = touch.nx();
+          carrierY = touch.ny();
+          if (holdsBetween()) {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  private boolean isSolid(MovingCircle m, int code) {
+    return Filter.meet(m.filter, obstacles.filter(code))
+        && (Codes.isWall(code)
+            ? obstacles.walls != null
+            : !obstacles.isGone(code) && !obstacles.isSensor(code))
+        && (m.jam == null || !m.jam.concerns(code));
+  }
+
+  /** The contact with an obstacle that may hold a circle; null if it is too far away. */
+  private Touch touch(MovingCircle m, int code) {
+    double radius = Codes.isWall(code) ? 0 : obstacles.radius(code);
+    return Touch.of(m, obstacles, code, HOLD * (m.radius + radius));
+  }
+
+  /** Whether an obstacle may hold a circle at its place. */
+  public boolean touches(MovingCircle m, int code) {
+    return touch(m, code) != null;
+  }
+
+  /**
+   * Whether the normals of what the circle hit and of what carries it hold gravity between them.
+   */
+  private boolean holdsBetween() {
+    double cross = carrierX * ny - carrierY * nx;
+    double ofCarrier = nx * gravity.y - ny * gravity.x;
+    double ofHit = gravity.x * carrierY - gravity.y * carrierX;
+    return cross > 0 ? ofCarrier >= 0 && ofHit >= 0 : cross < 0 && ofCarrier <= 0 && ofHit <= 0;
+  }
+}
