@@ -679,21 +679,38 @@ public final class FallSearch {
     if (code == ~body.support && t == 0) {
       return (nearEnd(row, k) == 0 ? Contact.START : Contact.END) | Contact.NOW;
     }
-    return ParabolaSegmentSweep.contact(
-        px,
-        py,
-        r,
-        vx,
-        vy,
-        gx,
-        gy,
-        row[k + LineShape.AX],
-        row[k + LineShape.AY],
-        row[k + LineShape.BX],
-        row[k + LineShape.BY],
-        obstacles.ux(code),
-        obstacles.uy(code),
-        t);
+    boolean isReturn = code == body.last && !obstacles.isSensor(code);
+    return isReturn
+        ? ParabolaReturn.contactOfReturn(
+            px,
+            py,
+            r,
+            vx,
+            vy,
+            gx,
+            gy,
+            row[k + LineShape.AX],
+            row[k + LineShape.AY],
+            row[k + LineShape.BX],
+            row[k + LineShape.BY],
+            obstacles.ux(code),
+            obstacles.uy(code),
+            t)
+        : ParabolaSegmentSweep.contact(
+            px,
+            py,
+            r,
+            vx,
+            vy,
+            gx,
+            gy,
+            row[k + LineShape.AX],
+            row[k + LineShape.AY],
+            row[k + LineShape.BX],
+            row[k + LineShape.BY],
+            obstacles.ux(code),
+            obstacles.uy(code),
+            t);
   }
 
   // Slides.
