@@ -6,6 +6,7 @@ import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
 import dev.carom.internal.exact.ExactParabola;
+import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.exact.UnitVector;
 
@@ -108,7 +109,8 @@ public final class ParabolaDiskSweep {
   /**
    * The time, if doubles and double-double tell.
    *
-   * @param overlap whether to follow a disk that may overlap at the start, and leaves
+   * @param overlap whether to follow a disk that may overlap by more than rounding at the start,
+   *     and leaves
    */
   static double certain(
       boolean overlap, double x1, double y1, double r1, double vx1, double vy1, double gx,
@@ -130,10 +132,11 @@ public final class ParabolaDiskSweep {
     double start = 0;
     int side = GapRoot.sign(c0, m0 * m0);
     if (side <= 0) {
-      if (side < 0 && GapRoot.sign(c1, 2 * m0 * m1) < 0) {
-        return 0;
+      if (GapRoot.sign(c1, 2 * m0 * m1) < 0) {
+        boolean isOut = side == 0 && Predicates.gap(x1, y1, x2, y2, r1, r2) > 0;
+        return isOut ? GapRoot.DOUBT : 0;
       }
-      start = overlap ? GapRoot.leaves(c0, c1, c2, c3, c4, m0, m1, m2, end) : GapRoot.DOUBT;
+      start = overlap || side == 0 ? GapRoot.leaves(c0, c1, c2, c3, c4, m0, m1, m2, end) : GapRoot.DOUBT;
       if (!(start < NEVER)) {
         return start;
       }

@@ -53,21 +53,24 @@ public final class ParabolaWallSweep {
     double h = inward * (p - wall);
     double s = h - r;
     double terms = Math.abs(h) + r;
-    // h is the nearest double, so the sign of h - r is the true one, unless it is 0.
-    if (!(Math.abs(s) > 0)) {
+    if (!(terms <= Double.MAX_VALUE)) {
       return GapRoot.DOUBT;
     }
     if (away >= 0 && lift > 0) {
       return NEVER;
     }
-    if (s < 0 && away <= 0) {
+    // h is the nearest double, so the sign of h - r is the true one, unless it is 0.
+    double gap = s == 0 ? inward * differenceTail(p, wall, p - wall) : s;
+    if (gap <= 0 && away <= 0) {
       return away < 0 || lift < 0 ? 0 : NEVER;
     }
     double square = away * away;
     double product = 2 * lift * s;
     double discriminant = square - product;
     double bound = DISCRIMINANT_BOUND * (square + 2 * Math.abs(lift) * terms);
-    if (!(Math.abs(discriminant) > bound && bound > LEAST_SAFE && Math.abs(s) > LEAST_SAFE)) {
+    if (!(Math.abs(discriminant) > bound
+        && bound > LEAST_SAFE
+        && (away > 0 || Math.abs(s) > LEAST_SAFE))) {
       return GapRoot.DOUBT;
     }
     if (discriminant < 0) {
