@@ -74,6 +74,53 @@ final class GapRoot {
 
   private GapRoot() {}
 
+  /** T, or the first half of it, of that and so on, until which f rises; DOUBT if none is. */
+  static double rise(
+      double c1, double c2, double c3, double c4, double m0, double m1, double m2, double T) {
+    double t = T <= LATEST && isFinite(0, c1, c2, c3, c4) ? T : DOUBT;
+    for (int i = 0; i < INTERVALS && c1 > 0; i++) {
+      if (rises(c1, c2, c3, c4, m0, m1, m2, t)) {
+        return t;
+      }
+      t *= 0.5;
+    }
+    return DOUBT;
+  }
+
+  /** A time if it is within the {@link #MARGIN} of a root that {@link #first} found; else DOUBT. */
+  static double beside(double first, double time) {
+    return Math.abs(time - first) <= 0.5 * MARGIN * first ? time : DOUBT;
+  }
+
+  /** A time of impact, or NEVER if it is above the window's end T; DOUBT if it is T. */
+  static double upTo(double T, double time) {
+    return time < T ? time : time > T ? NEVER : DOUBT;
+  }
+
+  /** Whether a residue in double-double is certain to be above 0. */
+  static boolean isAbove(double residue, double size) {
+    double scale = size * size;
+    return residue > Math.fma(scale, RESIDUE_BOUND, RESIDUE_TINY) && scale < MOST;
+  }
+
+  /** A bound of the error of a coefficient of f at time 0, of a given size. */
+  static double error(double size) {
+    return Math.fma(BERNSTEIN_BOUND, size, TINY);
+  }
+
+  /**
+   * Whether f falls from the start up to a time, at least half as fast as at the start. Its slope is
+   * {@code c1 + 2 c2 t + 3 c3 t^2 + 4 c4 t^3}, where |c3| is at most 2 m1 m2, and c4 at most m2^2.
+   */
+  static boolean falls(double c1, double c2, double m0, double m1, double m2, double t) {
+    double ofC2 = Math.max(0, c2) + 0x1p-40 * (m1 * m1 + m0 * m2);
+    double bend = 2 * ofC2 + 12 * (m1 + m2 * t) * (m2 * t);
+    return -c1 > 0x1p20 * BERNSTEIN_BOUND * (2 * m0 * m1) + TINY
+        && t * bend < 0.25 * -c1
+        && m0 + m1 + m2 < 0x1p100
+        && -c1 > 0x1p-300;
+  }
+
   /** The sign of a coefficient of f at time 0, of a given size; 0 in doubt. */
   static int sign(double value, double size) {
     double bound = Math.fma(BERNSTEIN_BOUND, size, TINY);
@@ -247,14 +294,11 @@ final class GapRoot {
   static double leaves(
       double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
       double T) {
-    double t = T <= LATEST && isFinite(c0, c1, c2, c3, c4) ? T : DOUBT;
-    for (int i = 0; i < INTERVALS && c1 > 0; i++) {
-      if (rises(c1, c2, c3, c4, m0, m1, m2, t)) {
-        return sign(c0, c1, c2, c3, c4, m0, m1, m2, t) > 0 ? t : t == T ? NEVER : DOUBT;
-      }
-      t *= 0.5;
+    double t = rise(c1, c2, c3, c4, m0, m1, m2, T);
+    if (Double.isNaN(t) || !isFinite(c0, c1, c2, c3, c4)) {
+      return DOUBT;
     }
-    return DOUBT;
+    return sign(c0, c1, c2, c3, c4, m0, m1, m2, t) > 0 ? t : t == T ? NEVER : DOUBT;
   }
 
   /** Whether no coefficient has overflowed, nor does a small multiple. */

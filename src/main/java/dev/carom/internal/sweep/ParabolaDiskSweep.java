@@ -133,10 +133,23 @@ public final class ParabolaDiskSweep {
     int side = GapRoot.sign(c0, m0 * m0);
     if (side <= 0) {
       if (GapRoot.sign(c1, 2 * m0 * m1) < 0) {
-        boolean isOut = side == 0 && Predicates.gap(x1, y1, x2, y2, r1, r2) > 0;
-        return isOut ? GapRoot.DOUBT : 0;
+        if (side < 0 || Predicates.gap(x1, y1, x2, y2, r1, r2) <= 0) {
+          return 0;
+        }
+        double late = 2 * (Math.abs(c0) + GapRoot.error(m0 * m0)) / -c1;
+        if (!GapRoot.falls(c1, c2, m0, m1, m2, late)) {
+          return GapRoot.DOUBT;
+        }
+        ExactParabola exact =
+            ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2);
+        return GapRoot.upTo(T, exact.timeNear(0));
       }
       start = overlap || side == 0 ? GapRoot.leaves(c0, c1, c2, c3, c4, m0, m1, m2, end) : GapRoot.DOUBT;
+      if (side == 0 && Double.isNaN(start)) {
+        double t = GapRoot.rise(c1, c2, c3, c4, m0, m1, m2, end);
+        double f = residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
+        start = GapRoot.isAbove(f, m0 + (m1 + m2 * t) * t) ? t : GapRoot.DOUBT;
+      }
       if (!(start < NEVER)) {
         return start;
       }
@@ -145,7 +158,12 @@ public final class ParabolaDiskSweep {
     if (!(t < NEVER)) {
       return t;
     }
-    return nearest(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
+    double nearest = nearest(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
+    return !Double.isNaN(nearest)
+        ? nearest
+        : GapRoot.beside(
+            t,
+            ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2).timeNear(t));
   }
 
   /** The double nearest to the root, DOUBT if some corrections of t do not tell. */

@@ -181,8 +181,18 @@ public final class ParabolaSegmentSweep {
     }
     boolean touches = beside > 0;
     if (touches && h0 * h1 < 0) {
-      boolean isOut = Predicates.discriminant(bx, by, ax, ay, px, py, ax, ay, r, 0) < 0;
-      return isOut ? GapRoot.DOUBT : 0;
+      if (Predicates.discriminant(bx, by, ax, ay, px, py, ax, ay, r, 0) >= 0) {
+        return 0;
+      }
+      double c1 = 2 * h0 * h1;
+      double c2 = h1 * h1 + 2 * h0 * h2;
+      double late = 2 * (Math.abs(c0) + GapRoot.error(m0 * m0)) / -c1;
+      if (!GapRoot.falls(c1, c2, m0, m1, m2, late)) {
+        return GapRoot.DOUBT;
+      }
+      ExactParabola exact =
+          ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
+      return GapRoot.upTo(T, exact.timeNear(0));
     }
     if (strip > 0 || touches) {
       double c1 = 2 * h0 * h1;
@@ -191,6 +201,11 @@ public final class ParabolaSegmentSweep {
       double c4 = h2 * h2;
       double end = reach(wx, wy, gx, gy, h1, h2, m0, m1, m2, T);
       double out = touches ? GapRoot.leaves(c0, c1, c2, c3, c4, m0, m1, m2, end) : 0;
+      if (Double.isNaN(out)) {
+        double t = GapRoot.rise(c1, c2, c3, c4, m0, m1, m2, end);
+        double f = residue(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
+        out = GapRoot.isAbove(f, m0 + (m1 + m2 * t) * t) ? t : GapRoot.DOUBT;
+      }
       if (!(out < NEVER)) {
         return out;
       }
@@ -198,7 +213,15 @@ public final class ParabolaSegmentSweep {
       if (!(from < NEVER)) {
         return from;
       }
-      from = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, from);
+      double rough = from;
+      from = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, rough);
+      if (Double.isNaN(from)) {
+        from =
+            GapRoot.beside(
+                rough,
+                ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy)
+                    .timeNear(rough));
+      }
     }
     int start = along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, from);
     int end = along(px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, from);
