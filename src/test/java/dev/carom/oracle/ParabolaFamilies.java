@@ -59,9 +59,7 @@ public final class ParabolaFamilies {
     }
     Query straight = MovingLineQuery.of(d, still.straight());
     ParabolaQuery moving = new ParabolaQuery(straight, still.gx(), still.gy());
-    return family.name().endsWith("window_end") && moving.isFinite()
-        ? endingAtImpact(d, moving)
-        : moving;
+    return family.name().endsWith("window_end") ? endingAtImpact(d, moving) : moving;
   }
 
   /** The places of x and of vx in the numbers of a query. */
@@ -271,8 +269,10 @@ public final class ParabolaFamilies {
     int k = d.whole(-900, 900);
     if (d.chance(0.5)) {
       Extremes.scale(n, k);
-      return new ParabolaQuery(
-          bent.straight().with(n), Math.scalb(bent.gx(), k), Math.scalb(bent.gy(), k));
+      ParabolaQuery scaled =
+          new ParabolaQuery(
+              bent.straight().with(n), Math.scalb(bent.gx(), k), Math.scalb(bent.gy(), k));
+      return isFlat(scaled.straight()) ? bent : scaled;
     }
     int half = k / 2;
     int v = velocity(bent.straight());
@@ -283,6 +283,11 @@ public final class ParabolaFamilies {
     n[n.length - 1] = Math.scalb(end, -half);
     return new ParabolaQuery(
         bent.straight().with(n), Math.scalb(bent.gx(), 2 * half), Math.scalb(bent.gy(), 2 * half));
+  }
+
+  /** Whether walls have fallen together by underflow. */
+  private static boolean isFlat(Query query) {
+    return query instanceof WallQuery q && !(q.xmin() < q.xmax() && q.ymin() < q.ymax());
   }
 
   /** A number of 26 bits in 1..2: products of two are exact. */
@@ -393,6 +398,9 @@ public final class ParabolaFamilies {
   }
 
   private static ParabolaQuery endingAtImpact(Draw d, ParabolaQuery q) {
+    if (!q.isFinite()) {
+      return q;
+    }
     double[] n = q.straight().numbers();
     n[n.length - 1] = Double.POSITIVE_INFINITY;
     double time = new ParabolaQuery(q.straight().with(n), q.gx(), q.gy()).truth().time();

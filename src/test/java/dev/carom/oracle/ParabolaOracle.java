@@ -3,6 +3,7 @@ package dev.carom.oracle;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * The contract of contact for a circle with a constant acceleration, taken literally: the first
@@ -66,15 +67,12 @@ final class ParabolaOracle {
    */
   static ParabolaContact after(ParabolaQuery query, double s) {
     ParabolaOracle oracle = of(query);
-    SturmRoot first = null;
-    for (SturmRoot event : oracle.events()) {
-      boolean sooner = first == null || event.isBefore(first);
-      boolean counts = oracle.r.signum() > 0 ? oracle.enters(event) : oracle.arrives(event);
-      if (sooner && counts && oracle.contact(event).time() > s) {
-        first = event;
-      }
-    }
-    return first == null ? ParabolaContact.MISS : within(oracle.contact(first), query.end());
+    boolean isPoint = oracle.r.signum() == 0;
+    Stream<SturmRoot> entries =
+        oracle.events().stream()
+            .filter(event -> isPoint ? oracle.arrives(event) : oracle.enters(event))
+            .filter(event -> oracle.contact(event).time() > s);
+    return within(oracle.first(entries), query.end());
   }
 
   /** A disk against a disk or a line. */
@@ -118,17 +116,19 @@ final class ParabolaOracle {
   }
 
   ParabolaContact first() {
-    if (r.signum() > 0 && falls(null)) {
-      return contact(null);
-    }
-    SturmRoot first = null;
-    for (SturmRoot event : events()) {
-      boolean sooner = first == null || event.isBefore(first);
-      if (sooner && (r.signum() > 0 ? falls(event) : arrives(event))) {
-        first = event;
-      }
-    }
-    return first == null ? ParabolaContact.MISS : contact(first);
+    return r.signum() > 0 ? firstOfDisk() : first(events().stream().filter(this::arrives));
+  }
+
+  /** The first moment after which a gap is not above 0 and falls. */
+  ParabolaContact firstOfDisk() {
+    return falls(null) ? contact(null) : first(events().stream().filter(this::falls));
+  }
+
+  private ParabolaContact first(Stream<SturmRoot> events) {
+    return events
+        .reduce((one, other) -> other.isBefore(one) ? other : one)
+        .map(this::contact)
+        .orElse(ParabolaContact.MISS);
   }
 
   /** All moments at which the distance may begin to fall, or the region changes. */

@@ -31,12 +31,10 @@ final class ParabolaReturnOracle {
     if (!isLine || (back.hit() && back.moment() == null)) {
       return back;
     }
-    if (oracle.r.signum() == 0) {
-      ParabolaContact other = oracle.first();
-      return ParabolaOracle.isSooner(other, back) ? other : back;
-    }
+    ParabolaContact other = oracle.r.signum() == 0 ? oracle.first() : ParabolaContact.MISS;
     oracle.setGap(part, gap);
-    return oracle.first();
+    ParabolaContact next = oracle.firstOfDisk();
+    return ParabolaOracle.isSooner(other, next) ? other : next;
   }
 
   private static ParabolaContact fromSide(ParabolaOracle oracle) {

@@ -3,7 +3,8 @@ package dev.carom.oracle;
 
 /** The only root of a polynomial between two positive numbers that are none. */
 final class SturmRoot {
-  private static final int BITS = 260;
+  /** Bits after which two roots that are not apart yet may be the same. */
+  private static final int SAME_BITS = 80;
 
   private final SturmPolynomial f;
   private final boolean changesSign;
@@ -86,17 +87,23 @@ final class SturmRoot {
   }
 
   /**
-   * Whether this root is before another one. Two that agree to so many bits count as the same:
-   * which one is taken then changes neither the rounded time nor what is hit.
+   * Whether this root is before another one. Both are narrowed until their intervals are apart, or
+   * they are the same in exact algebra.
    */
   boolean isBefore(SturmRoot other) {
-    for (int bits = 5; bits < BITS; bits *= 2) {
+    for (int bits = 5; ; bits *= 2) {
       narrow(bits);
       other.narrow(bits);
       if (high.compareTo(other.low) <= 0 || low.compareTo(other.high) >= 0) {
         return high.compareTo(other.low) <= 0;
       }
+      if (bits == SAME_BITS && isSame(other)) {
+        return false;
+      }
     }
-    return false;
+  }
+
+  private boolean isSame(SturmRoot other) {
+    return compareTo(other.low) > 0 && compareTo(other.high) < 0 && sign(other.f) == 0;
   }
 }

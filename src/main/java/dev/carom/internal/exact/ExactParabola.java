@@ -195,6 +195,12 @@ public final class ExactParabola {
     return root == null || root.nearest() != t ? RealRoot.at(Dyadic.of(t)) : root;
   }
 
+  /** The first impact of one that is no point, up to T; a point falls below none of its gaps. */
+  RealRoot firstFall(double T) {
+    RealRoot first = firstFall(START, limit(T));
+    return isLate(first, T) ? null : first;
+  }
+
   private static RealRoot limit(double T) {
     return T == Double.POSITIVE_INFINITY ? null : RealRoot.after(T);
   }

@@ -126,11 +126,12 @@ public final class ExactReturn {
     if (back != null && back.compare(Dyadic.ZERO) == 0) {
       return back;
     }
+    RealRoot next = line.withGap(part, own).firstFall(T);
     if (!line.isPoint()) {
-      return line.withGap(part, own).firstFrom(ExactParabola.START, T);
+      return next;
     }
     RealRoot other = line.firstFrom(ExactParabola.START, T);
-    return back == null || (other != null && other.compare(back) < 0) ? other : back;
+    return next == null || (other != null && other.compare(next) < 0) ? other : next;
   }
 
   /** The region of the line at a time: -1 before the start, 0 beside it, 1 beyond its end. */

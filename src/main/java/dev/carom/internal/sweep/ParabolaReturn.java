@@ -36,11 +36,12 @@ public final class ParabolaReturn {
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   /**
-   * The quotient of two cross products, each of which errs by 64 u^2 of its terms; the remainder and
-   * its quotient by a few u of themselves.
+   * A remainder {@code n - t d} of cross products, each of which errs by 64 u^2 of its terms; its
+   * tails are below 2 u of them, so their sum and product with t err by less than 64 u^2, too.
    */
   private static final double CROSS_BOUND = 128 * 0x1p-106;
 
+  /** The correction: its sums, its quotient, and the divisor, which has a tail of its own. */
   private static final double STEP_BOUND = 8 * 0x1p-53;
 
   private static final double LEAST_SAFE = 0x1p-400;
@@ -99,17 +100,19 @@ public final class ParabolaReturn {
     double d = wy * gx - wx * gy;
     double dl = -crossTail(wx, wxl, wy, wyl, gx, 0, gy, 0, -d);
     double t = n / d;
-    double step = (Math.fma(-t, d, n) + (nl - t * dl)) / d;
+    double divisor = d + dl;
+    double step = (Math.fma(-t, d, n) + (nl - t * dl)) / divisor;
     double terms =
         2 * (Math.abs(wx * sy) + Math.abs(wy * sx))
             + t * (Math.abs(wx * gy) + Math.abs(wy * gx));
-    double error = Math.fma(STEP_BOUND, Math.abs(step), CROSS_BOUND * (terms / Math.abs(d)));
+    double error = Math.fma(STEP_BOUND, Math.abs(step), CROSS_BOUND * (terms / Math.abs(divisor)));
     double low = t + (step - error);
     boolean isCertain =
         low == t + (step + error)
             && low != T
             && low > LEAST_SAFE
-            && Math.abs(d) > LEAST_SAFE
+            && Math.abs(divisor) > LEAST_SAFE
+            && Math.abs(step) < t
             && t * terms < MOST_SAFE
             && terms > LEAST_SAFE
             && terms < MOST_SAFE;

@@ -113,6 +113,26 @@ class ParabolaReturnTest {
     }
   }
 
+  /** The velocity and the acceleration are both along the line, but for a 1e-12th. */
+  @Test
+  void aReturnIsRoundedCorrectlyWhereBothProductsCancel() {
+    double time =
+        ParabolaReturn.toSide(
+            1,
+            0x1.37aa731f746bbp-1,
+            -0x1.751b08fb0b919p3,
+            0x1.b7e60bef8073cp-2,
+            -0x1.074f11f1e865fp3,
+            -0x1.300cc9e7387e7p6,
+            0x1.02b1ab58eb8bbp6,
+            -0x1.30274185da9a4p6,
+            0x1.04aca093b2a96p6,
+            0x1.bc043a1e7c8ep-26,
+            0x1.dd1aa2afbd87bp-18,
+            NEVER);
+    assertThat(time).isEqualTo(0.005506587360528489);
+  }
+
   /** Seen from a line that moves, only the difference of the velocities counts. */
   @Test
   void theLineMayMove() {
