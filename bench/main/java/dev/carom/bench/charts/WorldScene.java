@@ -13,7 +13,7 @@ import dev.carom.World;
 import java.util.Optional;
 
 /**
- * A world at one moment, as a scene: to be drawn, or saved. What was removed is not in it, so its
+ * A world at one moment, as a scene: to be drawn, or saved. Removed things are not in it, so its
  * numbers need not be the world's ids.
  */
 public final class WorldScene {
@@ -41,8 +41,7 @@ public final class WorldScene {
       now.peg(id, world.peg(id));
     }
     for (int id : world.ids(ObstacleKind.CIRCLE)) {
-      double radius = world.radius(id);
-      now.circle(id, world.x(id), world.y(id), radius, world.vx(id), world.vy(id));
+      now.circle(id);
     }
     return now.builder.build();
   }
@@ -53,37 +52,17 @@ public final class WorldScene {
    * @param world the world
    * @param past its timeline
    * @param t a time within the recording
-   * @return what was there then; masses, restitutions, responses, filters and the velocities of
-   *     obstacles are those of now, and what was removed since has mass 1 and bounces elastically,
-   *     from both sides; an obstacle that was removed since rests
+   * @return what was there then, with the properties that it had then
    * @throws IllegalArgumentException if the time is not within the recording
    */
   public static Scene of(World world, Timeline past, double t) {
-    WorldScene then = new WorldScene(world);
-    then.whole();
-    for (int id = 0; id < world.idLimit(ObstacleKind.LINE); id++) {
-      Optional<Line> line = past.line(id, t);
-      if (line.isPresent()) {
-        then.line(id, line.get());
-      }
-    }
-    for (int id = 0; id < world.idLimit(ObstacleKind.PEG); id++) {
-      Optional<Circle> peg = past.peg(id, t);
-      if (peg.isPresent()) {
-        then.peg(id, peg.get());
-      }
-    }
-    for (int id = 0; id < world.idLimit(ObstacleKind.CIRCLE); id++) {
-      if (past.contains(id, t)) {
-        double radius = past.radius(id, t);
-        then.circle(id, past.x(id, t), past.y(id, t), radius, past.vx(id, t), past.vy(id, t));
-      }
-    }
-    return then.builder.build();
+    World then = new World(world.scene());
+    then.restore(past.snapshot(t));
+    return of(then);
   }
 
   private void whole() {
-    Vec2 g = world.scene().gravity();
+    Vec2 g = world.gravity();
     builder.collide(world.scene().collide()).gravity(g.x(), g.y());
     Optional<Bounds> bounds = world.scene().bounds();
     if (bounds.isPresent()) {
@@ -97,7 +76,7 @@ public final class WorldScene {
     builder.line(line.ax(), line.ay(), line.bx(), line.by());
     keep(ObstacleKind.LINE, id);
     keepVelocity(ObstacleKind.LINE, id);
-    if (world.contains(ObstacleKind.LINE, id) && world.oneWay(id)) {
+    if (world.oneWay(id)) {
       builder.oneWay();
     }
   }
@@ -108,27 +87,23 @@ public final class WorldScene {
     keepVelocity(ObstacleKind.PEG, id);
   }
 
-  private void circle(int id, double x, double y, double radius, double vx, double vy) {
-    if (!Double.isFinite(x) || !Double.isFinite(y)) {
-      return;
+  private void circle(int id) {
+    double x = world.x(id);
+    double y = world.y(id);
+    if (Double.isFinite(x) && Double.isFinite(y)) {
+      builder.circle(x, y, world.radius(id), world.vx(id), world.vy(id)).mass(world.mass(id));
+      keep(ObstacleKind.CIRCLE, id);
     }
-    builder.circle(x, y, radius, vx, vy);
-    builder.mass(world.contains(ObstacleKind.CIRCLE, id) ? world.mass(id) : 1);
-    keep(ObstacleKind.CIRCLE, id);
   }
 
   /** Gives the thing added last what the world's thing has. */
   private void keep(ObstacleKind kind, int id) {
-    if (world.contains(kind, id)) {
-      builder.restitution(world.restitution(kind, id)).response(world.response(kind, id));
-      builder.filter(world.category(kind, id), world.mask(kind, id));
-    }
+    builder.restitution(world.restitution(kind, id)).response(world.response(kind, id));
+    builder.filter(world.category(kind, id), world.mask(kind, id));
   }
 
   private void keepVelocity(ObstacleKind kind, int id) {
-    if (world.contains(kind, id)) {
-      Vec2 v = world.velocity(kind, id);
-      builder.velocity(v.x(), v.y());
-    }
+    Vec2 v = world.velocity(kind, id);
+    builder.velocity(v.x(), v.y());
   }
 }

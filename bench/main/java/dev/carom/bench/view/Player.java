@@ -13,7 +13,6 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.stream.IntStream;
 
 /**
  * A run of a scene that can be stopped, looked at from its beginning to now, and changed by hand.
@@ -261,23 +260,15 @@ public final class Player {
    * @return a scene
    */
   public Scene scene() {
-    return isPresent() ? WorldScene.of(world) : WorldScene.of(world, past, shown());
+    return WorldScene.of(look());
   }
 
   /** The ids of the circles of {@link #scene}, in their order there. */
   int[] circleIds() {
-    double t = shown();
-    return isPresent()
-        ? Arrays.stream(world.ids(ObstacleKind.CIRCLE))
-            .filter(id -> Double.isFinite(world.x(id)) && Double.isFinite(world.y(id)))
-            .toArray()
-        : IntStream.range(0, circles())
-            .filter(
-                id ->
-                    past.contains(id, t)
-                        && Double.isFinite(past.x(id, t))
-                        && Double.isFinite(past.y(id, t)))
-            .toArray();
+    World then = look();
+    return Arrays.stream(then.ids(ObstacleKind.CIRCLE))
+        .filter(id -> Double.isFinite(then.x(id)) && Double.isFinite(then.y(id)))
+        .toArray();
   }
 
   /** The circles of the moment shown; those that hit something in the last frames glow. */

@@ -68,10 +68,13 @@ class WorldSceneTest {
 
     Scene then = WorldScene.of(world, past, 0.5);
     assertThat(then.circle(0).x()).isEqualTo(30.5);
-    assertThat(then.mass(0)).isEqualTo(1);
-    assertThat(then.restitution(ObstacleKind.CIRCLE, 0)).isEqualTo(1);
+    assertThat(then.mass(0)).isEqualTo(3);
+    assertThat(then.restitution(ObstacleKind.CIRCLE, 0)).isEqualTo(0.25);
     assertThat(then.lineCount()).isEqualTo(1);
-    assertThat(then.restitution(ObstacleKind.PEG, 0)).isEqualTo(2);
+    assertThat(then.oneWay(0)).isTrue();
+    assertThat(then.restitution(ObstacleKind.WALL, 0)).isEqualTo(1);
+    assertThat(then.restitution(ObstacleKind.PEG, 0)).isEqualTo(1);
+    assertThat(then.response(ObstacleKind.PEG, 0)).isEqualTo(Response.SENSOR);
   }
 
   @Test
@@ -101,5 +104,19 @@ class WorldSceneTest {
       assertThat(scene.velocity(ObstacleKind.PEG, 1)).isEqualTo(new Vec2(-0.5, 0));
       assertThat(scene.velocity(ObstacleKind.LINE, 0)).isEqualTo(Vec2.ZERO);
     }
+  }
+
+  /** An obstacle that was stopped since, or removed, was moving then. */
+  @Test
+  void thePastHasTheVelocitiesOfThen() {
+    World world =
+        new World(start().line(0, 0, 0, 9).velocity(2, 1).peg(80, 20, 3).velocity(-1, 0).build());
+    Timeline past = world.record(10);
+    world.step(2);
+    world.setVelocity(ObstacleKind.LINE, 1, 0, 0);
+    world.remove(ObstacleKind.PEG, 1);
+    Scene then = WorldScene.of(world, past, 1);
+    assertThat(then.velocity(ObstacleKind.LINE, 1)).isEqualTo(new Vec2(2, 1));
+    assertThat(then.velocity(ObstacleKind.PEG, 1)).isEqualTo(new Vec2(-1, 0));
   }
 }
