@@ -14,6 +14,7 @@ import dev.carom.bench.charts.WorldScene;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;
+import java.util.Locale;
 
 /**
  * Squash: before each step the paddle gets the velocity that takes it to where the player wants it.
@@ -123,7 +124,8 @@ public final class Paddle implements Example {
     drawing.withScene(WorldScene.of(world)).draw(g, area, Still.of(world));
     g.setColor(Style.QUIET);
     g.setFont(Style.font(16));
-    String score = String.format("returned %d, lost %d, speed %.1f", returned, lost, speed());
+    String score =
+        String.format(Locale.ROOT, "returned %d, lost %d, speed %.1f", returned, lost, speed());
     g.drawString(score, (int) area.getCenterX(), (int) area.getY() + 38);
   }
 

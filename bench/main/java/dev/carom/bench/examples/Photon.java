@@ -14,6 +14,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.util.Locale;
 
 /**
  * A photon among round mirrors: how far from the origin is it at time 10? Each reflection
@@ -32,12 +33,8 @@ public final class Photon implements Example {
   /** The time of the question: the photon flies 1 a unit of time. */
   static final double END = 10 * UNIT;
 
-  /** Mirrors on each side of the origin; the photon does not come so far. */
-  private static final int MIRRORS = 3;
-
-  /** A place off by more is called unknown. */
-  private static final double KNOWN = UNIT / 100;
-
+  private static final int MIRRORS = 3; // on each side of the origin; the photon stays among them
+  private static final double KNOWN = UNIT / 100; // a place off by more is called unknown
   private static final int MOST_DIGITS = 17;
 
   private final SceneDrawing drawing = SceneDrawing.of(scene()).withArrowTime(0).withMargin(12);
@@ -72,13 +69,12 @@ public final class Photon implements Example {
 
   @Override
   public void frame() {
-    double end = Math.min(END, world.now() + 1);
-    boolean done = false;
-    while (!done) {
-      done = world.advanceTo(end);
-      uncertainty.update();
-      reflections += world.impacts().size();
-    }
+    Example.advance(world, Math.min(1, END - world.now()), this::readLog);
+  }
+
+  private void readLog() {
+    uncertainty.update();
+    reflections += world.impacts().size();
   }
 
   int reflections() {
@@ -141,8 +137,10 @@ public final class Photon implements Example {
     g.drawString("from the origin, the sure digits", x, y);
     g.setColor(Style.QUIET);
     g.drawString("computed: " + distance(), x, y + 60);
-    g.drawString(String.format("off by at most %.0e", uncertainty.bound(0) / UNIT), x, y + 84);
-    g.drawString(String.format("time %.1f of 10", world.now() / UNIT), x, y + 130);
+    String error = String.format(Locale.ROOT, "off by at most %.0e", uncertainty.bound(0) / UNIT);
+    g.drawString(error, x, y + 84);
+    String time = String.format(Locale.ROOT, "time %.1f of 10", world.now() / UNIT);
+    g.drawString(time, x, y + 130);
     g.drawString("reflections: " + reflections, x, y + 154);
   }
 }

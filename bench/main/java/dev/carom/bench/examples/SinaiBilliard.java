@@ -15,6 +15,7 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import java.util.Locale;
 
 /**
  * A Sinai billiard: a disk in the middle of a square. Two circles start a trillionth apart, and
@@ -137,7 +138,8 @@ public final class SinaiBilliard implements Example {
     g.setColor(Style.INK);
     g.draw(curve);
     g.drawString("how far apart", (float) box.getX() - 36, (float) box.getY() - 26);
-    String now = String.format("%.1e at time %.0f", distance(world.now()), world.now());
+    double t = world.now();
+    String now = String.format(Locale.ROOT, "%.1e at time %.0f", distance(t), t);
     g.drawString(now, (float) box.getX() - 36, (float) box.getMaxY() + 34);
   }
 }

@@ -7,6 +7,7 @@ import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /** The canonical scene while it is filled: what stands already, and where the next thing fits. */
 final class CrossField {
@@ -91,8 +92,13 @@ final class CrossField {
       throws CannotPlaceException {
     if (tries == Crosses.TRIES) {
       throw new CannotPlaceException(
-          "no room for %s %d of %d: none of %,d places fits; ask for fewer or smaller ones"
-              .formatted(thing, i + 1, of, tries));
+          String.format(
+              Locale.ROOT,
+              "no room for %s %d of %d: none of %,d places fits; ask for fewer or smaller ones",
+              thing,
+              i + 1,
+              of,
+              tries));
     }
   }
 }

@@ -86,7 +86,8 @@ public final class ReplayTable {
     row("median", f -> us(f.median()));
     row("p95", f -> us(f.p95()));
     row("p99", f -> us(f.p99()));
-    row("worst of %,d (median over replays)".formatted(result.plan().frames()), f -> us(f.worst()));
+    String frames = whole(result.plan().frames());
+    row("worst of " + frames + " (median over replays)", f -> us(f.worst()));
     row("worst of all", f -> us(f.worstOfAll()));
     int cold = Math.min(Figures.COLD_FRAMES, result.plan().frames());
     row("cold start, first %d frames: mean".formatted(cold), f -> us(f.coldMean()));
@@ -101,7 +102,7 @@ public final class ReplayTable {
         f -> percent(f.shareOfBudget()),
         percent(Budget.PUBLISHED_MICROS / Budget.MICROS));
     row(
-        "frames over budget, of %,d".formatted(result.figures(Methods.CAROM).samples()),
+        "frames over budget, of " + whole(result.figures(Methods.CAROM).samples()),
         f -> whole(f.framesOverBudget()));
     line("");
   }

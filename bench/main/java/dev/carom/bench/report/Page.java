@@ -486,7 +486,7 @@ final class Page {
 
   private void styles() {
     html.append("<style>\n");
-    styles.forEach((style, index) -> html.append(".s%d{%s}\n".formatted(index, style)));
+    styles.forEach((style, index) -> html.append(".s" + index + "{" + style + "}\n"));
     html.append("</style>\n");
   }
 
@@ -495,7 +495,7 @@ final class Page {
     String themed = svg;
     for (Map.Entry<Color, String> entry : NAMES.entrySet()) {
       Color c = entry.getKey();
-      String rgb = "rgb(%d,%d,%d)".formatted(c.getRed(), c.getGreen(), c.getBlue());
+      String rgb = "rgb(" + c.getRed() + "," + c.getGreen() + "," + c.getBlue() + ")";
       themed = themed.replace(rgb, "var(--" + entry.getValue() + ")");
     }
     return themed;
