@@ -48,7 +48,8 @@ public final class Photon implements Example {
     press();
   }
 
-  static Scene scene() {
+  /** {@return the mirrors, and the photon at its start} */
+  public static Scene scene() {
     SceneBuilder scene = Scene.builder();
     for (int i = -MIRRORS; i <= MIRRORS; i++) {
       for (int j = -MIRRORS; j <= MIRRORS; j++) {
