@@ -90,7 +90,7 @@ final class EditSession {
     }
   }
 
-  /** Two of three bits are set: as a rule two such sets have one in common. */
+  /** Each of three bits is set three times of four: as a rule two such sets have one in common. */
   private int bits() {
     return masks.ints(2, 0, 8).reduce(0, (a, b) -> a | b);
   }
