@@ -35,7 +35,11 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 1)
 public class EditBenchmark {
 
-  private static final int MOMENTS = 997;
+  /** The recorded time of the gas. */
+  static final double PAST = 5;
+
+  /** So many moments of that time are asked for in turn, evenly spaced. */
+  static final int MOMENTS = 997;
 
   /** Times the canonical scene, side by side, in each direction: 10^4 circles, 10^4 lines. */
   private static final int TILES = 10;
@@ -117,7 +121,7 @@ public class EditBenchmark {
       gas = new World(new Gas(1000, 0.3, 1, false, 1).scene());
       pastOfGas = gas.record(1000);
       alone.step(50);
-      gas.step(5);
+      gas.step(PAST);
       gas.stopRecording();
       ofAlone = alone.snapshot();
       ofGas = gas.snapshot();
@@ -259,7 +263,7 @@ public class EditBenchmark {
    */
   @Benchmark
   public Snapshot pastGas(Thousand s) {
-    return s.pastOfGas.snapshot(s.next++ % MOMENTS * 5.0 / MOMENTS);
+    return s.pastOfGas.snapshot(s.next++ % MOMENTS * PAST / MOMENTS);
   }
 
   /**

@@ -117,7 +117,7 @@ class BenchmarksTest {
     assertThat(edits.writeGas(thousand)).isEqualTo(thousand.bytesOfGas).hasSize(125_126);
     assertThat(edits.readGas(thousand)).isEqualTo(thousand.ofGas);
     assertThat(edits.pastGas(thousand).now()).isZero();
-    assertThat(edits.pastGas(thousand).now()).isBetween(0.005, 0.006);
+    assertThat(edits.pastGas(thousand).now()).isEqualTo(EditBenchmark.PAST / EditBenchmark.MOMENTS);
   }
 
   @Test
