@@ -58,14 +58,6 @@ class GasTest {
     return builder.build();
   }
 
-  private static double energy(World world) {
-    double energy = 0;
-    for (int i = 0; i < world.circleCount(); i++) {
-      energy += (world.vx(i) * world.vx(i) + world.vy(i) * world.vy(i)) / 2;
-    }
-    return energy;
-  }
-
   private static double leastDistance(World world) {
     double least = Double.POSITIVE_INFINITY;
     for (int i = 0; i < world.circleCount(); i++) {
@@ -81,7 +73,7 @@ class GasTest {
   void hasThePressureAndTheRateOfCollisionsOfHardDisks(double packing) {
     double length = Math.sqrt(COUNT * Math.PI / packing);
     World world = new World(gas(length));
-    double energy = energy(world);
+    double energy = Energy.of(world);
     double temperature = energy / COUNT;
     world.advanceTo(20);
 
@@ -123,7 +115,7 @@ class GasTest {
     assertThat(byPressure.mean())
         .isCloseTo(henderson, within(4 * byPressure.error() + 0.002 * henderson));
     assertThat(byRate.mean()).isCloseTo(henderson, within(4 * byRate.error() + 0.002 * henderson));
-    assertThat(energy(world)).isCloseTo(energy, within(1e-12 * energy));
+    assertThat(Energy.of(world)).isCloseTo(energy, within(1e-12 * energy));
     assertThat(leastDistance(world)).isGreaterThan(2 - 1e-12 * length);
   }
 

@@ -44,15 +44,6 @@ class InelasticTest {
     return new End(impacts, jammed);
   }
 
-  private static double energy(World world) {
-    double energy = 0;
-    for (int i = 0; i < world.circleCount(); i++) {
-      double v2 = world.vx(i) * world.vx(i) + world.vy(i) * world.vy(i);
-      energy += world.scene().mass(i) * v2 / 2;
-    }
-    return energy;
-  }
-
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.5})
   void aGasThatCoolsGoesOn(double restitution) {
@@ -67,10 +58,10 @@ class InelasticTest {
           .restitution(restitution);
     }
     World world = new World(builder.build());
-    double energy = energy(world);
+    double energy = Energy.of(world);
     End end = play(world, 60);
     assertThat(end.impacts()).isBetween(200, 49 * IMPACTS);
-    assertThat(energy(world)).isLessThan(energy);
+    assertThat(Energy.of(world)).isLessThan(energy);
     for (int i = 0; i < 49; i++) {
       assertThat(world.x(i)).isBetween(1 - 1e-9, 27 + 1e-9);
       assertThat(world.y(i)).isBetween(1 - 1e-9, 27 + 1e-9);
@@ -92,7 +83,7 @@ class InelasticTest {
     assertThat(end.jammed()).isPositive();
     // Each circle that joins is hit 17 times at most until all act at once, a row of the log each.
     assertThat(end.impacts()).isLessThan(3 * 17 * count * count);
-    assertThat(energy(world)).isLessThan(50);
+    assertThat(Energy.of(world)).isLessThan(50);
     for (int i = 0; i <= count; i++) {
       assertThat(world.x(i)).isBetween(1 - 1e-9, 19 + 3 * count + 1e-9);
     }

@@ -281,20 +281,12 @@ class MovingObstaclesTest {
           4 + 9 * (i % 10), 4 + 9 * (i / 10), 0.5, 2 * Math.cos(angle), 2 * Math.sin(angle));
     }
     World world = world(scene);
-    double before = energy(world);
+    double before = Energy.of(world);
     for (int frame = 1; frame <= 2000; frame++) {
       finish(world, frame);
     }
     double volume = (99.0 - 20) / 99.0; // of the centres, less those kept out by the others
-    assertThat(energy(world) / before).isCloseTo(1 / volume, within(0.03));
-  }
-
-  private static double energy(World world) {
-    double energy = 0;
-    for (int i = 0; i < world.circleCount(); i++) {
-      energy += world.vx(i) * world.vx(i) + world.vy(i) * world.vy(i);
-    }
-    return energy;
+    assertThat(Energy.of(world) / before).isCloseTo(1 / volume, within(0.03));
   }
 
   @Test

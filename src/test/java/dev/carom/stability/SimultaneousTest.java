@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Circle;
+import dev.carom.Energy;
 import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.Scene;
@@ -58,7 +59,7 @@ class SimultaneousTest {
     List<Play.Hit> hits = Play.finish(world, 100, 5);
     assertThat(Play.finish(again, 100, 5)).as("the same order").isEqualTo(hits);
     assertThat(hits).hasSizeGreaterThanOrEqualTo(count);
-    assertThat(energy(world)).isCloseTo(0.5 * count, within(1e-12));
+    assertThat(Energy.of(world)).isCloseTo(0.5 * count, within(1e-12));
     assertThat(momentum(world)).isCloseTo(0, within(1e-12));
   }
 
@@ -72,11 +73,6 @@ class SimultaneousTest {
       builder.circle(distance * x, distance * y, size, -x, -y);
     }
     return builder;
-  }
-
-  private static double energy(World world) {
-    return Play.states(world).stream().mapToDouble(s -> s.vx() * s.vx() + s.vy() * s.vy()).sum()
-        / 2;
   }
 
   private static double momentum(World world) {
