@@ -3,9 +3,6 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -114,7 +111,7 @@ final class EditSession {
   }
 
   /** Plays it to its end, and returns the number of impacts. */
-  int run() throws IOException {
+  int run() {
     begin();
     while (done < length && !stuck) {
       if (masks != null && masks.nextInt(10) == 0) {
@@ -139,7 +136,7 @@ final class EditSession {
     }
   }
 
-  private void act(int what) throws IOException {
+  private void act(int what) {
     switch (what) {
       case 0, 1, 2 -> step(numbers.duration(2, false));
       case 3 -> step(numbers.duration(1, true));
@@ -312,11 +309,9 @@ final class EditSession {
 
   // Snapshots.
 
-  private void snapshot() throws IOException {
+  private void snapshot() {
     Snapshot snapshot = worlds.snapshot();
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    snapshot.write(out);
-    Snapshot read = Snapshot.read(new ByteArrayInputStream(out.toByteArray()));
+    Snapshot read = SnapshotBytes.copy(snapshot);
     assertThat(read).isEqualTo(snapshot);
     snapshots.add(random.nextBoolean() ? snapshot : read);
     plainSnapshots.add(worlds.plainSnapshot());

@@ -3,7 +3,6 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -25,8 +24,7 @@ class EditsTest {
     "false, false, false", "true, false, false", "false, true, false", "true, true, false",
     "false, false, true", "true, false, true", "false, true, true", "true, true, true"
   })
-  void theWorldDoesWhatThePlainModelDoes(boolean collide, boolean hard, boolean moving)
-      throws IOException {
+  void theWorldDoesWhatThePlainModelDoes(boolean collide, boolean hard, boolean moving) {
     int impacts = 0;
     int done = 0;
     int stuck = 0;
@@ -66,7 +64,7 @@ class EditsTest {
    */
   @ParameterizedTest
   @CsvSource({"7022521, false", "7016021, true", "5386515, true"})
-  void sessionsThatOnceDiffered(long seed, boolean collide) throws IOException {
+  void sessionsThatOnceDiffered(long seed, boolean collide) {
     assertThat(session(seed, collide, false, false, false).run()).isPositive();
   }
 
@@ -76,15 +74,14 @@ class EditsTest {
    */
   @ParameterizedTest
   @ValueSource(longs = {18, 147, 245})
-  void lateSessionsThatOnceDiffered(long seed) throws IOException {
+  void lateSessionsThatOnceDiffered(long seed) {
     assertThat(session(seed, true, true, false, false).run()).isPositive();
   }
 
   /** Short ones, for who cannot wait for the long run. */
   @ParameterizedTest
   @CsvSource({"1, false, false", "2, true, false", "3, false, true", "4, true, true"})
-  void aSessionDoesWhatThePlainModelDoes(long seed, boolean collide, boolean masked)
-      throws IOException {
+  void aSessionDoesWhatThePlainModelDoes(long seed, boolean collide, boolean masked) {
     assertThat(session(seed, collide, false, masked, false).run()).isPositive();
   }
 }

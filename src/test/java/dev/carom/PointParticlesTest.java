@@ -6,8 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.StringWriter;
@@ -139,7 +137,8 @@ class PointParticlesTest {
       }
     }
     assertThat(pairs).isGreaterThan(200);
-    // Velocities round by a few ulps, so an impact changes the energy of its circles by 8 u or less.
+    // Velocities round by a few ulps, so an impact changes the energy of its circles by 8 u or
+    // less.
     assertThat(Energy.of(world)).isCloseTo(before, within(8 * 0x1p-53 * impacts * before));
     assertThat(inOne.advanceTo(100)).isTrue();
     assertThat(world.snapshot()).isEqualTo(inOne.snapshot());
@@ -167,10 +166,8 @@ class PointParticlesTest {
     assertThat(Scene.read(new StringReader(text.toString()), "points")).isEqualTo(scene);
     World world = new World(scene);
     assertThat(world.step(3)).isTrue();
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    world.snapshot().write(bytes);
     World other = new World(scene);
-    other.restore(Snapshot.read(new ByteArrayInputStream(bytes.toByteArray())));
+    other.restore(SnapshotBytes.copy(world.snapshot()));
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
     assertThat(world.step(30)).isTrue();
     assertThat(other.step(30)).isTrue();

@@ -4,10 +4,6 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.state.EngineOptions;
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Random;
 
@@ -47,7 +43,7 @@ final class RestoredTwin {
     if (random.nextBoolean()) {
       twin = new World(scene, options);
     }
-    twin.restore(random.nextBoolean() ? snapshot : read(bytes(snapshot)));
+    twin.restore(random.nextBoolean() ? snapshot : SnapshotBytes.copy(snapshot));
     compare(world);
   }
 
@@ -63,24 +59,6 @@ final class RestoredTwin {
     Snapshot ofTwin = twin.snapshot();
     assertThat(ofTwin).as("snapshot of the restored one").isEqualTo(snapshot);
     assertThat(ofTwin).hasSameHashCodeAs(snapshot);
-    assertThat(bytes(ofTwin)).isEqualTo(bytes(snapshot));
-  }
-
-  private static byte[] bytes(Snapshot snapshot) {
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    try {
-      snapshot.write(out);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-    return out.toByteArray();
-  }
-
-  private static Snapshot read(byte[] bytes) {
-    try {
-      return Snapshot.read(new ByteArrayInputStream(bytes));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    assertThat(SnapshotBytes.of(ofTwin)).isEqualTo(SnapshotBytes.of(snapshot));
   }
 }

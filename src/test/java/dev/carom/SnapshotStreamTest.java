@@ -50,22 +50,16 @@ class SnapshotStreamTest {
   private static final int TAIL_OF_EDIT = ID + 2 * 125 + 1;
   private static final int MOTIONS = TAIL_OF_EDIT + 8;
 
-  private static byte[] bytes(Snapshot snapshot) throws IOException {
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    snapshot.write(out);
-    return out.toByteArray();
-  }
-
   private static Snapshot read(byte[] bytes) throws IOException {
     return Snapshot.read(new ByteArrayInputStream(bytes));
   }
 
-  private static byte[] small() throws IOException {
+  private static byte[] small() {
     return small(0);
   }
 
   /** A line and a peg that move with a velocity, and two circles. */
-  private static byte[] small(double velocity) throws IOException {
+  private static byte[] small(double velocity) {
     World world =
         new World(
             Scene.builder()
@@ -78,7 +72,7 @@ class SnapshotStreamTest {
                 .circle(20, 80, 3, 1, -2)
                 .build());
     world.step(40);
-    return bytes(world.snapshot());
+    return SnapshotBytes.of(world.snapshot());
   }
 
   @Test
@@ -97,21 +91,21 @@ class SnapshotStreamTest {
   @ValueSource(booleans = {false, true})
   void aLineOrPegThatWasRemovedTakesAByteAndACircleNone(boolean collide) throws IOException {
     World world = new World(room().collide(collide).circle(50, 50, 5, 1, 2).build());
-    int before = bytes(world.snapshot()).length;
+    int before = SnapshotBytes.of(world.snapshot()).length;
     for (int i = 0; i < 100; i++) {
       world.remove(ObstacleKind.CIRCLE, world.addCircle(20, 20, 1, i, 3));
       world.remove(ObstacleKind.LINE, world.addLine(0, i, 5, i));
       world.remove(ObstacleKind.PEG, world.addPeg(i, 0, 1));
     }
     world.addCircle(20, 20, 1, 1, 3);
-    byte[] after = bytes(world.snapshot());
+    byte[] after = SnapshotBytes.of(world.snapshot());
     assertThat(after).hasSize(before + 200 + 125);
     assertThat(read(after)).isEqualTo(world.snapshot());
   }
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void aWorldGoesOnWithoutThoseThatWereRemoved(boolean collide) throws IOException {
+  void aWorldGoesOnWithoutThoseThatWereRemoved(boolean collide) {
     World world = new World(RandomScenes.responses(new Random(5)).collide(collide).build());
     for (int i = 0; i < 20; i++) {
       int id = world.addCircle(30 + i, 40, 3, 1, i);
@@ -119,7 +113,7 @@ class SnapshotStreamTest {
       world.remove(ObstacleKind.CIRCLE, i % 3 == 0 ? i / 3 : id);
     }
     World other = new World(world.scene());
-    other.restore(read(bytes(world.snapshot())));
+    other.restore(SnapshotBytes.copy(world.snapshot()));
     assertThat(other.addCircle(0, 0, 3, 2, 1)).isEqualTo(world.addCircle(0, 0, 3, 2, 1));
     for (int i = 0; i < 5; i++) {
       world.step(3);
@@ -133,8 +127,8 @@ class SnapshotStreamTest {
     return Scene.builder().bounds(0, 0, 100, 100);
   }
 
-  private static int size(SceneBuilder scene) throws IOException {
-    return bytes(new World(scene.build()).snapshot()).length;
+  private static int size(SceneBuilder scene) {
+    return SnapshotBytes.of(new World(scene.build()).snapshot()).length;
   }
 
   @ParameterizedTest
@@ -167,7 +161,7 @@ class SnapshotStreamTest {
 
   /** What was removed keeps its id, and counts no more. */
   @Test
-  void whatWasRemovedIsNotAmongWhatIsLookedAt() throws IOException {
+  void whatWasRemovedIsNotAmongWhatIsLookedAt() {
     SceneBuilder scene = Scene.builder().circle(0, 0, 1, 1, 0);
     for (int i = 0; i < 3; i++) {
       scene.line(20 + i, -5, 20 + i, 5).peg(-20 - i, 0, 1);
@@ -176,20 +170,20 @@ class SnapshotStreamTest {
     world.remove(ObstacleKind.LINE, 1);
     world.remove(ObstacleKind.PEG, 2);
     World other = new World(world.scene());
-    other.restore(read(bytes(world.snapshot())));
+    other.restore(SnapshotBytes.copy(world.snapshot()));
     assertThat(other.engineDescription())
         .isEqualTo(world.engineDescription())
         .contains("4 lines and pegs without a grid");
     world.remove(ObstacleKind.LINE, 0); // most are gone by now
     world.remove(ObstacleKind.PEG, 1);
-    other.restore(read(bytes(world.snapshot())));
+    other.restore(SnapshotBytes.copy(world.snapshot()));
     assertThat(other.engineDescription())
         .isEqualTo(world.engineDescription())
         .contains("2 lines and pegs without a grid");
   }
 
   @Test
-  void whatThingsDoIsKept() throws IOException {
+  void whatThingsDoIsKept() {
     World world =
         new World(
             room()
@@ -204,7 +198,7 @@ class SnapshotStreamTest {
                 .build());
     world.remove(ObstacleKind.CIRCLE, 0);
     World other = new World(world.scene());
-    other.restore(read(bytes(world.snapshot())));
+    other.restore(SnapshotBytes.copy(world.snapshot()));
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
     assertThat(other.response(ObstacleKind.WALL, 0)).isEqualTo(Response.HALT);
     assertThat(other.oneWay(0)).isTrue();
@@ -214,19 +208,19 @@ class SnapshotStreamTest {
 
   /** Eight bytes for each thing of a kind, once one of them has a filter of its own. */
   @Test
-  void filtersAreKept() throws IOException {
+  void filtersAreKept() {
     World world = new World(room().line(10, 20, 30, 40).line(0, 0, 1, 1).peg(50, 50, 5).build());
     world.addCircle(70, 70, 3, 1, -2);
     world.addCircle(20, 80, 3, 1, -2);
-    int plain = bytes(world.snapshot()).length;
+    int plain = SnapshotBytes.of(world.snapshot()).length;
     world.setFilter(ObstacleKind.WALL, 0, 7, 6);
-    assertThat(bytes(world.snapshot())).hasSize(plain);
+    assertThat(SnapshotBytes.of(world.snapshot())).hasSize(plain);
     world.setFilter(ObstacleKind.LINE, 1, 2, -1);
-    assertThat(bytes(world.snapshot())).hasSize(plain + 16);
+    assertThat(SnapshotBytes.of(world.snapshot())).hasSize(plain + 16);
     world.setFilter(ObstacleKind.CIRCLE, 0, 1, 4);
-    assertThat(bytes(world.snapshot())).hasSize(plain + 32);
+    assertThat(SnapshotBytes.of(world.snapshot())).hasSize(plain + 32);
     World other = new World(world.scene());
-    other.restore(read(bytes(world.snapshot())));
+    other.restore(SnapshotBytes.copy(world.snapshot()));
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
     assertThat(other.category(ObstacleKind.WALL, 3)).isEqualTo(7);
     assertThat(other.mask(ObstacleKind.WALL, 3)).isEqualTo(6);
@@ -243,7 +237,7 @@ class SnapshotStreamTest {
     snapshot.state.flights().jams =
         new IgnoreList[] {null, IgnoreList.with(IgnoreList.with(null, 3), Codes.peg(0))};
     assertThat(snapshot).isNotEqualTo(read(small()));
-    assertThat(read(bytes(snapshot))).isEqualTo(snapshot);
+    assertThat(SnapshotBytes.copy(snapshot)).isEqualTo(snapshot);
   }
 
   @Test
@@ -300,7 +294,7 @@ class SnapshotStreamTest {
   }
 
   @Test
-  void anotherVersionIsRefused() throws IOException {
+  void anotherVersionIsRefused() {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putInt(VERSION, 1);
     assertRefused(
@@ -340,8 +334,7 @@ class SnapshotStreamTest {
         TAIL_OF_EDIT + " | 1 | the tail of the time of an edit is 1.0",
         TAIL_OF_EDIT + " | NaN | the tail of the time of an edit is NaN",
       })
-  void numbersThatMakeNoSenseAreRefused(String at, double number, String message)
-      throws IOException {
+  void numbersThatMakeNoSenseAreRefused(String at, double number, String message) {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putDouble(Integer.parseInt(at), number);
     assertRefused(bytes, message);
@@ -374,8 +367,7 @@ class SnapshotStreamTest {
         LINES + " | 268435453 | count is 268435453: expected 0 to 268435452",
         PEGS + " | 268435457 | count is 268435457: expected 0 to 268435456",
       })
-  void codesAndCountsThatMakeNoSenseAreRefused(int at, int number, String message)
-      throws IOException {
+  void codesAndCountsThatMakeNoSenseAreRefused(int at, int number, String message) {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putInt(at, number);
     assertRefused(bytes, message);
@@ -388,7 +380,7 @@ class SnapshotStreamTest {
     ByteBuffer.wrap(bytes).putInt(CIRCLES, 1_000_000_000);
     seal(bytes);
     Snapshot read = read(bytes);
-    assertThat(bytes(read)).isEqualTo(bytes);
+    assertThat(SnapshotBytes.of(read)).isEqualTo(bytes);
     World world = new World(Scene.builder().bounds(0, 0, 100, 100).build());
     world.restore(read);
     assertThat(world.addCircle(50, 20, 4, 1, 1)).isEqualTo(1_000_000_000);
@@ -406,12 +398,12 @@ class SnapshotStreamTest {
     for (int pace : new int[] {Double.MIN_EXPONENT - 1, Double.MAX_EXPONENT + 1}) {
       numbers.putInt(PACE, pace << 8 | 16); // and no turn
       seal(bytes);
-      assertThat(bytes(read(bytes))).isEqualTo(bytes);
+      assertThat(SnapshotBytes.of(read(bytes))).isEqualTo(bytes);
     }
   }
 
   @Test
-  void whatDoesNotBeginAsOneIsRefused() throws IOException {
+  void whatDoesNotBeginAsOneIsRefused() {
     byte[] bytes = small();
     bytes[0]++;
     assertRefused(bytes, "its first 8 bytes are not those of a snapshot");
@@ -421,7 +413,7 @@ class SnapshotStreamTest {
   void aJamWithNothingIsRefused() throws IOException {
     Snapshot snapshot = read(small());
     snapshot.state.flights().jams = new IgnoreList[] {null, IgnoreList.with(null, 77)};
-    assertRefused(bytes(snapshot), "code 77 does not exist");
+    assertRefused(SnapshotBytes.of(snapshot), "code 77 does not exist");
   }
 
   @ParameterizedTest
@@ -435,8 +427,7 @@ class SnapshotStreamTest {
         "4 | 536870912 | code 536870912 does not exist",
         "32 | 4 | code 4 does not exist", // a second time
       })
-  void codesOfMovingObstaclesThatMakeNoSenseAreRefused(int at, int number, String message)
-      throws IOException {
+  void codesOfMovingObstaclesThatMakeNoSenseAreRefused(int at, int number, String message) {
     byte[] bytes = small(0.125);
     ByteBuffer.wrap(bytes).putInt(MOTIONS + at, number);
     assertRefused(bytes, message);
@@ -451,7 +442,7 @@ class SnapshotStreamTest {
         "24 | -1 | an obstacle moves since -1.0",
         "24 | 41 | an obstacle moves since 41.0",
       })
-  void motionsThatMakeNoSenseAreRefused(int at, double number, String message) throws IOException {
+  void motionsThatMakeNoSenseAreRefused(int at, double number, String message) {
     byte[] bytes = small(0.125);
     ByteBuffer.wrap(bytes).putDouble(MOTIONS + at, number);
     assertRefused(bytes, message);
@@ -461,11 +452,11 @@ class SnapshotStreamTest {
   void whatRestsCrushesNothing() throws IOException {
     Snapshot snapshot = read(small());
     snapshot.state.flights().jams = new IgnoreList[] {null, IgnoreList.crushedBy(null, 4)};
-    assertRefused(bytes(snapshot), "code 4 does not exist");
+    assertRefused(SnapshotBytes.of(snapshot), "code 4 does not exist");
   }
 
   @Test
-  void traitsThatMakeNoSenseAreRefused() throws IOException {
+  void traitsThatMakeNoSenseAreRefused() {
     for (byte traits : new byte[] {2, 3, 4, -1}) {
       byte[] bytes = small();
       bytes[BOUNDS_TRAITS] = traits;
@@ -475,7 +466,7 @@ class SnapshotStreamTest {
 
   @ParameterizedTest
   @CsvSource({"LINES, 8", "LINES, 3", "LINES, -2", "PEGS, 4", "ID, 3"})
-  void soAreThoseOfThings(String kind, byte traits) throws IOException {
+  void soAreThoseOfThings(String kind, byte traits) {
     byte[] bytes = small();
     int count = "LINES".equals(kind) ? LINES : "PEGS".equals(kind) ? PEGS : ID;
     bytes[count + 4] = traits;

@@ -11,6 +11,7 @@ import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Snapshot;
+import dev.carom.SnapshotBytes;
 import dev.carom.Timeline;
 import dev.carom.World;
 import dev.carom.internal.state.CircleRegistry;
@@ -21,9 +22,6 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Kind;
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -56,24 +54,18 @@ class IdLimitTest {
     return world;
   }
 
-  private static Snapshot copy(Snapshot snapshot) throws IOException {
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    snapshot.write(out);
-    return Snapshot.read(new ByteArrayInputStream(out.toByteArray()));
-  }
-
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void theLastIdOfACircleIsLikeOthers(boolean collide) throws IOException {
+  void theLastIdOfACircleIsLikeOthers(boolean collide) {
     World world = old(collide, CIRCLES - 1);
     int last = world.addCircle(50, 20, 3, 0, 9);
     assertThat(last).isEqualTo(CIRCLES - 1);
     world.step(10);
     assertThat(world.impacts().size()).isPositive();
     Snapshot snapshot = world.snapshot();
-    assertThat(copy(snapshot)).isEqualTo(snapshot);
+    assertThat(SnapshotBytes.copy(snapshot)).isEqualTo(snapshot);
     World other = new World(world.scene());
-    other.restore(copy(snapshot));
+    other.restore(SnapshotBytes.copy(snapshot));
     assertThat(Run.rows(after(other))).isEqualTo(Run.rows(after(world)));
     world.remove(CIRCLE, last);
     assertThat(world.contains(CIRCLE, last)).isFalse();
