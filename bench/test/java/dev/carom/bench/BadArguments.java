@@ -361,13 +361,7 @@ final class BadArguments {
   }
 
   private static InputStream saved() {
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    try {
-      stepped(true).snapshot().write(out);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-    return new ByteArrayInputStream(out.toByteArray());
+    return new ByteArrayInputStream(SnapshotBytes.of(stepped(true).snapshot()));
   }
 
   private static Reader broken() {

@@ -11,7 +11,6 @@ import dev.carom.SceneFormatException;
 import dev.carom.Snapshot;
 import dev.carom.World;
 import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.StringReader;
 import java.lang.management.ManagementFactory;
@@ -38,10 +37,8 @@ class HostileInputTest {
     return scene;
   }
 
-  private static byte[] snapshot(SceneBuilder scene) throws IOException {
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    new World(scene.build()).snapshot().write(out);
-    return out.toByteArray();
+  private static byte[] snapshot(SceneBuilder scene) {
+    return SnapshotBytes.of(new World(scene.build()).snapshot());
   }
 
   /** A list that is copied for each of its elements would allocate the square. */
@@ -58,7 +55,7 @@ class HostileInputTest {
    * Whatever number of things it claims to hold: memory comes with the bytes, not with the claim.
    */
   @Test
-  void aSnapshotThatClaimsMoreThanItHoldsTakesNoMemory() throws IOException {
+  void aSnapshotThatClaimsMoreThanItHoldsTakesNoMemory() {
     byte[] whole = snapshot(pegs(3).circle(50, 50, 1, 1, 1));
     for (int at = 0; at + Integer.BYTES <= whole.length; at++) {
       byte[] bytes = whole.clone();
@@ -77,7 +74,7 @@ class HostileInputTest {
   @ParameterizedTest
   @ValueSource(
       strings = {"x", "circle,", "circle,1", "circle,0,0,1,1,1,mass=1", ",", "\"", "=", "#"})
-  void aLongRowIsRefusedInFewWords(String start) throws IOException {
+  void aLongRowIsRefusedInFewWords(String start) {
     String text = start + start.substring(start.length() - 1).repeat(LONG) + "\nx";
     long before = THREADS.getCurrentThreadAllocatedBytes();
     assertThatThrownBy(() -> Scene.read(new StringReader(text), "scene.csv"))

@@ -8,8 +8,8 @@ import dev.carom.Impact;
 import dev.carom.Scene;
 import dev.carom.Snapshot;
 import dev.carom.World;
+import dev.carom.bench.SnapshotBytes;
 import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.StringReader;
@@ -70,9 +70,8 @@ class InputFuzzIT {
       assertThat(e.getMessage()).isNotBlank();
       return;
     }
-    ByteArrayOutputStream out = new ByteArrayOutputStream();
-    snapshot.write(out);
-    assertThat(Snapshot.read(new ByteArrayInputStream(out.toByteArray()))).isEqualTo(snapshot);
+    ByteArrayInputStream written = new ByteArrayInputStream(SnapshotBytes.of(snapshot));
+    assertThat(Snapshot.read(written)).isEqualTo(snapshot);
   }
 
   @FuzzTest(maxDuration = "10m")
