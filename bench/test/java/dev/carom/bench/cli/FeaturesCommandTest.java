@@ -27,6 +27,7 @@ class FeaturesCommandTest {
     assertThat(value(rows, "circles", "feature_time"))
         .isLessThan(value(rows, "lines", "feature_time"));
     assertThat(value(rows, "circles", "feature_impacts")).isZero();
+    // AmongMovingLinesTest has what moves; both scenes have as many lines, in places as crowded.
     assertThat(value(rows, "moving-lines", "feature_impacts"))
         .isCloseTo(value(rows, "many-lines", "feature_impacts"), withinPercentage(30));
     assertThat(value(rows, "sensors", "feature_impacts")).isPositive();

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.series;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import dev.carom.Bounds;
+import dev.carom.Line;
+import dev.carom.ObstacleKind;
+import dev.carom.Scene;
+import dev.carom.Vec2;
+import org.junit.jupiter.api.Test;
+
+class AmongMovingLinesTest {
+
+  private static final int FRAMES = 600;
+  private static final int MOVING = 100;
+
+  /**
+   * Moved half-way, and not at all, a coordinate is rounded a few times: 1e-12 is its last place.
+   */
+  private static final double ROUNDING = 1e-11;
+
+  @Test
+  void aHundredLinesMoveInsideTheBoundsOrRestWhereTheyWouldBeHalfWay() throws Exception {
+    Scene moving = AmongMovingLines.scene(1, FRAMES, true);
+    Scene resting = AmongMovingLines.scene(1, FRAMES, false);
+    Bounds bounds = moving.bounds().orElseThrow();
+    int others = moving.lineCount() - MOVING;
+    assertThat(resting.lineCount()).isEqualTo(others + MOVING);
+    for (int k = 0; k < others; k++) {
+      assertThat(moving.velocity(ObstacleKind.LINE, k)).isEqualTo(Vec2.ZERO);
+      assertThat(resting.line(k)).isEqualTo(moving.line(k));
+    }
+    for (int k = others; k < others + MOVING; k++) {
+      Vec2 u = moving.velocity(ObstacleKind.LINE, k);
+      assertThat(u.length()).isBetween(1 - ROUNDING, 10 + ROUNDING);
+      assertThat(resting.velocity(ObstacleKind.LINE, k)).isEqualTo(Vec2.ZERO);
+      Line start = moving.line(k);
+      Line rest = resting.line(k);
+      double half = FRAMES / 2.0;
+      assertThat(rest.ax()).isCloseTo(start.ax() + half * u.x(), within(ROUNDING));
+      assertThat(rest.ay()).isCloseTo(start.ay() + half * u.y(), within(ROUNDING));
+      assertThat(rest.bx()).isCloseTo(start.bx() + half * u.x(), within(ROUNDING));
+      assertThat(rest.by()).isCloseTo(start.by() + half * u.y(), within(ROUNDING));
+      double x = (start.ax() + start.bx()) / 2 + FRAMES * u.x();
+      double y = (start.ay() + start.by()) / 2 + FRAMES * u.y();
+      assertThat(x).isBetween(bounds.xmin(), bounds.xmax());
+      assertThat(y).isBetween(bounds.ymin(), bounds.ymax());
+    }
+  }
+}
