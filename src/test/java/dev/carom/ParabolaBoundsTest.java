@@ -16,9 +16,6 @@ import dev.carom.oracle.ParabolaFamilies;
 import dev.carom.oracle.ParabolaFamily;
 import dev.carom.oracle.ParabolaQuery;
 import dev.carom.oracle.SegmentQuery;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Method;
@@ -168,21 +165,19 @@ class ParabolaBoundsTest {
     return new Reply(time, part | now);
   }
 
-  /** A copy of the sweeps, read from the same class files, with one constant replaced. */
-  private static final class Detector extends ClassLoader {
-    private final Weakening weakening;
+  /** A copy of the sweeps, with the constants of one weakening replaced. */
+  private static final class Detector {
     private final MethodHandle line;
     private final MethodHandle contact;
     private final MethodHandle disk;
     private final MethodHandle wall;
 
     Detector(Weakening weakening) {
-      super(getPlatformClassLoader());
-      this.weakening = weakening;
-      line = handle(ParabolaSegmentSweep.class, "time", 14);
-      contact = handle(ParabolaSegmentSweep.class, "contact", 14);
-      disk = handle(ParabolaDiskSweep.class, "time", 13);
-      wall = handle(ParabolaWallSweep.class, "time", 7);
+      ClassLoader classes = new PatchedClasses((name, pool) -> weaken(weakening, name, pool));
+      line = handle(classes, ParabolaSegmentSweep.class, "time", 14);
+      contact = handle(classes, ParabolaSegmentSweep.class, "contact", 14);
+      disk = handle(classes, ParabolaDiskSweep.class, "time", 13);
+      wall = handle(classes, ParabolaWallSweep.class, "time", 7);
     }
 
     Reply ask(ParabolaQuery query) {
@@ -226,9 +221,19 @@ class ParabolaBoundsTest {
       }
     }
 
-    private MethodHandle handle(Class<?> original, String name, int arguments) {
+    /** Nothing is weakened if the weakening is null. */
+    private static void weaken(Weakening weakening, String className, ConstantPool pool) {
+      if (weakening != null && className.endsWith("." + weakening.owner())) {
+        for (double value : weakening.values()) {
+          pool.replace(value, value * weakening.factor());
+        }
+      }
+    }
+
+    private static MethodHandle handle(
+        ClassLoader classes, Class<?> original, String name, int arguments) {
       try {
-        for (Method method : loadClass(original.getName()).getDeclaredMethods()) {
+        for (Method method : classes.loadClass(original.getName()).getDeclaredMethods()) {
           if (method.getName().equals(name) && method.getParameterCount() == arguments) {
             return MethodHandles.lookup().unreflect(method);
           }
@@ -236,38 +241,6 @@ class ParabolaBoundsTest {
         throw new IllegalStateException(original.getName());
       } catch (ReflectiveOperationException e) {
         throw new IllegalStateException(e);
-      }
-    }
-
-    /** Not the parent first: it would find the module that is being tested. */
-    @Override
-    protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
-      synchronized (getClassLoadingLock(name)) {
-        Class<?> loaded = findLoadedClass(name);
-        if (loaded != null) {
-          return loaded;
-        }
-        return name.startsWith("dev.carom.") ? findClass(name) : super.loadClass(name, resolve);
-      }
-    }
-
-    @Override
-    protected Class<?> findClass(String name) throws ClassNotFoundException {
-      String file = "/" + name.replace('.', '/') + ".class";
-      try (InputStream in = SweptCircle.class.getResourceAsStream(file)) {
-        if (in == null) {
-          throw new ClassNotFoundException(name);
-        }
-        ConstantPool pool = new ConstantPool(in.readAllBytes());
-        if (weakening != null && name.endsWith("." + weakening.owner())) {
-          for (double value : weakening.values()) {
-            pool.replace(value, value * weakening.factor());
-          }
-        }
-        byte[] classFile = pool.classFile();
-        return defineClass(name, classFile, 0, classFile.length);
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
       }
     }
   }

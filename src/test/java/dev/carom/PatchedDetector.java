@@ -11,9 +11,6 @@ import dev.carom.oracle.Query;
 import dev.carom.oracle.SegmentQuery;
 import dev.carom.oracle.SphereQuery;
 import dev.carom.oracle.WallQuery;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Method;
@@ -22,8 +19,7 @@ import java.util.EnumMap;
 import java.util.Map;
 
 /**
- * A copy of the detector for itself, read from the same class files by a class loader of its own,
- * with some of its rounding bounds scaled.
+ * A copy of the detector, made of {@link PatchedClasses}: some of its rounding bounds are scaled.
  */
 final class PatchedDetector {
   private final MethodHandle lineContact;
@@ -42,13 +38,15 @@ final class PatchedDetector {
   record Reply(Part part, double time) {}
 
   private PatchedDetector(Map<RoundingBound, Double> factors) {
-    Loader loader = new Loader(factors);
-    lineContact = loader.handle(SegmentSweep.class, "contact", 11, 12);
-    lineTime = loader.handle(SegmentSweep.class, "time", 12, 12);
-    pairContact = loader.handle(DiskSweep.class, "contact", 10, 11);
-    pairTime = loader.handle(DiskSweep.class, "time", 11, 11);
-    bounds = loader.handle(SweptCircle.class, "bounds", 10, 10);
-    sphereTime = loader.handle(SweptSphere.class, "pair", 15, 15);
+    ClassLoader classes =
+        new PatchedClasses(
+            (name, pool) -> factors.forEach((bound, factor) -> bound.scale(name, pool, factor)));
+    lineContact = handle(classes, SegmentSweep.class, "contact", 11, 12);
+    lineTime = handle(classes, SegmentSweep.class, "time", 12, 12);
+    pairContact = handle(classes, DiskSweep.class, "contact", 10, 11);
+    pairTime = handle(classes, DiskSweep.class, "time", 11, 11);
+    bounds = handle(classes, SweptCircle.class, "bounds", 10, 10);
+    sphereTime = handle(classes, SweptSphere.class, "pair", 15, 15);
   }
 
   /** The detector with one bound scaled down: 1 for none, 0 to remove it. */
@@ -119,74 +117,37 @@ final class PatchedDetector {
     return contact == Contact.START ? Part.START : contact == Contact.END ? Part.END : Part.SIDE;
   }
 
-  /** Reads class files of the library; what they need besides is the platform's. */
-  private static final class Loader extends ClassLoader {
-    private final Map<RoundingBound, Double> factors;
-
-    Loader(Map<RoundingBound, Double> factors) {
-      super(getPlatformClassLoader());
-      this.factors = factors;
+  /**
+   * A static method that takes doubles, perhaps an int before them.
+   *
+   * @param doubles how many it takes
+   * @param given how many it is to be given, in an array
+   */
+  private static MethodHandle handle(
+      ClassLoader classes, Class<?> original, String name, int doubles, int given) {
+    try {
+      Method method = find(classes.loadClass(original.getName()), name, doubles);
+      method.setAccessible(true);
+      MethodHandle handle = MethodHandles.lookup().unreflect(method);
+      Class<?>[] ignored = new Class<?>[given - doubles];
+      Arrays.fill(ignored, double.class);
+      return MethodHandles.dropArguments(handle, method.getParameterCount(), ignored)
+          .asSpreader(double[].class, given);
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(e);
     }
+  }
 
-    /**
-     * A static method that takes doubles, perhaps an int before them.
-     *
-     * @param doubles how many it takes
-     * @param given how many it is to be given, in an array
-     */
-    MethodHandle handle(Class<?> original, String name, int doubles, int given) {
-      try {
-        Method method = find(loadClass(original.getName()), name, doubles);
-        method.setAccessible(true);
-        MethodHandle handle = MethodHandles.lookup().unreflect(method);
-        Class<?>[] ignored = new Class<?>[given - doubles];
-        Arrays.fill(ignored, double.class);
-        return MethodHandles.dropArguments(handle, method.getParameterCount(), ignored)
-            .asSpreader(double[].class, given);
-      } catch (ReflectiveOperationException e) {
-        throw new IllegalStateException(e);
-      }
+  private static Method find(Class<?> owner, String name, int doubles)
+      throws NoSuchMethodException {
+    Class<?>[] types = new Class<?>[doubles];
+    Arrays.fill(types, double.class);
+    if (!name.equals("time")) {
+      return owner.getDeclaredMethod(name, types);
     }
-
-    private static Method find(Class<?> owner, String name, int doubles)
-        throws NoSuchMethodException {
-      Class<?>[] types = new Class<?>[doubles];
-      Arrays.fill(types, double.class);
-      if (!name.equals("time")) {
-        return owner.getDeclaredMethod(name, types);
-      }
-      Class<?>[] more = new Class<?>[doubles + 1];
-      System.arraycopy(types, 0, more, 1, doubles);
-      more[0] = int.class;
-      return owner.getDeclaredMethod(name, more);
-    }
-
-    /** Not the parent first: it would find the module that is being tested. */
-    @Override
-    protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
-      synchronized (getClassLoadingLock(name)) {
-        Class<?> loaded = findLoadedClass(name);
-        if (loaded != null) {
-          return loaded;
-        }
-        return name.startsWith("dev.carom.") ? findClass(name) : super.loadClass(name, resolve);
-      }
-    }
-
-    @Override
-    protected Class<?> findClass(String name) throws ClassNotFoundException {
-      String file = "/" + name.replace('.', '/') + ".class";
-      try (InputStream in = SweptCircle.class.getResourceAsStream(file)) {
-        if (in == null) {
-          throw new ClassNotFoundException(name);
-        }
-        ConstantPool pool = new ConstantPool(in.readAllBytes());
-        factors.forEach((bound, factor) -> bound.scale(name, pool, factor));
-        byte[] classFile = pool.classFile();
-        return defineClass(name, classFile, 0, classFile.length);
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
-    }
+    Class<?>[] more = new Class<?>[doubles + 1];
+    System.arraycopy(types, 0, more, 1, doubles);
+    more[0] = int.class;
+    return owner.getDeclaredMethod(name, more);
   }
 }
