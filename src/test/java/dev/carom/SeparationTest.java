@@ -31,22 +31,26 @@ class SeparationTest {
   @MethodSource("families")
   void movesOutAndNoFurther(Family family) {
     Draw draw = new Draw(SEED * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
+    int moved = 0;
     for (int i = 0; i < QUERIES; i++) {
       Query query = family.next(draw);
       double grown = i % 3 == 0 ? 0 : Math.scalb(100.0, -(i % 60));
       if (query instanceof PairQuery q) {
-        movesOut(new Circle(q.x1(), q.y1(), q.r1() + grown), new Circle(q.x2(), q.y2(), q.r2()), q);
+        Circle circle = new Circle(q.x1(), q.y1(), q.r1() + grown);
+        moved += movesOut(circle, new Circle(q.x2(), q.y2(), q.r2()), q) ? 1 : 0;
       } else if (query instanceof SegmentQuery q) {
-        movesOut(
-            new Circle(q.px(), q.py(), q.r() + grown), new Line(q.ax(), q.ay(), q.bx(), q.by()), q);
+        Circle circle = new Circle(q.px(), q.py(), q.r() + grown);
+        moved += movesOut(circle, new Line(q.ax(), q.ay(), q.bx(), q.by()), q) ? 1 : 0;
       }
     }
+    assertThat(moved).isPositive();
   }
 
-  private static void movesOut(Circle circle, Obstacle obstacle, Query q) {
+  /** Returns false where there is nothing to move out of, or no room to do so. */
+  private static boolean movesOut(Circle circle, Obstacle obstacle, Query q) {
     double size = size(circle, obstacle);
     if (size > LARGEST) {
-      return;
+      return false;
     }
     Distance distance = distance(circle, obstacle);
     Vec2 t =
@@ -62,13 +66,14 @@ class SeparationTest {
     }
     if (!distance.isLess()) {
       assertThat(t).as(q.hex()).isEqualTo(Vec2.ZERO);
-      return;
+      return false;
     }
     Circle moved = new Circle(circle.x() + t.x(), circle.y() + t.y(), circle.radius());
     assertThat(distance(moved, obstacle).isLess()).as("still overlaps: %s", q.hex()).isFalse();
     assertThat(distance.excess(t.x(), t.y()))
         .as("ulps beyond the least: %s", q.hex())
         .isLessThan(8 * Math.ulp(size));
+    return true;
   }
 
   private static Distance distance(Circle c, Obstacle obstacle) {

@@ -295,14 +295,17 @@ class WorldTest {
     world.step(100);
     List<Run.Row> rows = Run.rows(world.impacts());
     assertThat(rows).hasSize(100);
+    int together = 0;
     for (int i = 1; i < rows.size(); i++) {
       Run.Row before = rows.get(i - 1);
       Run.Row row = rows.get(i);
       assertThat(row.time()).isGreaterThanOrEqualTo(before.time());
       if (row.time() == before.time()) {
         assertThat(row.circle()).isGreaterThan(before.circle());
+        together++;
       }
     }
+    assertThat(together).as("two at each height").isEqualTo(50);
   }
 
   /** Two things are touched at t = 2, one at the left, one below; each turns another component. */

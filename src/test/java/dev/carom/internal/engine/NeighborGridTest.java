@@ -56,6 +56,7 @@ class NeighborGridTest {
 
   private static void allThatTouchAreVisited(Scene scene, double diameters) {
     CircleTable circles = circles(scene);
+    int touching = 0;
     for (double[] walls : new double[][] {null, Internals.data(scene).obstacles.walls}) {
       NeighborGrid neighbors =
           new NeighborGrid(
@@ -72,10 +73,12 @@ class NeighborGridTest {
         for (int j = 0; j < circles.count; j++) {
           if (j != i && touch(scene.circle(i), scene.circle(j))) {
             assertThat(visited).contains(j);
+            touching++;
           }
         }
       }
     }
+    assertThat(touching).isPositive();
   }
 
   /** Adds those that follow in the lists. */
