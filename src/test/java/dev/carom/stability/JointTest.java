@@ -73,11 +73,10 @@ class JointTest {
     assertState(world, 0, x, 8, 0, 3);
   }
 
-  /** No ghost of the joint, which stops what rounding or a slop let sink in. */
-  @ParameterizedTest
-  @ValueSource(doubles = {0, 1e-13, 1e-6})
-  void aCircleSlidesOverAJoint(double sunk) {
-    if (sunk > 0) {
+  /** No ghost of the joint, which stops a circle that rounding or a slop let sink in. */
+  @Test
+  void aCircleSlidesOverAJoint() {
+    for (double sunk : new double[] {1e-13, 1e-6}) {
       double t = Naive.pointTime(3 - 10, 2 - sunk, 2, new Vec2(1, 0));
       assertThat(t).as("meets the ghost of the joint").isLessThan(Naive.NEVER);
     }
