@@ -84,8 +84,8 @@ class ClockTest {
     Run earlyRun = Run.step(early, 1, FRAMES);
     assertThat(earlyRun.impacts().stream().filter(row -> row.kind() != ObstacleKind.WALL).count())
         .isGreaterThan(80);
-    List<Run.Row> shifted = lateRun.map(row -> at(row, 0));
-    assertThat(shifted).isEqualTo(earlyRun.map(row -> at(row, 0)));
+    List<Run.Row> shifted = lateRun.map(row -> row.at(0));
+    assertThat(shifted).isEqualTo(earlyRun.map(row -> row.at(0)));
     for (int i = 0; i < shifted.size(); i++) {
       assertThat(lateRun.impacts().get(i).time() - LATE)
           .isCloseTo(earlyRun.impacts().get(i).time(), within(Math.ulp(LATE)));
@@ -110,20 +110,5 @@ class ClockTest {
         assertThat(late.vy(i)).isEqualTo(early.vy(i));
       }
     }
-  }
-
-  private static Run.Row at(Run.Row row, double time) {
-    return new Run.Row(
-        time,
-        row.circle(),
-        row.kind(),
-        row.obstacle(),
-        row.feature(),
-        row.x(),
-        row.y(),
-        row.nx(),
-        row.ny(),
-        row.speed(),
-        row.outcome());
   }
 }

@@ -130,18 +130,7 @@ class MasksTest {
               ? row.obstacle()
               : ids.get(row.kind().ordinal()).get(row.obstacle());
       int circle = ids.get(ObstacleKind.CIRCLE.ordinal()).get(row.circle());
-      return new Run.Row(
-          row.time(),
-          circle,
-          row.kind(),
-          obstacle,
-          row.feature(),
-          row.x(),
-          row.y(),
-          row.nx(),
-          row.ny(),
-          row.speed(),
-          row.outcome());
+      return row.renamed(circle, obstacle);
     }
   }
 

@@ -23,7 +23,18 @@ public record Run(List<Row> impacts, List<State> end) {
       double nx,
       double ny,
       double speed,
-      Outcome outcome) {}
+      Outcome outcome) {
+
+    /** This row at another time. */
+    public Row at(double time) {
+      return new Row(time, circle, kind, obstacle, feature, x, y, nx, ny, speed, outcome);
+    }
+
+    /** This row with other ids. */
+    public Row renamed(int circle, int obstacle) {
+      return new Row(time, circle, kind, obstacle, feature, x, y, nx, ny, speed, outcome);
+    }
+  }
 
   /** Where a circle is, and its velocity. */
   public record State(double x, double y, double vx, double vy) {}

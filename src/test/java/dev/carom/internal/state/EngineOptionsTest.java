@@ -185,18 +185,7 @@ class EngineOptionsTest {
             case PEG -> pegs.get(row.obstacle());
             default -> circles.get(row.obstacle());
           };
-      return new Run.Row(
-          row.time(),
-          circles.get(row.circle()),
-          row.kind(),
-          obstacle,
-          row.feature(),
-          row.x(),
-          row.y(),
-          row.nx(),
-          row.ny(),
-          row.speed(),
-          row.outcome());
+      return row.renamed(circles.get(row.circle()), obstacle);
     }
   }
 
