@@ -18,8 +18,6 @@ import dev.carom.oracle.Tally;
 import dev.carom.oracle.WallQuery;
 import java.util.List;
 import java.util.Optional;
-import java.util.StringJoiner;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -68,30 +66,15 @@ class ExactnessTest {
     judge(Brinks.all());
   }
 
+  /** Each family has its share of the queries, in chunks that each have their own seed. */
   private void judge(List<Family> families) {
-    StringJoiner table = new StringJoiner("\n", "\n", "\n").add(Tally.HEAD);
-    StringJoiner failures = new StringJoiner("\n");
-    Tally total = new Tally();
-    for (Family family : families) {
-      Tally tally = judge(family);
-      table.add(tally.row(family.name()));
-      total = total.plus(tally);
-      if (tally.failures() > 0) {
-        failures.add(tally.firstFailure());
-      }
-    }
-    System.out.println(table.add(total.row("all")));
-    assertEquals(0, total.failures(), failures::toString);
-    assertEquals(0, total.notNearest(), "times not rounded correctly");
-  }
-
-  /** The share of one family, in chunks that each have their own seed. */
-  private Tally judge(Family family) {
     int chunks = (int) Math.max(1, QUERIES / Families.all().size() / CHUNK);
-    return IntStream.range(0, chunks)
-        .parallel()
-        .mapToObj(chunk -> judge.judge(family, SEED * 1_000_000 + chunk, CHUNK))
-        .reduce(new Tally(), Tally::plus);
+    FamilyTallies tallies = new FamilyTallies();
+    for (Family family : families) {
+      tallies.add(
+          family.name(), chunks, chunk -> judge.judge(family, SEED * 1_000_000 + chunk, CHUNK));
+    }
+    tallies.assertNoFailure();
   }
 
   /** {@link SweptCircle} as the judge sees it: its two forms, which must agree to the bit. */

@@ -16,12 +16,9 @@ import dev.carom.oracle.ParabolaJudge;
 import dev.carom.oracle.ParabolaQuery;
 import dev.carom.oracle.Part;
 import dev.carom.oracle.SegmentQuery;
-import dev.carom.oracle.Tally;
 import dev.carom.oracle.WallQuery;
 import java.util.List;
 import java.util.Optional;
-import java.util.StringJoiner;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
@@ -40,36 +37,21 @@ class ParabolaExactnessTest {
 
   private final ParabolaJudge judge = new ParabolaJudge(ParabolaExactnessTest::ask);
 
+  /** Each family has its share of the queries, in chunks that each have their own seed. */
   @Test
   void answersGeneratedQueries() {
-    StringJoiner table = new StringJoiner("\n", "\n", "\n").add(Tally.HEAD);
-    StringJoiner failures = new StringJoiner("\n");
-    Tally total = new Tally();
+    int chunks = (int) Math.max(1, QUERIES / families().size() / CHUNK);
+    FamilyTallies tallies = new FamilyTallies();
     for (ParabolaFamily family : families()) {
-      Tally tally = judge(family);
-      table.add(tally.row(family.name()));
-      total = total.plus(tally);
-      if (tally.failures() > 0) {
-        failures.add(tally.firstFailure());
-      }
+      tallies.add(
+          family.name(), chunks, chunk -> judge.judge(family, SEED * 1_000_000 + chunk, CHUNK));
     }
-    System.out.println(table.add(total.row("all")));
-    assertEquals(0, total.failures(), failures::toString);
-    assertEquals(0, total.notNearest(), "times not rounded correctly");
+    tallies.assertNoFailure();
   }
 
   private static List<ParabolaFamily> families() {
     return Stream.concat(ParabolaFamilies.all().stream(), ParabolaFamilies.ofMovingLines().stream())
         .toList();
-  }
-
-  /** The share of one family, in chunks that each have their own seed. */
-  private Tally judge(ParabolaFamily family) {
-    int chunks = (int) Math.max(1, QUERIES / families().size() / CHUNK);
-    return IntStream.range(0, chunks)
-        .parallel()
-        .mapToObj(chunk -> judge.judge(family, SEED * 1_000_000 + chunk, CHUNK))
-        .reduce(new Tally(), Tally::plus);
   }
 
   /**
