@@ -110,29 +110,9 @@ public final class Moment implements Comparable<Moment> {
   /** The correctly rounded time: the nearest double, of two the even one; infinite beyond range. */
   public double nearest() {
     if (Double.isNaN(rounded)) {
-      rounded = round();
+      rounded = Nearest.of(digits().near(), this::compareTo);
     }
     return rounded;
-  }
-
-  private double round() {
-    double guess = Math.min(digits().near(), Double.MAX_VALUE);
-    while (guess < Double.POSITIVE_INFINITY && roundsAbove(guess)) {
-      guess = Math.nextUp(guess);
-    }
-    while (guess > 0 && !roundsAbove(Math.nextDown(guess))) {
-      guess = Math.nextDown(guess);
-    }
-    return guess;
-  }
-
-  /** Whether this time rounds to a double above the given finite one. */
-  private boolean roundsAbove(double below) {
-    Dyadic above =
-        below == Double.MAX_VALUE ? Dyadic.powerOfTwo(1024) : Dyadic.of(Math.nextUp(below));
-    int side = compareTo(Dyadic.of(below).plus(above).shift(-1));
-    boolean belowIsEven = (Double.doubleToRawLongBits(below) & 1) == 0;
-    return side > 0 || (side == 0 && !belowIsEven);
   }
 
   /** Whether {@code |candidate - t| <= 1 ulp}, exactly; the ulp is that of t itself. */

@@ -23,21 +23,7 @@ public record ParabolaContact(Part part, SturmRoot moment, Normal normal) {
     if (moment == null) {
       return 0;
     }
-    double guess = Math.min(moment.narrow(70).low().near(), Double.MAX_VALUE);
-    while (guess < Double.POSITIVE_INFINITY && roundsAbove(guess)) {
-      guess = Math.nextUp(guess);
-    }
-    while (guess > 0 && !roundsAbove(Math.nextDown(guess))) {
-      guess = Math.nextDown(guess);
-    }
-    return guess;
-  }
-
-  private boolean roundsAbove(double below) {
-    Dyadic above =
-        below == Double.MAX_VALUE ? Dyadic.powerOfTwo(1024) : Dyadic.of(Math.nextUp(below));
-    int side = moment.compareTo(Dyadic.of(below).plus(above).shift(-1));
-    return side > 0 || (side == 0 && (Double.doubleToRawLongBits(below) & 1) == 1);
+    return Nearest.of(moment.narrow(70).low().near(), moment::compareTo);
   }
 
   /** How far a time is from the true one, in ulps of that. */
