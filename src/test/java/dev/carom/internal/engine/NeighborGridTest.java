@@ -38,6 +38,16 @@ class NeighborGridTest {
     return circles;
   }
 
+  private static NeighborGrid grid(Scene scene, CircleTable circles) {
+    return grid(scene, circles, Internals.data(scene).obstacles.walls, 1);
+  }
+
+  private static NeighborGrid grid(
+      Scene scene, CircleTable circles, double[] walls, double diameters) {
+    int[] slots = new CircleRegistry(Internals.data(scene), 1).slots();
+    return new NeighborGrid(circles, slots, walls, diameters, 0);
+  }
+
   @ParameterizedTest
   @ValueSource(doubles = {1, 1.5, 5, 1000})
   void allThatTouchAreVisited(double diameters) {
@@ -58,9 +68,7 @@ class NeighborGridTest {
     CircleTable circles = circles(scene);
     int touching = 0;
     for (double[] walls : new double[][] {null, Internals.data(scene).obstacles.walls}) {
-      NeighborGrid neighbors =
-          new NeighborGrid(
-              circles, new CircleRegistry(Internals.data(scene), 1).slots(), walls, diameters, 0);
+      NeighborGrid neighbors = grid(scene, circles, walls, diameters);
       for (int i = 0; i < circles.count; i += 3) {
         neighbors.leave(i);
         assertThat(neighbors.enter(i, 0)).isTrue();
@@ -101,8 +109,7 @@ class NeighborGridTest {
   void whatStandsStillLeavesNoCell() {
     Scene scene = Scene.builder().circle(3, 4, 1, 0, 0).collide(true).build();
     CircleTable circles = circles(scene);
-    NeighborGrid neighbors =
-        new NeighborGrid(circles, new CircleRegistry(Internals.data(scene), 1).slots(), null, 1, 0);
+    NeighborGrid neighbors = grid(scene, circles, null, 1);
     assertThat(crossing(neighbors, circles)).isEqualTo(Double.POSITIVE_INFINITY);
   }
 
@@ -116,13 +123,7 @@ class NeighborGridTest {
     }
     Scene scene = builder.circle(1e3, 20, 1, 0, 0).circle(20, -1e3, 1, 0, 0).build();
     CircleTable circles = circles(scene);
-    NeighborGrid neighbors =
-        new NeighborGrid(
-            circles,
-            new CircleRegistry(Internals.data(scene), 1).slots(),
-            Internals.data(scene).obstacles.walls,
-            1,
-            0);
+    NeighborGrid neighbors = grid(scene, circles);
     int inside = 0;
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
@@ -152,13 +153,7 @@ class NeighborGridTest {
       }
       Scene built = scene.build();
       CircleTable circles = circles(built);
-      NeighborGrid neighbors =
-          new NeighborGrid(
-              circles,
-              new CircleRegistry(Internals.data(built), 1).slots(),
-              Internals.data(built).obstacles.walls,
-              1,
-              0);
+      NeighborGrid neighbors = grid(built, circles);
       assertThat(neighbors.isInside(circles.state, 0)).as("wall at %s", right).isFalse();
     }
   }
@@ -288,8 +283,7 @@ class NeighborGridTest {
   void aWayLeadsIntoTheCellThatIsEnteredNext(double vx, double vy) {
     Scene scene = Scene.builder().circle(3, 4, 1, vx, vy).circle(-30, -40, 1, 0, 0).build();
     CircleTable circles = circles(scene);
-    NeighborGrid neighbors =
-        new NeighborGrid(circles, new CircleRegistry(Internals.data(scene), 1).slots(), null, 1, 0);
+    NeighborGrid neighbors = grid(scene, circles, null, 1);
     int column = neighbors.column(0);
     int row = neighbors.row(0);
     double crossing = crossing(neighbors, circles);
@@ -308,13 +302,7 @@ class NeighborGridTest {
   void whoBeginsANewFlightIsListedWhereThatStarts() {
     Scene scene = alike(new Random(6), 40);
     CircleTable circles = circles(scene);
-    NeighborGrid neighbors =
-        new NeighborGrid(
-            circles,
-            new CircleRegistry(Internals.data(scene), 1).slots(),
-            Internals.data(scene).obstacles.walls,
-            1,
-            0);
+    NeighborGrid neighbors = grid(scene, circles);
     Random random = new Random(7);
     int stayed = 0;
     for (int k = 0; k < 400; k++) {
@@ -341,13 +329,7 @@ class NeighborGridTest {
   void readingAheadChangesNothing() {
     Scene scene = alike(new Random(5), 40);
     CircleTable circles = circles(scene);
-    NeighborGrid neighbors =
-        new NeighborGrid(
-            circles,
-            new CircleRegistry(Internals.data(scene), 1).slots(),
-            Internals.data(scene).obstacles.walls,
-            1,
-            0);
+    NeighborGrid neighbors = grid(scene, circles);
     int[] ids = new int[CalendarQueue.MOST_PREFETCHED];
     for (int k = 0; k < ids.length; k++) {
       ids[k] = k * 7 % 40;
