@@ -28,7 +28,7 @@ import picocli.CommandLine.Spec;
       "Further columns are found by name; an absent one counts as 0, others are ignored:",
       "  ux,uy                                   the velocity of the line",
       "  gx,gy                                   the acceleration of the circle, or of both",
-      "Answers go to the standard output: hit,feature,t,nx,ny; of a miss" + " 0,NONE,NaN,NaN,NaN."
+      "Answers go to the standard output: hit,feature,t,nx,ny; of a miss 0,NONE,NaN,NaN,NaN."
     },
     footer = {"", "Example: carom-bench cast queries.csv"},
     mixinStandardHelpOptions = true)

@@ -29,7 +29,7 @@ import picocli.CommandLine.Spec;
           + " responses allow; the log is in the order of time; rows and states are the"
           + " same if the step is cut, restored on the way, or of one circle alone.",
       "With --queries it asks the detector with numbers of all patterns instead.",
-      "The first finding ends the run, with the seed and the scene that show it" + " again."
+      "The first finding ends the run, with the seed and the scene that show it again."
     },
     footer = {"", "Example: carom-bench fuzz --seconds 600 --seed 7"},
     mixinStandardHelpOptions = true,

@@ -26,7 +26,7 @@ import picocli.CommandLine.Spec;
       "Plays three long runs (lines; pairs; all mixed). The hash is the SHA-256"
           + " over the bits of all their impacts, and of places and velocities at the end:"
           + " it is the same on every virtual machine. Takes seconds, with --long 10.",
-      "With --frames it tells the hash of a scene of your own, which 'replay" + " --demand' takes."
+      "With --frames it tells the hash of a scene of your own, which 'replay --demand' takes."
     },
     footer = {"", "Example: carom-bench hash --scene scene.csv --frames 600"},
     mixinStandardHelpOptions = true,

@@ -27,7 +27,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "replay",
     description = {
-      "Replays the published experiment, with the published algorithm in the same" + " run.",
+      "Replays the published experiment, with the published algorithm in the same run.",
       "Tells whether 60 frames per second are met; 'poster' is the published"
           + " algorithm. Runs when no command is given. Takes a minute or two."
     },

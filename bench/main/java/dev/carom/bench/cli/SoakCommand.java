@@ -25,7 +25,7 @@ import picocli.CommandLine.TypeConversionException;
 @Command(
     name = "soak",
     description = {
-      "Runs a world for very many impacts and tells whether anything leaks or" + " drifts.",
+      "Runs a world for very many impacts and tells whether anything leaks or drifts.",
       "Reports escapes, crossings, energy, heap in use, and time per impact at the"
           + " start and at the end.",
       "Every flight from impact to impact is checked against every line. Fails if a"

@@ -24,7 +24,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "sweep",
     description = {
-      "Plays the published figures: time against circles, radius, lines and" + " impacts.",
+      "Plays the published figures: time against circles, radius, lines and impacts.",
       "Carom and the published algorithm ('poster') take turns. Tells how times"
           + " grow. Takes about 5 minutes, with --quick seconds."
     },
