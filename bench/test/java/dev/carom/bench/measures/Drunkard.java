@@ -50,6 +50,17 @@ final class Drunkard implements Method {
     return contender(0, 1, lastFrame);
   }
 
+  /** Of another method: one that cannot run here. */
+  static Contender absent(String reason) {
+    return new Contender(
+        "absent",
+        "absent",
+        "",
+        scene -> {
+          throw new UnsupportedOperationException(reason);
+        });
+  }
+
   private static Contender contender(double astray, double gain, int lastFrame) {
     return new Contender(
         "drunkard",

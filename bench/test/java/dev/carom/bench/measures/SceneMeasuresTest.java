@@ -159,14 +159,7 @@ class SceneMeasuresTest {
 
   @Test
   void whoCannotRunSaysWhy() {
-    Contender absent =
-        new Contender(
-            "absent",
-            "absent",
-            "",
-            scene -> {
-              throw new UnsupportedOperationException("no natives for this machine");
-            });
+    Contender absent = Drunkard.absent("no natives for this machine");
 
     List<Row> rows = new ScenePart("base-1", absent).run();
 

@@ -59,14 +59,7 @@ class TimePartTest {
 
   @Test
   void whoCannotRunSaysWhy() {
-    Contender absent =
-        new Contender(
-            "absent",
-            "absent",
-            "",
-            scene -> {
-              throw new UnsupportedOperationException("no natives for this machine");
-            });
+    Contender absent = Drunkard.absent("no natives for this machine");
 
     List<Row> rows = part(2, absent).run();
 
