@@ -64,7 +64,7 @@ final class Slack {
     return witness;
   }
 
-  /** What it is answered. */
+  /** The wrong answer to the witness. */
   Reply mistake() {
     return mistake;
   }

@@ -159,7 +159,7 @@ class SnapshotStreamTest {
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
   }
 
-  /** What was removed keeps its id, and counts no more. */
+  /** A removed thing keeps its id, and is not counted. */
   @Test
   void whatWasRemovedIsNotAmongWhatIsLookedAt() {
     SceneBuilder scene = Scene.builder().circle(0, 0, 1, 1, 0);

@@ -61,10 +61,10 @@ class UncertaintyTest {
   }
 
   /**
-   * The errors of each impact add up, and grow no faster. An impact rounds the place p by u (|p| + 2
-   * d), along the velocity and across it, where d is the distance that the circle moved towards the
-   * wall since its last impact. Here p is in 1..6 x 1..4 and d is at most 5, so an impact adds 2.8 u
-   * to 34.5 u. The flight since the last impact adds less than another one.
+   * The errors of each impact add up, and grow no faster. An impact rounds the place p by u (|p| +
+   * 2 d), along the velocity and across it, where d is the distance that the circle moved towards
+   * the wall since its last impact. Here p is in 1..6 x 1..4 and d is at most 5, so an impact adds
+   * 2.8 u to 34.5 u. The flight since the last impact adds less than another one.
    */
   @Test
   void wallsAddRoundings() {

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What SECURITY.md says of input from strangers: reading it allocates no more than it is long. */
+/** As SECURITY.md says of input from strangers: memory is in proportion to the length read. */
 class HostileInputTest {
 
   private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();

@@ -72,7 +72,9 @@ public final class AnimatedGif {
     return out.toByteArray();
   }
 
-  /** What must be drawn over the indices that are shown; these are brought up to date. */
+  /**
+   * An image of the pixels that change, transparent elsewhere. Brings the shown indices up to date.
+   */
   private BufferedImage changes(byte[] shown, int[] wanted) {
     int width = images.get(0).getWidth();
     int height = images.get(0).getHeight();

@@ -29,7 +29,10 @@ final class DotLabels {
   private static final int DIRECTIONS = 16;
   private static final int ROUNDS = 4;
 
-  /** Who chooses first; where costs are equal, the important ones. */
+  /**
+   * Orders in which labels choose their places. Of equal costs, that of important labels first
+   * wins.
+   */
   private static final List<Comparator<Label>> ORDERS =
       List.of(
           Comparator.comparingInt(Label::rank),
@@ -43,16 +46,16 @@ final class DotLabels {
   private static final double TEXT_MARGIN = 4;
   private static final double JOINED_FROM = 15;
 
-  /** What it costs to cover the whole of a text by texts or dots. */
+  /** The cost of covering the whole of a text by texts or dots. */
   private static final double COVERED = 1000;
 
-  /** What it costs if a line runs through a text: more than to stand in the farthest place. */
+  /** The cost of a line through a text: more than that of the farthest place. */
   private static final double UNDERLINED = 160;
 
-  /** What it costs if the line from a text to its dot runs through another dot. */
+  /** The cost of another dot on the line from a text to its dot. */
   private static final double CROSSED = 40;
 
-  /** What it costs if the line from a text to its dot runs through another text. */
+  /** The cost of another text on the line from a text to its dot. */
   private static final double STRUCK = 300;
 
   private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);

@@ -48,7 +48,7 @@ public record Picture(int width, int height, String title, Consumer<Graphics2D> 
 
   private static final String FONTS = "Helvetica, Arial, DejaVu Sans, sans-serif";
 
-  /** What a painter tells, which draws nothing that is seen: how much room it takes. */
+  /** Measures the room that a painter takes. It draws on an image of one pixel. */
   static double measured(ToDoubleFunction<Graphics2D> painter) {
     Graphics2D g = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
     try {

@@ -13,7 +13,7 @@ import java.util.List;
 /**
  * Right and wrong answers to one class of questions, judged by the exact oracle: misses, false
  * hits, and the error of the times where both see an impact after time 0, in ulps of the true time.
- * What is not a number is wrong either way.
+ * A time that is not a number is wrong either way.
  */
 record QueryPart(String name, int count) implements Part {
 

@@ -18,7 +18,7 @@ record ScenePart(String scene, Contender contender) implements Part {
     return String.join("/", "scene", scene, contender.id());
   }
 
-  /** Who looks at everything in small steps takes as long as all others together. */
+  /** Methods of many small steps take as long as all others together. */
   @Override
   public double seconds() {
     return SLOW.getOrDefault(contender.id(), 1.5);

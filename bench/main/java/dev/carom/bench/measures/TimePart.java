@@ -27,7 +27,7 @@ record TimePart(String scene, int fork, List<Contender> contenders, int replays,
   /** Where single frames are shown: they are most of all rows. */
   private static final Set<String> RAW = Set.of("base-1", "fast-1");
 
-  /** Who looks at more pairs than that in a frame plays only the first frames. */
+  /** A method that looks at more pairs in a frame plays only the first frames. */
   private static final long MUCH_WORK = 500_000;
 
   private static final int FEW_FRAMES = 60;

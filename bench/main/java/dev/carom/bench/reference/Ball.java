@@ -17,7 +17,7 @@ import java.math.RoundingMode;
  */
 final class Ball {
 
-  /** What is within so many bits of zero, and cannot be told from it, is taken as zero. */
+  /** A number this close to zero, in bits, that cannot be told from zero is taken as zero. */
   private static final int TIE_BITS = 300;
 
   private static final int TOP = 64;
@@ -154,7 +154,7 @@ final class Ball {
     return units.add(BigInteger.ONE.shiftLeft(noise - 1)).shiftRight(noise).shiftLeft(noise);
   }
 
-  /** What the nearest double leaves. */
+  /** The rest beside the nearest double. */
   double tail() {
     return minus(of(rounded(), bits)).head();
   }

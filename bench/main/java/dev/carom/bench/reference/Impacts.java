@@ -52,7 +52,7 @@ final class Impacts {
     b.fly(second ? after : after.minus(later));
   }
 
-  /** What part of the impulse a circle takes: nothing deflects one of infinite mass. */
+  /** The share of the velocity change that a circle takes: 0 for infinite mass. */
   private static Ball share(Body own, Body other) {
     if (own.mass == Double.POSITIVE_INFINITY || other.mass == Double.POSITIVE_INFINITY) {
       return Ball.of(own.mass == Double.POSITIVE_INFINITY ? 0 : 1, own.bits);

@@ -2,7 +2,7 @@
 package dev.carom.bench.reference;
 
 /**
- * What the derivatives of two states go through at an impact, in doubles.
+ * The derivative of an impact: it maps derivatives of two states before to those after, in doubles.
  *
  * @param nx the normal, of any length
  * @param ny the normal, of any length

@@ -51,7 +51,7 @@ final class Lookout {
     return first;
   }
 
-  /** What is foreseen happens before, whatever doubles got wrong. */
+  /** An upper bound of the time of a predicted event, rounding errors included. */
   private static double latest(Event first) {
     Ball after = first.contact().after();
     return (after.head() + after.error()) * LATER;

@@ -22,7 +22,7 @@ final class Run {
   private final boolean collide;
   private final Event[] ahead;
 
-  /** What the lower number foresees with the higher one. */
+  /** The predicted event of two circles, by the lower number and then the higher one. */
   private final Event[][] meetings;
 
   private List<Hit> hits;

@@ -12,7 +12,7 @@ final class Stretch {
   /** x, y, vx, vy there. */
   final double[] heads;
 
-  /** What these leave; not asked for where there is but one frame. */
+  /** The rests beside the heads; unused where there is but one frame. */
   final float[] tails;
 
   Stretch(int start, double[] heads, float[] tails) {

@@ -148,7 +148,7 @@ class CastCommandTest {
     assertThat(Cli.run("cast", file).err()).contains(":1:1: the file is empty: expected " + LINE);
   }
 
-  /** What a file holds neither breaks the line nor reaches the terminal as it is. */
+  /** Characters of the file neither break the line nor reach the terminal unescaped. */
   @Test
   void quotesWhatATerminalMayNotShowByEscapes() throws IOException {
     Cli run = cast(LINE, "0,a\u001b[2J\"\\,10,0,4,15,-1,0,1,1");

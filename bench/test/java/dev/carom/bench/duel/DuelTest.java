@@ -21,7 +21,7 @@ class DuelTest {
   /** Engines at their defaults fail in all of them. */
   private static final Set<Rival> ENGINES = EnumSet.of(Rival.BOX2D, Rival.DYN4J, Rival.JBOX2D);
 
-  /** Who else does. */
+  /** The other rivals that fail. */
   private static final Map<Preset, Set<Rival>> OTHERS = new EnumMap<>(Preset.class);
 
   static {

@@ -21,7 +21,7 @@ class BallTest {
     return Ball.of(value, BITS);
   }
 
-  /** What holds for real numbers: such a difference is zero, or within the errors carried. */
+  /** A difference that is zero for real numbers is zero here, or within the errors carried. */
   private static void assertNotRefuted(Ball zero) {
     try {
       assertThat(zero.sign()).isZero();

@@ -181,7 +181,7 @@ class CollidingEngineTest {
     }
   }
 
-  /** What is hit if the circle of that id moves to the line. */
+  /** The kinds of the obstacles that are hit if the circle of that id moves to the line. */
   private static List<ObstacleKind> hits(int first, double speedOfTheSecond) {
     SceneBuilder builder = Scene.builder().collide(true).line(-1, -9, -1, 9);
     for (int i = 0; i < 2; i++) {

@@ -18,8 +18,8 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 /**
- * Who hardly meets, or hardly first: a world, which passes over most pairs by bounds of rounding,
- * tells what the detector tells of each pair.
+ * A world passes over most pairs by bounds of rounding. Where pairs hardly meet, or hardly first,
+ * it answers as the detector does.
  */
 class CollisionPredictorTest {
 

@@ -26,7 +26,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Who touches is found, whatever the sizes; lists take in and let go. */
+/** Circles that touch are found, whatever their sizes; cells add and remove circles. */
 class NeighborGridTest {
 
   private static CircleTable circles(Scene scene) {
@@ -324,7 +324,7 @@ class NeighborGridTest {
     assertThat(stayed).isBetween(100, 300);
   }
 
-  /** What is read comes to nothing but a sum. */
+  /** Prefetched values end in nothing but a sum. */
   @Test
   void readingAheadChangesNothing() {
     Scene scene = alike(new Random(5), 40);

@@ -12,8 +12,8 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 /**
- * What an impact makes of velocities, against 100 decimal digits: rounded once, however much
- * cancels. Offsets have few bits, so that they are what the response is given.
+ * Velocities after an impact, against 100 decimal digits: they are rounded once, however much
+ * cancels. Offsets have few bits, so that the response is given them exactly.
  */
 class ImpulseTest {
   private static final MathContext DIGITS = new MathContext(100);

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a look tells is what the detector tells, or nothing. */
+/** The filter answers as the detector does, or leaves the answer open. */
 class SegmentFilterTest {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
@@ -143,14 +143,14 @@ class SegmentFilterTest {
     assertThat(SegmentFilter.contact(0, 0, 1, -2, 0, 4, -3, 4, 3, NEVER)).isEqualTo(Contact.MISS);
   }
 
-  /** What r^2 or w.w lose by underflow is large beside the square of a small distance. */
+  /** The loss of r^2 or w.w by underflow is large beside the square of a small distance. */
   @Test
   void whatUnderflowsBesideLargeNumbersIsLeftInDoubt() {
     assertThat(hit(-0x1p-539, 0x1p-690, 0x1p-540, 1, 0x1p-10, 0x1p500)).isPositive();
     assertThat(hit(-0x1p501, 0x1p400, 0x1p500, 0x1p152, 0x1p142, 0x1p-540)).isPositive();
   }
 
-  /** What is first hit of a level line from the origin; a look may leave it open. */
+  /** The contact with a level line from the origin; the filter may leave it open. */
   private static int hit(double px, double py, double r, double vx, double vy, double bx) {
     double size = Math.abs(px) + Math.abs(py) + r + bx;
     double margin = SegmentFilter.margin(vx + vy, size);
