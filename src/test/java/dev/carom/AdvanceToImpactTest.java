@@ -3,6 +3,7 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -122,8 +123,7 @@ class AdvanceToImpactTest {
     world.setVelocity(0, world.vx(0), 3);
     assertThat(world.advanceToImpact(100)).isEqualTo(StopReason.IMPACT);
     assertThat(world.impacts().id(0)).isZero();
-    assertThat(world.impacts().time(0))
-        .isCloseTo(120 / 7.0, org.assertj.core.data.Offset.offset(1e-9));
+    assertThat(world.impacts().time(0)).isCloseTo(120 / 7.0, within(1e-14));
     assertThat(world.impacts().kind(0)).isEqualTo(ObstacleKind.WALL);
   }
 

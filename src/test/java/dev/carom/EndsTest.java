@@ -155,8 +155,8 @@ class EndsTest {
     Run run = Run.advance(new World(scene), 60);
     assertThat(run.impacts()).hasSizeBetween(PATIENCE, 4 * PATIENCE);
     Run.State end = run.end().get(0);
-    assertThat(end.x()).isCloseTo(-1.5 + 60 * 4.24, within(1e-9));
-    assertThat(end.y()).isCloseTo(2 + 60 * 3.18, within(1e-9));
+    assertThat(end.x()).isCloseTo(-1.5 + 60 * 4.24, within(1e-12));
+    assertThat(end.y()).isCloseTo(2 + 60 * 3.18, within(1e-12));
     assertThat(end.vx()).isCloseTo(4.24, within(1e-12));
     assertThat(end.vy()).isCloseTo(3.18, within(1e-12));
   }
@@ -321,7 +321,7 @@ class EndsTest {
     assertThat(world.step(1)).isFalse();
     assertThat(Run.rows(world.impacts())).allMatch(row -> row.circle() == 0);
     assertThat(world.vx(1)).isEqualTo(-8);
-    assertThat(world.x(1)).isCloseTo(60 - 8 * (world.now() - 2), within(1e-9));
+    assertThat(world.x(1)).isCloseTo(60 - 8 * (world.now() - 2), within(1e-13));
   }
 
   /** 2,000,000 impacts, of which a circle may make all. */

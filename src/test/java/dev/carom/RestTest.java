@@ -140,8 +140,8 @@ class RestTest {
     List<Run.State> before = Run.states(world);
     assertThat(Math.hypot(world.vx(0), world.vy(0))).isLessThan(1e-15);
     assertThat(impactsOf(world, 1_000_000)).isLessThan(10);
-    assertThat(world.x(0)).isCloseTo(before.get(0).x(), within(1e-9));
-    assertThat(world.y(0)).isCloseTo(before.get(0).y(), within(1e-9));
+    assertThat(world.x(0)).isCloseTo(before.get(0).x(), within(1e-12));
+    assertThat(world.y(0)).isCloseTo(before.get(0).y(), within(1e-12));
   }
 
   /** Gravity, set before each frame: one impact a frame, and not a bit of creeping. */

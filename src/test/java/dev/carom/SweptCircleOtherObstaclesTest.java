@@ -167,7 +167,8 @@ class SweptCircleOtherObstaclesTest {
   @Test
   void aPairThatGrazesIsNone() {
     assertThat(SweptCircle.pair(0, 0, 1, 1, 0, 20, 3, 2, -1, 0, NEVER)).isEqualTo(NEVER);
+    // sqrt(2 R h) before they are beside each other, with R = 3 and h = 2^-51, at a speed of 2
     assertThat(SweptCircle.pair(0, 0, 1, 1, 0, 20, Math.nextDown(3.0), 2, -1, 0, NEVER))
-        .isCloseTo(10, within(1e-6));
+        .isCloseTo(10 - Math.sqrt(2 * 3 * 0x1p-51) / 2, within(Math.ulp(10.0)));
   }
 }

@@ -284,8 +284,8 @@ class SweptCircleTest {
     assertThat(time(new Circle(-10, Math.nextUp(5.0), 5), velocity, post)).isEqualTo(NEVER);
     Impact impact = hit(new Circle(-10, Math.nextDown(5.0), 5), velocity, post);
     assertThat(impact.feature()).isEqualTo(Feature.START);
-    // sqrt(2 r h) before the end, with h = 2^-51 the depth: |d|^2 = r^2 - 2 r h
-    assertThat(impact.time()).isCloseTo(10, within(1e-6));
+    // sqrt(2 r h) before the end, with h = 2^-50 the depth: |d|^2 = r^2 - 2 r h
+    assertThat(impact.time()).isCloseTo(10 - Math.sqrt(2 * 5 * 0x1p-50), within(Math.ulp(10.0)));
     assertThat(impact.normal().y()).isCloseTo(1, within(1e-15));
   }
 

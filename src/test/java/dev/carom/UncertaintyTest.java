@@ -163,7 +163,7 @@ class UncertaintyTest {
     ofOther.update();
     assertThat(ofOther.bound(0)).isCloseTo(uncertainty.bound(0), offset(1e-6 * ofOther.bound(0)));
     assertThat(ofOther.lyapunovExponent(0))
-        .isCloseTo(uncertainty.lyapunovExponent(0), offset(1e-9));
+        .isCloseTo(uncertainty.lyapunovExponent(0), offset(1e-13));
   }
 
   @Test

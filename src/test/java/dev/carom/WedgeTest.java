@@ -96,7 +96,7 @@ class WedgeTest {
     Run.State end = run.end().get(0);
     double cos = Math.cos(0.15 * Math.PI);
     double sin = Math.sin(0.15 * Math.PI);
-    assertThat(end.vx()).isCloseTo(SPEED * cos, within(1e-10));
-    assertThat(end.vy()).isCloseTo(SPEED * sin, within(1e-10));
+    assertThat(end.vx()).isCloseTo(SPEED * cos, within(1e-13));
+    assertThat(end.vy()).isCloseTo(SPEED * sin, within(1e-13));
   }
 }

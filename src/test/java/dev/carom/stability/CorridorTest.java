@@ -77,7 +77,7 @@ class CorridorTest {
     World world = corridor(Math.nextUp(WIDTH), 0.5);
     List<Play.Hit> hits = Play.advance(world, 50);
     assertThat(hits).hasSizeBetween(1_010, 2_030);
-    assertThat(world.x(0)).isCloseTo(50, within(1e-9));
+    assertThat(world.x(0)).isCloseTo(50, within(1e-12));
     assertThat(world.y(0)).isCloseTo(2, within(2 * Math.ulp(WIDTH)));
   }
 }

@@ -112,7 +112,7 @@ class HeapTest {
                 .restitution(0)
                 .build());
     assertThat(play(world, 11, 0)).isLessThanOrEqualTo(20);
-    assertThat(world.x(0)).isCloseTo(2, within(1e-9));
+    assertThat(world.x(0)).isCloseTo(2, within(1e-13));
     assertThat(world.y(0)).isBetween(0.0, 1e-6);
   }
 }

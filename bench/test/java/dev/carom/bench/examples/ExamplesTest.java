@@ -264,8 +264,8 @@ class ExamplesTest {
     assertThat(impacts.kind(0)).isEqualTo(ObstacleKind.CIRCLE);
     assertThat(List.of(impacts.circle(0), impacts.id(0))).containsExactlyInAnyOrder(0, 1);
     double side = impacts.circle(0) == 0 ? 1 : -1;
-    assertThat(side * impacts.nx(0)).isCloseTo(first.normal().x(), offset(1e-9));
-    assertThat(side * impacts.ny(0)).isCloseTo(first.normal().y(), offset(1e-9));
+    assertThat(side * impacts.nx(0)).isCloseTo(first.normal().x(), offset(1e-13));
+    assertThat(side * impacts.ny(0)).isCloseTo(first.normal().y(), offset(1e-13));
   }
 
   @Test
@@ -470,7 +470,7 @@ class ExamplesTest {
       game.frame();
     }
     assertThat(game.lost()).isPositive();
-    assertThat(game.world().line(0).by()).isCloseTo(160, offset(1e-9));
+    assertThat(game.world().line(0).by()).isCloseTo(160, offset(1e-12));
   }
 
   /** One ball stays on it, up and down; the others are thrown higher than they fell from. */
@@ -499,7 +499,7 @@ class ExamplesTest {
     for (int i = 0; i < 200; i++) {
       lift.frame();
     }
-    assertThat(Math.abs(lift.level() - called)).isCloseTo(70, offset(1e-9));
+    assertThat(Math.abs(lift.level() - called)).isCloseTo(70, offset(1e-12));
   }
 
   /** E V stays, to what 400 circles and a lid of this speed let one expect; E itself doubles. */

@@ -96,7 +96,7 @@ class SceneMeasuresTest {
     List<Row> rows = rows(scene, Drunkard.astray(0));
 
     assertThat(value(rows, "tunnelled", "circles")).as(story).isEqualTo(count);
-    assertThat(value(rows, "penetration", "max")).isCloseTo(depth, within(1e-9));
+    assertThat(value(rows, "penetration", "max")).isCloseTo(depth, within(1e-12));
   }
 
   /** From (-3, 9) by an impact above the end to (3, 9): the way round fits into the frame. */

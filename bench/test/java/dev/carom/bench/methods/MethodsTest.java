@@ -112,7 +112,7 @@ class MethodsTest {
       assertThat(method.x(0)).isCloseTo(15 - 65, within(1e-12));
     } else {
       assertThat(method.impacts()).isEqualTo(7);
-      assertThat(method.x(0)).isCloseTo(10, within(1e-9));
+      assertThat(method.x(0)).isCloseTo(10, within(1e-12));
     }
   }
 
@@ -259,7 +259,7 @@ class MethodsTest {
     // The centre of mass moves at 5/4, each circle relative to it half as fast as before.
     assertThat(method.vx(0)).isCloseTo(1.25 - 0.5 * 0.75, within(1e-12));
     assertThat(method.vx(1)).isCloseTo(1.25 + 0.5 * 2.25, within(1e-12));
-    assertThat(3 * method.x(0) + method.x(1)).isCloseTo(20 + 10 * 5, within(1e-9));
+    assertThat(3 * method.x(0) + method.x(1)).isCloseTo(20 + 10 * 5, within(1e-12));
   }
 
   /** A corridor of one diameter: no time goes by between two impacts. */

@@ -161,8 +161,8 @@ class ViewPanelTest {
     double scale = canvas.painter().transform(new Rectangle(canvas.getSize())).getScaleX();
     canvas.press(middle);
     canvas.drag(new Point(middle.x - 100, middle.y + 50), 0);
-    assertThat(player.scene().circle(0).x()).isCloseTo(50 - 100 / scale, offset(1e-9));
-    assertThat(player.scene().circle(0).y()).isCloseTo(30 - 50 / scale, offset(1e-9));
+    assertThat(player.scene().circle(0).x()).isCloseTo(50 - 100 / scale, offset(1e-12));
+    assertThat(player.scene().circle(0).y()).isCloseTo(30 - 50 / scale, offset(1e-12));
   }
 
   /** Three places far apart, all at one moment: a trail would be a line between them. */
@@ -190,7 +190,7 @@ class ViewPanelTest {
     Point2D before = inverse(canvas.painter().transform(area), at);
     double scale = canvas.painter().transform(area).getScaleX();
     canvas.zoom(3, at);
-    assertThat(canvas.painter().transform(area).getScaleX()).isCloseTo(3 * scale, offset(1e-9));
+    assertThat(canvas.painter().transform(area).getScaleX()).isCloseTo(3 * scale, offset(1e-12));
     assertThat(inverse(canvas.painter().transform(area), at).distance(before)).isLessThan(1e-9);
     canvas.press(at);
     canvas.drag(new Point(230, 110), 0);

@@ -117,7 +117,7 @@ class ContactTest {
         near(new Vec2(log.x(0), log.y(0)), impact.get().point(), 1);
         near(new Vec2(log.nx(0), log.ny(0)), impact.get().normal(), 1);
         double toFirst = distance(log, first) / first.radius();
-        assertThat(toFirst).isCloseTo(distance(log, second) / second.radius(), within(1e-9));
+        assertThat(toFirst).isCloseTo(distance(log, second) / second.radius(), within(1e-13));
         assertThat(toFirst).isLessThan(1);
       }
     }
@@ -136,11 +136,11 @@ class ContactTest {
     near(actual.point(), expected.point(), scale);
     near(actual.normal(), expected.normal(), 1);
     assertThat(actual.approachSpeed() / scale)
-        .isCloseTo(expected.approachSpeed() / scale, within(1e-9));
+        .isCloseTo(expected.approachSpeed() / scale, within(1e-13));
   }
 
   private static void near(Vec2 actual, Vec2 expected, double scale) {
-    assertThat(actual.x() / scale).isCloseTo(expected.x() / scale, within(1e-9));
-    assertThat(actual.y() / scale).isCloseTo(expected.y() / scale, within(1e-9));
+    assertThat(actual.x() / scale).isCloseTo(expected.x() / scale, within(1e-13));
+    assertThat(actual.y() / scale).isCloseTo(expected.y() / scale, within(1e-13));
   }
 }
