@@ -27,9 +27,10 @@ class FeaturesCommandTest {
     assertThat(value(rows, "circles", "feature_time"))
         .isLessThan(value(rows, "lines", "feature_time"));
     assertThat(value(rows, "circles", "feature_impacts")).isZero();
-    // AmongMovingLinesTest has what moves; both scenes have as many lines, in places as crowded.
+    // As many lines, in places as crowded. Measured: 16 % more, for a line that moves meets more.
+    // That they move is tested by AmongMovingLinesTest.
     assertThat(value(rows, "moving-lines", "feature_impacts"))
-        .isCloseTo(value(rows, "many-lines", "feature_impacts"), withinPercentage(30));
+        .isCloseTo(value(rows, "many-lines", "feature_impacts"), withinPercentage(25));
     assertThat(value(rows, "sensors", "feature_impacts")).isPositive();
     assertThat(value(rows, "lines", "feature_memory"))
         .isLessThan(value(rows, "recording", "feature_memory"));
