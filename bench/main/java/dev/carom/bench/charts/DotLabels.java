@@ -20,7 +20,12 @@ import java.util.List;
 final class DotLabels {
 
   /** A text, the dot that it belongs to, and where it ended up. */
-  record Label(double x, double y, String text, Font font, Color color, int rank) {}
+  record Label(double x, double y, String text, Font font, Color color, int rank) {
+
+    List<String> lines() {
+      return text.lines().toList();
+    }
+  }
 
   /** Where a text stands, and what that costs were it alone. */
   record Placed(Label label, Rectangle2D box, double alone) {}
@@ -101,8 +106,12 @@ final class DotLabels {
       join(g, label, box);
       g.setFont(label.font);
       g.setColor(label.color);
-      float base = (float) (box.getY() - metrics(label).getY());
-      g.drawString(label.text, (float) box.getX(), base);
+      Rectangle2D line = line(label, label.text);
+      double base = box.getY() - line.getY();
+      for (String text : label.lines()) {
+        g.drawString(text, (float) box.getX(), (float) base);
+        base += line.getHeight();
+      }
     }
   }
 
@@ -194,7 +203,18 @@ final class DotLabels {
   }
 
   private static Rectangle2D metrics(Label label) {
-    return label.font.getStringBounds(label.text, CONTEXT);
+    double width = 0;
+    double height = 0;
+    for (String text : label.lines()) {
+      Rectangle2D line = line(label, text);
+      width = Math.max(width, line.getWidth());
+      height += line.getHeight();
+    }
+    return new Rectangle2D.Double(0, 0, width, height);
+  }
+
+  private static Rectangle2D line(Label label, String text) {
+    return label.font.getStringBounds(text, CONTEXT);
   }
 
   private double cost(Placed one, List<Placed> placed) {

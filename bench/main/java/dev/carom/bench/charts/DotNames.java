@@ -3,7 +3,6 @@ package dev.carom.bench.charts;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Collectors;
 
 /**
  * What is written at the dots of a panel. Names of methods whose dots cover each other are one
@@ -14,8 +13,8 @@ final class DotNames {
   /** Marks nearer than this, in px, cover each other. */
   private static final double COVERED = 7;
 
-  /** In small panels there is room for so many names at one place. */
-  private static final int MOST = 2;
+  /** In small panels a text is broken after a name that ends beyond so many characters. */
+  private static final int LINE = 20;
 
   private record Name(double x, double y, String text) {
 
@@ -43,17 +42,24 @@ final class DotNames {
     knobs.add(new Name(x, y, text));
   }
 
+  private String joined(List<Name> here) {
+    StringBuilder text = new StringBuilder(here.get(0).text);
+    int line = text.length();
+    for (Name name : here.subList(1, here.size())) {
+      boolean broken = scale < 1 && line + name.text.length() > LINE;
+      text.append(broken ? ",\n" : ", ").append(name.text);
+      line = (broken ? 0 : line) + name.text.length();
+    }
+    return text.toString();
+  }
+
   void addTo(DotLabels labels) {
     List<Name> left = new ArrayList<>(methods);
     while (!left.isEmpty()) {
       Name first = left.get(0);
       List<Name> here = left.stream().filter(first::isAt).toList();
       left.removeAll(here);
-      String text = here.stream().map(Name::text).collect(Collectors.joining(", "));
-      if (scale < 1 && here.size() > MOST) {
-        text = here.get(0).text + ", and " + (here.size() - 1) + " more";
-      }
-      labels.add(first.x, first.y, text, Style.bold(Math.rint(scale * 12)), Style.INK, 0);
+      labels.add(first.x, first.y, joined(here), Style.bold(Math.rint(scale * 12)), Style.INK, 0);
     }
     for (Name knob : knobs) {
       labels.add(knob.x, knob.y, knob.text, Style.font(11), Style.QUIET, 1);

@@ -259,6 +259,7 @@ final class DotPanel {
     g.setStroke(Style.line(Style.THIN));
     g.draw(new Line2D.Double(from, y, x(dot), y));
     g.draw(new Line2D.Double(from, y - WHISKER, from, y + WHISKER));
+    labels.avoid(from, y, x(dot), y);
   }
 
   /** Below the dot in the gutter, too: a failure has a time. */

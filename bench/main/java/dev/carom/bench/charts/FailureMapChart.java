@@ -149,15 +149,13 @@ public final class FailureMapChart {
 
   private void panel(Graphics2D g, Board panel, double left, double top) {
     String name = marks.name(panel.method);
-    g.setFont(Style.bold(11));
-    if (g.getFontMetrics().stringWidth(name) > wide) {
-      g.setFont(Style.font(11));
-    }
-    g.setColor(Marks.isOurs(panel.method) ? Style.BLUE : Style.INK);
+    boolean ours = Marks.isOurs(panel.method);
+    g.setFont(ours ? Style.bold(11) : Style.font(11));
+    g.setColor(ours ? Style.BLUE : Style.INK);
     g.drawString(name, (float) left, (float) (top + HEAD - 18));
     g.setFont(Style.font(11));
     g.setColor(Style.QUIET);
-    String note = (panel.knob + " " + panel.share).strip();
+    String note = panel.knob.isEmpty() ? panel.share : panel.knob + ": " + panel.share;
     g.drawString(note, (float) left, (float) (top + HEAD - 5));
     cells(g, panel.classes, left, top + HEAD);
   }
@@ -254,10 +252,16 @@ public final class FailureMapChart {
   /** The least stride at which no tick that has a text touches the next. */
   private int step(Graphics2D g, double each) {
     int step = 1;
-    while (step < x.ticks.size() && widest(g, step) + 4 > step * each) {
+    while (step < x.ticks.size() && room(g, step, each) > step * each) {
       step++;
     }
     return step;
+  }
+
+  /** What a text takes, and by how much the first and the last move inwards. */
+  private double room(Graphics2D g, int step, double each) {
+    double widest = widest(g, step);
+    return widest + 4 + Math.max(0, (widest - each) / 2);
   }
 
   private double widest(Graphics2D g, int step) {

@@ -39,7 +39,7 @@ public final class FrameStripsChart {
 
   private static final double ROW = 25;
   private static final double FOOT = 44;
-  private static final double NAMES = 132;
+  private static final double NAMES = 138;
 
   /** Room for the first tick, as a share of the axis. */
   private static final double EDGE = 0.08;

@@ -31,7 +31,7 @@ final class LineLabels {
     this.marks = marks;
   }
 
-  /** For labels of one line, which are methods: each has its mark before it, its knob behind it. */
+  /** For labels which are methods: each has its mark before it, a detail of a few below it. */
   static LineLabels of(Marks marks) {
     return new LineLabels(NARROW_GAP, marks);
   }
@@ -48,9 +48,14 @@ final class LineLabels {
   void draw(Graphics2D g, double x, double top, double bottom) {
     List<Label> sorted = new ArrayList<>(labels);
     sorted.sort(Comparator.comparingDouble(Label::y));
+    boolean told = marks != null && sorted.stream().anyMatch(label -> !label.detail().isEmpty());
+    double each = told ? 2 * gap : gap;
     double[] places =
         spread(
-            sorted.stream().mapToDouble(Label::y).toArray(), gap, top + gap / 2, bottom - gap / 2);
+            sorted.stream().mapToDouble(Label::y).toArray(),
+            each,
+            top + each / 2,
+            bottom - each / 2);
     for (int i = 0; i < places.length; i++) {
       draw(g, sorted.get(i), x, places[i]);
     }
@@ -68,10 +73,9 @@ final class LineLabels {
       g.setColor(Style.INK);
       String name = marks.name(label.text());
       g.drawString(name, left, (float) y + 4);
-      left += g.getFontMetrics().stringWidth(name) + 4;
       g.setColor(Style.QUIET);
       g.setFont(Style.font(11));
-      g.drawString(label.detail(), left, (float) y + 4);
+      g.drawString(label.detail(), left, (float) y + 18);
     } else {
       g.setFont(Style.bold(13));
       g.drawString(label.text(), left, (float) y - 1);

@@ -117,9 +117,9 @@ public final class SweepFigures {
       full.put(curve.method(), curve.middle()[last]);
     }
     return full.entrySet().stream()
-            .map(e -> Glossary.name(e.getKey()) + ": " + ReportNumbers.time(e.getValue()))
-            .collect(Collectors.joining(", "))
-        + " a frame with the most circles; published: "
+            .map(e -> Glossary.name(e.getKey()) + " " + ReportNumbers.time(e.getValue()))
+            .collect(Collectors.joining(", ", "A frame with the most circles: ", "; "))
+        + "the published one took "
         + ReportNumbers.time(1e9 / Budget.PUBLISHED_FPS);
   }
 
@@ -152,7 +152,7 @@ public final class SweepFigures {
     }
     String slope =
         SIZES.contains(axis) && n >= LEAST_POINTS
-            ? String.format(Locale.ROOT, "n^%.2f", Growth.of(values[0], values[2]).slope())
+            ? String.format(Locale.ROOT, "grows as n^%.2f", Growth.of(values[0], values[2]).slope())
             : "";
     return new Curve(setting.method(), slope, values[0], values[1], values[2], values[3]);
   }

@@ -68,6 +68,19 @@ class WorkPrecisionChartTest {
   }
 
   @Test
+  void inASmallPanelEachOfThemIsNamed() {
+    List<Dot> dots =
+        List.of(
+            dot("carom", "", 0.5, 2002),
+            dot("overlap", "", 0.5, 2000),
+            dot("peer", "best", 0.5, 2001),
+            dot("substeps", "4", 0.5, 2003));
+
+    assertThat(chart(Double.NaN, Map.of("", dots)).small().get(0).picture().svg("d"))
+        .contains(">carom, overlap, peer,<", ">substeps<");
+  }
+
+  @Test
   void aFailureIsDrawnInAGutter() {
     String without = svg(dot("carom", "", 1e-15, 1000));
     assertThat(without).doesNotContain(">failed<", ">no error<");
