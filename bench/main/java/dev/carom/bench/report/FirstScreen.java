@@ -62,11 +62,12 @@ final class FirstScreen {
     List<String> rest = new ArrayList<>();
     nearest(carom).ifPresent(rest::add);
     engine(carom).ifPresent(rest::add);
-    return "%s%s: %s a frame%s."
+    return "%s%s: %s a frame%s%s."
         .formatted(
             exactness(),
             rank,
             ReportNumbers.time(carom.time().middle()),
+            Scenes.size(scene),
             rest.isEmpty() ? "" : "; " + String.join("; ", rest));
   }
 
@@ -98,15 +99,18 @@ final class FirstScreen {
         .min(Comparator.comparingDouble(s -> s.time().middle()))
         .map(
             s ->
-                "the nearest that is as accurate (%s) takes %s times as long"
-                    .formatted(Metrics.shortName(s.setting()), times(s, carom)));
+                "the nearest that is as accurate (%s%s) takes %s times as long"
+                    .formatted(
+                        Metrics.shortName(s.setting()),
+                        Glossary.isControl(s.setting().method()) ? ", our control" : "",
+                        times(s, carom)));
   }
 
   private Optional<String> engine(Standing carom) {
     return best(ENGINE)
         .map(
             s ->
-                "%s takes %s times as long and errs by %s radii"
+                "%s takes %s times as long and errs by up to %s radii"
                     .formatted(
                         Glossary.name(ENGINE), times(s, carom), ReportNumbers.error(s.error())));
   }

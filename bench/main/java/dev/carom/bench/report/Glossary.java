@@ -34,8 +34,8 @@ final class Glossary {
     add(
         "plain-grid",
         "plain + grid",
-        "a simple program in plain doubles with such a grid and a filter, without the contract: a"
-            + " control for what exactness costs");
+        "a simple program in plain doubles with a grid like carom's and a filter, without the"
+            + " contract: a control for what exactness costs");
     add("plain", "plain doubles", "carom's own test of one line, in plain doubles");
     add(
         "advancement",
@@ -61,6 +61,11 @@ final class Glossary {
   /** How a method is called where people read; one that is not known keeps its label. */
   static String name(String method) {
     return NAMES.getOrDefault(method, method);
+  }
+
+  /** Whether a method was only written to tell what a part of carom gives. */
+  static boolean isControl(String method) {
+    return METHODS.getOrDefault(method, "").contains("a control for");
   }
 
   private Glossary() {}

@@ -11,6 +11,9 @@ final class ResultsReadme {
   /** The figures that stand in it, if they were made. */
   private static final List<String> PICTURES = List.of("work", "features", "fails-angle");
 
+  /** Methods whose names do not say what they are. */
+  private static final List<String> NAMED = List.of("poster", "plain-grid");
+
   private final Results results;
   private final List<Figure> figures;
   private final StringBuilder text = new StringBuilder();
@@ -38,8 +41,21 @@ final class ResultsReadme {
         text.append("** ").append(tile.unit()).append(" | ").append(tile.rival()).append(" |\n");
       }
       text.append('\n');
+      text.append(
+          "Each frame starts from the true state, computed to more digits than a double holds; its"
+              + " error is told in radii of the circle. The circles ignore each other.");
+      NAMED.stream()
+          .filter(results.methods()::contains)
+          .forEach(
+              method ->
+                  text.append(" \"%s\" is %s.".formatted(Glossary.name(method), what(method))));
+      text.append("\n\n");
     }
     picture("work-" + screen.scene());
+  }
+
+  private static String what(String method) {
+    return Glossary.methods().get(method);
   }
 
   private void pictures() {

@@ -89,17 +89,17 @@ final class ScaleGrowth {
         int last = curve.last();
         if (curve.method().equals(Metrics.OURS) && last >= 0) {
           ours.add(
-              "%s of %s that %s"
+              "%s for %s circles that %s"
                   .formatted(
                       ReportNumbers.time(curve.middle()[last]),
                       ReportNumbers.count(curve.x()[last]),
-                      model == Model.GAS ? "collide" : "do not"));
+                      model == Model.GAS ? "collide" : "ignore each other"));
         }
       }
     }
     return ours.isEmpty()
         ? "Time against the number of circles"
-        : "A frame of carom takes " + String.join(", ", ours);
+        : "A frame of carom takes " + String.join(" and ", ours);
   }
 
   /** Of carom in each model, and who took too long where. */
@@ -115,7 +115,10 @@ final class ScaleGrowth {
         if (Double.isNaN(curve.middle()[last])) {
           late.add(
               "%s at %s (%s)"
-                  .formatted(curve.method(), ReportNumbers.count(curve.x()[last]), model.label()));
+                  .formatted(
+                      Glossary.name(curve.method()),
+                      ReportNumbers.count(curve.x()[last]),
+                      model == Model.GAS ? "colliding" : "alone"));
         }
       }
     }

@@ -17,9 +17,9 @@ final class Scenes {
 
   static {
     WORDS.put("base-1", "the published experiment, seed 1");
-    WORDS.put("base-1-r5", "the same with small circles");
+    WORDS.put("base-1-r5", "small circles, seed 1");
     WORDS.put("fast-1", "ten times as fast, seed 1");
-    WORDS.put("radii", "circles of mixed radii");
+    WORDS.put("radii", "mixed radii, a stored file without a seed");
     WORDS.put("base-2", "the published experiment, seed 2");
     WORDS.put("base-3", "the published experiment, seed 3");
     WORDS.put("gas", "circles that collide, seed 1");
@@ -40,6 +40,16 @@ final class Scenes {
   /** A name with what it stands for, for a title. */
   static String words(String scene) {
     return what(scene).isEmpty() ? scene : scene + ": " + what(scene);
+  }
+
+  /** How many circles and lines it has, to stand behind a frame; nothing for one not known. */
+  static String size(String name) {
+    if (what(name).isEmpty()) {
+      return "";
+    }
+    Scene scene = Parts.scene(name);
+    String circles = " of " + scene.circleCount() + " circles";
+    return scene.lineCount() == 0 ? circles : circles + " among " + scene.lineCount() + " lines";
   }
 
   /** The cells of a table: circles, lines, size, radius, speed. */
