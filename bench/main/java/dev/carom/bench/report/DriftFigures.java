@@ -19,7 +19,7 @@ final class DriftFigures {
 
   static {
     PANELS.put(Metrics.TRAJECTORY_DRIFT, "Distance from the true course, in radii");
-    PANELS.put(Metrics.ENERGY_DRIFT, "Energy, as a part of that of the start");
+    PANELS.put(Metrics.ENERGY_DRIFT, "Error of energy, as a part of the start's");
     PANELS.put(Metrics.PENETRATION_DRIFT, "Penetration so far, in radii");
   }
 

@@ -162,9 +162,10 @@ final class Page {
     paragraph(
         "The error of a method: each frame starts from the true state of all circles, plays one"
             + " frame, and is compared with the true end of that frame. The true course is computed"
-            + " to more digits than a double holds, and every decision in it is proved. So no error"
-            + " of an earlier frame counts, and luck does not. Lengths are in px, times in frames; an"
-            + " error is told in radii of the circle.");
+            + " to more digits than a double holds, and every decision in it is proved. So neither"
+            + " errors of earlier frames count nor luck. Lengths are in px, times in frames; an error"
+            + " is told in radii of the circle. Circles ignore each other, as in the published"
+            + " experiment; only in the gas they collide.");
     scenes();
     html.append("<details><summary>The methods, in words</summary>\n<dl>\n");
     methods();
@@ -319,9 +320,11 @@ final class Page {
     if (!matrix.isEmpty()) {
       heading(matrix.title());
       paragraph(
-          "Six maps of small scenes, each judged against its true course. A cell of this table: the"
-              + " share of scenes in which no circle was ever more than 0.001 radius off, and the"
-              + " share for 0.1 radius. No method in doubles can be right in all of them.");
+          "Six maps: each of their cells is a small scene, judged against its true course. The table"
+              + " has the share of scenes in which no circle was ever more than 0.001 radius off, and the"
+              + " share for 0.1 radius. A dark corner marks scenes in which no method can promise to be"
+              + " right: their course multiplies the rounding of doubles beyond 0.001 radius, or impacts"
+              + " pile up without end.");
       table(matrix.table(), "Share of scenes that are right", Page::share);
       html.append("<div class=\"grid\">\n");
       for (FailureMap map : FailureMap.all(false)) {
@@ -366,6 +369,7 @@ final class Page {
           "A gas of 100 elastic circles in four walls, 600 frames. Its energy should not change, and"
               + " circles should not overlap.");
       table(gas.table(), "A gas of colliding circles", none -> "");
+      paragraph(gas.note());
     }
     figure("scale");
     figure("sweep");
@@ -535,7 +539,12 @@ final class Page {
     item("system", m.os());
     item("virtual machine", (m.jdk() + " " + m.flags()).strip());
     item("commit", m.commit());
-    m.scenes().forEach((scene, hash) -> item("scene " + scene, "SHA-256 " + hash));
+    m.scenes()
+        .forEach(
+            (scene, hash) ->
+                item(
+                    "scene " + scene,
+                    "src/test/resources/scenes/%s.csv, SHA-256 %s".formatted(scene, hash)));
     m.seeds().forEach((name, seed) -> item("seed " + name, Long.toString(seed)));
     item("rows", ReportNumbers.count(results.rows().size()));
     failures().forEach(failure -> item("not measured", failure));

@@ -147,7 +147,7 @@ final class PriceTables {
     for (String scene : scenes()) {
       double carom = frame(scene, Metrics.CAROM);
       table.row(
-          Scenes.words(scene),
+          scene,
           ReportNumbers.time(carom),
           ReportNumbers.time(frame(scene, PLAIN_GRID)),
           ReportNumbers.ratio(Math.round(100 * carom / frame(scene, PLAIN_GRID)) / 100.0) + " x",

@@ -36,7 +36,7 @@ final class RungShares {
     }
     BarChart chart =
         new BarChart(sentence(), List.of("doubles", "double-double", "exact numbers"), bars);
-    return Optional.of(new Panel("Which precision decided", chart.picture()));
+    return Optional.of(new Panel("Which precision decided; the share of doubles", chart.picture()));
   }
 
   private Bar bar(String scene) {

@@ -66,11 +66,28 @@ public final class ScaleFigures {
             "scale",
             "Many circles",
             growth.title(),
-            "Equal density in all scenes. Line: median; band: %s. A crossed ring: one frame took longer than %s, and larger scenes were not played."
-                .formatted(band, ReportNumbers.time(limit)),
+            "Equal density in all scenes; engines at their defaults. Line: median; band: %s. A crossed ring: one frame took longer than %s, and larger scenes were not played; rings at one place stand below each other.%s"
+                .formatted(band, ReportNumbers.time(limit), busy()),
             caption.strip(),
             chart.panels(),
             table()));
+  }
+
+  /** How much happens among circles that collide, or nothing. */
+  private String busy() {
+    return times.curves(Model.GAS, Per.FRAME).stream()
+        .filter(curve -> curve.method().equals(Metrics.OURS) && curve.x().length > 0)
+        .findFirst()
+        .map(
+            curve ->
+                times.impacts(ScaleTimes.scene(Model.GAS, curve.x()[0]), Metrics.CAROM)
+                    / curve.x()[0])
+        .filter(each -> each > 0)
+        .map(
+            each ->
+                " Colliding circles have a radius of 1 px here and %s impacts each in a frame, more than in the gas above."
+                    .formatted(ReportNumbers.ratio(Math.round(100 * each) / 100.0)))
+        .orElse("");
   }
 
   /** Each method stands there in one setting: it needs no name. */

@@ -37,8 +37,9 @@ final class Shortcomings {
         results.scenes(Scale.TIME).isEmpty()
             ? "Not measured here: circles that collide with each other, thousands of circles, other"
                 + " processors, more than one thread."
-            : "Of circles that collide, and of thousands of them, only times and memory were"
-                + " measured; not measured at all: other processors, more than one thread.");
+            : "Of circles that collide no true course was computed: only energy, overlap, lost circles"
+                + " and time were measured; of thousands of circles only time and memory; not measured"
+                + " at all: other processors, more than one thread.");
     all.told.add(
         "The engines were set up by us, as well as their documentation allows; they do what carom"
             + " does not: rotation, friction, polygons, joints, stacks.");

@@ -111,7 +111,7 @@ final class StabilityMatrix {
     return best()
         .map(
             next ->
-                "%s is right in %s of all cells; next is %s, with %s of those that it plays"
+                "%s is right in %s of the small scenes; next is %s, with %s of those that it plays"
                     .formatted(
                         "Carom",
                         percent(maps, Metrics.CAROM, FINE),

@@ -55,7 +55,10 @@ final class WorkFigures {
 
   private Figure large(String scene) {
     List<Standing> all = standings(scene);
-    WorkPrecisionChart chart = chart(Map.of("", timeDots(all)), caption(scene, all), Work.TIME);
+    String caption =
+        "Time of a frame against the worst error of one frame in %s. ".formatted(scene)
+            + caption(all, true);
+    WorkPrecisionChart chart = chart(Map.of("", timeDots(all)), caption, Work.TIME);
     int forks = all.stream().mapToInt(s -> s.time().forks()).max().orElse(1);
     return new Figure(
         "work-" + scene,
@@ -63,7 +66,7 @@ final class WorkFigures {
         title(scene, all),
         "Scene %s. Left and below is better. Whiskers upright: 5 to 95 %% over %d virtual machines; to the left: down to the 99.9th percentile of errors. Hollow: an engine at its defaults. Dotted: what nothing beats in both. Crossed rings failed."
             .formatted(scene, forks),
-        caption(scene, all),
+        caption,
         List.of(new Panel("", chart.large(Picture.WIDE))),
         Optional.of(chart.large(Picture.PANEL)),
         table(List.of(scene)));
@@ -114,7 +117,7 @@ final class WorkFigures {
             : "Both faster and more accurate than carom: " + String.join(", ", beaten);
     String caption =
         scenes.stream()
-            .map(scene -> "Scene %s: %s".formatted(scene, caption(scene, standings(scene))))
+            .map(scene -> "Scene %s: %s".formatted(scene, caption(standings(scene), false)))
             .collect(Collectors.joining(" "));
     return new Figure(
         "work",
@@ -159,10 +162,8 @@ final class WorkFigures {
         : "Both faster and more accurate than carom: " + names(beat);
   }
 
-  private static String caption(String scene, List<Standing> all) {
-    StringBuilder text =
-        new StringBuilder(
-            "Time of a frame against the worst error of one frame in %s. ".formatted(scene));
+  private static String caption(List<Standing> all, boolean settings) {
+    StringBuilder text = new StringBuilder();
     Standing.ours(all)
         .ifPresent(
             ours -> {
@@ -180,7 +181,7 @@ final class WorkFigures {
                   s -> !s.equals(ours) && s.isLevelWith(ours));
             });
     tell(text, "Failed", all, Standing::failed);
-    return text.append(peers(all)).toString().strip();
+    return text.append(settings ? peers(all) : worse(all)).toString().strip();
   }
 
   private static void tell(
@@ -214,12 +215,26 @@ final class WorkFigures {
   }
 
   private static String errsMore(Standing tuned, List<Standing> all) {
-    return all.stream()
-            .filter(s -> s.setting().method().equals(tuned.setting().method()))
-            .filter(s -> Metrics.isDefault(s.setting()))
-            .anyMatch(s -> s.isMoreAccurateThan(tuned))
+    return isWorse(tuned, all)
         ? " (in this scene its worst error is greater than at its defaults)"
         : "";
+  }
+
+  private static boolean isWorse(Standing tuned, List<Standing> all) {
+    return all.stream()
+        .filter(s -> s.setting().method().equals(tuned.setting().method()))
+        .filter(s -> Metrics.isDefault(s.setting()))
+        .anyMatch(s -> s.isMoreAccurateThan(tuned));
+  }
+
+  /** The tuned peers that err more than at their defaults. */
+  private static String worse(List<Standing> all) {
+    String names =
+        all.stream()
+            .filter(s -> Metrics.shortKnob(s.setting()).equals("tuned") && isWorse(s, all))
+            .map(WorkFigures::name)
+            .collect(Collectors.joining(", "));
+    return names.isEmpty() ? "" : "Worst error greater than at its defaults: " + names + ".";
   }
 
   private ReportTable table(List<String> scenes) {
