@@ -119,7 +119,7 @@ public final class SweepFigures {
     return full.entrySet().stream()
             .map(e -> Glossary.name(e.getKey()) + " " + ReportNumbers.time(e.getValue()))
             .collect(Collectors.joining(", ", "A frame with the most circles: ", "; "))
-        + "the published one took "
+        + "in the publication "
         + ReportNumbers.time(1e9 / Budget.PUBLISHED_FPS);
   }
 

@@ -118,6 +118,6 @@ class FiguresOfReportTest {
     assertThat(figure(Sample.complete(), "sweep").caption())
         .contains("The time of carom grows with the number of circles to the power 1.00")
         .contains("The time of poster grows with the number of circles to the power 1.02")
-        .contains("A frame with the most circles: ", "; the published one took 52.1 ms");
+        .contains("A frame with the most circles: ", "; in the publication 52.1 ms");
   }
 }
