@@ -124,6 +124,11 @@ final class ParabolaOracle {
     return falls(null) ? contact(null) : first(events().stream().filter(this::falls));
   }
 
+  /** The first moment at which a point arrives at another part than a given one. */
+  ParabolaContact firstOfPoint(Part except) {
+    return first(events().stream().filter(this::arrives).filter(event -> part(event) != except));
+  }
+
   private ParabolaContact first(Stream<SturmRoot> events) {
     return events
         .reduce((one, other) -> other.isBefore(one) ? other : one)

@@ -31,7 +31,8 @@ final class ParabolaReturnOracle {
     if (!isLine || (back.hit() && back.moment() == null)) {
       return back;
     }
-    ParabolaContact other = oracle.r.signum() == 0 ? oracle.first() : ParabolaContact.MISS;
+    ParabolaContact other =
+        oracle.r.signum() == 0 ? oracle.firstOfPoint(part) : ParabolaContact.MISS;
     oracle.setGap(part, gap);
     ParabolaContact next = oracle.firstOfDisk();
     return ParabolaOracle.isSooner(other, next) ? other : next;

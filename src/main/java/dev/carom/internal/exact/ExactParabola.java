@@ -201,6 +201,12 @@ public final class ExactParabola {
     return isLate(first, T) ? null : first;
   }
 
+  /** The first impact of a point up to T that is not in a given region. */
+  RealRoot firstOfPoint(int region, double T) {
+    RealRoot first = firstOfPoint(root -> region(root) != region);
+    return isLate(first, T) ? null : first;
+  }
+
   private static RealRoot limit(double T) {
     return T == Double.POSITIVE_INFINITY ? null : RealRoot.after(T);
   }

@@ -130,7 +130,7 @@ public final class ExactReturn {
     if (!line.isPoint()) {
       return next;
     }
-    RealRoot other = line.firstFrom(ExactParabola.START, T);
+    RealRoot other = line.firstOfPoint(part, T);
     return next == null || (other != null && other.compare(next) < 0) ? other : next;
   }
 

@@ -133,6 +133,14 @@ class ParabolaReturnTest {
     assertThat(time).isEqualTo(0.005506587360528489);
   }
 
+  /** A point that falls through the end that it touches has no speed towards it, as it counts. */
+  @Test
+  void aPointDoesNotHitTheEndThatItTouches() {
+    assertThat(ParabolaReturn.toLine(0, 5, 0, 0, -1, 0, -2, 0, 0, 10, 0, 0, 0, NEVER)).isZero();
+    assertThat(ParabolaReturn.toLine(0, 5, 0, 0, -10, 0, 2, 0, 0, 10, 0, 0, 0, NEVER))
+        .isEqualTo(NEVER);
+  }
+
   /** Seen from a line that moves, only the difference of the velocities counts. */
   @Test
   void theLineMayMove() {
