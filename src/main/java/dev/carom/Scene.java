@@ -361,7 +361,8 @@ public final class Scene {
    *
    * <p>It passes through sensors, and meets one-way lines from their left only. Its circle has
    * category 1 and mask -1, and passes through all that it cannot {@linkplain SceneBuilder#filter
-   * meet}. It does not know the circles of the scene, nor its gravity: its circle flies straight.
+   * meet}. It does not know the circles of the scene. With {@linkplain SceneBuilder#gravity
+   * gravity}, the circle of {@link Resolver#trace trace} falls; that of a cast flies straight.
    *
    * <p>Lines and pegs with a velocity are where the scene has them at the start of each cast and of
    * each path, and move from then on. {@link Resolver#nearest nearest} and {@link

@@ -163,7 +163,7 @@ public final class Uncertainty {
 
   /** Tells whether all flights are straight, among obstacles at rest: others are not followed. */
   private boolean areFollowed() {
-    return !world.obstacles.areMoving() && !world.scene().data.hasGravity();
+    return !world.obstacles.areMoving() && !world.circles.allowsGravity();
   }
 
   private void loseAll() {

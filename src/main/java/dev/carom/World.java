@@ -22,8 +22,8 @@ import java.util.Optional;
 import java.util.function.IntPredicate;
 
 /**
- * A {@code World} moves the circles of a {@link Scene}. They fly straight, bounce off lines, pegs
- * and walls, and collide with each other or ignore each other, as the scene says.
+ * A {@code World} moves the circles of a {@link Scene}. They fly straight, or fall, bounce off
+ * lines, pegs and walls, and collide with each other or ignore each other, as the scene says.
  *
  * <pre>{@code
  * World world =
@@ -40,7 +40,8 @@ import java.util.function.IntPredicate;
  *
  * <ol>
  *   <li><b>No impact is lost.</b> A step resolves all impacts in it, each at its own moment, at any
- *       speed. There is no threshold, positions are never corrected, and nothing jitters.
+ *       speed. There is no threshold (with gravity, hops below rounding end), positions are never
+ *       corrected, and nothing jitters.
  *   <li><b>Steps do not matter.</b> However a run to the same time is cut into steps, it gives the
  *       same bits. The same run gives the same bits on every Java virtual machine.
  *   <li><b>A step always ends.</b> It returns false if its budget of work is spent, and the next
@@ -56,7 +57,7 @@ import java.util.function.IntPredicate;
  * share nothing that changes.
  *
  * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, questions, budget,
- * stuck circles, moving obstacles, infinite mass, accuracy. <a
+ * stuck circles, moving obstacles, gravity, infinite mass, accuracy. <a
  * href="doc-files/recipes.html">Recipes</a>: frames and netcode, a paddle, a piston, pockets,
  * teams, an aiming line, a lidar, periodic cells, Lyapunov exponents.
  */

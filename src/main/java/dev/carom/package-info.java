@@ -143,14 +143,16 @@
  * <h2 id="limits">Limits</h2>
  *
  * <ul>
- *   <li>Circles move straight on between impacts. There is no rotation, friction, stacking, polygon
- *       or force. Gravity and steering are velocities that the caller sets between steps. {@link
- *       dev.carom.SweptCircle} alone takes a constant acceleration.
+ *   <li>Circles move straight on between impacts, or with one constant {@linkplain
+ *       dev.carom.SceneBuilder#gravity gravity} on parabolas. There is no rotation, friction,
+ *       stacking or polygon. Steering is a velocity that the caller sets between steps.
  *   <li>Lines and pegs rest, or move with a {@linkplain dev.carom.World#setVelocity(ObstacleKind,
  *       int, double, double) constant velocity} and push circles. They do not turn, and nothing
  *       deflects them.
- *   <li>Nothing comes to rest by a threshold. A circle caught in a narrow place costs every one of
- *       its bounces. Where they would never end, the world stops them by a rule and reports it.
+ *   <li>Without gravity, nothing comes to rest by a threshold. With it, bounces end by <a
+ *       href="doc-files/rules.html#gravity">relative lengths</a>. A circle caught in a narrow place
+ *       costs every one of its bounces. Where they would never end, the world stops them by a rule
+ *       and reports it.
  *   <li>Every bounce off a curved obstacle magnifies the rounding errors before it.
  *   <li>A scene refuses circles so small, beside its coordinates, that rounding could carry one
  *       through a line.
@@ -166,8 +168,8 @@
  *   <dd>The category and the mask of a thing, which say what it can meet: see {@link
  *       dev.carom.SceneBuilder#filter}.
  *   <dt>flight
- *   <dd>The straight motion of one circle between two impacts. An edit of the circle begins a new
- *       one.
+ *   <dd>The motion of one circle between two impacts: a straight line, with gravity an arc of a
+ *       parabola. An edit of the circle begins a new one.
  *   <dt>id
  *   <dd>The number that names a line, a peg or a circle of a world. The ids of each kind begin at
  *       0, and an id is not used again.

@@ -84,7 +84,11 @@ class SnapshotStreamTest {
     int open = size(Scene.builder());
     assertThat(Files.readString(Path.of("main/java/dev/carom/Snapshot.java")))
         .contains(circle + " bytes a circle", line + " a line, " + peg + " a peg")
-        .contains(rest + " for the rest, " + open + " without bounds");
+        .contains(rest + " for the rest, " + open + " without bounds")
+        .contains(
+            "circles take "
+                + (size(room().gravity(0, -1).circle(50, 50, 5, 1, 2)) - rest - circle)
+                + " more");
   }
 
   @ParameterizedTest
@@ -298,7 +302,7 @@ class SnapshotStreamTest {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putInt(VERSION, 1);
     assertRefused(
-        bytes, "its format version is 1: expected 5, the only one that this library reads");
+        bytes, "its format version is 1: expected 6, the only one that this library reads");
   }
 
   @ParameterizedTest

@@ -40,7 +40,7 @@ class LaterEntryTest {
   void contactAtTheStartIsNoEntry() {
     assertThat(line(-1, 0, -1, NEVER)).isBetween(7.7, 7.8); // touches, and enters
     assertThat(line(0.5, 0, -1, NEVER)).isBetween(7.9, 8.0);
-    assertThat(disk(-1, -1, NEVER)).isBetween(7.8, 8.0);
+    assertThat(disk(-1, -1, NEVER)).isBetween(7.7, 7.8);
     assertThat(disk(0.5, 0, NEVER)).isBetween(7.9, 8.0);
     assertThat(disk(0.5, 0, 7)).isEqualTo(NEVER);
   }
