@@ -288,8 +288,6 @@ public final class CircleTable {
   private void getAcceleration(int i, MovingCircle m) {
     if (accelerations != null) {
       accelerations.get(i, m);
-    } else {
-      m.fall(0, 0);
     }
   }
 

@@ -329,18 +329,25 @@ public final class MovingCircle {
    */
   public void advance(
       double first, double second, double head, double tail, boolean standsStill, double[] walls) {
-    x = Confinement.x(walls, x, inTwoParts(x, vx, gx, first, second), radius);
-    y = Confinement.y(walls, y, inTwoParts(y, vy, gy, first, second), radius);
-    accelerate(first);
-    accelerate(second);
+    if (gx == 0 && gy == 0) {
+      x = Confinement.x(walls, x, Math.fma(vx, second, Math.fma(vx, first, x)), radius);
+      y = Confinement.y(walls, y, Math.fma(vy, second, Math.fma(vy, first, y)), radius);
+    } else {
+      fallTwice(first, second, walls);
+    }
     t = head;
     tl = tail;
     flown = first + second;
     this.standsStill = standsStill && flown == second;
   }
 
-  private static double inTwoParts(double p, double v, double g, double first, double second) {
-    return place(place(p, v, g, first), velocity(v, g, first), g, second);
+  private void fallTwice(double first, double second, double[] walls) {
+    double startX = x;
+    double startY = y;
+    move(first);
+    move(second);
+    x = Confinement.x(walls, startX, x, radius);
+    y = Confinement.y(walls, startY, y, radius);
   }
 
   /** Advances by dt, to the start of a new flight. */
@@ -356,8 +363,13 @@ public final class MovingCircle {
 
   /** Moves the centre, and takes the velocity, to those after a duration; time stays. */
   public void move(double dt) {
-    x = xAfter(dt);
-    y = yAfter(dt);
-    accelerate(dt);
+    if (gx == 0 && gy == 0) {
+      x = Math.fma(vx, dt, x);
+      y = Math.fma(vy, dt, y);
+    } else {
+      x = xAfter(dt);
+      y = yAfter(dt);
+      accelerate(dt);
+    }
   }
 }

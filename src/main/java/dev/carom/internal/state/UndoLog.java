@@ -70,8 +70,6 @@ public final class UndoLog {
       m.jam = jams == null ? null : jams[row];
       if (accelerations != null) {
         accelerations.get(row, m);
-      } else {
-        m.fall(0, 0);
       }
       table.storeAndSetDue(circles[row], m);
     }
