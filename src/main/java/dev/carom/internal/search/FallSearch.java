@@ -620,7 +620,7 @@ public final class FallSearch {
   private double timeOfOneWay(int code, double[] row, int k, double ux, double uy) {
     if (code == body.last) {
       double t = timeOfReturn(code, row, k, ux, uy);
-      if (!(t <= to) || isLeft(row, k, ux, uy, t)) {
+      if (t > to || t == NEVER || isLeft(row, k, ux, uy, t)) {
         return t;
       }
     } else if (touches(row, k)) {
@@ -630,7 +630,7 @@ public final class FallSearch {
       }
     }
     double t = timeAfter(code, row, k, ux, uy, -1);
-    while (t <= to && !isLeft(row, k, ux, uy, t)) {
+    while (t <= to && t < NEVER && !isLeft(row, k, ux, uy, t)) {
       t = timeAfter(code, row, k, ux, uy, t);
     }
     return t;
