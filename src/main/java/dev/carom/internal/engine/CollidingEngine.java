@@ -416,6 +416,11 @@ public final class CollidingEngine extends Engine {
   // Edits.
 
   @Override
+  void beginGravity() {
+    outgrown = true; // the scheduler and the cells are those of straight flights
+  }
+
+  @Override
   void beginFlight(MovingCircle m) {
     // The new flight begins now, so all cells must be those of now.
     outgrown |= crossed == reached;

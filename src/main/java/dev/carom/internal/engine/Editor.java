@@ -105,6 +105,9 @@ public final class Editor {
     }
     MovingCircle m = restarted(slot, now);
     m.radius = radius;
+    if (m.isFalling()) {
+      m.last = MovingCircle.NOTHING; // the gap to that is no longer 0
+    }
     engine.beginFlight(m);
     limits.keepRadius(radius);
   }

@@ -61,6 +61,9 @@ public abstract class Engine {
 
   /** Lets a circle fly freely: it falls unless its mass is infinite. */
   final void release(MovingCircle m) {
+    if (m.isSupported() && Codes.isCircle(m.last)) {
+      m.last = MovingCircle.NOTHING; // relative to that circle it moves otherwise from now on
+    }
     if (registry.mass(m.id) < Double.POSITIVE_INFINITY) {
       m.fall(gravity.x, gravity.y);
     } else {
@@ -72,10 +75,14 @@ public abstract class Engine {
   public final void setGravity(double gx, double gy) {
     gravity.x = gx;
     gravity.y = gy;
-    if (gravity.acts()) {
+    if (gravity.acts() && !circles.allowsGravity()) {
       circles.allowGravity();
+      beginGravity();
     }
   }
+
+  /** Prepares for flights that are not straight, the first of this world. */
+  void beginGravity() {}
 
   /**
    * Advances all circles to the given time, or to an earlier one if the budget of work is

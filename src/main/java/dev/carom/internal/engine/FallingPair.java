@@ -41,6 +41,9 @@ final class FallingPair {
   /** The one whose flight began later. */
   private int later;
 
+  /** Whether both flights began at the same time. */
+  private boolean together;
+
   FallingPair(CircleTable circles) {
     this.circles = circles;
   }
@@ -64,6 +67,7 @@ final class FallingPair {
     double of1 = Math.max(0, delay);
     double of2 = Math.max(0, -delay);
     later = delay > 0 ? second : first;
+    together = delay == 0;
     double gx1 = circles.gx(first);
     double gy1 = circles.gy(first);
     double gx2 = circles.gx(second);
@@ -139,14 +143,15 @@ final class FallingPair {
   /**
    * The duration from the later start to the collision.
    *
-   * @param justMet whether they have just hit each other: then it is that to their return
+   * @param justMet whether they hit each other last: if both flights began there, it is the
+   *     duration to their return
    */
   double time(boolean justMet) {
     if (gx == 0 && gy == 0) {
       int contact = DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
       return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
     }
-    return justMet
+    return justMet && together
         ? ParabolaReturn.toDisk(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, NEVER)
         : ParabolaDiskSweep.time(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, NEVER);
   }

@@ -147,11 +147,23 @@ public final class MovingCircle {
     double dt = (now - t) + (tail - tl);
     x = Confinement.x(walls, x, xAfter(dt), radius);
     y = Confinement.y(walls, y, yAfter(dt), radius);
+    if (dt != 0 && isFalling() && !staysInContact()) {
+      last = NOTHING;
+      support = isSupported() ? support : NOTHING;
+    }
     accelerate(dt);
     t = now;
     tl = tail;
     newFlight();
     lookahead = EDITED_LOOKAHEAD;
+  }
+
+  /**
+   * Whether a circle that falls, slides or rests still touches what it hit last. A return to that
+   * is computed from a gap of 0 at the start of the flight.
+   */
+  private boolean staysInContact() {
+    return last == support || (vx == 0 && vy == 0 && gx == 0 && gy == 0);
   }
 
   /** Lets the circle fly freely, with a given acceleration. */
