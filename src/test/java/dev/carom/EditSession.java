@@ -22,6 +22,9 @@ final class EditSession {
   /** The source of random velocities of obstacles; null if none moves. */
   private final Random motion;
 
+  /** The source of random gravity; null for a session without. */
+  private final Random falling;
+
   private final ThreeWorlds worlds;
   private final List<Snapshot> snapshots = new ArrayList<>();
   private final List<PlainWorld> plainSnapshots = new ArrayList<>();
@@ -37,6 +40,7 @@ final class EditSession {
    * @param hard whether its numbers are {@link SessionNumbers.Hard}
    * @param masked whether circles and obstacles have filters
    * @param moving whether lines and pegs move
+   * @param falls whether there is gravity
    * @param length how many edits it has at most
    * @param mostImpacts a step of more ends it: the model would take minutes
    */
@@ -46,11 +50,13 @@ final class EditSession {
       boolean hard,
       boolean masked,
       boolean moving,
+      boolean falls,
       int length,
       int mostImpacts) {
     random = new Random(seed);
     masks = masked ? new Random(seed + 2) : null;
     motion = moving ? new Random(seed + 1) : null;
+    falling = falls ? new Random(seed + 3) : null;
     this.length = length;
     this.mostImpacts = mostImpacts;
     numbers = hard ? new SessionNumbers.Hard(random) : new SessionNumbers(random);
@@ -60,6 +66,9 @@ final class EditSession {
 
   private Scene scene(boolean collide, boolean hard) {
     SceneBuilder builder = Scene.builder().collide(collide);
+    if (falling != null && numbers.begin() == 0 && falling.nextInt(3) > 0) {
+      builder.gravity(pull(), pull());
+    }
     if (!hard || random.nextInt(4) > 0) {
       double least = numbers.origin();
       double width = SessionNumbers.WIDTH * numbers.length();
@@ -78,6 +87,11 @@ final class EditSession {
           builder.circle(numbers.x(), numbers.y(), numbers.radius(), speed(waits), speed(waits)));
     }
     return builder.build();
+  }
+
+  /** A component of gravity, which is often 0. */
+  private double pull() {
+    return falling.nextInt(3) == 0 ? 0 : numbers.gravity(falling);
   }
 
   /** Gives a filter to every other thing. */
@@ -119,6 +133,9 @@ final class EditSession {
       }
       if (motion != null && motion.nextInt(4) == 0) {
         setObstacleInMotion();
+      }
+      if (falling != null && falling.nextInt(12) == 0) {
+        setGravity();
       }
       act(random.nextInt(20));
       done++;
@@ -213,6 +230,12 @@ final class EditSession {
       double vy = motion.nextInt(5) == 0 ? 0 : numbers.speed();
       worlds.edit(w -> w.setVelocity(kind, id, vx, vy), p -> p.setVelocity(kind, id, vx, vy));
     }
+  }
+
+  private void setGravity() {
+    double gx = pull();
+    double gy = pull();
+    worlds.edit(w -> w.setGravity(gx, gy), p -> p.setGravity(gx, gy));
   }
 
   private void setProperties() {

@@ -16,14 +16,16 @@ import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SavedFlights;
+import dev.carom.internal.sweep.ParabolaDiskSweep;
+import dev.carom.internal.sweep.ParabolaReturn;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.WallSweep;
 import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.HashSet;
+import java.util.HashMap;
 import java.util.List;
-import java.util.Set;
+import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
@@ -42,13 +44,15 @@ public final class PlainWorld {
   private ObstacleResponse response;
   private PairResponse pairs;
   private ContactCluster cluster;
+  private Gravity gravity;
+  private PlainFall falls;
   private List<MovingCircle> bodies = new ArrayList<>();
 
-  /** The sensors that each circle's flight met: codes of obstacles. */
-  private List<Set<Integer>> met = new ArrayList<>();
+  /** When each circle's flight last met each sensor, by the codes of obstacles. */
+  private List<Map<Integer, Double>> met = new ArrayList<>();
 
-  /** The pairs, one of them a sensor, that met since the later of their flights began. */
-  private Set<Long> metPairs = new HashSet<>();
+  /** The pairs that met and changed nothing: how long after the later of their flights began. */
+  private Map<Long, Double> metPairs = new HashMap<>();
 
   private final ImpactRows rows = new ImpactRows(16);
   private final ImpactLog log = new ImpactLog(rows);
@@ -71,19 +75,22 @@ public final class PlainWorld {
     collide = scene.collide();
     obstacles = ObstacleTable.of(scene.data);
     registry = new CircleRegistry(scene.data, 1);
+    gravity = new Gravity(scene.data.gx, scene.data.gy);
     respond();
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle c = scene.circle(i);
       Vec2 v = scene.velocity(i);
       MovingCircle m = new MovingCircle();
       m.start(i, c.x(), c.y(), c.radius(), v.x(), v.y(), scene.restitution(ObstacleKind.CIRCLE, i));
+      release(m);
       bodies.add(m);
-      met.add(new HashSet<>());
+      met.add(new HashMap<>());
     }
   }
 
   private void respond() {
-    response = new ObstacleResponse(obstacles, new Gravity(0, 0), m -> codes());
+    falls = new PlainFall(obstacles);
+    response = new ObstacleResponse(obstacles, gravity, m -> codes());
     pairs = new PairResponse(registry, response.settling);
     cluster = new ContactCluster(registry, pairs, response, obstacles, new Vicinity());
   }
@@ -123,14 +130,15 @@ public final class PlainWorld {
   void restore(PlainWorld other) {
     obstacles = other.obstacles.copy();
     registry = copy(other.registry, other.bodies.size());
+    gravity = new Gravity(other.gravity.x, other.gravity.y);
     respond();
     now = other.now;
     last = other.last;
     lastTail = other.lastTail;
     bodies = new ArrayList<>(other.bodies.stream().map(PlainWorld::copy).toList());
-    met =
-        new ArrayList<>(other.met.stream().map(set -> (Set<Integer>) new HashSet<>(set)).toList());
-    metPairs = new HashSet<>(other.metPairs);
+    met = new ArrayList<>();
+    other.met.forEach(times -> met.add(new HashMap<>(times)));
+    metPairs = new HashMap<>(other.metPairs);
   }
 
   /** Here each circle has its id for a slot, whatever was removed. */
@@ -190,7 +198,7 @@ public final class PlainWorld {
       double vy = m.vy;
       int result = response.resolve(m, rows);
       if (result == ObstacleResponse.SENSED) {
-        met.get(low).add(code);
+        met.get(low).put(code, m.cleared);
       } else {
         happened();
         begin(m);
@@ -210,7 +218,7 @@ public final class PlainWorld {
   /** A flight begins: what it meets is new to it. */
   private void begin(MovingCircle m) {
     met.get(m.id).clear();
-    metPairs.removeIf(pair -> pair >> 32 == m.id || pair.intValue() == m.id);
+    metPairs.keySet().removeIf(pair -> pair >> 32 == m.id || pair.intValue() == m.id);
   }
 
   private void meet(MovingCircle a, MovingCircle b) {
@@ -228,7 +236,7 @@ public final class PlainWorld {
     two.crushed = cluster.isCrushed(two);
     int result = pairs.resolve(one, two, rows);
     if (result == ObstacleResponse.SENSED) {
-      metPairs.add(pair(a, b));
+      metPairs.put(pair(a, b), wait);
     } else {
       bodies.set(a.id, one);
       bodies.set(b.id, two);
@@ -283,8 +291,7 @@ public final class PlainWorld {
     double later = later(a, b);
     MovingCircle early = later > 0 ? a : b;
     MovingCircle late = later > 0 ? b : a;
-    early.x = Math.fma(early.vx, Math.abs(later), early.x);
-    early.y = Math.fma(early.vy, Math.abs(later), early.y);
+    early.move(Math.abs(later));
     early.flown += Math.abs(later);
     early.t = late.t;
     early.tl = late.tl;
@@ -329,18 +336,18 @@ public final class PlainWorld {
     double best = NEVER;
     int code = MovingCircle.NOTHING;
     for (int k : codes()) {
-      boolean there =
-          k != m.last && (m.jam == null || !m.jam.concerns(k)) && meets(m.id, obstacles.filter(k));
-      double t = there ? sweep(m, k) : NEVER;
+      boolean there = (m.jam == null || !m.jam.concerns(k)) && meets(m.id, obstacles.filter(k));
+      double t = there ? next(m, k) : NEVER;
       boolean sensor = obstacles.isSensor(k);
-      if (sensor && (t == 0 || met.get(m.id).contains(k))) {
-        t = NEVER;
-      }
       boolean before = t == best && t != NEVER && sensor && !obstacles.isSensor(code);
       if (t < best || before) {
         best = t;
         code = k;
       }
+    }
+    if (falls.endOfSlide(m) < best) {
+      best = falls.endOfSlide(m);
+      code = m.support;
     }
     m.cleared = best;
     m.next = code;
@@ -348,7 +355,9 @@ public final class PlainWorld {
       return;
     }
     m.contact = 0;
-    if (Codes.isLine(code)) {
+    if (m.isFalling()) {
+      m.contact = falls.contact(m, code, best);
+    } else if (Codes.isLine(code)) {
       double[] l = obstacles.rowAt(code, m.t, m.tl);
       double ux = obstacles.ux(code);
       double uy = obstacles.uy(code);
@@ -357,6 +366,18 @@ public final class PlainWorld {
     }
     double head = m.after(best);
     keep(head, m.afterTail(best, head), (long) code << 31 | m.id, m.id, -1, best);
+  }
+
+  /** When a circle next meets an obstacle, in its flight and after all that it met in that. */
+  private double next(MovingCircle m, int code) {
+    if (m.isFalling()) {
+      return falls.time(m, code, met.get(m.id).getOrDefault(code, 0.0));
+    }
+    if (code == m.last) {
+      return NEVER;
+    }
+    double t = sweep(m, code);
+    return obstacles.isSensor(code) && (t == 0 || met.get(m.id).containsKey(code)) ? NEVER : t;
   }
 
   private boolean meets(int circle, long filter) {
@@ -421,36 +442,52 @@ public final class PlainWorld {
     int ofA = Codes.circle(a.id);
     int ofB = Codes.circle(b.id);
     boolean justHit = a.last == ofB && b.last == ofA;
-    if (justHit || !meets(a.id, registry.filter(b.id)) || pairs.isInert(a.id, a.jam, b.id, b.jam)) {
+    boolean alike = a.gx == b.gx && a.gy == b.gy;
+    if ((justHit && alike)
+        || !meets(a.id, registry.filter(b.id))
+        || pairs.isInert(a.id, a.jam, b.id, b.jam)) {
       return;
     }
-    double later = later(a, b);
-    MovingCircle early = later > 0 ? a : b;
-    MovingCircle late = later > 0 ? b : a;
-    double x = Math.fma(early.vx, Math.abs(later), early.x);
-    double y = Math.fma(early.vy, Math.abs(later), early.y);
-    double tau =
-        SweptCircle.pair(
-            x,
-            y,
-            early.radius,
-            early.vx,
-            early.vy,
-            late.x,
-            late.y,
-            late.radius,
-            late.vx,
-            late.vy,
-            NEVER);
-    boolean touchedBefore = tau == 0 && pairs.isSensor(a.id, b.id);
-    boolean met = pairs.isSilent(a.id, b.id) && metPairs.contains(pair(a, b));
-    if (tau == NEVER || touchedBefore || met) {
+    MovingCircle one = copy(a);
+    MovingCircle two = copy(b);
+    bringTogether(one, two);
+    double tau = next(one, two, justHit && later(a, b) == 0);
+    if (tau == NEVER) {
       return;
     }
+    MovingCircle late = later(a, b) > 0 ? b : a;
     double s = late.t + tau;
     double l = sumTail(late.t, tau, s) + late.tl;
     double head = s + l;
     keep(head, sumTail(s, l, head), pairs.rank(a.id, b.id), a.id, b.id, tau);
+  }
+
+  /** How long it takes two circles to meet, if that was not reported before. */
+  private double next(MovingCircle a, MovingCircle b, boolean justHit) {
+    if (!pairs.isSilent(a.id, b.id)) {
+      return justHit
+          ? ParabolaReturn.toDisk(
+              a.x, a.y, a.vx, a.vy, a.gx - b.gx, a.gy - b.gy, b.x, b.y, b.vx, b.vy, NEVER)
+          : sweep(a, b, -1);
+    }
+    boolean sensor = pairs.isSensor(a.id, b.id);
+    return sweep(a, b, metPairs.getOrDefault(pair(a, b), sensor ? 0.0 : -1.0));
+  }
+
+  /** How long it takes two circles to meet, later than a given time. */
+  private static double sweep(MovingCircle a, MovingCircle b, double after) {
+    double gx = a.gx - b.gx;
+    double gy = a.gy - b.gy;
+    if (gx == 0 && gy == 0) {
+      double t =
+          SweptCircle.pair(a.x, a.y, a.radius, a.vx, a.vy, b.x, b.y, b.radius, b.vx, b.vy, NEVER);
+      return t > after ? t : NEVER;
+    }
+    return after < 0
+        ? ParabolaDiskSweep.time(
+            a.x, a.y, a.radius, a.vx, a.vy, gx, gy, b.x, b.y, b.radius, b.vx, b.vy, NEVER)
+        : ParabolaDiskSweep.timeAfter(
+            a.x, a.y, a.radius, a.vx, a.vy, gx, gy, b.x, b.y, b.radius, b.vx, b.vy, after, NEVER);
   }
 
   // Questions.
@@ -472,15 +509,10 @@ public final class PlainWorld {
               && registry.contains(other.id)
               && !registry.isSensor(other.id)
               && meets(other.id, filter);
-      double dt = MovingCircle.since(other.t, other.tl, now);
-      double x = Math.fma(other.vx, dt, other.x);
-      double y = Math.fma(other.vy, dt, other.y);
-      if (there && Math.abs(x) + Math.abs(y) < NEVER) {
-        first =
-            Math.min(
-                first,
-                SweptCircle.pair(
-                    m.x, m.y, m.radius, m.vx, m.vy, x, y, other.radius, other.vx, other.vy, NEVER));
+      MovingCircle then = copy(other);
+      then.move(MovingCircle.since(other.t, other.tl, now));
+      if (there && Math.abs(then.x) + Math.abs(then.y) < NEVER) {
+        first = Math.min(first, sweep(m, then, -1));
       }
     }
     return first;
@@ -503,10 +535,52 @@ public final class PlainWorld {
   }
 
   void setRadius(int id, double radius) {
-    restarted(id).radius = radius;
+    MovingCircle m = restarted(id);
+    m.radius = radius;
+    if (m.isFalling()) {
+      m.last = MovingCircle.NOTHING;
+    }
   }
 
   private MovingCircle restarted(int id) {
+    MovingCircle m = begunAnew(id);
+    release(m);
+    return m;
+  }
+
+  private void release(MovingCircle m) {
+    if (m.isSupported() && Codes.isCircle(m.last)) {
+      m.last = MovingCircle.NOTHING;
+    }
+    boolean isHeavy = registry.mass(m.id) == NEVER;
+    m.fall(isHeavy ? 0 : gravity.x, isHeavy ? 0 : gravity.y);
+  }
+
+  void setGravity(double gx, double gy) {
+    for (MovingCircle m : bodies) {
+      if (registry.contains(m.id)) {
+        begunAnew(m.id).forget();
+      }
+    }
+    gravity.x = gx;
+    gravity.y = gy;
+    bodies.stream().filter(m -> registry.contains(m.id)).forEach(this::release);
+  }
+
+  /** Lets circles fall that slide or rest on an obstacle which is about to change. */
+  private void letFallFrom(int code) {
+    for (MovingCircle m : bodies) {
+      boolean rests = m.isSupported() && m.gx == 0 && m.gy == 0;
+      boolean isCarried =
+          m.support == code || m.support == ~code || (rests && response.settling.touches(m, code));
+      if (registry.contains(m.id) && isCarried) {
+        restarted(m.id).forget(code, 0);
+      }
+    }
+  }
+
+  /** A circle at the start of a new flight, which goes on as the one before. */
+  private MovingCircle begunAnew(int id) {
     MovingCircle m = bodies.get(id);
     boolean confined = meets(id, obstacles.filter(Codes.LEFT));
     m.restart(now, tailOfEdit(m), confined ? obstacles.walls : null);
@@ -526,7 +600,7 @@ public final class PlainWorld {
     double never = Double.POSITIVE_INFINITY;
     boolean passes = (registry.mass(id) == never) != (mass == never);
     registry.setMass(id, mass);
-    if (collide && passes) {
+    if (passes && (collide || gravity.acts())) {
       restarted(id).forget();
     }
   }
@@ -536,8 +610,9 @@ public final class PlainWorld {
     m.start(registry.add(), x, y, radius, vx, vy, 1);
     m.t = now;
     m.tl = tailOfEdit(m);
+    release(m);
     bodies.add(m);
-    met.add(new HashSet<>());
+    met.add(new HashMap<>());
   }
 
   void addLine(double ax, double ay, double bx, double by) {
@@ -549,11 +624,13 @@ public final class PlainWorld {
   }
 
   void moveLine(int id, double ax, double ay, double bx, double by) {
+    letFallFrom(Codes.line(id));
     obstacles.move(Codes.line(id), new double[] {ax, ay, bx, by}, now);
     appear(Codes.line(id));
   }
 
   void movePeg(int id, double x, double y, double radius) {
+    letFallFrom(Codes.peg(id));
     obstacles.move(Codes.peg(id), new double[] {x, y, radius}, now);
     appear(Codes.peg(id));
   }
@@ -561,6 +638,7 @@ public final class PlainWorld {
   /** Lets a line or a peg move. */
   void setVelocity(ObstacleKind kind, int id, double vx, double vy) {
     int code = Codes.of(kind.ordinal(), id);
+    letFallFrom(code);
     obstacles.setVelocity(code, vx, vy, now);
     appear(code);
   }
@@ -580,6 +658,7 @@ public final class PlainWorld {
   }
 
   private void removeObstacle(int code) {
+    letFallFrom(code);
     obstacles.remove(code);
     bodies.forEach(m -> m.forget(code, 0));
   }
@@ -615,6 +694,7 @@ public final class PlainWorld {
 
   private void setTraits(int code, int traits) {
     if (traits != obstacles.traits(code)) {
+      letFallFrom(code);
       obstacles.setTraits(code, traits);
       appear(code);
     }
@@ -626,6 +706,7 @@ public final class PlainWorld {
       case LINE, PEG -> {
         int code = (kind == ObstacleKind.LINE ? Codes.line(0) : Codes.peg(0)) + id;
         if (filter != obstacles.filter(code)) {
+          letFallFrom(code);
           obstacles.setFilter(code, filter);
           appear(code);
         }
@@ -650,13 +731,17 @@ public final class PlainWorld {
     obstacles.setFilter(Codes.LEFT, filter);
   }
 
+  private boolean isAhead(MovingCircle m, int code) {
+    return (m.isFalling() ? falls.time(m, code, 0) : sweep(m, code)) < NEVER;
+  }
+
   /** Flights that would meet a thing that was not there begin anew. */
   private void appear(int code) {
     for (MovingCircle m : bodies) {
       if (registry.contains(m.id)) {
         m.forget(code, 0);
-        if (meets(m.id, obstacles.filter(code)) && sweep(m, code) < NEVER) {
-          restarted(m.id);
+        if (meets(m.id, obstacles.filter(code)) && isAhead(m, code)) {
+          begunAnew(m.id);
         }
       }
     }

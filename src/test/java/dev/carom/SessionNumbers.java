@@ -68,6 +68,11 @@ class SessionNumbers {
     return random.nextBoolean() ? random.nextInt(11) - 5 : 3 * random.nextGaussian();
   }
 
+  /** An acceleration, often a whole one. */
+  double gravity(Random random) {
+    return random.nextBoolean() ? random.nextInt(5) - 2 : 2 * random.nextGaussian();
+  }
+
   double mass() {
     return 1 + random.nextInt(3);
   }
@@ -187,6 +192,11 @@ class SessionNumbers {
             case 2 -> late ? 1 : 1e3;
             default -> 1;
           };
+    }
+
+    @Override
+    double gravity(Random random) {
+      return super.gravity(random) * (speed * speed / length);
     }
 
     @Override
