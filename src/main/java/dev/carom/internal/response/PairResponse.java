@@ -183,7 +183,7 @@ public final class PairResponse {
     if (un < 0) {
       change(a, b, e, halt, log);
     }
-    double length = Math.sqrt(nx * nx + ny * ny);
+    double length = StrictMath.hypot(nx, ny);
     double kx = nx / length;
     double ky = ny / length;
     double out = (a.vx - b.vx) * kx + (a.vy - b.vy) * ky;

@@ -73,7 +73,7 @@ public final class Settling {
    */
   void settle(
       MovingCircle m, int code, ContactPoint point, double reach, double e, ImpactRows log) {
-    double length = Math.sqrt(point.nx * point.nx + point.ny * point.ny);
+    double length = StrictMath.hypot(point.nx, point.ny);
     nx = point.nx / length;
     ny = point.ny / length;
     boolean carried = m.isSupported() && m.support != code && staysOn(m);
@@ -115,7 +115,7 @@ public final class Settling {
    * @param e the restitution
    */
   double leastSpeed(MovingCircle a, MovingCircle b, double out, double e) {
-    double g = Math.sqrt(gravity.x * gravity.x + gravity.y * gravity.y);
+    double g = StrictMath.hypot(gravity.x, gravity.y);
     double least = Math.sqrt(2 * g * LEAST_HOP * (a.radius + b.radius));
     return out < least && (e < 1 || !isHop(a, out, g)) ? least : out;
   }
@@ -281,7 +281,7 @@ public final class Settling {
 
   /** Whether all the motion of a circle could lift it by no more than some least hops. */
   private boolean isCalm(MovingCircle m, double reach) {
-    double g = Math.sqrt(gravity.x * gravity.x + gravity.y * gravity.y);
+    double g = StrictMath.hypot(gravity.x, gravity.y);
     return m.vx * m.vx + m.vy * m.vy <= 2 * g * CALM_HOPS * LEAST_HOP * reach;
   }
 
