@@ -31,7 +31,11 @@ public enum Examples {
   /** See {@link Piston}. */
   PISTON("a gas that a lid compresses warms by the adiabatic law", 1_000),
   /** See {@link WhatIf}. */
-  WHATIF("a recorded run, and another future of it with a wall elsewhere", 240);
+  WHATIF("a recorded run, and another future of it with a wall elsewhere", 240),
+  /** See {@link Plinko}. */
+  PLINKO("balls fall among pegs, and the slots below count them", 12_000),
+  /** See {@link Pinball}. */
+  PINBALL("slopes, bumpers and a plunger under gravity", 1_500);
 
   private final String about;
   private final int frames;
@@ -79,6 +83,8 @@ public enum Examples {
       case LIFT -> new Lift();
       case PISTON -> new Piston();
       case WHATIF -> new WhatIf();
+      case PLINKO -> new Plinko();
+      case PINBALL -> new Pinball();
     };
   }
 

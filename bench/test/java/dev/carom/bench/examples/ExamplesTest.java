@@ -88,7 +88,9 @@ class ExamplesTest {
         "Paddle",
         "Lift",
         "Piston",
-        "WhatIf"
+        "WhatIf",
+        "Plinko",
+        "Pinball"
       })
   void eachCanBeCopied(String name, @TempDir Path out) throws IOException {
     List<String> args = new ArrayList<>(List.of("-proc:none", "-d", out.toString()));
@@ -519,5 +521,73 @@ class ExamplesTest {
     Vec2 way = piston.world().velocity(ObstacleKind.LINE, 0);
     piston.press();
     assertThat(piston.world().velocity(ObstacleKind.LINE, 0).x()).isEqualTo(-way.x());
+  }
+
+  /** Each ball arrives once; where they were let go in the middle, they arrive around it. */
+  @Test
+  void thePlinkoBoardCountsEveryBallOnce() {
+    Plinko board = new Plinko();
+    for (int i = 0; i < 4_000; i++) {
+      board.frame();
+      int arrived = Arrays.stream(board.counts()).sum();
+      assertThat(arrived + board.world().circleCount()).isEqualTo(board.dropped());
+    }
+    assertThat(board.world().circleCount()).as("none is stuck").isLessThan(200);
+    double mean = 0;
+    int arrived = Arrays.stream(board.counts()).sum();
+    for (int slot = 0; slot < Plinko.SLOTS; slot++) {
+      mean += slot * (double) board.counts()[slot] / arrived;
+    }
+    assertThat(arrived).isGreaterThan(800);
+    assertThat(mean).isCloseTo((Plinko.SLOTS - 1) / 2.0, offset(0.6));
+    board.press();
+    assertThat(board.counts()).containsOnly(0);
+    board.point(new Vec2(0, 1));
+    for (int i = 0; i < 4_000; i++) {
+      board.frame();
+    }
+    assertThat(board.counts()[1]).isGreaterThan(board.counts()[Plinko.SLOTS - 2]);
+  }
+
+  /** The plunger throws a ball out of its lane, and it comes back only when it was lost. */
+  @Test
+  void thePinballTableGoesOnByItself() {
+    Pinball game = new Pinball();
+    World world = game.world;
+    int onTable = 0;
+    int balls = 1;
+    for (int i = 0; i < 20_000; i++) {
+      boolean before = world.x(0) < 180;
+      game.frame();
+      onTable += before ? 1 : 0;
+      boolean back = before && world.x(0) > 182;
+      assertThat(back).as("frame %d", i).isEqualTo(game.balls > balls);
+      balls = game.balls;
+    }
+    assertThat(onTable).isGreaterThan(5_000);
+    assertThat(balls).isGreaterThan(5);
+    assertThat(game.score).isGreaterThan(200);
+  }
+
+  /** The ball rests on the plunger, also while that goes down. */
+  @Test
+  void thePlungerCarriesTheBall() {
+    Pinball game = new Pinball();
+    World world = game.world;
+    game.press();
+    for (int i = 0; i < 300; i++) {
+      game.frame();
+      double gap = world.y(0) - world.radius(0) - world.line(0).ay();
+      assertThat(gap).as("frame %d", i).isBetween(-1e-12, 1.5);
+    }
+    assertThat(world.line(0).ay()).isCloseTo(6, offset(1e-9));
+    assertThat(world.y(0)).isCloseTo(11, offset(1e-9));
+    assertThat(world.vy(0)).isZero();
+    game.release();
+    for (int i = 0; i < 30; i++) {
+      game.frame();
+    }
+    assertThat(world.y(0)).isGreaterThan(100);
+    assertThat(world.line(0).ay()).isCloseTo(30, offset(1e-9));
   }
 }
