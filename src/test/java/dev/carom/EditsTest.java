@@ -34,7 +34,8 @@ class EditsTest {
     "false, false, false", "true, false, false", "false, true, false", "true, true, false",
     "false, false, true", "true, false, true", "false, true, true", "true, true, true"
   })
-  void underGravityTheWorldDoesWhatThePlainModelDoes(boolean collide, boolean hard, boolean moving) {
+  void underGravityTheWorldDoesWhatThePlainModelDoes(
+      boolean collide, boolean hard, boolean moving) {
     play(collide, hard, moving, true);
   }
 

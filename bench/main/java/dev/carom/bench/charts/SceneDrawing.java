@@ -5,6 +5,7 @@ import dev.carom.Bounds;
 import dev.carom.Circle;
 import dev.carom.Line;
 import dev.carom.Scene;
+import dev.carom.Trajectory;
 import dev.carom.Vec2;
 import java.awt.Color;
 import java.awt.Dimension;
@@ -38,6 +39,9 @@ public final class SceneDrawing {
   private static final double MARGIN = 20;
 
   private static final double ARROWHEAD = 5;
+
+  /** Pieces of a flight, which gravity bends. */
+  private static final int PIECES = 24;
 
   private final Scene scene;
   private final Rectangle2D extent;
@@ -155,6 +159,27 @@ public final class SceneDrawing {
     double x = extent.getCenterX() + (share.x() - 0.5) * area.getWidth() / scale;
     double y = extent.getCenterY() + (share.y() - 0.5) * area.getHeight() / scale;
     return new Vec2(x, y);
+  }
+
+  /**
+   * A path to be drawn: straight between impacts, or bent by gravity.
+   *
+   * @param way of one circle
+   * @return the same, in the coordinates of the scene
+   */
+  public static Path2D path(Trajectory way) {
+    Path2D path = new Path2D.Double();
+    path.moveTo(way.at(0).x(), way.at(0).y());
+    double from = 0;
+    for (int i = 0; i <= way.impacts().size(); i++) {
+      double to = i < way.impacts().size() ? way.impacts().get(i).time() : way.duration();
+      for (int k = 1; k <= PIECES; k++) {
+        double t = k == PIECES ? to : from + (to - from) * k / PIECES;
+        path.lineTo(way.at(t).x(), way.at(t).y());
+      }
+      from = to;
+    }
+    return path;
   }
 
   private double scale(double width, double height) {

@@ -11,14 +11,15 @@ import dev.carom.bench.charts.Still;
 import dev.carom.bench.charts.Style;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
+import java.awt.event.KeyEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
-import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 
 /**
  * An aiming line: before the shot the world is asked what way the ball would take, bounces
  * included; nothing moves by that. The mouse aims, a press shoots, and the ball takes that way.
+ * With gravity the way is bent.
  */
 public final class AimingLine implements Example {
 
@@ -26,6 +27,7 @@ public final class AimingLine implements Example {
   private static final double SPEED = 3;
   private static final int BOUNCES = 6;
   private static final double LONG = 300;
+  private static final double GRAVITY = -0.02;
 
   private final Scene scene =
       Scene.builder()
@@ -82,9 +84,17 @@ public final class AimingLine implements Example {
     return world;
   }
 
+  /** The G key switches gravity on and off. */
+  @Override
+  public void key(int code, boolean down) {
+    if (code == KeyEvent.VK_G && down) {
+      world.setGravity(0, world.gravity().y() == 0 ? GRAVITY : 0);
+    }
+  }
+
   @Override
   public String hint() {
-    return "Move the mouse to aim, click to shoot: the ball takes the way of the line.";
+    return "Move the mouse to aim, click to shoot; the G key lets the ball fall, or not.";
   }
 
   @Override
@@ -93,17 +103,9 @@ public final class AimingLine implements Example {
     AffineTransform map = drawing.transform(area);
     drawing.draw(g, area, Still.of(world).colored(i -> Style.ORANGE));
     Trajectory line = line();
-    Path2D way = new Path2D.Double();
-    for (Vec2 p : line.points()) {
-      if (way.getCurrentPoint() == null) {
-        way.moveTo(p.x(), p.y());
-      } else {
-        way.lineTo(p.x(), p.y());
-      }
-    }
     g.setColor(Style.VERMILION);
     g.setStroke(Style.dashes(Style.FIRM, 6, 5));
-    g.draw(map.createTransformedShape(way));
+    g.draw(map.createTransformedShape(SceneDrawing.path(line)));
     g.setStroke(Style.line(Style.THIN));
     double r = world.radius(BALL);
     for (var impact : line.impacts()) {

@@ -396,6 +396,16 @@ public final class Player {
   }
 
   /**
+   * Sets the gravity.
+   *
+   * @param gx the x component, finite
+   * @param gy the y component, finite
+   */
+  public void setGravity(double gx, double gy) {
+    editable().setGravity(gx, gy);
+  }
+
+  /**
    * Adds a circle.
    *
    * @param x the x coordinate of its centre, finite

@@ -19,6 +19,7 @@ import java.awt.geom.NoninvertibleTransformException;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
@@ -198,6 +199,11 @@ final class SceneCanvas extends JComponent {
     return Grip.at(player, plane(at), REACH / scale());
   }
 
+  /** The height of what is shown. */
+  double planeHeight() {
+    return getHeight() / scale();
+  }
+
   private double scale() {
     return painter.transform(area()).getScaleX();
   }
@@ -287,6 +293,10 @@ final class SceneCanvas extends JComponent {
   List<String> figures() {
     List<String> lines = new ArrayList<>(player.cost().lines());
     lines.add(Plural.of(player.circleIds().length, "circle"));
+    Vec2 g = player.look().gravity();
+    if (g.length() > 0) {
+      lines.add(String.format(Locale.ROOT, "gravity %.3g, %.3g", g.x(), g.y()));
+    }
     lines.addAll(List.of(player.engineDescription().split(", ")));
     return lines;
   }

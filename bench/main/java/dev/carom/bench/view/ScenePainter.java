@@ -5,7 +5,6 @@ import dev.carom.Circle;
 import dev.carom.Line;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
-import dev.carom.Vec2;
 import dev.carom.bench.charts.SceneDrawing;
 import dev.carom.bench.charts.Still;
 import dev.carom.bench.charts.Style;
@@ -227,11 +226,7 @@ final class ScenePainter {
     double r = c.radius();
     g.draw(map.createTransformedShape(new Ellipse2D.Double(c.x() - r, c.y() - r, 2 * r, 2 * r)));
     if (draft.tool() == Tool.CIRCLE && draft.length() > 0) {
-      Path2D way = new Path2D.Double();
-      way.moveTo(c.x(), c.y());
-      for (Vec2 p : draft.way(player).points()) {
-        way.lineTo(p.x(), p.y());
-      }
+      Path2D way = SceneDrawing.path(draft.way(player));
       g.setStroke(Style.dashes(Style.THIN, 6, 5));
       g.draw(map.createTransformedShape(way));
     }

@@ -46,6 +46,12 @@ public final class ViewPanel extends JPanel {
 
   private static final double CLOSER = 1.5;
 
+  /** Of the height that is shown, in a frame squared: 2 / 120^2. */
+  private static final double FALL = 2.0 / 14_400;
+
+  /** Earth's gravity, as a multiple of the moon's. */
+  private static final double MOON = 6;
+
   /** Frames a tick that slow engines still keep up with. */
   private static final double MOST_IN_DUEL = 10;
 
@@ -119,6 +125,7 @@ public final class ViewPanel extends JPanel {
     alias("EQUALS", "ADD", "shift EQUALS");
     key("MINUS", "-", "Farther", "Make smaller; so does the wheel", () -> canvas.zoom(1 / CLOSER));
     alias("SUBTRACT");
+    key("W", "W", "Weight", "Change gravity: none, as on the moon, as on Earth", this::weigh);
     key("DELETE", "Delete", "Delete", "Delete what is under the mouse", canvas::deleteUnderMouse);
     alias("BACK_SPACE");
     bar.addComponentListener(new Rewrap(this));
@@ -310,6 +317,13 @@ public final class ViewPanel extends JPanel {
     if (!player.nextImpact()) {
       message = "no impact ahead";
     }
+  }
+
+  /** Circles fall through what is shown in about two seconds; on the moon, in about five. */
+  private void weigh() {
+    double full = FALL * canvas.planeHeight() / (player.frame() * player.frame());
+    double now = player.look().gravity().length();
+    player.setGravity(0, now == 0 ? -full / MOON : now < full / 2 ? -full : 0);
   }
 
   private void fit() {

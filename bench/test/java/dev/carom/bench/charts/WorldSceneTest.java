@@ -83,6 +83,8 @@ class WorldSceneTest {
     Timeline past = world.record(10);
     assertThat(WorldScene.of(world)).isEqualTo(world.scene());
     assertThat(WorldScene.of(world, past, 0).gravity()).isEqualTo(new Vec2(0.5, -2));
+    world.setGravity(0, -1);
+    assertThat(WorldScene.of(world).gravity()).isEqualTo(new Vec2(0, -1));
   }
 
   /** Where they are at the moment shown, live and in the past, and going on from there. */

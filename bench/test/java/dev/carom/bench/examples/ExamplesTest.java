@@ -398,9 +398,14 @@ class ExamplesTest {
     return new ChiSquareTest().chiSquareTest(expected, counts);
   }
 
-  @Test
-  void theBallTakesTheWayOfTheAimingLine() {
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void theBallTakesTheWayOfTheAimingLine(boolean falls) {
     AimingLine game = new AimingLine();
+    if (falls) {
+      game.key(KeyEvent.VK_G, true);
+      game.key(KeyEvent.VK_G, false);
+    }
     game.point(new Vec2(0.8, 0.9));
     Trajectory line = game.line();
     game.press();

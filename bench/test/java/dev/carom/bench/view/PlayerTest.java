@@ -310,6 +310,47 @@ class PlayerTest {
     assertThat(player.scene().circle(1).x()).isEqualTo(95);
   }
 
+  /** Bounces of height 20 over the floor: 20 frames up, 20 down; a fork in mid-air. */
+  @Test
+  void circlesFall() {
+    Scene scene =
+        Scene.builder().gravity(0, -0.1).bounds(0, 0, 100, 60).circle(50, 30, 10, 1, 0).build();
+    Player falling = new Player(scene, 1);
+    assertThat(falling.nextImpact()).isTrue();
+    assertThat(falling.shown()).isEqualTo(20);
+    falling.setRunning(true);
+    for (int i = 0; i < 10; i++) {
+      falling.tick();
+    }
+    double y = falling.scene().circle(0).y();
+    assertThat(y).isCloseTo(25, offset(1e-12));
+    assertThat(falling.scene().gravity()).isEqualTo(new Vec2(0, -0.1));
+    falling.setGravity(0, 0);
+    falling.stepFrame();
+    assertThat(falling.scene().circle(0).y()).as("straight on").isCloseTo(26, offset(1e-12));
+    assertThat(falling.scene().gravity()).isEqualTo(Vec2.ZERO);
+    falling.seek(10);
+    assertThat(falling.scene().circle(0)).isEqualTo(new Circle(60, 25, 10));
+    assertThat(falling.look().gravity()).as("that of then").isEqualTo(new Vec2(0, -0.1));
+    falling.throwCircle(0, 1, 2);
+    assertThat(falling.end()).isEqualTo(10);
+    assertThat(falling.scene().gravity()).isEqualTo(new Vec2(0, -0.1));
+    falling.stepFrame();
+    assertThat(falling.scene().circle(0).y()).isCloseTo(26.95, offset(1e-12));
+  }
+
+  /** The way that is drawn is an arc, and the circle takes it. */
+  @Test
+  void aDraftFallsToo() {
+    player.setGravity(0, -0.1);
+    Draft draft = new Draft(Tool.CIRCLE, new Vec2(20, 40), new Vec2(50, 40), 5);
+    Vec2 half = draft.way(player).at(10);
+    assertThat(half).isEqualTo(new Vec2(30, 35));
+    draft.add(player);
+    run(10);
+    assertThat(player.scene().circle(1).y()).isCloseTo(35, offset(1e-12));
+  }
+
   @Test
   void knowsWhenACircleJumped() {
     run(3);

@@ -307,6 +307,34 @@ class ViewPanelTest {
   }
 
   @Test
+  void aKeyChangesGravity() {
+    KeyAction weight =
+        panel.keys().stream().filter(key -> "W".equals(key.label())).findFirst().orElseThrow();
+    List<Double> down = new ArrayList<>();
+    for (int i = 0; i < 3; i++) {
+      weight.action().run();
+      down.add(Math.abs(player.scene().gravity().y()));
+      assertThat(panel.canvas().figures().toString().contains("gravity 0.00, -")).isEqualTo(i < 2);
+    }
+    assertThat(down.get(1)).isCloseTo(6 * down.get(0), offset(1e-12)).isBetween(1e-3, 1.0);
+    assertThat(down.get(2)).isZero();
+  }
+
+  /** The trail of a circle that falls is bent: its middle lies above the chord. */
+  @Test
+  void trailsAndDraftsAreBent() {
+    int[] rest = paint();
+    player.setGravity(0, -0.05);
+    SceneCanvas canvas = panel.canvas();
+    toggle(Tool.CIRCLE).doClick();
+    canvas.press(new Point(200, 200));
+    canvas.drag(new Point(400, 200), 0);
+    int[] bent = paint();
+    player.setGravity(0, 0);
+    assertThat(paint()).isNotEqualTo(bent).isNotEqualTo(rest);
+  }
+
+  @Test
   void darkIsDark() {
     Color light = new Color(paint()[0]);
     panel.setDark(true);
