@@ -86,6 +86,8 @@ public final class Parts {
     List<Part> parts = new ArrayList<>();
     scenes.forEach(scene -> addScene(parts, scene, quick));
     colliding().forEach(contender -> parts.add(new GasPart(Subjects.GAS, contender)));
+    parts.add(new BouncePart(Methods.CAROM, quick ? 100_000 : 1_000_000));
+    Peers.all().forEach(peer -> parts.add(new BouncePart(peer, quick ? 5_000 : 20_000)));
     parts.add(new RungPart(scenes, quick ? 1_000 : 20_000));
     for (String name : Queries.classes()) {
       parts.add(new QueryPart(name, quick ? 1_000 : 20_000));

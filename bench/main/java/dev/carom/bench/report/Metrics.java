@@ -18,6 +18,8 @@ final class Metrics {
   static final String GAS_ENERGY = "gas_energy";
   static final String GAS_OVERLAP = "gas_overlap";
   static final String GAS_LOST = "gas_lost";
+  static final String BOUNCE = "bounce";
+  static final String BOUNCE_ENERGY = "bounce_energy";
   static final String FRAME_ERROR = "frame_error";
   static final String HORIZON = "horizon";
   static final String MISSED = "decisions_missed";

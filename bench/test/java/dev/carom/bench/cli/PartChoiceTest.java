@@ -69,7 +69,8 @@ class PartChoiceTest {
     List<Part> all = new ArrayList<>(Parts.of(false));
     assertThat(all)
         .extracting(Part::id)
-        .allMatch(id -> id.matches("(scene/.+|gas/.+|rungs|query|query-time|time/.+)/[^/]+"));
+        .allMatch(
+            id -> id.matches("(scene/.+|gas/.+|bounce/.+|rungs|query|query-time|time/.+)/[^/]+"));
     assertThat(PartChoice.untimed(all)).hasSizeBetween(100, all.size() - 20);
   }
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.charts;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.util.Arrays;
+import java.util.List;
+
+/** Errors of a quantity that should not change, against bounces, both axes logarithmic. */
+public final class BounceChart {
+
+  private static final int WIDTH = 640;
+  private static final int HEIGHT = 340;
+  private static final double NAMES = 150;
+
+  private final String description;
+  private final Marks marks;
+  private final List<Curve> curves;
+
+  /**
+   * Takes what is drawn.
+   *
+   * @param description what it shows, for those who cannot see it
+   * @param marks how methods are drawn
+   * @param curves a line for each setting
+   */
+  public BounceChart(String description, Marks marks, List<Curve> curves) {
+    this.description = description;
+    this.marks = marks;
+    this.curves = List.copyOf(curves);
+  }
+
+  /**
+   * Draws it.
+   *
+   * @return one panel
+   */
+  public List<Panel> panels() {
+    String title = "Energy error, as a part of the energy";
+    return List.of(new Panel(title, new Picture(WIDTH, HEIGHT, description, this::draw)));
+  }
+
+  private void draw(Graphics2D g) {
+    DecadeAxis bounces =
+        DecadeAxis.covering(
+            curves.stream().flatMapToDouble(c -> Arrays.stream(c.x())), BounceChart::power);
+    bounces.setLabel("bounces");
+    DecadeAxis errors = CurvePanel.heights(curves, null, BounceChart::power);
+    Rectangle2D where = new Rectangle2D.Double(2, 0, WIDTH - 4, HEIGHT - 4);
+    CurvePanel.draw(g, where, NAMES, bounces, errors, marks, curves);
+  }
+
+  private static String power(double value) {
+    return Math.abs(Math.log10(value)) < 2.5
+        ? Durations.number(value, 1)
+        : "1e" + Math.round(Math.log10(value));
+  }
+}
