@@ -59,7 +59,7 @@ final class EditSession {
     falling = falls ? new Random(seed + 3) : null;
     this.length = length;
     this.mostImpacts = mostImpacts;
-    numbers = hard ? new SessionNumbers.Hard(random) : new SessionNumbers(random);
+    numbers = hard ? new SessionNumbers.Hard(random, falls) : new SessionNumbers(random);
     sensors = random.nextBoolean();
     worlds = new ThreeWorlds(scene(collide, hard), numbers.length(), ~seed);
   }

@@ -95,6 +95,10 @@ class SessionNumbers {
   static final class Hard extends SessionNumbers {
 
     private static final int LARGEST_EXPONENT = 480;
+
+    /** With gravity, whose terms are of the second degree in time. */
+    private static final int LARGEST_FALLING_EXPONENT = 120;
+
     private static final int FARTHEST_EXPONENT = 36;
 
     private final boolean lattice;
@@ -110,28 +114,28 @@ class SessionNumbers {
     private final double speed;
     private final double begin;
 
-    Hard(Random random) {
+    Hard(Random random, boolean falls) {
       super(random);
+      int largest = falls ? LARGEST_FALLING_EXPONENT : LARGEST_EXPONENT;
       lattice = random.nextInt(3) > 0;
       neighbours = random.nextBoolean();
       elastic = random.nextBoolean();
       late = random.nextInt(3) == 0;
       boolean extreme = !late && random.nextInt(3) == 0;
-      length = extreme ? power(LARGEST_EXPONENT) : 1;
+      length = extreme ? power(largest) : 1;
       origin = random.nextInt(4) > 0 ? 0 : length * farAway();
       crowded = origin == 0 && random.nextInt(6) == 0;
       // Within the last place of the time a circle moves by 2^-4 to 2^8 units.
       begin = late ? Math.scalb(1.0, 30 + random.nextInt(20)) : 0;
-      speed = late ? Math.scalb(1 / Math.ulp(begin), random.nextInt(13) - 4) : speed(extreme);
+      speed =
+          late
+              ? Math.scalb(1 / Math.ulp(begin), random.nextInt(13) - 4)
+              : (extreme ? power(largest) : 1);
     }
 
     /** Up to where a double tells a thousandth of the smallest radius, or nearly so. */
     private double farAway() {
       return Math.copySign(power(FARTHEST_EXPONENT), random.nextGaussian());
-    }
-
-    private double speed(boolean extreme) {
-      return extreme ? power(LARGEST_EXPONENT) : 1;
     }
 
     private double power(int most) {

@@ -175,7 +175,7 @@ public final class FallSearch {
   /**
    * A time before which a circle cannot return to what it has just hit. That is convex, so it lies
    * behind the tangent at the contact, to which the circle does not return before {@code 2 v.n /
-   * -g.n}.
+   * -g.n}. That holds unless it overlaps a line deeply, in which it may turn round.
    */
   private double earliestReturn(int code) {
     if (Codes.isWall(code)) {
@@ -199,6 +199,10 @@ public final class FallSearch {
     double ny = py - (ay + s * wy);
     double away = vx * nx + vy * ny;
     double lift = gx * nx + gy * ny;
+    double reach = EARLIER * (r + rows.shape.radius(v, k));
+    if (!(nx * nx + ny * ny > reach * reach)) {
+      return 0; // it overlaps that, and may come deeper
+    }
     if (!(away > ROUNDING * (Math.abs(vx * nx) + Math.abs(vy * ny)))) {
       return 0;
     }
