@@ -111,6 +111,33 @@ class AllocationTest {
     assertThat(sum).isFinite();
   }
 
+  /** Balls that bounce, slide and rest under gravity. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void framesWithGravityAllocateNothing(boolean collide) throws ReflectiveOperationException {
+    Random random = new Random(3);
+    SceneBuilder builder = Scene.builder().collide(collide).bounds(0, 0, 400, 300);
+    builder.gravity(0, -0.25);
+    for (int i = 0; i < 40; i++) {
+      double x = 400 * random.nextDouble();
+      double y = 20 + 200 * random.nextDouble();
+      builder.line(x, y, x + 10 * random.nextGaussian(), y + 10 * random.nextGaussian());
+      builder.peg(400 * random.nextDouble(), 20 + 200 * random.nextDouble(), 3);
+      builder.circle(4 + 9 * i, 290, 1, random.nextGaussian(), 0);
+    }
+    for (int i = 0; i < 8; i++) { // on level floors of their own, on which they come to rest
+      builder.line(10 + 40 * i, -100, 50 + 40 * i, -100);
+      builder.circle(30 + 40 * i, -90, 1, 0.001, 0).restitution(0.5);
+    }
+    World world = new World(builder.build());
+    frames(world, WARM_UP);
+    impacts = 0;
+    Meter meter = new Meter();
+    assertThat(measured(meter, () -> frames(world, 200))).isEqualTo(measured(meter, () -> {}));
+    assertThat(impacts).isGreaterThan(500);
+    assertThat(sum).isFinite();
+  }
+
   /**
    * As much for a thousand casts as for one: what a call makes, and nothing for each cast. They are
    * so small that none overlaps two things at once: which is first would be decided exactly.

@@ -377,6 +377,167 @@ class GravityTest {
     }
   }
 
+  /** Half an angle of 45 degrees: the motions along the two sides do not know of each other. */
+  @Test
+  void theWedgeBilliardKeepsTheEnergiesAlongItsSides() {
+    Scene scene =
+        Scene.builder()
+            .gravity(0, -10)
+            .line(-1000, 1000, 0, 0)
+            .line(0, 0, 1000, 1000)
+            .circle(3, 40, 1, 2, 1)
+            .build();
+    World world = new World(scene);
+    double left = alongSide(world, -1);
+    double right = alongSide(world, 1);
+    int rows = 0;
+    while (rows < 20_000) {
+      rows += rows(world, world.now() + 50);
+      assertThat(alongSide(world, -1)).isCloseTo(left, within(1e-11 * left));
+      assertThat(alongSide(world, 1)).isCloseTo(right, within(1e-11 * right));
+    }
+  }
+
+  /** The energy of the motion along (side, 1). */
+  private static double alongSide(World world, int side) {
+    double v = side * world.vx(0) + world.vy(0);
+    return v * v / 4 + 5 * (side * world.x(0) + world.y(0));
+  }
+
+  /** The floor carries the gas: what it gives it, less what the ceiling does, is its weight. */
+  @Test
+  void theFloorCarriesAnElasticGas() {
+    Random random = new Random(9);
+    SceneBuilder builder = box().collide(true);
+    int count = 49;
+    for (int i = 0; i < count; i++) {
+      builder.circle(
+          10 + 13 * (i % 7),
+          10 + 13 * (i / 7),
+          1,
+          20 * random.nextGaussian(),
+          20 * random.nextGaussian());
+    }
+    World world = new World(builder.build());
+    double before = momentum(world);
+    double pushed = 0;
+    double duration = 200;
+    while (world.now() < duration) {
+      world.advanceTo(Math.min(duration, world.now() + 1));
+      ImpactLog log = world.impacts();
+      for (int row = 0; row < log.size(); row++) {
+        if (log.kind(row) == ObstacleKind.WALL) {
+          pushed += 2 * log.approachSpeed(row) * log.ny(row);
+        }
+      }
+    }
+    double weight = 10.0 * count;
+    assertThat(pushed - weight * duration).isCloseTo(momentum(world) - before, within(1e-7));
+    assertThat(pushed / duration).isCloseTo(weight, within(0.05 * weight));
+  }
+
+  private static double momentum(World world) {
+    double sum = 0;
+    for (int i = 0; i < world.circleCount(); i++) {
+      sum += world.vy(i);
+    }
+    return sum;
+  }
+
+  /** No bit changes where all lengths are doubled, and times stay. */
+  @Test
+  void powersOfTwoScaleARun() {
+    for (int seed = 0; seed < 20; seed++) {
+      World world = new World(random(seed));
+      World scaled = new World(transformed(random(seed), 4, 4, 0, 0));
+      rows(world, 8);
+      rows(scaled, 8);
+      for (int i = 0; i < world.circleCount(); i++) {
+        assertThat(scaled.x(i)).as("seed %d circle %d", seed, i).isEqualTo(4 * world.x(i));
+        assertThat(scaled.y(i)).isEqualTo(4 * world.y(i));
+        assertThat(scaled.vx(i)).isEqualTo(4 * world.vx(i));
+      }
+    }
+  }
+
+  @Test
+  void mirrorsMirrorARun() {
+    for (int seed = 0; seed < 20; seed++) {
+      World world = new World(random(seed));
+      World mirrored = new World(transformed(random(seed), -1, 1, 0, 0));
+      World turned = new World(transformed(random(seed), -1, -1, 0, 0));
+      assertThat(rows(mirrored, 8)).as("seed %d", seed).isEqualTo(rows(world, 8));
+      rows(turned, 8);
+      for (int i = 0; i < world.circleCount(); i++) {
+        assertThat(mirrored.x(i)).as("seed %d circle %d", seed, i).isEqualTo(-world.x(i));
+        assertThat(mirrored.y(i)).isEqualTo(world.y(i));
+        assertThat(turned.y(i)).isEqualTo(-world.y(i));
+      }
+    }
+  }
+
+  /** The scene with x and y multiplied, then moved; gravity and velocities multiplied too. */
+  private static Scene transformed(Scene scene, double mx, double my, double dx, double dy) {
+    double size = Math.abs(mx);
+    SceneBuilder builder = Scene.builder().collide(scene.collide());
+    Bounds b = scene.bounds().orElseThrow();
+    builder.bounds(
+        Math.min(mx * b.xmin(), mx * b.xmax()) + dx,
+        Math.min(my * b.ymin(), my * b.ymax()) + dy,
+        Math.max(mx * b.xmin(), mx * b.xmax()) + dx,
+        Math.max(my * b.ymin(), my * b.ymax()) + dy);
+    builder.gravity(mx * scene.gravity().x(), my * scene.gravity().y());
+    for (int i = 0; i < scene.lineCount(); i++) {
+      Line l = scene.line(i);
+      builder.line(mx * l.ax() + dx, my * l.ay() + dy, mx * l.bx() + dx, my * l.by() + dy);
+      builder.restitution(scene.restitution(ObstacleKind.LINE, i));
+    }
+    for (int i = 0; i < scene.pegCount(); i++) {
+      Circle c = scene.peg(i);
+      builder.peg(mx * c.x() + dx, my * c.y() + dy, size * c.radius());
+      builder.restitution(scene.restitution(ObstacleKind.PEG, i));
+    }
+    for (int i = 0; i < scene.circleCount(); i++) {
+      Circle c = scene.circle(i);
+      Vec2 v = scene.velocity(i);
+      builder.circle(mx * c.x() + dx, my * c.y() + dy, size * c.radius(), mx * v.x(), my * v.y());
+      builder.restitution(scene.restitution(ObstacleKind.CIRCLE, i));
+    }
+    return builder.build();
+  }
+
+  /** With all velocities reversed an elastic ball flies back. */
+  @Test
+  void anElasticBallFliesBack() {
+    SceneBuilder builder = box().peg(40, 30, 5).line(10, 10, 60, 20).circle(50, 60, 1, 3, 0);
+    World world = new World(builder.build());
+    int rows = rows(world, 12);
+    world.setVelocity(0, -world.vx(0), -world.vy(0));
+    assertThat(rows(world, 24)).isEqualTo(rows).isGreaterThan(2);
+    assertThat(world.x(0)).isCloseTo(50, within(1e-6));
+    assertThat(world.y(0)).isCloseTo(60, within(1e-6));
+    assertThat(world.vx(0)).isCloseTo(-3, within(1e-6));
+  }
+
+  @Test
+  void theEndOfASlideIsNoImpact() {
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -10)
+                .line(0, 0, 10, 0)
+                .line(5, -20, 40, -20)
+                .circle(5, 1, 1, 4, 0)
+                .restitution(0)
+                .build());
+    assertThat(world.advanceToImpact(10)).isEqualTo(StopReason.IMPACT);
+    assertThat(world.now()).isZero();
+    assertThat(world.advanceToImpact(10)).isEqualTo(StopReason.IMPACT);
+    assertThat(world.now()).isCloseTo(1.25 + 2, within(1e-12));
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.advanceToImpact(4)).isEqualTo(StopReason.TIME);
+  }
+
   /** A box with lines, pegs and circles, elastic or not, that collide or not. */
   static Scene random(int seed) {
     Random random = new Random(seed);
