@@ -31,6 +31,20 @@ public final class FeatureFigures {
     USES.put("collisions", "walls, and the circles collide");
     USES.put("many-lines", "1,000 circles among 10,100 lines");
     USES.put("moving-lines", "1,000 circles, 100 of 10,100 lines move");
+    USES.put("gravity", "walls and 100 lines, with gravity");
+    USES.put("tiles", "10,000 circles among 10,000 lines");
+    USES.put("falling-tiles", "10,000 among 10,000, with gravity");
+    USES.put("gas", "a gas of 1,000 that collide");
+    USES.put("falling-gas", "a gas of 1,000, with gravity");
+  }
+
+  /** Scenes that are played without gravity and with it. */
+  private static final Map<String, List<String>> PAIRS = new LinkedHashMap<>();
+
+  static {
+    PAIRS.put("100 among 100 lines", List.of("lines", "gravity"));
+    PAIRS.put("10,000 among 10,000 lines", List.of("tiles", "falling-tiles"));
+    PAIRS.put("a gas of 1,000", List.of("gas", "falling-gas"));
   }
 
   private final Results results;
@@ -62,6 +76,9 @@ public final class FeatureFigures {
               "mean",
               FeatureFigures::memory));
     }
+    if (results.scenes(Features.TIME).contains(Features.SCENE + "gravity")) {
+      panels.add(gravity());
+    }
     RungShares rungs = new RungShares(results);
     rungs.panel().ifPresent(panels::add);
     if (panels.isEmpty()) {
@@ -92,10 +109,30 @@ public final class FeatureFigures {
     USES.forEach(
         (use, words) -> {
           double value = value(Features.SCENE + use, metric, stat);
-          if (!Double.isNaN(value)) {
+          if (!Double.isNaN(value) && !isInPair(use)) {
             bars.add(new Bar(words, new double[] {value}, text.apply(value)));
           }
         });
+    return new Panel(title, new BarChart(title, List.of(), bars).picture());
+  }
+
+  /** Their times would dwarf all others. */
+  private static boolean isInPair(String use) {
+    return !use.equals("lines") && PAIRS.values().stream().anyMatch(pair -> pair.contains(use));
+  }
+
+  /** How much longer a frame takes under gravity. */
+  private Panel gravity() {
+    List<Bar> bars = new ArrayList<>();
+    PAIRS.forEach(
+        (words, pair) -> {
+          double without = value(Features.SCENE + pair.get(0), Features.TIME, "median");
+          double with = value(Features.SCENE + pair.get(1), Features.TIME, "median");
+          String times = ReportNumbers.time(with) + " in place of " + ReportNumbers.time(without);
+          String factor = ReportNumbers.ratio(with / without) + " times";
+          bars.add(new Bar(words + ": " + times, new double[] {with / without}, factor));
+        });
+    String title = "Time of a frame with gravity, against that without";
     return new Panel(title, new BarChart(title, List.of(), bars).picture());
   }
 

@@ -10,6 +10,8 @@ import dev.carom.Vec2;
 import dev.carom.World;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
+import dev.carom.bench.experiment.Gas;
+import dev.carom.bench.experiment.Tiles;
 import dev.carom.bench.results.Row;
 import java.lang.ref.Reference;
 import java.util.ArrayList;
@@ -42,6 +44,19 @@ public final class Features {
   private static final int WORLDS = 64;
   private static final int RECORDED = 1_000_000;
   private static final int FEW_LINES = 8;
+  private static final double GRAVITY = -0.05;
+
+  /** Scenes of many circles play less long. */
+  private static final int FEW_FRAMES = 60;
+
+  /** 100 canonical scenes: 10,000 circles among as many lines. */
+  private static final int TILES = 10;
+
+  private static final int GAS = 1_000;
+  private static final double PACKING = 0.2;
+
+  /** The weight of the gas, from top to bottom of its box, is about its temperature. */
+  private static final double GAS_GRAVITY = -0.01;
 
   /** What is done before each frame. */
   @FunctionalInterface
@@ -49,10 +64,10 @@ public final class Features {
     void before(World world, int frame);
   }
 
-  private record Use(String name, Scene scene, boolean recorded, Action action) {
+  private record Use(String name, Scene scene, int frames, boolean recorded, Action action) {
 
     Use(String name, Scene scene) {
-      this(name, scene, false, (world, frame) -> {});
+      this(name, scene, FRAMES, false, (world, frame) -> {});
     }
 
     World play(int[] impacts) {
@@ -60,7 +75,7 @@ public final class Features {
       if (recorded) {
         world.record(RECORDED);
       }
-      for (int frame = 0; frame < FRAMES; frame++) {
+      for (int frame = 0; frame < frames; frame++) {
         action.before(world, frame);
         if (!world.step(1)) {
           throw new IllegalStateException(name + ": a step was unfinished at " + world.now());
@@ -91,12 +106,33 @@ public final class Features {
     int all = canonical.lineCount();
     uses.add(new Use("sensors", part(canonical, true, all, Response.SENSOR)));
     uses.add(new Use("masks", masked(canonical)));
-    uses.add(new Use("recording", canonical, true, (world, frame) -> {}));
-    uses.add(new Use("steering", canonical, false, Features::steer));
-    uses.add(new Use("moving-line", canonical, false, Features::move));
+    uses.add(new Use("recording", canonical, FRAMES, true, (world, frame) -> {}));
+    uses.add(new Use("steering", canonical, FRAMES, false, Features::steer));
+    uses.add(new Use("moving-line", canonical, FRAMES, false, Features::move));
     uses.add(new Use("collisions", colliding(canonical).build()));
     uses.add(new Use("many-lines", AmongMovingLines.scene(seed, FRAMES, false)));
     uses.add(new Use("moving-lines", AmongMovingLines.scene(seed, FRAMES, true)));
+    uses.add(new Use("gravity", falling(canonical, GRAVITY)));
+    Scene tiles = new Tiles(TILES, true, seed).scene();
+    uses.add(many("tiles", tiles));
+    uses.add(many("falling-tiles", falling(tiles, GRAVITY)));
+    Scene gas = new Gas(GAS, PACKING, 1, false, seed).scene();
+    uses.add(many("gas", gas));
+    uses.add(many("falling-gas", falling(gas, GAS_GRAVITY)));
+  }
+
+  private static Use many(String name, Scene scene) {
+    return new Use(name, scene, FEW_FRAMES, false, (world, frame) -> {});
+  }
+
+  /** The same circles and lines under gravity. */
+  private static Scene falling(Scene whole, double gravity) {
+    SceneBuilder builder = builder(whole, true).collide(whole.collide()).gravity(0, gravity);
+    for (int k = 0; k < whole.lineCount(); k++) {
+      Line line = whole.line(k);
+      builder.line(line.ax(), line.ay(), line.bx(), line.by());
+    }
+    return circles(builder, whole).build();
   }
 
   private static Scene part(Scene whole, boolean walls, int lines, Response response) {
@@ -174,7 +210,9 @@ public final class Features {
   public List<Row> run(int rounds, int warmUpMillis, boolean memory) {
     List<Row> rows = new ArrayList<>();
     if (memory) {
-      uses.forEach(use -> rows.add(row(use, MEMORY, "mean", bytes(use), "bytes", WORLDS)));
+      uses.stream()
+          .filter(use -> use.frames == FRAMES)
+          .forEach(use -> rows.add(row(use, MEMORY, "mean", bytes(use), "bytes", WORLDS)));
     }
     long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(warmUpMillis);
     while (System.nanoTime() < deadline) {
@@ -191,15 +229,15 @@ public final class Features {
             int[] count = new int[1];
             long start = System.nanoTime();
             use.play(count);
-            nanos.get(use)[round] = (double) (System.nanoTime() - start) / FRAMES;
+            nanos.get(use)[round] = (double) (System.nanoTime() - start) / use.frames;
             impacts.put(use, count);
           });
     }
     for (Use use : uses) {
       double median = SeriesRows.median(nanos.get(use));
-      rows.add(row(use, TIME, "median", median, "ns", (long) rounds * FRAMES));
-      double mean = (double) impacts.get(use)[0] / FRAMES;
-      rows.add(row(use, IMPACTS, "mean", mean, "1", FRAMES));
+      rows.add(row(use, TIME, "median", median, "ns", (long) rounds * use.frames));
+      double mean = (double) impacts.get(use)[0] / use.frames;
+      rows.add(row(use, IMPACTS, "mean", mean, "1", use.frames));
     }
     return rows;
   }

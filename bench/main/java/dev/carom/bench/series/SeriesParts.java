@@ -69,7 +69,7 @@ public final class SeriesParts {
     if (fork > 0) {
       options.add("--no-memory");
     }
-    return part("features", quick ? 3 : 4, fork, options);
+    return part("features", quick ? 7 : 12, fork, options);
   }
 
   private static Part part(String command, double seconds, int fork, List<String> options) {

@@ -32,6 +32,15 @@ class FeaturesCommandTest {
     assertThat(value(rows, "moving-lines", "feature_impacts"))
         .isCloseTo(value(rows, "many-lines", "feature_impacts"), withinPercentage(25));
     assertThat(value(rows, "sensors", "feature_impacts")).isPositive();
+    for (String[] pair :
+        new String[][] {{"lines", "gravity"}, {"tiles", "falling-tiles"}, {"gas", "falling-gas"}}) {
+      assertThat(value(rows, pair[1], "feature_impacts"))
+          .as(pair[1])
+          .isPositive()
+          .isNotEqualTo(value(rows, pair[0], "feature_impacts"));
+      assertThat(value(rows, pair[1], "feature_time")).as(pair[1]).isPositive();
+    }
+    assertThat(run.out()).containsPattern("10,000 among 10,000, with gravity +.* not measured");
     assertThat(value(rows, "lines", "feature_memory"))
         .isLessThan(value(rows, "recording", "feature_memory"));
   }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.bench.charts.Panel;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -94,6 +95,26 @@ class FiguresOfReportTest {
     assertThat(Report.figures(untimed.results()))
         .extracting(Figure::id)
         .containsExactly("work", "drift-base-1");
+  }
+
+  /** Results from before there was gravity have no panel of it. */
+  @Test
+  void gravityIsComparedWhereItWasMeasured() {
+    Sample sample = Sample.complete();
+    for (String use : List.of("circles", "lines", "tiles", "gas")) {
+      sample.add("feature:" + use, "carom", "", "feature_time", "median", 1000, "ns", 0);
+    }
+    assertThat(figure(sample, "features").panels())
+        .extracting(Panel::title)
+        .containsExactly("Time of a frame");
+    for (String use : List.of("gravity", "falling-tiles", "falling-gas")) {
+      sample.add("feature:" + use, "carom", "", "feature_time", "median", 2500, "ns", 0);
+    }
+    Figure features = figure(sample, "features");
+    assertThat(features.panels())
+        .extracting(Panel::title)
+        .containsExactly("Time of a frame", "Time of a frame with gravity, against that without");
+    assertThat(svg(features)).contains(">a gas of 1,000: 2.5 µs in place of 1 µs<", ">2.5 times<");
   }
 
   @Test
