@@ -51,7 +51,8 @@ public final class WorldScene {
    *
    * @param world the world
    * @param past its timeline
-   * @param t a time within the recording    * @return what was there then, with the properties that it had then    *     window shows gravity as it is now, and can change it)
+   * @param t a time within the recording * @return what was there then, with the properties that it
+   *     had then * window shows gravity as it is now, and can change it)
    * @throws IllegalArgumentException if the time is not within the recording
    */
   public static Scene of(World world, Timeline past, double t) {

@@ -127,10 +127,14 @@ public final class FallSearch {
       considerAll(grid);
       known = Math.min(best, to);
     }
-    boolean hits = best != NEVER;
+    if (best != NEVER) {
+      m.next = bestCode;
+      m.contact = contact(bestCode, best);
+    } else {
+      m.next = MovingCircle.NOTHING;
+      m.contact = known == m.cleared ? m.contact : 0; // a sensor met there stays reported
+    }
     m.cleared = known;
-    m.next = hits ? bestCode : MovingCircle.NOTHING;
-    m.contact = hits ? contact(bestCode, best) : 0;
   }
 
   /** The same, without sensors. */
