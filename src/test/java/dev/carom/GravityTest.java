@@ -476,6 +476,21 @@ class GravityTest {
     }
   }
 
+  /** Elastic, they would become faster and faster, without end. */
+  @Test
+  void twoBallsThatALiftSqueezesAreJammed() {
+    World world =
+        new World(
+            box()
+                .collide(true)
+                .line(-10, 60, 110, 61)
+                .velocity(0, 5)
+                .circle(50, 80, 3, 1, 0)
+                .circle(51, 90, 4, 0, 0)
+                .build());
+    assertThat(world.advanceTo(12)).isTrue();
+  }
+
   /** The scene with x and y multiplied, then moved; gravity and velocities multiplied too. */
   private static Scene transformed(Scene scene, double mx, double my, double dx, double dy) {
     double size = Math.abs(mx);

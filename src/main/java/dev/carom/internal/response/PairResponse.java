@@ -209,7 +209,7 @@ public final class PairResponse {
     if (m.crushed || !m.isFalling()) {
       return;
     }
-    if (mass(other) == INFINITE) {
+    if (mass(other) == INFINITE || m.driven || other.driven) {
       double speed = Math.abs(m.vx - other.vx) + Math.abs(m.vy - other.vy);
       StuckRule.countFalling(
           m, m.flown * speed, speeds(m, other), approach, e, StuckRule.DRIVEN_PLACE);
