@@ -82,6 +82,7 @@ public final class PlainWorld {
       Vec2 v = scene.velocity(i);
       MovingCircle m = new MovingCircle();
       m.start(i, c.x(), c.y(), c.radius(), v.x(), v.y(), scene.restitution(ObstacleKind.CIRCLE, i));
+      m.filter = registry.filter(i);
       release(m);
       bodies.add(m);
       met.add(new HashMap<>());
@@ -161,6 +162,7 @@ public final class PlainWorld {
     MovingCircle copy = new MovingCircle();
     one.get(0, copy);
     copy.id = m.id;
+    copy.filter = m.filter;
     copy.flown = m.flown;
     copy.standsStill = m.standsStill;
     return copy;
@@ -716,6 +718,7 @@ public final class PlainWorld {
         if (filter != registry.filter(id)) {
           restarted(id).forget();
           registry.setFilter(id, filter);
+          bodies.get(id).filter = filter;
         }
       }
     }

@@ -86,14 +86,14 @@ final class ThreeWorlds {
     assertThat(advanceTwin(start, end, rows)).as("twin").isEqualTo(rows);
     assertThat(states(twin)).as("twin").isEqualTo(states(world));
     assertThat(Run.rows(plain.advance(end, rows.size() + 1))).as("plain").isEqualTo(rows);
-    restored.advance(world, end, rows);
+    boolean complete = restored.advance(world, end, rows);
     assertThat(twin.snapshot()).as("snapshot of the twin").isEqualTo(world.snapshot());
     if (rows.stream().anyMatch(row -> row.time() == start)) {
       past.forget(start);
     }
     past.look();
     ask();
-    return rows.size();
+    return complete ? rows.size() : -1;
   }
 
   /**
