@@ -114,7 +114,7 @@ class BenchmarksTest {
     assertThat(edits.restoreGas(thousand).circleCount()).isEqualTo(1000);
     assertThat(edits.snapshotGas(thousand)).isEqualTo(thousand.ofGas);
     assertThat(edits.hashGas(thousand)).isEqualTo(thousand.ofGas.hash64());
-    assertThat(edits.writeGas(thousand)).isEqualTo(thousand.bytesOfGas).hasSize(125_126);
+    assertThat(edits.writeGas(thousand)).isEqualTo(thousand.bytesOfGas).hasSize(125_143);
     assertThat(edits.readGas(thousand)).isEqualTo(thousand.ofGas);
     assertThat(edits.pastGas(thousand).now()).isZero();
     assertThat(edits.pastGas(thousand).now()).isEqualTo(EditBenchmark.PAST / EditBenchmark.MOMENTS);
