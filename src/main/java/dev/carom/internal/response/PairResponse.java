@@ -195,8 +195,9 @@ public final class PairResponse {
     }
     beginFlight(a, b);
     beginFlight(b, a);
-    boolean jammed = crush(a, b) | crush(b, a);
-    if (jammed) {
+    boolean aJammed = crush(a, b);
+    boolean bJammed = crush(b, a);
+    if (aJammed || bJammed) {
       log.setOutcome(ImpactRows.JAMMED);
     }
     settling.afterPair(a);

@@ -433,8 +433,10 @@ public final class FallSearch {
 
   private void offer(double t, int code) {
     boolean sensor = obstacles.isSensor(code);
-    boolean isFirst =
-        t != best || best == NEVER ? t < best : sensor == isBestSensor ? code < bestCode : sensor;
+    boolean isFirst = t < best;
+    if (t == best && best != NEVER) { // sensors first, since they change nothing
+      isFirst = sensor == isBestSensor ? code < bestCode : sensor;
+    }
     if (isFirst) {
       best = t;
       to = Math.min(to, t);
