@@ -32,7 +32,14 @@ public enum GoldenRun {
   MIXED(3_000) {
     @Override
     Scene scene() throws CannotPlaceException {
-      return mix(crosses().scene());
+      return mix(crosses().scene()).build();
+    }
+  },
+  /** The same under gravity: circles fly parabolas, slide, and come to rest. */
+  FALLS(1_000) {
+    @Override
+    Scene scene() throws CannotPlaceException {
+      return mix(crosses().scene()).gravity(0.01, -0.05).build();
     }
   };
 
@@ -68,7 +75,7 @@ public enum GoldenRun {
   }
 
   /** What takes energy away, and what gives it back. */
-  private static Scene mix(Scene from) {
+  private static SceneBuilder mix(Scene from) {
     SceneBuilder builder = Scene.builder().collide(true);
     Bounds b = from.bounds().orElseThrow();
     builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax());
@@ -90,6 +97,6 @@ public enum GoldenRun {
       builder.mass(i % 50 == 7 ? 1_000 : 1 + i % 5);
       builder.restitution(i % 6 == 0 ? 0.99 : 1);
     }
-    return builder.build();
+    return builder;
   }
 }
