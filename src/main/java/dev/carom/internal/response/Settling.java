@@ -37,6 +37,9 @@ public final class Settling {
   /** What holds such a circle is no further away, in combined radii. */
   private static final double HOLD = 8 * LEAST_HOP;
 
+  /** Nor in radii of the circle: the cells of the grid list what is within 2^-8 of a radius. */
+  private static final double MOST_HOLD = 0x1p-8 - 0x1p-18;
+
   /** A hop that is no higher than so many ulps of the coordinates is none. */
   private static final double ULPS = 2;
 
@@ -319,7 +322,8 @@ public final class Settling {
   /** The contact with an obstacle that may hold a circle; null if it is too far away. */
   private Touch touch(MovingCircle m, int code) {
     double radius = Codes.isWall(code) ? 0 : obstacles.radius(code);
-    return Touch.of(m, obstacles, code, HOLD * (m.radius + radius));
+    double distance = Math.min(HOLD * (m.radius + radius), MOST_HOLD * m.radius);
+    return Touch.of(m, obstacles, code, distance);
   }
 
   /** Whether an obstacle may hold a circle at its place. */
