@@ -367,6 +367,19 @@ public final class World {
   }
 
   /**
+   * Tells whether a circle rests: it has {@linkplain Outcome#SETTLED settled} or jammed under
+   * gravity, and stays where it is, or on the line that carries it, until something hits it or an
+   * edit frees it. A resting circle makes no impacts and costs nothing.
+   *
+   * @param id the id of the circle
+   * @return true if it rests; never without gravity
+   * @throws IndexOutOfBoundsException if there is no such circle
+   */
+  public boolean isResting(int id) {
+    return questions.isResting(ids.circle(id), now);
+  }
+
+  /**
    * Returns the acceleration of circles in free flight now.
    *
    * @return the acceleration; (0, 0) without gravity

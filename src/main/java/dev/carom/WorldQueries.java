@@ -179,6 +179,18 @@ final class WorldQueries {
         : new Vec2(obstacles.ux(code), obstacles.uy(code));
   }
 
+  /** Tells whether a circle is carried, and moves as what carries it. */
+  boolean isResting(int slot, double now) {
+    int support = circles.support(slot);
+    if (support <= MovingCircle.NOTHING || circles.gx(slot) != 0 || circles.gy(slot) != 0) {
+      return false;
+    }
+    boolean held = support == MovingCircle.HELD || Codes.isWall(support);
+    double ux = held ? 0 : obstacles.ux(support);
+    double uy = held ? 0 : obstacles.uy(support);
+    return circles.vx(slot, now) == ux && circles.vy(slot, now) == uy;
+  }
+
   Response response(int code) {
     return Response.of(ContactFlags.response(traits(code)));
   }

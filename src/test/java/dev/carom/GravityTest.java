@@ -80,6 +80,9 @@ class GravityTest {
     assertThat(world.y(0)).isCloseTo(1, within(1e-14));
     assertThat(rows).isLessThanOrEqualTo(most);
     assertThat(rows(world, 1e6)).isZero();
+    assertThat(world.isResting(0)).isTrue();
+    world.setVelocity(0, 0, 3);
+    assertThat(world.isResting(0)).isFalse();
   }
 
   @Test
@@ -489,6 +492,27 @@ class GravityTest {
                 .circle(51, 90, 4, 0, 0)
                 .build());
     assertThat(world.advanceTo(12)).isTrue();
+  }
+
+  /** Between a line that moves slowly and a wall: the gap between them closes without end. */
+  @Test
+  void twoBallsInAWedgeThatClosesAreJammed() {
+    World world =
+        new World(
+            Scene.builder()
+                .collide(true)
+                .bounds(0, 0, 200, 150)
+                .gravity(0, -0.103)
+                .line(37.7, 37.2, 93.9, 93.4)
+                .velocity(-0.4465043250932107, 0.27527439287918987)
+                .circle(20, 135, 5.600229664270529, -0.1067, 0)
+                .restitution(0.82)
+                .circle(70, 135, 6.364845897878658, -0.1419, 0)
+                .restitution(0.83)
+                .build());
+    for (int i = 1; i <= 250; i++) {
+      assertThat(world.advanceTo(i)).as("at %d", i).isTrue();
+    }
   }
 
   /** The scene with x and y multiplied, then moved; gravity and velocities multiplied too. */
