@@ -367,9 +367,11 @@ public final class World {
   }
 
   /**
-   * Tells whether a circle rests: it has {@linkplain Outcome#SETTLED settled} or jammed under
-   * gravity, and stays where it is, or on the line that carries it, until something hits it or an
-   * edit frees it. A resting circle makes no impacts and costs nothing.
+   * Tells whether a circle rests under gravity.
+   *
+   * <p>It has {@linkplain Outcome#SETTLED settled} or jammed, and stays where it is, or on the line
+   * that carries it, until something hits it or an edit frees it. A resting circle makes no impacts
+   * and costs nothing.
    *
    * @param id the id of the circle
    * @return true if it rests; never without gravity

@@ -4,6 +4,7 @@ package dev.carom.bench;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import dev.carom.bench.replay.GoldenRun;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -29,18 +30,21 @@ class SameBitsIT {
   private static final Path JAR = Path.of("target/carom-bench.jar").toAbsolutePath();
   private static final Path HOME = Path.of(System.getProperty("java.home"));
 
+  /** As many again are long. */
+  private static final int RUNS = GoldenRun.values().length;
+
   @TempDir private Path folder;
 
   /** The interpreter takes too long for the long runs. */
   @Test
   void interpreter() throws Exception {
-    demandStoredHashes(HOME, 3, "-Xint", "-jar", JAR.toString(), "hash");
+    demandStoredHashes(HOME, RUNS, "-Xint", "-jar", JAR.toString(), "hash");
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"-XX:TieredStopAtLevel=1", "-XX:-TieredCompilation"})
   void compilers(String option) throws Exception {
-    demandStoredHashes(HOME, 6, option, "-jar", JAR.toString(), "hash", "--long");
+    demandStoredHashes(HOME, 2 * RUNS, option, "-jar", JAR.toString(), "hash", "--long");
   }
 
   @Test
@@ -50,7 +54,7 @@ class SameBitsIT {
         other.isPresent(),
         "skipped: no second JDK beside " + HOME + "; CAROM_SECOND_JDK can name one");
     System.out.println("the second JDK is " + other.get() + ", " + version(other.get()));
-    demandStoredHashes(other.get(), 6, "-jar", JAR.toString(), "hash", "--long");
+    demandStoredHashes(other.get(), 2 * RUNS, "-jar", JAR.toString(), "hash", "--long");
   }
 
   private void demandStoredHashes(Path home, int runs, String... arguments)

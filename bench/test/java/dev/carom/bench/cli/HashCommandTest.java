@@ -3,6 +3,7 @@ package dev.carom.bench.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.bench.replay.GoldenRun;
 import org.junit.jupiter.api.Test;
 
 class HashCommandTest {
@@ -23,7 +24,7 @@ class HashCommandTest {
     assertThat(run.err()).isEmpty();
     assertThat(run.exitCode()).isZero();
     assertThat(run.out().lines())
-        .hasSize(3)
+        .hasSize(GoldenRun.values().length)
         .allSatisfy(
             line ->
                 assertThat(line)

@@ -42,7 +42,9 @@ public final class FallSearch {
   /** Far more than the rounding of a time of return. */
   private static final double EARLIER = 1 - 0x1p-20;
 
-  /** A centre closer than so many ulps of its coordinates to a one-way line touches it. */
+  /**
+   * A circle that overlaps a one-way line by no more than this part of its coordinates touches it.
+   */
   private static final double TOUCH = 0x1p-49;
 
   private final ObstacleTable obstacles;
