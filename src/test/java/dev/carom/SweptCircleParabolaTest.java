@@ -214,6 +214,24 @@ class SweptCircleParabolaTest {
         .withMessageContaining(message);
   }
 
+  /** The centre is beside the line by 1e-168, which the square of the time, 1e-318, cannot tell. */
+  @Test
+  void aTimeWhoseSquareUnderflowsTellsSideFromEnd() {
+    Line line =
+        new Line(
+            -0x1.20276261c6e8bp-484,
+            0x1.7b0727c03a331p-557,
+            0x1.d58d8e9b41876p-768,
+            -0x1.06e7405c28233p43);
+    Circle circle =
+        new Circle(-0x1.0322d51c24aaep-490, -0x1.0106073d115f8p-492, 0x1.a2847b0153c5dp-594);
+    Vec2 velocity = new Vec2(-0x1.bd3eda17e178ap43, 0x1.98a0b29b75eefp36);
+    Vec2 gravity = new Vec2(-0x1.477f4d99d393p566, -0x1.44d3d51c41295p564);
+    Impact impact = SweptCircle.cast(circle, velocity, gravity, line, NEVER).orElseThrow();
+    assertThat(impact.feature()).isEqualTo(Feature.SIDE);
+    assertThat(impact.normal().x()).isEqualTo(1);
+  }
+
   @Test
   void otherNumbersAreRefusedByName() {
     assertRefused("px", () -> SweptCircle.line(NEVER, 5, 1, 0, 0, 0, 1, 0, 0, 1, 0, 1));

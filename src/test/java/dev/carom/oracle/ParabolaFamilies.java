@@ -353,7 +353,10 @@ public final class ParabolaFamilies {
     double[] n = q.straight().numbers();
     int k = d.chance(0.8) ? d.whole(-536, -515) : d.whole(-560, -220);
     Extremes.scale(n, k);
-    return new ParabolaQuery(q.straight().with(n), Math.scalb(q.gx(), k), Math.scalb(q.gy(), k));
+    Query scaled = q.straight().with(n);
+    return isFlat(scaled)
+        ? q
+        : new ParabolaQuery(scaled, Math.scalb(q.gx(), k), Math.scalb(q.gy(), k));
   }
 
   private static ParabolaQuery touching(Draw d) {

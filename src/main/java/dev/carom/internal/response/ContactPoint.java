@@ -11,6 +11,7 @@ import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.LineShape;
+import dev.carom.internal.sweep.Offset;
 import dev.carom.internal.sweep.ParabolaDiskSweep;
 import dev.carom.internal.sweep.PegShape;
 
@@ -308,8 +309,8 @@ final class ContactPoint {
     } else {
       normal(
           m,
-          ParabolaDiskSweep.offset(startX, cx, startVx, ux, gx, t),
-          ParabolaDiskSweep.offset(startY, cy, startVy, uy, gy, t),
+          Offset.at(startX, cx, startVx, ux, gx, t),
+          Offset.at(startY, cy, startVy, uy, gy, t),
           0,
           0);
     }

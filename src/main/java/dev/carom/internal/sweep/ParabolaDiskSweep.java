@@ -175,7 +175,7 @@ public final class ParabolaDiskSweep {
     for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
       double f = residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
       double slope = slope(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, t);
-      double size = r1 + r2 + size(x1 - x2, vx1 - vx2, gx, t) + size(y1 - y2, vy1 - vy2, gy, t);
+      double size = r1 + r2 + Offset.size(x1 - x2, vx1 - vx2, gx, t) + Offset.size(y1 - y2, vy1 - vy2, gy, t);
       nearest = GapRoot.nearest(t, f, slope, size);
       t -= f / slope;
     }
@@ -194,21 +194,21 @@ public final class ParabolaDiskSweep {
     if (t == 0) {
       return UnitVectors.unit(x1, y1, x2, y2);
     }
-    double x = place(x1, x2, vx1, vx2, gx, t);
-    double y = place(y1, y2, vy1, vy2, gy, t);
-    double ux = (vx1 - vx2) + gx * t;
-    double uy = (vy1 - vy2) + gy * t;
+    double x = Offset.head(x1, x2, vx1, vx2, gx, t);
+    double y = Offset.head(y1, y2, vy1, vy2, gy, t);
+    double ux = Offset.speed(vx1, vx2, gx, t);
+    double uy = Offset.speed(vy1, vy2, gy, t);
     double slope = 2 * (x * ux + y * uy);
     double c = -residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t) / slope;
-    double sizeX = size(x1 - x2, vx1 - vx2, gx, t);
-    double sizeY = size(y1 - y2, vy1 - vy2, gy, t);
+    double sizeX = Offset.size(x1 - x2, vx1 - vx2, gx, t);
+    double sizeY = Offset.size(y1 - y2, vy1 - vy2, gy, t);
     // t is within an ulp of the impact: so is the place, but for this much and the bend's u^2.
     double error = GapRoot.stepError(t, c, slope, r1 + r2 + sizeX + sizeY);
     if (!(error * 2 * (sizeX + sizeY) < 0x1p-55 * (r1 + r2) * t)) {
       return null;
     }
-    double xl = terms(x1, x2, vx1, vx2, gx, t);
-    double yl = terms(y1, y2, vy1, vy2, gy, t);
+    double xl = Offset.tail(x1, x2, vx1, vx2, gx, t);
+    double yl = Offset.tail(y1, y2, vy1, vy2, gy, t);
     return UnitVectors.unit(x + (xl + ux * c), y + (yl + uy * c), 0, 0);
   }
 
@@ -216,19 +216,19 @@ public final class ParabolaDiskSweep {
   private static double slope(
       double x1, double y1, double vx1, double vy1, double gx, double gy, double x2, double y2,
       double vx2, double vy2, double t) {
-    double x = place(x1, x2, vx1, vx2, gx, t);
-    double y = place(y1, y2, vy1, vy2, gy, t);
-    return 2 * (x * ((vx1 - vx2) + gx * t) + y * ((vy1 - vy2) + gy * t));
+    double x = Offset.head(x1, x2, vx1, vx2, gx, t);
+    double y = Offset.head(y1, y2, vy1, vy2, gy, t);
+    return 2 * (x * Offset.speed(vx1, vx2, gx, t) + y * Offset.speed(vy1, vy2, gy, t));
   }
 
   /** The gap at t. What cancels is kept as head and tail. */
   private static double residue(
       double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
       double y2, double r2, double vx2, double vy2, double t) {
-    double x = place(x1, x2, vx1, vx2, gx, t);
-    double y = place(y1, y2, vy1, vy2, gy, t);
-    double xl = terms(x1, x2, vx1, vx2, gx, t);
-    double yl = terms(y1, y2, vy1, vy2, gy, t);
+    double x = Offset.head(x1, x2, vx1, vx2, gx, t);
+    double y = Offset.head(y1, y2, vy1, vy2, gy, t);
+    double xl = Offset.tail(x1, x2, vx1, vx2, gx, t);
+    double yl = Offset.tail(y1, y2, vy1, vy2, gy, t);
     double r = r1 + r2;
     double rl = sumTail(r1, r2, r);
     double xx = x * x;
@@ -240,34 +240,5 @@ public final class ParabolaDiskSweep {
         + ((sumTail(xx, yy, ee) + differenceTail(ee, rr, f))
             + ((productTail(x, x, xx) + productTail(y, y, yy)) - productTail(r, r, rr))
             + 2 * (x * xl + y * yl - r * rl));
-  }
-
-  /** The offset on one axis at t, with its rounding error. */
-  public static double offset(double x1, double x2, double v1, double v2, double g, double t) {
-    return place(x1, x2, v1, v2, g, t) + terms(x1, x2, v1, v2, g, t);
-  }
-
-  /** The sum of the absolute values of the terms of an offset on one axis. */
-  static double size(double d, double u, double g, double t) {
-    return Math.abs(d) + (Math.abs(u) + Math.abs(0.5 * g) * t) * t;
-  }
-
-  /** d + u t + g t^2 / 2 on one axis. */
-  static double place(double x1, double x2, double v1, double v2, double g, double t) {
-    return ((x1 - x2) + (v1 - v2) * t) + 0.5 * g * (t * t);
-  }
-
-  /** The rounding error of that, below 6 u of its terms. */
-  static double terms(double x1, double x2, double v1, double v2, double g, double t) {
-    double d = x1 - x2;
-    double u = v1 - v2;
-    double half = 0.5 * g;
-    double m = u * t;
-    double tt = t * t;
-    double q = half * tt;
-    double dm = d + m;
-    double ml = Math.fma(differenceTail(v1, v2, u), t, productTail(u, t, m));
-    double ql = productTail(half, tt, q) + half * productTail(t, t, tt);
-    return sumTail(dm, q, dm + q) + (sumTail(d, m, dm) + (differenceTail(x1, x2, d) + (ml + ql)));
   }
 }

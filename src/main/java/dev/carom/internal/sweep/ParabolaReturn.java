@@ -326,39 +326,19 @@ public final class ParabolaReturn {
   private static double residue(
       double x1, double y1, double vx1, double vy1, double gx, double gy, double x2, double y2,
       double vx2, double vy2, double t) {
-    double ex = middle(vx1, vx2, gx, t);
-    double ey = middle(vy1, vy2, gy, t);
-    double exl = middleTail(vx1, vx2, gx, t);
-    double eyl = middleTail(vy1, vy2, gy, t);
+    double ex = Offset.mean(vx1, vx2, gx, t);
+    double ey = Offset.mean(vy1, vy2, gy, t);
+    double exl = Offset.meanTail(vx1, vx2, gx, t);
+    double eyl = Offset.meanTail(vy1, vy2, gy, t);
     double kx = 2 * (x1 - x2) + t * ex;
     double ky = 2 * (y1 - y2) + t * ey;
-    double kxl = sumOfPlacesTail(x1, x2, ex, exl, t);
-    double kyl = sumOfPlacesTail(y1, y2, ey, eyl, t);
+    double kxl = Offset.scaledTail(2, x1, x2, t, ex, exl);
+    double kyl = Offset.scaledTail(2, y1, y2, t, ey, eyl);
     double px = ex * kx;
     double py = ey * ky;
     double sum = px + py;
     return sum
         + (sumTail(px, py, sum)
             + (productTail(ex, exl, kx, kxl, px) + productTail(ey, eyl, ky, kyl, py)));
-  }
-
-  /** The mean velocity up to t, e = u + g t / 2, on one axis. */
-  private static double middle(double v1, double v2, double g, double t) {
-    return (v1 - v2) + 0.5 * g * t;
-  }
-
-  private static double middleTail(double v1, double v2, double g, double t) {
-    double u = v1 - v2;
-    double m = 0.5 * g * t;
-    return sumTail(u, m, u + m) + (differenceTail(v1, v2, u) + productTail(0.5 * g, t, m));
-  }
-
-  /** The tail of 2 d + t e on one axis. */
-  private static double sumOfPlacesTail(
-      double x1, double x2, double e, double el, double t) {
-    double d = x1 - x2;
-    double m = t * e;
-    return sumTail(2 * d, m, 2 * d + m)
-        + (2 * differenceTail(x1, x2, d) + (productTail(t, e, m) + t * el));
   }
 }

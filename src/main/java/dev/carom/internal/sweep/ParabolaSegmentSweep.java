@@ -143,10 +143,10 @@ public final class ParabolaSegmentSweep {
   static int along(
       double px, double py, double vx, double vy, double gx, double gy, double qx, double qy,
       double ux, double uy, double wx, double wy, double t) {
-    double x = ParabolaDiskSweep.place(px, qx, vx, ux, gx, t);
-    double y = ParabolaDiskSweep.place(py, qy, vy, uy, gy, t);
-    double sizeX = ParabolaDiskSweep.size(px - qx, vx - ux, gx, t);
-    double sizeY = ParabolaDiskSweep.size(py - qy, vy - uy, gy, t);
+    double x = Offset.head(px, qx, vx, ux, gx, t);
+    double y = Offset.head(py, qy, vy, uy, gy, t);
+    double sizeX = Offset.size(px - qx, vx - ux, gx, t);
+    double sizeY = Offset.size(py - qy, vy - uy, gy, t);
     double value = wx * x + wy * y;
     double terms = Math.abs(wx) * sizeX + Math.abs(wy) * sizeY;
     double bound = Math.fma(PLACE_BOUND, terms, TINY);
@@ -285,8 +285,8 @@ public final class ParabolaSegmentSweep {
     double vertex = -0.5 * h1 / h2;
     double height = (wx * dy - wy * dx) + 0.5 * h1 * vertex;
     double width = Math.abs(wx) + Math.abs(wy);
-    double sizeX = ParabolaDiskSweep.size(dx, sx, gx, vertex);
-    double sizeY = ParabolaDiskSweep.size(dy, sy, gy, vertex);
+    double sizeX = Offset.size(dx, sx, gx, vertex);
+    double sizeY = Offset.size(dy, sy, gy, vertex);
     double m = r * width + Math.abs(wx) * sizeY + Math.abs(wy) * sizeX;
     double ww = wx * wx + wy * wy;
     int outside = GapRoot.sign(height * height - r * r * ww, m * m);
@@ -394,10 +394,10 @@ public final class ParabolaSegmentSweep {
       double bx, double by, double ux, double uy, double t) {
     double wx = bx - ax;
     double wy = by - ay;
-    double x = ParabolaDiskSweep.place(px, ax, vx, ux, gx, t);
-    double y = ParabolaDiskSweep.place(py, ay, vy, uy, gy, t);
-    double speedX = (vx - ux) + gx * t;
-    double speedY = (vy - uy) + gy * t;
+    double x = Offset.head(px, ax, vx, ux, gx, t);
+    double y = Offset.head(py, ay, vy, uy, gy, t);
+    double speedX = Offset.speed(vx, ux, gx, t);
+    double speedY = Offset.speed(vy, uy, gy, t);
     return 2 * (wx * y - wy * x) * (wx * speedY - wy * speedX);
   }
 
@@ -405,8 +405,8 @@ public final class ParabolaSegmentSweep {
   private static double size(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
       double ay, double bx, double by, double ux, double uy, double t) {
-    return Math.abs(bx - ax) * (r + ParabolaDiskSweep.size(py - ay, vy - uy, gy, t))
-        + Math.abs(by - ay) * (r + ParabolaDiskSweep.size(px - ax, vx - ux, gx, t));
+    return Math.abs(bx - ax) * (r + Offset.size(py - ay, vy - uy, gy, t))
+        + Math.abs(by - ay) * (r + Offset.size(px - ax, vx - ux, gx, t));
   }
 
   /** {@code h^2 - r^2 w.w} at t. What cancels is kept as head and tail. */
@@ -417,10 +417,10 @@ public final class ParabolaSegmentSweep {
     double wy = by - ay;
     double wxl = differenceTail(bx, ax, wx);
     double wyl = differenceTail(by, ay, wy);
-    double x = ParabolaDiskSweep.place(px, ax, vx, ux, gx, t);
-    double y = ParabolaDiskSweep.place(py, ay, vy, uy, gy, t);
-    double xl = ParabolaDiskSweep.terms(px, ax, vx, ux, gx, t);
-    double yl = ParabolaDiskSweep.terms(py, ay, vy, uy, gy, t);
+    double x = Offset.head(px, ax, vx, ux, gx, t);
+    double y = Offset.head(py, ay, vy, uy, gy, t);
+    double xl = Offset.tail(px, ax, vx, ux, gx, t);
+    double yl = Offset.tail(py, ay, vy, uy, gy, t);
     double h0 = wx * y - wy * x;
     double h1 = crossTail(wx, wxl, wy, wyl, x, xl, y, yl, h0);
     double h = h0 + h1;

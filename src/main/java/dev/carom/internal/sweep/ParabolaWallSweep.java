@@ -93,8 +93,8 @@ public final class ParabolaWallSweep {
   /** The gap at t. What cancels is kept as head and tail. */
   private static double residue(
       double p, double r, double v, double g, double wall, int inward, double t) {
-    double front = inward * ParabolaDiskSweep.place(p, wall, v, 0, g, t);
-    double tail = inward * ParabolaDiskSweep.terms(p, wall, v, 0, g, t);
+    double front = inward * Offset.head(p, wall, v, 0, g, t);
+    double tail = inward * Offset.tail(p, wall, v, 0, g, t);
     double gap = front - r;
     return gap + (differenceTail(front, r, gap) + tail);
   }
