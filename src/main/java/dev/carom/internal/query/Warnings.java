@@ -180,11 +180,7 @@ public final class Warnings {
       String name = Kind.nameOf(Codes.kind(code), Codes.index(code));
       double least = r + rows.shape.radius(rows.values, k);
       return text(
-          i,
-          name,
-          distance,
-          least,
-          rows.shape.hasRadius() ? "the sum of both radii" : "its radius");
+          i, name, distance, least, rows.shape.hasRadius ? "the sum of both radii" : "its radius");
     }
     int j = Codes.slot(code);
     double distance = distance(scene, i, scene.x(j), scene.y(j));

@@ -95,24 +95,21 @@ final class EndReturn {
       double px, double py, double r, double vx, double vy, double gx, double gy, double qx,
       double qy, double ox, double oy, double ux, double uy, double t, double back, double last,
       double T) {
+    int region =
+        ParabolaSegmentSweep.region(px, py, vx, vy, gx, gy, qx, qy, ox, oy, ux, uy, t);
+    if (region == ParabolaSegmentSweep.BESIDE || region == ParabolaSegmentSweep.UNKNOWN) {
+      return region == ParabolaSegmentSweep.BESIDE ? t : GapRoot.DOUBT;
+    }
     double wx = ox - qx;
     double wy = oy - qy;
-    int start = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, qx, qy, ux, uy, wx, wy, t);
-    int end = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, ox, oy, ux, uy, wx, wy, t);
-    if (start > 0 && end < 0) {
-      return t;
-    }
     double sx = vx - ux;
     double sy = vy - uy;
-    if (start < 0) {
+    if (region == ParabolaSegmentSweep.BEFORE) {
       double until = Math.min(back, Math.min(last, T));
       boolean stays = isBeyond(px, py, sx, sy, gx, gy, qx, qy, -wx, -wy, t, until);
       return stays && (back <= until || back == NEVER) ? back : GapRoot.DOUBT;
     }
-    if (end <= 0) {
-      return GapRoot.DOUBT;
-    }
-    double hit = ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, ox, oy, 0, ux, uy, T);
+    double hit = ParabolaDiskSweep.certain(px, py, r, vx, vy, gx, gy, ox, oy, 0, ux, uy, 0, T);
     double until = Math.min(hit, Math.min(last, T));
     boolean stays = hit > t && isBeyond(px, py, sx, sy, gx, gy, ox, oy, wx, wy, t, until);
     return stays && (hit <= until || hit == NEVER) ? hit : GapRoot.DOUBT;

@@ -30,8 +30,11 @@ final class GapRoot {
   /** Steps of Newton's method, or halvings, towards the root. */
   private static final int STEPS = 20;
 
+  /** After a step of this size, in proportion, Newton's method has about 2^-50. */
+  private static final double LAST_STEP = 0x1p-25;
+
   /** How near the root's interval the ends may be, in proportion. */
-  private static final double MARGIN = 0x1p-20;
+  static final double MARGIN = 0x1p-20;
 
   /**
    * A Bernstein coefficient on the interval from low to high, of A(high): the coefficients of f err
@@ -334,7 +337,7 @@ final class GapRoot {
         after = t;
       }
       double next = t - f / slope;
-      if (Math.abs(next - t) <= 0x1p-46 * t) {
+      if (Math.abs(next - t) <= LAST_STEP * t) {
         return next;
       }
       t = next > before && next < after ? next : 0.5 * (before + after);

@@ -14,12 +14,6 @@ final class LaterEntry {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /** The regions of the centre. */
-  private static final int BESIDE = 0;
-
-  private static final int BEYOND = 1;
-  private static final int UNKNOWN = 2;
-
   private LaterEntry() {}
 
   /** The time of the first entry after s, up to T; NaN if doubles and double-double do not tell. */
@@ -28,17 +22,17 @@ final class LaterEntry {
       double ay, double bx, double by, double ux, double uy, double s, double T) {
     int strip = strip(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, s);
     double side = side(strip, px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, s, T);
-    int region = region(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, side);
-    if (strip > 0 && (side == NEVER || region == BESIDE)) {
+    int region = ParabolaSegmentSweep.region(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, side);
+    if (strip > 0 && (side == NEVER || region == ParabolaSegmentSweep.BESIDE)) {
       return side;
     }
-    while (side < NEVER && region != BESIDE) {
-      if (region == UNKNOWN) {
+    while (side < NEVER && region != ParabolaSegmentSweep.BESIDE) {
+      if (region == ParabolaSegmentSweep.UNKNOWN) {
         return GapRoot.DOUBT;
       }
       int again = strip(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, side);
       side = side(again, px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, side, T);
-      region = region(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, side);
+      region = ParabolaSegmentSweep.region(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, side);
     }
     double start = end(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, s, T);
     double end = end(px, py, r, vx, vy, gx, gy, bx, by, ax, ay, ux, uy, s, T);
@@ -49,25 +43,14 @@ final class LaterEntry {
   private static double end(
       double px, double py, double r, double vx, double vy, double gx, double gy, double qx,
       double qy, double ox, double oy, double ux, double uy, double s, double T) {
-    double wx = qx - ox;
-    double wy = qy - oy;
     double t = s;
-    int beyond = -1;
-    while (t < NEVER && beyond < 0) {
+    int region = ParabolaSegmentSweep.BESIDE;
+    while (t < NEVER
+        && (region == ParabolaSegmentSweep.BESIDE || region == ParabolaSegmentSweep.BEYOND)) {
       t = ParabolaDiskSweep.certainAfter(px, py, r, vx, vy, gx, gy, qx, qy, 0, ux, uy, t, T);
-      beyond = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, qx, qy, ux, uy, wx, wy, t);
+      region = ParabolaSegmentSweep.region(px, py, vx, vy, gx, gy, qx, qy, ox, oy, ux, uy, t);
     }
-    return t == NEVER || beyond > 0 ? t : GapRoot.DOUBT;
-  }
-
-  private static int region(
-      double px, double py, double vx, double vy, double gx, double gy, double ax, double ay,
-      double bx, double by, double ux, double uy, double t) {
-    double wx = bx - ax;
-    double wy = by - ay;
-    int start = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, t);
-    int end = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, t);
-    return start < 0 || end > 0 ? BEYOND : start > 0 && end < 0 ? BESIDE : UNKNOWN;
+    return t == NEVER || region == ParabolaSegmentSweep.BEFORE ? t : GapRoot.DOUBT;
   }
 
   /**

@@ -39,6 +39,9 @@ public abstract class ObstacleShape {
   /** The number of doubles in a row. */
   public final int row;
 
+  /** Whether the kind has a radius. */
+  public final boolean hasRadius;
+
   ObstacleShape(String name, int coordinates, String... numbers) {
     this.name = name;
     this.coordinates = coordinates;
@@ -46,16 +49,12 @@ public abstract class ObstacleShape {
     toEnd = coordinates - 2;
     restitution = numbers.length;
     row = numbers.length + 1;
-  }
-
-  /** Whether the kind has a radius. */
-  public final boolean hasRadius() {
-    return coordinates < numbers.size();
+    hasRadius = coordinates < numbers.length;
   }
 
   /** The radius of an obstacle around its spine; 0 if the kind has none. */
   public final double radius(double[] rows, int k) {
-    return hasRadius() ? rows[k + coordinates] : 0;
+    return hasRadius ? rows[k + coordinates] : 0;
   }
 
   /** Refuses numbers that are not finite, or a radius below 0. */

@@ -22,6 +22,15 @@ public final class ParabolaDiskSweep {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
+  /** The first contact. */
+  private static final int FIRST = 0;
+
+  /** The first contact of a disk that does not overlap the other at the start. */
+  private static final int FROM_OUTSIDE = 1;
+
+  /** The first entry after a time. */
+  private static final int LATER = 2;
+
   private ParabolaDiskSweep() {}
 
   /** The correctly rounded time of impact, {@code +infinity} for none up to the window's end T. */
@@ -33,7 +42,7 @@ public final class ParabolaDiskSweep {
       return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T);
     }
     PrecisionCounters.parabola();
-    double time = certain(true, x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, T);
+    double time = certainFirst(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, T);
     return !Double.isNaN(time)
         ? time
         : ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2).time(T);
@@ -67,54 +76,36 @@ public final class ParabolaDiskSweep {
         : ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2).timeAfter(s, T);
   }
 
-  /** The same, if doubles and double-double tell. */
+  /**
+   * The {@link #time} of a disk that does not overlap the other at the start, if doubles and
+   * double-double tell: NaN also for one that overlaps it by more than rounding, and leaves.
+   *
+   * @param from a time before which there is no contact, or 0
+   */
+  static double certain(
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double from, double T) {
+    return certain(FROM_OUTSIDE, x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, from, T);
+  }
+
+  /** The {@link #timeAfter}, if doubles and double-double tell. */
   static double certainAfter(
       double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
       double y2, double r2, double vx2, double vy2, double s, double T) {
-    double dx = x1 - x2;
-    double dy = y1 - y2;
-    double ux = vx1 - vx2;
-    double uy = vy1 - vy2;
-    double r = r1 + r2;
-    double c0 = (dx * dx + dy * dy) - r * r;
-    double c1 = 2 * (dx * ux + dy * uy);
-    double c2 = (ux * ux + uy * uy) + (dx * gx + dy * gy);
-    double c3 = ux * gx + uy * gy;
-    double c4 = 0.25 * (gx * gx + gy * gy);
-    double m0 = Math.abs(dx) + Math.abs(dy) + r;
-    double m1 = Math.abs(ux) + Math.abs(uy);
-    double m2 = 0.5 * (Math.abs(gx) + Math.abs(gy));
-    double end = GapRoot.reach(m0, m1, 0.5 * Math.max(Math.abs(gx), Math.abs(gy)), T);
-    double from = Math.max(0, s);
-    int sign = GapRoot.sign(c0, c1, c2, c3, c4, m0, m1, m2, from);
-    if (sign == 0 && s > 0) {
-      double f = residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, s);
-      double slope = slope(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, s);
-      sign = GapRoot.signAfter(s, f, slope, m0 + (m1 + m2 * s) * s);
-    } else if (sign == 0) {
-      from = GapRoot.leaves(c0, c1, c2, c3, c4, m0, m1, m2, end);
-      sign = 1;
-    }
-    double t =
-        from < NEVER
-            ? GapRoot.nextFall(sign, c0, c1, c2, c3, c4, m0, m1, m2, from, end)
-            : from;
-    if (!(t < NEVER)) {
-      return t;
-    }
-    double time = nearest(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
+    double time = certain(LATER, x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, s, T);
     return time > s ? time : GapRoot.DOUBT;
   }
 
-  /**
-   * The time, if doubles and double-double tell.
-   *
-   * @param overlap whether to follow a disk that may overlap by more than rounding at the start,
-   *     and leaves
-   */
-  static double certain(
-      boolean overlap, double x1, double y1, double r1, double vx1, double vy1, double gx,
-      double gy, double x2, double y2, double r2, double vx2, double vy2, double T) {
+  /** The {@link #time}, if doubles and double-double tell. */
+  static double certainFirst(
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double T) {
+    return certain(FIRST, x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, 0, T);
+  }
+
+  private static double certain(
+      int contact, double x1, double y1, double r1, double vx1, double vy1, double gx, double gy,
+      double x2, double y2, double r2, double vx2, double vy2, double s, double T) {
     double dx = x1 - x2;
     double dy = y1 - y2;
     double ux = vx1 - vx2;
@@ -129,41 +120,56 @@ public final class ParabolaDiskSweep {
     double m1 = Math.abs(ux) + Math.abs(uy);
     double m2 = 0.5 * (Math.abs(gx) + Math.abs(gy));
     double end = GapRoot.reach(m0, m1, 0.5 * Math.max(Math.abs(gx), Math.abs(gy)), T);
-    double start = 0;
-    int side = GapRoot.sign(c0, m0 * m0);
-    if (side <= 0) {
-      if (GapRoot.sign(c1, 2 * m0 * m1) < 0) {
+    double start = Math.max(0, s);
+    int side = GapRoot.sign(c0, c1, c2, c3, c4, m0, m1, m2, start);
+    if (side == 0 && s > 0) {
+      double f = residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, s);
+      double slope = slope(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, s);
+      side = GapRoot.signAfter(s, f, slope, m0 + (m1 + m2 * s) * s);
+    }
+    if (side < 0 && contact == LATER) {
+      start = GapRoot.comesOut(c0, c1, c2, c3, c4, m0, m1, m2, start, end);
+    } else if (side <= 0 && s > 0) {
+      return GapRoot.DOUBT;
+    } else if (side <= 0) {
+      if (contact != LATER && GapRoot.sign(c1, 2 * m0 * m1) < 0) {
         if (side < 0 || Predicates.gap(x1, y1, x2, y2, r1, r2) <= 0) {
           return 0;
         }
         double late = 2 * (Math.abs(c0) + GapRoot.error(m0 * m0)) / -c1;
-        if (!GapRoot.falls(c1, c2, m0, m1, m2, late)) {
-          return GapRoot.DOUBT;
-        }
-        ExactParabola exact =
-            ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2);
-        return GapRoot.upTo(T, exact.timeNear(0));
+        return GapRoot.falls(c1, c2, m0, m1, m2, late)
+            ? GapRoot.upTo(T, timeNear(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, 0))
+            : GapRoot.DOUBT;
       }
-      start = overlap || side == 0 ? GapRoot.leaves(c0, c1, c2, c3, c4, m0, m1, m2, end) : GapRoot.DOUBT;
+      if (side < 0 && contact == FROM_OUTSIDE) {
+        return GapRoot.DOUBT;
+      }
+      start = GapRoot.leaves(c0, c1, c2, c3, c4, m0, m1, m2, end);
       if (side == 0 && Double.isNaN(start)) {
         double t = GapRoot.rise(c1, c2, c3, c4, m0, m1, m2, end);
         double f = residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
         start = GapRoot.isAbove(f, m0 + (m1 + m2 * t) * t) ? t : GapRoot.DOUBT;
       }
-      if (!(start < NEVER)) {
-        return start;
-      }
+    }
+    if (!(start < NEVER)) {
+      return start;
     }
     double t = GapRoot.first(c0, c1, c2, c3, c4, m0, m1, m2, start, end);
     if (!(t < NEVER)) {
       return t;
     }
     double nearest = nearest(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
-    return !Double.isNaN(nearest)
-        ? nearest
-        : GapRoot.beside(
-            t,
-            ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2).timeNear(t));
+    if (Double.isNaN(nearest)) {
+      double exact = timeNear(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
+      nearest = GapRoot.beside(t, exact);
+    }
+    return nearest;
+  }
+
+  private static double timeNear(
+      double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
+      double y2, double r2, double vx2, double vy2, double t) {
+    return ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2).timeNear(t);
   }
 
   /** The double nearest to the root, DOUBT if some corrections of t do not tell. */

@@ -233,19 +233,14 @@ public final class ParabolaReturn {
     if (back == 0 || back == NEVER) {
       return back;
     }
-    double wx = bx - ax;
-    double wy = by - ay;
-    int start = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, back);
-    int end = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, back);
-    if (start > 0 && end < 0) {
-      return back;
+    int region =
+        ParabolaSegmentSweep.region(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, back);
+    if (region == ParabolaSegmentSweep.BESIDE || region == ParabolaSegmentSweep.UNKNOWN) {
+      return region == ParabolaSegmentSweep.BESIDE ? back : GapRoot.DOUBT;
     }
-    if (start >= 0 && end <= 0) {
-      return GapRoot.DOUBT;
-    }
-    double qx = start < 0 ? ax : bx;
-    double qy = start < 0 ? ay : by;
-    double time = ParabolaDiskSweep.certain(true, px, py, r, vx, vy, gx, gy, qx, qy, 0, ux, uy, T);
+    double qx = region == ParabolaSegmentSweep.BEFORE ? ax : bx;
+    double qy = region == ParabolaSegmentSweep.BEFORE ? ay : by;
+    double time = ParabolaDiskSweep.certainFirst(px, py, r, vx, vy, gx, gy, qx, qy, 0, ux, uy, T);
     return time > back ? time : GapRoot.DOUBT;
   }
 
@@ -287,22 +282,16 @@ public final class ParabolaReturn {
     if (ax == bx && ay == by) {
       return Contact.START | now;
     }
-    double wx = bx - ax;
-    double wy = by - ay;
-    int start = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, t);
-    int end = ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, t);
-    if (start < 0) {
-      return Contact.START | now;
-    }
-    if (end > 0) {
-      return Contact.END | now;
+    int region = ParabolaSegmentSweep.region(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
+    if (region == ParabolaSegmentSweep.BEFORE || region == ParabolaSegmentSweep.BEYOND) {
+      return (region == ParabolaSegmentSweep.BEFORE ? Contact.START : Contact.END) | now;
     }
     int side = 0;
-    if (start > 0 && end < 0) {
+    if (region == ParabolaSegmentSweep.BESIDE) {
       side =
           part(px, py, ax, ay, bx, by) == Contact.LEFT
               ? side(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy)
-              : ParabolaSegmentSweep.along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, -wy, wx, t);
+              : ParabolaSegmentSweep.side(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
     }
     return now
         | (side == 0

@@ -39,6 +39,16 @@ public final class ParabolaSegmentSweep {
    */
   private static final double PLACE_BOUND = 16 * 0x1p-53;
 
+  /** The same at a time within {@link GapRoot#MARGIN} of itself: that moves it by twice the terms. */
+  private static final double ROUGH_BOUND = 4 * GapRoot.MARGIN;
+
+  /** The regions of the centre. */
+  static final int BEFORE = 0;
+
+  static final int BESIDE = 1;
+  static final int BEYOND = 2;
+  static final int UNKNOWN = 3;
+
   private static final double TINY = 0x1p-600;
 
   private static final double WELL = 0x1p-20;
@@ -110,18 +120,12 @@ public final class ParabolaSegmentSweep {
     if (ax == bx && ay == by) {
       return Contact.START | now;
     }
-    double wx = bx - ax;
-    double wy = by - ay;
-    int start = along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, t);
-    int end = along(px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, t);
-    if (start < 0) {
-      return Contact.START | now;
+    int region = region(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
+    if (region == BEFORE || region == BEYOND) {
+      return (region == BEFORE ? Contact.START : Contact.END) | now;
     }
-    if (end > 0) {
-      return Contact.END | now;
-    }
-    int side = along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, -wy, wx, t);
-    if (start > 0 && end < 0 && side != 0) {
+    int side = side(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
+    if (region == BESIDE && side != 0) {
       return (side > 0 ? Contact.LEFT : Contact.RIGHT) | now;
     }
     return exactContact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t) | now;
@@ -139,17 +143,49 @@ public final class ParabolaSegmentSweep {
     return exact.side(root) > 0 ? Contact.LEFT : Contact.RIGHT;
   }
 
+  /**
+   * The region of the centre at the time that t is the rounding of.
+   *
+   * @param bound of the error, in terms of a projection
+   */
+  private static int region(
+      double bound, double px, double py, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy, double t) {
+    double wx = bx - ax;
+    double wy = by - ay;
+    int start = along(bound, px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, t);
+    if (start < 0) {
+      return BEFORE;
+    }
+    int end = along(bound, px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, t);
+    return end > 0 ? BEYOND : start > 0 && end < 0 ? BESIDE : UNKNOWN;
+  }
+
+  /** The same, for a rounded time of impact. */
+  static int region(
+      double px, double py, double vx, double vy, double gx, double gy, double ax, double ay,
+      double bx, double by, double ux, double uy, double t) {
+    return region(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
+  }
+
+  /** The side of the line, +1 left or -1 right, at the time that t is the rounding of; 0 in doubt. */
+  static int side(
+      double px, double py, double vx, double vy, double gx, double gy, double ax, double ay,
+      double bx, double by, double ux, double uy, double t) {
+    return along(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, ux, uy, ay - by, bx - ax, t);
+  }
+
   /** The sign of w.(p(t) - q) at the time that t is the rounding of; 0 in doubt. */
-  static int along(
-      double px, double py, double vx, double vy, double gx, double gy, double qx, double qy,
-      double ux, double uy, double wx, double wy, double t) {
+  private static int along(
+      double relativeBound, double px, double py, double vx, double vy, double gx, double gy,
+      double qx, double qy, double ux, double uy, double wx, double wy, double t) {
     double x = Offset.head(px, qx, vx, ux, gx, t);
     double y = Offset.head(py, qy, vy, uy, gy, t);
     double sizeX = Offset.size(px - qx, vx - ux, gx, t);
     double sizeY = Offset.size(py - qy, vy - uy, gy, t);
     double value = wx * x + wy * y;
     double terms = Math.abs(wx) * sizeX + Math.abs(wy) * sizeY;
-    double bound = Math.fma(PLACE_BOUND, terms, TINY);
+    double bound = Math.fma(relativeBound, terms, TINY);
     boolean isCertain = Math.abs(value) > bound && t < MOST && Math.abs(wx) + Math.abs(wy) < MOST;
     return isCertain ? UnitVectors.sign(value) : 0;
   }
@@ -174,64 +210,125 @@ public final class ParabolaSegmentSweep {
     double m1 = Math.abs(wx * sy) + Math.abs(wy * sx);
     double m2 = 0.5 * (Math.abs(wx * gy) + Math.abs(wy * gx));
     int strip = GapRoot.sign(c0, m0 * m0);
-    double from = 0;
     int beside = strip == 0 ? whereItTouches(dx, dy, sx, sy, wx, wy, r) : 0;
     if (strip == 0 && beside == 0) {
       return GapRoot.DOUBT;
     }
-    boolean touches = beside > 0;
-    if (touches && h0 * h1 < 0) {
+    if (strip < 0 || beside < 0) {
+      return fromStrip(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, T);
+    }
+    double c1 = 2 * h0 * h1;
+    double c2 = h1 * h1 + 2 * h0 * h2;
+    if (beside > 0 && h0 * h1 < 0) {
       if (Predicates.discriminant(bx, by, ax, ay, px, py, ax, ay, r, 0) >= 0) {
         return 0;
       }
-      double c1 = 2 * h0 * h1;
-      double c2 = h1 * h1 + 2 * h0 * h2;
       double late = 2 * (Math.abs(c0) + GapRoot.error(m0 * m0)) / -c1;
-      if (!GapRoot.falls(c1, c2, m0, m1, m2, late)) {
-        return GapRoot.DOUBT;
-      }
-      ExactParabola exact =
-          ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
-      return GapRoot.upTo(T, exact.timeNear(0));
+      return GapRoot.falls(c1, c2, m0, m1, m2, late)
+          ? GapRoot.upTo(T, timeNear(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, 0))
+          : GapRoot.DOUBT;
     }
-    if (strip > 0 || touches) {
-      double c1 = 2 * h0 * h1;
-      double c2 = h1 * h1 + 2 * h0 * h2;
-      double c3 = 2 * h1 * h2;
-      double c4 = h2 * h2;
-      double end = reach(wx, wy, gx, gy, h1, h2, m0, m1, m2, T);
-      double out = touches ? GapRoot.leaves(c0, c1, c2, c3, c4, m0, m1, m2, end) : 0;
-      if (Double.isNaN(out)) {
-        double t = GapRoot.rise(c1, c2, c3, c4, m0, m1, m2, end);
-        double f = residue(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
-        out = GapRoot.isAbove(f, m0 + (m1 + m2 * t) * t) ? t : GapRoot.DOUBT;
-      }
-      if (!(out < NEVER)) {
-        return out;
-      }
-      from = GapRoot.first(c0, c1, c2, c3, c4, m0, m1, m2, out, end);
-      if (!(from < NEVER)) {
-        return from;
-      }
-      double rough = from;
-      from = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, rough);
-      if (Double.isNaN(from)) {
-        from =
-            GapRoot.beside(
-                rough,
-                ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy)
-                    .timeNear(rough));
+    double c3 = 2 * h1 * h2;
+    double c4 = h2 * h2;
+    double end = reach(wx, wy, gx, gy, h1, h2, m0, m1, m2, T);
+    double out = beside > 0 ? GapRoot.leaves(c0, c1, c2, c3, c4, m0, m1, m2, end) : 0;
+    if (Double.isNaN(out)) {
+      double t = GapRoot.rise(c1, c2, c3, c4, m0, m1, m2, end);
+      double f = residue(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
+      out = GapRoot.isAbove(f, m0 + (m1 + m2 * t) * t) ? t : GapRoot.DOUBT;
+    }
+    if (!(out < NEVER)) {
+      return out;
+    }
+    double in = strip > 0 ? entry(h0, h1, h2, r * Math.sqrt(wx * wx + wy * wy)) : GapRoot.DOUBT;
+    boolean isSure =
+        in * (1 + GapRoot.MARGIN) < end
+            && GapRoot.sign(c0, c1, c2, c3, c4, m0, m1, m2, in * (1 + GapRoot.MARGIN)) < 0
+            && GapRoot.sign(c0, c1, c2, c3, c4, m0, m1, m2, in * (1 - GapRoot.MARGIN)) > 0
+            && h0 * height(h0, h1, h2, in * (1 - GapRoot.MARGIN)) > 0;
+    if (!isSure) {
+      in = GapRoot.first(c0, c1, c2, c3, c4, m0, m1, m2, out, end);
+    }
+    if (!(in < NEVER)) {
+      return in;
+    }
+    return atStrip(isSure, px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in, T);
+  }
+
+  /**
+   * The time at which the height h0 + h1 t + h2 t^2 first falls to a distance, approximately; NaN if
+   * it seems not to. A parabola that is above the distance at the start and at a time t, and below
+   * it later, has not been below it before t: so two signs of the gap show that it is the first.
+   */
+  private static double entry(double h0, double h1, double h2, double distance) {
+    double a = Math.abs(h0) - distance;
+    double b = h0 > 0 ? h1 : -h1;
+    double c = h0 > 0 ? h2 : -h2;
+    double root = Math.sqrt(b * b - 4 * a * c);
+    return b < 0 ? 2 * a / (root - b) : c < 0 ? (b + root) / (-2 * c) : Double.NaN;
+  }
+
+  private static double height(double h0, double h1, double h2, double t) {
+    return h0 + (h1 + h2 * t) * t;
+  }
+
+  /** The time of impact of a disk that starts in the strip. */
+  private static double fromStrip(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy, double T) {
+    int region = region(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, 0);
+    if (region != BESIDE) {
+      return region == UNKNOWN
+          ? GapRoot.DOUBT
+          : beyondAnEnd(region, px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, 0, T);
+    }
+    double wx = bx - ax;
+    double wy = by - ay;
+    double dx = px - ax;
+    double dy = py - ay;
+    double sx = vx - ux;
+    double sy = vy - uy;
+    double height = wx * dy - wy * dx;
+    double speed = wx * sy - wy * sx;
+    double terms =
+        (Math.abs(wx * dy) + Math.abs(wy * dx)) * (Math.abs(wx * sy) + Math.abs(wy * sx));
+    return GapRoot.sign(height * speed, terms) < 0 ? 0 : GapRoot.DOUBT;
+  }
+
+  /**
+   * The time of impact of a disk that enters the strip.
+   *
+   * @param isSure whether it enters within {@link GapRoot#MARGIN} of the time in, for certain
+   */
+  private static double atStrip(
+      boolean isSure, double px, double py, double r, double vx, double vy, double gx, double gy,
+      double ax, double ay, double bx, double by, double ux, double uy, double in, double T) {
+    int region =
+        isSure
+            ? region(ROUGH_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in)
+            : UNKNOWN;
+    double time = in;
+    if (region == UNKNOWN || region == BESIDE) {
+      time = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in);
+      if (Double.isNaN(time)) {
+        double exact = timeNear(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in);
+        time = GapRoot.beside(in, exact);
       }
     }
-    int start = along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, from);
-    int end = along(px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, from);
-    if (start > 0 && end < 0) {
-      boolean falls = strip > 0 || touches || (strip < 0 && GapRoot.sign(h0 * h1, m0 * m1) < 0);
-      return falls ? from : GapRoot.DOUBT;
+    if (region == UNKNOWN) {
+      region = region(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, time);
     }
-    return start == 0 || end == 0
-        ? GapRoot.DOUBT
-        : beyondAnEnd(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, from, T);
+    if (region == BESIDE || region == UNKNOWN) {
+      return region == BESIDE ? time : GapRoot.DOUBT;
+    }
+    double before = time * (1 - 2 * GapRoot.MARGIN);
+    return beyondAnEnd(region, px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, before, T);
+  }
+
+  private static double timeNear(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy, double t) {
+    return ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy).timeNear(t);
   }
 
   /**
@@ -259,24 +356,34 @@ public final class ParabolaSegmentSweep {
     return start > least && toEnd > least ? 1 : start < -least || toEnd < -least ? -1 : 0;
   }
 
-  /** The time of impact of a disk that at a time is in the strip, beyond an end of the line. */
+  /**
+   * The time of impact of a disk that is in the strip, beyond an end of the line. If its height is
+   * monotone until it hits this end, or for ever, it cannot come to the other end: it would have to
+   * pass this one in the strip.
+   *
+   * @param region which end
+   * @param from a time at which it is there, or just before it enters the strip there
+   */
   private static double beyondAnEnd(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double ux, double uy, double from, double T) {
-    double first =
-        Math.min(
-            ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, ax, ay, 0, ux, uy, T),
-            ParabolaDiskSweep.certain(false, px, py, r, vx, vy, gx, gy, bx, by, 0, ux, uy, T));
-    if (first == 0 || Double.isNaN(first)) {
-      return first;
+      int region, double px, double py, double r, double vx, double vy, double gx, double gy,
+      double ax, double ay, double bx, double by, double ux, double uy, double from, double T) {
+    boolean isStart = region == BEFORE;
+    double near = endTime(isStart, px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, from, T);
+    if (near == 0 || Double.isNaN(near)) {
+      return near;
     }
     double wx = bx - ax;
     double wy = by - ay;
     double sx = vx - ux;
     double sy = vy - uy;
-    int turn = turn(sx, sy, gx, gy, wx, wy, from, Math.min(first, T));
+    int turn = turn(sx, sy, gx, gy, wx, wy, from, Math.min(near, T));
     if (turn <= 0) {
-      return turn < 0 ? first : GapRoot.DOUBT;
+      return turn < 0 ? near : GapRoot.DOUBT;
+    }
+    double far = endTime(!isStart, px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, 0, T);
+    double first = Math.min(near, far);
+    if (first == 0 || Double.isNaN(first)) {
+      return first;
     }
     double dx = px - ax;
     double dy = py - ay;
@@ -296,6 +403,15 @@ public final class ParabolaSegmentSweep {
     double again = vertex + Math.sqrt((Math.abs(height) - r * Math.sqrt(ww)) / Math.abs(h2));
     return Math.min(
         first, again(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, again, first, T));
+  }
+
+  /** The time of the first contact with an end, from a time on before which there is none. */
+  private static double endTime(
+      boolean isStart, double px, double py, double r, double vx, double vy, double gx, double gy,
+      double ax, double ay, double bx, double by, double ux, double uy, double from, double T) {
+    double qx = isStart ? ax : bx;
+    double qy = isStart ? ay : by;
+    return ParabolaDiskSweep.certain(px, py, r, vx, vy, gx, gy, qx, qy, 0, ux, uy, from, T);
   }
 
   /**
@@ -334,14 +450,11 @@ public final class ParabolaSegmentSweep {
     if (t > first || t > T) {
       return NEVER;
     }
-    double wx = bx - ax;
-    double wy = by - ay;
-    int beyondStart = along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, t);
-    int beyondEnd = along(px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, t);
-    if (beyondStart < 0 || beyondEnd > 0) {
-      return NEVER;
-    }
-    return beyondStart > 0 && beyondEnd < 0 && t < T ? t : GapRoot.DOUBT;
+    return switch (region(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t)) {
+      case BEFORE, BEYOND -> NEVER;
+      case BESIDE -> t < T ? t : GapRoot.DOUBT;
+      default -> GapRoot.DOUBT;
+    };
   }
 
   /** Whether a vector is along the line by its zeros: both terms of cross(w, v) are 0. */
