@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.search;
+
+import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleRows;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.ObstacleShape;
+import dev.carom.internal.sweep.ParabolaDiskSweep;
+import dev.carom.internal.sweep.ParabolaReturn;
+import dev.carom.internal.sweep.ParabolaSegmentSweep;
+import dev.carom.internal.sweep.ParabolaWallSweep;
+
+/**
+ * The narrow phase of a flight with a constant acceleration: asks the detector when a circle next
+ * hits an obstacle, by what the obstacle is: the one just hit, a sensor, a one-way line, the line
+ * on which it slides, or any other.
+ *
+ * <p>Every question is asked for the whole flight up to the end of a window. So the answer does not
+ * depend on how the search cuts the path.
+ */
+final class FallNarrowPhase {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** In units of the terms of a place: far more than its rounding. */
+  private static final double ROUNDING = 0x1p-40;
+
+  /** Far more than the rounding of a time of return. */
+  private static final double EARLIER = 1 - 0x1p-20;
+
+  /**
+   * A circle that overlaps a one-way line by no more than this part of its coordinates touches it.
+   */
+  private static final double TOUCH = 0x1p-49;
+
+  private final ObstacleTable obstacles;
+
+  // The flight.
+  private MovingCircle body;
+  private double px;
+  private double py;
+  private double r;
+  private double vx;
+  private double vy;
+  private double gx;
+  private double gy;
+
+  /** Sensor contacts before this time were reported, and at it those with a code up to this. */
+  private double sensed;
+
+  private int sensedCode;
+
+  // The obstacle: its spine as it was at the start of the flight, its radius and its velocity.
+  private double ax;
+  private double ay;
+  private double bx;
+  private double by;
+  private double radius;
+  private double ux;
+  private double uy;
+
+  /** Where a moving obstacle was at the start of the flight. */
+  private final double[] placed = new double[ObstacleTable.MOST_NUMBERS + 1];
+
+  FallNarrowPhase(ObstacleTable obstacles) {
+    this.obstacles = obstacles;
+  }
+
+  /** Takes the flight of a circle. */
+  void start(MovingCircle m) {
+    body = m;
+    px = m.x;
+    py = m.y;
+    r = m.radius;
+    vx = m.vx;
+    vy = m.vy;
+    gx = m.gx;
+    gy = m.gy;
+    sensed = m.cleared;
+    sensedCode = m.contact;
+  }
+
+  /** Forgets which contacts with sensors were reported. */
+  void senseAgain() {
+    sensed = -1;
+  }
+
+  /** Takes an obstacle other than a wall. */
+  private void take(int code) {
+    ObstacleRows rows = obstacles.of(code);
+    double[] row = rows.values;
+    int k = rows.offset(code);
+    ux = 0;
+    uy = 0;
+    if (obstacles.moves(code)) {
+      int motion = obstacles.motions().indexOf(code);
+      obstacles.place(motion, body.t, body.tl, placed);
+      ux = obstacles.motions().ux(motion);
+      uy = obstacles.motions().uy(motion);
+      row = placed;
+      k = 0;
+    }
+    int end = k + rows.shape.toEnd;
+    ax = row[k + ObstacleShape.X];
+    ay = row[k + ObstacleShape.Y];
+    bx = row[end + ObstacleShape.X];
+    by = row[end + ObstacleShape.Y];
+    radius = rows.shape.radius(row, k);
+  }
+
+  // Times.
+
+  /** The time of the next impact with a wall up to the end of a window. */
+  double wallTime(int code, double to) {
+    boolean isVertical = Codes.isVertical(code);
+    double v = isVertical ? vx : vy;
+    double g = isVertical ? gx : gy;
+    int inward = Codes.inwards(code);
+    return code == body.last
+        ? ParabolaReturn.toWall(v, g, inward, to)
+        : ParabolaWallSweep.time(isVertical ? px : py, r, v, g, obstacles.walls[code], inward, to);
+  }
+
+  /** The time of the next contact that counts with a line or a peg, up to the end of a window. */
+  double time(int code, double to) {
+    take(code);
+    if (obstacles.isSensor(code)) {
+      return timeOfSensor(code, to);
+    }
+    if (obstacles.isOneWay(code)) {
+      return timeOfOneWay(code, to);
+    }
+    if (code != body.last) {
+      return firstTime(code, to);
+    }
+    return code == ~body.support ? timeAtEnds(to) : timeOfReturn(code, to);
+  }
+
+  private double firstTime(int code, double to) {
+    return Codes.isLine(code)
+        ? ParabolaSegmentSweep.time(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, to)
+        : ParabolaDiskSweep.time(px, py, r, vx, vy, gx, gy, ax, ay, radius, ux, uy, to);
+  }
+
+  private double timeOfReturn(int code, double to) {
+    return Codes.isLine(code)
+        ? ParabolaReturn.toLine(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, to)
+        : ParabolaReturn.toDisk(px, py, vx, vy, gx, gy, ax, ay, ux, uy, to);
+  }
+
+  private double timeAfter(int code, double s, double to) {
+    return Codes.isLine(code)
+        ? ParabolaSegmentSweep.timeAfter(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, s, to)
+        : ParabolaDiskSweep.timeAfter(px, py, r, vx, vy, gx, gy, ax, ay, radius, ux, uy, s, to);
+  }
+
+  /** The next time at which a sensor that was not reported yet is entered. */
+  private double timeOfSensor(int code, double to) {
+    double after = code > sensedCode && sensed > 0 ? Math.nextDown(sensed) : sensed;
+    return timeAfter(code, Math.max(after, 0), to);
+  }
+
+  /** The time at which a circle that slid off an end of a line hits that or the other end. */
+  private double timeAtEnds(double to) {
+    boolean isAtStart = isNearerToStart();
+    double nearX = isAtStart ? ax : bx;
+    double nearY = isAtStart ? ay : by;
+    double farX = isAtStart ? bx : ax;
+    double farY = isAtStart ? by : ay;
+    return Math.min(
+        ParabolaReturn.toDisk(px, py, vx, vy, gx, gy, nearX, nearY, ux, uy, to),
+        ParabolaDiskSweep.time(px, py, r, vx, vy, gx, gy, farX, farY, 0, ux, uy, to));
+  }
+
+  private boolean isNearerToStart() {
+    double toAx = px - ax;
+    double toAy = py - ay;
+    double toBx = px - bx;
+    double toBy = py - by;
+    return toAx * toAx + toAy * toAy < toBx * toBx + toBy * toBy;
+  }
+
+  /**
+   * The next time at which a one-way line is hit: it is touched from outside, by a circle whose
+   * centre is strictly left of it.
+   */
+  private double timeOfOneWay(int code, double to) {
+    if (code == body.last) {
+      double t = timeOfReturn(code, to);
+      if (t > to || t == NEVER || isLeft(t)) {
+        return t;
+      }
+    } else if (touches() && firstTime(code, to) == 0) {
+      return 0;
+    }
+    double t = timeAfter(code, -1, to);
+    while (t <= to && t < NEVER && !isLeft(t)) {
+      t = timeAfter(code, t, to);
+    }
+    return t;
+  }
+
+  /** Whether the centre is left of a one-way line at a time, by doubles; at 0, exactly. */
+  private boolean isLeft(double t) {
+    if (t == 0) {
+      return Predicates.cross(bx, by, ax, ay, px, py, ax, ay) > 0;
+    }
+    double x = (px - ax) + ((vx - ux) + 0.5 * gx * t) * t;
+    double y = (py - ay) + ((vy - uy) + 0.5 * gy * t) * t;
+    return (bx - ax) * y - (by - ay) * x > 0;
+  }
+
+  /**
+   * Whether the circle starts left of a one-way line and overlaps it by no more than rounding: it
+   * stands on it, although it does not come from outside.
+   */
+  private boolean touches() {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double height = wx * (py - ay) - wy * (px - ax);
+    double size = Math.abs(px) + Math.abs(py) + r;
+    return height > 0 && height >= (r - TOUCH * size) * Math.sqrt(wx * wx + wy * wy);
+  }
+
+  /**
+   * A time before which the circle cannot return to what it has just hit. That is convex, so it
+   * lies behind the tangent at the contact, to which the circle does not return before {@code 2 v.n
+   * / -g.n}. That holds unless it overlaps a line deeply, in which it may turn round.
+   */
+  double earliestReturn() {
+    int code = body.last;
+    if (code < 0 || Codes.isCircle(code) || Codes.isWall(code)) {
+      return 0; // that to a wall is computed as fast
+    }
+    if (obstacles.moves(code) || obstacles.isGone(code)) {
+      return 0;
+    }
+    take(code);
+    double wx = bx - ax;
+    double wy = by - ay;
+    double ww = wx * wx + wy * wy;
+    double s = ww > 0 ? ((px - ax) * wx + (py - ay) * wy) / ww : 0;
+    s = Math.max(0, Math.min(1, s));
+    double nx = px - (ax + s * wx);
+    double ny = py - (ay + s * wy);
+    double reach = EARLIER * (r + radius);
+    if (!(nx * nx + ny * ny > reach * reach)) {
+      return 0; // it overlaps that, and may come deeper
+    }
+    double away = vx * nx + vy * ny;
+    if (!(away > ROUNDING * (Math.abs(vx * nx) + Math.abs(vy * ny)))) {
+      return 0;
+    }
+    double lift = gx * nx + gy * ny;
+    double pull = ROUNDING * (Math.abs(gx * nx) + Math.abs(gy * ny)) - lift;
+    return pull > 0 ? EARLIER * (2 * away / pull) : NEVER;
+  }
+
+  // Slides.
+
+  /** The time at which a circle that slides along a line comes to one of its ends. */
+  double endOfSlide() {
+    int code = body.support;
+    if (code == MovingCircle.NOTHING || Codes.isWall(code) || !Codes.isLine(code)) {
+      return NEVER;
+    }
+    take(code);
+    double wx = bx - ax;
+    double wy = by - ay;
+    double speed = wx * (vx - ux) + wy * (vy - uy);
+    double pull = wx * gx + wy * gy;
+    double toEnd = reaches(wx * (px - bx) + wy * (py - by), speed, pull);
+    double toStart = reaches(wx * (ax - px) + wy * (ay - py), -speed, -pull);
+    return Math.min(toEnd, toStart);
+  }
+
+  /** The first time at which c + v t + g t^2 / 2 becomes positive. */
+  private static double reaches(double c, double v, double g) {
+    if (c >= 0) {
+      return v > 0 || (v == 0 && g > 0) ? 0 : g > 0 ? -2 * v / g : NEVER;
+    }
+    double discriminant = v * v - 2 * g * c;
+    double sum = v + Math.sqrt(discriminant);
+    return sum > 0 ? -2 * c / sum : NEVER; // never also for NaN
+  }
+
+  // The contact.
+
+  /** The {@link Contact} at the time of an impact. */
+  int contact(int code, double t) {
+    if (Codes.isWall(code) || code == body.support) {
+      return 0;
+    }
+    if (!Codes.isLine(code)) {
+      return t == 0 ? Contact.NOW : Contact.LATER;
+    }
+    take(code);
+    if (code == ~body.support && t == 0) {
+      return (isNearerToStart() ? Contact.START : Contact.END) | Contact.NOW;
+    }
+    return code == body.last && !obstacles.isSensor(code)
+        ? ParabolaReturn.contactOfReturn(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t)
+        : ParabolaSegmentSweep.contact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
+  }
+}

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.search;
+
+/**
+ * The way of a circle with a constant acceleration through the cells of a {@link Grid}, piece after
+ * piece: in each the centre stays in one cell, or outside of the grid in line with a row or a
+ * column.
+ *
+ * <p>Each axis crosses the borders between its cells at times of its own: first in the direction of
+ * its velocity, then, if the acceleration is against that, back. A time is wrong by rounding only,
+ * which the margin of the lists covers.
+ */
+final class ParabolaWalk {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** So many cells from the start rounding stays far below the margin of the lists. */
+  private static final double FARTHEST = 0x1p40;
+
+  /** Faster, squares of velocities could overflow; slower than its inverse, they underflow. */
+  private static final double FASTEST = 0x1p300;
+
+  private final Axis x = new Axis();
+  private final Axis y = new Axis();
+  private Grid grid;
+
+  /** The end of the piece. */
+  double to;
+
+  /** Begins at a time of a flight; false if the path cannot be followed. */
+  boolean start(
+      Grid grid, double px, double py, double vx, double vy, double gx, double gy, double from) {
+    this.grid = grid;
+    double scale = grid.perCell;
+    x.start(grid.columns(px), vx * scale, gx * scale, grid.columns);
+    y.start(grid.rows(py), vy * scale, gy * scale, grid.rows);
+    if (!(x.isFollowed(from) && y.isFollowed(from))) {
+      return false;
+    }
+    x.locate(from);
+    y.locate(from);
+    to = Math.min(x.next, y.next);
+    return true;
+  }
+
+  /** Goes on to the next piece; false if the path cannot be followed further. */
+  boolean advance() {
+    Axis axis = x.next <= y.next ? x : y;
+    axis.cross();
+    to = Math.min(x.next, y.next);
+    return to == NEVER || (x.isFollowed(to) && y.isFollowed(to));
+  }
+
+  /** The {@link CellList} of the piece. */
+  long list() {
+    return grid.lists[grid.number(x.cell, y.cell)];
+  }
+
+  /** One axis, in cells from the edge of the grid. */
+  private static final class Axis {
+    private double p;
+    private double v;
+    private double g;
+    private int count;
+
+    /** The number of the cell, -1 or the count of cells outside of the grid. */
+    private int cell;
+
+    /** The direction in which the next border is crossed. */
+    private int step;
+
+    /** The time at which it is. */
+    private double next;
+
+    void start(double p, double v, double g, int count) {
+      this.p = p;
+      this.v = v;
+      this.g = g;
+      this.count = count;
+    }
+
+    boolean isFollowed(double t) {
+      return Math.abs(p) + (Math.abs(v) + Math.abs(g) * t) * t < FARTHEST
+          && isInRange(v)
+          && isInRange(g);
+    }
+
+    private static boolean isInRange(double speed) {
+      double size = Math.abs(speed);
+      return size == 0 || (size < FASTEST && size > 1 / FASTEST);
+    }
+
+    void locate(double t) {
+      double place = p + (v + 0.5 * g * t) * t;
+      cell = place < 0 ? -1 : (int) Math.min(place, count);
+      double speed = v + g * t;
+      step = (int) Math.signum(speed != 0 ? speed : g);
+      aim(t);
+    }
+
+    void cross() {
+      cell += step;
+      aim(next);
+    }
+
+    /** Finds the next border, from a time on at which the centre is in the cell. */
+    private void aim(double t) {
+      boolean isLeaving = isLeaving();
+      next = isLeaving ? NEVER : Math.max(t, passage());
+      if (next == NEVER && step * g < 0) {
+        step = -step;
+        double back = isLeaving() ? NEVER : passage();
+        next = isLeaving && !(back > t) ? NEVER : Math.max(t, back);
+      }
+    }
+
+    /** Whether it goes away from the grid. */
+    private boolean isLeaving() {
+      return step < 0 ? cell < 0 : cell >= count;
+    }
+
+    /** The time at which the border ahead is crossed in the direction of the step; or NEVER. */
+    private double passage() {
+      double d = (step > 0 ? cell + 1 : cell) - p;
+      double square = v * v + 2 * g * d;
+      if (!(square >= 0)) {
+        return NEVER;
+      }
+      double speed = step * Math.sqrt(square);
+      if (step * v > 0) {
+        return 2 * d / (v + speed);
+      }
+      return step * g > 0 ? (speed - v) / g : NEVER;
+    }
+  }
+}
