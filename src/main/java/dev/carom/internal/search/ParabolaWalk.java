@@ -34,7 +34,7 @@ final class ParabolaWalk {
     double scale = grid.perCell;
     x.start(grid.columns(px), vx * scale, gx * scale, grid.columns);
     y.start(grid.rows(py), vy * scale, gy * scale, grid.rows);
-    if (!(x.isFollowed(from) && y.isFollowed(from))) {
+    if (!(x.isInRange() && y.isInRange() && x.isNear(from) && y.isNear(from))) {
       return false;
     }
     x.locate(from);
@@ -48,7 +48,7 @@ final class ParabolaWalk {
     Axis axis = x.next <= y.next ? x : y;
     axis.cross();
     to = Math.min(x.next, y.next);
-    return to == NEVER || (x.isFollowed(to) && y.isFollowed(to));
+    return to == NEVER || (x.isNear(to) && y.isNear(to));
   }
 
   /** The {@link CellList} of the piece. */
@@ -79,10 +79,13 @@ final class ParabolaWalk {
       this.count = count;
     }
 
-    boolean isFollowed(double t) {
-      return Math.abs(p) + (Math.abs(v) + Math.abs(g) * t) * t < FARTHEST
-          && isInRange(v)
-          && isInRange(g);
+    /** Whether rounding does not count at a time. */
+    boolean isNear(double t) {
+      return Math.abs(p) + (Math.abs(v) + Math.abs(g) * t) * t < FARTHEST;
+    }
+
+    boolean isInRange() {
+      return isInRange(v) && isInRange(g);
     }
 
     private static boolean isInRange(double speed) {
@@ -106,7 +109,7 @@ final class ParabolaWalk {
     /** Finds the next border, from a time on at which the centre is in the cell. */
     private void aim(double t) {
       boolean isLeaving = isLeaving();
-      next = isLeaving ? NEVER : Math.max(t, passage());
+      next = isLeaving || step == 0 ? NEVER : Math.max(t, passage());
       if (next == NEVER && step * g < 0) {
         step = -step;
         double back = isLeaving() ? NEVER : passage();
@@ -122,6 +125,9 @@ final class ParabolaWalk {
     /** The time at which the border ahead is crossed in the direction of the step; or NEVER. */
     private double passage() {
       double d = (step > 0 ? cell + 1 : cell) - p;
+      if (g == 0) {
+        return d / v;
+      }
       double square = v * v + 2 * g * d;
       if (!(square >= 0)) {
         return NEVER;
