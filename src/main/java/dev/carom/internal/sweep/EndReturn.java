@@ -96,15 +96,15 @@ final class EndReturn {
       double qy, double ox, double oy, double ux, double uy, double t, double back, double last,
       double T) {
     int region =
-        ParabolaSegmentSweep.region(px, py, vx, vy, gx, gy, qx, qy, ox, oy, ux, uy, t);
-    if (region == ParabolaSegmentSweep.BESIDE || region == ParabolaSegmentSweep.UNKNOWN) {
-      return region == ParabolaSegmentSweep.BESIDE ? t : GapRoot.DOUBT;
+        LineRegion.at(px, py, vx, vy, gx, gy, qx, qy, ox, oy, ux, uy, t);
+    if (region == LineRegion.BESIDE || region == LineRegion.UNKNOWN) {
+      return region == LineRegion.BESIDE ? t : GapRoot.DOUBT;
     }
     double wx = ox - qx;
     double wy = oy - qy;
     double sx = vx - ux;
     double sy = vy - uy;
-    if (region == ParabolaSegmentSweep.BEFORE) {
+    if (region == LineRegion.BEFORE) {
       double until = Math.min(back, Math.min(last, T));
       boolean stays = isBeyond(px, py, sx, sy, gx, gy, qx, qy, -wx, -wy, t, until);
       return stays && (back <= until || back == NEVER) ? back : GapRoot.DOUBT;

@@ -234,12 +234,12 @@ public final class ParabolaReturn {
       return back;
     }
     int region =
-        ParabolaSegmentSweep.region(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, back);
-    if (region == ParabolaSegmentSweep.BESIDE || region == ParabolaSegmentSweep.UNKNOWN) {
-      return region == ParabolaSegmentSweep.BESIDE ? back : GapRoot.DOUBT;
+        LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, back);
+    if (region == LineRegion.BESIDE || region == LineRegion.UNKNOWN) {
+      return region == LineRegion.BESIDE ? back : GapRoot.DOUBT;
     }
-    double qx = region == ParabolaSegmentSweep.BEFORE ? ax : bx;
-    double qy = region == ParabolaSegmentSweep.BEFORE ? ay : by;
+    double qx = region == LineRegion.BEFORE ? ax : bx;
+    double qy = region == LineRegion.BEFORE ? ay : by;
     double time = ParabolaDiskSweep.certainFirst(px, py, r, vx, vy, gx, gy, qx, qy, 0, ux, uy, T);
     return time > back ? time : GapRoot.DOUBT;
   }
@@ -282,21 +282,16 @@ public final class ParabolaReturn {
     if (ax == bx && ay == by) {
       return Contact.START | now;
     }
-    int region = ParabolaSegmentSweep.region(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
-    if (region == ParabolaSegmentSweep.BEFORE || region == ParabolaSegmentSweep.BEYOND) {
-      return (region == ParabolaSegmentSweep.BEFORE ? Contact.START : Contact.END) | now;
-    }
-    int side = 0;
-    if (region == ParabolaSegmentSweep.BESIDE) {
-      side =
-          part(px, py, ax, ay, bx, by) == Contact.LEFT
-              ? side(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy)
-              : ParabolaSegmentSweep.side(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
-    }
-    return now
-        | (side == 0
-            ? exactContact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy)
-            : side > 0 ? Contact.LEFT : Contact.RIGHT);
+    int side =
+        part(px, py, ax, ay, bx, by) == Contact.LEFT
+            ? side(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy)
+            : LineRegion.side(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
+    int contact =
+        LineRegion.contact(
+            LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t), side);
+    return contact == Contact.DOUBT
+        ? exactContact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy) | now
+        : contact | now;
   }
 
   private static int exactContact(
@@ -304,11 +299,7 @@ public final class ParabolaReturn {
       double ay, double bx, double by, double ux, double uy) {
     ExactReturn exact = ExactReturn.toLine(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
     RealRoot root = exact.first(NEVER);
-    int region = exact.region(root);
-    if (region != 0) {
-      return region < 0 ? Contact.START : Contact.END;
-    }
-    return exact.side(root) > 0 ? Contact.LEFT : Contact.RIGHT;
+    return LineRegion.contact(exact.region(root), exact.side(root));
   }
 
   /** The gap over time at t. What cancels is kept as head and tail. */

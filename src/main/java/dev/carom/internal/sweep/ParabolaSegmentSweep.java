@@ -32,25 +32,6 @@ public final class ParabolaSegmentSweep {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /**
-   * A projection on the line, or a height, at a rounded time: differences 2, products 3, sums 3, of
-   * the terms; half an ulp of time moves it by 1 of twice the terms: 10 u, and the terms are
-   * computed.
-   */
-  private static final double PLACE_BOUND = 16 * 0x1p-53;
-
-  /** The same at a time within {@link GapRoot#MARGIN} of itself: that moves it by twice the terms. */
-  private static final double ROUGH_BOUND = 4 * GapRoot.MARGIN;
-
-  /** The regions of the centre. */
-  static final int BEFORE = 0;
-
-  static final int BESIDE = 1;
-  static final int BEYOND = 2;
-  static final int UNKNOWN = 3;
-
-  private static final double TINY = 0x1p-600;
-
   private static final double WELL = 0x1p-20;
 
   private static final double LEAST_SAFE = 0x1p-300;
@@ -120,15 +101,13 @@ public final class ParabolaSegmentSweep {
     if (ax == bx && ay == by) {
       return Contact.START | now;
     }
-    int region = region(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
-    if (region == BEFORE || region == BEYOND) {
-      return (region == BEFORE ? Contact.START : Contact.END) | now;
-    }
-    int side = side(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
-    if (region == BESIDE && side != 0) {
-      return (side > 0 ? Contact.LEFT : Contact.RIGHT) | now;
-    }
-    return exactContact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t) | now;
+    int contact =
+        LineRegion.contact(
+            LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t),
+            LineRegion.side(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t));
+    return contact == Contact.DOUBT
+        ? exactContact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t) | now
+        : contact | now;
   }
 
   private static int exactContact(
@@ -136,58 +115,7 @@ public final class ParabolaSegmentSweep {
       double ay, double bx, double by, double ux, double uy, double t) {
     ExactParabola exact = ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
     RealRoot root = exact.at(t);
-    int region = exact.region(root);
-    if (region != 0) {
-      return region < 0 ? Contact.START : Contact.END;
-    }
-    return exact.side(root) > 0 ? Contact.LEFT : Contact.RIGHT;
-  }
-
-  /**
-   * The region of the centre at the time that t is the rounding of.
-   *
-   * @param bound of the error, in terms of a projection
-   */
-  private static int region(
-      double bound, double px, double py, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double ux, double uy, double t) {
-    double wx = bx - ax;
-    double wy = by - ay;
-    int start = along(bound, px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, t);
-    if (start < 0) {
-      return BEFORE;
-    }
-    int end = along(bound, px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, t);
-    return end > 0 ? BEYOND : start > 0 && end < 0 ? BESIDE : UNKNOWN;
-  }
-
-  /** The same, for a rounded time of impact. */
-  static int region(
-      double px, double py, double vx, double vy, double gx, double gy, double ax, double ay,
-      double bx, double by, double ux, double uy, double t) {
-    return region(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
-  }
-
-  /** The side of the line, +1 left or -1 right, at the time that t is the rounding of; 0 in doubt. */
-  static int side(
-      double px, double py, double vx, double vy, double gx, double gy, double ax, double ay,
-      double bx, double by, double ux, double uy, double t) {
-    return along(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, ux, uy, ay - by, bx - ax, t);
-  }
-
-  /** The sign of w.(p(t) - q) at the time that t is the rounding of; 0 in doubt. */
-  private static int along(
-      double relativeBound, double px, double py, double vx, double vy, double gx, double gy,
-      double qx, double qy, double ux, double uy, double wx, double wy, double t) {
-    double x = Offset.head(px, qx, vx, ux, gx, t);
-    double y = Offset.head(py, qy, vy, uy, gy, t);
-    double sizeX = Offset.size(px - qx, vx - ux, gx, t);
-    double sizeY = Offset.size(py - qy, vy - uy, gy, t);
-    double value = wx * x + wy * y;
-    double terms = Math.abs(wx) * sizeX + Math.abs(wy) * sizeY;
-    double bound = Math.fma(relativeBound, terms, TINY);
-    boolean isCertain = Math.abs(value) > bound && t < MOST && Math.abs(wx) + Math.abs(wy) < MOST;
-    return isCertain ? UnitVectors.sign(value) : 0;
+    return LineRegion.contact(exact.region(root), exact.side(root));
   }
 
   /** The time, if doubles and double-double tell. */
@@ -276,9 +204,9 @@ public final class ParabolaSegmentSweep {
   private static double fromStrip(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
       double ay, double bx, double by, double ux, double uy, double T) {
-    int region = region(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, 0);
-    if (region != BESIDE) {
-      return region == UNKNOWN
+    int region = LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, 0);
+    if (region != LineRegion.BESIDE) {
+      return region == LineRegion.UNKNOWN
           ? GapRoot.DOUBT
           : beyondAnEnd(region, px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, 0, T);
     }
@@ -305,21 +233,21 @@ public final class ParabolaSegmentSweep {
       double ax, double ay, double bx, double by, double ux, double uy, double in, double T) {
     int region =
         isSure
-            ? region(ROUGH_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in)
-            : UNKNOWN;
+            ? LineRegion.near(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in)
+            : LineRegion.UNKNOWN;
     double time = in;
-    if (region == UNKNOWN || region == BESIDE) {
+    if (region == LineRegion.UNKNOWN || region == LineRegion.BESIDE) {
       time = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in);
       if (Double.isNaN(time)) {
         double exact = timeNear(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in);
         time = GapRoot.beside(in, exact);
       }
     }
-    if (region == UNKNOWN) {
-      region = region(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, time);
+    if (region == LineRegion.UNKNOWN) {
+      region = LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, time);
     }
-    if (region == BESIDE || region == UNKNOWN) {
-      return region == BESIDE ? time : GapRoot.DOUBT;
+    if (region == LineRegion.BESIDE || region == LineRegion.UNKNOWN) {
+      return region == LineRegion.BESIDE ? time : GapRoot.DOUBT;
     }
     double before = time * (1 - 2 * GapRoot.MARGIN);
     return beyondAnEnd(region, px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, before, T);
@@ -367,7 +295,7 @@ public final class ParabolaSegmentSweep {
   private static double beyondAnEnd(
       int region, double px, double py, double r, double vx, double vy, double gx, double gy,
       double ax, double ay, double bx, double by, double ux, double uy, double from, double T) {
-    boolean isStart = region == BEFORE;
+    boolean isStart = region == LineRegion.BEFORE;
     double near = endTime(isStart, px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, from, T);
     if (near == 0 || Double.isNaN(near)) {
       return near;
@@ -450,9 +378,9 @@ public final class ParabolaSegmentSweep {
     if (t > first || t > T) {
       return NEVER;
     }
-    return switch (region(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t)) {
-      case BEFORE, BEYOND -> NEVER;
-      case BESIDE -> t < T ? t : GapRoot.DOUBT;
+    return switch (LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t)) {
+      case LineRegion.BEFORE, LineRegion.BEYOND -> NEVER;
+      case LineRegion.BESIDE -> t < T ? t : GapRoot.DOUBT;
       default -> GapRoot.DOUBT;
     };
   }
