@@ -8,7 +8,7 @@ import java.util.StringJoiner;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
-/** What was counted of each family of queries: a table, and whether all answers were right. */
+/** Counts for each family of queries: a table, and whether all answers were right. */
 final class FamilyTallies {
 
   private final StringJoiner table = new StringJoiner("\n", "\n", "\n").add(Tally.HEAD);

@@ -8,7 +8,7 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.WorldState;
 
-/** What tests in the packages of the internals need of public types. */
+/** Access to parts of public types, for tests in the internal packages. */
 @SuppressWarnings("exports")
 public final class Internals {
 
@@ -24,7 +24,7 @@ public final class Internals {
     return new World(scene, options);
   }
 
-  /** What a snapshot holds. */
+  /** The state in a snapshot. */
   public static WorldState state(Snapshot snapshot) {
     return snapshot.state;
   }

@@ -102,7 +102,7 @@ class ParabolaBoundsTest {
         .toList();
   }
 
-  /** Of a disk against a line, in the order of the sweep: velocity 0 for a line at rest. */
+  /** A disk against a line, in the order of the sweep: velocity 0 for a line at rest. */
   private static double[] ofLine(ParabolaQuery query) {
     double[] n = query.straight().numbers();
     boolean moves = query.straight() instanceof MovingLineQuery;

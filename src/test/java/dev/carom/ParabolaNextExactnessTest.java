@@ -23,8 +23,8 @@ import java.util.function.BiFunction;
 import org.junit.jupiter.api.Test;
 
 /**
- * What follows a contact under a constant acceleration, held to the oracle: the return to the thing
- * just hit, and later entries. No wrong decision, every time the correctly rounded one.
+ * Impacts after a contact under a constant acceleration, held to the oracle: the return to the
+ * thing just hit, and later entries. No wrong decision, every time the correctly rounded one.
  *
  * <p>More queries, and others: {@code mvn -pl src test -Dtest=ParabolaNextExactnessTest
  * -Dcarom.queries=1000000 -Dcarom.seed=2}. Prints a table.
@@ -36,7 +36,7 @@ class ParabolaNextExactnessTest {
 
   private static long hits;
 
-  /** What is said, or true: a time, and of a hit on a line the part that is hit. */
+  /** An answer, given or true: a time, and for a hit on a line the part that is hit. */
   private record Answer(double time, Part part, int side) {}
 
   private static final Answer MISS = new Answer(NEVER, Part.NONE, 0);

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 
 /**
- * What a run of a world left: all its impacts in order, and how its circles move at the end. Two
- * runs are equal if they are so to the bit: records compare doubles by their bits.
+ * A run of a world: all its impacts in order, and how its circles move at the end. Two runs are
+ * equal if they are so to the bit: records compare doubles by their bits.
  */
 public record Run(List<Row> impacts, List<State> end) {
 

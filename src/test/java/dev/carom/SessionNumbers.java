@@ -4,15 +4,15 @@ package dev.carom;
 import java.util.Random;
 
 /**
- * What an {@link EditSession} draws: places in a box of 100 x 80, often whole ones, so that there
- * are ties.
+ * Random numbers of an {@link EditSession}: places in a box of 100 x 80, often whole ones, so that
+ * there are ties.
  */
 class SessionNumbers {
 
   static final int WIDTH = 100;
   static final int HEIGHT = 80;
 
-  /** Of a lattice of places. */
+  /** Spacing of a lattice of places. */
   static final int PITCH = 5;
 
   final Random random;
@@ -59,7 +59,7 @@ class SessionNumbers {
     return random.nextBoolean() ? 1 + random.nextInt(4) : 0.5 + 4 * random.nextDouble();
   }
 
-  /** Of a peg: 0 too. */
+  /** The radius of a peg: 0 too. */
   double pegRadius() {
     return random.nextInt(6);
   }
@@ -81,7 +81,7 @@ class SessionNumbers {
     return random.nextInt(4) == 0 ? 0.9 : 1;
   }
 
-  /** Of a step of about that many units of time, or, if whole, of one of 0, 1, 2. */
+  /** Duration of a step: about that many units of time, or, if whole, 0, 1 or 2. */
   double duration(double units, boolean whole) {
     return whole ? random.nextInt(3) : units * random.nextDouble();
   }

@@ -24,7 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a snapshot holds, and what going back to it means. */
+/** Contents of a snapshot, and the return to it. */
 class SnapshotTest {
 
   private static SceneBuilder box(boolean collide) {

@@ -4,7 +4,7 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-/** What tests of the detector ask of its answers. */
+/** Checks of the answers of the detector. */
 final class SweptCircleAnswers {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;

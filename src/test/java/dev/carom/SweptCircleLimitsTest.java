@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the detector answers at the ends of the range of doubles, and what it refuses. */
+/** The detector at the ends of the range of doubles: its answers, and the input that it refuses. */
 class SweptCircleLimitsTest {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** A timeline tells what the world told when it stood there. */
 class TimelineTest {
 
-  /** What a world, or its timeline, said of one circle at one time. */
+  /** The state of one circle at one time, by a world or its timeline. */
   private record Moment(double t, int id, double x, double y, double vx, double vy, double radius) {
 
     static Moment of(World w, int id) {

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What each edit of a world changes. */
+/** The effect of each edit of a world. */
 class WorldEditTest {
 
   private static SceneBuilder box() {

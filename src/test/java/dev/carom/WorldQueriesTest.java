@@ -16,7 +16,7 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
-/** What can be asked of a world, or of a resolver, without moving anything. */
+/** Queries of a world, or of a resolver, that move nothing. */
 class WorldQueriesTest {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;

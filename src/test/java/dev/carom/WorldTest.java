@@ -520,7 +520,7 @@ class WorldTest {
     }
   }
 
-  // What a debugger shows.
+  // The text for a debugger.
 
   @Test
   void aWorldTellsWhatIsThereAndWhen() {

@@ -120,7 +120,7 @@ class JavadocTest {
             .collect(Collectors.joining(",", "(", ")"));
   }
 
-  /** Of types and members of the public package: short, no riddle, and methods say what they do. */
+  /** First sentences of the public package are short and complete, and methods say what they do. */
   @Test
   void firstSentencesAreComplete() throws IOException {
     List<String> wrong = new ArrayList<>();

@@ -90,7 +90,7 @@ class SameBitsIT {
     }
   }
 
-  /** What a JDK's file "release" says; empty if it has none. */
+  /** The version in a JDK's file "release"; empty if it has none. */
   private static String version(Path home) {
     Properties release = new Properties();
     try (InputStream in = Files.newInputStream(home.resolve("release"))) {

@@ -2,7 +2,7 @@
 package dev.carom.oracle;
 
 /**
- * What a detector says.
+ * The answer of a detector.
  *
  * @param time the time of impact, infinite for none
  * @param part the feature, {@link Part#NONE} for a miss

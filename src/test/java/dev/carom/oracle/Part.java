@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.oracle;
 
-/** What is hit: the oracle's own word for the feature, with one for a miss. */
+/** The feature that is hit: the oracle's own enum, with a word for a miss. */
 public enum Part {
   SIDE,
   START,

@@ -11,7 +11,7 @@ public sealed interface Query permits SegmentQuery, MovingLineQuery, PairQuery, 
   /** The exact answer. */
   Contact truth();
 
-  /** What a detector under test answers. */
+  /** The answer of a detector under test. */
   Answer ask(Detector detector);
 
   /** The names of the numbers, in the order of the record. */

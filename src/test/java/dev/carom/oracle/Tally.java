@@ -3,7 +3,7 @@ package dev.carom.oracle;
 
 import java.util.Locale;
 
-/** What was counted over some queries. */
+/** Counts over some queries. */
 public final class Tally {
   /** The head of the table whose rows are {@link #row}. */
   public static final String HEAD =

@@ -51,7 +51,7 @@ class ExtremeWorldsTest {
     assertThat(impacts).isPositive();
   }
 
-  /** Of size 10, with any speeds. */
+  /** A world of size 10, with any speeds. */
   private static World world(Extremes e) {
     SceneBuilder builder = Scene.builder().collide(e.random.nextBoolean());
     if (e.random.nextBoolean()) {

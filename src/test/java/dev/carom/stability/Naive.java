@@ -7,7 +7,7 @@ import dev.carom.Vec2;
 import java.util.List;
 
 /**
- * What games do as a rule, short and readable: a circle among lines, in plain doubles, with an
+ * The usual method of games, short and readable: a circle among lines, in plain doubles, with an
  * epsilon. Each test of this package first shows where one of these fails.
  */
 final class Naive {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 /**
- * What breaks collision code, cause by cause; each test shows first how a naive method fails, then
- * what Carom answers. By the public types alone.
+ * Causes that break collision code, one by one: each test shows first how a naive method fails,
+ * then the answer of Carom. The tests use public types alone.
  *
  * <ul>
  *   <li>fast: TunnellingTest; just touching: GrazingTest; which part: EndpointOrSideTest

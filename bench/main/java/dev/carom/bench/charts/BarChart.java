@@ -30,7 +30,7 @@ public final class BarChart {
   private static final double NUMBER = 84;
   private static final double LEGEND = 22;
 
-  /** Of parts; those after the first are narrow, so they stand out. */
+  /** Colours of the parts of a bar. All but the first stand out, since those parts are narrow. */
   private static final List<Color> COLORS = List.of(Style.SKY, Style.ORANGE, Style.VERMILION);
 
   private final String description;

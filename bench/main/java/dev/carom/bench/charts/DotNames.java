@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What is written at the dots of a panel. Names of methods whose dots cover each other are one
- * text: single ones would stand around a spot where nobody can tell whose is whose.
+ * The names at the dots of a panel. Names of methods whose dots cover each other are one text:
+ * single ones would stand around a spot where nobody can tell whose is whose.
  */
 final class DotNames {
 

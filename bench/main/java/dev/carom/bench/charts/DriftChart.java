@@ -12,9 +12,9 @@ import java.util.Map;
 import org.jfree.chart.axis.NumberAxis;
 
 /**
- * What becomes of a run, frame by frame: a panel for each quantity, the median over circles as a
- * line in a band from 5 to 95 %, and in the first panel the frame at which each method has left the
- * true course. A value of 0 is drawn at the lower edge.
+ * A run, frame by frame: a panel for each quantity, the median over circles as a line in a band
+ * from 5 to 95 %, and in the first panel the frame at which each method has left the true course. A
+ * value of 0 is drawn at the lower edge.
  */
 public final class DriftChart {
 

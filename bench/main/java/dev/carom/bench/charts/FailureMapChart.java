@@ -16,7 +16,7 @@ import java.util.List;
 public final class FailureMapChart {
 
   /**
-   * What one method did.
+   * The map of one method.
    *
    * @param method its label
    * @param knob its setting, may be empty
@@ -258,7 +258,7 @@ public final class FailureMapChart {
     return step;
   }
 
-  /** What a text takes, and by how much the first and the last move inwards. */
+  /** Room for the widest label, and for moving the first and the last one inwards. */
   private double room(Graphics2D g, int step, double each) {
     double widest = widest(g, step);
     return widest + 4 + Math.max(0, (widest - each) / 2);

@@ -22,7 +22,7 @@ final class FailureSigns {
   /** The diameter of its sign, in pixels. */
   private static final double DOT = 2.6;
 
-  /** Of signs, from their middle, and of corners: shares of a cell. */
+  /** Half the size of a sign, and the size of a corner, as a share of a cell. */
   private static final double SIZE = 0.22;
 
   private static final double CORNER = 0.42;

@@ -75,7 +75,7 @@ final class FrameTimeChart {
     return new Picture(WIDTH, HEIGHT, title() + ". " + subtitle(), this::paint);
   }
 
-  /** What a reader is to take home, made by rule. */
+  /** The conclusion, made by rule. */
   String title() {
     long over = Arrays.stream(nanos).filter(t -> t > budget).count();
     String all = Durations.number(nanos.length, 9);

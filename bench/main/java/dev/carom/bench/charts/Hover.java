@@ -5,7 +5,7 @@ import java.awt.Graphics2D;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jfree.svg.SVGHints;
 
-/** What a browser tells of a mark when the pointer rests on it; in an image it is nothing. */
+/** The text that a browser shows when the pointer rests on a mark. An image has none. */
 final class Hover {
 
   /** The name of the groups, which {@link Picture} takes away: there are many of them. */

@@ -26,7 +26,7 @@ public final class Pictures {
   private static final double MOTION_MARGIN = 6;
   private static final int MOTION_COLORS = 32;
 
-  /** Of a frame, in hundredths of a second: browsers slow down what is faster than 2. */
+  /** Duration of a frame in hundredths of a second. Browsers slow down frames below 2. */
   private static final int MOTION_DELAY = 4;
 
   private static final int MOTION_REST = 100;

@@ -8,7 +8,7 @@ import dev.carom.Scene;
 import java.awt.geom.Rectangle2D;
 import java.util.Optional;
 
-/** What of the plane is shown: the bounds of a scene, or else all that is there at time 0. */
+/** The part of the plane that is shown: the bounds of a scene, or else all its things at time 0. */
 final class SceneExtent {
 
   private double xmin = Double.POSITIVE_INFINITY;

@@ -103,7 +103,7 @@ public final class Style {
   /** A light brown. */
   public static final Color SAND = new Color(0xC9A66B);
 
-  /** What everything is drawn on. */
+  /** The background. */
   public static final Color PAPER = new Color(0xFAF9F5);
 
   /** The inside of a scene. */

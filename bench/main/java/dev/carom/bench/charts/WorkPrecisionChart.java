@@ -14,7 +14,7 @@ import java.util.stream.DoubleStream;
  */
 public final class WorkPrecisionChart {
 
-  /** What work is counted in. */
+  /** The unit of work. */
   public enum Work {
     /** Nanoseconds. */
     TIME,

@@ -65,7 +65,7 @@ enum CastQuery {
   /** Asks the question: one number for each column of the header, then for each optional one. */
   abstract Optional<Impact> cast(double[] query);
 
-  /** What a number in a column must be. */
+  /** The range of the numbers in a column, in words. */
   static String expectation(String column) {
     return switch (column.charAt(0)) {
       case 'r' -> "a finite number, at least 0";

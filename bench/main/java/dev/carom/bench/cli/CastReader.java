@@ -38,7 +38,7 @@ final class CastReader {
     this.file = file;
   }
 
-  /** What the header asks for. */
+  /** The kind of question, known by the columns of the header. */
   CastQuery kind() {
     return kind;
   }

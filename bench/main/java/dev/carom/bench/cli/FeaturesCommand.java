@@ -17,7 +17,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** What each thing that a scene uses costs. */
+/** Measures the cost of each thing that a scene uses. */
 @Command(
     name = "features",
     description = {

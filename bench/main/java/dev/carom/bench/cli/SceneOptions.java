@@ -72,7 +72,7 @@ final class SceneOptions {
     return file;
   }
 
-  /** What to call the scene: its file, or all that it takes to generate it again. */
+  /** The name of the scene: its file, or the options that generate it again. */
   String name() {
     if (file != null) {
       return file.toString();

@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Option;
 
-/** What commands have in common that play random scenes along an axis, and where they write. */
+/** Options of the commands that play random scenes along an axis, and where they write. */
 final class SeriesOptions {
 
   @Option(

@@ -48,7 +48,7 @@ final class Simulation {
     }
   }
 
-  /** What happened, in a line. */
+  /** The run in one line. */
   String summary() {
     String line =
         String.format(

@@ -46,7 +46,7 @@ public enum Examples {
   }
 
   /**
-   * What it shows.
+   * Returns its subject.
    *
    * @return a phrase
    */

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
 
-/** What a gas of colliding circles takes: time per collision, energy kept, deepest overlap. */
+/** Measures a gas of colliding circles: time per collision, energy, deepest overlap. */
 package dev.carom.bench.gas;

@@ -21,10 +21,9 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * What exactness costs: one query, answered by the library and by the same decisions in plain
- * doubles. Different queries of one family take turns. How many tells how much of the cost is that
- * of branches: a processor learns those of some thousand queries by heart, as it will not in a
- * game.
+ * The cost of exactness: one query, answered by the library and by the same decisions in plain
+ * doubles. Different queries of one family take turns. Their number matters: a processor learns the
+ * branches of some thousand queries by heart, which it cannot in a game.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)

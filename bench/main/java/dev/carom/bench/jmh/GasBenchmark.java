@@ -44,7 +44,7 @@ public class GasBenchmark {
   private Scene scene;
   private World world;
 
-  /** What happens in frames; JMH tells it by the second. */
+  /** Events in the frames; JMH reports them per second. */
   @State(Scope.Thread)
   @AuxCounters(AuxCounters.Type.OPERATIONS)
   public static class Count {

@@ -40,7 +40,7 @@ public final class Parts {
           "substeps-128",
           "substeps-256");
 
-  /** What a quick comparison leaves out besides, of frames and of questions. */
+  /** Further methods that a quick comparison leaves out, of frames and of questions. */
   private static final Set<String> LATER =
       Set.of(
           "advancement-1e-2",
@@ -154,7 +154,7 @@ public final class Parts {
   }
 
   /**
-   * What a quick comparison leaves out, for people.
+   * Lists the methods that a quick comparison leaves out, for people.
    *
    * @return one line
    */

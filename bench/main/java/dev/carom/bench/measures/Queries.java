@@ -32,7 +32,7 @@ final class Queries {
 
   private static final long SEED = 20101013;
 
-  /** What the classes are called, and which families make them. */
+  /** The names of the classes, and the families that make them. */
   private static final Map<String, List<String>> FAMILIES = families();
 
   private Queries() {}

@@ -19,7 +19,7 @@ final class QueryClock {
 
   static final int QUERIES = 2048;
 
-  /** What a line of its output looks like. */
+  /** The form of a line of its output. */
   static final String LINE = "[a-z-]+ [0-9.E]+";
 
   private static final int NUMBERS = 10;

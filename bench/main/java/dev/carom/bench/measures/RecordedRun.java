@@ -99,7 +99,7 @@ final class RecordedRun {
     return Math.hypot(vx[frame][circle], vy[frame][circle]);
   }
 
-  /** What the frames cost, in events. */
+  /** The events that the frames took. */
   Counters counters() {
     return counters;
   }

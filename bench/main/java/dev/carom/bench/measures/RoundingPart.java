@@ -31,7 +31,7 @@ public record RoundingPart(String scene) implements Part {
   /** The metric of its rows. */
   public static final String METRIC = "frame_roundings";
 
-  /** What is to be kept to, in units. */
+  /** The limit to be kept, in units. */
   public static final double LIMIT = 4;
 
   /** The stat of how many circle-frames are above the limit. */
@@ -105,9 +105,7 @@ public record RoundingPart(String scene) implements Part {
     return px;
   }
 
-  /**
-   * What explains the worst: how many impacts it has, and what rounding the places of them costs.
-   */
+  /** Explains the worst error: the number of impacts, and the cost of rounding their places. */
   private static List<Row> worst(
       Trial trial, Scene scene, Reference reference, int frame, int circle) {
     Scene start = States.at(scene, reference, frame);

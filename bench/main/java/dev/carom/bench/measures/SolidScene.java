@@ -15,7 +15,7 @@ import dev.carom.Vec2;
  */
 public final class SolidScene {
 
-  /** What rounding may add to a frame's travel. */
+  /** Factor that covers the rounding of a frame's travel. */
   private static final double MARGIN = 1 + 1e-6;
 
   private final Scene scene;

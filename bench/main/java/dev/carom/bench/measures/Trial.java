@@ -13,7 +13,7 @@ import dev.carom.bench.results.Row;
  */
 record Trial(String scene, Contender contender, int fork) {
 
-  /** Of results that do not depend on the virtual machine. */
+  /** The fork of results that do not depend on the virtual machine. */
   static final int ANY_FORK = -1;
 
   static final String RADII = "radii";

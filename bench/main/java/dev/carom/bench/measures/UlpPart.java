@@ -7,7 +7,7 @@ import dev.carom.bench.results.Row;
 import java.util.List;
 
 /**
- * What a last bit does: the scene started one ulp away, played by this library. No method in
+ * The effect of a last bit: the scene started one ulp away, played by this library. No method in
  * doubles can be expected to stay longer with the true course.
  */
 record UlpPart(String scene) implements Part {

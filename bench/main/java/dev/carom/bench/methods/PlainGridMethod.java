@@ -4,10 +4,9 @@ package dev.carom.bench.methods;
 import dev.carom.Scene;
 
 /**
- * What a frame costs without the contract of this library: plain doubles, the same kind of cells, a
- * filter before the test, no bound of a rounding error, no log, no budget. Unit normals of the
- * lines are computed before; of a line that is behind, or too far away to be the next, no more is
- * looked at than the distance.
+ * A frame without the contract of this library: plain doubles, the same kind of cells, a filter
+ * before the test, no bound of a rounding error, no log, no budget. Unit normals of the lines are
+ * computed before. A line that is behind, or too far away to be the next, costs its distance only.
  */
 final class PlainGridMethod extends EventDriven {
 

@@ -8,7 +8,7 @@ import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 
-/** What the methods in plain doubles share: flat arrays of circles, lines and four walls. */
+/** State that the methods in plain doubles share: flat arrays of circles, lines and four walls. */
 abstract class PlainMethod implements Method {
 
   final int circles;

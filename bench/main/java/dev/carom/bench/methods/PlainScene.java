@@ -10,8 +10,8 @@ import dev.carom.Vec2;
 import java.util.stream.IntStream;
 
 /**
- * What the plain methods can play: lines at rest and bounds, without gravity; some of them pegs, or
- * circles that collide, too.
+ * Scenes that the plain methods can play: lines at rest and bounds, without gravity. Some methods
+ * also play pegs, or circles that collide.
  */
 public final class PlainScene {
 

@@ -70,7 +70,7 @@ public record RungCounts(
   }
 
   /**
-   * What was counted since an earlier moment.
+   * Returns the counts since an earlier moment.
    *
    * @param before the counts then
    * @return the differences

@@ -4,11 +4,11 @@ package dev.carom.bench.methods;
 import dev.carom.Scene;
 
 /**
- * What most games begin with: move, look for overlap, put it right. A frame is cut into k equal
- * parts; with k = 1 it is the overlap test at the end of the frame. A circle that overlaps a line
- * and comes nearer is reflected, and every overlap is undone by moving the circle out along the
- * normal. Contact is noticed late by up to a part's travel, and what lies between two places is not
- * seen.
+ * The method that most games begin with: move, look for overlap, put it right. A frame is cut into
+ * k equal parts; with k = 1 it is the overlap test at the end of the frame. A circle that overlaps
+ * a line and comes nearer is reflected, and every overlap is undone by moving the circle out along
+ * the normal. Contact is noticed late by up to a part's travel, and things between two places are
+ * not seen.
  */
 class Substeps extends PlainMethod {
 

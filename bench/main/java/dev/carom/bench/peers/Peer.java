@@ -12,8 +12,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What all engines share: they measure in metres and seconds, so that a scene has to be scaled, and
- * they do not tell their work.
+ * Facts that all engines share: they measure in metres and seconds, so that a scene has to be
+ * scaled, and they do not tell their work.
  *
  * <p>As it comes, an engine gets 30 px to the metre and 60 frames to the second, as their tutorials
  * have it. At its best it gets the scale at which it is most accurate: the coarser its metre, the
@@ -68,7 +68,7 @@ abstract class Peer implements Method {
     }
   }
 
-  /** Of the circles' fixtures. */
+  /** The restitution of the circles' fixtures. */
   static double circleRestitution(Scene scene) {
     return scene.collide()
         ? scene.restitution(ObstacleKind.CIRCLE, 0) * scene.restitution(ObstacleKind.CIRCLE, 0)
@@ -97,7 +97,7 @@ abstract class Peer implements Method {
     return scene.mass(i) < Double.POSITIVE_INFINITY;
   }
 
-  /** Of an infinite mass both Box2Ds would make a NaN; their largest one is as hard to move. */
+  /** Both Box2Ds turn an infinite mass into a NaN. Their largest mass is as hard to move. */
   static float finiteMass(double mass) {
     return (float) Math.min(mass, Float.MAX_VALUE);
   }

@@ -2,8 +2,8 @@
 package dev.carom.bench.reference;
 
 /**
- * What one circle did: its state at the end of each frame, correctly rounded, and what that
- * rounding left.
+ * The course of one circle: its state at the end of each frame, correctly rounded, and the rest
+ * that rounding cut off.
  */
 final class CircleFrames {
 

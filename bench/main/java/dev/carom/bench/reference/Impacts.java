@@ -3,7 +3,7 @@ package dev.carom.bench.reference;
 
 import dev.carom.Feature;
 
-/** What an impact does to those who meet. */
+/** The effect of an impact on the two that meet. */
 final class Impacts {
 
   private Impacts() {}

@@ -88,7 +88,9 @@ final class LineTarget implements Target {
     return feature != Feature.SIDE;
   }
 
-  /** Of the disk around the middle that holds the line. */
+  /**
+   * The time for the disk around the middle that holds the line: no later than that of the line.
+   */
   @Override
   public double earliest(double x, double y, double vx, double vy, double radius) {
     double mx = (line.ax() + line.bx()) / 2;

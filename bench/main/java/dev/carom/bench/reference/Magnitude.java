@@ -19,7 +19,7 @@ record Magnitude(double m, int e) {
   /** How many bits of an integer are looked at. */
   private static final int TOP = 64;
 
-  /** Of {@code m 2^e} for any m that is not negative, and a little more. */
+  /** A bound of {@code m 2^e}, a little above it, for any m that is not negative. */
   private static Magnitude up(double m, int e) {
     if (m == 0) {
       return ZERO;

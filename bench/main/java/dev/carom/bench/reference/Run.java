@@ -27,7 +27,9 @@ final class Run {
 
   private List<Hit> hits;
 
-  /** Of these circles; they ignore each other, or the scene's circles collide and these are all. */
+  /**
+   * Begins a run of these circles. They ignore each other, or they are all circles of the scene.
+   */
   Run(Scene scene, int[] circles, Lookout lookout, int frames, int bits) {
     this.lookout = lookout;
     this.frames = frames;

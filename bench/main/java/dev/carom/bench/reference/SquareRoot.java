@@ -31,7 +31,7 @@ final class SquareRoot {
     return new BigInteger[] {root, n.subtract(root.multiply(root))};
   }
 
-  /** Of a number of at least {@code 4 quarter - 1} bits, and no more than {@code 4 quarter}. */
+  /** The root of a number of {@code 4 quarter - 1} or {@code 4 quarter} bits, and the remainder. */
   private static BigInteger[] ofFourQuarters(BigInteger n, int quarter) {
     BigInteger[] high = withRemainder(n.shiftRight(2 * quarter));
     BigInteger low = part(n, 0, quarter);

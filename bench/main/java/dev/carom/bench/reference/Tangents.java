@@ -27,7 +27,7 @@ final class Tangents {
     rows = new double[values][STATE];
   }
 
-  /** Of a circle whose own start values are the four from the given one on. */
+  /** Derivatives of a circle whose own start values are the four from the given one on. */
   Tangents(int values, int first, double... state) {
     this(values);
     for (int i = 0; i < STATE; i++) {
@@ -35,7 +35,7 @@ final class Tangents {
     }
   }
 
-  /** Of something that does not move, whatever does. */
+  /** Derivatives of a thing at rest, which depends on no start value. */
   Tangents still() {
     return new Tangents(rows.length);
   }

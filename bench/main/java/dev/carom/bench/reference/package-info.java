@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: Apache-2.0
-/** What really happens in a scene: event-driven runs in arbitrary precision, to compare with. */
+/** True courses to compare with: event-driven runs in arbitrary precision. */
 package dev.carom.bench.reference;

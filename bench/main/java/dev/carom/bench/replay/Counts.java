@@ -4,7 +4,7 @@ package dev.carom.bench.replay;
 import dev.carom.bench.methods.Method;
 
 /**
- * What happens in one replay: the same each time, so it is counted once, outside of what is timed.
+ * Events of one replay. They are the same each time, so they are counted once, untimed.
  *
  * @param impacts with lines and pegs
  * @param wallImpacts with the walls of the bounds

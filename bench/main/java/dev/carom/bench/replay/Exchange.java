@@ -39,7 +39,7 @@ record Exchange(Path folder) {
     return folder.resolve(contender.id() + "-" + fork + ".samples");
   }
 
-  /** What JMH has to say, kept off the terminal. */
+  /** The output of JMH, kept off the terminal. */
   Path log(Contender contender, int fork) {
     return folder.resolve(contender.id() + "-" + fork + ".log");
   }

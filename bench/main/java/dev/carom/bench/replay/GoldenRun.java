@@ -74,7 +74,7 @@ public enum GoldenRun {
     return new Crosses(100, 50, 5, 1, 10, 1);
   }
 
-  /** What takes energy away, and what gives it back. */
+  /** A scene in which some things take energy away, and some give it back. */
   private static SceneBuilder mix(Scene from) {
     SceneBuilder builder = Scene.builder().collide(true);
     Bounds b = from.bounds().orElseThrow();

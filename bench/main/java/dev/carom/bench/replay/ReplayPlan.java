@@ -8,9 +8,9 @@ import dev.carom.bench.methods.PlainScene;
 import java.util.List;
 
 /**
- * What to replay.
+ * The plan of a replay.
  *
- * @param name what to call the scene
+ * @param name the name of the scene
  * @param scene the scene that is measured
  * @param others scenes to play in between, at least one
  * @param contenders who replays it

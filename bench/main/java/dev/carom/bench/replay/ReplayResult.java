@@ -11,7 +11,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 
-/** What a run found: the figures of each method, and one replay's raw frame times for a chart. */
+/**
+ * The result of a run: the figures of each method, and one replay's raw frame times for a chart.
+ */
 public final class ReplayResult {
 
   private final ReplayPlan plan;
@@ -32,7 +34,7 @@ public final class ReplayResult {
   }
 
   /**
-   * What was replayed.
+   * Returns the plan of the run.
    *
    * @return the plan
    */

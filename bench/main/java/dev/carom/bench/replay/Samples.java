@@ -11,10 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 
-/**
- * What one fork measured. Its file is read by the process that started the fork, and by nobody
- * else.
- */
+/** The measurements of one fork. Only the process that started the fork reads its file. */
 public final class Samples {
 
   private final long[] cold;
@@ -49,7 +46,7 @@ public final class Samples {
   }
 
   /**
-   * What one replay after the warm-up allocates.
+   * Returns the memory that one replay after the warm-up allocates.
    *
    * @return in bytes
    */

@@ -34,7 +34,7 @@ final class Stopwatch {
     return threads.getThreadAllocatedBytes(thread) - before - asking;
   }
 
-  /** What the two time stamps around a frame cost by themselves: the median of many empty pairs. */
+  /** The cost of the two time stamps around a frame: the median of many empty pairs. */
   static long emptyPairNanos() {
     long[] nanos = new long[EMPTY_PAIRS];
     for (int i = 0; i < nanos.length; i++) {

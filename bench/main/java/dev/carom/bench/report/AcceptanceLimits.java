@@ -145,7 +145,7 @@ final class AcceptanceLimits {
         results.spread(FAST, Metrics.CAROM, RoundingPart.METRIC, RoundingPart.OF_FRAMES));
   }
 
-  /** What is behind a limit that needs words. */
+  /** Explains a limit that needs words. */
   static Optional<String> note(Results results) {
     return new RoundingNote(results, FAST).sentences();
   }
@@ -220,7 +220,7 @@ final class AcceptanceLimits {
     }
   }
 
-  /** Of the time that has the fewest. */
+  /** The number of forks, of the time that has the fewest. */
   private void forks() {
     ScaleTimes scale = new ScaleTimes(results);
     Map<String, Set<Integer>> forks =

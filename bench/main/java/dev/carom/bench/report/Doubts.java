@@ -3,7 +3,7 @@ package dev.carom.bench.report;
 
 import java.util.List;
 
-/** What a careful reader asks, and the answers that no measurement gives. */
+/** Questions of a careful reader, with the answers that no measurement gives. */
 final class Doubts {
 
   private Doubts() {}

@@ -12,10 +12,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleFunction;
 
-/** What each thing that a scene uses costs a frame, and in memory. */
+/** The cost of each thing that a scene uses, in the time of a frame and in memory. */
 public final class FeatureFigures {
 
-  /** What the scenes use, in words, in the order in which it grows. */
+  /** The scenes in words, in the order of the table. */
   private static final Map<String, String> USES = new LinkedHashMap<>();
 
   static {

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 
-/** What a reader has after ten seconds: one sentence and three numbers, by rule from the data. */
+/** One sentence and three numbers for the first ten seconds, by rule from the data. */
 final class FirstScreen {
 
   /**

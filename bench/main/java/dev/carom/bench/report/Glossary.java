@@ -5,7 +5,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** What the methods are, in a sentence each. */
+/** The methods, in a sentence each. */
 final class Glossary {
 
   private static final Map<String, String> METHODS = new LinkedHashMap<>();

@@ -9,7 +9,7 @@ import java.util.function.Predicate;
 import java.util.stream.IntStream;
 
 /**
- * What became of all cells of a map.
+ * The outcomes of all cells of a map.
  *
  * @param setting who played
  * @param outcomes by cell

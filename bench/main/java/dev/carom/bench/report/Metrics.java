@@ -45,7 +45,7 @@ final class Metrics {
     return (scene.startsWith(QUERY) ? scene.substring(QUERY.length()) : scene).replace('_', ' ');
   }
 
-  /** What stands at a dot: the knob's value; of a peer, whose setting is long, which it is. */
+  /** The label of a dot: the value of the knob, or a short name for the long setting of a peer. */
   static String shortKnob(Setting setting) {
     if (isDefault(setting)) {
       return "defaults";

@@ -68,7 +68,10 @@ public final class Origin {
     return hashes;
   }
 
-  /** Of the sources in the working folder, if they are under git; changed ones say so. */
+  /**
+   * The commit of the sources in the working folder, if they are under git; it says if they
+   * changed.
+   */
   private static String commit() {
     try {
       Process git =

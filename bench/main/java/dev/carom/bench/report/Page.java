@@ -453,7 +453,7 @@ final class Page {
     return end < 0 ? words : words.substring(0, end + 1);
   }
 
-  /** What it shows stands beside it in words; so its name is short. */
+  /** Writes a picture. Its label is short, for words beside the picture say the rest. */
   private void picture(Picture picture, String layout) {
     String prefix = "p" + pictures++ + "-";
     String label = "<svg role=\"img\" aria-label=\"" + text(picture.title()) + "\" ";
@@ -477,7 +477,7 @@ final class Page {
     return Matcher.quoteReplacement(replacement);
   }
 
-  /** What thousands of marks have in common is written once: it is a third of all. */
+  /** Writes styles shared by thousands of marks once. They are a third of the page. */
   private String classed(String svg) {
     return STYLE
         .matcher(svg)
@@ -552,7 +552,7 @@ final class Page {
     html.append("</dl></details>\n");
   }
 
-  /** Who failed where and why, each once. */
+  /** The failures: which method, where and why, each once. */
   private List<String> failures() {
     return results.rows().stream()
         .filter(row -> row.metric().equals(ReportRun.FAILURE))

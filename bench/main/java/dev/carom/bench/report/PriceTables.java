@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** What exact answers cost: of single questions by class, of frames by scene. */
+/** The cost of exact answers: of single questions by class, of frames by scene. */
 final class PriceTables {
 
   private static final Setting PLAIN = new Setting("plain", "");

@@ -163,7 +163,7 @@ public final class ReadmeFigures {
     return sum(Metrics.MISSED) + sum(Metrics.INVENTED);
   }
 
-  /** Of Carom, over all classes of questions. */
+  /** The sum of a metric of Carom over all classes of questions. */
   private double sum(String metric) {
     return results.scenes(metric).stream()
         .flatMap(scene -> results.only(scene, Metrics.CAROM, metric).stream())

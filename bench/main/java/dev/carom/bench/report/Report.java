@@ -30,13 +30,13 @@ public final class Report {
   /** The first screen of the page, for where a folder of results is shown. */
   static final String README = "README.md";
 
-  /** What is printed, too. */
+  /** The file that holds the printed text. */
   private static final String SUMMARY = "verdict.txt";
 
   private Report() {}
 
   /**
-   * What there is to know without a picture.
+   * Returns the result without pictures.
    *
    * @param results what was measured
    * @return the verdict, a sentence a line, the ratios of times, and the limits

@@ -87,7 +87,9 @@ public final class ReportRun {
     return rows;
   }
 
-  /** What cannot be read, or was measured elsewhere, is measured again. */
+  /**
+   * Rows of an earlier run. A part is measured again if its file is unreadable or from elsewhere.
+   */
   private Optional<List<Row>> kept(Part part) {
     if (!Files.exists(file(part))) {
       return Optional.empty();

@@ -6,7 +6,7 @@ import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Spread;
 import java.util.Optional;
 
-/** What stands behind the worst error of a frame with many impacts. */
+/** Explains the worst error of a frame with many impacts. */
 final class RoundingNote {
 
   private final Results results;

@@ -64,7 +64,7 @@ final class RungShares {
         Locale.ROOT, "%." + digits + "f %%", Math.min(100 - unit, Math.max(0, 100 * share)));
   }
 
-  /** Of the frames of scenes, which is what a user sees. */
+  /** The shares over the frames of all scenes, which are what a user sees. */
   String sentence() {
     double asked = 0;
     double doubles = 0;

@@ -66,7 +66,7 @@ final class ScaleGrowth {
     return sentences;
   }
 
-  /** What a world takes of memory, or nothing if that was not measured. */
+  /** The memory of a world, or nothing if it was not measured. */
   Optional<String> memory() {
     return results.scenes(Scale.MEMORY).stream()
         .findFirst()
@@ -102,7 +102,7 @@ final class ScaleGrowth {
         : "A frame of carom takes " + String.join(" and ", ours);
   }
 
-  /** Of carom in each model, and who took too long where. */
+  /** The growth of carom in each model, and the methods that became too slow. */
   String verdict() {
     List<String> models = new ArrayList<>();
     List<String> late = new ArrayList<>();

@@ -20,7 +20,7 @@ import java.util.TreeSet;
  */
 final class ScaleTimes {
 
-  /** What a time is divided by. */
+  /** The divisor of a time. */
   enum Per {
     FRAME("a frame"),
     IMPACT("an impact"),

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 
-/** What the scenes of the comparison are, in a few words each. */
+/** The scenes of the comparison, in a few words each. */
 final class Scenes {
 
   private static final Map<String, String> WORDS = new LinkedHashMap<>();
@@ -32,7 +32,7 @@ final class Scenes {
     return new ArrayList<>(WORDS.keySet());
   }
 
-  /** What a scene is; nothing for one that is not known. */
+  /** Describes a scene; empty for an unknown one. */
   static String what(String scene) {
     return WORDS.getOrDefault(scene, "");
   }

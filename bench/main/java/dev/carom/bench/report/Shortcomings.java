@@ -91,7 +91,7 @@ final class Shortcomings {
         .isPresent();
   }
 
-  /** What other scenes were played by, and this one was not. */
+  /** Lists the methods that played other scenes but not this one. */
   private void leftOut(String scene) {
     List<Setting> here = results.settings(scene, Metrics.FRAME_ERROR);
     List<String> others =

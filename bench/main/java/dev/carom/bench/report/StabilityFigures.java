@@ -90,7 +90,7 @@ public final class StabilityFigures {
     return ofMap(map, Survey.LIMIT).stream().map(i -> all[i.intValue()]).toList();
   }
 
-  /** What belongs to the map, and not to who plays it. */
+  /** Values of a metric that depends on the map only, not on the method. */
   private Collection<Double> ofMap(FailureMap map, String metric) {
     String scene = Survey.SCENE + map.name();
     return series(scene, results.settings(scene, metric).get(0), metric);

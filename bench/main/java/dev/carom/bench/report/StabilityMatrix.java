@@ -106,7 +106,7 @@ final class StabilityMatrix {
     return Double.isNaN(right) || all == 0 ? "" : StabilityWords.share((int) right, all);
   }
 
-  /** What to take home. */
+  /** The conclusion. */
   String title() {
     return best()
         .map(

@@ -9,14 +9,16 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** What a map of failures says, in words and in a table, made by rule from its numbers. */
+/** A map of failures in words and in a table, made by rule from its numbers. */
 final class StabilityWords {
 
   private static final int MOST_NAMES = 3;
 
   private final List<MapTally> tallies;
 
-  /** Of all who played a map or could not; this library among them. */
+  /**
+   * Takes the tallies of all methods, of this library too, whether or not they could play the map.
+   */
   StabilityWords(List<MapTally> tallies) {
     this.tallies = tallies;
   }

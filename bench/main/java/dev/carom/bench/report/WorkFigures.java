@@ -298,7 +298,7 @@ final class WorkFigures {
         .orElse("");
   }
 
-  /** What has no count of pair tests, as a peer that does not tell, is not drawn. */
+  /** A method without a count of pair tests, such as a peer, is not drawn. */
   private Panel tests(String scene) {
     List<Dot> dots = new ArrayList<>();
     for (Standing s : standings(scene)) {

@@ -67,7 +67,7 @@ public final class Results {
   }
 
   /**
-   * What a metric was measured of.
+   * Returns the settings for which a metric was measured.
    *
    * @param scene the scene
    * @param metric its name

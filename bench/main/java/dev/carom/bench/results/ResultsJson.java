@@ -63,7 +63,7 @@ public final class ResultsJson {
     }
   }
 
-  /** What the file holds. */
+  /** The content of the file. */
   record Content(int version, Metadata metadata, List<Group> rows) {}
 
   private static final int VERSION = 1;

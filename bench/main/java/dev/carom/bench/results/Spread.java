@@ -15,7 +15,7 @@ import java.util.Arrays;
 public record Spread(double low, double middle, double high, int forks, long n) {
 
   /**
-   * Of numbers of forks; if one of them is NaN, all is.
+   * Returns the spread of values of forks. One NaN makes all of it NaN.
    *
    * @param n how many values they stand for
    * @param values one a fork, at least one

@@ -194,7 +194,7 @@ public final class WholeFile implements AutoCloseable {
     return new IOException(file + ": cannot be written: " + reason(cause), cause);
   }
 
-  /** What happened, without the name of a file. */
+  /** The reason, without the name of a file. */
   private static String reason(IOException e) {
     if (e instanceof NoSuchFileException) {
       return "no such folder";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /**
- * What was measured, in one tidy table: every number a {@link dev.carom.bench.results.Row}, which
- * files, charts and sentences are made from.
+ * All measurements in one tidy table: every number is a {@link dev.carom.bench.results.Row}. Files,
+ * charts and sentences are made from the rows.
  */
 package dev.carom.bench.results;

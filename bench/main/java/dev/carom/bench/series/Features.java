@@ -21,9 +21,9 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
 /**
- * What each thing that a scene uses costs this library: the time of a frame and the memory of a
- * world, of the canonical circles with ever more around them. The time is that of a whole replay,
- * divided by its frames; the memory is what a world holds at the end of a replay.
+ * The cost of each thing that a scene uses: the time of a frame and the memory of a world. The
+ * canonical circles are played with ever more around them. The time is that of a whole replay,
+ * divided by its frames; the memory is that of a world at the end of a replay.
  */
 public final class Features {
 
@@ -36,7 +36,7 @@ public final class Features {
   /** The metric of the impacts of a frame. */
   public static final String IMPACTS = "feature_impacts";
 
-  /** What the scenes' names begin with. */
+  /** The prefix of the scenes' names. */
   public static final String SCENE = "feature:";
 
   private static final String METHOD = "carom";
@@ -58,7 +58,7 @@ public final class Features {
   /** The weight of the gas, from top to bottom of its box, is about its temperature. */
   private static final double GAS_GRAVITY = -0.01;
 
-  /** What is done before each frame. */
+  /** An edit before each frame. */
   @FunctionalInterface
   private interface Action {
     void before(World world, int frame);

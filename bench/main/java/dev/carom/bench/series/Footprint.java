@@ -61,7 +61,7 @@ public record Footprint(int circles, double perCircle, double perLine) {
     }
   }
 
-  /** What the heap holds after some collections. */
+  /** The used heap after some collections, in bytes. */
   static long used() {
     for (int i = 0; i < COLLECTIONS; i++) {
       System.gc();

@@ -34,7 +34,7 @@ public final class Scale {
   /** The stat of a method one frame of which took longer than the limit: that frame's time. */
   public static final String TIMED_OUT = "timed out";
 
-  /** What the scenes' names begin with. */
+  /** The prefix of the scenes' names. */
   public static final String SCENE = "scale:";
 
   private final ScalePlan plan;
@@ -45,7 +45,7 @@ public final class Scale {
 
   private SeriesRows rows;
 
-  /** What a method has played of a scene. */
+  /** The progress of a method in a scene. */
   private static final class Playing {
     private final Method method;
     private final double[] nanos;

@@ -27,7 +27,7 @@ public record ScalePlan(
     int limitMillis,
     long seed) {
 
-  /** What the circles are to each other. */
+  /** How circles treat each other. */
   public enum Model {
     /** They ignore each other, among lines. */
     ALONE("alone", "circles that ignore each other"),
@@ -52,7 +52,7 @@ public record ScalePlan(
     }
 
     /**
-     * What it is, in a title.
+     * Returns it for a title.
      *
      * @return a few words
      */
@@ -61,7 +61,7 @@ public record ScalePlan(
     }
 
     /**
-     * What it is.
+     * Returns it in words.
      *
      * @return the words
      */

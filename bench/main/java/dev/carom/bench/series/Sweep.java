@@ -28,7 +28,7 @@ public final class Sweep {
   /** The metric of the impacts of a frame, with lines and walls, on average. */
   public static final String IMPACTS = "sweep_impacts";
 
-  /** What the scenes' names begin with. */
+  /** The prefix of the scenes' names. */
   public static final String SCENE = "sweep:";
 
   /** The name of the axis on which frames stand by their impacts. */
@@ -111,7 +111,7 @@ public final class Sweep {
     return nanos;
   }
 
-  /** Of each frame over all replays: what the machine does besides falls on few of them. */
+  /** The median of each frame over all replays: disturbances by the machine fall on few of them. */
   private double[] medians(double[][] replays) {
     double[] medians = new double[plan.frames()];
     Arrays.setAll(

@@ -16,7 +16,7 @@ import java.util.stream.IntStream;
  */
 public record SweepPlan(int frames, int replays, List<Point> points) {
 
-  /** What the scenes differ in. */
+  /** The quantity in which the scenes differ. */
   public enum Axis {
     /** The number of circles. */
     CIRCLES("circles"),

@@ -8,9 +8,9 @@ import java.util.function.DoubleFunction;
 import java.util.stream.IntStream;
 
 /**
- * What varies along one side of a map.
+ * The quantity along one side of a map.
  *
- * @param label what it is, with its unit
+ * @param label its name, with its unit
  * @param values ascending
  * @param text of a value
  */

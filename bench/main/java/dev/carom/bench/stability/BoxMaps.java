@@ -9,7 +9,7 @@ final class BoxMaps {
 
   static final double RADIUS = 10;
 
-  /** Of the frames, before the first impact. */
+  /** Share of the frames before the first impact. */
   static final double BEFORE = 0.37;
 
   private static final double WIDTH = 400;

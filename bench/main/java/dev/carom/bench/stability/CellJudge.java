@@ -21,7 +21,7 @@ final class CellJudge {
   private CellJudge() {}
 
   /**
-   * What became of a run.
+   * The judgement of a run.
    *
    * @param outcome its class
    * @param worst how far a circle was from its true place at the end of a frame, at most, in radii;

@@ -22,7 +22,7 @@ public enum CellLimit {
   }
 
   /**
-   * What limits.
+   * Returns the limit in words.
    *
    * @return a clause; empty for nothing
    */

@@ -2,8 +2,8 @@
 package dev.carom.bench.stability;
 
 /**
- * What became of a run, judged at the end of every frame; the first that applies, from the last one
- * backwards. The thresholds are the same for all methods.
+ * The outcome of a run, judged at the end of every frame: the last of these that applies. The
+ * thresholds are the same for all methods.
  */
 public enum CellOutcome {
   /** Never more than 0.001 radius from its true place. */

@@ -19,10 +19,10 @@ final class CornerMap {
   private static final double APEX_X = 50;
   private static final double APEX_Y = 60;
 
-  /** Of the first line to the x axis, in degrees: nothing here is along an axis. */
+  /** Angle of the first line to the x axis, in degrees: nothing here is along an axis. */
   private static final double TILT = 13;
 
-  /** Of the way into the corner: the run is so many times as long. */
+  /** Length of the run, in ways into the corner. */
   private static final double LONG = 2.5;
 
   private CornerMap() {}

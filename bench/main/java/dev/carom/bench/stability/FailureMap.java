@@ -59,7 +59,7 @@ public record FailureMap(String name, String heading, String run, Axis x, Axis y
   }
 
   /**
-   * What really happens in a cell.
+   * Returns the true course of a cell.
    *
    * @param column which value of {@link #x}
    * @param row which value of {@link #y}
@@ -70,7 +70,7 @@ public record FailureMap(String name, String heading, String run, Axis x, Axis y
   }
 
   /**
-   * What its scenes look like.
+   * Returns one of its scenes, to be shown.
    *
    * @return the scene of a cell in the middle
    */

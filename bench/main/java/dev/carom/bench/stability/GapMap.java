@@ -14,13 +14,13 @@ final class GapMap {
 
   private static final double RADIUS = 10;
 
-  /** Of the way across to the way along. */
+  /** The way across, as a share of the way along. */
   private static final double SLOPE = 0.02;
 
   /** In radii. */
   private static final double WAY = 24;
 
-  /** Of the way, before the gap. */
+  /** The part before the gap, as a share of the way. */
   private static final double BEFORE = 0.3;
 
   private GapMap() {}

@@ -13,13 +13,13 @@ final class PairMap {
 
   private static final double RADIUS = 10;
 
-  /** Of the first circle's face from the line, beside the room that the second one takes. */
+  /** Distance of the first circle's face from the line, without the diameter of the second one. */
   private static final double ROOM = 40;
 
-  /** Of the second circle from the line. */
+  /** Distance of the second circle from the line. */
   private static final double GAP = 25;
 
-  /** Of the second circle to the side: hits are not quite head-on. */
+  /** Offset of the second circle to the side: hits are not quite head-on. */
   private static final double ASIDE = 0.5;
 
   /** At 1 a frame; were the first circle not slowed down, a room of 1 would be left. */

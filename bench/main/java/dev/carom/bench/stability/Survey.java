@@ -11,7 +11,7 @@ import java.util.List;
 /** Plays a map by all methods; what it finds are rows. */
 public final class Survey {
 
-  /** What the scenes' names begin with. */
+  /** The prefix of the scenes' names. */
   public static final String SCENE = "stability:";
 
   /**
@@ -68,7 +68,7 @@ public final class Survey {
   }
 
   /**
-   * Who plays in the report.
+   * Returns the methods of the report.
    *
    * @return this library first
    */

@@ -16,7 +16,9 @@ final class WedgeRun {
 
   private static final MathContext DIGITS = new MathContext(40);
 
-  /** Of a value at the start, relative: far above the digits, far below what a double sees. */
+  /**
+   * Relative change of a start value: far above the last digit, far below the spacing of doubles.
+   */
   private static final String NUDGE = "1e-15";
 
   private static final double STILL = 1e-9;

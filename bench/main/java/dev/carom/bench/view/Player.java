@@ -16,8 +16,8 @@ import java.util.Set;
 
 /**
  * A run of a scene that can be stopped, looked at from its beginning to now, and changed by hand.
- * What is shown may lie in the past: going on from there replays the recording, and an edit begins
- * another future at that moment. Needs no screen; for one thread.
+ * The moment shown may lie in the past: going on from there replays the recording, and an edit
+ * begins another future. Needs no screen; for one thread.
  */
 public final class Player {
 
@@ -255,7 +255,7 @@ public final class Player {
   }
 
   /**
-   * What is there at the moment shown, to be drawn or saved.
+   * Returns the things at the moment shown, to be drawn or saved.
    *
    * @return a scene
    */

@@ -46,7 +46,7 @@ public final class ViewPanel extends JPanel {
 
   private static final double CLOSER = 1.5;
 
-  /** Of the height that is shown, in a frame squared: 2 / 120^2. */
+  /** Earth's gravity, in heights of the view a frame squared: 2 / 120^2. */
   private static final double FALL = 2.0 / 14_400;
 
   /** Earth's gravity, as a multiple of the moon's. */
@@ -208,7 +208,7 @@ public final class ViewPanel extends JPanel {
     rivals.setFocusable(false);
     rivals.setToolTipText("Choose a method that plays the same scene, from the moment shown (B)");
     rivals.addActionListener(event -> act(this::begin));
-    // What the engines call a frame is one unit of time.
+    // A frame of the engines is one unit of time.
     rivals.setEnabled(player.frame() == 1);
     bar.add(new JLabel("Against"));
     bar.add(rivals);

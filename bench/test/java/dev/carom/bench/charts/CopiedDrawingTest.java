@@ -13,7 +13,9 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What draws a scene can be copied into any Swing program: these files need the library only. */
+/**
+ * The classes that draw a scene can be copied into any Swing program: they need the library only.
+ */
 class CopiedDrawingTest {
 
   private static final List<String> FILES =

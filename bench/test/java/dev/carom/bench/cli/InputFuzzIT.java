@@ -21,9 +21,9 @@ import java.util.zip.CRC32;
 import org.junit.jupiter.api.Test;
 
 /**
- * What is read from outside: it is taken as a whole, or refused with a message; nothing else. In an
- * ordinary run each test gets its stored inputs; with {@code JAZZER_FUZZ=1} in the environment
- * Jazzer looks for new ones, one test at a time, led by coverage.
+ * Input from outside is taken as a whole, or refused with a message; nothing else. In an ordinary
+ * run each test gets its stored inputs; with {@code JAZZER_FUZZ=1} in the environment Jazzer looks
+ * for new ones, one test at a time, led by coverage.
  */
 class InputFuzzIT {
 

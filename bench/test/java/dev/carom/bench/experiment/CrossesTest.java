@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class CrossesTest {
 
-  /** What the bits of the canonical scene of seed 1 add up to, on every machine and for ever. */
+  /** Hash of the bits of the canonical scene of seed 1, on every machine and for ever. */
   private static final long HASH_OF_SEED_1 = -5386099251326330745L;
 
   private static double distance(Vec2 p, Vec2 q) {

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class GasTest {
 
-  /** What the bits of a gas add up to, on every machine and for ever. */
+  /** Hash of the bits of a gas, on every machine and for ever. */
   private static final long HASH = -7068357480412015196L;
 
   @Test

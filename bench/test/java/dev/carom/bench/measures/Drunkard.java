@@ -50,7 +50,7 @@ final class Drunkard implements Method {
     return contender(0, 1, lastFrame);
   }
 
-  /** Of another method: one that cannot run here. */
+  /** A contender that cannot run here. */
   static Contender absent(String reason) {
     return new Contender(
         "absent",

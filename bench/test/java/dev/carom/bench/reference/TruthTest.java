@@ -130,7 +130,9 @@ class TruthTest {
     assertThat(truth.vy(3, 0)).isEqualTo(1);
   }
 
-  /** What Truth does at the end of each search for digits, here with digits of our own. */
+  /**
+   * The check that Truth makes at the end of each search for digits, here with digits of our own.
+   */
   @Test
   void runsWithMoreDigitsAgree() throws IOException {
     Scene scene = References.scene("base-1");

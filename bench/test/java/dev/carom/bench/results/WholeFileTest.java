@@ -15,7 +15,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What stands in a folder before and after a file is written, or was to be written. */
+/** Content of a folder before and after a file is written, or fails to be written. */
 class WholeFileTest {
 
   @TempDir private Path folder;

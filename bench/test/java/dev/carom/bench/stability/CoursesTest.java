@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What is known in closed form agrees with what is computed in arbitrary precision. */
+/** Courses known in closed form agree with those computed in arbitrary precision. */
 class CoursesTest {
 
   private static void agree(Reference course, Reference truth) {

@@ -87,7 +87,7 @@ class ViewPanelTest {
     return all(JButton.class).stream().filter(b -> text.equals(b.getText())).findFirst().get();
   }
 
-  /** What the canvas shows. */
+  /** The pixels of the canvas. */
   private int[] paint() {
     SceneCanvas canvas = panel.canvas();
     BufferedImage image =

@@ -131,14 +131,14 @@ public final class Exact {
   /** A moving disk against the side of a line: c = cross(w, d), cv = cross(w, v - u). */
   public record Side(Dyadic c, Dyadic cv, Dyadic scaledSquare) {
 
-    /** Of a line at rest. */
+    /** The side for a line at rest. */
     public static Side of(
         double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
         double by) {
       return of(px, py, r, vx, vy, ax, ay, bx, by, 0, 0);
     }
 
-    /** Of a line that moves with the velocity u. */
+    /** The side for a line that moves with the velocity u. */
     public static Side of(
         double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
         double by, double ux, double uy) {

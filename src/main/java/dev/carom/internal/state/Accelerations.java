@@ -4,8 +4,8 @@ package dev.carom.internal.state;
 import java.util.Arrays;
 
 /**
- * What moves circles that fall, slide or rest, beside their flights: an acceleration and a support
- * each. A world without gravity has none.
+ * The acceleration and the support of each circle that falls, slides or rests. A world without
+ * gravity has none.
  */
 final class Accelerations {
 

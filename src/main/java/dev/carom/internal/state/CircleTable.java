@@ -90,7 +90,7 @@ public final class CircleTable {
   /** The ignore list of each jammed circle; null until there is one. */
   public IgnoreList[] jams;
 
-  /** What moves each circle; null until there is gravity. */
+  /** Acceleration and support of each circle; null until there is gravity. */
   private Accelerations accelerations;
 
   public final MovingCircle body = new MovingCircle();

@@ -22,7 +22,7 @@ final class FlightRows {
   /** The ignore list of each flight; null until a circle is jammed. */
   private IgnoreList[] jams;
 
-  /** What moves the circle in each flight; null until one falls, slides or rests. */
+  /** Acceleration and support in each flight; null until one falls, slides or rests. */
   private Accelerations accelerations;
 
   FlightRows(int room) {

@@ -47,7 +47,7 @@ public final class SavedFlights {
   /** The ignore list of each jammed circle; null if no circle is jammed. */
   public IgnoreList[] jams;
 
-  /** What moves the circles; null if none falls, slides or rests. */
+  /** Accelerations and supports; null if no circle falls, slides or rests. */
   private Accelerations accelerations;
 
   /**

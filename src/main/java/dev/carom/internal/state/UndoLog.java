@@ -17,7 +17,7 @@ public final class UndoLog {
   /** The ignore lists of jammed circles; null as long as none was jammed. */
   private IgnoreList[] jams;
 
-  /** What moves the circles; null as long as nothing falls. */
+  /** Accelerations and supports; null as long as nothing falls. */
   private Accelerations accelerations;
 
   /** Creates a log with room for some circles. It grows as needed. */

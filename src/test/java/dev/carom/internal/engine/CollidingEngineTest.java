@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Who is stuck, what a jam ends with, and what an edit forgets. */
+/** Which circles jam, what ends a jam, and what an edit clears. */
 class CollidingEngineTest {
 
   /** More impacts than obstacles have to make a circle stuck. */
@@ -162,7 +162,7 @@ class CollidingEngineTest {
     }
   }
 
-  /** Of an approach, in proportion to a speed of 1: half of that of two. */
+  /** Relative speed of an approach beside a speed of 1: half of that of two. */
   private static final double FAINT = 0x1p-48;
 
   /**

@@ -75,7 +75,7 @@ class GrownCircleTest {
     }
   }
 
-  /** Of one octave or of its neighbours. */
+  /** A radius of one octave or of its neighbours. */
   private static double radius(Random random) {
     return Math.scalb(1 + random.nextDouble(), random.nextInt(3));
   }

@@ -33,7 +33,7 @@ class IdLimitTest {
   private static final int LINES = (1 << 28) - 4;
   private static final int PEGS = 1 << 28;
 
-  /** Of three circles, the last with the id before a given end of ids. */
+  /** A world of three circles, the last with the id before a given end of ids. */
   private static World old(boolean collide, int idLimit) {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).collide(collide);
     scene.circle(20, 50, 3, 4, 0).circle(50, 50, 3, 0, 0).circle(80, 50, 3, -4, 1);

@@ -78,7 +78,10 @@ class SizeClassesTest {
     assertThat(classes(extent, 8, 8, 8, 4, 4).radii).containsExactly(4, 8);
   }
 
-  /** Of the large one and of all: 16 are 5 apart in a square of 20, and one alone 20. */
+  /**
+   * The spacing is that of all 16 circles, 5 apart in a square of 20, not that of the large one
+   * alone.
+   */
   @Test
   void theDistanceIsThatOfAllThatACellLists() {
     double[] radii = new double[16];

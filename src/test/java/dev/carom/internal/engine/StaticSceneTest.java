@@ -144,7 +144,7 @@ class StaticSceneTest {
     assertThat(world.now()).isEqualTo(20);
   }
 
-  /** Of those at the time of what was found: before a sensor those of lower codes, else all. */
+  /** At the time of an event: before a sensor those of lower codes, before anything else all. */
   @Test
   void sensorsAreReportedBeforeWhatIsFoundAtTheirTime() {
     Scene scene = Scene.builder().line(0, 0, 1, 0).response(Response.SENSOR).peg(0, 0, 1).build();
@@ -153,7 +153,9 @@ class StaticSceneTest {
     assertThat(staticScene.sensedBefore(Codes.peg(0))).isEqualTo(Integer.MAX_VALUE);
   }
 
-  /** What is told of a circle in (0, 0) whose way along x leads to a sensor, line 1, at time 4. */
+  /**
+   * The flight saved of a circle in (0, 0) whose way along x leads to a sensor, line 1, at time 4.
+   */
   private static SavedFlights saved(MovingCircle m, double now) {
     Scene scene =
         Scene.builder().line(50, 0, 60, 0).line(5, -9, 5, 9).response(Response.SENSOR).build();

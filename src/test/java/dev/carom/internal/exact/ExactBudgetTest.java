@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 
 class ExactBudgetTest {
 
-  /** What some work counts, in ordinary impacts. */
+  /** The cost of some work, in ordinary impacts. */
   private static long impacts(Runnable work) {
     long before = ExactBudget.ofThread().bits();
     work.run();

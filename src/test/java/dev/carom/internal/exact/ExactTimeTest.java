@@ -67,7 +67,7 @@ class ExactTimeTest {
     return Families.all().stream().filter(family -> !family.name().startsWith("wall"));
   }
 
-  /** Of a query and others nearly like it; one that is larger by a power of two ties with it. */
+  /** Times of a query and of others nearly like it; one that is larger by a power of two ties. */
   @ParameterizedTest
   @MethodSource("families")
   void ordersTimesAsTheOracleDoes(Family family) {

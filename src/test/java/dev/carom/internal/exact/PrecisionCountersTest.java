@@ -36,7 +36,7 @@ class PrecisionCountersTest {
   private static final int QUERIES = 200;
 
   /**
-   * What a column of the file counts.
+   * The counts in a column of the file.
    *
    * @param doubtful decisions that plain doubles left open
    * @param exact of them, those that double-double left open too

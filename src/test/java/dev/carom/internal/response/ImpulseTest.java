@@ -19,7 +19,7 @@ class ImpulseTest {
   private static final MathContext DIGITS = new MathContext(100);
   private static final int IMPACTS = 2_000;
 
-  /** Of the largest velocity: what two doubles cannot hold. */
+  /** The part of the largest velocity that two doubles cannot hold. */
   private static final double TAIL = 0x1p-98;
 
   private final Random random = new Random(5);

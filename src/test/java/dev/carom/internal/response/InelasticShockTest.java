@@ -93,7 +93,7 @@ class InelasticShockTest {
     assertThat(row(new double[] {INFINITE, 1, INFINITE}, 1, 0, -1).resolve()).isFalse();
   }
 
-  /** Of two contacts that turn it to and fro, none is left with any motion. */
+  /** Two contacts turn the velocity to and fro; in the end nothing is left of it. */
   @Test
   void whatFallsIntoAWedgeStops() {
     InelasticShock shock = new InelasticShock(1, 2);

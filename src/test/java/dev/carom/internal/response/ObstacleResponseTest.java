@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What impacts at one place come to, on a line that rises to the right and in wedges. */
+/** The result of impacts at one place, on a line that rises to the right and in wedges. */
 class ObstacleResponseTest {
 
   /** As stuck as a circle is that still bounces. */

@@ -25,7 +25,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a collision does to two velocities: the laws of the literature, and what they keep. */
+/**
+ * The effect of a collision on two velocities: the laws of the literature, and what they conserve.
+ */
 class PairResponseTest {
 
   private static final double INFINITE = Double.POSITIVE_INFINITY;
