@@ -1106,7 +1106,7 @@ public final class World {
     engine.setGravity(state.gx(), state.gy());
     engine.restore(state.flights(), now);
     if (recorder != null) {
-      recorder.begin(now, obstacles);
+      recorder.begin(now);
       engine.record(recorder);
     }
   }
@@ -1138,8 +1138,14 @@ public final class World {
     stopRecording();
     recorder =
         new FlightRecorder(
-            most, scene.collide(), registry, editor.limits(), engine.gravity, this::state);
-    recorder.begin(now, obstacles);
+            most,
+            scene.collide(),
+            registry,
+            obstacles,
+            editor.limits(),
+            engine.gravity,
+            this::state);
+    recorder.begin(now);
     engine.record(recorder);
     return new Timeline(recorder);
   }

@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Where a circle truly is at the end of a run, to as many decimals as asked.
+ * The true position of a circle at the end of a run, rounded to a number of decimals.
  *
- * @param circle which one
+ * @param circle the number of the circle in the scene
  * @param x the x coordinate, correctly rounded
  * @param y the y coordinate, correctly rounded
  */
@@ -20,15 +20,15 @@ public record LastPlace(int circle, BigDecimal x, BigDecimal y) {
   private static final int MOST_BITS = 1 << 17;
 
   /**
-   * Computes the places of all circles. The bits carried are doubled until all decimals are proved.
+   * Computes the positions of all circles. The precision is doubled until every decimal is proved.
    *
    * @param scene any scene that {@link Truth} plays
-   * @param frames how many, at least 1, each one unit of time
-   * @param decimals how many digits behind the point, at least 0
-   * @return one place a circle, in their order
-   * @throws IllegalArgumentException if something in the scene does not just bounce, or frames is
-   *     less than 1
-   * @throws IllegalStateException if impacts pile up, or 131,072 bits do not decide what happens
+   * @param frames the number of frames, at least 1, each one unit of time
+   * @param decimals the number of digits behind the point, at least 0
+   * @return one position per circle, in their order
+   * @throws IllegalArgumentException if {@link Truth} does not play the scene, or frames is less
+   *     than 1
+   * @throws IllegalStateException if impacts pile up, or 131,072 bits do not prove the decimals
    */
   public static List<LastPlace> of(Scene scene, int frames, int decimals) {
     Scope.check(scene, frames);

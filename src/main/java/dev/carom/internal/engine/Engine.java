@@ -215,7 +215,7 @@ public abstract class Engine {
   /** Records that a line or a peg was added, changed or removed; walls are watched otherwise. */
   final void noteObstacle(int code, double now) {
     if (recorder != null && !Codes.isWall(code)) {
-      recorder.noteObstacle(code, staticScene.obstacles, now);
+      recorder.noteObstacle(code, now);
     }
   }
 

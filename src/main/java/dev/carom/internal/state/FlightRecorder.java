@@ -22,23 +22,23 @@ public final class FlightRecorder {
       double gx,
       double gy) {
 
-    static Settings of(SizeLimits limits, ObstacleTable here, Gravity gravity) {
+    static Settings of(SizeLimits limits, ObstacleTable obstacles, Gravity gravity) {
       return new Settings(
           limits.largest(),
           limits.least(),
-          here.boundsRestitution,
-          here.boundsTraits,
-          here.filter(Codes.LEFT),
+          obstacles.boundsRestitution,
+          obstacles.boundsTraits,
+          obstacles.filter(Codes.LEFT),
           gravity.x,
           gravity.y);
     }
 
-    boolean holdsFor(SizeLimits limits, ObstacleTable here, Gravity gravity) {
+    boolean holdsFor(SizeLimits limits, ObstacleTable obstacles, Gravity gravity) {
       return largest == limits.largest()
           && least == limits.least()
-          && restitution == here.boundsRestitution
-          && traits == here.boundsTraits
-          && filter == here.filter(Codes.LEFT)
+          && restitution == obstacles.boundsRestitution
+          && traits == obstacles.boundsTraits
+          && filter == obstacles.filter(Codes.LEFT)
           && gx == gravity.x
           && gy == gravity.y;
     }
@@ -49,6 +49,7 @@ public final class FlightRecorder {
   private final int most;
   private final boolean collide;
   private final CircleRegistry registry;
+  private final ObstacleTable obstacles;
   private final SizeLimits limits;
   private final Gravity gravity;
 
@@ -56,8 +57,7 @@ public final class FlightRecorder {
   private Supplier<WorldState> present;
 
   private FlightHistories tracks;
-  private ObstacleHistory obstacles;
-  private ObstacleTable here;
+  private ObstacleHistory obstacleHistory;
   private Changes<Settings> settings;
   private double begin;
   private double end;
@@ -83,20 +83,25 @@ public final class FlightRecorder {
    * Creates a recorder that has yet to {@linkplain #begin begin}.
    *
    * @param most the number of flights to keep of each circle, and of changes of each thing
-   * @param limits those of the world, which change as it does
-   * @param gravity that of the world, which may change
+   * @param collide whether circles collide
+   * @param registry the circles of the world, as they are at any time
+   * @param obstacles the obstacles, likewise
+   * @param limits the limits of sizes, likewise
+   * @param gravity the gravity, likewise
    * @param present gives the state of the world
    */
   public FlightRecorder(
       int most,
       boolean collide,
       CircleRegistry registry,
+      ObstacleTable obstacles,
       SizeLimits limits,
       Gravity gravity,
       Supplier<WorldState> present) {
     this.most = most;
     this.collide = collide;
     this.registry = registry;
+    this.obstacles = obstacles;
     this.limits = limits;
     this.gravity = gravity;
     this.present = present;
@@ -105,7 +110,7 @@ public final class FlightRecorder {
   /** The earliest time from which the recording is complete. */
   public double start() {
     double circles = Math.max(begin, tracks.start());
-    return Math.max(circles, Math.max(obstacles.start(), settingsStart));
+    return Math.max(circles, Math.max(obstacleHistory.start(), settingsStart));
   }
 
   /** The time up to which the recording is complete. */
@@ -122,26 +127,23 @@ public final class FlightRecorder {
 
   /** The row of a line or peg at a given time; null if it did not exist then. */
   public double[] obstacle(int code, double t) {
-    return obstacles.at(code, t);
+    return obstacleHistory.at(code, t);
   }
 
   /** The walls, as {@link ObstacleTable#walls}. */
   public double[] walls() {
-    return here.walls;
+    return obstacles.walls;
   }
 
   // Recording.
 
-  /**
-   * Discards the recording, and begins a new one at a given time with the obstacles of that time.
-   */
-  public void begin(double now, ObstacleTable here) {
+  /** Discards the recording, and begins a new one now. */
+  public void begin(double now) {
     tracks = new FlightHistories(most, registry.idLimit());
-    obstacles = new ObstacleHistory(here, most);
+    obstacleHistory = new ObstacleHistory(obstacles, most);
     settings = new Changes<>();
-    settings.add(Double.NEGATIVE_INFINITY, Settings.of(limits, here, gravity));
+    settings.add(Double.NEGATIVE_INFINITY, Settings.of(limits, obstacles, gravity));
     tails.clear();
-    this.here = here;
     begin = now;
     end = now;
     settingsStart = now;
@@ -165,7 +167,7 @@ public final class FlightRecorder {
   }
 
   private boolean isConfined(MovingCircle m) {
-    return here.wallsFor(m.filter) != null;
+    return obstacles.wallsFor(m.filter) != null;
   }
 
   /** Drops the flights of the current step. */
@@ -204,8 +206,8 @@ public final class FlightRecorder {
 
   /** Notes the settings that edits have changed since the last step. */
   private void noteSettings() {
-    if (!settings.last().holdsFor(limits, here, gravity)) {
-      settings.add(end, Settings.of(limits, here, gravity));
+    if (!settings.last().holdsFor(limits, obstacles, gravity)) {
+      settings.add(end, Settings.of(limits, obstacles, gravity));
       if (settings.keep(most)) {
         settingsStart = Math.max(settingsStart, settings.start());
       }
@@ -234,10 +236,11 @@ public final class FlightRecorder {
   }
 
   /** Records that a line or a peg was added, changed or removed. */
-  public void noteObstacle(int code, ObstacleTable here, double now) {
-    obstacles.note(code, here, now);
+  public void noteObstacle(int code, double now) {
+    obstacleHistory.note(code, obstacles, now);
   }
 
+  /** Records that a circle was removed. */
   public void remove(int id, double now) {
     if (collide) {
       noteTail(now, tracks.get(id).tail(now));
@@ -262,7 +265,7 @@ public final class FlightRecorder {
 
   private WorldState past(double t) {
     Settings then = settings.at(t);
-    ObstacleTable itsObstacles = obstacles.at(t, then.restitution, then.traits, then.filter);
+    ObstacleTable itsObstacles = obstacleHistory.at(t, then.restitution, then.traits, then.filter);
     int[] ids = tracks.idsAt(t);
     return new WorldState(
         t,
