@@ -54,7 +54,7 @@ final class ReportCommand implements Callable<Integer> {
   @Option(
       names = "--from",
       paramLabel = "DIR",
-      description = "Measure nothing: write the report anew from the results.json of a folder.")
+      description = "Measure nothing: write the report anew from the results of a folder.")
   private Path from;
 
   @Option(

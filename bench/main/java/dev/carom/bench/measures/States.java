@@ -9,16 +9,10 @@ import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
 import dev.carom.bench.reference.Reference;
+import java.util.function.IntFunction;
 
 /** Scenes whose circles start elsewhere: a method is set to a state by starting it there. */
 final class States {
-
-  /** Where a circle starts, and how it moves. */
-  interface State {
-    Circle circle(int i);
-
-    Vec2 velocity(int i);
-  }
 
   private States() {}
 
@@ -26,64 +20,34 @@ final class States {
   static Scene at(Scene scene, Reference reference, int frame) {
     return with(
         scene,
-        new State() {
-          @Override
-          public Circle circle(int i) {
-            double r = scene.circle(i).radius();
-            return new Circle(reference.x(frame, i), reference.y(frame, i), r);
-          }
-
-          @Override
-          public Vec2 velocity(int i) {
-            return new Vec2(reference.vx(frame, i), reference.vy(frame, i));
-          }
-        });
+        i -> new Vec2(reference.x(frame, i), reference.y(frame, i)),
+        i -> new Vec2(reference.vx(frame, i), reference.vy(frame, i)));
   }
 
   /** The same obstacles, and circles where a run has them after a frame, flying back. */
   static Scene reversed(Scene scene, RecordedRun run, int frame) {
     return with(
         scene,
-        new State() {
-          @Override
-          public Circle circle(int i) {
-            double r = scene.circle(i).radius();
-            return new Circle(run.x(frame, i), run.y(frame, i), r);
-          }
-
-          @Override
-          public Vec2 velocity(int i) {
-            return new Vec2(-run.vx(frame, i), -run.vy(frame, i));
-          }
-        });
+        i -> new Vec2(run.x(frame, i), run.y(frame, i)),
+        i -> new Vec2(-run.vx(frame, i), -run.vy(frame, i)));
   }
 
   /** The same scene, every coordinate of a circle's start one ulp greater. */
   static Scene oneUlpAway(Scene scene) {
     return with(
         scene,
-        new State() {
-          @Override
-          public Circle circle(int i) {
-            Circle c = scene.circle(i);
-            return new Circle(Math.nextUp(c.x()), Math.nextUp(c.y()), c.radius());
-          }
-
-          @Override
-          public Vec2 velocity(int i) {
-            return scene.velocity(i);
-          }
-        });
+        i -> new Vec2(Math.nextUp(scene.circle(i).x()), Math.nextUp(scene.circle(i).y())),
+        scene::velocity);
   }
 
-  private static Scene with(Scene scene, State state) {
+  private static Scene with(Scene scene, IntFunction<Vec2> centers, IntFunction<Vec2> velocities) {
     Vec2 g = scene.gravity();
     SceneBuilder builder = Scene.builder().collide(scene.collide()).gravity(g.x(), g.y());
     addObstacles(scene, builder);
     for (int i = 0; i < scene.circleCount(); i++) {
-      Circle c = state.circle(i);
-      Vec2 v = state.velocity(i);
-      builder.circle(c.x(), c.y(), c.radius(), v.x(), v.y());
+      Vec2 c = centers.apply(i);
+      Vec2 v = velocities.apply(i);
+      builder.circle(c.x(), c.y(), scene.circle(i).radius(), v.x(), v.y());
       builder.restitution(scene.restitution(ObstacleKind.CIRCLE, i)).mass(scene.mass(i));
     }
     return builder.build();

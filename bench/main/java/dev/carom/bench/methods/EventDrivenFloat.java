@@ -2,34 +2,22 @@
 package dev.carom.bench.methods;
 
 import dev.carom.Bounds;
-import dev.carom.Circle;
 import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.Scene;
-import dev.carom.Vec2;
 
 /**
  * The loop of {@link EventDriven} with the test of the textbooks, every double a float. A copy:
  * Java has no type that is a float here and a double there, and one double between would be
  * measured, too.
  */
-final class EventDrivenFloat implements Method {
+final class EventDrivenFloat extends FloatCircles {
 
   private static final int WALL_X = -1;
   private static final int WALL_Y = -2;
 
   private final TextbookFloatKernel kernel = new TextbookFloatKernel();
-  private final int circles;
   private final int lines;
-
-  /** The start of each flight, as in {@link EventDriven}. */
-  private final float[] x;
-
-  private final float[] y;
-  private final float[] vx;
-  private final float[] vy;
-  private final float[] radius;
-  private final float[] restitution;
   private final float[] lineRestitution;
   private final float wallRestitution;
   private final float[] age;
@@ -43,18 +31,9 @@ final class EventDrivenFloat implements Method {
   private final float ymin;
   private final float xmax;
   private final float ymax;
-  private int impacts;
-  private int wallImpacts;
 
   EventDrivenFloat(Scene scene) {
-    PlainScene.check(scene);
-    circles = scene.circleCount();
-    x = new float[circles];
-    y = new float[circles];
-    vx = new float[circles];
-    vy = new float[circles];
-    radius = new float[circles];
-    restitution = new float[circles];
+    super(PlainScene.check(scene));
     age = new float[circles];
     due = new float[circles];
     hit = new int[circles];
@@ -75,18 +54,8 @@ final class EventDrivenFloat implements Method {
     xmax = bounds == null ? Float.POSITIVE_INFINITY : (float) bounds.xmax();
     ymax = bounds == null ? Float.POSITIVE_INFINITY : (float) bounds.ymax();
     for (int i = 0; i < circles; i++) {
-      restitution[i] = (float) scene.restitution(ObstacleKind.CIRCLE, i);
-      setCircle(i, scene.circle(i), scene.velocity(i));
+      hit[i] = search(i);
     }
-  }
-
-  private void setCircle(int i, Circle circle, Vec2 velocity) {
-    x[i] = (float) circle.x();
-    y[i] = (float) circle.y();
-    vx[i] = (float) velocity.x();
-    vy[i] = (float) velocity.y();
-    radius[i] = (float) circle.radius();
-    hit[i] = search(i);
   }
 
   private void setLine(int k, Line line) {
@@ -175,16 +144,6 @@ final class EventDrivenFloat implements Method {
   }
 
   @Override
-  public int impacts() {
-    return impacts;
-  }
-
-  @Override
-  public int wallImpacts() {
-    return wallImpacts;
-  }
-
-  @Override
   public int squareRoots() {
     return kernel.squareRoots;
   }
@@ -202,15 +161,5 @@ final class EventDrivenFloat implements Method {
   @Override
   public double y(int circle) {
     return y[circle] + age[circle] * vy[circle];
-  }
-
-  @Override
-  public double vx(int circle) {
-    return vx[circle];
-  }
-
-  @Override
-  public double vy(int circle) {
-    return vy[circle];
   }
 }

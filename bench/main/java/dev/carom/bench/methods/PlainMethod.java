@@ -2,23 +2,14 @@
 package dev.carom.bench.methods;
 
 import dev.carom.Bounds;
-import dev.carom.Circle;
 import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.Scene;
-import dev.carom.Vec2;
 
 /** State that the methods in plain doubles share: flat arrays of circles, lines and four walls. */
-abstract class PlainMethod implements Method {
+abstract class PlainMethod extends DoubleCircles {
 
-  final int circles;
   final int lines;
-  final double[] x;
-  final double[] y;
-  final double[] vx;
-  final double[] vy;
-  final double[] radius;
-  final double[] restitution;
   final double[] ax;
   final double[] ay;
   final double[] bx;
@@ -30,22 +21,8 @@ abstract class PlainMethod implements Method {
   final double xmax;
   final double ymax;
 
-  int impacts;
-  int wallImpacts;
-
   PlainMethod(Scene scene) {
-    PlainScene.checkStraight(PlainScene.checkObstacles(scene));
-    circles = scene.circleCount();
-    x = new double[circles];
-    y = new double[circles];
-    vx = new double[circles];
-    vy = new double[circles];
-    radius = new double[circles];
-    restitution = new double[circles];
-    for (int i = 0; i < circles; i++) {
-      restitution[i] = scene.restitution(ObstacleKind.CIRCLE, i);
-      setCircle(i, scene.circle(i), scene.velocity(i));
-    }
+    super(PlainScene.checkStraight(PlainScene.checkObstacles(scene)));
     lines = scene.lineCount();
     ax = new double[lines];
     ay = new double[lines];
@@ -62,14 +39,6 @@ abstract class PlainMethod implements Method {
     ymin = bounds == null ? Double.NEGATIVE_INFINITY : bounds.ymin();
     xmax = bounds == null ? Double.POSITIVE_INFINITY : bounds.xmax();
     ymax = bounds == null ? Double.POSITIVE_INFINITY : bounds.ymax();
-  }
-
-  private void setCircle(int i, Circle circle, Vec2 velocity) {
-    x[i] = circle.x();
-    y[i] = circle.y();
-    vx[i] = velocity.x();
-    vy[i] = velocity.y();
-    radius[i] = circle.radius();
   }
 
   private void setLine(int k, Line line) {
@@ -94,35 +63,5 @@ abstract class PlainMethod implements Method {
     double s = (1 + e) * (vx[i] * nx + vy[i] * ny) / (nx * nx + ny * ny);
     vx[i] -= s * nx;
     vy[i] -= s * ny;
-  }
-
-  @Override
-  public int impacts() {
-    return impacts;
-  }
-
-  @Override
-  public int wallImpacts() {
-    return wallImpacts;
-  }
-
-  @Override
-  public double x(int circle) {
-    return x[circle];
-  }
-
-  @Override
-  public double y(int circle) {
-    return y[circle];
-  }
-
-  @Override
-  public double vx(int circle) {
-    return vx[circle];
-  }
-
-  @Override
-  public double vy(int circle) {
-    return vy[circle];
   }
 }

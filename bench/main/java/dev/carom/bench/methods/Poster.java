@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
-import dev.carom.Circle;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
-import dev.carom.Vec2;
 
 /**
  * The published algorithm (2010), which this library is measured against: in every frame every
@@ -18,39 +15,15 @@ import dev.carom.Vec2;
  * rejection by distance, since the publication has none. Pegs count as lines of length zero; they
  * and restitution are there so that it can play any scene in which circles ignore each other.
  */
-final class Poster implements Method {
+final class Poster extends FloatCircles {
 
   private static final int NONE = -1;
 
-  private final float[] x;
-  private final float[] y;
-  private final float[] vx;
-  private final float[] vy;
-  private final float[] radius;
-  private final float[] restitution;
   private final PosterLines lines;
   private final PosterWalls walls;
-  private int impacts;
-  private int wallImpacts;
 
   Poster(Scene scene) {
-    int n = PlainScene.checkCircles(scene).circleCount();
-    x = new float[n];
-    y = new float[n];
-    vx = new float[n];
-    vy = new float[n];
-    radius = new float[n];
-    restitution = new float[n];
-    for (int i = 0; i < n; i++) {
-      Circle circle = scene.circle(i);
-      Vec2 velocity = scene.velocity(i);
-      x[i] = (float) circle.x();
-      y[i] = (float) circle.y();
-      radius[i] = (float) circle.radius();
-      vx[i] = (float) velocity.x();
-      vy[i] = (float) velocity.y();
-      restitution[i] = (float) scene.restitution(ObstacleKind.CIRCLE, i);
-    }
+    super(PlainScene.checkCircles(scene));
     lines = new PosterLines(scene);
     walls = new PosterWalls(scene);
   }
@@ -60,7 +33,7 @@ final class Poster implements Method {
     impacts = 0;
     wallImpacts = 0;
     lines.squareRoots = 0;
-    for (int i = 0; i < x.length; i++) {
+    for (int i = 0; i < circles; i++) {
       move(i);
     }
   }
@@ -117,43 +90,13 @@ final class Poster implements Method {
   }
 
   @Override
-  public int impacts() {
-    return impacts;
-  }
-
-  @Override
-  public int wallImpacts() {
-    return wallImpacts;
-  }
-
-  @Override
   public int squareRoots() {
     return lines.squareRoots;
-  }
-
-  @Override
-  public double x(int circle) {
-    return x[circle];
-  }
-
-  @Override
-  public double y(int circle) {
-    return y[circle];
-  }
-
-  @Override
-  public double vx(int circle) {
-    return vx[circle];
-  }
-
-  @Override
-  public double vy(int circle) {
-    return vy[circle];
   }
 
   /** Every circle asks every line. */
   @Override
   public long pairTests() {
-    return (long) x.length * lines.count;
+    return (long) circles * lines.count;
   }
 }

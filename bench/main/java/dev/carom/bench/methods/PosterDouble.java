@@ -1,49 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
-import dev.carom.Circle;
-import dev.carom.ObstacleKind;
 import dev.carom.Scene;
-import dev.carom.Vec2;
 
 /**
  * The published algorithm as {@link Poster} has it, every float a double: what of its error comes
  * from precision, and what from its method. A copy, line by line: Java has no type that is a float
  * here and a double there, and every rounding between is what is compared.
  */
-final class PosterDouble implements Method {
+final class PosterDouble extends DoubleCircles {
 
   private static final int NONE = -1;
 
-  private final double[] x;
-  private final double[] y;
-  private final double[] vx;
-  private final double[] vy;
-  private final double[] radius;
-  private final double[] restitution;
   private final PosterDoubleLines lines;
   private final PosterDoubleWalls walls;
-  private int impacts;
-  private int wallImpacts;
 
   PosterDouble(Scene scene) {
-    int n = PlainScene.checkCircles(scene).circleCount();
-    x = new double[n];
-    y = new double[n];
-    vx = new double[n];
-    vy = new double[n];
-    radius = new double[n];
-    restitution = new double[n];
-    for (int i = 0; i < n; i++) {
-      Circle circle = scene.circle(i);
-      Vec2 velocity = scene.velocity(i);
-      x[i] = circle.x();
-      y[i] = circle.y();
-      radius[i] = circle.radius();
-      vx[i] = velocity.x();
-      vy[i] = velocity.y();
-      restitution[i] = scene.restitution(ObstacleKind.CIRCLE, i);
-    }
+    super(PlainScene.checkCircles(scene));
     lines = new PosterDoubleLines(scene);
     walls = new PosterDoubleWalls(scene);
   }
@@ -53,7 +26,7 @@ final class PosterDouble implements Method {
     impacts = 0;
     wallImpacts = 0;
     lines.squareRoots = 0;
-    for (int i = 0; i < x.length; i++) {
+    for (int i = 0; i < circles; i++) {
       move(i);
     }
   }
@@ -110,43 +83,13 @@ final class PosterDouble implements Method {
   }
 
   @Override
-  public int impacts() {
-    return impacts;
-  }
-
-  @Override
-  public int wallImpacts() {
-    return wallImpacts;
-  }
-
-  @Override
   public int squareRoots() {
     return lines.squareRoots;
-  }
-
-  @Override
-  public double x(int circle) {
-    return x[circle];
-  }
-
-  @Override
-  public double y(int circle) {
-    return y[circle];
-  }
-
-  @Override
-  public double vx(int circle) {
-    return vx[circle];
-  }
-
-  @Override
-  public double vy(int circle) {
-    return vy[circle];
   }
 
   /** Every circle asks every line. */
   @Override
   public long pairTests() {
-    return (long) x.length * lines.count;
+    return (long) circles * lines.count;
   }
 }

@@ -12,7 +12,7 @@ record Event(Ball time, Contact contact, Body a, Target target, Body b) {
   Hit hit() {
     return target == null
         ? new Hit(a.id, ObstacleKind.CIRCLE, b.id, contact.feature())
-        : new Hit(a.id, target.kind(), target.index(), contact.feature());
+        : new Hit(a.id, target.kind, target.index, contact.feature());
   }
 
   /** Simultaneous impacts are taken by kind, then by the numbers of what meets. */

@@ -14,7 +14,7 @@ final class Impacts {
     Feature feature = event.contact().feature();
     a.fly(event.contact().after());
     Vec n = target.normal(a.p, feature);
-    Ball bounce = Ball.of(1, a.bits).plus(a.restitution.times(target.restitution()));
+    Ball bounce = Ball.of(1, a.bits).plus(a.restitution.times(target.restitution));
     Impulse impulse =
         impulse(n, a.v, bounce, target.isRound(feature), event.contact().overlapping());
     a.v = target.reflect(a.v, n, bounce);

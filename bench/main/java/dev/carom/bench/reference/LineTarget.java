@@ -7,43 +7,23 @@ import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 
 /** A line: its side between its ends, and the ends as points. */
-final class LineTarget implements Target {
+final class LineTarget extends Target {
 
-  private final int index;
-  private final int bits;
   private final Line line;
   private final Vec start;
   private final Vec end;
   private final Vec w;
   private final Ball squared;
   private final Ball length;
-  private final Ball restitution;
 
   LineTarget(Scene scene, int index, int bits) {
-    this.index = index;
-    this.bits = bits;
+    super(scene, ObstacleKind.LINE, index, bits);
     line = scene.line(index);
     start = Vec.of(line.ax(), line.ay(), bits);
     end = Vec.of(line.bx(), line.by(), bits);
     w = end.minus(start);
     squared = w.dot(w);
     length = squared.sqrt();
-    restitution = Ball.of(scene.restitution(ObstacleKind.LINE, index), bits);
-  }
-
-  @Override
-  public ObstacleKind kind() {
-    return ObstacleKind.LINE;
-  }
-
-  @Override
-  public int index() {
-    return index;
-  }
-
-  @Override
-  public Ball restitution() {
-    return restitution;
   }
 
   /**
@@ -53,7 +33,7 @@ final class LineTarget implements Target {
    * already, tells which part it meets.
    */
   @Override
-  public Contact contact(Vec p, Vec v, Ball radius) {
+  Contact contact(Vec p, Vec v, Ball radius) {
     Vec d = p.minus(start);
     Ball c = w.cross(d);
     Ball rate = w.cross(v);
@@ -75,7 +55,7 @@ final class LineTarget implements Target {
   }
 
   @Override
-  public Vec normal(Vec p, Feature feature) {
+  Vec normal(Vec p, Feature feature) {
     return switch (feature) {
       case START -> p.minus(start);
       case END -> p.minus(end);
@@ -84,7 +64,7 @@ final class LineTarget implements Target {
   }
 
   @Override
-  public boolean isRound(Feature feature) {
+  boolean isRound(Feature feature) {
     return feature != Feature.SIDE;
   }
 
@@ -92,7 +72,7 @@ final class LineTarget implements Target {
    * The time for the disk around the middle that holds the line: no later than that of the line.
    */
   @Override
-  public double earliest(double x, double y, double vx, double vy, double radius) {
+  double earliest(double x, double y, double vx, double vy, double radius) {
     double mx = (line.ax() + line.bx()) / 2;
     double my = (line.ay() + line.by()) / 2;
     double extent = Math.abs(x) + Math.abs(y) + Math.abs(line.ax()) + Math.abs(line.ay());

@@ -7,56 +7,36 @@ import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 
 /** A circle that stands still. */
-final class PegTarget implements Target {
+final class PegTarget extends Target {
 
-  private final int index;
-  private final int bits;
   private final Circle peg;
   private final Vec center;
   private final Ball radius;
-  private final Ball restitution;
 
   PegTarget(Scene scene, int index, int bits) {
-    this.index = index;
-    this.bits = bits;
+    super(scene, ObstacleKind.PEG, index, bits);
     peg = scene.peg(index);
     center = Vec.of(peg.x(), peg.y(), bits);
     radius = Ball.of(peg.radius(), bits);
-    restitution = Ball.of(scene.restitution(ObstacleKind.PEG, index), bits);
   }
 
   @Override
-  public ObstacleKind kind() {
-    return ObstacleKind.PEG;
-  }
-
-  @Override
-  public int index() {
-    return index;
-  }
-
-  @Override
-  public Ball restitution() {
-    return restitution;
-  }
-
-  @Override
-  public Contact contact(Vec p, Vec v, Ball radius) {
+  Contact contact(Vec p, Vec v, Ball radius) {
     return Disks.contact(p.minus(center), v, radius.plus(this.radius), Feature.CIRCLE, bits);
   }
 
   @Override
-  public Vec normal(Vec p, Feature feature) {
+  Vec normal(Vec p, Feature feature) {
     return p.minus(center);
   }
 
   @Override
-  public boolean isRound(Feature feature) {
+  boolean isRound(Feature feature) {
     return true;
   }
 
   @Override
-  public double earliest(double x, double y, double vx, double vy, double radius) {
+  double earliest(double x, double y, double vx, double vy, double radius) {
     double extent = Math.abs(x) + Math.abs(y) + Math.abs(peg.x()) + Math.abs(peg.y());
     return Disks.earliest(x - peg.x(), y - peg.y(), vx, vy, radius + peg.radius(), extent);
   }

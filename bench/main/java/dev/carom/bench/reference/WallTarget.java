@@ -7,35 +7,15 @@ import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 
 /** One of the four walls of the bounds: 0 left, 1 right, 2 bottom, 3 top. */
-final class WallTarget implements Target {
+final class WallTarget extends Target {
 
-  private final int index;
-  private final int bits;
   private final Ball place;
-  private final Ball restitution;
 
   WallTarget(Scene scene, int index, int bits) {
-    this.index = index;
-    this.bits = bits;
+    super(scene, ObstacleKind.WALL, index, bits);
     Bounds b = scene.bounds().orElseThrow();
     double[] places = {b.xmin(), b.xmax(), b.ymin(), b.ymax()};
     place = Ball.of(places[index], bits);
-    restitution = Ball.of(scene.restitution(ObstacleKind.WALL, 0), bits);
-  }
-
-  @Override
-  public ObstacleKind kind() {
-    return ObstacleKind.WALL;
-  }
-
-  @Override
-  public int index() {
-    return index;
-  }
-
-  @Override
-  public Ball restitution() {
-    return restitution;
   }
 
   private boolean isUpper() {
@@ -48,7 +28,7 @@ final class WallTarget implements Target {
 
   /** With the distance s in front of the wall: {@code t = (s - r) / |v|}, or 0 if s <= r. */
   @Override
-  public Contact contact(Vec p, Vec v, Ball radius) {
+  Contact contact(Vec p, Vec v, Ball radius) {
     Ball along = isVertical() ? v.x() : v.y();
     Ball speed = isUpper() ? along : along.negate();
     if (speed.sign() <= 0) {
@@ -63,26 +43,26 @@ final class WallTarget implements Target {
   }
 
   @Override
-  public Vec normal(Vec p, Feature feature) {
+  Vec normal(Vec p, Feature feature) {
     double n = isUpper() ? -1 : 1;
     return isVertical() ? Vec.of(n, 0, bits) : Vec.of(0, n, bits);
   }
 
   @Override
-  public boolean isRound(Feature feature) {
+  boolean isRound(Feature feature) {
     return false;
   }
 
   /** One component is turned round and scaled by e. */
   @Override
-  public Vec reflect(Vec v, Vec n, Ball bounce) {
+  Vec reflect(Vec v, Vec n, Ball bounce) {
     Ball turned = Ball.of(1, bits).minus(bounce);
     return isVertical() ? new Vec(v.x().times(turned), v.y()) : new Vec(v.x(), v.y().times(turned));
   }
 
   /** Two of the four are asked at most, so nothing is gained by a better bound. */
   @Override
-  public double earliest(double x, double y, double vx, double vy, double radius) {
+  double earliest(double x, double y, double vx, double vy, double radius) {
     double along = isVertical() ? vx : vy;
     boolean away = isUpper() ? along < 0 : along > 0;
     return away ? Double.POSITIVE_INFINITY : 0;

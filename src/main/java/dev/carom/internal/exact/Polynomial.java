@@ -116,11 +116,6 @@ public final class Polynomial {
     return value(t).sign();
   }
 
-  /** The sign just after 0: of the first coefficient that is not 0. */
-  public int signAfterZero() {
-    return Arrays.stream(c).mapToInt(Dyadic::sign).filter(sign -> sign != 0).findFirst().orElse(0);
-  }
-
   /** The greatest common divisor, up to a factor. */
   Polynomial gcd(Polynomial that) {
     Polynomial a = this;

@@ -42,12 +42,6 @@ public final class Check {
     }
   }
 
-  public static void positive(String name, double value) {
-    if (!(value > 0 && value <= Double.MAX_VALUE)) {
-      throw refused(name, value, "a finite number, more than 0");
-    }
-  }
-
   /**
    * Checks a mass. Within these limits, the sum and the quotient of two masses neither overflow nor
    * underflow.

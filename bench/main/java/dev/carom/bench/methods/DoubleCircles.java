@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.methods;
+
+import dev.carom.Circle;
+import dev.carom.ObstacleKind;
+import dev.carom.Scene;
+import dev.carom.Vec2;
+
+/** The circles of a method in double: a flat array for each of their numbers. */
+abstract class DoubleCircles implements Method {
+
+  final int circles;
+  final double[] x;
+  final double[] y;
+  final double[] vx;
+  final double[] vy;
+  final double[] radius;
+  final double[] restitution;
+
+  int impacts;
+  int wallImpacts;
+
+  DoubleCircles(Scene scene) {
+    circles = scene.circleCount();
+    x = new double[circles];
+    y = new double[circles];
+    vx = new double[circles];
+    vy = new double[circles];
+    radius = new double[circles];
+    restitution = new double[circles];
+    for (int i = 0; i < circles; i++) {
+      Circle circle = scene.circle(i);
+      Vec2 velocity = scene.velocity(i);
+      x[i] = circle.x();
+      y[i] = circle.y();
+      vx[i] = velocity.x();
+      vy[i] = velocity.y();
+      radius[i] = circle.radius();
+      restitution[i] = scene.restitution(ObstacleKind.CIRCLE, i);
+    }
+  }
+
+  @Override
+  public int impacts() {
+    return impacts;
+  }
+
+  @Override
+  public int wallImpacts() {
+    return wallImpacts;
+  }
+
+  @Override
+  public double x(int circle) {
+    return x[circle];
+  }
+
+  @Override
+  public double y(int circle) {
+    return y[circle];
+  }
+
+  @Override
+  public double vx(int circle) {
+    return vx[circle];
+  }
+
+  @Override
+  public double vy(int circle) {
+    return vy[circle];
+  }
+}
