@@ -183,7 +183,7 @@ class AdvanceToImpactTest {
     Scene built = scene.build();
     World whole = new World(built);
     World cut = new World(built);
-    whole.advanceTo(3e5);
+    Run.to(whole, 3e5);
     double[] times = new double[200];
     for (int k = 0; k < times.length; k++) {
       assertThat(cut.advanceToImpact(3e5)).isEqualTo(StopReason.IMPACT);
@@ -195,7 +195,7 @@ class AdvanceToImpactTest {
   @Test
   void aTimeThatIsNotLaterIsRefused() {
     World world = new World(Scene.builder().circle(0, 0, 1, 1, 0).build());
-    world.advanceTo(5);
+    Run.to(world, 5);
     for (double t : new double[] {4, Double.NaN, Double.POSITIVE_INFINITY}) {
       assertThatThrownBy(() -> world.advanceToImpact(t))
           .isInstanceOf(IllegalArgumentException.class)

@@ -102,7 +102,10 @@ class AllocationTest {
       builder.circle(
           400 * random.nextDouble(), 300 * random.nextDouble(), 1, random.nextGaussian(), 1);
     }
-    World world = new World(builder.build());
+    assertThatFramesAllocateNothing(new World(builder.build()));
+  }
+
+  private void assertThatFramesAllocateNothing(World world) throws ReflectiveOperationException {
     frames(world, WARM_UP);
     impacts = 0;
     Meter meter = new Meter();
@@ -129,13 +132,7 @@ class AllocationTest {
       builder.line(10 + 40 * i, -100, 50 + 40 * i, -100);
       builder.circle(30 + 40 * i, -90, 1, 0.001, 0).restitution(0.5);
     }
-    World world = new World(builder.build());
-    frames(world, WARM_UP);
-    impacts = 0;
-    Meter meter = new Meter();
-    assertThat(measured(meter, () -> frames(world, 200))).isEqualTo(measured(meter, () -> {}));
-    assertThat(impacts).isGreaterThan(500);
-    assertThat(sum).isFinite();
+    assertThatFramesAllocateNothing(new World(builder.build()));
   }
 
   /**

@@ -86,7 +86,7 @@ class FrameIndependenceTest {
     Scene scene = TestScenes.read(file);
     World watched = new World(scene);
     for (int frame = 0; frame < 600; frame++) {
-      watched.step(1);
+      Run.step(watched, 1);
       Run.states(watched);
     }
     assertThat(Run.states(watched)).isEqualTo(whole(scene).end());

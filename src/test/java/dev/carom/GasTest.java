@@ -75,7 +75,7 @@ class GasTest {
     World world = new World(gas(length));
     double energy = Energy.of(world);
     double temperature = energy / COUNT;
-    world.advanceTo(20);
+    Run.to(world, 20);
 
     Mean byPressure = new Mean();
     Mean byRate = new Mean();

@@ -26,7 +26,7 @@ class LevelPathTest {
                 .line(line.ax(), line.ay(), line.bx(), line.by())
                 .circle(px, py, r, vx, 0)
                 .build());
-    world.step(99);
+    Run.step(world, 99);
     assertThat(world.impacts().size()).as("%s, %s, %s, %s, %s", px, py, r, vx, line).isPositive();
   }
 

@@ -39,7 +39,7 @@ class LockstepTest {
     for (double vx : new double[] {0, 1}) {
       Scene scene = Scene.builder().collide(collide).peg(6, 7, 0).circle(1, 11, 1, vx, 0).build();
       World world = new World(scene);
-      world.step(0.1);
+      Run.step(world, 0.1);
       assertSame(world, w -> w.setResponse(PEG, 0, Response.SENSOR));
     }
   }
@@ -50,7 +50,7 @@ class LockstepTest {
     for (double x : new double[] {2, 50}) {
       SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).collide(true);
       World world = new World(scene.circle(x, 50, 1, 0.25, 0).build());
-      world.step(0.1);
+      Run.step(world, 0.1);
       assertSame(world, w -> w.setResponse(PEG, w.addPeg(6, 7, 0), Response.SENSOR));
     }
   }
@@ -73,7 +73,7 @@ class LockstepTest {
             .circle(0, 0, 1, 0, 0)
             .build();
     World world = new World(scene);
-    world.advanceTo(late);
+    Run.to(world, late);
     world.setVelocity(0, 0x1p7, 0);
     assertSame(world, w -> w.setRestitution(CIRCLE, 0, 0.5));
     world.setVelocity(0, 0x1p7, 0);
@@ -95,7 +95,7 @@ class LockstepTest {
     int rounded = 0;
     for (Run.Row row : Run.advance(new World(scene), 200).impacts()) {
       World world = new World(scene);
-      world.advanceTo(row.time());
+      Run.to(world, row.time());
       rounded += tail(world, row.circle()) > 0 ? 1 : 0;
       world.remove(CIRCLE, row.circle());
       assertSame(world, w -> w.setVelocity(1 - row.circle(), 0.1, 0.2));
@@ -160,7 +160,7 @@ class LockstepTest {
     World probe = new World(world.scene());
     probe.restore(world.snapshot());
     for (double dt = 0.125; dt < 100; dt *= 2) {
-      probe.step(dt);
+      Run.step(probe, dt);
       if (probe.impacts().size() > 0) {
         return probe.impacts().time(0);
       }

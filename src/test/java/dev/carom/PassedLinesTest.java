@@ -32,7 +32,7 @@ class PassedLinesTest {
                   .line(line.ax(), line.ay(), line.bx(), line.by())
                   .circle(p[0], p[1], r, vx, vy)
                   .build());
-      world.step(END);
+      Run.step(world, END);
       boolean hit = t <= END;
       assertThat(world.impacts().size() > 0)
           .as("%s at %s, %s, radius %s, velocity %s, %s", line, p[0], p[1], r, vx, vy)

@@ -23,7 +23,7 @@ class PenetrationTest {
     World world = new World(scene);
     double deepest = 0;
     for (int frame = 0; frame < FRAMES; frame++) {
-      world.step(1);
+      Run.step(world, 1);
       for (int i = 0; i < world.circleCount(); i++) {
         deepest = Math.max(deepest, depth(scene, world, i));
       }

@@ -243,7 +243,7 @@ class QuestionsTest {
       assertAnswers(casts, ofWorld);
       resolver.cast(casts, 15);
       assertAnswers(casts, ofResolver);
-      world.step(0.5);
+      Run.step(world, 0.5);
     }
   }
 
@@ -343,8 +343,8 @@ class QuestionsTest {
         asked.nearest(ObstacleKind.CIRCLE, circle.x(), circle.y());
         asked.overlapping(ObstacleKind.LINE, circle);
       }
-      asked.step(1);
-      other.step(1);
+      Run.step(asked, 1);
+      Run.step(other, 1);
     }
     assertThat(asked.snapshot()).isEqualTo(other.snapshot());
   }

@@ -38,7 +38,7 @@ class RespondTest {
               .restitution(e)
               .build();
       World world = new World(scene);
-      world.step(0);
+      Run.step(world, 0);
       met += world.impacts().size();
       Resolver.respond(n[0], n[1], m1, n[2], n[3], m2, e, v);
       assertThat(v).containsExactly(world.vx(0), world.vy(0), world.vx(1), world.vy(1));

@@ -29,7 +29,7 @@ class ResponseTest {
     World world =
         new World(
             box().line(0, 50, 100, 50).response(Response.HALT).circle(20, 30, 5, 1, 2).build());
-    world.step(30);
+    Run.step(world, 30);
     assertThat(world.vx(0)).isEqualTo(1);
     assertThat(world.vy(0)).isZero();
     assertThat(world.y(0)).isEqualTo(45);
@@ -48,7 +48,7 @@ class ResponseTest {
                 .circle(20, 20, 5, 3, 0)
                 .circle(20, 50, 5, 3, 1)
                 .build());
-    world.step(100);
+    Run.step(world, 100);
     assertThat(List.of(world.vx(0), world.vy(0))).containsExactly(0.0, 0.0);
     assertThat(List.of(world.vx(1), world.vy(1))).containsExactly(0.0, 0.0);
     assertThat(List.of(world.x(1), world.y(1))).containsExactly(95.0, 95.0);
@@ -65,7 +65,7 @@ class ResponseTest {
                 .response(Response.HALT)
                 .circle(10, 4, 1, -2, -1)
                 .build());
-    world.step(3);
+    Run.step(world, 3);
     assertThat(world.impacts().size()).isEqualTo(1);
     assertThat(world.impacts().nx(0)).isEqualTo(-1);
     assertThat(List.of(world.vx(0), world.vy(0))).containsExactly(0.0, 1.0);
@@ -83,7 +83,7 @@ class ResponseTest {
                 .circle(10, 0, 1, -1, 0)
                 .mass(Double.POSITIVE_INFINITY)
                 .build());
-    world.step(10);
+    Run.step(world, 10);
     assertThat(world.vx(0)).isEqualTo(-1);
     assertThat(world.vx(1)).isEqualTo(-1);
     assertThat(world.x(1) - world.x(0)).isEqualTo(2);
@@ -176,7 +176,7 @@ class ResponseTest {
   void whoPassedCannotReturn() {
     World world = new World(box().line(50, 0, 50, 100).oneWay().circle(80, 20, 5, -2, 0).build());
     for (int frame = 0; frame < 1000; frame++) {
-      world.step(1);
+      Run.step(world, 1);
       assertThat(frame < 30 || world.x(0) <= 45).isTrue();
     }
   }
@@ -200,7 +200,7 @@ class ResponseTest {
     for (boolean collide : new boolean[] {false, true}) {
       SceneBuilder scene = box().collide(collide).line(50, 0, 50, 99).circle(80, 50, 5, -2, 0);
       World world = new World(scene.build());
-      world.step(1);
+      Run.step(world, 1);
       world.setOneWay(0, true);
       assertThat(Run.advance(world, 20).impacts()).isEmpty();
     }

@@ -43,7 +43,8 @@ public record Run(List<Row> impacts, List<State> end) {
   public static Run advance(World world, double... times) {
     List<Row> impacts = new ArrayList<>();
     for (double time : times) {
-      finish(world, time, impacts);
+      to(world, time);
+      impacts.addAll(rows(world.impacts()));
     }
     return new Run(impacts, states(world));
   }
@@ -52,19 +53,26 @@ public record Run(List<Row> impacts, List<State> end) {
   public static Run step(World world, double dt, int count) {
     List<Row> impacts = new ArrayList<>();
     for (int i = 0; i < count; i++) {
-      if (!world.step(dt)) {
-        throw new AssertionError("unfinished at " + world.now());
-      }
+      step(world, dt);
       impacts.addAll(rows(world.impacts()));
     }
     return new Run(impacts, states(world));
   }
 
-  private static void finish(World world, double time, List<Row> impacts) {
-    if (!world.advanceTo(time)) {
+  /** Advances a world by a time span; a step that is unfinished fails the test. */
+  public static void step(World world, double dt) {
+    demand(world.step(dt), world);
+  }
+
+  /** Advances a world to a time; a step that is unfinished fails the test. */
+  public static void to(World world, double t) {
+    demand(world.advanceTo(t), world);
+  }
+
+  private static void demand(boolean finished, World world) {
+    if (!finished) {
       throw new AssertionError("unfinished at " + world.now());
     }
-    impacts.addAll(rows(world.impacts()));
   }
 
   /** The rows of a log. */

@@ -71,7 +71,7 @@ class SnapshotStreamTest {
                 .circle(70, 70, 3, 1, -2)
                 .circle(20, 80, 3, 1, -2)
                 .build());
-    world.step(40);
+    Run.step(world, 40);
     return SnapshotBytes.of(world.snapshot());
   }
 
@@ -113,15 +113,15 @@ class SnapshotStreamTest {
     World world = new World(RandomScenes.responses(new Random(5)).collide(collide).build());
     for (int i = 0; i < 20; i++) {
       int id = world.addCircle(30 + i, 40, 3, 1, i);
-      world.step(0.5);
+      Run.step(world, 0.5);
       world.remove(ObstacleKind.CIRCLE, i % 3 == 0 ? i / 3 : id);
     }
     World other = new World(world.scene());
     other.restore(SnapshotBytes.copy(world.snapshot()));
     assertThat(other.addCircle(0, 0, 3, 2, 1)).isEqualTo(world.addCircle(0, 0, 3, 2, 1));
     for (int i = 0; i < 5; i++) {
-      world.step(3);
-      other.step(3);
+      Run.step(world, 3);
+      Run.step(other, 3);
       assertThat(Run.rows(other.impacts())).isEqualTo(Run.rows(world.impacts()));
     }
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
@@ -139,13 +139,13 @@ class SnapshotStreamTest {
   @ValueSource(booleans = {false, true})
   void aStreamHoldsOneSnapshotAfterAnother(boolean collide) throws IOException {
     World world = new World(RandomScenes.responses(new Random(3)).collide(collide).build());
-    world.step(20);
+    Run.step(world, 20);
     Snapshot one = world.snapshot();
     world.remove(ObstacleKind.CIRCLE, 7);
     world.remove(ObstacleKind.LINE, 8);
     world.remove(ObstacleKind.PEG, 9);
     world.setMass(6, Double.POSITIVE_INFINITY);
-    world.step(1);
+    Run.step(world, 1);
     Snapshot two = world.snapshot();
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     one.write(out);
@@ -158,8 +158,8 @@ class SnapshotStreamTest {
     assertThat(in.read()).isEqualTo(42);
     World other = new World(world.scene());
     other.restore(read);
-    other.step(30);
-    world.step(30);
+    Run.step(other, 30);
+    Run.step(world, 30);
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
   }
 
@@ -388,7 +388,7 @@ class SnapshotStreamTest {
     World world = new World(Scene.builder().bounds(0, 0, 100, 100).build());
     world.restore(read);
     assertThat(world.addCircle(50, 20, 4, 1, 1)).isEqualTo(1_000_000_000);
-    world.step(1);
+    Run.step(world, 1);
     assertThat(world.x(1_000_000_000)).isEqualTo(51);
   }
 

@@ -89,8 +89,8 @@ class SnapshotTest {
     for (boolean collide : new boolean[] {false, true}) {
       World one = world(collide);
       World two = world(collide);
-      one.step(2.5);
-      two.step(2.5);
+      Run.step(one, 2.5);
+      Run.step(two, 2.5);
       Snapshot before = one.snapshot();
       assertThat(before).isEqualTo(two.snapshot()).hasSameHashCodeAs(two.snapshot());
       change.accept(one);
@@ -133,9 +133,9 @@ class SnapshotTest {
     World one = new World(scene, EngineOptions.cells(0.25));
     World two = new World(scene, EngineOptions.cells(0.25));
     for (int i = 10; i <= 100; i += 10) {
-      one.advanceTo(i);
+      Run.to(one, i);
       for (int k = 99; k >= 0; k--) {
-        two.advanceTo(i - k / 10.0);
+        Run.to(two, i - k / 10.0);
       }
       assertThat(two.snapshot()).isEqualTo(one.snapshot());
       World restored = new World(scene);
@@ -148,18 +148,18 @@ class SnapshotTest {
   @ValueSource(booleans = {false, true})
   void aRestoredWorldGoesOnAsTheOneItWasTakenFrom(boolean collide) {
     World one = world(collide);
-    one.step(7);
+    Run.step(one, 7);
     one.setVelocity(0, 5, -3);
     one.addCircle(50, 20, 2, -1, 3);
     one.remove(LINE, 0);
-    one.step(3);
+    Run.step(one, 3);
     Snapshot snapshot = one.snapshot();
     assertThat(snapshot.now()).isEqualTo(10);
     assertThat(snapshot).hasToString("Snapshot[now=10.0, circles=4, lines and pegs=2]");
     Run on = Run.step(one, 1, 50);
     assertThat(on.impacts()).hasSizeGreaterThan(10);
     World other = world(collide);
-    other.step(33);
+    Run.step(other, 33);
     for (World world : List.of(one, other)) {
       world.restore(snapshot);
       assertThat(world.now()).isEqualTo(10);
@@ -243,7 +243,7 @@ class SnapshotTest {
                 .response(Response.SENSOR)
                 .circle(10, 50, 5, 5, 0)
                 .build());
-    world.step(6);
+    Run.step(world, 6);
     world.remove(LINE, 0);
     World other = new World(world.scene());
     other.restore(world.snapshot());
@@ -263,7 +263,7 @@ class SnapshotTest {
   @Test
   void anotherNumberMakesAnotherHash() {
     World world = world(true);
-    world.step(2.5);
+    Run.step(world, 2.5);
     Snapshot snapshot = world.snapshot();
     long before = snapshot.hash64();
     SavedFlights flights = snapshot.state.flights();
@@ -290,7 +290,7 @@ class SnapshotTest {
   @Test
   void theHashIsThatOfTheWrittenBytes() throws NoSuchAlgorithmException {
     World world = world(true);
-    world.step(7);
+    Run.step(world, 7);
     byte[] written = SnapshotBytes.of(world.snapshot());
     byte[] digest = MessageDigest.getInstance("SHA-256").digest(written);
     long first8 = new BigInteger(1, Arrays.copyOf(digest, 8)).longValue();

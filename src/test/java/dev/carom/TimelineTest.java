@@ -67,14 +67,14 @@ class TimelineTest {
     for (int seed = 0; seed < 3; seed++) {
       Random random = new Random(seed);
       World world = new World(RandomScenes.mixed(random).collide(collide).build());
-      world.step(random.nextDouble());
+      Run.step(world, random.nextDouble());
       Timeline timeline = world.record(1_000_000);
       List<Moment> moments = new ArrayList<>();
       for (int i = 0; i < 120; i++) {
         note(world, moments);
-        world.step(random.nextInt(4) == 0 ? 1 : 2 * random.nextDouble());
+        Run.step(world, random.nextInt(4) == 0 ? 1 : 2 * random.nextDouble());
         edit(world, random);
-        world.step(0); // what an edit brought about happens now
+        Run.step(world, 0); // what an edit brought about happens now
       }
       assertThat(timeline.end()).isEqualTo(world.now());
       assertThat(timeline.start()).isEqualTo(moments.get(0).t);
@@ -96,7 +96,7 @@ class TimelineTest {
   void anImpactBelongsToWhatComesAfterIt() {
     World world = falling();
     Timeline timeline = world.record(9);
-    world.step(3);
+    Run.step(world, 3);
     assertThat(timeline.vy(0, Math.nextDown(2.0))).isEqualTo(-2);
     assertThat(timeline.vy(0, 2)).isEqualTo(2);
     assertThat(timeline.y(0, 2)).isEqualTo(1);
@@ -115,11 +115,11 @@ class TimelineTest {
                 .circle(5, 8, 1, 0, 0)
                 .build());
     Timeline timeline = world.record(3);
-    world.step(3); // walls at 1, 3; a flight lasts 2
+    Run.step(world, 3); // walls at 1, 3; a flight lasts 2
     assertThat(timeline.start()).isZero();
-    world.step(2);
+    Run.step(world, 2);
     assertThat(timeline.start()).isEqualTo(1);
-    world.step(100);
+    Run.step(world, 100);
     assertThat(timeline.start()).isEqualTo(101);
     assertThat(timeline.end()).isEqualTo(105);
     assertThat(timeline.contains(0, Math.nextDown(101.0))).isFalse();
@@ -133,9 +133,9 @@ class TimelineTest {
   void anAddedCircleDropsNothing() {
     World world = falling();
     Timeline timeline = world.record(1);
-    world.step(1);
+    Run.step(world, 1);
     assertThat(world.addCircle(5, 5, 1, 0, 0)).isEqualTo(1);
-    world.step(0.5);
+    Run.step(world, 0.5);
     assertThat(timeline.start()).isZero();
     assertThat(timeline.contains(1, 0.5)).isFalse();
     assertThat(timeline.contains(1, 1)).isTrue();
@@ -164,7 +164,7 @@ class TimelineTest {
     assertThat(timeline.x(0, 0)).isEqualTo(5);
     assertThat(timeline.x(1, timeline.start())).isBetween(49.0, 51.0);
     world.remove(CIRCLE, 1);
-    world.step(10);
+    Run.step(world, 10);
     assertThat(Moment.of(timeline, 0, world.now())).isEqualTo(Moment.of(world, 0));
   }
 
@@ -172,9 +172,9 @@ class TimelineTest {
   void aRemovedCircleIsKnownUntilThen() {
     World world = falling();
     Timeline timeline = world.record(9);
-    world.step(3);
+    Run.step(world, 3);
     world.remove(CIRCLE, 0);
-    world.step(1);
+    Run.step(world, 1);
     assertThat(timeline.contains(0, 2.5)).isTrue();
     assertThat(timeline.contains(0, 3)).isFalse();
     assertThat(timeline.y(0, Math.nextDown(3.0))).isEqualTo(2 * (Math.nextDown(3.0) - 2) + 1);
@@ -183,9 +183,9 @@ class TimelineTest {
   @Test
   void whatIsNotKnownIsRefused() {
     World world = falling();
-    world.step(1);
+    Run.step(world, 1);
     Timeline timeline = world.record(9);
-    world.step(1);
+    Run.step(world, 1);
     for (double t : new double[] {2.5, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
       assertThat(timeline.contains(0, t)).isFalse();
       assertThatThrownBy(() -> timeline.x(0, t))
@@ -209,21 +209,21 @@ class TimelineTest {
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("most is 0: expected at least 1");
     assertThat(timeline.end()).as("the old one goes on").isEqualTo(2);
-    world.step(1);
+    Run.step(world, 1);
     assertThat(timeline.end()).isEqualTo(3);
   }
 
   @Test
   void restoringBeginsAnew() {
     World world = falling();
-    world.step(1);
+    Run.step(world, 1);
     Snapshot snapshot = world.snapshot();
     Timeline timeline = world.record(9);
-    world.step(3);
+    Run.step(world, 3);
     world.restore(snapshot);
     assertThat(List.of(timeline.start(), timeline.end())).containsExactly(1.0, 1.0);
     assertThat(timeline.contains(0, 1.5)).isFalse();
-    world.step(0.5);
+    Run.step(world, 0.5);
     assertThat(timeline.y(0, 1.25)).isEqualTo(2.5);
   }
 
@@ -234,13 +234,13 @@ class TimelineTest {
         new World(
             Scene.builder().collide(collide).line(-9, 0, 9, 0).circle(0, 5, 1, 0, -2).build());
     Timeline first = world.record(9);
-    world.step(1);
+    Run.step(world, 1);
     world.stopRecording();
-    world.step(3);
+    Run.step(world, 3);
     assertThat(first.end()).isEqualTo(1);
     assertThat(first.contains(0, 3)).isFalse();
     Timeline second = world.record(9);
-    world.step(1);
+    Run.step(world, 1);
     assertThat(first.end()).isEqualTo(1);
     assertThat(List.of(second.start(), second.end())).containsExactly(4.0, 5.0);
     assertThat(second.y(0, 5)).isEqualTo(7);
@@ -251,15 +251,15 @@ class TimelineTest {
   @Test
   void linesAndPegsAreWhereTheyWere() {
     World world = new World(Scene.builder().line(0, 0, 1, 0).peg(5, 5, 1).build());
-    world.step(1);
+    Run.step(world, 1);
     Timeline timeline = world.record(100);
-    world.step(1);
+    Run.step(world, 1);
     world.moveLine(0, 0, 2, 1, 2);
     int line = world.addLine(7, 7, 8, 8);
-    world.step(1);
+    Run.step(world, 1);
     world.remove(ObstacleKind.LINE, 0);
     world.movePeg(0, 6, 6, 2);
-    world.step(1);
+    Run.step(world, 1);
 
     assertThat(timeline.line(0, 1)).contains(new Line(0, 0, 1, 0));
     assertThat(timeline.line(0, 1.9)).contains(new Line(0, 0, 1, 0));
@@ -283,7 +283,7 @@ class TimelineTest {
   void pegsAreKnownByTheirIds() {
     World world = new World(Scene.builder().peg(5, 5, 1).peg(6, 6, 2).build());
     Timeline timeline = world.record(9);
-    world.step(1);
+    Run.step(world, 1);
     assertThat(timeline.peg(1, 1)).contains(new Circle(6, 6, 2));
   }
 
@@ -292,9 +292,9 @@ class TimelineTest {
   void whatIsNoLongerRecordedStaysAsItIs() {
     World world = new World(Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 3, 0).build());
     Timeline timeline = world.record(2);
-    world.step(0.5);
+    Run.step(world, 0.5);
     world.stopRecording();
-    world.step(100);
+    Run.step(world, 100);
     assertThat(timeline.start()).isZero();
     assertThat(timeline.x(0, 0.5)).isEqualTo(6.5);
   }
@@ -304,7 +304,7 @@ class TimelineTest {
     World world = new World(Scene.builder().line(0, 0, 1, 0).build());
     Timeline timeline = world.record(3);
     for (int y = 1; y <= 5; y++) {
-      world.step(1);
+      Run.step(world, 1);
       world.moveLine(0, 0, y, 1, y);
     }
     assertThat(timeline.start()).isEqualTo(3);
@@ -318,7 +318,7 @@ class TimelineTest {
   void idsThatNoneHasAreThoseOfNothing() {
     World world = new World(Scene.builder().line(0, 0, 1, 1).peg(5, 5, 1).peg(7, 7, 2).build());
     Timeline timeline = world.record(9);
-    world.step(1);
+    Run.step(world, 1);
     assertThat(timeline.peg(1, 0.5)).contains(new Circle(7, 7, 2));
     assertThat(timeline.line(Codes.limit(Kind.LINE), 0.5)).isEmpty();
     assertThat(timeline.line(-1, 0.5)).isEmpty();
@@ -330,9 +330,9 @@ class TimelineTest {
   void whatFollowsAfterARecordingDropsNothing() {
     World world = new World(Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 4, 0).build());
     Timeline timeline = world.record(2);
-    world.step(1.5);
+    Run.step(world, 1.5);
     world.stopRecording();
-    world.step(20);
+    Run.step(world, 20);
     world.setVelocity(0, 1, 0);
     assertThat(timeline.start()).isZero();
     assertThat(timeline.end()).isEqualTo(1.5);
@@ -350,7 +350,7 @@ class TimelineTest {
     World world = new World(scene.build());
     past[0] = world.record(4);
     for (int i = 0; i < rounds; i++) {
-      world.step(1);
+      Run.step(world, 1);
       world.remove(CIRCLE, i);
       world.addCircle(5 + 10 * (i % 10), 2, 1, 0, -1);
     }
@@ -388,11 +388,11 @@ class TimelineTest {
   void thatNoneIsLeftDropsNothing() {
     Timeline[] past = new Timeline[1];
     World world = turnover(false, 0, past);
-    world.step(1);
+    Run.step(world, 1);
     for (int id = 0; id < 10; id++) {
       world.remove(CIRCLE, id);
     }
-    world.step(1);
+    Run.step(world, 1);
     assertThat(past[0].start()).isZero();
     assertThat(past[0].y(3, 0.25)).isEqualTo(1.75);
   }
@@ -419,11 +419,11 @@ class TimelineTest {
   void ofRemovedLinesAndPegsTheFirstAreDropped() {
     World world = new World(Scene.builder().line(0, 0, 1, 0).peg(5, 5, 1).build());
     Timeline timeline = world.record(3);
-    world.step(1);
+    Run.step(world, 1);
     world.remove(ObstacleKind.LINE, 0);
     for (int i = 1; i <= 10; i++) {
       int line = world.addLine(0, i, 1, i);
-      world.step(1);
+      Run.step(world, 1);
       world.remove(ObstacleKind.LINE, line);
     }
     // Six changes are kept, two of each line: the seventh line was removed at time 8.
@@ -446,7 +446,7 @@ class TimelineTest {
     long before = usedMemory();
     for (int i = 0; i < rounds; i++) {
       world.remove(ObstacleKind.LINE, world.addLine(0, 1, 2, 3));
-      world.step(1);
+      Run.step(world, 1);
     }
     assertThat(usedMemory() - before).isLessThan(120L * rounds);
     assertThat(timeline.start()).isGreaterThan(rounds - 100);

@@ -40,7 +40,7 @@ class WorldEditTest {
   @ValueSource(booleans = {false, true})
   void aNewVelocityHoldsFromNowOn(boolean collide) {
     World world = world(box().collide(collide).circle(50, 50, 5, 1, 0));
-    world.step(10);
+    Run.step(world, 10);
     world.setVelocity(0, 0, -2);
     assertThat(List.of(world.x(0), world.y(0), world.vx(0), world.vy(0)))
         .containsExactly(60.0, 50.0, 0.0, -2.0);
@@ -53,7 +53,7 @@ class WorldEditTest {
   @ValueSource(booleans = {false, true})
   void whatWasJustHitIsHitAgainAfterANewVelocity(boolean collide) {
     World world = world(box().collide(collide).line(60, 0, 60, 100).circle(50, 50, 5, 1, 0));
-    world.step(5);
+    Run.step(world, 5);
     assertThat(world.vx(0)).isEqualTo(-1);
     world.setVelocity(0, 3, 0);
     assertThat(times(world, LINE, 5)).containsExactly(5.0);
@@ -64,7 +64,7 @@ class WorldEditTest {
   @ValueSource(booleans = {false, true})
   void aCircleThatIsPutElsewhereHitsNothingOnTheWay(boolean collide) {
     World world = world(box().collide(collide).line(60, 0, 60, 100).circle(50, 50, 5, 1, 0));
-    world.step(1);
+    Run.step(world, 1);
     world.setPosition(0, 70, 20);
     assertThat(List.of(world.x(0), world.y(0), world.vx(0))).containsExactly(70.0, 20.0, 1.0);
     assertThat(times(world, LINE, 25)).isEmpty();
@@ -76,7 +76,7 @@ class WorldEditTest {
   void aCircleCanBePutOntoALine() {
     for (double x : new double[] {57, 63}) {
       World world = world(box().line(60, 0, 60, 100).circle(20, 50, 5, 1, 0));
-      world.step(1);
+      Run.step(world, 1);
       world.setPosition(0, x, 50);
       assertThat(times(world, LINE, 4)).hasSize(x < 60 ? 1 : 0);
       assertThat(world.x(0)).isEqualTo(x < 60 ? 54 : 66);
@@ -93,7 +93,7 @@ class WorldEditTest {
         scene.line(98, 2 + i, 99, 2 + i);
       }
       World world = world(scene);
-      world.step(1);
+      Run.step(world, 1);
       world.setRadius(0, radius);
       assertThat(world.radius(0)).isEqualTo(radius);
       assertThat(times(world, WALL, (100 - radius - 20) / 2)).hasSize(1);
@@ -104,15 +104,15 @@ class WorldEditTest {
   @Test
   void aNewMassCountsAtTheNextCollision() {
     World world = world(Scene.builder().collide(true).circle(0, 0, 1, 1, 0).circle(6, 0, 1, 0, 0));
-    world.step(1);
+    Run.step(world, 1);
     world.setMass(1, 3);
     assertThat(world.mass(1)).isEqualTo(3);
     assertThat(world.scene().mass(1)).as("the scene stays as it is").isOne();
-    world.step(9);
+    Run.step(world, 9);
     assertThat(List.of(world.vx(0), world.vx(1))).containsExactly(-0.5, 0.5);
     world.setMass(1, Double.POSITIVE_INFINITY);
     world.setVelocity(0, 2.5, 0);
-    world.step(20);
+    Run.step(world, 20);
     assertThat(List.of(world.vx(0), world.vx(1))).containsExactly(-1.5, 0.5);
   }
 
@@ -123,14 +123,14 @@ class WorldEditTest {
     scene.circle(0, 0, 1, 1, 0).mass(Double.POSITIVE_INFINITY);
     scene.circle(4, 0, 1, -1, 0).mass(Double.POSITIVE_INFINITY);
     World world = world(scene);
-    world.step(1.5);
+    Run.step(world, 1.5);
     assertThat(world.impacts().size()).isOne();
     assertThat(List.of(world.vx(0), world.vx(1))).containsExactly(1.0, -1.0);
     world.setMass(1, 5);
     assertThat(world.step(0)).isTrue();
     assertThat(world.impacts().size()).isOne();
     assertThat(List.of(world.vx(0), world.vx(1))).containsExactly(1.0, 3.0);
-    world.step(1);
+    Run.step(world, 1);
     assertThat(world.impacts().size()).isZero();
   }
 
@@ -138,15 +138,15 @@ class WorldEditTest {
   void newRestitutionsCountAtTheNextImpact() {
     World world = world(box().line(60, 0, 60, 100).peg(20, 50, 5).circle(50, 50, 5, 8, 0));
     world.setRestitution(LINE, 0, 0.5);
-    world.step(1);
+    Run.step(world, 1);
     assertThat(world.vx(0)).isEqualTo(-4);
     world.setRestitution(PEG, 0, 0.25);
-    world.step(9);
+    Run.step(world, 9);
     assertThat(world.vx(0)).isEqualTo(1);
     world.setRestitution(CIRCLE, 0, 3);
     world.remove(LINE, 0);
     world.setRestitution(WALL, 2, 2);
-    world.step(200);
+    Run.step(world, 200);
     assertThat(world.vx(0)).isBetween(-6.0, 6.0).isNotEqualTo(1);
   }
 
@@ -171,7 +171,7 @@ class WorldEditTest {
   @ValueSource(booleans = {false, true})
   void aRemovedCircleIsNotThere(boolean collide) {
     World world = world(box().collide(collide).circle(20, 50, 5, 1, 0).circle(50, 50, 5, 0, 0));
-    world.step(1);
+    Run.step(world, 1);
     world.remove(CIRCLE, 1);
     assertThat(world.contains(CIRCLE, 1)).isFalse();
     assertThat(world.circleCount()).isEqualTo(1);
@@ -194,7 +194,7 @@ class WorldEditTest {
                 .circle(21, 50, 3, -4, 0)
                 .circle(23, 59, 3, 0, 0));
     world.setPosition(1, 23, 50);
-    world.step(2.5); // it overlaps the other circle and leaves it, and is back from the line
+    Run.step(world, 2.5); // it overlaps the other circle and leaves it, and is back from the line
     world.setRadius(0, 2.5);
     world.moveLine(0, 1, 95, 2, 95);
     assertThat(times(world, CIRCLE, 4)).containsExactly(3.125);
@@ -206,7 +206,7 @@ class WorldEditTest {
   @ValueSource(booleans = {false, true})
   void anAddedLineIsHitWhereItLiesAheadOnly(boolean collide) {
     World world = world(box().collide(collide).circle(20, 50, 5, 1, 0).circle(20, 70, 5, 1, 0));
-    world.step(20);
+    Run.step(world, 20);
     assertThat(world.addLine(30, 40, 30, 60)).isZero();
     assertThat(world.addLine(60, 60, 60, 80)).isEqualTo(1);
     assertThat(world.line(1)).isEqualTo(new Line(60, 60, 60, 80));
@@ -221,9 +221,9 @@ class WorldEditTest {
   @ValueSource(booleans = {false, true})
   void theFirstPegOfAnOpenSceneIsHitAndCanBeMoved(boolean collide) {
     World world = world(Scene.builder().collide(collide).circle(0, 0, 1, 1, 0));
-    world.step(1);
+    Run.step(world, 1);
     assertThat(world.addPeg(10, 0, 2)).isZero();
-    world.step(1);
+    Run.step(world, 1);
     world.movePeg(0, 20, 0, 3);
     assertThat(world.peg(0)).isEqualTo(new Circle(20, 0, 3));
     List<Run.Row> rows = Run.advance(world, 30).impacts();
@@ -245,7 +245,7 @@ class WorldEditTest {
     World world = world(box().collide(collide).line(50, 0, 50, 20).circle(20, 50, 5, 1, 0));
     for (int frame = 1; frame <= 24; frame++) {
       assertThat(world.impacts().size()).isZero();
-      world.step(1);
+      Run.step(world, 1);
       world.moveLine(0, 50, 2 * frame, 50, 2 * frame + 20);
     }
     assertThat(times(world, LINE, 25)).containsExactly(25.0);
@@ -265,11 +265,11 @@ class WorldEditTest {
                 .line(60, 0, 60, 100)
                 .line(70, 0, 70, 100)
                 .circle(50, 50, 5, 1, 0));
-    world.step(4.5);
+    Run.step(world, 4.5);
     world.remove(LINE, 0);
     assertThat(world.contains(LINE, 0)).isFalse();
     assertThat(world.idLimit(LINE)).isEqualTo(2);
-    world.step(5.5);
+    Run.step(world, 5.5);
     assertThat(world.impacts().size()).isZero();
     world.remove(LINE, 1);
     assertThat(times(world, LINE, 40)).isEmpty();
@@ -282,7 +282,7 @@ class WorldEditTest {
   @ValueSource(booleans = {false, true})
   void responsesAndOneWayHoldFromNowOn(boolean collide) {
     World world = world(box().collide(collide).line(60, 0, 60, 100).circle(50, 50, 5, 1, 0));
-    world.step(1);
+    Run.step(world, 1);
     world.setResponse(LINE, 0, Response.SENSOR);
     assertThat(times(world, LINE, 12)).containsExactly(5.0);
     world.setResponse(LINE, 0, Response.BOUNCE);
@@ -292,7 +292,7 @@ class WorldEditTest {
     world.setPosition(0, 80, 50);
     assertThat(times(world, LINE, 60)).isEmpty();
     world.setResponse(WALL, 0, Response.HALT);
-    world.step(100);
+    Run.step(world, 100);
     assertThat(world.vx(0)).isZero();
   }
 
@@ -301,7 +301,7 @@ class WorldEditTest {
   @ValueSource(booleans = {false, true})
   void aLineThatBecomesOneWayIsNotHitEvenIfItWasFoundAhead(boolean collide) {
     World world = world(box().collide(collide).line(60, 100, 60, 0).circle(50, 50, 5, 1, 0));
-    world.step(1);
+    Run.step(world, 1);
     world.setOneWay(0, true);
     assertThat(times(world, LINE, 40)).isEmpty();
     assertThat(times(world, WALL, 50)).containsExactly(45.0);
@@ -337,7 +337,7 @@ class WorldEditTest {
     assertThat(world.addLine(1, 1, 2, 2)).isEqualTo(1);
     assertThat(world.addCircle(20, 20, 5, 0, 0)).isEqualTo(1);
     Snapshot edited = world.snapshot();
-    world.step(100);
+    Run.step(world, 100);
     World other = world(box().collide(collide));
     other.restore(edited);
     for (World each : List.of(world, other)) {
@@ -377,7 +377,7 @@ class WorldEditTest {
         builder.line(x, y, bx, by);
         assertThat(world.addLine(x, y, bx, by)).isEqualTo(i);
         if (i % 7 == 0) {
-          world.step(0); // impacts of now, in both orders the same: nothing overlaps twice
+          Run.step(world, 0); // impacts of now, in both orders the same: nothing overlaps twice
         }
       }
       World fresh = world(builder);
@@ -431,11 +431,11 @@ class WorldEditTest {
             .circle(0, 0, S, v, 0)
             .circle(50 * S, 50 * S, 5 * S, S, 0);
     World world = world(scene);
-    world.step(2);
+    Run.step(world, 2);
     assertThat(world.x(0)).isEqualTo(v * Double.POSITIVE_INFINITY);
     edit.accept(world);
     for (int i = 0; i < 4; i++) {
-      world.step(1);
+      Run.step(world, 1);
       for (int id = 0; id < world.idLimit(CIRCLE); id++) {
         if (world.contains(CIRCLE, id)) {
           assertThat(world.x(id) + world.y(id)).isNotNaN();
@@ -445,8 +445,8 @@ class WorldEditTest {
     }
     World other = world(scene);
     other.restore(world.snapshot());
-    other.step(5);
-    world.step(5);
+    Run.step(other, 5);
+    Run.step(world, 5);
     assertThat(other.snapshot()).isEqualTo(world.snapshot());
   }
 
@@ -476,7 +476,7 @@ class WorldEditTest {
   @Test
   void theRadiusOfACircleThatFlewFarCanBeSet() {
     World world = world(Scene.builder().circle(0, 0, 1, 1e20, 0));
-    world.step(1);
+    Run.step(world, 1);
     world.setRadius(0, 2);
     assertThat(world.radius(0)).isEqualTo(2);
   }

@@ -87,7 +87,7 @@ class WorldQueriesTest {
     Random random = new Random(1);
     Scene scene = CollidingScenes.mixed(random, 40).build();
     World world = new World(scene);
-    world.step(7);
+    Run.step(world, 7);
     int circles = 0;
     for (int i = 0; i < 2000; i++) {
       Circle circle =
@@ -223,7 +223,7 @@ class WorldQueriesTest {
         assertThat(path.complete()).isTrue();
         assertThat(path.duration()).isEqualTo(60);
         World run = new World(scene);
-        run.step(60);
+        Run.step(run, 60);
         // A flight keeps the double nearest to its start, where the world keeps twice the digits.
         assertThat(path.end().x()).isCloseTo(run.x(id), within(1e-12));
         assertThat(path.end().y()).isCloseTo(run.y(id), within(1e-12));
@@ -259,7 +259,7 @@ class WorldQueriesTest {
                 .circle(30, 80, 5, 1, 0)
                 .circle(60, 80, 5, 0, 0)
                 .build());
-    world.step(10);
+    Run.step(world, 10);
     assertThat(world.nearest(ObstacleKind.LINE, 15, 19)).isZero();
     assertThat(world.nearest(ObstacleKind.LINE, 15, 20)).as("equally near").isZero();
     assertThat(world.nearest(ObstacleKind.LINE, 15, 21)).isEqualTo(1);
@@ -374,7 +374,7 @@ class WorldQueriesTest {
   void circlesAreWhereTheyAreNow() {
     World world = new World(room().circle(10, 50, 5, 2, 0).circle(90, 50, 5, 0, 0).build());
     assertThat(world.overlapping(ObstacleKind.CIRCLE, new Circle(50, 50, 5))).isEmpty();
-    world.step(20);
+    Run.step(world, 20);
     assertThat(world.overlapping(ObstacleKind.CIRCLE, new Circle(50, 50, 5))).containsExactly(0);
     assertThat(world.overlapping(ObstacleKind.CIRCLE, new Bounds(0, 0, 100, 100)))
         .containsExactly(0, 1);

@@ -60,7 +60,7 @@ class WorldTest {
   @Test
   void fliesStraightUntilItsImpact() {
     World world = world(floor());
-    world.step(1.5);
+    Run.step(world, 1.5);
     assertAt(world, 0, 1.5, 4);
     assertMoves(world, 0, 1, -4);
     assertAt(world, 1, 0, 32);
@@ -89,7 +89,7 @@ class WorldTest {
   @Test
   void theLogHoldsAllOfAnImpact() {
     World world = world(floor());
-    world.step(3);
+    Run.step(world, 3);
     ImpactLog log = world.impacts();
     assertThat(log.size()).isEqualTo(1);
     assertThat(log.time(0)).isEqualTo(2);
@@ -108,21 +108,21 @@ class WorldTest {
   @Test
   void anImpactAtTheEndOfAStepBelongsToIt() {
     World world = world(floor());
-    world.step(2);
+    Run.step(world, 2);
     assertThat(world.impacts().size()).isEqualTo(1);
     assertAt(world, 0, 2, 2);
     assertMoves(world, 0, 1, 4);
-    world.step(1);
+    Run.step(world, 1);
     assertThat(world.impacts().size()).isZero();
   }
 
   @Test
   void anImpactJustAfterAStepBelongsToTheNext() {
     World world = world(floor());
-    world.advanceTo(Math.nextDown(2.0));
+    Run.to(world, Math.nextDown(2.0));
     assertThat(world.impacts().size()).isZero();
     assertMoves(world, 0, 1, -4);
-    world.advanceTo(2);
+    Run.to(world, 2);
     assertThat(world.impacts().size()).isEqualTo(1);
   }
 
@@ -130,9 +130,9 @@ class WorldTest {
   void theLogIsAlwaysTheSameAndHoldsOnlyTheLastStep() {
     World world = world(floor());
     ImpactLog log = world.impacts();
-    world.step(2);
+    Run.step(world, 2);
     assertThat(log.size()).isEqualTo(1);
-    world.step(0);
+    Run.step(world, 0);
     assertThat(log.size()).isZero();
     assertThat(world.impacts()).isSameAs(log);
   }
@@ -150,8 +150,8 @@ class WorldTest {
   @Test
   void advanceToGoesThereExactly() {
     World world = world(floor());
-    world.advanceTo(0.1);
-    world.advanceTo(0.3);
+    Run.to(world, 0.1);
+    Run.to(world, 0.3);
     assertThat(world.now()).isEqualTo(0.3);
     assertThat(world.advanceTo(0.3)).isTrue();
   }
@@ -171,7 +171,7 @@ class WorldTest {
   void refusesAStepThatCannotMoveTheClock(boolean collide) {
     World world = new World(Scene.builder().collide(collide).circle(0, 0, 1, 0, 0).build());
     assertThat(world.step(Double.MIN_VALUE)).as("in a new world any step moves it").isTrue();
-    world.advanceTo(0x1p53);
+    Run.to(world, 0x1p53);
     Snapshot before = world.snapshot();
     for (double dt : new double[] {Double.MIN_VALUE, 0.5, 1}) {
       assertThatIllegalArgumentException()
@@ -210,7 +210,7 @@ class WorldTest {
   @ValueSource(doubles = {Double.NaN, -1, -Double.MIN_VALUE, Double.POSITIVE_INFINITY})
   void refusesASenselessStep(double dt) {
     World world = world(floor());
-    world.advanceTo(1);
+    Run.to(world, 1);
     assertThatIllegalArgumentException()
         .isThrownBy(() -> world.step(dt))
         .withMessageContaining("dt is " + dt)
@@ -223,7 +223,7 @@ class WorldTest {
   @ValueSource(doubles = {Double.NaN, -1, 0.999, Double.POSITIVE_INFINITY})
   void refusesToGoBack(double t) {
     World world = world(floor());
-    world.advanceTo(1);
+    Run.to(world, 1);
     assertThatIllegalArgumentException()
         .isThrownBy(() -> world.advanceTo(t))
         .withMessageContaining("t is " + t)
@@ -254,7 +254,7 @@ class WorldTest {
   @ValueSource(ints = {-1, 1, 15, Integer.MAX_VALUE})
   void refusesRowsThatDoNotExist(int row) {
     World world = world(floor());
-    world.step(3);
+    Run.step(world, 3);
     ImpactLog log = world.impacts();
     for (Runnable query :
         List.<Runnable>of(
@@ -292,7 +292,7 @@ class WorldTest {
       builder.circle(i, 2 + (i * 37 % 100) / 2, 2, 0, -1);
     }
     World world = world(builder);
-    world.step(100);
+    Run.step(world, 100);
     List<Run.Row> rows = Run.rows(world.impacts());
     assertThat(rows).hasSize(100);
     int together = 0;
@@ -328,7 +328,7 @@ class WorldTest {
     Scene scene = builder.circle(12, 12, 5, -1, -1).build();
     for (EngineOptions options : List.of(EngineOptions.EACH, EngineOptions.cells(7))) {
       World world = new World(scene, options);
-      world.advanceTo(2);
+      Run.to(world, 2);
       List<Run.Row> rows = Run.rows(world.impacts());
       assertThat(rows).allMatch(row -> row.time() == 2);
       assertThat(
@@ -353,7 +353,7 @@ class WorldTest {
             Scene.builder().bounds(-100, 0, 100, 100));
     for (SceneBuilder floor : floors) {
       World world = world(floor.restitution(obstacle).circle(0, 10, 2, 3, -4).restitution(circle));
-      world.advanceTo(2);
+      Run.to(world, 2);
       assertThat(world.impacts().size()).isEqualTo(1);
       assertMoves(world, 0, 3, left);
     }
@@ -370,7 +370,7 @@ class WorldTest {
     for (SceneBuilder builder : below) {
       World world =
           world(builder.restitution(obstacle).circle(0, 10, 2, 0, -4).restitution(circle));
-      world.advanceTo(2);
+      Run.to(world, 2);
       assertThat(world.impacts().size()).isEqualTo(1);
       assertMoves(world, 0, 0, left);
     }
@@ -380,7 +380,7 @@ class WorldTest {
   void withoutRestitutionTheCircleSlidesOn() {
     World world =
         world(Scene.builder().line(-100, 0, 100, 0).restitution(0).circle(0, 10, 2, 3, -4));
-    world.advanceTo(20);
+    Run.to(world, 20);
     assertThat(world.impacts().size()).isEqualTo(1);
     assertThat(world.x(0)).isEqualTo(60);
     assertThat(world.y(0)).isCloseTo(2, within(1e-14));
@@ -391,7 +391,7 @@ class WorldTest {
   void halfRestitutionBetweenWallsDoublesEachFlight() {
     World world =
         world(Scene.builder().bounds(-10, 0, 10, 10).restitution(0.5).circle(0, 5, 2, 2, 0));
-    world.advanceTo(4 + 16 + 32 + 64);
+    Run.to(world, 4 + 16 + 32 + 64);
     assertThat(Run.rows(world.impacts()))
         .extracting(Run.Row::time)
         .containsExactly(4.0, 20.0, 52.0, 116.0);
@@ -406,7 +406,7 @@ class WorldTest {
   @Test
   void theFourWallsAreNumbered() {
     World world = world(Scene.builder().bounds(0, 0, 20, 10).circle(10, 5, 2, 8, 1));
-    world.advanceTo(9);
+    Run.to(world, 9);
     assertThat(Run.rows(world.impacts()))
         .extracting(Run.Row::time, Run.Row::obstacle)
         .containsExactly(
@@ -425,7 +425,7 @@ class WorldTest {
   void aPegTurnsACircleByItsNormal() {
     // Contact at the offset (9, 12): v.n = -25/5, v' = v + 10 n = (-1 + 6, -7 + 8)
     World world = world(Scene.builder().peg(0, 0, 7).circle(9 + 1, 12 + 7, 8, -1, -7));
-    world.advanceTo(1);
+    Run.to(world, 1);
     ImpactLog log = world.impacts();
     assertThat(log.kind(0)).isEqualTo(ObstacleKind.PEG);
     assertThat(log.feature(0)).isEqualTo(Feature.CIRCLE);
@@ -440,7 +440,7 @@ class WorldTest {
   @Test
   void aCircleLeavesAnOpenScene() {
     World world = world(floor());
-    world.advanceTo(0x1p40);
+    Run.to(world, 0x1p40);
     assertThat(world.impacts().size()).isEqualTo(1);
     assertAt(world, 0, 0x1p40, 2 + 4 * (0x1p40 - 2));
     assertAt(world, 1, 0, 20 + 0x1p43);
@@ -513,7 +513,7 @@ class WorldTest {
                 .circle(3, 14, 1, -1, 0)
                 .circle(-3, 14, 1, 1, 0)
                 .build());
-    world.step(2);
+    Run.step(world, 2);
     for (int row = 0; row < 4; row++) {
       double zero = row < 2 ? world.impacts().nx(row) : world.impacts().ny(row);
       assertThat(Double.doubleToRawLongBits(zero)).isZero();
@@ -536,7 +536,7 @@ class WorldTest {
                 .build());
     world.remove(ObstacleKind.PEG, 0);
     world.addCircle(2, 7, 0.5, 0, 0);
-    world.step(1.5);
+    Run.step(world, 1.5);
     assertThat(world)
         .hasToString(
             "World[now=1.5, 2 circles that collide, 1 lines, 1 pegs, bounds "
@@ -558,14 +558,14 @@ class WorldTest {
                 .circle(5, 10, 1, 2, 0)
                 .build());
     assertThat(world.impacts()).hasToString("ImpactLog of 0 rows");
-    world.step(1);
+    Run.step(world, 1);
     assertThat(world.impacts())
         .hasToString(
             """
             ImpactLog of 2 rows
             0: time 0.25, circle 0, line 0 SIDE, approach speed 4.0
             1: time 0.75, circle 0, wall 2 SIDE, approach speed 4.0""");
-    world.step(100);
+    Run.step(world, 100);
     int size = world.impacts().size();
     assertThat(world.impacts().toString().lines())
         .hasSize(12)

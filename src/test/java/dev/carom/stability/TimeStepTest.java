@@ -9,6 +9,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import dev.carom.Circle;
 import dev.carom.Line;
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Vec2;
@@ -94,7 +95,7 @@ class TimeStepTest {
       })
   void otherStepsAreRefusedAndChangeNothing(double dt) {
     World world = world(falling());
-    world.step(3);
+    Run.step(world, 3);
     List<Play.State> before = states(world);
     assertThatIllegalArgumentException()
         .isThrownBy(() -> world.step(dt))
@@ -128,9 +129,9 @@ class TimeStepTest {
     assertThat(world.y(0)).isBetween(1.0, 9.0);
     world.setVelocity(1, 0, 0);
     World other = new World(world.scene());
-    other.advanceTo(world.now());
-    world.advanceTo(20);
-    other.advanceTo(20);
+    Run.to(other, world.now());
+    Run.to(world, 20);
+    Run.to(other, 20);
     assertThat(impactsOfTheFirst(world)).isEqualTo(impactsOfTheFirst(other)).isGreaterThan(10);
     assertThat(world.y(0)).as("the others go on as they would").isEqualTo(other.y(0));
     assertThat(world.vy(0)).isEqualTo(other.vy(0));

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
 import dev.carom.Outcome;
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -68,7 +69,7 @@ class TrappedTest {
   @Test
   void anEditOfItsSurroundingsLetsItGo() {
     World world = new World(triangle().build());
-    world.step(1);
+    Run.step(world, 1);
     world.remove(ObstacleKind.LINE, 1);
     world.setVelocity(0, -3, 1);
     assertThat(world.step(10)).isTrue();
@@ -109,7 +110,7 @@ class TrappedTest {
     }
     assertThat(jammed.cardinality()).isBetween(15, 30);
     assertThat(Arrays.stream(rows).max().getAsInt()).isLessThanOrEqualTo(2_000);
-    world.step(1);
+    Run.step(world, 1);
     ImpactLog impacts = world.impacts();
     for (int i = 0; i < impacts.size(); i++) {
       assertThat(jammed.get(impacts.circle(i))).as("of a trapped one").isFalse();

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Internals;
 import dev.carom.ObstacleKind;
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.World;
@@ -40,7 +41,7 @@ class GrownCircleTest {
     world.remove(ObstacleKind.LINE, 8);
     world.remove(ObstacleKind.LINE, 9);
     world.setRadius(0, 7.9);
-    world.step(100);
+    Run.step(world, 100);
     assertThat(world.impacts().size()).isEqualTo(1);
     assertThat(world.impacts().id(0)).isZero();
   }

@@ -60,7 +60,7 @@ class IdLimitTest {
     World world = old(collide, CIRCLES - 1);
     int last = world.addCircle(50, 20, 3, 0, 9);
     assertThat(last).isEqualTo(CIRCLES - 1);
-    world.step(10);
+    Run.step(world, 10);
     assertThat(world.impacts().size()).isPositive();
     Snapshot snapshot = world.snapshot();
     assertThat(SnapshotBytes.copy(snapshot)).isEqualTo(snapshot);
@@ -73,7 +73,7 @@ class IdLimitTest {
   }
 
   private static ImpactLog after(World world) {
-    world.step(20);
+    Run.step(world, 20);
     return world.impacts();
   }
 
@@ -124,9 +124,9 @@ class IdLimitTest {
     World world = old(collide, CIRCLES - 10);
     Timeline past = world.record(100);
     int id = world.addCircle(50, 20, 3, 0, 9);
-    world.step(4);
+    Run.step(world, 4);
     world.remove(CIRCLE, 0);
-    world.step(4);
+    Run.step(world, 4);
     assertThat(past.x(7, 0)).isEqualTo(50);
     assertThat(past.y(id, 0.5)).isEqualTo(24.5);
     assertThat(past.contains(0, 3.5)).isTrue();

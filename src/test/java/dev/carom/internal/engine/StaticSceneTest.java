@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Internals;
 import dev.carom.Response;
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.SweptCircle;
@@ -31,7 +32,7 @@ class StaticSceneTest {
 
   /** The time of the first impact of circle 0, which comes from (10, 50) along x. */
   private static double firstImpact(World world) {
-    world.advanceTo(world.now() + 100);
+    Run.to(world, world.now() + 100);
     assertThat(world.impacts().size()).isPositive();
     assertThat(world.impacts().circle(0)).isZero();
     return world.impacts().time(0);
@@ -65,7 +66,7 @@ class StaticSceneTest {
     World edited = new World(scene);
     edited.moveLine(7, 60, 40, 60, 60);
     World world = new World(scene);
-    world.step(1);
+    Run.step(world, 1);
     world.restore(edited.snapshot());
     assertThat(firstImpact(world)).isEqualTo(45);
     world.restore(new World(scene).snapshot());
@@ -75,7 +76,7 @@ class StaticSceneTest {
   @Test
   void manyNewLinesAreKnownWithTheNextStep() {
     World world = new World(room().circle(10, 50, 5, 1, 0).build());
-    world.step(1);
+    Run.step(world, 1);
     for (int i = 0; i < MANY; i++) {
       world.addLine(5 * i, 5, 5 * i + 3, 5);
     }
@@ -88,7 +89,7 @@ class StaticSceneTest {
     World world = new World(room().circle(50, 50, 1, 0, 0).circle(30, 20, 10, 0, 0).build());
     int id = world.addCircle(10, 50, 4, 1, 0);
     world.moveLine(7, 60, 40, 60, 60);
-    world.step(100);
+    Run.step(world, 100);
     assertThat(world.impacts().circle(0)).isEqualTo(id);
     assertThat(world.impacts().time(0)).isEqualTo(46);
   }
@@ -121,11 +122,11 @@ class StaticSceneTest {
     }
     World world = new World(scene.build());
     World edited = new World(scene.build());
-    world.advanceTo(1 / 3.0);
-    edited.advanceTo(1 / 3.0);
+    Run.to(world, 1 / 3.0);
+    Run.to(edited, 1 / 3.0);
     edited.addLine(5, 0, 5, 100);
-    world.advanceTo(10 / 7.0);
-    edited.advanceTo(10 / 7.0);
+    Run.to(world, 10 / 7.0);
+    Run.to(edited, 10 / 7.0);
     for (int i = 0; i < MANY; i++) {
       assertThat(edited.x(i)).isEqualTo(world.x(i));
       assertThat(edited.y(i)).isEqualTo(world.y(i));
@@ -136,10 +137,10 @@ class StaticSceneTest {
   void whatFlewBeyondTheDoublesHitsNothing() {
     World world =
         new World(Scene.builder().line(0, 0, 1, 1).peg(5, 5, 1).circle(9, 9, 1, 1e308, 1).build());
-    world.step(10);
+    Run.step(world, 10);
     assertThat(world.x(0)).isInfinite();
     world.addLine(20, 0, 20, 100);
-    world.step(10);
+    Run.step(world, 10);
     assertThat(world.impacts().size()).isZero();
     assertThat(world.now()).isEqualTo(20);
   }

@@ -98,8 +98,8 @@ class TurnoverTest {
         come();
       }
       double dt = 0.3 * random.nextDouble();
-      world.step(dt);
-      beside.step(dt);
+      Run.step(world, dt);
+      Run.step(beside, dt);
       assertThat(Run.rows(world.impacts())).isEqualTo(Run.rows(beside.impacts()));
       assertThat(world.ids(CIRCLE)).isEqualTo(beside.ids(CIRCLE)).hasSize(world.circleCount());
       compareQuestions();
@@ -148,7 +148,7 @@ class TurnoverTest {
     begin(collide, 0);
     go();
     go();
-    world.step(1);
+    Run.step(world, 1);
     int id = live.peekLast();
     for (Runnable edit :
         new Runnable[] {

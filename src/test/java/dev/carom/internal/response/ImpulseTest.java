@@ -3,6 +3,7 @@ package dev.carom.internal.response;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SweptSphere;
 import dev.carom.World;
@@ -102,7 +103,7 @@ class ImpulseTest {
                   .mass(m2)
                   .collide(true)
                   .build());
-      world.step(0);
+      Run.step(world, 0);
       met += world.impacts().size();
       if (world.impacts().size() == 1) {
         // The differences of velocities are rounded; the test is of what follows.

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.carom.ImpactLog;
 import dev.carom.Internals;
 import dev.carom.Outcome;
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.World;
 import dev.carom.internal.state.Codes;
@@ -209,7 +210,7 @@ class ObstacleResponseTest {
                 .line(0, 0, 8 * unit, 0)
                 .circle(2 * unit, 3 * unit, unit, 0, -unit)
                 .build());
-    world.step(3);
+    Run.step(world, 3);
     assertThat(world.impacts().time(0)).isEqualTo(2);
     assertThat(world.impacts().x(0)).isEqualTo(2 * unit);
     assertThat(world.impacts().y(0)).isZero();

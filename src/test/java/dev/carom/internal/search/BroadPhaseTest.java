@@ -10,6 +10,7 @@ import dev.carom.Internals;
 import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.Resolver;
+import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.SweptCircle;
@@ -29,7 +30,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class BroadPhaseTest {
 
   private static ImpactLog step(World world, double dt) {
-    world.step(dt);
+    Run.step(world, dt);
     return world.impacts();
   }
 
@@ -310,7 +311,7 @@ class BroadPhaseTest {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 1, 1, 0);
     builder.line(x, 40, x, 60).line(x, 40, x, 60);
     World world = Internals.world(builder.build(), EngineOptions.cells(10));
-    world.step(1);
+    Run.step(world, 1);
     world.remove(ObstacleKind.LINE, 0);
     ImpactLog log = step(world, 50);
     assertThat(log.kind(0)).isEqualTo(ObstacleKind.LINE);
@@ -385,7 +386,7 @@ class BroadPhaseTest {
             .line(far / 4, -far / 4, -far / 4, far / 4)
             .build();
     World world = new World(scene);
-    world.advanceTo(1e50);
+    Run.to(world, 1e50);
     assertThat(world.impacts().size()).isEqualTo(1);
     assertThat(world.impacts().kind(0)).isEqualTo(ObstacleKind.LINE);
     assertThat(world.impacts().time(0))
@@ -444,7 +445,7 @@ class BroadPhaseTest {
       World world = new World(scene.circle(x, y, unit, 0, v).build());
       assertThat(world.engineDescription())
           .contains(Math.abs(exponent) < 400 ? "1 grid" : "12 lines and pegs without a grid");
-      world.advanceTo((200 * unit - y) / v);
+      Run.to(world, (200 * unit - y) / v);
       double told =
           world.impacts().size() == 0 ? Double.POSITIVE_INFINITY : world.impacts().time(0);
       assertThat(told).isEqualTo(first);
