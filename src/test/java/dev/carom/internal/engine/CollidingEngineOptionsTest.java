@@ -3,17 +3,15 @@ package dev.carom.internal.engine;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.Circle;
 import dev.carom.CollidingScenes;
 import dev.carom.ImpactLog;
 import dev.carom.Internals;
-import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.PlainWorld;
 import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
-import dev.carom.Vec2;
+import dev.carom.SceneParts;
 import dev.carom.World;
 import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayList;
@@ -98,7 +96,7 @@ class CollidingEngineOptionsTest {
     World world = new World(scene);
     List<Run.Row> rows = new ArrayList<>();
     while (rows.size() < 300 && world.now() < 100) {
-      world.step(0.25);
+      Run.step(world, 0.25);
       rows.addAll(Run.rows(world.impacts()));
     }
     ImpactLog plain = new PlainWorld(scene).advance(world.now(), rows.size() + 1);
@@ -167,7 +165,7 @@ class CollidingEngineOptionsTest {
     Scene scene = CollidingScenes.gas(new Random(1), 60).build();
     World watched = new World(scene);
     for (int frame = 0; frame < 100; frame++) {
-      watched.step(1);
+      Run.step(watched, 1);
       Run.states(watched);
     }
     assertThat(Run.states(watched)).isEqualTo(Run.advance(new World(scene), 100).end());
@@ -184,7 +182,7 @@ class CollidingEngineOptionsTest {
     List<Integer> lines = shuffled(scene.lineCount(), new Random(seed));
     List<Integer> pegs = shuffled(scene.pegCount(), new Random(seed));
     Run run = Run.advance(new World(scene), 60);
-    Run other = Run.advance(new World(part(scene, circles, lines, pegs)), 60);
+    Run other = Run.advance(new World(SceneParts.of(scene, circles, lines, pegs)), 60);
 
     List<Seen> renamed = new ArrayList<>();
     for (Run.Row row : other.impacts()) {
@@ -235,7 +233,7 @@ class CollidingEngineOptionsTest {
   /** The scene without the circles that have an impact at time 0, all of which would be ties. */
   private static Scene withoutOverlaps(Scene scene) {
     World world = new World(scene);
-    world.step(0);
+    Run.step(world, 0);
     List<Integer> early = new ArrayList<>();
     for (Run.Row row : Run.rows(world.impacts())) {
       early.add(row.circle());
@@ -243,30 +241,10 @@ class CollidingEngineOptionsTest {
         early.add(row.obstacle());
       }
     }
-    return part(
+    return SceneParts.of(
         scene,
         IntStream.range(0, scene.circleCount()).filter(i -> !early.contains(i)).boxed().toList(),
         IntStream.range(0, scene.lineCount()).boxed().toList(),
         IntStream.range(0, scene.pegCount()).boxed().toList());
-  }
-
-  private static Scene part(
-      Scene scene, List<Integer> circles, List<Integer> lines, List<Integer> pegs) {
-    SceneBuilder builder = Scene.builder().collide(true);
-    scene.bounds().ifPresent(b -> builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax()));
-    for (int i : lines) {
-      Line l = scene.line(i);
-      builder.line(l.ax(), l.ay(), l.bx(), l.by());
-    }
-    for (int i : pegs) {
-      Circle p = scene.peg(i);
-      builder.peg(p.x(), p.y(), p.radius());
-    }
-    for (int i : circles) {
-      Circle c = scene.circle(i);
-      Vec2 v = scene.velocity(i);
-      builder.circle(c.x(), c.y(), c.radius(), v.x(), v.y()).mass(scene.mass(i));
-    }
-    return builder.build();
   }
 }

@@ -10,6 +10,7 @@ import dev.carom.RandomScenes;
 import dev.carom.Run;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
+import dev.carom.SceneParts;
 import dev.carom.TestScenes;
 import dev.carom.Vec2;
 import dev.carom.World;
@@ -152,22 +153,8 @@ class EngineOptionsTest {
       List<Integer> lines = shuffled(scene.lineCount(), random);
       List<Integer> pegs = shuffled(scene.pegCount(), random);
       List<Integer> circles = shuffled(scene.circleCount(), random);
-      SceneBuilder builder = Scene.builder();
-      scene.bounds().ifPresent(b -> builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax()));
-      for (int i : lines) {
-        Line l = scene.line(i);
-        builder.line(l.ax(), l.ay(), l.bx(), l.by());
-      }
-      for (int i : pegs) {
-        Circle p = scene.peg(i);
-        builder.peg(p.x(), p.y(), p.radius());
-      }
-      for (int i : circles) {
-        Circle c = scene.circle(i);
-        Vec2 v = scene.velocity(i);
-        builder.circle(c.x(), c.y(), c.radius(), v.x(), v.y());
-      }
-      return new Shuffled(builder.build(), lines, pegs, circles);
+      Scene parts = SceneParts.of(scene, circles, lines, pegs);
+      return new Shuffled(parts, lines, pegs, circles);
     }
 
     private static List<Integer> shuffled(int count, Random random) {
@@ -219,7 +206,7 @@ class EngineOptionsTest {
   /** The scene without the circles that have an impact at time 0, all of which would be ties. */
   private static Scene withoutOverlaps(Scene scene) {
     World world = new World(scene);
-    world.step(0);
+    Run.step(world, 0);
     List<Integer> early = Run.rows(world.impacts()).stream().map(Run.Row::circle).toList();
     SceneBuilder builder = Scene.builder();
     scene.bounds().ifPresent(b -> builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax()));

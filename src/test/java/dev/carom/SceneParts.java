@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import java.util.List;
+
+/** Scenes made of some elastic things of another one, in another order. */
+public final class SceneParts {
+
+  private SceneParts() {}
+
+  /** The things with these numbers, in this order, within the same bounds. */
+  public static Scene of(
+      Scene scene, List<Integer> circles, List<Integer> lines, List<Integer> pegs) {
+    SceneBuilder builder = Scene.builder().collide(scene.collide());
+    scene.bounds().ifPresent(b -> builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax()));
+    for (int i : lines) {
+      Line l = scene.line(i);
+      builder.line(l.ax(), l.ay(), l.bx(), l.by());
+    }
+    for (int i : pegs) {
+      Circle p = scene.peg(i);
+      builder.peg(p.x(), p.y(), p.radius());
+    }
+    for (int i : circles) {
+      Circle c = scene.circle(i);
+      Vec2 v = scene.velocity(i);
+      builder.circle(c.x(), c.y(), c.radius(), v.x(), v.y()).mass(scene.mass(i));
+    }
+    return builder.build();
+  }
+}
