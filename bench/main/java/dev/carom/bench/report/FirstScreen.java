@@ -102,7 +102,7 @@ final class FirstScreen {
                 "the nearest that is as accurate (%s%s) takes %s times as long"
                     .formatted(
                         Metrics.shortName(s.setting()),
-                        Glossary.isControl(s.setting().method()) ? ", our control" : "",
+                        Glossary.isControl(s.setting().method()) ? ", written for comparison" : "",
                         times(s, carom)));
   }
 

@@ -164,7 +164,7 @@ final class Page {
             + " frame, and is compared with the true end of that frame. The true course is computed"
             + " to more digits than a double holds, and every decision in it is proved. So neither"
             + " errors of earlier frames count nor luck. Lengths are in px, times in frames; an error"
-            + " is told in radii of the circle. Circles ignore each other, as in the published"
+            + " is in radii of the circle. Circles ignore each other, as in the published"
             + " experiment; only in the gas they collide.");
     scenes();
     html.append("<details><summary>The methods, in words</summary>\n<dl>\n");

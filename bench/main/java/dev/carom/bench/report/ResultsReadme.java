@@ -43,7 +43,7 @@ final class ResultsReadme {
       text.append('\n');
       text.append(
           "Each frame starts from the true state, computed to more digits than a double holds; its"
-              + " error is told in radii of the circle. The circles ignore each other.");
+              + " error is in radii of the circle. The circles ignore each other.");
       NAMED.stream()
           .filter(results.methods()::contains)
           .forEach(

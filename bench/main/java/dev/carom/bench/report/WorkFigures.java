@@ -64,7 +64,7 @@ final class WorkFigures {
         "work-" + scene,
         "Speed against accuracy",
         title(scene, all),
-        "Scene %s. Left and below is better. Whiskers upright: 5 to 95 %% over %d virtual machines; to the left: down to the 99.9th percentile of errors. Hollow: an engine at its defaults. Dotted: what nothing beats in both. Crossed rings failed."
+        "Scene %s. The lower left is best. Upright whiskers: 5 to 95 %% of the times in %d virtual machines. Whiskers to the left end at the 99.9th percentile of the errors. Hollow: an engine at its defaults. Nothing lies left of the dotted lines and below them. A crossed ring is a failure."
             .formatted(scene, forks),
         caption,
         List.of(new Panel("", chart.large(Picture.WIDE))),
