@@ -17,6 +17,7 @@ import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.SceneFormatException;
 import dev.carom.Snapshot;
+import dev.carom.SnapshotBytes;
 import dev.carom.Timeline;
 import dev.carom.Trajectory;
 import dev.carom.Uncertainty;

@@ -9,6 +9,7 @@ import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.SceneFormatException;
 import dev.carom.Snapshot;
+import dev.carom.SnapshotBytes;
 import dev.carom.World;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
