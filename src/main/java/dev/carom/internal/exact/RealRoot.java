@@ -34,6 +34,19 @@ public final class RealRoot {
     return new RealRoot(null, 0, t, t);
   }
 
+  /** A time from 0 on: the lesser root of {@code (d t - p)^2 - q}. */
+  public static RealRoot of(ExactTime time) {
+    Dyadic p = time.p();
+    Dyadic q = time.q();
+    Dyadic d = time.d();
+    Dyadic constant = p.square().minus(q);
+    if (constant.sign() == 0) {
+      return at(Dyadic.ZERO);
+    }
+    Dyadic middle = Dyadic.ZERO.minus(p.times(d).plus(p.times(d)));
+    return Polynomial.of(constant, middle, d.square()).positiveRoots(null).get(0);
+  }
+
   /** A power of two after a time. */
   static RealRoot after(double time) {
     return at(Dyadic.powerOfTwo(Math.getExponent(Math.max(time, Double.MIN_NORMAL)) + 1));

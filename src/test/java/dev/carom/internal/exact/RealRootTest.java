@@ -34,6 +34,19 @@ class RealRootTest {
     assertThat(polynomial(-3, 1).positiveRoots(null).get(0).compare(Dyadic.of(3))).isZero();
   }
 
+  /** (p - sqrt(q)) / d: 3 - sqrt(2), a fraction, and 0 in two forms. */
+  @Test
+  void isMadeOfATimeOfImpact() {
+    RealRoot root = RealRoot.of(new ExactTime(Dyadic.of(3), Dyadic.of(2), Dyadic.of(1)));
+    assertThat(root.nearest()).isEqualTo(3 - Math.sqrt(2), within(1e-15));
+    assertThat(root.compare(polynomial(7, -6, 1).positiveRoots(null).get(0))).isZero();
+    RealRoot fraction = RealRoot.of(new ExactTime(Dyadic.of(3), Dyadic.ZERO, Dyadic.of(4)));
+    assertThat(fraction.compare(Dyadic.of(0.75))).isZero();
+    assertThat(RealRoot.of(ExactTime.ZERO).compare(Dyadic.ZERO)).isZero();
+    RealRoot zero = RealRoot.of(new ExactTime(Dyadic.of(3), Dyadic.of(9), Dyadic.of(4)));
+    assertThat(zero.compare(Dyadic.ZERO)).isZero();
+  }
+
   @Test
   void isComparedWithOtherRoots() {
     assertThat(root2().compare(root2OfAnother())).isZero();
