@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.state.EngineOptions;
 import java.util.ArrayList;
 import java.util.List;
@@ -120,6 +121,50 @@ class QuestionsTest {
     }
   }
 
+  /** Circles that fall, among some that do not, since their masses are infinite. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1, 1e-70, 1e70})
+  void worldsWithGravityAnswerAsALoopDoes(double unit) {
+    for (int seed = 0; seed < 2; seed++) {
+      Random random = new Random(seed);
+      Twins worlds = Twins.of(scene(random, unit, true, seed == 0));
+      Random circles = new Random(seed);
+      worlds.each(world -> world.setGravity(0.1 * unit, -0.2 * unit));
+      for (int i = 0; i < 100; i++) {
+        double mass = circles.nextInt(4) == 0 ? NEVER : 1;
+        double x = place(circles, unit);
+        double y = place(circles, unit);
+        double r = unit * (0.1 + circles.nextDouble());
+        double vx = speed(circles, unit);
+        double vy = speed(circles, unit);
+        worlds.each(world -> world.setMass(world.addCircle(x, y, r, vx, vy), mass));
+      }
+      for (int round = 0; round < 3; round++) {
+        for (int i = 0; i < QUESTIONS; i++) {
+          askForFirst(worlds, random, unit);
+        }
+        double turn = round;
+        worlds.each(world -> world.setGravity(0.2 * unit, (turn - 0.5) * unit));
+        if (unit == 1) { // of other units a step may be unfinished, and then the worlds differ
+          worlds.each(world -> assertThat(world.step(0.3)).isTrue());
+        }
+      }
+    }
+  }
+
+  /** Casts as they are, until their impact, and with a speed far from those of the circles. */
+  private static void askForFirst(Twins worlds, Random random, double unit) {
+    double x = place(random, unit);
+    double y = place(random, unit);
+    Circle disk = new Circle(x, y, random.nextInt(3) == 0 ? 0 : radius(random, unit));
+    double factor = Math.scalb(1.0, random.nextInt(20) - 10);
+    Vec2 v = new Vec2(factor * speed(random, unit), factor * speed(random, unit));
+    double maxTime = random.nextInt(3) == 0 ? NEVER : 40 * random.nextDouble();
+    Optional<Impact> hit = worlds.compare(world -> world.cast(disk, v, maxTime));
+    hit.ifPresent(impact -> worlds.compare(world -> world.cast(disk, v, impact.time())));
+    worlds.compare(world -> world.cast(disk, v, maxTime, 1, 1));
+  }
+
   @ParameterizedTest
   @ValueSource(doubles = {1, 1e-160, 1e140, 1e250})
   void worldsAnswerAsALoopDoes(double unit) {
@@ -216,6 +261,30 @@ class QuestionsTest {
         assertThat(resolver.overlapping(box)).isEqualTo(scene.resolver().overlapping(box));
       }
     }
+  }
+
+  /** A cast among many falling circles asks only those that are near its path. */
+  @Test
+  void aCastLooksAtFewFallingCircles() {
+    Random random = new Random(1);
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 500, 500).collide(true).gravity(0, -0.05);
+    for (int i = 0; i < 2_500; i++) {
+      double x = 5 + 10 * (i % 50);
+      double y = 5 + 10 * (i / 50);
+      scene.circle(x, y, 3, 2 * random.nextDouble() - 1, 2 * random.nextDouble() - 1);
+    }
+    World world = new World(scene.build());
+    world.step(3);
+    long before = 0;
+    int casts = 200;
+    for (int i = -20; i < casts; i++) {
+      if (i == 0) { // now there is an index
+        before = PrecisionCounters.COUNT.parabolas;
+      }
+      Circle ray = new Circle(500 * random.nextDouble(), 500 * random.nextDouble(), 0);
+      world.cast(ray, new Vec2(random.nextGaussian(), random.nextGaussian()), NEVER);
+    }
+    assertThat(PrecisionCounters.COUNT.parabolas - before).isLessThan(200L * casts);
   }
 
   /** Casts in bulk and one by one. */

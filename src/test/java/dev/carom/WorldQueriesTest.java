@@ -49,6 +49,33 @@ class WorldQueriesTest {
     assertThat(world.cast(circle, v, Math.nextDown(1.2))).isEmpty();
   }
 
+  /**
+   * Rays that hit a falling circle and one at rest at times that round to 4. They pass both centres
+   * by so little that the times exceed 4 by the square of that, halved.
+   */
+  @Test
+  void whichOfAFallingCircleAndAnotherIsHitFirstIsDecidedExactly() {
+    assertThat(firstBesideFalling(0, 1e-9, true)).isEqualTo(1);
+    assertThat(firstBesideFalling(0, 1e-9, false)).isEqualTo(0);
+    assertThat(firstBesideFalling(2e-9, 1e-9, true)).isEqualTo(0);
+    assertThat(firstBesideFalling(2e-9, 1e-9, false)).isEqualTo(1);
+    assertThat(firstBesideFalling(0, 0, true)).as("at once: the first id").isEqualTo(0);
+    assertThat(firstBesideFalling(0, 0, false)).as("at once: the first id").isEqualTo(0);
+  }
+
+  private static int firstBesideFalling(double resting, double falling, boolean isFallingFirst) {
+    World world = new World(Scene.builder().gravity(0, -1).collide(true).build());
+    double fallen = 0.5 * 4 * 4;
+    for (int i = 0; i < 2; i++) {
+      boolean falls = (i == 0) == isFallingFirst;
+      int id = world.addCircle(5, falls ? falling + fallen : resting, 1, 0, 0);
+      world.setMass(id, falls ? 1 : NEVER);
+    }
+    Impact impact = world.cast(new Circle(0, 0, 0), new Vec2(1, 0), NEVER).orElseThrow();
+    assertThat(impact.time()).isEqualTo(4);
+    return impact.id();
+  }
+
   /** Into a corner: the wall that is named is the one whose point and normal are told. */
   @Test
   void theWallThatIsNamedIsTheOneThatIsHit() {

@@ -4,13 +4,11 @@ package dev.carom.internal.query;
 import dev.carom.internal.search.BoxTree;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
-import dev.carom.internal.state.LiveCodes;
-import dev.carom.internal.util.IntList;
 import java.util.Arrays;
 
 /**
- * An index of the circles of a world where they are now: a {@link BoxTree} of their slots, and the
- * largest speeds. It lasts until the next step or edit.
+ * An index of the circles of a world where they are now: a {@link BoxTree} of their slots, and how
+ * fast they move. It lasts until the next step or edit.
  *
  * <p>An index costs more than a question that tests each circle. So it is made once such questions
  * have tested as many circles as it costs.
@@ -33,15 +31,18 @@ final class CircleIndex {
 
   private long tested;
 
+  /** The circles as they are now, by their slots. */
+  private double[] rows;
+
   /** The number of the last cast that found each circle, by its slot. */
   private int[] foundBy = new int[0];
 
   private int cast;
 
-  /** No circle is faster on an axis. */
-  private double fastestX;
+  /** The box of all velocities, and that of all accelerations and 0. */
+  private final double[] velocities = new double[BoxTree.BOX];
 
-  private double fastestY;
+  private final double[] accelerations = new double[BoxTree.BOX];
 
   CircleIndex(CircleTable circles, CircleRegistry registry, boolean wanted) {
     this.wanted = wanted;
@@ -67,28 +68,36 @@ final class CircleIndex {
   }
 
   private void make(double now) {
-    LiveCodes present = registry.present();
-    IntList slots = new IntList();
-    fastestX = 0;
-    fastestY = 0;
-    for (int i = 0; i < present.size(); i++) {
-      int slot = present.get(i);
-      if (isThere(slot, now)) {
-        slots.add(slot);
-        fastestX = Math.max(fastestX, Math.abs(circles.vx(slot, now)));
-        fastestY = Math.max(fastestY, Math.abs(circles.vy(slot, now)));
-      }
-    }
-    int[] items = slots.toArray();
-    double[] boxes = new double[items.length * BoxTree.BOX];
-    for (int k = 0; k < items.length; k++) {
-      double x = circles.x(items[k], now);
-      double y = circles.y(items[k], now);
-      BoxTree.put(boxes, k, x, y, x, y, circles.radius(items[k]));
-    }
-    tree = new BoxTree(items, boxes);
-    foundBy = new int[items.length == 0 ? 0 : items[items.length - 1] + 1];
+    int[] slots = registry.present().stream(slot -> !isThere(slot, now)).toArray();
+    double[] boxes = new double[slots.length * BoxTree.BOX];
+    int end = slots.length == 0 ? 0 : slots[slots.length - 1] + 1;
+    rows = new double[end * CastTarget.ROW];
+    foundBy = new int[end];
     cast = 0;
+    Arrays.fill(velocities, Double.NaN);
+    Arrays.fill(accelerations, 0);
+    CastTarget circle = new CastTarget();
+    for (int k = 0; k < slots.length; k++) {
+      int slot = slots[k];
+      circle.load(circles, slot, now).save(rows, slot * CastTarget.ROW);
+      BoxTree.put(boxes, k, circle.x, circle.y, circle.x, circle.y, circle.r);
+      include(velocities, circle.vx, circle.vy);
+      include(accelerations, circle.gx, circle.gy);
+    }
+    tree = new BoxTree(slots, boxes);
+  }
+
+  /** Extends a box to a point; one of NaN is empty. */
+  private static void include(double[] box, double x, double y) {
+    box[BoxTree.LEFT] = x > box[BoxTree.LEFT] ? box[BoxTree.LEFT] : x;
+    box[BoxTree.BOTTOM] = y > box[BoxTree.BOTTOM] ? box[BoxTree.BOTTOM] : y;
+    box[BoxTree.RIGHT] = x < box[BoxTree.RIGHT] ? box[BoxTree.RIGHT] : x;
+    box[BoxTree.TOP] = y < box[BoxTree.TOP] ? box[BoxTree.TOP] : y;
+  }
+
+  /** Loads a circle of the index. */
+  CastTarget load(int slot, CastTarget circle) {
+    return circle.load(rows, slot * CastTarget.ROW);
   }
 
   /** Begins a cast: each circle is new to it. */
@@ -118,11 +127,11 @@ final class CircleIndex {
     return tree;
   }
 
-  double fastestX() {
-    return fastestX;
+  double[] velocities() {
+    return velocities;
   }
 
-  double fastestY() {
-    return fastestY;
+  double[] accelerations() {
+    return accelerations;
   }
 }

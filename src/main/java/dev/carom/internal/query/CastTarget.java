@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.query;
+
+import dev.carom.internal.exact.ExactParabola;
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.RealRoot;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.Hit;
+import dev.carom.internal.sweep.ParabolaDiskSweep;
+import dev.carom.internal.sweep.ParabolaHit;
+
+/** One circle of a world as it moves from now on, and when a cast hits it. */
+final class CastTarget {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** In units of the terms: far more than the rounding of a square. */
+  private static final double ROUNDING = 0x1p-40;
+
+  /** Doubles of a row: x, y, radius, vx, vy, gx, gy. A row fills a cache line. */
+  static final int ROW = 8;
+
+  private final Hit hit = new Hit();
+
+  double x;
+  double y;
+  double r;
+  double vx;
+  double vy;
+  double gx;
+  double gy;
+
+  private int contact;
+
+  /** Loads a circle as it is at a given time. */
+  CastTarget load(CircleTable circles, int slot, double now) {
+    x = circles.x(slot, now);
+    y = circles.y(slot, now);
+    r = circles.radius(slot);
+    vx = circles.vx(slot, now);
+    vy = circles.vy(slot, now);
+    gx = circles.gx(slot);
+    gy = circles.gy(slot);
+    return this;
+  }
+
+  /** Loads a circle from a row at k. */
+  CastTarget load(double[] rows, int k) {
+    x = rows[k];
+    y = rows[k + 1];
+    r = rows[k + 2];
+    vx = rows[k + 3];
+    vy = rows[k + 4];
+    gx = rows[k + 5];
+    gy = rows[k + 6];
+    return this;
+  }
+
+  /** Saves the circle to a row at k. */
+  void save(double[] rows, int k) {
+    rows[k] = x;
+    rows[k + 1] = y;
+    rows[k + 2] = r;
+    rows[k + 3] = vx;
+    rows[k + 4] = vy;
+    rows[k + 5] = gx;
+    rows[k + 6] = gy;
+  }
+
+  boolean isFalling() {
+    return gx != 0 || gy != 0;
+  }
+
+  /** Whether a cast may hit this circle; false only if it certainly does not. */
+  boolean mayBeHit(MovingCircle m) {
+    if (isFalling()) {
+      return true;
+    }
+    double dx = m.x - x;
+    double dy = m.y - y;
+    double ux = m.vx - vx;
+    double uy = m.vy - vy;
+    double bx = ux * dx;
+    double by = uy * dy;
+    if (bx + by > ROUNDING * (Math.abs(bx) + Math.abs(by)) + Double.MIN_NORMAL) {
+      return false; // it goes away
+    }
+    double radius = m.radius + r;
+    double wayX = ux * radius;
+    double wayY = uy * radius;
+    double reach = wayX * wayX + wayY * wayY;
+    double left = ux * dy;
+    double right = uy * dx;
+    double cross = left - right;
+    double area = Math.abs(left) + Math.abs(right);
+    return !(cross * cross > reach + ROUNDING * (reach + area * area) + Double.MIN_NORMAL);
+  }
+
+  /**
+   * The correctly rounded time of a cast's first contact with this circle; infinite for none up to
+   * a given end. It sets {@link #contact}.
+   */
+  double time(MovingCircle m, double end) {
+    if (m.radius + r == 0) {
+      return NEVER; // two points do not meet
+    }
+    if (isFalling()) {
+      double t =
+          ParabolaDiskSweep.time(m.x, m.y, m.radius, m.vx, m.vy, -gx, -gy, x, y, r, vx, vy, end);
+      contact = t == 0 ? Contact.NOW : Contact.LATER;
+      return t;
+    }
+    contact = DiskSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy);
+    return DiskSweep.time(contact, m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy, end);
+  }
+
+  /** The contact of a cast whose time was asked for last: NOW or LATER, MISS if there is none. */
+  int contact() {
+    return contact;
+  }
+
+  /** The exact time of a contact, if this circle does not fall. */
+  ExactTime exactTime(MovingCircle m, int itsContact) {
+    return DiskSweep.exactTime(itsContact, m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy);
+  }
+
+  /** The exact time of a contact, also if this circle falls. */
+  RealRoot root(MovingCircle m, int itsContact) {
+    return isFalling()
+        ? ExactParabola.disk(m.x, m.y, m.radius, m.vx, m.vy, -gx, -gy, x, y, r, vx, vy).first(NEVER)
+        : RealRoot.of(exactTime(m, itsContact));
+  }
+
+  /** The hit at a cast's first contact; always the same object if this circle does not fall. */
+  Hit hit(MovingCircle m) {
+    double t = m.cleared;
+    return isFalling()
+        ? ParabolaHit.ofDisks(m.x, m.y, m.radius, m.vx, m.vy, -gx, -gy, x, y, r, vx, vy, t)
+            .moved(MovingCircle.place(0, 0, gx, t), MovingCircle.place(0, 0, gy, t))
+        : hit.ofDisks(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy, m.contact, t);
+  }
+}

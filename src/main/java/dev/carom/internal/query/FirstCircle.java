@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.query;
+
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.exact.RealRoot;
+import dev.carom.internal.search.BoxTree;
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.CircleTable;
+import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.LiveCodes;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.sweep.Hit;
+import dev.carom.internal.util.IntList;
+
+/** The search for the first circle that a cast hits. */
+final class FirstCircle {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  private final CircleTable circles;
+  private final CircleRegistry registry;
+  private final CircleIndex index;
+  private final CastReach reach = new CastReach();
+  private final IntList near = new IntList();
+  private final CastTarget target = new CastTarget();
+
+  /** The circle that was found before, where it has to be compared exactly. */
+  private final CastTarget found = new CastTarget();
+
+  // The cast.
+  private MovingCircle m;
+  private Tracer tracer;
+  private double maxTime;
+  private double now;
+
+  FirstCircle(CircleTable circles, CircleRegistry registry, CircleIndex index) {
+    this.circles = circles;
+    this.registry = registry;
+    this.index = index;
+  }
+
+  /** Finds the first circle that is hit before anything else, see {@link CircleQueries#first}. */
+  void find(MovingCircle cast, Tracer itsTracer, double until, double present) {
+    m = cast;
+    tracer = itsTracer;
+    maxTime = until;
+    now = present;
+    if (index.tree() == null) {
+      testEach();
+    } else if (index.tree().size() > 0) {
+      walk(index.tree());
+    }
+  }
+
+  private void testEach() {
+    LiveCodes present = registry.present();
+    for (int i = 0; i < present.size(); i++) {
+      int slot = present.get(i);
+      if (index.isThere(slot, now)) {
+        target.load(circles, slot, now);
+        test(slot);
+      }
+    }
+  }
+
+  /** Tests the circles along the path, piece by piece. */
+  private void walk(BoxTree tree) {
+    index.beginCast();
+    reach.start(m, index);
+    int most = 16 + 4 * (int) Math.sqrt(tree.size());
+    double from = 0;
+    for (int pieces = 0; from <= end() && from < NEVER; pieces++) {
+      double to = pieces < most ? reach.end(from) : NEVER;
+      near.clear();
+      tree.find(reach.between(from, Math.min(to, end())), near);
+      for (int k = 0; k < near.size(); k++) {
+        int slot = near.get(k);
+        if (index.isNew(slot) && index.load(slot, target).mayBeHit(m)) {
+          test(slot);
+        }
+      }
+      from = reach.isPast() ? NEVER : to;
+    }
+  }
+
+  /** The time beyond which no contact is of interest. */
+  private double end() {
+    return m.next == MovingCircle.NOTHING ? maxTime : m.cleared;
+  }
+
+  /** Keeps the contact with a loaded circle if it is the first one. */
+  private void test(int slot) {
+    if (registry.isSensor(slot) || !Filter.meet(m.filter, registry.filter(slot))) {
+      return;
+    }
+    double limit = end();
+    // A time that rounds to the limit is exactly before the next double.
+    double t = target.time(m, Math.nextUp(limit));
+    if (t > limit || t == NEVER || (t == limit && !isFirst(slot))) {
+      return;
+    }
+    m.next = Codes.circle(slot);
+    m.contact = target.contact();
+    m.cleared = t;
+  }
+
+  /** Whether a contact is before the limit, with which its rounded time is equal. */
+  private boolean isFirst(int slot) {
+    int order = order();
+    return order != 0 ? order < 0 : m.next == MovingCircle.NOTHING || Codes.circle(slot) < m.next;
+  }
+
+  /** The sign of the exact time of the contact less that of the limit. */
+  private int order() {
+    boolean isOfCircle = m.next != MovingCircle.NOTHING && Codes.isCircle(m.next);
+    if (isOfCircle) {
+      found.load(circles, Codes.slot(m.next), now);
+    }
+    if (isOfCircle && (target.isFalling() || found.isFalling())) {
+      return root().compare(found.root(m, m.contact));
+    }
+    ExactTime limit =
+        m.next == MovingCircle.NOTHING
+            ? ExactTime.of(maxTime)
+            : isOfCircle ? found.exactTime(m, m.contact) : tracer.exactTime(m);
+    return target.isFalling()
+        ? root().compare(RealRoot.of(limit))
+        : target.exactTime(m, target.contact()).compare(limit);
+  }
+
+  private RealRoot root() {
+    return target.root(m, target.contact());
+  }
+
+  Hit hit(MovingCircle cast, double present) {
+    return target.load(circles, Codes.slot(cast.next), present).hit(cast);
+  }
+}
