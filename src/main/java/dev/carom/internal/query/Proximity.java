@@ -14,10 +14,9 @@ import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.util.Index;
 import dev.carom.internal.util.IntList;
 import dev.carom.internal.util.Kind;
-import java.util.Arrays;
 import java.util.function.DoubleSupplier;
+import java.util.function.IntConsumer;
 import java.util.function.IntPredicate;
-import java.util.stream.IntStream;
 
 /**
  * Finds the obstacles that are near a point, or that overlap a disk or a box. Overlaps are decided
@@ -72,7 +71,7 @@ public final class Proximity {
       obstacles.codes(kind).forEach(nearest::look);
       return;
     }
-    besideTree(kind).forEach(nearest::look);
+    besideTree(kind, nearest::look);
     nearest.search(tree, x, y);
   }
 
@@ -201,20 +200,26 @@ public final class Proximity {
         obstacles.codes(kind).forEach(found::add);
       } else {
         tree.find(box, found);
-        besideTree(kind).forEach(found::add);
+        besideTree(kind, found::add);
       }
     }
     return found.filtered(code -> isLive(code) && test.test(code));
   }
 
-  /** The obstacles of a kind that are in no tree: those that changed, and those that move. */
-  private IntStream besideTree(int kind) {
+  /** Names the obstacles of a kind that are in no tree: those that changed, and those that move. */
+  private void besideTree(int kind, IntConsumer action) {
     CodeSet loose = index.loose();
+    for (int i = 0; i < loose.size; i++) {
+      if (Codes.kind(loose.codes[i]) == kind) {
+        action.accept(loose.codes[i]);
+      }
+    }
     ObstacleMotions motions = obstacles.motions();
-    return IntStream.concat(
-            Arrays.stream(loose.codes, 0, loose.size),
-            IntStream.range(0, motions.count()).map(motions::code))
-        .filter(code -> Codes.kind(code) == kind);
+    for (int i = 0; i < motions.count(); i++) {
+      if (Codes.kind(motions.code(i)) == kind) {
+        action.accept(motions.code(i));
+      }
+    }
   }
 
   private boolean isLive(int code) {
