@@ -114,7 +114,8 @@ public final class Resolver {
   }
 
   /**
-   * Follows an elastic circle along its path, bounces included.
+   * Follows an elastic circle along its path, bounces included. It falls if the scene of this
+   * resolver has gravity.
    *
    * <p>A path has at most 100,000 impacts, and exact arithmetic counts as in the <a
    * href="doc-files/rules.html#unfinished">budget of a step</a>. One that would go on is not
@@ -158,7 +159,8 @@ public final class Resolver {
   }
 
   /**
-   * Finds the first impact of a moving circle with the obstacles. A circle of radius 0 is a ray.
+   * Finds the first impact of a moving circle with the obstacles. A circle of radius 0 is a ray. It
+   * flies straight on, also if the scene of this resolver has gravity.
    *
    * <p>It is the earliest of the impacts that {@link SweptCircle#cast SweptCircle.cast} gives for
    * each obstacle, as if in real arithmetic on the given doubles. Among exactly simultaneous ones

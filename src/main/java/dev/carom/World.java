@@ -514,15 +514,20 @@ public final class World {
    * Finds the first impact of a moving circle with this world as it is now. The world does not
    * change, and the circle need not belong to it.
    *
-   * <p>The circle meets walls, lines and pegs, and, if circles collide in this world, the circles
-   * too. Each of them goes on with its present velocity. The circle passes through sensors. A
-   * circle of radius 0 is a ray. A circle that is exactly concentric with one of this world does
-   * not meet it, so a program can ask for a circle of the world itself.
+   * <p>The circle flies straight on, also under {@linkplain SceneBuilder#gravity gravity}; {@link
+   * #trace trace} follows one that falls. It meets walls, lines and pegs, and, if circles collide
+   * in this world, the circles too. It passes through sensors. A circle of radius 0 is a ray. To
+   * ask for a circle of the world itself, give its place: a circle does not meet one that is
+   * exactly concentric with it, unless that one falls and catches up with it.
+   *
+   * <p>Lines, pegs and circles go on with their present velocities. Circles that fall or slide keep
+   * their acceleration too. What they would hit themselves does not stop them.
    *
    * <p>The earliest impact is found as if in real arithmetic, on the given doubles and on the
-   * positions and velocities that this world reports. The circle has category 1 and mask -1. Among
-   * exactly simultaneous impacts walls come first, then lines, then pegs, then circles, each by id.
-   * A {@link #step step} instead treats impacts with equal rounded times as simultaneous.
+   * positions, velocities and accelerations that this world has. The circle has category 1 and mask
+   * -1. Among exactly simultaneous impacts walls come first, then lines, then pegs, then circles,
+   * each by id. A {@link #step step} instead treats impacts with equal rounded times as
+   * simultaneous.
    *
    * <p>The search uses an <a href="doc-files/rules.html#questions">index</a>. A call allocates a
    * few small objects. For many casts use {@link #cast(Casts, double) one call}, which allocates
@@ -595,11 +600,12 @@ public final class World {
    * Follows a circle along its path among the walls, lines and pegs of this world, bounces
    * included. The world does not change.
    *
-   * <p>Lines and pegs go on with their present velocities. The circle passes through sensors and
-   * through all other circles. It has category 1 and mask -1. For an aiming line that ends at the
-   * first ball in the way, see <a href="doc-files/recipes.html#aiming">an aiming line that sees
-   * balls</a>. A path has at most 100,000 impacts; one that would go on is not {@linkplain
-   * Trajectory#complete complete}.
+   * <p>The circle falls if this world has {@linkplain SceneBuilder#gravity gravity}. It has
+   * category 1 and mask -1. It passes through sensors, and through all circles of this world: for
+   * an aiming line that ends at the first ball in the way, see <a
+   * href="doc-files/recipes.html#aiming">an aiming line that sees balls</a>. Lines and pegs go on
+   * with their present velocities. A path has at most 100,000 impacts; one that would go on is not
+   * {@linkplain Trajectory#complete complete}.
    *
    * @param circle the circle at the start; its radius may be 0
    * @param velocity its velocity at the start
@@ -669,15 +675,15 @@ public final class World {
   }
 
   /**
-   * Finds the thing of a kind that is nearest to a point, among those that something of a given
-   * category and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
+   * Finds the thing of a kind that is nearest to a point. Only things count that a circle of the
+   * given category and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
    * #nearest(ObstacleKind, double, double) nearest}.
    *
    * @param kind which kind of thing
    * @param x the x coordinate of the point, finite
    * @param y the y coordinate of the point, finite
-   * @param category the categories of the thing that would meet it
-   * @param mask the categories that this thing can meet
+   * @param category the categories of such a circle
+   * @param mask the categories that it can meet
    * @return its id, -1 if there is none
    * @throws IllegalArgumentException if a coordinate is NaN or infinite
    */
@@ -708,14 +714,14 @@ public final class World {
   }
 
   /**
-   * Finds the things of a kind that overlap a disk, among those that something of a given category
-   * and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
+   * Finds the things of a kind that overlap a disk. Only things count that a circle of the given
+   * category and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
    * #overlapping(ObstacleKind, Circle) overlapping}.
    *
    * @param kind which kind of thing
    * @param disk the disk
-   * @param category the categories of the thing that would meet them
-   * @param mask the categories that this thing can meet
+   * @param category the categories of such a circle
+   * @param mask the categories that it can meet
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Circle disk, int category, int mask) {
@@ -741,14 +747,14 @@ public final class World {
   }
 
   /**
-   * Finds the things of a kind that overlap a box, among those that something of a given category
-   * and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
+   * Finds the things of a kind that overlap a box. Only things count that a circle of the given
+   * category and mask can {@linkplain SceneBuilder#filter meet}. Otherwise as {@link
    * #overlapping(ObstacleKind, Bounds) overlapping}.
    *
    * @param kind which kind of thing
    * @param box the box
-   * @param category the categories of the thing that would meet them
-   * @param mask the categories that this thing can meet
+   * @param category the categories of such a circle
+   * @param mask the categories that it can meet
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Bounds box, int category, int mask) {
