@@ -17,9 +17,6 @@ final class FallingPair {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /** In units of the terms: far more than the rounding of a square of a distance. */
-  private static final double ROUNDING = 0x1p-40;
-
   private final CircleTable circles;
 
   private double x1;
@@ -92,23 +89,7 @@ final class FallingPair {
     if (!start(s, i, j)) {
       return false;
     }
-    if (gx != 0 || gy != 0) {
-      return true;
-    }
-    double dx = x1 - x2;
-    double dy = y1 - y2;
-    double ux = vx1 - vx2;
-    double uy = vy1 - vy2;
-    double b = ux * dx + uy * dy;
-    double terms = Math.abs(ux * dx) + Math.abs(uy * dy);
-    if (b > ROUNDING * terms) {
-      return false;
-    }
-    double r = r1 + r2;
-    double cross = ux * dy - uy * dx;
-    double area = Math.abs(ux * dy) + Math.abs(uy * dx);
-    double reach = (ux * ux + uy * uy) * (r * r);
-    return !(cross * cross > reach + ROUNDING * (area * area + reach));
+    return gx != 0 || gy != 0 || DiskSweep.mayMeet(x1 - x2, y1 - y2, vx1 - vx2, vy1 - vy2, r1 + r2);
   }
 
   /**

@@ -17,9 +17,6 @@ final class CastTarget {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /** In units of the terms: far more than the rounding of a square. */
-  private static final double ROUNDING = 0x1p-40;
-
   /** Doubles of a row: x, y, radius, vx, vy, gx, gy. A row fills a cache line. */
   static final int ROW = 8;
 
@@ -79,24 +76,7 @@ final class CastTarget {
     if (isFalling()) {
       return true;
     }
-    double dx = m.x - x;
-    double dy = m.y - y;
-    double ux = m.vx - vx;
-    double uy = m.vy - vy;
-    double bx = ux * dx;
-    double by = uy * dy;
-    if (bx + by > ROUNDING * (Math.abs(bx) + Math.abs(by)) + Double.MIN_NORMAL) {
-      return false; // it goes away
-    }
-    double radius = m.radius + r;
-    double wayX = ux * radius;
-    double wayY = uy * radius;
-    double reach = wayX * wayX + wayY * wayY;
-    double left = ux * dy;
-    double right = uy * dx;
-    double cross = left - right;
-    double area = Math.abs(left) + Math.abs(right);
-    return !(cross * cross > reach + ROUNDING * (reach + area * area) + Double.MIN_NORMAL);
+    return DiskSweep.mayMeet(m.x - x, m.y - y, m.vx - vx, m.vy - vy, m.radius + r);
   }
 
   /**

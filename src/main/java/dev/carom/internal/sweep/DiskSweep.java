@@ -21,7 +21,30 @@ import dev.carom.internal.exact.UnitVector;
  */
 public final class DiskSweep {
 
+  /** In units of the terms: far more than the rounding of a square. */
+  private static final double ROUNDING = 0x1p-40;
+
   private DiskSweep() {}
+
+  /**
+   * Whether two disks may meet, by plain doubles: false only if it is certain that they separate or
+   * pass each other. It takes their offset, their relative velocity and the sum of their radii.
+   */
+  public static boolean mayMeet(double dx, double dy, double ux, double uy, double r) {
+    double bx = ux * dx;
+    double by = uy * dy;
+    if (bx + by > ROUNDING * (Math.abs(bx) + Math.abs(by)) + Double.MIN_NORMAL) {
+      return false;
+    }
+    double wayX = ux * r;
+    double wayY = uy * r;
+    double reach = wayX * wayX + wayY * wayY;
+    double left = ux * dy;
+    double right = uy * dx;
+    double cross = left - right;
+    double area = Math.abs(left) + Math.abs(right);
+    return !(cross * cross > reach + ROUNDING * (reach + area * area) + Double.MIN_NORMAL);
+  }
 
   /** The contact of two disks that touch while approaching: NOW, LATER or MISS. */
   public static int contact(

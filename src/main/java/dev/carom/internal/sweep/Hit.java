@@ -48,14 +48,7 @@ public final class Hit {
     return this;
   }
 
-  /** The hit on a line at rest, from a contact and a time of {@link SegmentSweep}. */
-  public Hit ofLine(
-      double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
-      double by, int contact, double t) {
-    return ofLine(px, py, r, vx, vy, ax, ay, bx, by, 0, 0, contact, t);
-  }
-
-  /** The hit on a line that moves with the velocity u. */
+  /** The hit on a line that moves with the velocity u, from a contact and a time. */
   public Hit ofLine(
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
       double by, double ux, double uy, int contact, double t) {
