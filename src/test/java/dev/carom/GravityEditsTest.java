@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.Falling.box;
+import static dev.carom.Falling.rows;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+/** Edits of a world with gravity in mid-flight, in mid-hop and at rest. */
+class GravityEditsTest {
+
+  @Test
+  void gravityCanBeTurned() {
+    World world = new World(box().circle(50, 1, 1, 0, 0).restitution(0).build());
+    rows(world, 5);
+    assertThat(world.y(0)).isEqualTo(1);
+    world.setGravity(0, 10);
+    assertThat(world.gravity()).isEqualTo(new Vec2(0, 10));
+    rows(world, 6);
+    assertThat(world.y(0)).isEqualTo(6);
+    world.setGravity(0, 0);
+    rows(world, 7);
+    assertThat(world.y(0)).isEqualTo(16);
+    assertThat(world.vy(0)).isEqualTo(10);
+  }
+
+  @Test
+  void aSupportThatGoesLetsTheBallFall() {
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -10)
+                .line(0, 0, 20, 0)
+                .circle(10, 1, 1, 0, 0)
+                .restitution(0)
+                .build());
+    rows(world, 5);
+    assertThat(world.y(0)).isEqualTo(1);
+    world.remove(ObstacleKind.LINE, 0);
+    rows(world, 6);
+    assertThat(world.y(0)).isEqualTo(-4);
+  }
+
+  /** The new flight begins in mid-air: the floor that was hit last is not touched there. */
+  @Test
+  void anObstacleThatAppearsInTheWayOfAHopLeavesTheReturnAsItIs() {
+    World world = new World(box().circle(50, 6, 1, 0, 0).build());
+    rows(world, 1.25); // it touches the floor at 1
+    world.addPeg(50, 8, 1);
+    rows(world, 2.75); // it touches the peg at 2, at its apex: a graze
+    assertThat(world.y(0)).isLessThan(6);
+    assertThat(world.y(0)).isEqualTo(6 - 5 * 0.75 * 0.75);
+  }
+
+  @Test
+  void aBallThatShrinksInAHopReturnsLater() {
+    World world = new World(box().circle(50, 7, 2, 0, 0).build());
+    rows(world, 2); // at its apex
+    world.setRadius(0, 1);
+    rows(world, 3.0625);
+    assertThat(world.y(0)).isEqualTo(7 - 5 * 1.0625 * 1.0625);
+  }
+
+  /** The ball above bounced from one at rest, which then loses its support. */
+  @Test
+  void twoBallsOfWhichOneRestedMeetAgainWhenBothFall() {
+    Scene scene =
+        Scene.builder()
+            .gravity(0, -10)
+            .collide(true)
+            .line(0, 0, 20, 0)
+            .restitution(0)
+            .circle(10, 1, 1, 0, 0)
+            .circle(10, 8, 1, 0, 0)
+            .build();
+    World world = new World(scene);
+    rows(world, 2.5); // it has hit the other one at 1, and is on its way down
+    world.remove(ObstacleKind.LINE, 0);
+    assertThat(rows(world, 10)).isEqualTo(1);
+  }
+
+  @Test
+  void collidingBallsBeginToFall() {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 100, 100).collide(true);
+    for (int i = 0; i < 9; i++) {
+      builder.circle(10 + 9 * i, 40 + 5 * i, 3, i - 4, 0);
+    }
+    World world = new World(builder.build());
+    World other = new World(builder.gravity(0, -10).build());
+    world.setGravity(0, -10);
+    assertThat(rows(world, 20)).isEqualTo(rows(other, 20));
+    assertThat(world.snapshot()).isEqualTo(other.snapshot());
+  }
+}

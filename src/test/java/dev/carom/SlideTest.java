@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.Falling.rows;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assertions.withinPercentage;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Circles that slide and roll without friction under gravity: slopes, tables, joints, pegs. */
+class SlideTest {
+
+  @Test
+  void aBallSlidesDownASlope() {
+    double r = 2;
+    // It touches the slope from its left, above.
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -10)
+                .line(0, 0, 40, 30)
+                .circle(32 - 0.6 * r, 24 + 0.8 * r, r, 0, 0)
+                .restitution(0)
+                .build());
+    assertThat(rows(world, 1)).isEqualTo(1);
+    assertThat(world.impacts().outcome(0)).isEqualTo(Outcome.SETTLED);
+    // The acceleration along it is g sin a = 6: 3 units of length in a second.
+    assertThat(world.x(0)).isCloseTo(32 - 0.6 * r - 3 * 0.8, within(1e-13));
+    assertThat(world.y(0)).isCloseTo(24 + 0.8 * r - 3 * 0.6, within(1e-13));
+    assertThat(Math.hypot(world.vx(0), world.vy(0))).isCloseTo(6, within(1e-13));
+  }
+
+  @Test
+  void aBallRollsOffATableAndFalls() {
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -10)
+                .line(0, 0, 10, 0)
+                .circle(5, 1, 1, 4, 0)
+                .restitution(0)
+                .build());
+    assertThat(world.advanceTo(1)).isTrue(); // it leaves the edge at 1.25
+    assertThat(world.y(0)).isEqualTo(1);
+    // v^2 / r = 16 is more than g = 10: it flies off.
+    assertThat(world.advanceTo(2)).isTrue();
+    assertThat(world.x(0)).isCloseTo(13, within(1e-13));
+    assertThat(world.y(0)).isCloseTo(1 - 5 * 0.75 * 0.75, within(1e-13));
+  }
+
+  @Test
+  void aBallCrossesTheJointOfTwoLines() {
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -10)
+                .line(0, 0, 10, 0)
+                .line(10, 0, 20, 0)
+                .circle(5, 1, 1, 4, 0)
+                .restitution(0.5)
+                .build());
+    int rows = rows(world, 3);
+    assertThat(world.x(0)).isEqualTo(17);
+    assertThat(world.y(0)).isCloseTo(1, within(1e-15));
+    assertThat(rows).isLessThanOrEqualTo(6);
+  }
+
+  @Test
+  void theEndOfASlideIsNoImpact() {
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -10)
+                .line(0, 0, 10, 0)
+                .line(5, -20, 40, -20)
+                .circle(5, 1, 1, 4, 0)
+                .restitution(0)
+                .build());
+    assertThat(world.advanceToImpact(10)).isEqualTo(StopReason.IMPACT);
+    assertThat(world.now()).isZero();
+    assertThat(world.advanceToImpact(10)).isEqualTo(StopReason.IMPACT);
+    assertThat(world.now()).isCloseTo(1.25 + 2, within(1e-12));
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.advanceToImpact(4)).isEqualTo(StopReason.TIME);
+  }
+
+  /**
+   * The closed form of a slide without friction, from rest: v^2 = 2 g R (cos start - cos angle).
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.5, 0.9})
+  void aBallRollsOffAPegAsItsClosedFormSays(double e) {
+    double g = 10;
+    double reach = 2;
+    double start = 0.3;
+    double x = reach * Math.sin(start);
+    double y = reach * Math.cos(start);
+    Scene scene =
+        Scene.builder()
+            .gravity(0, -g)
+            .peg(0, 0, 1)
+            .line(-50, -20, 50, -20)
+            .circle(x, y, 1, 0, 0)
+            .restitution(e)
+            .build();
+    double leaves = Math.acos(Math.cos(start) * 2 / 3);
+    double speed = Math.sqrt(g * reach * Math.cos(leaves));
+    double time = slideTime(g, reach, start, leaves);
+    World world = new World(scene);
+    double before = 0;
+    while (Math.atan2(world.x(0), world.y(0)) < leaves) {
+      before = world.now();
+      assertThat(world.advanceTo(world.now() + 1e-4)).isTrue();
+    }
+    assertThat(before).isCloseTo(time, withinPercentage(1));
+    assertThat(Math.hypot(world.vx(0), world.vy(0))).isCloseTo(speed, withinPercentage(1));
+
+    double down = speed * Math.sin(leaves);
+    double height = reach * Math.cos(leaves) + 19;
+    double falls = (Math.sqrt(down * down + 2 * g * height) - down) / g;
+    while (world.vy(0) < 0 && world.y(0) > -18.99) {
+      world.advanceToImpact(9);
+    }
+    assertThat(world.now()).isCloseTo(time + falls, withinPercentage(1));
+    double atFloor = Math.sqrt(speed * speed + 2 * g * height);
+    ImpactLog log = world.impacts();
+    assertThat(log.kind(log.size() - 1)).isEqualTo(ObstacleKind.LINE);
+    double vn = log.approachSpeed(log.size() - 1);
+    assertThat(Math.hypot(world.vx(0), vn)).isCloseTo(atFloor, withinPercentage(1));
+  }
+
+  /** The integral of d angle / angular speed, with angle = start + u^2, which is smooth. */
+  private static double slideTime(double g, double reach, double start, double end) {
+    int steps = 10_000;
+    double du = Math.sqrt(end - start) / steps;
+    double sum = 0;
+    for (int i = 0; i < steps; i++) {
+      double u = (i + 0.5) * du;
+      double fallen = Math.cos(start) - Math.cos(start + u * u);
+      sum += 2 * u * du / Math.sqrt(2 * g / reach * fallen);
+    }
+    return sum;
+  }
+}
