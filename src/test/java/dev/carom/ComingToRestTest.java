@@ -6,9 +6,11 @@ import static dev.carom.Falling.rows;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** How bounces under gravity end: when, where, after how many rows, and that no row follows. */
 class ComingToRestTest {
@@ -61,24 +63,30 @@ class ComingToRestTest {
     assertThat(rows).isLessThan(2000);
   }
 
-  /** Between a line that moves slowly and a wall: the gap between them closes without end. */
-  @Test
-  void twoBallsInAWedgeThatClosesAreJammed() {
-    World world =
-        new World(
-            Scene.builder()
-                .collide(true)
-                .bounds(0, 0, 200, 150)
-                .gravity(0, -0.103)
-                .line(37.7, 37.2, 93.9, 93.4)
-                .velocity(-0.4465043250932107, 0.27527439287918987)
-                .circle(20, 135, 5.600229664270529, -0.1067, 0)
-                .restitution(0.82)
-                .circle(70, 135, 6.364845897878658, -0.1419, 0)
-                .restitution(0.83)
-                .build());
-    for (int i = 1; i <= 250; i++) {
-      assertThat(world.advanceTo(i)).as("at %d", i).isTrue();
+  /**
+   * Between a line that moves slowly and a wall: the gap between them closes without end. With
+   * impacts of two finite masses that are not counted, these seeds need more than one call.
+   */
+  @ParameterizedTest
+  @ValueSource(ints = {28, 41, 61, 69, 70, 75})
+  void twoBallsInAWedgeThatClosesAreJammed(int seed) {
+    Random random = new Random(seed);
+    double e = seed % 2 == 0 ? 1 : 0.8 + 0.2 * random.nextDouble();
+    double g = random.nextInt(3) == 0 ? 10 : 0.1;
+    double speed = random.nextDouble() * (g > 1 ? 5 : 0.5);
+    SceneBuilder builder = Scene.builder().collide(true).bounds(0, 0, 100, 100).gravity(0, -g);
+    double x = 20 + 10 * random.nextDouble();
+    double y = 20 + 10 * random.nextDouble();
+    builder.line(x, y, x + 60, y + 60 * random.nextDouble());
+    builder.velocity(speed * random.nextGaussian(), speed);
+    for (int left = 20; left <= 60; left += 40) {
+      double at = left + 20 * random.nextDouble();
+      double radius = 3 + 3 * random.nextDouble();
+      builder.circle(at, 85, radius, random.nextGaussian(), 0).restitution(e);
+    }
+    World world = new World(builder.build());
+    for (int i = 1; i <= 100; i++) {
+      assertThat(world.advanceTo(1.2 * i / speed)).as("part %d of its way", i).isTrue();
     }
   }
 }
