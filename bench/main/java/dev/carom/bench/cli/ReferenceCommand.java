@@ -48,7 +48,7 @@ final class ReferenceCommand implements Callable<Integer> {
   @Parameters(
       paramLabel = "SCENE",
       arity = "0..*",
-      description = "base-1, base-2, base-3, fast-1 or radii (default: all of them).")
+      description = "base-1, base-2, base-3, fast-1, radii or falling (default: all of them).")
   private List<String> scenes;
 
   @Option(
@@ -95,12 +95,12 @@ final class ReferenceCommand implements Callable<Integer> {
       throw new ParameterException(spec.commandLine(), "--digits needs --scene");
     }
     if (scenes == null) {
-      scenes = References.SCENES;
+      scenes = References.STORED;
     }
     for (String name : scenes) {
-      if (!References.SCENES.contains(name)) {
+      if (!References.STORED.contains(name)) {
         throw new ParameterException(
-            spec.commandLine(), "SCENE is " + name + ": expected one of " + References.SCENES);
+            spec.commandLine(), "SCENE is " + name + ": expected one of " + References.STORED);
       }
     }
     if (back && folder != null) {

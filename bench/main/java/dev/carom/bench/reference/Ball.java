@@ -100,6 +100,39 @@ final class Ball {
     return of(root[0], error.over(least).shift(bits), root[1].signum() == 0, bits);
   }
 
+  /** The number in the middle of this ball, without an error. */
+  Ball middle() {
+    return new Ball(units, Magnitude.ZERO, bits);
+  }
+
+  /** 2^exponent units of the last bit, exactly. */
+  Ball step(int exponent) {
+    return new Ball(BigInteger.ONE.shiftLeft(exponent), Magnitude.ZERO, bits);
+  }
+
+  /** This number with a further error of 2^exponent units of the last bit. */
+  Ball widened(int exponent) {
+    return new Ball(units, error.plus(new Magnitude(1, exponent)), bits);
+  }
+
+  Ball half() {
+    return of(units.shiftRight(1), error.shift(-1), !units.testBit(0), bits);
+  }
+
+  /** A whole number in the same bits. */
+  Ball whole(long value) {
+    return of(value, bits);
+  }
+
+  int bits() {
+    return bits;
+  }
+
+  /** -1 or 1 where that is certain; 0 for zero and for what is in doubt. */
+  int certainSign() {
+    return error.m() == 0 || error.isLessThan(size()) ? units.signum() : 0;
+  }
+
   /** -1, 0 or 1; zero if it is exact, or so near that only an exact tie explains it. */
   int sign() {
     if (error.m() == 0 || error.isLessThan(size())) {

@@ -2,6 +2,7 @@
 package dev.carom.bench.reference;
 
 import dev.carom.Circle;
+import dev.carom.Feature;
 import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
@@ -22,8 +23,14 @@ final class Body {
   Vec v;
   Ball t;
 
+  /** The gravity of the scene; null if circles fly straight. */
+  final Vec gravity;
+
   /** The target or the body that was hit last: it is not there for this flight. */
   Object last;
+
+  /** The part of it that was hit: a circle that falls can come back to it. */
+  Feature lastFeature;
 
   Tangents tangents;
   CircleFrames course;
@@ -42,6 +49,8 @@ final class Body {
     p = Vec.of(circle.x(), circle.y(), bits);
     v = Vec.of(velocity.x(), velocity.y(), bits);
     t = Ball.of(0, bits);
+    Vec2 g = scene.gravity();
+    gravity = g.equals(Vec2.ZERO) ? null : Vec.of(g.x(), g.y(), bits);
     tangents = new Tangents(values, first, circle.x(), circle.y(), velocity.x(), velocity.y());
     course = new CircleFrames(frames);
   }
@@ -52,13 +61,23 @@ final class Body {
   }
 
   Vec at(Ball dt) {
-    return p.plus(v.times(dt));
+    return gravity == null ? p.plus(v.times(dt)) : fall().at(dt);
+  }
+
+  Vec velocityAt(Ball dt) {
+    return gravity == null ? v : v.plus(gravity.times(dt));
+  }
+
+  /** The path of a circle under gravity. */
+  Fall fall() {
+    return new Fall(p, v, gravity);
   }
 
   /** Goes to a new start of a flight. */
   void fly(Ball dt) {
     Vec place = at(dt);
     p = inDoubles ? Vec.of(place.x().rounded(), place.y().rounded(), bits) : place;
+    v = velocityAt(dt);
     t = t.plus(dt);
     tangents.fly(dt.head());
   }
@@ -69,6 +88,7 @@ final class Body {
     v = v.negate();
     t = Ball.of(0, bits);
     last = null;
+    lastFeature = null;
     course = new CircleFrames(frames);
   }
 

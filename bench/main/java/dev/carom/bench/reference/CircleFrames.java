@@ -28,6 +28,11 @@ final class CircleFrames {
     flights = new int[frames + 1];
   }
 
+  /** The number of the last frame. */
+  int frames() {
+    return states.length - 1;
+  }
+
   /** Writes down the frames of a flight that ends at the given time, which belongs to the next. */
   void recordFlight(Body body, Ball end) {
     while (next < states.length && isBefore(next, end, body.bits)) {
@@ -50,7 +55,8 @@ final class CircleFrames {
   private void recordFrame(Body body) {
     Ball dt = Ball.of(next, body.bits).minus(body.t);
     Vec place = body.at(dt);
-    Ball[] state = {place.x(), place.y(), body.v.x(), body.v.y()};
+    Vec velocity = body.velocityAt(dt);
+    Ball[] state = {place.x(), place.y(), velocity.x(), velocity.y()};
     double[] numbers = new double[2 * TAILS];
     for (int i = 0; i < TAILS; i++) {
       numbers[i] = state[i].rounded();

@@ -15,10 +15,10 @@ final class Impacts {
     a.fly(event.contact().after());
     Vec n = target.normal(a.p, feature);
     Ball bounce = Ball.of(1, a.bits).plus(a.restitution.times(target.restitution));
-    Impulse impulse =
-        impulse(n, a.v, bounce, target.isRound(feature), event.contact().overlapping());
+    Impulse impulse = impulse(n, a, bounce, target.isRound(feature), event.contact().overlapping());
     a.v = target.reflect(a.v, n, bounce);
     a.last = target;
+    a.lastFeature = feature;
     Tangents.impact(impulse, a.tangents, 1, a.tangents.still(), 0);
   }
 
@@ -61,8 +61,22 @@ final class Impacts {
     return mass.over(Ball.of(own.mass, own.bits).plus(mass));
   }
 
+  /** With an obstacle. */
+  private static Impulse impulse(Vec n, Body a, Ball bounce, boolean round, boolean overlapping) {
+    Impulse impulse = impulse(n, a.v, bounce, round, overlapping);
+    return a.gravity == null ? impulse : impulse.fallingBy(n.dot(a.gravity).head());
+  }
+
+  /** With two circles that fly straight. */
   private static Impulse impulse(Vec n, Vec u, Ball bounce, boolean round, boolean overlapping) {
     return new Impulse(
-        n.x().head(), n.y().head(), u.x().head(), u.y().head(), bounce.head(), round, overlapping);
+        n.x().head(),
+        n.y().head(),
+        u.x().head(),
+        u.y().head(),
+        0,
+        bounce.head(),
+        round,
+        overlapping);
   }
 }

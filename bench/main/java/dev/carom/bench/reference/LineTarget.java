@@ -5,6 +5,8 @@ import dev.carom.Feature;
 import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.Scene;
+import java.util.ArrayList;
+import java.util.List;
 
 /** A line: its side between its ends, and the ends as points. */
 final class LineTarget extends Target {
@@ -52,6 +54,56 @@ final class LineTarget extends Target {
       return Disks.contact(p.minus(end), v, radius, Feature.END, bits);
     }
     return nearing ? new Contact(after, Feature.SIDE, within) : null;
+  }
+
+  /**
+   * The first time at which the height above one of the two sides, or the distance from one of the
+   * ends, falls to the radius while the centre is beside or beyond that part.
+   */
+  @Override
+  public Contact contact(Fall path, Ball radius, Ball end, Feature touched) {
+    boolean left = w.cross(path.p().minus(start)).sign() > 0;
+    List<Contact> contacts = new ArrayList<>();
+    for (boolean isLeft : new boolean[] {true, false}) {
+      Vec n = isLeft ? w.left() : w.left().negate();
+      Ball[] gap = path.height(n, start, radius.times(length));
+      boolean touches = touched == Feature.SIDE && left == isLeft;
+      add(path, path.contacts(gap, end, touches), Feature.SIDE, contacts);
+    }
+    for (Feature feature : new Feature[] {Feature.START, Feature.END}) {
+      Ball[] gap = path.distance(feature == Feature.START ? start : this.end, radius);
+      add(path, path.contacts(gap, end, touched == feature), feature, contacts);
+    }
+    return contacts.stream().min((a, b) -> a.after().compareTo(b.after())).orElse(null);
+  }
+
+  /** Adds the first of some times at which the centre is where that part is next. */
+  private void add(Fall path, List<Ball> times, Feature feature, List<Contact> contacts) {
+    for (Ball time : times) {
+      if (part(path.at(time)) == feature) {
+        contacts.add(new Contact(time, feature, false));
+        return;
+      }
+    }
+  }
+
+  /** The part of the line that is next to a place. */
+  private Feature part(Vec place) {
+    Ball along = place.minus(start).dot(w);
+    if (along.sign() <= 0) {
+      return Feature.START;
+    }
+    return along.compareTo(squared) >= 0 ? Feature.END : Feature.SIDE;
+  }
+
+  @Override
+  public double[] box() {
+    return new double[] {
+      Math.min(line.ax(), line.bx()),
+      Math.min(line.ay(), line.by()),
+      Math.max(line.ax(), line.bx()),
+      Math.max(line.ay(), line.by())
+    };
   }
 
   @Override

@@ -2,6 +2,7 @@
 package dev.carom.bench.reference;
 
 import dev.carom.Feature;
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -32,6 +33,9 @@ final class Lookout {
 
   /** The first impact with something that stands still, counted from the start of the flight. */
   Event ahead(Body body) {
+    if (body.gravity != null) {
+      return aheadOfFall(body);
+    }
     if (body.isAtRest()) {
       return null;
     }
@@ -46,6 +50,33 @@ final class Lookout {
       if (contact != null) {
         Event event = new Event(body.t.plus(contact.after()), contact, body, target, null);
         first = first == null || isBefore(event, first) ? event : first;
+      }
+    }
+    return first;
+  }
+
+  /**
+   * The same for a circle that falls. The walls are asked first: until it comes to one, few of the
+   * other things are near its path.
+   */
+  private Event aheadOfFall(Body body) {
+    body.checkTight();
+    Fall path = body.fall();
+    Ball end = Ball.of(body.course.frames() + 1.0, body.bits).minus(body.t);
+    Event first = null;
+    FallBoxes boxes = null;
+    for (Target target : targets) {
+      boolean wall = target.kind() == ObstacleKind.WALL;
+      if (!wall && boxes == null) {
+        boxes = new FallBoxes(path, body.radius, first == null ? end.head() : latest(first));
+      }
+      if (wall || boxes.meet(target.box())) {
+        Feature touched = target == body.last ? body.lastFeature : null;
+        Contact contact = target.contact(path, body.radius, end, touched);
+        if (contact != null) {
+          Event event = new Event(body.t.plus(contact.after()), contact, body, target, null);
+          first = first == null || isBefore(event, first) ? event : first;
+        }
       }
     }
     return first;

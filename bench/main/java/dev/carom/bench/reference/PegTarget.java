@@ -25,6 +25,23 @@ final class PegTarget extends Target {
     return Disks.contact(p.minus(center), v, radius.plus(this.radius), Feature.CIRCLE, bits);
   }
 
+  /** The distance of the centres falls to the sum of the radii. */
+  @Override
+  public Contact contact(Fall path, Ball radius, Ball end, Feature touched) {
+    Ball[] gap = path.distance(center, radius.plus(this.radius));
+    return path.contacts(gap, end, touched != null).stream()
+        .findFirst()
+        .map(after -> new Contact(after, Feature.CIRCLE, false))
+        .orElse(null);
+  }
+
+  @Override
+  public double[] box() {
+    return new double[] {
+      peg.x() - peg.radius(), peg.y() - peg.radius(), peg.x() + peg.radius(), peg.y() + peg.radius()
+    };
+  }
+
   @Override
   Vec normal(Vec p, Feature feature) {
     return p.minus(center);

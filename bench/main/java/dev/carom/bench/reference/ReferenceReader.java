@@ -17,23 +17,27 @@ final class ReferenceReader {
     try (DataInputStream in =
         new DataInputStream(new BufferedInputStream(new InflaterInputStream(source)))) {
       int version = in.readInt();
-      if (version != ReferenceWriter.VERSION) {
+      boolean falling = version == ReferenceWriter.FALLING;
+      if (version != ReferenceWriter.STRAIGHT && !falling) {
         throw new IOException(
-            "%s: version %d: expected %d".formatted(name, version, ReferenceWriter.VERSION));
+            "%s: version %d: expected %d or %d"
+                .formatted(name, version, ReferenceWriter.STRAIGHT, ReferenceWriter.FALLING));
       }
       int frames = in.readInt();
       int circles = in.readInt();
+      double[] gravity = {falling ? in.readDouble() : 0, falling ? in.readDouble() : 0};
       double[][][] states = new double[circles][][];
       float[][] conditioning = new float[circles][];
       for (int i = 0; i < circles; i++) {
-        states[i] = readStates(frames, in);
+        states[i] = readStates(frames, gravity, in);
         conditioning[i] = readConditioning(frames, in);
       }
       return new StoredReference(frames, states, conditioning);
     }
   }
 
-  private static double[][] readStates(int frames, DataInputStream in) throws IOException {
+  private static double[][] readStates(int frames, double[] gravity, DataInputStream in)
+      throws IOException {
     int[] starts = new int[in.readInt() + 1];
     for (int i = 0; i < starts.length - 1; i++) {
       starts[i] = in.readInt();
@@ -41,18 +45,22 @@ final class ReferenceReader {
     starts[starts.length - 1] = frames + 1;
     double[][] states = new double[frames + 1][];
     for (int i = 0; i < starts.length - 1; i++) {
-      Stretch stretch = readStretch(starts[i], starts[i + 1], in);
+      Stretch stretch = readStretch(starts[i], starts[i + 1], gravity, in);
       for (int frame = starts[i]; frame < starts[i + 1]; frame++) {
         states[frame] =
             new double[] {
-              stretch.place(0, frame), stretch.place(1, frame), stretch.heads[2], stretch.heads[3]
+              stretch.place(0, frame),
+              stretch.place(1, frame),
+              stretch.velocity(0, frame),
+              stretch.velocity(1, frame)
             };
       }
     }
     return states;
   }
 
-  private static Stretch readStretch(int start, int end, DataInputStream in) throws IOException {
+  private static Stretch readStretch(int start, int end, double[] gravity, DataInputStream in)
+      throws IOException {
     double[] heads = new double[CircleFrames.TAILS];
     float[] tails = new float[CircleFrames.TAILS];
     for (int i = 0; i < heads.length; i++) {
@@ -61,7 +69,7 @@ final class ReferenceReader {
     for (int i = 0; i < tails.length && end > start + 1; i++) {
       tails[i] = in.readFloat();
     }
-    return new Stretch(start, heads, tails);
+    return new Stretch(start, heads, tails, gravity);
   }
 
   private static float[] readConditioning(int frames, DataInputStream in) throws IOException {

@@ -13,14 +13,16 @@ import java.util.zip.DeflaterOutputStream;
  * Stores the course of a scene, deflated. Not 600 states a circle but its flights: the state at the
  * first frame of each, as heads and, where more than one frame needs them, tails.
  *
- * <p>Numbers are big-endian. First the version, the frames and the circles; then for each circle
- * the number of its stretches and their first frames, the stretches (four doubles, and four floats
+ * <p>Numbers are big-endian. First the version, the frames and the circles; from version 2 on the
+ * gravity as two doubles, which a course without gravity does without; then for each circle the
+ * number of its stretches and their first frames, the stretches (four doubles, and four floats
  * where it is longer than a frame), and the conditioning: thousandths of the base-10 logarithm, the
  * first one and then differences, each as an int.
  */
 final class ReferenceWriter {
 
-  static final int VERSION = 1;
+  static final int STRAIGHT = 1;
+  static final int FALLING = 2;
 
   /** Thousandths of the logarithm at which the conditioning is called infinite. */
   static final int MOST = 300_001;
@@ -30,11 +32,16 @@ final class ReferenceWriter {
   static void write(Truth truth, OutputStream target) throws IOException {
     Deflater deflater = new Deflater(Deflater.BEST_COMPRESSION);
     try (DataOutputStream out = new DataOutputStream(new DeflaterOutputStream(target, deflater))) {
-      out.writeInt(VERSION);
+      double[] gravity = truth.gravity();
+      boolean falling = gravity[0] != 0 || gravity[1] != 0;
+      out.writeInt(falling ? FALLING : STRAIGHT);
       out.writeInt(truth.frames());
       out.writeInt(truth.circles());
+      for (int axis = 0; axis < gravity.length && falling; axis++) {
+        out.writeDouble(gravity[axis]);
+      }
       for (int i = 0; i < truth.circles(); i++) {
-        writeStretches(stretches(truth.course(i)), truth.frames(), out);
+        writeStretches(stretches(truth.course(i), gravity), truth.frames(), out);
         writeConditioning(truth, i, out);
       }
     } finally {
@@ -43,13 +50,13 @@ final class ReferenceWriter {
   }
 
   /** As few as give each state to the last bit. */
-  static List<Stretch> stretches(CircleFrames course) {
+  static List<Stretch> stretches(CircleFrames course, double[] gravity) {
     List<Stretch> stretches = new ArrayList<>();
     Stretch last = null;
     for (int frame = 0; frame < course.states.length; frame++) {
       boolean same = last != null && course.flights[frame] == course.flights[last.start];
       if (!same || !last.tells(course, frame)) {
-        last = Stretch.of(course, frame);
+        last = Stretch.of(course, frame, gravity);
         stretches.add(last);
       }
     }

@@ -12,16 +12,24 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
- * The true courses of the experiment's scenes over 600 frames, stored: computed once, with as many
- * digits as it takes, and read within a fraction of a second.
+ * The true courses of the experiment's scenes, and of one with gravity, over 600 frames, stored:
+ * computed once, with as many digits as it takes, and read within a fraction of a second.
  */
 public final class References {
 
-  /** The scenes of which a reference is stored. */
+  /** The experiment's scenes. */
   public static final List<String> SCENES =
       List.of("base-1", "base-2", "base-3", "fast-1", "radii");
+
+  /** The obstacles of base-1 and 40 of its circles, under gravity. */
+  public static final String FALLING = "falling";
+
+  /** The scenes of which a reference is stored. */
+  public static final List<String> STORED =
+      Stream.concat(SCENES.stream(), Stream.of(FALLING)).toList();
 
   private static final String ROOT = "/dev/carom/bench/";
 
@@ -30,7 +38,7 @@ public final class References {
   /**
    * Reads one of the stored references.
    *
-   * @param scene a name of {@link #SCENES}
+   * @param scene a name of {@link #STORED}
    * @return the course of that scene over 600 frames
    * @throws IOException if there is none of that name
    */
@@ -41,9 +49,9 @@ public final class References {
   }
 
   /**
-   * Reads one of the experiment's scenes.
+   * Reads a scene that has a stored reference.
    *
-   * @param name a name of {@link #SCENES}
+   * @param name a name of {@link #STORED}
    * @return the scene
    * @throws IOException if there is none of that name
    */
@@ -81,7 +89,7 @@ public final class References {
     InputStream in = References.class.getResourceAsStream(ROOT + resource);
     if (in == null) {
       throw new FileNotFoundException(
-          "there is no " + resource + ": expected one of the scenes " + SCENES);
+          "there is no " + resource + ": expected one of the scenes " + STORED);
     }
     return in;
   }

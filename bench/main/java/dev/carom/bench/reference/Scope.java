@@ -7,8 +7,8 @@ import dev.carom.Scene;
 import dev.carom.Vec2;
 
 /**
- * Which scenes have a reference: those without gravity in which obstacles rest, and everything
- * bounces, from both sides, whoever comes.
+ * Which scenes have a reference: those in which obstacles rest, and everything bounces, from both
+ * sides, whoever comes. With gravity, circles ignore each other, and none has infinite mass.
  */
 final class Scope {
 
@@ -18,11 +18,8 @@ final class Scope {
     if (frames < 1) {
       throw new IllegalArgumentException("frames is " + frames + ": expected at least 1");
     }
-    Vec2 gravity = scene.gravity();
-    if (!gravity.equals(Vec2.ZERO)) {
-      throw new IllegalArgumentException(
-          "gravity is (%s, %s): a reference expects circles that fly straight"
-              .formatted(gravity.x(), gravity.y()));
+    if (!scene.gravity().equals(Vec2.ZERO)) {
+      allFall(scene);
     }
     if (scene.bounds().isPresent()) {
       bounces("bounds", scene, ObstacleKind.WALL, 0);
@@ -41,6 +38,20 @@ final class Scope {
     }
     for (int i = 0; i < scene.circleCount(); i++) {
       bounces("circle", scene, ObstacleKind.CIRCLE, i);
+    }
+  }
+
+  private static void allFall(Scene scene) {
+    if (scene.collide()) {
+      throw new IllegalArgumentException(
+          "circles collide: with gravity, a reference expects ones that ignore each other");
+    }
+    for (int i = 0; i < scene.circleCount(); i++) {
+      if (scene.mass(i) == Double.POSITIVE_INFINITY) {
+        throw new IllegalArgumentException(
+            "circle %d has infinite mass: with gravity, a reference expects circles that fall"
+                .formatted(i));
+      }
     }
   }
 

@@ -25,6 +25,16 @@ abstract class Target {
    */
   abstract Contact contact(Vec p, Vec v, Ball radius);
 
+  /**
+   * When a circle that falls next touches it, until a time; null for not until then.
+   *
+   * @param touched the part that the circle hit at the start of its path; null for none
+   */
+  Contact contact(Fall path, Ball radius, Ball end, Feature touched);
+
+  /** A box around it, in plain doubles: left, bottom, right, top. Infinite for a wall. */
+  double[] box();
+
   /** From the thing to the circle that touches it at p, of any length. */
   abstract Vec normal(Vec p, Feature feature);
 

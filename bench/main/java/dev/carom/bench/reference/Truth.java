@@ -2,6 +2,7 @@
 package dev.carom.bench.reference;
 
 import dev.carom.Scene;
+import dev.carom.Vec2;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -16,11 +17,13 @@ import java.util.stream.IntStream;
 public final class Truth implements Reference {
 
   private final int frames;
+  private final Vec2 gravity;
   private final CircleFrames[] courses;
   private final List<Proof> proofs;
 
-  private Truth(int frames, CircleFrames[] courses, List<Proof> proofs) {
+  private Truth(int frames, Vec2 gravity, CircleFrames[] courses, List<Proof> proofs) {
     this.frames = frames;
+    this.gravity = gravity;
     this.courses = courses;
     this.proofs = proofs;
   }
@@ -29,7 +32,7 @@ public final class Truth implements Reference {
    * Computes the course of a scene, on all cores.
    *
    * @param scene any scene whose things all bounce, from both sides, and whose impacts do not pile
-   *     up; its circles may collide
+   *     up; its circles may collide, if there is no gravity
    * @param frames how many, at least 1, each one unit of time
    * @param progress called once a group: each circle, or all that collide; from any thread
    * @return the course
@@ -65,7 +68,7 @@ public final class Truth implements Reference {
         courses[groups[g][i]] = proofs[g].courses().get(i);
       }
     }
-    return new Truth(frames, courses, List.of(proofs));
+    return new Truth(frames, scene.gravity(), courses, List.of(proofs));
   }
 
   @Override
@@ -144,6 +147,10 @@ public final class Truth implements Reference {
    */
   public double worstLog10Conditioning() {
     return Arrays.stream(courses).mapToDouble(c -> c.conditioning[frames]).max().orElse(0);
+  }
+
+  double[] gravity() {
+    return new double[] {gravity.x(), gravity.y()};
   }
 
   CircleFrames course(int circle) {

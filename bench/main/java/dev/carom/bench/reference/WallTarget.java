@@ -42,6 +42,23 @@ final class WallTarget extends Target {
     return new Contact(after, Feature.SIDE, overlapping);
   }
 
+  /** The distance in front of the wall falls to the radius. */
+  @Override
+  public Contact contact(Fall path, Ball radius, Ball end, Feature touched) {
+    Vec wall = isVertical() ? new Vec(place, Ball.of(0, bits)) : new Vec(Ball.of(0, bits), place);
+    Ball[] gap = path.height(normal(path.p(), Feature.SIDE), wall, radius);
+    return path.contacts(gap, end, touched != null).stream()
+        .findFirst()
+        .map(after -> new Contact(after, Feature.SIDE, false))
+        .orElse(null);
+  }
+
+  @Override
+  public double[] box() {
+    double all = Double.POSITIVE_INFINITY;
+    return new double[] {-all, -all, all, all};
+  }
+
   @Override
   Vec normal(Vec p, Feature feature) {
     double n = isUpper() ? -1 : 1;

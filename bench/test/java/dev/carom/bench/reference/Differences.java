@@ -45,7 +45,8 @@ final class Differences {
   }
 
   private static SceneBuilder obstacles(Scene scene) {
-    SceneBuilder builder = Scene.builder().collide(scene.collide());
+    SceneBuilder builder =
+        Scene.builder().collide(scene.collide()).gravity(scene.gravity().x(), scene.gravity().y());
     scene
         .bounds()
         .ifPresent(

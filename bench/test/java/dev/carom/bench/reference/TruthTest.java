@@ -130,6 +130,118 @@ class TruthTest {
     assertThat(truth.vy(3, 0)).isEqualTo(1);
   }
 
+  /** Dropped from 8 above the floor it is back after 2 sqrt(2 h / g) = 8: g is 1. */
+  @Test
+  void aBallThatBouncesIsTheClosedForm() {
+    Scene scene =
+        Scene.builder()
+            .bounds(0, 0, 100, 1000)
+            .gravity(0, -1)
+            .circle(30, 10, 2, 0.1, 0)
+            .circle(60, 10, 2, 0, 0)
+            .build();
+    Truth truth = truth(scene, 300);
+    for (int frame = 0; frame <= 300; frame++) {
+      double t = (frame + 4) % 8 - 4; // since the top
+      assertThat(truth.y(frame, 1)).isEqualTo(10 - t * t / 2);
+      assertThat(truth.y(frame, 0)).isEqualTo(truth.y(frame, 1));
+      assertThat(truth.x(frame, 0)).isEqualTo(zigzag(30, 0.1, frame, 2, 100));
+      if (t != -4) {
+        assertThat(truth.vy(frame, 1)).isEqualTo(-t);
+      }
+    }
+    assertThat(truth.impacts(1)).isEqualTo(38);
+  }
+
+  /**
+   * A ball over a slope of 45 degrees, 4 above it. Its distance from the slope falls from {@code 4
+   * sin 45 - 1}, as on a level floor; along the slope it falls freely until the end.
+   */
+  @Test
+  void aSlopeIsHitAgainUntilItsEnd() {
+    Scene scene =
+        Scene.builder().line(0, 0, 30, -30).gravity(0, -1).circle(10, -6, 1, 0, 0).build();
+    List<Hit> hits = truth(scene, 20).proofs().get(0).hits();
+    double sine = Math.sqrt(0.5);
+    double first = Math.sqrt(2 * (4 * sine - 1) / sine);
+    int expected = 0;
+    for (double t = first; 16 * sine + sine * t * t / 2 < 30 / sine; t += 2 * first) {
+      expected++;
+    }
+    assertThat(expected).isGreaterThan(1);
+    assertThat(hits).hasSize(expected).allMatch(hit -> hit.feature() == Feature.SIDE);
+  }
+
+  /**
+   * The energies along two perpendicular slopes do not change: H. E. Lehtihet and B. N. Miller,
+   * Numerical study of a billiard in a gravitational field, Physica D 21 (1986).
+   */
+  @Test
+  void aWedgeOf45DegreesKeepsTheEnergiesAlongItsSides() {
+    Scene scene =
+        Scene.builder()
+            .line(-300, 300, 0, 0)
+            .line(0, 0, 300, 300)
+            .gravity(0, -0.25)
+            .circle(20, 90, 3, 0.5, 0.25)
+            .build();
+    Truth truth = truth(scene, 400);
+    assertThat(truth.impacts()).isGreaterThan(10);
+    double slope = Math.sqrt(0.5);
+    for (int frame = 0; frame <= 400; frame++) {
+      double along = slope * (truth.x(frame, 0) + truth.y(frame, 0));
+      double v = slope * (truth.vx(frame, 0) + truth.vy(frame, 0));
+      assertThat(v * v / 2 + 0.25 * slope * along)
+          .isCloseTo(0.75 * 0.75 / 4 + 0.25 * slope * slope * 110, within(1e-13));
+    }
+  }
+
+  /** The top of a ball that bounces on a peg, exactly above it, and of one that meets an end. */
+  @Test
+  void aBallBouncesOnAPegAndOnAnEnd() {
+    Scene scene =
+        Scene.builder()
+            .peg(10, 0, 4)
+            .line(40, 0, 40, -20)
+            .gravity(0, -1)
+            .circle(10, 13, 1, 0, 0)
+            .circle(40, 9, 1, 0, 0)
+            .build();
+    Truth truth = truth(scene, 80);
+    for (int frame = 0; frame <= 80; frame++) {
+      double t = (frame + 4) % 8 - 4;
+      assertThat(truth.y(frame, 0)).isEqualTo(13 - t * t / 2);
+      assertThat(truth.y(frame, 1)).isEqualTo(9 - t * t / 2);
+      assertThat(truth.x(frame, 0)).isEqualTo(10);
+    }
+    assertThat(truth.proofs().get(1).hits().get(0).feature()).isEqualTo(Feature.START);
+  }
+
+  /** The derivatives with gravity, against differences of two runs. */
+  @Test
+  void conditioningWithGravityIsTheDerivative() {
+    Scene scene =
+        Differences.moved(
+            Scene.builder()
+                .bounds(0, 0, 100, 100)
+                .line(20, 30, 60, 20)
+                .restitution(0.75)
+                .peg(70, 40, 9)
+                .gravity(0.01, -0.125)
+                .circle(45, 70, 3, 0.5, 0.25)
+                .build(),
+            -1,
+            0);
+    int frame = 200;
+    Truth truth = truth(scene, frame);
+    assertThat(truth.impacts()).isGreaterThan(5);
+    double sum = 0;
+    for (int q = 0; q < 4; q++) {
+      sum += Differences.derivative(scene, q, frame, 0);
+    }
+    assertThat(truth.log10Conditioning(frame, 0)).isCloseTo(Math.log10(sum), within(1e-6));
+  }
+
   /**
    * The check that Truth makes at the end of each search for digits, here with digits of our own.
    */
@@ -169,9 +281,19 @@ class TruthTest {
     Scene lift = Scene.builder().line(0, 0, 9, 0).velocity(0, 1).circle(5, 9, 1, 0, 0).build();
     assertThatThrownBy(() -> truth(lift, 1))
         .hasMessage("line 0 has the velocity (0.0, 1.0): a reference expects obstacles at rest");
-    Scene falling = Scene.builder().gravity(0, -0.5).circle(5, 9, 1, 0, 0).build();
-    assertThatThrownBy(() -> truth(falling, 1))
-        .hasMessage("gravity is (0.0, -0.5): a reference expects circles that fly straight");
+    Scene gas = Scene.builder().gravity(0, -0.5).collide(true).circle(5, 9, 1, 0, 0).build();
+    assertThatThrownBy(() -> truth(gas, 1))
+        .hasMessage(
+            "circles collide: with gravity, a reference expects ones that ignore each other");
+    Scene floating =
+        Scene.builder()
+            .gravity(0, -0.5)
+            .circle(5, 9, 1, 0, 0)
+            .mass(Double.POSITIVE_INFINITY)
+            .build();
+    assertThatThrownBy(() -> truth(floating, 1))
+        .hasMessage(
+            "circle 0 has infinite mass: with gravity, a reference expects circles that fall");
     Scene gate = Scene.builder().line(0, 0, 1, 0).oneWay().circle(5, 0, 1, 0, 0).build();
     assertThatThrownBy(() -> truth(gate, 1)).hasMessageStartingWith("line 0 is one-way");
     Scene ghost = Scene.builder().peg(0, 0, 1).circle(5, 0, 1, 0, 0).filter(2, -1).build();
