@@ -40,22 +40,30 @@ import java.util.Arrays;
  *
  * <h2>The bound</h2>
  *
- * <p>The bound counts from the state at the construction. That state and the obstacles are taken as
- * exact. Each flight and each impact adds the proven limits of its roundings, and multiplies the
- * errors so far by the derivative of the motion. So the bound is one of first order: it leaves out
- * products of errors, and a change from the side of a line to its end. The growth at a round
- * obstacle is that of the steepest incidence within the error.
+ * <p>The bound counts from the state at the construction. That state, the obstacles and gravity are
+ * taken as exact. The bound has two parts. The limits of the roundings that each flight and each
+ * impact adds are proven. How they grow from then on is known to first order: errors are multiplied
+ * by the derivative of the motion, along the computed path. So the bound leaves out products of
+ * errors, a change from the side of a line to its end, and an obstacle that the computed path
+ * misses by less than its error. The growth at an impact is that of the steepest incidence within
+ * the error.
+ *
+ * <p>Under {@linkplain SceneBuilder#gravity gravity} flights are parabolas, and all this holds as
+ * well. The derivative then has the acceleration in it: a path that touches the obstacle later has
+ * fallen for longer.
  *
  * <p>A small error can also lead to another obstacle. When the error exceeds 2^-10 radii, each
  * flight is checked: a circle that flies beside it by the bound, to the left or to the right, must
  * hit the same obstacle. Otherwise the bound becomes infinite. It also becomes infinite when it
- * exceeds the radius, or the length of a flight between two impacts. For a point particle the
+ * exceeds the radius, or the length of a flight between two impacts; under gravity, when the error
+ * of the time of an impact exceeds the duration of the flight before it. For a point particle the
  * radius of the smallest peg at the construction takes the place of its own. If a smaller peg is
  * added, make a new {@code Uncertainty}.
  *
- * <p>The harness compares the bound with runs in arbitrary precision ({@code
- * UncertaintyBoundTest}). There the error of a circle never exceeds the bound, as long as the bound
- * is below the radius. At half of the places or more the bound is below 100 times the error.
+ * <p>The harness compares the bound with runs in arbitrary precision, without gravity and with it
+ * ({@code UncertaintyBoundTest}). There the error of a circle never exceeds the bound, as long as
+ * the bound is below the radius. At half of the places or more the bound is below 100 times the
+ * error.
  *
  * <h2>What is unknown</h2>
  *
@@ -65,14 +73,16 @@ import java.util.Arrays;
  * <ul>
  *   <li>it is {@link Outcome#JAMMED}, {@link Outcome#STOPPED} or {@link Outcome#SETTLED}, or an
  *       impact leaves it at rest;
+ *   <li>under gravity, a bounce off something round is so low that the <a
+ *       href="doc-files/rules.html#gravity">rules of gravity</a> may make it higher;
  *   <li>it hits something that it overlaps;
- *   <li>an edit gives it another place or velocity, or adds it;
+ *   <li>an edit gives it another place or velocity, or adds it, or changes gravity;
  *   <li>it made an impact in a step without {@code update}, or the world was {@linkplain
  *       World#restore restored} to an earlier flight;
- *   <li>any line or peg moves, or there is {@linkplain SceneBuilder#gravity gravity}.
+ *   <li>any line or peg moves.
  * </ul>
  *
- * <p>{@link #restart} begins anew with a circle.
+ * <p>{@link #restart} begins anew with a circle, unless it slides or rests on something.
  */
 public final class Uncertainty {
 
@@ -119,7 +129,8 @@ public final class Uncertainty {
   }
 
   /**
-   * Takes the present state of a circle as exact and begins anew with it, as after an edit.
+   * Takes the present state of a circle as exact and begins anew with it, as after an edit. Of a
+   * circle that slides or rests under gravity nothing is known until it is begun with again.
    *
    * @param id the id of the circle
    * @throws IndexOutOfBoundsException if there is no such circle
@@ -129,7 +140,20 @@ public final class Uncertainty {
     if (id >= paths.length) {
       paths = Arrays.copyOf(paths, world.idLimit(ObstacleKind.CIRCLE));
     }
-    paths[id] = new PathError(x, world.y(id), world.vx(id), world.vy(id), world.now(), length);
+    int slot = world.ids.circle(id);
+    paths[id] =
+        PathError.of(
+            x,
+            world.y(id),
+            world.vx(id),
+            world.vy(id),
+            world.circles.gx(slot),
+            world.circles.gy(slot),
+            world.now(),
+            length);
+    if (world.circles.support(slot) > MovingCircle.NOTHING) {
+      paths[id].lose(); // it slides or rests
+    }
   }
 
   /**
@@ -140,7 +164,7 @@ public final class Uncertainty {
    * bounced in it becomes infinite.
    */
   public void update() {
-    if (!areFollowed()) {
+    if (world.obstacles.areMoving()) {
       loseAll();
       return;
     }
@@ -156,14 +180,12 @@ public final class Uncertainty {
       int id = log.circle(row);
       PathError path = path(id);
       if (path != null && path.isFollowed()) {
-        path.setVelocity(world.vx(id), world.vy(id));
+        int slot = world.ids.circle(id);
+        double gx = world.circles.gx(slot);
+        double gy = world.circles.gy(slot);
+        path.setVelocity(world.vx(id), world.vy(id), gx, gy, world.now());
       }
     }
-  }
-
-  /** Tells whether all flights are straight, among obstacles at rest: others are not followed. */
-  private boolean areFollowed() {
-    return !world.obstacles.areMoving() && !world.circles.allowsGravity();
   }
 
   private void loseAll() {
@@ -202,7 +224,7 @@ public final class Uncertainty {
     double radius = log.feature(row) == Feature.SIDE ? Double.POSITIVE_INFINITY : r + radius(code);
     double x = log.x(row) + r * nx;
     double y = log.y(row) + r * ny;
-    path.bounce(time, x, y, nx, ny, radius, e, Codes.isWall(code));
+    path.bounce(time, x, y, nx, ny, radius, e, code);
   }
 
   /** The radius of a peg; 0 for the end of a line. */
@@ -227,9 +249,15 @@ public final class Uncertainty {
   /** Tells whether the true flight may hit another obstacle than the one at its end. */
   private boolean mayHitOther(PathError path, int id, double time, int code) {
     double width = path.width(time);
-    return width > size(id)
-        || isOther(first(path, id, width, time, code), code)
-        || isOther(first(path, id, -width, time, code), code);
+    if (width > size(id)) {
+      return true;
+    }
+    for (int side = 0; side < path.sides(); side++) {
+      if (isOther(first(path, id, side, width, path.since(time), code), code)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Tells whether the true flight may have had an impact, other than its next one. */
@@ -238,13 +266,17 @@ public final class Uncertainty {
     if (width > size(id)) {
       return true;
     }
-    int left = first(path, id, width, now, MovingCircle.NOTHING);
-    int right = first(path, id, -width, now, MovingCircle.NOTHING);
-    if (left == MovingCircle.NOTHING && right == MovingCircle.NOTHING) {
-      return false;
+    int next = MovingCircle.NOTHING;
+    for (int side = 0; side < path.sides(); side++) {
+      int hit = first(path, id, side, width, path.since(now), MovingCircle.NOTHING);
+      if (hit != MovingCircle.NOTHING && next == MovingCircle.NOTHING) {
+        next = first(path, id, 0, 0, path.horizon(now), MovingCircle.NOTHING);
+      }
+      if (isOther(hit, next)) {
+        return true;
+      }
     }
-    int next = first(path, id, 0, Double.POSITIVE_INFINITY, MovingCircle.NOTHING);
-    return isOther(left, next) || isOther(right, next);
+    return false;
   }
 
   private static boolean isOther(int first, int code) {
@@ -252,17 +284,21 @@ public final class Uncertainty {
   }
 
   /**
-   * Finds the first obstacle that a circle hits until a time, if it flies beside a path.
+   * Finds the first obstacle that a circle hits, if it flies beside a path.
    *
+   * @param side to which side, of those of the path
+   * @param distance how far from it
+   * @param duration how long, from the start of the flight
    * @param code an obstacle that is ignored, unless it is a wall; or NOTHING
    * @return its code, or NOTHING
    */
-  private int first(PathError path, int id, double beside, double time, int code) {
-    double dt = path.load(body, world.radius(id), beside, time);
+  private int first(PathError path, int id, int side, double distance, double duration, int code) {
+    path.load(body, world.radius(id), side, distance);
     body.filter =
         Filter.of(world.category(ObstacleKind.CIRCLE, id), world.mask(ObstacleKind.CIRCLE, id));
-    body.last = code;
-    return world.questions.first(body, dt);
+    // A circle that falls can come back to what it hit: nothing is ignored.
+    body.last = body.isFalling() ? MovingCircle.NOTHING : code;
+    return world.questions.first(body, duration);
   }
 
   /**
@@ -315,9 +351,9 @@ public final class Uncertainty {
    * <p>The path nearby starts beside the circle at the same velocity, infinitely near. After many
    * impacts this is the largest exponent of the circle's motion.
    *
-   * <p>Without round obstacles it is 0 if all impacts are elastic; the ends of lines are round,
-   * too. Other restitutions change it: an oblique impact draws the two paths together if its
-   * restitution is below 1, and apart if it is above.
+   * <p>Without round obstacles and without gravity it is 0 if all impacts are elastic; the ends of
+   * lines are round, too. Other restitutions change it: an oblique impact draws the two paths
+   * together if its restitution is below 1, and apart if it is above.
    *
    * @param id the id of the circle
    * @return the exponent, in 1 / time unit; NaN at the start, and where the flights are unknown;
@@ -338,8 +374,11 @@ public final class Uncertainty {
       return path;
     }
     double now = world.now();
-    path.check(x, world.y(id), world.vx(id), world.vy(id), now);
-    if (!areFollowed()) {
+    int slot = world.ids.circle(id);
+    double gx = world.circles.gx(slot);
+    double gy = world.circles.gy(slot);
+    path.check(x, world.y(id), world.vx(id), world.vy(id), gx, gy, now);
+    if (world.obstacles.areMoving()) {
       path.lose();
     }
     if (isWide(path, id, now) && mayHaveHitOther(path, id, now)) {

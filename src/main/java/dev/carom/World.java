@@ -72,7 +72,7 @@ public final class World {
   private final ImpactRows rows;
   private final ImpactLog log;
   private final CircleRegistry registry;
-  private final Handles ids;
+  final Handles ids;
   private final Engine engine;
   final CircleTable circles;
   final ObstacleTable obstacles;

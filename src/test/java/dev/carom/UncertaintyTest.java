@@ -291,16 +291,206 @@ class UncertaintyTest {
     assertThat(ofSensed.bound(0)).isEqualTo(uncertainty.bound(0));
   }
 
+  /**
+   * A ball dropped on a floor again and again: neither its error nor a path beside it grows but by
+   * roundings. Those of one bounce move the later path by no more than 8 u of the room.
+   */
   @Test
-  void underGravityNothingIsKnown() {
+  void bouncesOnAFloorAddRoundings() {
     Scene scene =
-        Scene.builder().bounds(0, 0, 100, 90).circle(50, 60, 2, 1, 0).gravity(0, -1).build();
+        Scene.builder().bounds(0, 0, 100, 90).circle(50, 12, 2, 0, 0).gravity(0, -1).build();
+    World world = new World(scene);
+    Uncertainty uncertainty = new Uncertainty(world, 1e-9);
+    advance(world, uncertainty, 800);
+    double bounces = 800 / (2 * Math.sqrt(20));
+    // An early bounce changes the speed, by g u d: the height changes by that times a duration.
+    double growth = bounces * bounces * 8 * U * (12 + 20);
+    assertThat(uncertainty.bound(0)).isBetween(bounces * U, growth);
+    assertThat(uncertainty.lostAt()).isInfinite();
+    assertThat(uncertainty.lyapunovExponent(0)).isZero();
+  }
+
+  /**
+   * A ball bounces on the top of a peg, from a height h above it. A path beside it flies straight
+   * across, and each bounce turns it by {@code 2 v / R}: as between a wall and a peg, the map of a
+   * period has the trace {@code 2 + 2 v T / R}. Here v T is 4 h.
+   */
+  @Test
+  void theExponentOfABounceOnAPegIsThatOfItsMap() {
+    double height = 8;
+    double reach = 12;
+    Scene scene =
+        Scene.builder()
+            .peg(50, 0, 10)
+            .circle(50, reach + height, 2, 0, 0)
+            .gravity(0, -0.25)
+            .build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
+    advance(world, uncertainty, 4000);
+    double cosh = 1 + 4 * height / reach;
+    double period = 2 * Math.sqrt(2 * height / 0.25);
+    double exponent = Math.log(cosh + Math.sqrt(cosh * cosh - 1)) / period;
+    assertThat(uncertainty.lyapunovExponent(0)).isCloseTo(exponent, offset(1e-3));
     assertThat(uncertainty.bound(0)).isInfinite();
+  }
+
+  /** Two worlds whose circles start 2^-30 beside each other part as the exponent tells. */
+  @Test
+  void theExponentTellsHowTwoPathsPartUnderGravity() {
+    double step = 0x1p-30;
+    World world = new World(plinko(0));
+    World other = new World(plinko(step));
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    int compared = 0;
+    for (int frame = 1; frame <= 200; frame++) {
+      world.advanceTo(frame);
+      other.advanceTo(frame);
+      uncertainty.update();
+      double off = Math.hypot(other.x(0) - world.x(0), other.y(0) - world.y(0));
+      if (off < 1e-4) {
+        double predicted = step * Math.exp(uncertainty.lyapunovExponent(0) * frame);
+        assertThat(predicted / off).isBetween(0.99, 1.01);
+        compared++;
+      }
+    }
+    assertThat(compared).isBetween(50, 199);
+  }
+
+  private static Scene plinko(double off) {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 100, 200).gravity(0, -0.125);
+    builder.line(0, 40, 60, 10);
+    builder.line(100, 30, 70, 10);
+    for (int i = 0; i < 12; i++) {
+      builder.peg(20 + 30 * (i % 3) + 5 * (i / 3 % 2), 60 + 25 * (i / 3), 4);
+    }
+    return builder.circle(47 + off, 180, 3, 0, -0.5).build();
+  }
+
+  @Test
+  void stepsDoNotMatterUnderGravity() {
+    World world = new World(plinko(0));
+    World other = new World(plinko(0));
+    Uncertainty uncertainty = new Uncertainty(world, 1e-9);
+    Uncertainty ofOther = new Uncertainty(other, 1e-9);
+    advance(world, uncertainty, 60);
+    other.advanceTo(60);
+    ofOther.update();
+    assertThat(ofOther.bound(0)).isBetween(1e-14, 1e-6);
+    assertThat(ofOther.bound(0)).isCloseTo(uncertainty.bound(0), offset(1e-6 * ofOther.bound(0)));
+    assertThat(ofOther.lostAt(0)).isCloseTo(uncertainty.lostAt(0), offset(1e-6));
+  }
+
+  /** Lengths and gravity 2^20 times as large: all is 2^20 times as large. */
+  @Test
+  void theUnitOfLengthDoesNotMatterUnderGravity() {
+    double[] bounds = new double[2];
+    for (int i = 0; i < 2; i++) {
+      double unit = i == 0 ? 1 : 0x1p20;
+      Scene scene =
+          Scene.builder()
+              .bounds(0, 0, 100 * unit, 200 * unit)
+              .peg(50 * unit, 50 * unit, 20 * unit)
+              .gravity(0, -0.125 * unit)
+              .circle(48 * unit, 180 * unit, 3 * unit, 0, -0.5 * unit)
+              .build();
+      World world = new World(scene);
+      Uncertainty uncertainty = new Uncertainty(world, unit);
+      advance(world, uncertainty, 120);
+      bounds[i] = uncertainty.bound(0) / unit;
+    }
+    assertThat(bounds[1]).isFinite().isCloseTo(bounds[0], offset(1e-12 * bounds[0]));
+  }
+
+  @Test
+  void aCircleThatSettlesIsUnknown() {
+    Scene scene =
+        Scene.builder()
+            .bounds(0, 0, 100, 90)
+            .restitution(0.5)
+            .circle(50, 12, 2, 1, 0)
+            .gravity(0, -1)
+            .build();
+    World world = new World(scene);
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    advance(world, uncertainty, 5);
+    assertThat(uncertainty.bound(0)).isFinite();
     advance(world, uncertainty, 20);
     assertThat(uncertainty.bound(0)).isInfinite();
-    assertThat(uncertainty.lostAt(0)).isZero();
+    uncertainty.restart(0);
+    assertThat(uncertainty.bound(0)).as("it rolls on the floor").isInfinite();
+    assertThat(uncertainty.lostAt(0)).isEqualTo(20);
+    world.setPosition(0, 50, 50);
+    uncertainty.restart(0);
+    advance(world, uncertainty, 22);
+    assertThat(uncertainty.bound(0)).isBetween(U, 1e-11);
+  }
+
+  /** The rules of gravity make a low bounce off a peg higher than the restitution has it. */
+  @Test
+  void aHopOfTheRulesIsUnknown() {
+    Scene scene =
+        Scene.builder()
+            .peg(50, 0, 10)
+            .restitution(0.5)
+            .circle(50.5, 20, 2, 0, 0)
+            .gravity(0, -0.25)
+            .build();
+    World world = new World(scene);
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    int bounces = 0;
+    boolean raised = false;
+    while (!raised && world.now() < 40) {
+      assertThat(uncertainty.bound(0)).isFinite();
+      world.step(0x1p-10);
+      uncertainty.update();
+      ImpactLog log = world.impacts();
+      if (log.size() > 0) {
+        double out = world.vx(0) * log.nx(0) + world.vy(0) * log.ny(0);
+        raised = out > 0.5 * log.approachSpeed(0) + 2 * 0.25 * 0x1p-10;
+        bounces++;
+      }
+    }
+    assertThat(raised).isTrue();
+    assertThat(bounces).isGreaterThan(3);
+    assertThat(uncertainty.bound(0)).isInfinite();
+  }
+
+  @Test
+  void anotherGravityIsUnknownUntilRestart() {
+    World world = new World(plinko(0));
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    advance(world, uncertainty, 5);
+    world.setGravity(0, -0.25);
+    assertThat(uncertainty.bound(0)).isInfinite();
+    uncertainty.restart(0);
+    advance(world, uncertainty, 10);
+    assertThat(uncertainty.bound(0)).isBetween(U, 1e-10);
+    world.setGravity(0, 0);
+    world.step(5);
+    uncertainty.update();
+    assertThat(uncertainty.bound(0)).isInfinite();
+    uncertainty.restart(0);
+    advance(world, uncertainty, 16);
+    assertThat(uncertainty.bound(0)).as("straight").isBetween(U, 1e-10);
+  }
+
+  @Test
+  void aCircleThatNothingMovesIsKnownBesideOnesThatFall() {
+    Scene scene =
+        Scene.builder()
+            .bounds(0, 0, 100, 90)
+            .gravity(0, -1)
+            .circle(50, 60, 2, 1, 0)
+            .mass(Double.POSITIVE_INFINITY)
+            .circle(20, 60, 2, 1, 0)
+            .build();
+    World world = new World(scene);
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    advance(world, uncertainty, 60);
+    assertThat(world.y(0)).isEqualTo(60);
+    assertThat(uncertainty.bound(0)).isBetween(U, 1000 * U);
+    assertThat(uncertainty.bound(1)).isBetween(U, 1e-9);
   }
 
   /** Two pegs touched at once: which of them is first depends on roundings. */

@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The bound of an {@link Uncertainty} against true courses, in arbitrary precision. */
@@ -27,18 +28,18 @@ class UncertaintyBoundTest {
    */
   @Tag("long")
   @ParameterizedTest
-  @ValueSource(strings = {"base-1", "base-2", "base-3", "fast-1", "radii"})
+  @ValueSource(strings = {"base-1", "base-2", "base-3", "fast-1", "radii", "falling"})
   void holdsUntilItReachesARadius(String name) throws IOException {
     double[] ratios = ratios(References.scene(name), References.load(name), name);
     assertThat(ratios.length).isGreaterThan(3_500);
     assertThat(ratios[ratios.length / 2]).isLessThan(MEDIAN);
   }
 
-  /** Impacts of any restitution, with walls, pegs and lines. */
+  /** Impacts of any restitution, with walls, pegs and lines, without gravity and with it. */
   @ParameterizedTest
-  @ValueSource(doubles = {0.5, 0.9, 1.1})
-  void holdsAtAnyRestitution(double e) {
-    SceneBuilder builder = Scene.builder().bounds(0, 0, 200, 200);
+  @CsvSource({"0.5, 0", "0.9, 0", "1.1, 0", "0.5, 0.05", "0.9, 0.05", "1.1, 0.05"})
+  void holdsAtAnyRestitution(double e, double gravity) {
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 200, 200).gravity(gravity / 4, -gravity);
     builder.line(70, 25, 80, 35).restitution(e);
     for (int i = 0; i < 9; i++) {
       builder.peg(47 + 50 * (i % 3) + 3 * (i / 3), 50 + 50 * (i / 3), 9 + i).restitution(e);
@@ -48,7 +49,7 @@ class UncertaintyBoundTest {
     }
     Scene scene = builder.build();
     Truth truth = Truth.of(scene, 40, () -> {});
-    double[] ratios = ratios(scene, truth, "restitution " + e);
+    double[] ratios = ratios(scene, truth, "restitution %s, gravity %s".formatted(e, gravity));
     assertThat(ratios.length).isGreaterThan(100);
     assertThat(ratios[ratios.length / 2]).isLessThan(MEDIAN);
   }
