@@ -8,6 +8,7 @@ import dev.carom.bench.methods.Methods;
 import dev.carom.bench.methods.RungCounts;
 import dev.carom.bench.peers.Contenders;
 import dev.carom.bench.peers.Peers;
+import dev.carom.bench.reference.References;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -88,6 +89,7 @@ public final class Parts {
     colliding().forEach(contender -> parts.add(new GasPart(Subjects.GAS, contender)));
     parts.add(new BouncePart(Methods.CAROM, quick ? 100_000 : 1_000_000));
     Peers.all().forEach(peer -> parts.add(new BouncePart(peer, quick ? 5_000 : 20_000)));
+    parts.add(new TrustPart(References.FALLING));
     parts.add(new RungPart(scenes, quick ? 1_000 : 20_000));
     for (String name : Queries.classes()) {
       parts.add(new QueryPart(name, quick ? 1_000 : 20_000));
@@ -106,6 +108,9 @@ public final class Parts {
     parts.add(new UlpPart(scene));
     for (Contender contender : contenders(scene, quick)) {
       parts.add(new ScenePart(scene, contender));
+    }
+    if (scene.equals(SCENES.get(0))) {
+      parts.add(new TrustPart(scene));
     }
     if (scene.equals(FAST)) {
       parts.add(new RoundingPart(scene));

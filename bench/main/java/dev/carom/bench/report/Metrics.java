@@ -20,6 +20,9 @@ final class Metrics {
   static final String GAS_LOST = "gas_lost";
   static final String BOUNCE = "bounce";
   static final String BOUNCE_ENERGY = "bounce_energy";
+  static final String ERROR_BOUND = "error_bound";
+  static final String ERROR_BOUND_RATIO = "error_bound_ratio";
+  static final String ERROR_BOUND_EXCEEDED = "error_bound_exceeded";
   static final String FRAME_ERROR = "frame_error";
   static final String HORIZON = "horizon";
   static final String MISSED = "decisions_missed";

@@ -336,6 +336,7 @@ final class Page {
     drifts.stream().limit(1).forEach(this::figure);
     drifts.stream().skip(1).forEach(this::folded);
     figure("bounce");
+    figure("trust");
   }
 
   /** The fewer are right, the darker. */

@@ -102,6 +102,7 @@ public final class Report {
     figures.addAll(new FeatureFigures(results).figures());
     figures.addAll(new DriftFigures(results).figures());
     figures.addAll(new BounceFigures(results).figures());
+    figures.addAll(new TrustFigures(results).figures());
     figures.addAll(new StabilityFigures(results).figures());
     figures.addAll(new FrameTimeFigures(results).figures());
     figures.addAll(new SweepFigures(results).figures());

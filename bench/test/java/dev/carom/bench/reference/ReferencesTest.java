@@ -37,7 +37,7 @@ class ReferencesTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"base-1, 60", "base-2, 600", "base-3, 60", "fast-1, 30", "radii, 60"})
+  @CsvSource({"base-1, 60", "base-2, 600", "base-3, 60", "fast-1, 30", "radii, 60", "falling, 60"})
   void whatIsStoredIsWhatIsComputed(String name, int frames) throws IOException {
     Reference stored = References.load(name);
     assertThat(stored.frames()).isEqualTo(600);

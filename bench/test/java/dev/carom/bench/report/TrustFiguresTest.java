@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+class TrustFiguresTest {
+
+  @BeforeAll
+  static void headless() {
+    System.setProperty("java.awt.headless", "true");
+  }
+
+  private static Sample sample(double exceeded) {
+    Sample sample = Sample.complete();
+    for (String scene : List.of("base-1", "falling")) {
+      for (int decade = -15; decade < -1; decade++) {
+        double bound = Math.pow(10, decade + 1.5);
+        sample.add(scene, "carom", "", "error_bound", "p5@" + decade, bound / 4, "radii", -1);
+        sample.add(scene, "carom", "", "error_bound", "median@" + decade, bound, "radii", -1);
+        sample.add(scene, "carom", "", "error_bound", "p95@" + decade, 9 * bound, "radii", -1);
+      }
+      sample.add(scene, "carom", "", "error_bound_ratio", "median", 10, "1", -1);
+      sample.add(scene, "carom", "", "error_bound_exceeded", "count", exceeded, "1", -1);
+      sample.add(scene, "carom", "", "error_bound_exceeded", "of", 3000, "1", -1);
+    }
+    return sample;
+  }
+
+  @Test
+  void everySceneIsAPanelAndEveryDecadeARow() {
+    List<Figure> figures = new TrustFigures(sample(0).results()).figures();
+    assertThat(figures).hasSize(1);
+    Figure figure = figures.get(0);
+    assertThat(figure.title())
+        .isEqualTo("None of 6,000 places is further from the truth than predicted");
+    assertThat(figure.caption())
+        .endsWith(
+            "base-1: the error exceeds the bound at 0 of 3,000 places; in the median the bound is 10"
+                + " times the error. falling: the error exceeds the bound at 0 of 3,000 places; in"
+                + " the median the bound is 10 times the error.");
+    assertThat(figure.panels()).hasSize(2);
+    assertThat(figure.table().rows())
+        .hasSize(28)
+        .contains(List.of("falling", "3.2e-4", "7.9e-4", "0.0032", "0.028"));
+    assertThat(new String(figure.picture().svg(), StandardCharsets.UTF_8))
+        .contains(">true error, in radii<")
+        .contains(">bound = error<");
+  }
+
+  @Test
+  void aBrokenPromiseIsInTheTitle() {
+    Figure figure = new TrustFigures(sample(2).results()).figures().get(0);
+    assertThat(figure.title())
+        .isEqualTo("4 of 6,000 places are further from the truth than predicted");
+  }
+
+  /** Results of older runs have no such part. */
+  @Test
+  void withoutThePartThePageLeavesItOut() throws Exception {
+    assertThat(new TrustFigures(Sample.complete().results()).figures()).isEmpty();
+    String page = Page.of(Sample.complete().results(), Report.figures(Sample.complete().results()));
+    assertThat(page).doesNotContain("id=\"trust\"");
+    String with = Page.of(sample(0).results(), Report.figures(sample(0).results()));
+    assertThat(with).containsOnlyOnce("<section id=\"trust\">");
+  }
+}
