@@ -23,10 +23,10 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "reference",
     description = {
-      "Computes what really happens in the experiment's scenes.",
+      "Computes what really happens in the experiment's scenes, and in one with gravity.",
       "Event after event in arbitrary precision, each decision proved, until every"
           + " place is known to the last bit of a double and a run with twice the digits"
-          + " agrees. Takes about a minute.",
+          + " agrees. Takes about two minutes.",
       "With --scene FILE it prints where the circles of any small scene are at the end, in as many"
           + " digits as asked."
     },

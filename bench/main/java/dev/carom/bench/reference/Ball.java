@@ -120,7 +120,7 @@ final class Ball {
   }
 
   /** A whole number in the same bits. */
-  Ball whole(long value) {
+  Ball whole(int value) {
     return of(value, bits);
   }
 
