@@ -22,12 +22,12 @@ import picocli.CommandLine.Spec;
     description = {
       "Plays random worlds with random edits, and checks every flight exactly.",
       "Worlds have neighbours by ulps, ties, lattices, crowds and extremes; in some, lines and pegs"
-          + " move. In each fourth world impacts would not end without a rule: trapped circles,"
-          + " pockets, infinite masses, doors, heaps, bumpers.",
+          + " move, or circles fall. In each fourth world impacts would not end without a rule:"
+          + " trapped circles, pockets, infinite masses, doors, heaps, bumpers, falls.",
       "Checked after every step, by exact arithmetic of its own: flights are"
-          + " continuous and pass through no line, peg, wall or circle; energy is as the"
-          + " responses allow; the log is in the order of time; rows and states are the"
-          + " same if the step is cut, restored on the way, or of one circle alone.",
+          + " continuous and pass through no line, peg, wall or circle; nothing hangs in the air;"
+          + " energy is as the responses allow; the log is in the order of time; rows and states"
+          + " are the same if the step is cut, restored on the way, or of one circle alone.",
       "With --queries it asks the detector with numbers of all patterns instead.",
       "The first finding ends the run, with the seed and the scene that show it again."
     },

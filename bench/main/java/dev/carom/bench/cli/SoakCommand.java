@@ -61,8 +61,9 @@ final class SoakCommand implements Callable<Integer> {
       converter = Kinds.class,
       description = {
         "A scene on which the end rule works, instead of the canonical one: trapped circles,"
-            + " pockets of some ulps, infinite masses, doors that crush balls, a heap under"
-            + " gravity, or bumpers (${COMPLETION-CANDIDATES})."
+            + " pockets of some ulps, infinite masses, doors that crush balls, a heap that each"
+            + " step pushes downwards, or bumpers; or balls under gravity: a fall among slopes and"
+            + " pegs, a pile, or plinko (${COMPLETION-CANDIDATES})."
       })
   private EndScene.Kind kind;
 

@@ -2,7 +2,6 @@
 package dev.carom.bench.fuzz;
 
 import dev.carom.Bounds;
-import dev.carom.Circle;
 import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.Response;
@@ -11,30 +10,38 @@ import dev.carom.World;
 import java.util.List;
 
 /**
- * Whether flights respect what is in their way, decided exactly and without the library's detector.
- * The distance from a convex thing is convex along a flight, and approaching at contact is an
- * impact; so no flight comes nearer than the radius, or than it was at its start if that was less.
- * For a moving obstacle, the flight is taken relative to it.
+ * Whether flights respect what is in their way, decided without the library's detector. Approaching
+ * at contact is an impact, and so is approaching more deeply inside; so no flight, straight or a
+ * parabola, comes nearer than the radius, or than it was at its start if that was less. For a
+ * moving obstacle, the flight is taken relative to it.
  */
 final class Crossings {
+
+  /** Of a parabola, so many parts are looked at for whether they come to a one-way line. */
+  private static final int PARTS = 8;
+
+  private static final Line CENTRE = new Line(0, 0, 0, 0);
 
   private final World world;
   private final Rounding rounding;
   private final MassCheck masses;
   private final PassedOver passed;
 
+  /** Whether there is gravity. */
+  private final boolean falls;
+
   Crossings(World world, Rounding rounding, MassCheck masses, PassedOver passed) {
     this.world = world;
     this.rounding = rounding;
     this.masses = masses;
     this.passed = passed;
+    falls = !world.gravity().equals(Vec2.ZERO);
   }
 
   void check(List<List<Flight>> flights) throws FindingException {
     for (int i = 0; i < flights.size(); i++) {
       for (Flight f : flights.get(i)) {
-        checkLines(f);
-        checkPegs(f);
+        checkObstacles(f);
         checkWalls(f);
       }
       for (int j = 0; world.scene().collide() && j < i; j++) {
@@ -48,99 +55,80 @@ final class Crossings {
   private boolean isSolid(int i, int j) {
     return world.contains(ObstacleKind.CIRCLE, i)
         && world.contains(ObstacleKind.CIRCLE, j)
-        && !isSensor(ObstacleKind.CIRCLE, i)
-        && !isSensor(ObstacleKind.CIRCLE, j)
+        && !isSensor(i)
+        && !isSensor(j)
         && Filters.meet(world, i, ObstacleKind.CIRCLE, j)
         && Math.min(world.mass(i), world.mass(j)) < Double.POSITIVE_INFINITY;
   }
 
-  /** Whether an obstacle is there for the circle of a flight, and no sensor. */
-  private boolean isSolid(Flight f, ObstacleKind kind, int id) {
-    return !isSensor(kind, id) && Filters.meet(world, f.circle(), kind, id);
+  private boolean isSensor(int circle) {
+    return world.response(ObstacleKind.CIRCLE, circle) == Response.SENSOR;
   }
 
-  private boolean isSensor(ObstacleKind kind, int id) {
-    return world.response(kind, id) == Response.SENSOR;
-  }
-
-  private void checkLines(Flight f) throws FindingException {
-    for (int id : world.ids(ObstacleKind.LINE)) {
-      Vec2 u = world.velocity(ObstacleKind.LINE, id);
-      if (isSolid(f, ObstacleKind.LINE, id) && !passesOver(u, f)) {
-        Line line = atStart(world.line(id), u, f);
-        Flight seen = f.seenFrom(u);
-        if (!world.oneWay(id) || isFromTheLeft(seen, line)) {
-          check(seen, line, f.radius(), "line " + id);
+  private void checkObstacles(Flight f) throws FindingException {
+    for (Solid solid : Solid.of(world, f)) {
+      if (!solid.moves() || !passed.mayPass(f)) {
+        Flight seen = f.seenFrom(solid.velocity());
+        if (solid.oneWay()) {
+          checkOneWay(seen, solid);
+        } else {
+          check(seen, solid);
         }
       }
     }
   }
 
-  private void checkPegs(Flight f) throws FindingException {
-    for (int id : world.ids(ObstacleKind.PEG)) {
-      Vec2 u = world.velocity(ObstacleKind.PEG, id);
-      if (isSolid(f, ObstacleKind.PEG, id) && !passesOver(u, f)) {
-        Circle peg = world.peg(id);
-        Line centre = atStart(new Line(peg.x(), peg.y(), peg.x(), peg.y()), u, f);
-        check(f.seenFrom(u), centre, f.radius() + peg.radius(), "peg " + id);
+  /** Only where it is clear that the flight comes from the left; else nothing is demanded. */
+  private void checkOneWay(Flight f, Solid line) throws FindingException {
+    if (!falls) {
+      if (isLeft(f, line) && line.climb(f.vx(), f.vy()) < -0x1p-40 * rounding.fastest()) {
+        check(f, line);
+      }
+      return;
+    }
+    for (int k = 0; k < PARTS; k++) {
+      Flight rest = f.within(f.from() + k * ((f.to() - f.from()) / PARTS), f.to());
+      if (isLeft(rest, line) && line.distance(rest.px(), rest.py()) > f.radius() + rounding.of(f)) {
+        check(whileLeft(rest, line), line);
       }
     }
   }
 
-  private boolean passesOver(Vec2 u, Flight f) {
-    return !u.equals(Vec2.ZERO) && passed.mayPass(f);
+  private boolean isLeft(Flight f, Solid line) {
+    return line.height(f.px(), f.py()) > 4 * rounding.of(f);
   }
 
-  /** Where something was at the start of a flight that now is at a place. */
-  private Line atStart(Line now, Vec2 u, Flight f) {
-    double x = u.x() * (world.now() - f.from());
-    double y = u.y() * (world.now() - f.from());
-    return u.equals(Vec2.ZERO)
-        ? now
-        : new Line(now.ax() - x, now.ay() - y, now.bx() - x, now.by() - y);
+  /** The part of a flight that starts left of a line until it first crosses that, or its end. */
+  private static Flight whileLeft(Flight f, Solid line) {
+    double h = line.height(f.px(), f.py());
+    double v = line.climb(f.vx(), f.vy());
+    double root = Math.sqrt(v * v - 2 * line.climb(f.ax(), f.ay()) * h);
+    double until = v < root ? 2 * h / (root - v) : Double.POSITIVE_INFINITY;
+    double end = f.from() + 0.999 * until;
+    return end < f.to() ? f.within(f.from(), end) : f;
   }
 
-  /** Clearly so; where rounding could decide it, nothing is demanded. */
-  private boolean isFromTheLeft(Flight f, Line line) {
-    double wx = line.bx() - line.ax();
-    double wy = line.by() - line.ay();
-    double length = Math.hypot(wx, wy);
-    double height = wx / length * (f.py() - line.ay()) - wy / length * (f.px() - line.ax());
-    double climb = wx / length * f.vy() - wy / length * f.vx();
-    return height > 4 * rounding.of(f) && climb < -0x1p-40 * rounding.fastest();
-  }
-
-  private void check(Flight f, Line line, double reach, String thing) throws FindingException {
-    double limit = Math.min(reach, distance(f.px(), f.py(), line)) * (1 - 0x1p-50) - rounding.of(f);
-    if (limit > 0
-        && !isApart(f, line, limit)
-        && f.passage().comesNearer(line.ax(), line.ay(), line.bx(), line.by(), limit)) {
-      boolean through = f.passage().crosses(line.ax(), line.ay(), line.bx(), line.by());
+  private void check(Flight f, Solid solid) throws FindingException {
+    double slack = rounding.of(f);
+    double start = solid.distance(f.px(), f.py());
+    double limit = limit(f, f.radius() + solid.radius(), start, slack);
+    Line axis = solid.axis();
+    if (limit > 0 && new Nearness(axis, limit, slack).isReachedBy(f)) {
+      boolean through = f.passage().crosses(axis.ax(), axis.ay(), axis.bx(), axis.by());
       throw new FindingException(
-          "%s comes nearer to %s than %s%s".formatted(f, thing, limit, through ? ", THROUGH" : ""));
+          "%s comes nearer to %s than %s%s"
+              .formatted(f, solid.name(), limit, through ? ", THROUGH" : ""));
     }
   }
 
-  private static double distance(double x, double y, Line line) {
-    double wx = line.bx() - line.ax();
-    double wy = line.by() - line.ay();
-    double dx = x - line.ax();
-    double dy = y - line.ay();
-    double length = Math.hypot(wx, wy);
-    double along = length == 0 ? 0 : wx / length * dx + wy / length * dy;
-    double t = Math.max(0, Math.min(length, along));
-    return length == 0
-        ? Math.hypot(dx, dy)
-        : Math.hypot(dx - wx / length * t, dy - wy / length * t);
-  }
-
-  /** Whether their boxes are so far from each other that no exact answer is needed. */
-  private static boolean isApart(Flight f, Line line, double limit) {
-    double room = 1.001 * limit;
-    return Math.min(f.px(), f.qx()) - Math.max(line.ax(), line.bx()) > room
-        || Math.min(line.ax(), line.bx()) - Math.max(f.px(), f.qx()) > room
-        || Math.min(f.py(), f.qy()) - Math.max(line.ay(), line.by()) > room
-        || Math.min(line.ay(), line.by()) - Math.max(f.py(), f.qy()) > room;
+  /**
+   * How near a flight may come; 0 where nothing is demanded. With gravity, what was hit last is hit
+   * again where the flight comes as near to it as at its start, which may be before this piece.
+   */
+  private static double limit(Flight f, double reach, double start, double slack) {
+    return f.begins() || start >= reach - slack
+        ? Math.min(reach, start) * (1 - 0x1p-50) - slack
+        : 0;
   }
 
   private void checkWalls(Flight f) throws FindingException {
@@ -149,17 +137,30 @@ final class Crossings {
     }
     Bounds b = world.scene().bounds().get();
     double r = f.radius();
-    checkWall(f, f.px() - b.xmin() - r, f.qx() - b.xmin() - r, "left");
-    checkWall(f, b.xmax() - f.px() - r, b.xmax() - f.qx() - r, "right");
-    checkWall(f, f.py() - b.ymin() - r, f.qy() - b.ymin() - r, "bottom");
-    checkWall(f, b.ymax() - f.py() - r, b.ymax() - f.qy() - r, "top");
+    double turnX = turn(f, f.vx(), f.ax());
+    double turnY = turn(f, f.vy(), f.ay());
+    double lowX = Math.min(f.qx(), f.x(turnX));
+    double lowY = Math.min(f.qy(), f.y(turnY));
+    double highX = Math.max(f.qx(), f.x(turnX));
+    double highY = Math.max(f.qy(), f.y(turnY));
+    checkWall(f, f.px() - b.xmin() - r, lowX - b.xmin() - r, "left");
+    checkWall(f, b.xmax() - f.px() - r, b.xmax() - highX - r, "right");
+    checkWall(f, f.py() - b.ymin() - r, lowY - b.ymin() - r, "bottom");
+    checkWall(f, b.ymax() - f.py() - r, b.ymax() - highY - r, "top");
   }
 
-  private void checkWall(Flight f, double before, double after, String wall)
+  /** When a coordinate turns back in a flight; its end if it does not. */
+  private static double turn(Flight f, double v, double a) {
+    double turn = f.from() - v / a;
+    return turn > f.from() && turn < f.to() ? turn : f.to();
+  }
+
+  private void checkWall(Flight f, double before, double least, String wall)
       throws FindingException {
-    if (after < Math.min(0, before) - rounding.of(f)) {
+    double slack = rounding.of(f);
+    if (least < Math.min(0, before) - slack && (f.begins() || before >= -slack)) {
       throw new FindingException(
-          "%s goes over the %s wall by %s; before: %s".formatted(f, wall, -after, -before));
+          "%s goes over the %s wall by %s; before: %s".formatted(f, wall, -least, -before));
     }
   }
 
@@ -178,12 +179,12 @@ final class Crossings {
   }
 
   private void checkPair(Flight f, Flight g) throws FindingException {
-    double start = Math.hypot(f.px() - g.px(), f.py() - g.py());
+    Flight seen = f.seenFrom(g);
     double slack = rounding.of(f) + rounding.of(g);
-    double limit = Math.min(f.radius() + g.radius(), start) * (1 - 0x1p-50) - slack;
+    double limit = limit(seen, seen.radius(), Math.hypot(seen.px(), seen.py()), slack);
     if (limit > 0
         && !masses.mayOverlap(f, g)
-        && f.passage().seenFrom(g.passage()).comesNearer(0, 0, 0, 0, limit)) {
+        && new Nearness(CENTRE, limit, slack).isReachedBy(seen)) {
       throw new FindingException("%s and %s come nearer than %s".formatted(f, g, limit));
     }
   }

@@ -26,10 +26,16 @@ public final class EndScene {
     MASSES,
     /** Infinite masses that close on balls like doors, or press them against walls. */
     DOORS,
-    /** Balls under gravity. */
+    /** Balls that each step makes a little faster downwards. */
     HEAP,
     /** Crowds in which impacts add energy. */
-    BUMPERS;
+    BUMPERS,
+    /** Balls under gravity that ignore each other, among slopes, pegs and one-way platforms. */
+    FALL,
+    /** Balls under gravity on each other, on a floor or in a valley. */
+    PILE,
+    /** Balls under gravity that fall through rows of pegs into bins. */
+    PLINKO;
 
     @Override
     public String toString() {
@@ -89,7 +95,7 @@ public final class EndScene {
   double duration() {
     double frames =
         switch (kind) {
-          case HEAP -> 1;
+          case HEAP, PILE, PLINKO -> 1;
           case BUMPERS -> 0.25;
           default -> 4 * random.nextDouble();
         };
@@ -103,6 +109,9 @@ public final class EndScene {
       case DOORS -> buildDoors();
       case HEAP -> buildHeap();
       case BUMPERS -> buildBumpers();
+      case FALL -> buildFall();
+      case PILE -> buildPile();
+      case PLINKO -> buildPlinko();
       default -> throw new AssertionError(kind);
     }
   }
@@ -245,6 +254,68 @@ public final class EndScene {
     }
   }
 
+  private void fallingBox(boolean collide, double e) {
+    box(collide, e);
+    builder.gravity(0, -GRAVITY * speed / length * speed);
+  }
+
+  private void line(double ax, double ay, double bx, double by, double e) {
+    builder.line(ax * length, ay * length, bx * length, by * length).restitution(e);
+  }
+
+  private void peg(double x, double y, double r, double e) {
+    builder.peg(x * length, y * length, r * length).restitution(e);
+  }
+
+  private void buildFall() {
+    fallingBox(false, pick(0.5, 0.9, 1));
+    int slopes = 2 + random.nextInt(6);
+    for (int i = 0; i < slopes; i++) {
+      double x = between(0, 80);
+      double y = between(5, 60);
+      line(x, y, x + between(5, 30), y + pick(0, 0, -10, between(-10, 10)), pick(0, 0.5, 1));
+      if (random.nextInt(4) == 0) {
+        builder.oneWay();
+      }
+      peg(between(0, WIDTH), between(0, 60), between(0, 4), pick(0.3, 1));
+    }
+    int balls = 3 + random.nextInt(10);
+    for (int i = 0; i < balls; i++) {
+      flying(between(0.5, 3), pick(0, 0.3, 0.8, 1));
+    }
+  }
+
+  private void buildPile() {
+    double e = pick(0, 0.3, 0.5, 0.8, 0.9);
+    fallingBox(true, e);
+    if (random.nextBoolean()) {
+      double deep = between(0, 20);
+      line(0, between(deep, 40), between(20, 80), deep, e);
+      line(between(20, 80), deep, WIDTH, between(deep, 40), e);
+    }
+    int balls = 2 + random.nextInt(10);
+    for (int i = 0; i < balls; i++) {
+      circle(12 + 9 * (i % 8), 50 + 9 * (i / 8), between(1, 4), random.nextGaussian(), 0, e);
+    }
+  }
+
+  private void buildPlinko() {
+    double e = pick(0.3, 0.5, 0.8);
+    fallingBox(random.nextBoolean(), e);
+    for (int row = 0; row < 4; row++) {
+      for (int i = 0; i < 8; i++) {
+        peg(6 + 12 * i + 6 * (row % 2), 25 + 10 * row, 1, e);
+      }
+    }
+    for (int i = 1; i < 8; i++) {
+      line(12 * i, 0, 12 * i, 15, e);
+    }
+    int balls = 3 + random.nextInt(8);
+    for (int i = 0; i < balls; i++) {
+      circle(5 + 11 * (i % 9), between(66, 76), between(1, 2), random.nextGaussian(), 0, e);
+    }
+  }
+
   /**
    * Edits the world before a step, so that there is more to come.
    *
@@ -258,6 +329,7 @@ public final class EndScene {
       case DOORS -> false;
       case HEAP -> steered % STIR == 0 ? stir(world) : fall(world);
       case BUMPERS -> steered % (STIR / 10) == 0 && stir(world);
+      case FALL, PILE, PLINKO -> steered % STIR == 0 && stir(world);
     };
   }
 

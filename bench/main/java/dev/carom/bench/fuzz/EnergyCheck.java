@@ -1,26 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.fuzz;
 
+import dev.carom.Feature;
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
 import dev.carom.Outcome;
 import dev.carom.Vec2;
 import dev.carom.World;
+import java.util.Arrays;
 
 /**
- * Kinetic energy over one step: of each circle, or of all finite masses together if they collide.
- * It grows only if a row bounced with a restitution above 1, or met an infinite mass or a moving
- * obstacle. It is lost only if a row has a restitution below 1 or another outcome than a bounce, or
- * met one of those.
+ * Energy over one step: of each circle, or of all finite masses together if they collide. With
+ * gravity it is that of motion and height together. It grows only if a row bounced with a
+ * restitution above 1, or met an infinite mass or a moving obstacle. It is lost only if a row has a
+ * restitution below 1 or another outcome than a bounce, or met one of those. With gravity, a slow
+ * row at something round may give as much as a hop over that takes.
+ *
+ * <p>Nothing is demanded where there is gravity and something moves: it may carry circles up and
+ * down, without a row.
  */
 final class EnergyCheck {
 
   /** Relative, of an impact. */
   private static final double ROUNDING = 0x1p-48;
 
+  /** The least hop from what is round, in sums of radii. */
+  private static final double HOP = 0x1p-12;
+
   private final World world;
   private final double unit;
-  private double[] before = new double[0];
+  private Energies before = new Energies(new double[0], new double[0]);
+
+  /**
+   * Energies, and what their rounding is in proportion to: twice that of motion, and of the height
+   * above or below 0.
+   */
+  private record Energies(double[] each, double[] scales) {}
 
   EnergyCheck(World world, double speedUnit) {
     this.world = world;
@@ -34,29 +49,76 @@ final class EnergyCheck {
 
   /** Compares the state at the end of the step. */
   void end() throws FindingException {
+    if (isCarried()) {
+      return;
+    }
     int rows = world.impacts().size();
-    double[] after = energies();
-    boolean[] mayGain = new boolean[after.length];
-    boolean[] mayLose = new boolean[after.length];
+    Energies after = energies();
+    int count = after.each.length;
+    boolean[] mayGain = new boolean[count];
+    boolean[] mayLose = new boolean[count];
+    double[] hops = new double[count];
     for (int row = 0; row < rows; row++) {
       int i = world.scene().collide() ? 0 : world.impacts().circle(row);
       mayGain[i] |= mayGain(row);
       mayLose[i] |= mayLose(row);
+      hops[i] += hop(row);
     }
-    double slack = ROUNDING * (rows + 4);
-    for (int i = 0; i < after.length; i++) {
-      boolean gained = after[i] > before[i] * (1 + slack) && !mayGain[i];
-      boolean lost = after[i] < before[i] * (1 - slack) && !mayLose[i];
+    for (int i = 0; i < count; i++) {
+      double scale = falls() ? Math.max(before.scales[i], after.scales[i]) : before.scales[i];
+      double slack = ROUNDING * (rows + 4) * scale;
+      boolean gained = after.each[i] > before.each[i] + slack + hops[i] && !mayGain[i];
+      boolean lost = after.each[i] < before.each[i] - slack && !mayLose[i];
       if (gained || lost) {
         throw new FindingException(
             "energy %s went from %s to %s in %d impacts"
                 .formatted(
                     world.scene().collide() ? "of all" : "of circle " + i,
-                    before[i],
-                    after[i],
+                    before.each[i],
+                    after.each[i],
                     rows));
       }
     }
+  }
+
+  private boolean falls() {
+    return !world.gravity().equals(Vec2.ZERO);
+  }
+
+  private boolean isCarried() {
+    return falls() && (moves(ObstacleKind.LINE) || moves(ObstacleKind.PEG));
+  }
+
+  private boolean moves(ObstacleKind kind) {
+    return Arrays.stream(world.ids(kind))
+        .anyMatch(id -> !world.velocity(kind, id).equals(Vec2.ZERO));
+  }
+
+  /** Twice the energy that a row may add by a least hop from something round. */
+  private double hop(int row) {
+    ImpactLog log = world.impacts();
+    int i = log.circle(row);
+    boolean pair = log.kind(row) == ObstacleKind.CIRCLE;
+    boolean round = pair || log.kind(row) == ObstacleKind.PEG || log.feature(row) != Feature.SIDE;
+    if (!round || log.outcome(row) != Outcome.BOUNCED) {
+      return 0;
+    }
+    double other =
+        switch (log.kind(row)) {
+          case PEG -> world.peg(log.id(row)).radius();
+          case CIRCLE -> world.radius(log.id(row));
+          default -> 0;
+        };
+    double hop = 2 * world.gravity().length() / unit * HOP * (world.radius(i) + other) / unit;
+    double out = restitution(row) * log.approachSpeed(row) / unit;
+    return out * out < hop ? (world.scene().collide() ? mass(row) : 1) * hop : 0;
+  }
+
+  /** The least finite mass that took part in a row. */
+  private double mass(int row) {
+    ImpactLog log = world.impacts();
+    double mass = world.mass(log.circle(row));
+    return log.kind(row) == ObstacleKind.CIRCLE ? Math.min(mass, world.mass(log.id(row))) : mass;
   }
 
   private boolean mayGain(int row) {
@@ -95,17 +157,29 @@ final class EnergyCheck {
     return world.mass(id) == Double.POSITIVE_INFINITY;
   }
 
-  /** In the session's own unit of speed, so that squares stay in range. */
-  private double[] energies() {
+  /** In the session's own unit of speed, so that squares stay in range; twice the usual ones. */
+  private Energies energies() {
     boolean collide = world.scene().collide();
     double[] each = new double[collide ? 1 : world.idLimit(ObstacleKind.CIRCLE)];
+    double[] scales = new double[each.length];
     for (int id : world.ids(ObstacleKind.CIRCLE)) {
-      double vx = world.vx(id) / unit;
-      double vy = world.vy(id) / unit;
       if (!collide || !isInfinite(id)) {
-        each[collide ? 0 : id] += (collide ? world.mass(id) : 1) * (vx * vx + vy * vy);
+        int i = collide ? 0 : id;
+        double mass = collide ? world.mass(id) : 1;
+        double vx = world.vx(id) / unit;
+        double vy = world.vy(id) / unit;
+        double motion = vx * vx + vy * vy;
+        double x = height(world.gravity().x(), world.x(id), id);
+        double y = height(world.gravity().y(), world.y(id), id);
+        each[i] += mass * (motion - 2 * (x + y));
+        scales[i] += mass * (motion + 2 * (Math.abs(x) + Math.abs(y)));
       }
     }
-    return each;
+    return new Energies(each, scales);
+  }
+
+  /** The potential energy along one axis, turned; none of what does not fall. */
+  private double height(double gravity, double place, int id) {
+    return gravity == 0 || isInfinite(id) ? 0 : gravity / unit * place / unit;
   }
 }

@@ -5,6 +5,7 @@ import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
 import dev.carom.Outcome;
 import dev.carom.Timeline;
+import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -13,7 +14,8 @@ import java.util.Set;
 
 /**
  * Circles that ignore each other: none makes endless rows at one place. One that is trapped jams
- * after few of them, and makes no more until an edit.
+ * after few of them, and makes no more until an edit. With gravity nothing is demanded: a ball may
+ * bounce at one place as often as it likes.
  */
 final class JamCheck {
 
@@ -52,7 +54,7 @@ final class JamCheck {
 
   /** Looks at a step, which led to its end or not. */
   void check(World world, Timeline timeline, boolean complete) throws FindingException {
-    if (world.scene().collide()) {
+    if (world.scene().collide() || !world.gravity().equals(Vec2.ZERO)) {
       return;
     }
     ImpactLog log = world.impacts();

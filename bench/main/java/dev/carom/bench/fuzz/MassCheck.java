@@ -61,7 +61,7 @@ final class MassCheck {
     Flight finite = isInfinite(f.circle()) ? g : f;
     Flight infinite = isInfinite(f.circle()) ? f : g;
     Double since = crushed.get(new Pair(finite.circle(), infinite.circle()));
-    return since != null && since <= finite.from() && finite.vx() == 0 && finite.vy() == 0;
+    return since != null && since <= finite.from() && finite.isStanding();
   }
 
   /** Forgets those that have left each other, when a step is over. */

@@ -38,7 +38,12 @@ final class PassedOver {
   /** Whether an obstacle that moves may pass over a circle in a part of its flight. */
   boolean mayPass(Flight f) {
     Double since = jammed.get(f.circle());
-    return since != null && since <= f.from() && f.vx() == 0 && f.vy() == 0;
+    return since != null && since <= f.from() && f.isStanding();
+  }
+
+  /** Whether a circle was jammed, and has not moved since when a step was over. */
+  boolean wasJammed(int circle) {
+    return jammed.containsKey(circle);
   }
 
   /** Forgets those that move again, when a step is over. */

@@ -56,9 +56,12 @@ final class PlaceCheck {
     if (!Filters.areBound(world, id)) {
       return Double.NEGATIVE_INFINITY;
     }
+    return world.radius(id) - room(world, world.x(id), world.y(id));
+  }
+
+  /** How far a place is from the nearest wall; less than 0 outside of the bounds. */
+  static double room(World world, double x, double y) {
     Bounds b = world.scene().bounds().get();
-    double x = Math.max(b.xmin() - world.x(id), world.x(id) - b.xmax());
-    double y = Math.max(b.ymin() - world.y(id), world.y(id) - b.ymax());
-    return Math.max(x, y) + world.radius(id);
+    return Math.min(Math.min(x - b.xmin(), b.xmax() - x), Math.min(y - b.ymin(), b.ymax() - y));
   }
 }

@@ -40,4 +40,9 @@ final class Rounding {
         + CLOCK_ULPS * f.fastest() * Math.ulp(f.to())
         + RESIDUE * fastest * (f.to() - f.from());
   }
+
+  /** The same for a velocity in a flight, with a given acceleration. */
+  double ofVelocity(Flight f, double acceleration) {
+    return RESIDUE * f.fastest() + CLOCK_ULPS * acceleration * Math.ulp(f.to());
+  }
 }

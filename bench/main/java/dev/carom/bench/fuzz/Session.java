@@ -13,7 +13,8 @@ import java.util.Set;
 /**
  * One random world, stepped and edited at random, with everything checked after every step. Each
  * fourth seed has a scene on which the end rule works, without random edits as a rule: only then
- * what the scene promises holds. In one third of the others some lines and pegs move.
+ * what the scene promises holds. In one third of the others some lines and pegs move, and one third
+ * of them have gravity.
  */
 final class Session {
 
@@ -41,6 +42,7 @@ final class Session {
   private final Numbers numbers;
   private final SessionScene draws;
   private final Filters filters;
+  private final Falls falls;
 
   /** Null for an ordinary scene. */
   private final EndScene ends;
@@ -65,7 +67,8 @@ final class Session {
     boolean ordinary = Math.floorMod(seed, ENDS) > 0;
     boolean moves = ordinary && Math.floorMod(seed, MOVING) == MOVING - 1;
     motions = moves ? new Motions(seed, numbers) : null;
-    draws = new SessionScene(random, numbers, filters, crowded, motions);
+    falls = new Falls(seed, numbers);
+    draws = new SessionScene(random, numbers, filters, falls, crowded, motions);
     edited = ordinary || random.nextInt(3) == 0;
     ends = ordinary ? null : endScene(Math.floorDiv(seed, ENDS));
     scene = ordinary ? draws.build() : ends.scene();
@@ -97,6 +100,9 @@ final class Session {
   void play() throws FindingException, IOException {
     for (int i = 0; i < ACTIONS && !stuck; i++) {
       if (motions != null && motions.edit(watch.world())) {
+        watch.edited();
+      }
+      if (ends == null && falls.edit(watch.world())) {
         watch.edited();
       }
       int what = random.nextInt(20);

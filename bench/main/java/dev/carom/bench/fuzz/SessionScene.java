@@ -18,6 +18,7 @@ final class SessionScene {
   private final Random random;
   private final Numbers numbers;
   private final Filters filters;
+  private final Falls falls;
   private final SceneBuilder builder = Scene.builder();
 
   /** Half of all scenes are elastic throughout, so that energy can be looked at. */
@@ -33,10 +34,17 @@ final class SessionScene {
   /** Null where obstacles rest. */
   private final Motions motions;
 
-  SessionScene(Random random, Numbers numbers, Filters filters, boolean crowded, Motions motions) {
+  SessionScene(
+      Random random,
+      Numbers numbers,
+      Filters filters,
+      Falls falls,
+      boolean crowded,
+      Motions motions) {
     this.random = random;
     this.numbers = numbers;
     this.filters = filters;
+    this.falls = falls;
     elastic = random.nextBoolean();
     bumpers = random.nextInt(6) == 0;
     traits = random.nextBoolean();
@@ -51,6 +59,7 @@ final class SessionScene {
 
   Scene build() {
     builder.collide(random.nextBoolean());
+    falls.begin(builder);
     if (random.nextInt(5) > 0) {
       double unit = numbers.length();
       builder.bounds(0, 0, Numbers.WIDTH * unit, Numbers.HEIGHT * unit);

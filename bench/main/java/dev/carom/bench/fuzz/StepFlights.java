@@ -3,7 +3,9 @@ package dev.carom.bench.fuzz;
 
 import dev.carom.ImpactLog;
 import dev.carom.ObstacleKind;
+import dev.carom.Outcome;
 import dev.carom.Timeline;
+import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,11 +18,15 @@ final class StepFlights {
   private final double start;
   private final Rounding rounding;
 
+  /** Whether there is gravity. */
+  private final boolean falls;
+
   StepFlights(World world, Timeline timeline, double start, Rounding rounding) {
     this.world = world;
     this.timeline = timeline;
     this.start = start;
     this.rounding = rounding;
+    falls = !world.gravity().equals(Vec2.ZERO);
   }
 
   /** Of all circles, one list each; none for those that are out of the range of doubles. */
@@ -33,7 +39,9 @@ final class StepFlights {
     return flights;
   }
 
-  /** The start of the step, each circle's impacts, and the end. */
+  /**
+   * The start of the step, each circle's impacts, and the end; a sensor does not bend a parabola.
+   */
   private List<List<Double>> moments() {
     List<List<Double>> moments = new ArrayList<>();
     for (int i = 0; i < world.idLimit(ObstacleKind.CIRCLE); i++) {
@@ -41,9 +49,11 @@ final class StepFlights {
     }
     ImpactLog log = world.impacts();
     for (int row = 0; row < log.size(); row++) {
-      moments.get(log.circle(row)).add(log.time(row));
-      if (log.kind(row) == ObstacleKind.CIRCLE) {
-        moments.get(log.id(row)).add(log.time(row));
+      if (!falls || log.outcome(row) != Outcome.SENSED) {
+        moments.get(log.circle(row)).add(log.time(row));
+        if (log.kind(row) == ObstacleKind.CIRCLE) {
+          moments.get(log.id(row)).add(log.time(row));
+        }
       }
     }
     moments.forEach(of -> of.add(world.now()));
@@ -56,11 +66,7 @@ final class StepFlights {
       double from = moments.get(k - 1);
       double to = moments.get(k);
       if (to > from && !isBurst(moments, k)) {
-        Flight flight = flight(i, from, to);
-        checkContinuous(flight);
-        if (flight.isFinite()) {
-          flights.add(flight);
-        }
+        add(flights, i, from, to, k > 1 || !falls);
       }
     }
     return flights;
@@ -74,7 +80,31 @@ final class StepFlights {
     return k + 2 < moments.size() && moments.get(k + 2).equals(moments.get(k));
   }
 
-  private Flight flight(int i, double from, double to) {
+  /**
+   * Adds what a circle does between two moments. With gravity that may be more than one flight: the
+   * end of a slide makes no row. So it is halved until its parts are flights.
+   */
+  private void add(List<Flight> flights, int i, double from, double to, boolean begins)
+      throws FindingException {
+    Flight flight = flight(i, from, to, begins);
+    double middle = from + (to - from) / 2;
+    if (falls && middle > from && middle < to && !isOne(flight, middle)) {
+      add(flights, i, from, middle, begins);
+      add(flights, i, middle, to, false);
+      return;
+    }
+    checkContinuous(flight);
+    if (flight.isFinite()) {
+      flights.add(flight);
+    }
+  }
+
+  private Flight flight(int i, double from, double to, boolean begins) {
+    double last = Math.nextDown(to);
+    double dt = last - from;
+    boolean bends = falls && dt > 0;
+    double vx = timeline.vx(i, from);
+    double vy = timeline.vy(i, from);
     return new Flight(
         i,
         timeline.radius(i, from),
@@ -84,20 +114,34 @@ final class StepFlights {
         timeline.y(i, from),
         timeline.x(i, to),
         timeline.y(i, to),
-        timeline.vx(i, from),
-        timeline.vy(i, from),
-        Math.max(speed(i, from), speed(i, to)));
+        vx,
+        vy,
+        bends ? (timeline.vx(i, last) - vx) / dt : 0,
+        bends ? (timeline.vy(i, last) - vy) / dt : 0,
+        Math.max(speed(i, from), Math.max(speed(i, last), speed(i, to))),
+        begins);
   }
 
   private double speed(int i, double t) {
     return Math.hypot(timeline.vx(i, t), timeline.vy(i, t));
   }
 
+  /** Whether a flight is at a moment where one acceleration throughout leads it. */
+  private boolean isOne(Flight f, double middle) {
+    Flight rest = f.within(middle, f.to());
+    double slack = rounding.of(f);
+    double speedSlack = rounding.ofVelocity(f, world.gravity().length());
+    return Math.abs(rest.px() - timeline.x(f.circle(), middle)) <= slack
+        && Math.abs(rest.py() - timeline.y(f.circle(), middle)) <= slack
+        && Math.abs(rest.vx() - timeline.vx(f.circle(), middle)) <= speedSlack
+        && Math.abs(rest.vy() - timeline.vy(f.circle(), middle)) <= speedSlack;
+  }
+
   private void checkContinuous(Flight f) throws FindingException {
     double slack = rounding.of(f);
     double dt = f.to() - f.from();
-    double jumpX = Math.abs(Math.fma(f.vx(), dt, f.px()) - f.qx());
-    double jumpY = Math.abs(Math.fma(f.vy(), dt, f.py()) - f.qy());
+    double jumpX = Math.abs(Flight.place(f.px(), f.vx(), f.ax(), dt) - f.qx());
+    double jumpY = Math.abs(Flight.place(f.py(), f.vy(), f.ay(), dt) - f.qy());
     boolean whole = !Double.isNaN(f.px() + f.py() + f.vx() + f.vy());
     if (!whole || (f.isFinite() && !(jumpX <= slack && jumpY <= slack))) {
       throw new FindingException("the flight is not continuous: " + f + ", bound " + slack);

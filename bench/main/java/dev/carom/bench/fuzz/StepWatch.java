@@ -178,6 +178,9 @@ final class StepWatch {
       of.forEach(f -> rounding.keepSpeed(f.vx(), f.vy()));
     }
     masses.check(all);
+    if (!world.gravity().equals(Vec2.ZERO)) {
+      new SupportCheck(world, rounding, passed).check(all);
+    }
     new Crossings(world, rounding, masses, passed).check(all);
   }
 

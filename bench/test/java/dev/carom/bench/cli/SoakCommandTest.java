@@ -39,7 +39,8 @@ class SoakCommandTest {
     assertThat(Cli.run("soak", "--circles", 0).err()).contains("circles is 0: expected at least 1");
     assertThat(Cli.run("soak", "--circles", 0).exitCode()).isEqualTo(2);
     assertThat(Cli.run("soak", "--scene", "heaps").err())
-        .contains("'heaps' is none of [trapped, pockets, masses, doors, heap, bumpers]");
+        .contains(
+            "'heaps' is none of [trapped, pockets, masses, doors, heap, bumpers, fall, pile, plinko]");
     assertThat(Cli.run("soak", "--scene", "heap", "--gas").err())
         .contains("--scene and --gas exclude each other");
     assertThat(Cli.run("soak", "--scene", "heap", "--circles", 9).exitCode()).isEqualTo(2);

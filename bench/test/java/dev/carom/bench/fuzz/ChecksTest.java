@@ -29,7 +29,7 @@ class ChecksTest {
 
   private static Flight flight(double px, double py, double qx, double qy) {
     double speed = Math.hypot(qx - px, qy - py);
-    return new Flight(0, 5, 0, 1, px, py, qx, qy, qx - px, qy - py, speed);
+    return new Flight(0, 5, 0, 1, px, py, qx, qy, qx - px, qy - py, 0, 0, speed, true);
   }
 
   private void check(World world, Flight... flights) throws FindingException {
@@ -104,8 +104,8 @@ class ChecksTest {
     passed.enter(squeezed);
     squeezed.advanceTo(6);
     double x = squeezed.x(0);
-    Flight standing = new Flight(0, 5, 5.5, 6, x, 50, x, 50, 0, 0, 0);
-    Flight moving = new Flight(0, 5, 5.5, 6, x, 50, x, 50.5, 0, 1, 1);
+    Flight standing = new Flight(0, 5, 5.5, 6, x, 50, x, 50, 0, 0, 0, 0, 0, true);
+    Flight moving = new Flight(0, 5, 5.5, 6, x, 50, x, 50.5, 0, 1, 0, 0, 1, true);
 
     assertFound("nearer to line 0", squeezed, standing);
     passed.read(squeezed.impacts());
@@ -258,9 +258,9 @@ class ChecksTest {
   void infiniteMassesPassOverCrushedCirclesOnly() throws FindingException {
     World world = new World(doors().build());
     world.advanceTo(3.5);
-    Flight resting = new Flight(0, 1, 3.5, 4, 0, 0, 0, 0, 0, 0, 0);
-    Flight door = new Flight(1, 1, 3.5, 4, -1.5, 0, -1, 0, 1, 0, 1);
-    Flight moving = new Flight(0, 1, 3.5, 4, 0, 0, 0.1, 0, 0.2, 0, 0.2);
+    Flight resting = new Flight(0, 1, 3.5, 4, 0, 0, 0, 0, 0, 0, 0, 0, 0, true);
+    Flight door = new Flight(1, 1, 3.5, 4, -1.5, 0, -1, 0, 1, 0, 0, 0, 1, true);
+    Flight moving = new Flight(0, 1, 3.5, 4, 0, 0, 0.1, 0, 0.2, 0, 0, 0, 0.2, true);
 
     assertFound("come nearer", world, resting, door);
     masses.read(world.impacts());
@@ -275,8 +275,8 @@ class ChecksTest {
   void anInfiniteMassThatIsDeflectedIsFound() throws FindingException {
     World world = new World(doors().build());
     masses.enter(world);
-    Flight before = new Flight(1, 1, 0, 1, -5, 0, -4, 0, 1, 0, 1);
-    Flight after = new Flight(1, 1, 1, 2, -4, 0, -3.5, 0, 0.5, 0, 1);
+    Flight before = new Flight(1, 1, 0, 1, -5, 0, -4, 0, 1, 0, 0, 0, 1, true);
+    Flight after = new Flight(1, 1, 1, 2, -4, 0, -3.5, 0, 0.5, 0, 0, 0, 1, true);
     masses.check(List.of(List.of(before)));
     assertThatThrownBy(() -> masses.check(List.of(List.of(before, after))))
         .hasMessageContaining("deflected an infinite mass");

@@ -3,6 +3,7 @@ package dev.carom.bench.fuzz;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Vec2;
 import dev.carom.bench.methods.PlainScene;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -39,9 +40,22 @@ class WorldFuzzTest {
     assertThat(fuzz.flights()).isGreaterThan(500);
   }
 
+  /** Circles that collide or not, in the open too, in units of any size. */
+  @Test
+  void worldsWithGravityPlayWithoutAFinding() throws FindingException {
+    WorldFuzz fuzz = new WorldFuzz();
+    for (long seed : new long[] {13, 14, 27, 29, 30, 59}) {
+      fuzz.play(seed);
+      assertThat(new Session(seed).scene().gravity()).as("%d", seed).isNotEqualTo(Vec2.ZERO);
+    }
+    assertThat(new Session(6).scene().gravity()).isEqualTo(Vec2.ZERO);
+    assertThat(fuzz.flights()).isGreaterThan(1_000);
+    assertThat(fuzz.impacts()).isGreaterThan(1_000);
+  }
+
   /** Trapped circles, a pocket, a heap, and infinite masses. */
   @ParameterizedTest
-  @ValueSource(longs = {24, 28, 40, 104})
+  @ValueSource(longs = {36, 40, 52, 116})
   void scenesOfTheEndRulePlayWithoutAFinding(long seed) throws FindingException {
     WorldFuzz fuzz = new WorldFuzz();
     fuzz.play(seed);
