@@ -145,6 +145,9 @@ abstract class PlainState {
     if (m.isSupported() && Codes.isCircle(m.last)) {
       m.last = MovingCircle.NOTHING;
     }
+    if (m.support == MovingCircle.HELD) {
+      m.leavePlace();
+    }
     boolean isHeavy = registry.mass(m.id) == NEVER;
     m.fall(isHeavy ? 0 : gravity.x, isHeavy ? 0 : gravity.y);
   }

@@ -64,6 +64,9 @@ public abstract class Engine {
     if (m.isSupported() && Codes.isCircle(m.last)) {
       m.last = MovingCircle.NOTHING; // relative to that circle it moves otherwise from now on
     }
+    if (m.support == MovingCircle.HELD) {
+      m.leavePlace(); // what it ignored while it was jammed may be in the way of its fall
+    }
     if (registry.mass(m.id) < Double.POSITIVE_INFINITY) {
       m.fall(gravity.x, gravity.y);
     } else {

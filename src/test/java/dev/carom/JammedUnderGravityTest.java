@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static dev.carom.ObstacleKind.LINE;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+
+/** Circles that something squeezed while they fell, and what happens when they are free again. */
+class JammedUnderGravityTest {
+
+  private static final int CEILING = 0;
+  private static final int LIFT = 1;
+
+  /** A lift rises one unit in each unit of time, and presses a ball against a ceiling at 6. */
+  @Test
+  void aLiftCarriesTheBallThatItSqueezedWhenTheCeilingGoes() {
+    double depth = 0x1p-10;
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -8)
+                .line(-10, 10, 10, 10)
+                .line(-10, 2, 10, 2)
+                .velocity(0, 1)
+                .circle(0, 4, 1, 0, 0)
+                .restitution(0.5)
+                .build());
+    assertThat(world.advanceTo(6 + depth)).isTrue();
+    assertThat(world.isResting(0)).isTrue();
+    assertThat(world.y(0)).isEqualTo(9);
+    world.remove(LINE, CEILING);
+    world.advanceTo(12);
+
+    assertThat(world.y(0)).isCloseTo(world.line(LIFT).ay() + 1, within(2 * depth));
+  }
+}
