@@ -80,16 +80,17 @@ final class Crossings {
 
   /** Only where it is clear that the flight comes from the left; else nothing is demanded. */
   private void checkOneWay(Flight f, Solid line) throws FindingException {
-    if (!falls) {
+    if (!falls || world.mass(f.circle()) == Double.POSITIVE_INFINITY) {
       if (isLeft(f, line) && line.climb(f.vx(), f.vy()) < -0x1p-40 * rounding.fastest()) {
         check(f, line);
       }
       return;
     }
+    double limit = limit(f, line);
     for (int k = 0; k < PARTS; k++) {
       Flight rest = f.within(f.from() + k * ((f.to() - f.from()) / PARTS), f.to());
       if (isLeft(rest, line) && line.distance(rest.px(), rest.py()) > f.radius() + rounding.of(f)) {
-        check(whileLeft(rest, line), line);
+        check(whileLeft(rest, line), line, limit);
       }
     }
   }
@@ -109,11 +110,17 @@ final class Crossings {
   }
 
   private void check(Flight f, Solid solid) throws FindingException {
-    double slack = rounding.of(f);
+    check(f, solid, limit(f, solid));
+  }
+
+  private double limit(Flight f, Solid solid) {
     double start = solid.distance(f.px(), f.py());
-    double limit = limit(f, f.radius() + solid.radius(), start, slack);
+    return limit(f, f.radius() + solid.radius(), start, rounding.of(f));
+  }
+
+  private void check(Flight f, Solid solid, double limit) throws FindingException {
     Line axis = solid.axis();
-    if (limit > 0 && new Nearness(axis, limit, slack).isReachedBy(f)) {
+    if (limit > 0 && new Nearness(axis, limit, rounding.of(f)).isReachedBy(f)) {
       boolean through = f.passage().crosses(axis.ax(), axis.ay(), axis.bx(), axis.by());
       throw new FindingException(
           "%s comes nearer to %s than %s%s"
@@ -126,9 +133,7 @@ final class Crossings {
    * again where the flight comes as near to it as at its start, which may be before this piece.
    */
   private static double limit(Flight f, double reach, double start, double slack) {
-    return f.begins() || start >= reach - slack
-        ? Math.min(reach, start) * (1 - 0x1p-50) - slack
-        : 0;
+    return f.begins() ? Math.min(reach, start) * (1 - 0x1p-50) - slack : 0;
   }
 
   private void checkWalls(Flight f) throws FindingException {
@@ -158,7 +163,7 @@ final class Crossings {
   private void checkWall(Flight f, double before, double least, String wall)
       throws FindingException {
     double slack = rounding.of(f);
-    if (least < Math.min(0, before) - slack && (f.begins() || before >= -slack)) {
+    if (f.begins() && least < Math.min(0, before) - slack) {
       throw new FindingException(
           "%s goes over the %s wall by %s; before: %s".formatted(f, wall, -least, -before));
     }

@@ -100,7 +100,8 @@ final class EnergyCheck {
     int i = log.circle(row);
     boolean pair = log.kind(row) == ObstacleKind.CIRCLE;
     boolean round = pair || log.kind(row) == ObstacleKind.PEG || log.feature(row) != Feature.SIDE;
-    if (!round || log.outcome(row) != Outcome.BOUNCED) {
+    boolean halted = log.outcome(row) == Outcome.HALTED;
+    if (!round || !(halted || log.outcome(row) == Outcome.BOUNCED)) {
       return 0;
     }
     double other =
@@ -110,7 +111,7 @@ final class EnergyCheck {
           default -> 0;
         };
     double hop = 2 * world.gravity().length() / unit * HOP * (world.radius(i) + other) / unit;
-    double out = restitution(row) * log.approachSpeed(row) / unit;
+    double out = halted ? 0 : restitution(row) * log.approachSpeed(row) / unit;
     return out * out < hop ? (world.scene().collide() ? mass(row) : 1) * hop : 0;
   }
 

@@ -17,15 +17,22 @@ final class StepFlights {
   private final Timeline timeline;
   private final double start;
   private final Rounding rounding;
+  private final DeepHits deep;
 
   /** Whether there is gravity. */
   private final boolean falls;
 
-  StepFlights(World world, Timeline timeline, double start, Rounding rounding) {
+  /**
+   * Reads a step.
+   *
+   * @param deep the deep hits before it
+   */
+  StepFlights(World world, Timeline timeline, double start, Rounding rounding, DeepHits deep) {
     this.world = world;
     this.timeline = timeline;
     this.start = start;
     this.rounding = rounding;
+    this.deep = deep;
     falls = !world.gravity().equals(Vec2.ZERO);
   }
 
@@ -66,7 +73,7 @@ final class StepFlights {
       double from = moments.get(k - 1);
       double to = moments.get(k);
       if (to > from && !isBurst(moments, k)) {
-        add(flights, i, from, to, k > 1 || !falls);
+        add(flights, i, from, to, k > 1 || !falls || !deep.isDeep(i));
       }
     }
     return flights;
@@ -90,7 +97,7 @@ final class StepFlights {
     double middle = from + (to - from) / 2;
     if (falls && middle > from && middle < to && !isOne(flight, middle)) {
       add(flights, i, from, middle, begins);
-      add(flights, i, middle, to, false);
+      add(flights, i, middle, to, begins && !deep.isDeep(i));
       return;
     }
     checkContinuous(flight);

@@ -28,11 +28,12 @@ final class StepWatch {
   private final Rounding rounding = new Rounding();
   private final MassCheck masses = new MassCheck();
   private final PassedOver passed = new PassedOver();
+  private final PlaceCheck places = new PlaceCheck();
+  private final DeepHits deep = new DeepHits();
   private final JamCheck jam;
   private final OtherWays ways;
   private World world;
   private EnergyCheck energy;
-  private PlaceCheck places;
   private boolean complete = true;
   private long impacts;
   private long flights;
@@ -58,7 +59,7 @@ final class StepWatch {
   void enter(World entered) {
     world = entered;
     energy = new EnergyCheck(world, speedUnit);
-    places = new PlaceCheck(world);
+    places.enter(world);
     masses.enter(world);
     passed.enter(world);
   }
@@ -148,6 +149,9 @@ final class StepWatch {
       if (isWithinClock() && steps % EACH == 0) {
         ways.check(before, world);
       }
+      deep.read(world, timeline);
+    } else {
+      deep.assumeOf(world);
     }
     masses.end();
     passed.end();
@@ -172,7 +176,7 @@ final class StepWatch {
   }
 
   private void checkFlights(double start, Timeline timeline) throws FindingException {
-    var all = new StepFlights(world, timeline, start, rounding).all();
+    var all = new StepFlights(world, timeline, start, rounding, deep).all();
     for (var of : all) {
       flights += of.size();
       of.forEach(f -> rounding.keepSpeed(f.vx(), f.vy()));

@@ -156,7 +156,7 @@ class ChecksTest {
     world.setVelocity(0, 0, 1);
     world.step(1);
 
-    assertThatThrownBy(() -> new StepFlights(world, timeline, 0, rounding).all())
+    assertThatThrownBy(() -> new StepFlights(world, timeline, 0, rounding, new DeepHits()).all())
         .isInstanceOf(FindingException.class)
         .hasMessageContaining("not continuous");
   }
@@ -233,7 +233,8 @@ class ChecksTest {
   @Test
   void whoLeavesTheBoundsIsFound() throws FindingException {
     World world = new World(box().circle(20, 50, 5, 1, 0).build());
-    PlaceCheck places = new PlaceCheck(world);
+    PlaceCheck places = new PlaceCheck();
+    places.enter(world);
     places.begin();
     world.setPosition(0, 5, 50);
     places.end();

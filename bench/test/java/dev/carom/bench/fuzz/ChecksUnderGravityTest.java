@@ -120,7 +120,7 @@ class ChecksUnderGravityTest {
   }
 
   private List<Flight> flights(World world, Timeline timeline) throws FindingException {
-    return new StepFlights(world, timeline, 0, rounding).all().get(0);
+    return new StepFlights(world, timeline, 0, rounding, new DeepHits()).all().get(0);
   }
 
   /** A slide off a table and a fall: the log knows nothing of the edge. */
@@ -145,6 +145,21 @@ class ChecksUnderGravityTest {
     assertThat(first.ay()).isZero();
     assertThat(last.ay()).isEqualTo(-8);
     new SupportCheck(world, rounding, passed).check(List.of(flights));
+  }
+
+  @Test
+  void whoHitSomethingDeepInsideIsKnown() {
+    World world = world();
+    DeepHits deep = new DeepHits();
+    for (double y : new double[] {23, 27}) {
+      world.setPosition(0, 50, y);
+      world.setVelocity(0, 0, -1);
+      Timeline timeline = world.record(10);
+      world.step(0.7);
+      deep.read(world, timeline);
+      assertThat(world.impacts().size()).isPositive();
+      assertThat(deep.isDeep(0)).isEqualTo(y == 23);
+    }
   }
 
   @Test
@@ -173,6 +188,26 @@ class ChecksUnderGravityTest {
     }
     assertThatThrownBy(() -> support.check(List.of(List.of(flight(50, 25, 3, 0, -4, true)))))
         .hasMessageContaining("does not fall by a part of");
+  }
+
+  @Test
+  void whoLeavesTheBoundsIsFoundUnlessItWasOutside() throws FindingException {
+    World world = world();
+    PlaceCheck places = new PlaceCheck();
+    places.enter(world);
+    places.begin();
+    world.setPosition(0, 4, 50);
+    assertThatThrownBy(places::end).hasMessageContaining("circle 0 left the bounds by");
+    places.begin();
+    world.setPosition(0, 9, 50);
+    places.begin();
+    world.setPosition(0, 4, 50);
+    places.end();
+    world.setPosition(0, 9, 50);
+    world.setGravity(0, 0);
+    places.begin();
+    world.setPosition(0, 4, 50);
+    assertThatThrownBy(places::end).hasMessageContaining("circle 0 left the bounds by");
   }
 
   @Test
