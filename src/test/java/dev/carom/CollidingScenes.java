@@ -54,6 +54,11 @@ public final class CollidingScenes {
     return builder;
   }
 
+  /** Circles of three sizes that keep or lose energy, under gravity. */
+  public static SceneBuilder falling(Random random, int count) {
+    return inelastic(random, count).gravity(0, -0.05);
+  }
+
   /** No bounds: circles leave for ever. */
   public static SceneBuilder open(Random random, int count) {
     SceneBuilder builder = Scene.builder().collide(true);

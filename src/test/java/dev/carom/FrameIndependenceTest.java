@@ -73,6 +73,18 @@ class FrameIndependenceTest {
     assertThat(Run.advance(new World(scene), withEnd(around))).isEqualTo(whole);
   }
 
+  /** Among slides that end between impacts, and circles that come to rest. */
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2})
+  void wherePathsAreParabolasToo(long seed) {
+    Scene scene = RandomScenes.falling(new Random(seed)).build();
+    Run whole = whole(scene);
+    assertThat(whole.impacts()).hasSizeGreaterThan(1000);
+    assertThat(Run.step(new World(scene), 0.5, 1200)).isEqualTo(whole);
+    double[] at = whole.impacts().stream().mapToDouble(Run.Row::time).toArray();
+    assertThat(Run.advance(new World(scene), withEnd(at))).isEqualTo(whole);
+  }
+
   private static double[] withEnd(double[] times) {
     double[] all = Arrays.copyOf(times, times.length + 1);
     all[times.length] = END;

@@ -95,6 +95,20 @@ public final class RandomScenes {
     return builder;
   }
 
+  /** Circles that fall among lines and pegs, some of which take energy, and settle on the floor. */
+  public static SceneBuilder falling(Random random) {
+    SceneBuilder builder = Scene.builder().gravity(0, -0.5);
+    builder.bounds(0, 0, 800, 600).restitution(0.5);
+    for (int i = 0; i < 30; i++) {
+      lines(builder, random, 1, 90);
+      builder.restitution(random.nextInt(3) / 2.0);
+      pegs(builder, random, 1, 25);
+      builder.restitution(random.nextInt(3) / 2.0);
+    }
+    circles(builder, random, 40, 20);
+    return builder;
+  }
+
   /** No bounds; circles come from far away, some past everything, some never. */
   public static SceneBuilder open(Random random) {
     SceneBuilder builder = Scene.builder();

@@ -3,7 +3,7 @@ package dev.carom;
 
 import java.util.List;
 
-/** Scenes made of some elastic things of another one, in another order. */
+/** Scenes made of some things of another one, in another order; all circles are elastic. */
 public final class SceneParts {
 
   private SceneParts() {}
@@ -12,14 +12,23 @@ public final class SceneParts {
   public static Scene of(
       Scene scene, List<Integer> circles, List<Integer> lines, List<Integer> pegs) {
     SceneBuilder builder = Scene.builder().collide(scene.collide());
-    scene.bounds().ifPresent(b -> builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax()));
+    builder.gravity(scene.gravity().x(), scene.gravity().y());
+    scene
+        .bounds()
+        .ifPresent(
+            b ->
+                builder
+                    .bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax())
+                    .restitution(scene.restitution(ObstacleKind.WALL, 0)));
     for (int i : lines) {
       Line l = scene.line(i);
-      builder.line(l.ax(), l.ay(), l.bx(), l.by());
+      builder
+          .line(l.ax(), l.ay(), l.bx(), l.by())
+          .restitution(scene.restitution(ObstacleKind.LINE, i));
     }
     for (int i : pegs) {
       Circle p = scene.peg(i);
-      builder.peg(p.x(), p.y(), p.radius());
+      builder.peg(p.x(), p.y(), p.radius()).restitution(scene.restitution(ObstacleKind.PEG, i));
     }
     for (int i : circles) {
       Circle c = scene.circle(i);

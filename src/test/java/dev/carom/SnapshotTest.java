@@ -21,6 +21,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -118,10 +119,11 @@ class SnapshotTest {
   }
 
   @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void howARunWasCutIntoStepsDoesNotShow(boolean collide) {
+  @CsvSource({"false, 0", "true, 0", "false, -0.5", "true, -0.5"})
+  void howARunWasCutIntoStepsDoesNotShow(boolean collide, double gravity) {
     Scene scene =
         box(collide)
+            .gravity(0, gravity)
             .peg(80, 80, 3)
             .response(Response.HALT)
             .line(10, 40, 90, 60)

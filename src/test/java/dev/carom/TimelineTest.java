@@ -14,6 +14,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A timeline tells what the world told when it stood there. */
@@ -62,11 +63,12 @@ class TimelineTest {
   }
 
   @ParameterizedTest
-  @ValueSource(booleans = {false, true})
-  void thePastIsWhatItWasToTheBit(boolean collide) {
+  @CsvSource({"false, 0", "true, 0", "false, -0.5"})
+  void thePastIsWhatItWasToTheBit(boolean collide, double gravity) {
     for (int seed = 0; seed < 3; seed++) {
       Random random = new Random(seed);
-      World world = new World(RandomScenes.mixed(random).collide(collide).build());
+      SceneBuilder scene = RandomScenes.mixed(random).collide(collide).gravity(0, gravity);
+      World world = new World(scene.build());
       Run.step(world, random.nextDouble());
       Timeline timeline = world.record(1_000_000);
       List<Moment> moments = new ArrayList<>();

@@ -25,6 +25,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -46,6 +47,7 @@ class CollidingEngineOptionsTest {
   static Stream<Arguments> recipes() {
     return Stream.of(
         recipe("mixed", CollidingScenes::mixed),
+        recipe("falling", CollidingScenes::falling),
         recipe("open", CollidingScenes::open),
         recipe("gas", CollidingScenes::gas),
         recipe("inelastic", CollidingScenes::inelastic),
@@ -175,9 +177,10 @@ class CollidingEngineOptionsTest {
 
   /** Without ties the order of circles and obstacles changes no bit of times and motions. */
   @ParameterizedTest
-  @ValueSource(longs = {1, 2, 3, 4, 5})
-  void theOrderOfThingsChangesNoBit(long seed) {
-    Scene scene = withoutOverlaps(CollidingScenes.mixed(new Random(seed), 60).build());
+  @CsvSource({"1, 0", "2, 0", "3, 0", "4, 0", "5, 0", "1, -0.5", "2, -0.5", "3, -0.5"})
+  void theOrderOfThingsChangesNoBit(long seed, double gravity) {
+    SceneBuilder drawn = CollidingScenes.mixed(new Random(seed), 60).gravity(0, gravity);
+    Scene scene = withoutOverlaps(drawn.build());
     List<Integer> circles = shuffled(scene.circleCount(), new Random(seed));
     List<Integer> lines = shuffled(scene.lineCount(), new Random(seed));
     List<Integer> pegs = shuffled(scene.pegCount(), new Random(seed));

@@ -65,6 +65,7 @@ class EngineOptionsTest {
         recipe("responses", RandomScenes::responses),
         recipe("long lines", RandomScenes::longLines),
         recipe("mixed radii", RandomScenes::mixedRadii),
+        recipe("falling", RandomScenes::falling),
         recipe("open", RandomScenes::open),
         recipe("lattice", RandomScenes::lattice));
   }
@@ -158,7 +159,7 @@ class EngineOptionsTest {
     }
 
     private static List<Integer> shuffled(int count, Random random) {
-      List<Integer> order = new ArrayList<>(IntStream.range(0, count).boxed().toList());
+      List<Integer> order = new ArrayList<>(all(count).toList());
       Collections.shuffle(order, random);
       return order;
     }
@@ -194,11 +195,15 @@ class EngineOptionsTest {
     assertOrderDoesNotMatter(TestScenes.read(file), 600);
   }
 
+  static Stream<RandomScenes.Recipe> scenesWithPegs() {
+    return Stream.of(RandomScenes::mixed, RandomScenes::falling);
+  }
+
   /** Impacts at one time would stand in the order of circles; none of them do at time 0. */
-  @Test
-  void theOrderOfThingsChangesNoBitAmongPegsEither() {
-    SceneBuilder builder = RandomScenes.mixed(new Random(1));
-    Scene scene = withoutOverlaps(builder.build());
+  @ParameterizedTest
+  @MethodSource("scenesWithPegs")
+  void theOrderOfThingsChangesNoBitAmongPegsEither(RandomScenes.Recipe recipe) {
+    Scene scene = withoutOverlaps(recipe.draw(new Random(1)).build());
     assertThat(scene.circleCount()).isGreaterThan(20);
     assertOrderDoesNotMatter(scene, 300);
   }
@@ -208,23 +213,14 @@ class EngineOptionsTest {
     World world = new World(scene);
     Run.step(world, 0);
     List<Integer> early = Run.rows(world.impacts()).stream().map(Run.Row::circle).toList();
-    SceneBuilder builder = Scene.builder();
-    scene.bounds().ifPresent(b -> builder.bounds(b.xmin(), b.ymin(), b.xmax(), b.ymax()));
-    for (int i = 0; i < scene.lineCount(); i++) {
-      Line l = scene.line(i);
-      builder.line(l.ax(), l.ay(), l.bx(), l.by());
-    }
-    for (int i = 0; i < scene.pegCount(); i++) {
-      Circle p = scene.peg(i);
-      builder.peg(p.x(), p.y(), p.radius());
-    }
-    for (int i = 0; i < scene.circleCount(); i++) {
-      if (!early.contains(i)) {
-        Circle c = scene.circle(i);
-        Vec2 v = scene.velocity(i);
-        builder.circle(c.x(), c.y(), c.radius(), v.x(), v.y());
-      }
-    }
-    return builder.build();
+    return SceneParts.of(
+        scene,
+        all(scene.circleCount()).filter(i -> !early.contains(i)).toList(),
+        all(scene.lineCount()).toList(),
+        all(scene.pegCount()).toList());
+  }
+
+  private static Stream<Integer> all(int count) {
+    return IntStream.range(0, count).boxed();
   }
 }
