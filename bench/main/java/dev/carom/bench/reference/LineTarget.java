@@ -61,7 +61,7 @@ final class LineTarget extends Target {
    * ends, falls to the radius while the centre is beside or beyond that part.
    */
   @Override
-  public Contact contact(Fall path, Ball radius, Ball end, Feature touched) {
+  Contact contact(Fall path, Ball radius, Ball end, Feature touched) {
     boolean left = w.cross(path.p().minus(start)).sign() > 0;
     List<Contact> contacts = new ArrayList<>();
     for (boolean isLeft : new boolean[] {true, false}) {
@@ -97,7 +97,7 @@ final class LineTarget extends Target {
   }
 
   @Override
-  public double[] box() {
+  double[] box() {
     return new double[] {
       Math.min(line.ax(), line.bx()),
       Math.min(line.ay(), line.by()),

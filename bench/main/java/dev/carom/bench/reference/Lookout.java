@@ -66,7 +66,7 @@ final class Lookout {
     Event first = null;
     FallBoxes boxes = null;
     for (Target target : targets) {
-      boolean wall = target.kind() == ObstacleKind.WALL;
+      boolean wall = target.kind == ObstacleKind.WALL;
       if (!wall && boxes == null) {
         boxes = new FallBoxes(path, body.radius, first == null ? end.head() : latest(first));
       }

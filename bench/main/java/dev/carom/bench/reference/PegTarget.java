@@ -27,7 +27,7 @@ final class PegTarget extends Target {
 
   /** The distance of the centres falls to the sum of the radii. */
   @Override
-  public Contact contact(Fall path, Ball radius, Ball end, Feature touched) {
+  Contact contact(Fall path, Ball radius, Ball end, Feature touched) {
     Ball[] gap = path.distance(center, radius.plus(this.radius));
     return path.contacts(gap, end, touched != null).stream()
         .findFirst()
@@ -36,7 +36,7 @@ final class PegTarget extends Target {
   }
 
   @Override
-  public double[] box() {
+  double[] box() {
     return new double[] {
       peg.x() - peg.radius(), peg.y() - peg.radius(), peg.x() + peg.radius(), peg.y() + peg.radius()
     };

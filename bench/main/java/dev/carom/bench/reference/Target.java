@@ -30,10 +30,10 @@ abstract class Target {
    *
    * @param touched the part that the circle hit at the start of its path; null for none
    */
-  Contact contact(Fall path, Ball radius, Ball end, Feature touched);
+  abstract Contact contact(Fall path, Ball radius, Ball end, Feature touched);
 
   /** A box around it, in plain doubles: left, bottom, right, top. Infinite for a wall. */
-  double[] box();
+  abstract double[] box();
 
   /** From the thing to the circle that touches it at p, of any length. */
   abstract Vec normal(Vec p, Feature feature);

@@ -44,7 +44,7 @@ final class WallTarget extends Target {
 
   /** The distance in front of the wall falls to the radius. */
   @Override
-  public Contact contact(Fall path, Ball radius, Ball end, Feature touched) {
+  Contact contact(Fall path, Ball radius, Ball end, Feature touched) {
     Vec wall = isVertical() ? new Vec(place, Ball.of(0, bits)) : new Vec(Ball.of(0, bits), place);
     Ball[] gap = path.height(normal(path.p(), Feature.SIDE), wall, radius);
     return path.contacts(gap, end, touched != null).stream()
@@ -54,7 +54,7 @@ final class WallTarget extends Target {
   }
 
   @Override
-  public double[] box() {
+  double[] box() {
     double all = Double.POSITIVE_INFINITY;
     return new double[] {-all, -all, all, all};
   }
