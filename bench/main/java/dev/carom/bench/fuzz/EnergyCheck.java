@@ -29,13 +29,21 @@ final class EnergyCheck {
 
   private final World world;
   private final double unit;
-  private Energies before = new Energies(new double[0], new double[0]);
+  private Energies before = new Energies(0);
 
   /**
    * Energies, and what their rounding is in proportion to: twice that of motion, and of the height
    * above or below 0.
    */
-  private record Energies(double[] each, double[] scales) {}
+  private static final class Energies {
+    private final double[] each;
+    private final double[] scales;
+
+    Energies(int count) {
+      each = new double[count];
+      scales = new double[count];
+    }
+  }
 
   EnergyCheck(World world, double speedUnit) {
     this.world = world;
@@ -161,8 +169,7 @@ final class EnergyCheck {
   /** In the session's own unit of speed, so that squares stay in range; twice the usual ones. */
   private Energies energies() {
     boolean collide = world.scene().collide();
-    double[] each = new double[collide ? 1 : world.idLimit(ObstacleKind.CIRCLE)];
-    double[] scales = new double[each.length];
+    Energies energies = new Energies(collide ? 1 : world.idLimit(ObstacleKind.CIRCLE));
     for (int id : world.ids(ObstacleKind.CIRCLE)) {
       if (!collide || !isInfinite(id)) {
         int i = collide ? 0 : id;
@@ -172,11 +179,11 @@ final class EnergyCheck {
         double motion = vx * vx + vy * vy;
         double x = height(world.gravity().x(), world.x(id), id);
         double y = height(world.gravity().y(), world.y(id), id);
-        each[i] += mass * (motion - 2 * (x + y));
-        scales[i] += mass * (motion + 2 * (Math.abs(x) + Math.abs(y)));
+        energies.each[i] += mass * (motion - 2 * (x + y));
+        energies.scales[i] += mass * (motion + 2 * (Math.abs(x) + Math.abs(y)));
       }
     }
-    return new Energies(each, scales);
+    return energies;
   }
 
   /** The potential energy along one axis, turned; none of what does not fall. */
