@@ -27,9 +27,10 @@ final class Nearness {
 
   boolean isReachedBy(Flight f) {
     double turn = turn(f);
-    return turn > f.from() && turn < f.to()
-        ? isReachedByHalf(f.within(f.from(), turn)) || isReachedByHalf(f.within(turn, f.to()))
-        : isReachedByHalf(f);
+    if (turn > f.from() && turn < f.to()) {
+      return isReachedByHalf(f.within(f.from(), turn)) || isReachedByHalf(f.within(turn, f.to()));
+    }
+    return isReachedByHalf(f);
   }
 
   /** When its velocity is across its acceleration: on either side of it no way leads back. */
