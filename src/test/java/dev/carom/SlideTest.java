@@ -144,4 +144,25 @@ class SlideTest {
     }
     return sum;
   }
+
+  /** It slides down a one-way line, over its end, and falls. */
+  @Test
+  void aSlideOverTheEndOfAOneWayLineEnds() {
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -0.05)
+                .line(37.0736870438307, 29.673872064985886, 64.89725657887169, 19.673872064985886)
+                .restitution(0)
+                .oneWay()
+                .circle(
+                    38.370167761321746,
+                    31.750252046047443,
+                    2.392511739997577,
+                    -0.7834496936715969,
+                    0.2815777079518574)
+                .build());
+    Run.to(world, 100);
+    assertThat(world.y(0)).isLessThan(0);
+  }
 }

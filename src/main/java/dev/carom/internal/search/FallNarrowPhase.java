@@ -133,10 +133,7 @@ final class FallNarrowPhase {
     if (obstacles.isOneWay(code)) {
       return timeOfOneWay(code, to);
     }
-    if (code != body.last) {
-      return firstTime(code, to);
-    }
-    return code == ~body.support ? timeAtEnds(to) : timeOfReturn(code, to);
+    return code == body.last ? timeOfReturn(code, to) : firstTime(code, to);
   }
 
   private double firstTime(int code, double to) {
@@ -146,6 +143,9 @@ final class FallNarrowPhase {
   }
 
   private double timeOfReturn(int code, double to) {
+    if (code == ~body.support) {
+      return timeAtEnds(to);
+    }
     return Codes.isLine(code)
         ? ParabolaReturn.toLine(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, to)
         : ParabolaReturn.toDisk(px, py, vx, vy, gx, gy, ax, ay, ux, uy, to);
