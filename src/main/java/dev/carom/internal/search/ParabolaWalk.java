@@ -34,7 +34,7 @@ final class ParabolaWalk {
     double scale = grid.perCell;
     x.start(grid.columns(px), vx * scale, gx * scale, grid.columns);
     y.start(grid.rows(py), vy * scale, gy * scale, grid.rows);
-    if (!(x.isInRange() && y.isInRange() && x.isNear(from) && y.isNear(from))) {
+    if (!(x.isInRange() && y.isInRange() && isNear(from))) {
       return false;
     }
     x.locate(from);
@@ -43,12 +43,20 @@ final class ParabolaWalk {
     return true;
   }
 
-  /** Goes on to the next piece; false if the path cannot be followed further. */
+  private boolean isNear(double t) {
+    return x.isNear(t) && y.isNear(t);
+  }
+
+  /**
+   * Goes on to the next piece; false if the path cannot be followed further. That is asked where it
+   * comes back to the grid: inside, the terms of a place do not outgrow the grid.
+   */
   boolean advance() {
     Axis axis = x.next <= y.next ? x : y;
+    boolean isFollowed = axis.isInside() || isNear(axis.next);
     axis.cross();
     to = Math.min(x.next, y.next);
-    return to == NEVER || (x.isNear(to) && y.isNear(to));
+    return isFollowed;
   }
 
   /** The {@link CellList} of the piece. */
@@ -62,6 +70,7 @@ final class ParabolaWalk {
     private double v;
     private double g;
     private int count;
+    private double perSpeed;
 
     /** The number of the cell, -1 or the count of cells outside of the grid. */
     private int cell;
@@ -77,6 +86,7 @@ final class ParabolaWalk {
       this.v = v;
       this.g = g;
       this.count = count;
+      perSpeed = 1 / v;
     }
 
     /** Whether rounding does not count at a time. */
@@ -91,6 +101,10 @@ final class ParabolaWalk {
     private static boolean isInRange(double speed) {
       double size = Math.abs(speed);
       return size == 0 || (size < FASTEST && size > 1 / FASTEST);
+    }
+
+    boolean isInside() {
+      return cell >= 0 && cell < count;
     }
 
     void locate(double t) {
@@ -126,7 +140,7 @@ final class ParabolaWalk {
     private double passage() {
       double d = (step > 0 ? cell + 1 : cell) - p;
       if (g == 0) {
-        return d / v;
+        return d * perSpeed;
       }
       double square = v * v + 2 * g * d;
       if (!(square >= 0)) {

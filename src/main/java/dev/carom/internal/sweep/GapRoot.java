@@ -136,6 +136,9 @@ final class GapRoot {
    * @param least at most the true |m2|
    */
   static double reach(double m0, double m1, double least, double T) {
+    if ((least * T - m1) * T < m0) {
+      return T;
+    }
     double reach = 1.001 * ((m1 + Math.sqrt(m1 * m1 + 4 * least * m0)) / (2 * least));
     return reach < T && least > LEAST_SAFE ? reach : T;
   }
@@ -192,7 +195,9 @@ final class GapRoot {
         if (!root) {
           return high;
         }
-        double t = root(c0, c1, c2, c3, c4, low, high, low + w * (a0 / (a0 - b4)));
+        double ofQuadratic = 2 * a0 / (Math.sqrt(a1 * a1 - 4 * a0 * a2) - a1);
+        double part = ofQuadratic > 0 && ofQuadratic < 1 ? ofQuadratic : a0 / (a0 - b4);
+        double t = root(c0, c1, c2, c3, c4, low, high, low + w * part);
         return t - MARGIN * t > low && t + MARGIN * t < high ? t : DOUBT;
       } else {
         double largest =
