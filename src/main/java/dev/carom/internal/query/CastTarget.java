@@ -17,7 +17,7 @@ final class CastTarget {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /** Doubles of a row: x, y, radius, vx, vy, gx, gy. A row fills a cache line. */
+  /** Doubles of a row: x, y, radius, vx, vy, gx, gy, and one to fill 64 bytes. */
   static final int ROW = 8;
 
   private final Hit hit = new Hit();
@@ -85,12 +85,13 @@ final class CastTarget {
    */
   double time(MovingCircle m, double end) {
     if (m.radius + r == 0) {
+      contact = Contact.MISS;
       return NEVER; // two points do not meet
     }
     if (isFalling()) {
       double t =
           ParabolaDiskSweep.time(m.x, m.y, m.radius, m.vx, m.vy, -gx, -gy, x, y, r, vx, vy, end);
-      contact = t == 0 ? Contact.NOW : Contact.LATER;
+      contact = t == 0 ? Contact.NOW : t < NEVER ? Contact.LATER : Contact.MISS;
       return t;
     }
     contact = DiskSweep.contact(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy);

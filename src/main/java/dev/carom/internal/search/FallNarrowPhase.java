@@ -250,12 +250,20 @@ final class FallNarrowPhase {
     if (!(nx * nx + ny * ny > reach * reach)) {
       return 0; // it overlaps that, and may come deeper
     }
+    // The normal errs by this, so speeds along it by that times theirs.
+    double places = Math.abs(px) + Math.abs(py) + Math.abs(ax) + Math.abs(ay);
+    double error = 0x1p-50 * (places + Math.abs(bx) + Math.abs(by));
     double away = vx * nx + vy * ny;
-    if (!(away > ROUNDING * (Math.abs(vx * nx) + Math.abs(vy * ny)))) {
-      return 0;
+    double terms = Math.abs(vx * nx) + Math.abs(vy * ny);
+    double termsOfError = error * (Math.abs(vx) + Math.abs(vy));
+    if (!(away > 0x1p-24 * terms + 0x1p24 * termsOfError)) {
+      return 0; // the relative error of that may exceed the margin
     }
     double lift = gx * nx + gy * ny;
-    double pull = ROUNDING * (Math.abs(gx * nx) + Math.abs(gy * ny)) - lift;
+    double pull =
+        ROUNDING * (Math.abs(gx * nx) + Math.abs(gy * ny))
+            + error * (Math.abs(gx) + Math.abs(gy))
+            - lift;
     return pull > 0 ? EARLIER * (2 * away / pull) : NEVER;
   }
 
@@ -282,9 +290,11 @@ final class FallNarrowPhase {
     if (c >= 0) {
       return v > 0 || (v == 0 && g > 0) ? 0 : g > 0 ? -2 * v / g : NEVER;
     }
-    double discriminant = v * v - 2 * g * c;
-    double sum = v + Math.sqrt(discriminant);
-    return sum > 0 ? -2 * c / sum : NEVER; // never also for NaN
+    double root = Math.sqrt(v * v - 2 * g * c);
+    if (v < 0) { // v + root would cancel
+      return g > 0 ? (root - v) / g : NEVER;
+    }
+    return v + root > 0 ? -2 * c / (v + root) : NEVER; // never also for NaN
   }
 
   // The contact.
@@ -301,8 +311,17 @@ final class FallNarrowPhase {
     if (code == ~body.support && t == 0) {
       return (isNearerToStart() ? Contact.START : Contact.END) | Contact.NOW;
     }
-    return code == body.last && !obstacles.isSensor(code)
+    return isReturn(code, t)
         ? ParabolaReturn.contactOfReturn(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t)
         : ParabolaSegmentSweep.contact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
+  }
+
+  /**
+   * Whether an impact with the obstacle just hit is the return to it; a one-way line may let pass.
+   */
+  private boolean isReturn(int code, double t) {
+    return code == body.last
+        && !obstacles.isSensor(code)
+        && (!obstacles.isOneWay(code) || timeOfReturn(code, t) == t);
   }
 }

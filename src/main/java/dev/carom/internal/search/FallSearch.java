@@ -26,7 +26,7 @@ public final class FallSearch {
   /** In units of the terms of a place: far more than its rounding. */
   private static final double ROUNDING = 0x1p-40;
 
-  /** The halves of a cell of {@link MovingCircle#lookahead} for which a cell is searched. */
+  /** {@link MovingCircle#lookahead} counts halves of cells; a fall searches whole ones. */
   private static final int HALVES = 2;
 
   private final ObstacleTable obstacles;
@@ -200,8 +200,8 @@ public final class FallSearch {
     endY = place(py, vy, gy, end);
     alongX = endX - chordX;
     alongY = endY - chordY;
-    double marginX = margin(px, vx, gx, end);
-    double marginY = margin(py, vy, gy, end);
+    double marginX = margin(px, vx, gx, end < NEVER ? end : lastTurn(turnsX, from));
+    double marginY = margin(py, vy, gy, end < NEVER ? end : lastTurn(turnsY, from));
     double length = end - from;
     double bend = (Math.abs(gx) + Math.abs(gy)) * (length * length) / 8;
     chordReach = (r + bend) * (1 + ROUNDING) + 4 * (marginX + marginY);
@@ -221,9 +221,13 @@ public final class FallSearch {
     }
   }
 
-  private static double margin(double p, double v, double g, double t) {
-    double reach = t == NEVER ? 0 : (Math.abs(v) + Math.abs(g) * t) * t;
-    return ROUNDING * (Math.abs(p) + reach);
+  /** The last finite time at which an endless piece has a place: where it turns, or begins. */
+  private static double lastTurn(double turn, double from) {
+    return turn > from && turn < NEVER ? turn : from;
+  }
+
+  private double margin(double p, double v, double g, double t) {
+    return ROUNDING * (Math.abs(p) + r + (Math.abs(v) + Math.abs(g) * t) * t);
   }
 
   /** The place on one axis, also after an infinite time. */
@@ -302,7 +306,10 @@ public final class FallSearch {
     }
   }
 
-  /** Considers an obstacle at rest unless it is out of reach of the piece. */
+  /**
+   * Considers an obstacle at rest unless it is out of reach of the piece. A list may also name one
+   * that was moved or removed: the row of that has NaN, for which no test of its reach is true.
+   */
   private void considerNear(int code) {
     if (Codes.isWall(code)) {
       return;
@@ -335,8 +342,12 @@ public final class FallSearch {
    * by {@code g t^2 / 8} at most.
    */
   private boolean isBesideChord(double ax, double ay, double bx, double by, double radius) {
-    double reach = chordReach + radius;
+    double places = Math.abs(ax) + Math.abs(ay) + Math.abs(bx) + Math.abs(by);
+    double reach = chordReach + radius + ROUNDING * places;
     double square = reach * reach;
+    if (!(square > Double.MIN_NORMAL)) {
+      return false; // so small that squares do not tell
+    }
     double dx = ax - chordX;
     double dy = ay - chordY;
     double a = alongX * dy - alongY * dx;

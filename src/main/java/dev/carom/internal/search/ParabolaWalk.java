@@ -120,14 +120,16 @@ final class ParabolaWalk {
       aim(next);
     }
 
-    /** Finds the next border, from a time on at which the centre is in the cell. */
+    /**
+     * Finds the next border, from a time on at which the centre is in the cell. Where the path
+     * turns just at a border, rounding may hide that it comes back: it then comes at once.
+     */
     private void aim(double t) {
-      boolean isLeaving = isLeaving();
-      next = isLeaving || step == 0 ? NEVER : Math.max(t, passage());
+      next = isLeaving() || step == 0 ? NEVER : Math.max(t, passage());
       if (next == NEVER && step * g < 0) {
         step = -step;
-        double back = isLeaving() ? NEVER : passage();
-        next = isLeaving && !(back > t) ? NEVER : Math.max(t, back);
+        double back = passage();
+        next = isLeaving() ? NEVER : Math.max(t, back < NEVER ? back : -v / g);
       }
     }
 

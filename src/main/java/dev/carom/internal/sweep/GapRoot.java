@@ -30,8 +30,8 @@ final class GapRoot {
   /** Steps of Newton's method, or halvings, towards the root. */
   private static final int STEPS = 20;
 
-  /** After a step of this size, in proportion, Newton's method has about 2^-50. */
-  private static final double LAST_STEP = 0x1p-25;
+  /** After a step of this size, in proportion, Newton's method is near enough to be corrected. */
+  private static final double LAST_STEP = 0x1p-30;
 
   /** How near the root's interval the ends may be, in proportion. */
   static final double MARGIN = 0x1p-20;

@@ -22,9 +22,10 @@ import dev.carom.internal.exact.RealRoot;
  * <ol>
  *   <li>A disk that starts outside the strip of width 2 r along the infinite line can touch nothing
  *       before it enters that. If it then is between the ends, it hits the side.
- *   <li>If it is beyond an end, or starts in the strip beyond an end, it can hit that end, or the
- *       other one, or leave the strip and enter it again. If the height is monotone until the first
- *       contact with an end, it does not enter again, and the earlier end is the answer.
+ *   <li>If it is beyond an end, or starts in the strip beyond an end, and its height is monotone
+ *       until it hits that end, or for ever, that end is the answer.
+ *   <li>If the height turns before, the other end counts, too. If it turns outside of the strip, so
+ *       does the side, which the disk may hit when it enters the strip again.
  *   <li>All else, and all that doubles leave in doubt, goes to exact numbers.
  * </ol>
  */
@@ -330,7 +331,7 @@ public final class ParabolaSegmentSweep {
     }
     double again = vertex + Math.sqrt((Math.abs(height) - r * Math.sqrt(ww)) / Math.abs(h2));
     return Math.min(
-        first, again(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, again, first, T));
+        first, again(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, vertex, again, first, T));
   }
 
   /** The time of the first contact with an end, from a time on before which there is none. */
@@ -372,9 +373,12 @@ public final class ParabolaSegmentSweep {
    */
   private static double again(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double ux, double uy, double start, double first,
-      double T) {
+      double ay, double bx, double by, double ux, double uy, double vertex, double start,
+      double first, double T) {
     double t = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, start);
+    if (!(t > vertex)) {
+      return GapRoot.DOUBT;
+    }
     if (t > first || t > T) {
       return NEVER;
     }
