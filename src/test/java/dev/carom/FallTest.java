@@ -65,12 +65,14 @@ class FallTest {
     assertThat(rows).isGreaterThan(50);
   }
 
+  /** It comes from below, not wholly through the line, and falls back. */
   @Test
   void aOneWayLineMayNeverBeHit() {
-    World world =
-        new World(Scene.builder().gravity(0, -10).line(0, 0, 9, 0).circle(5, -3, 1, 0, 0).build());
+    Scene scene = Scene.builder().gravity(0, -10).line(0, 0, 9, 0).circle(5, -3, 1, 0, 7).build();
+    World world = new World(scene);
     world.setOneWay(0, true);
     assertThat(rows(world, 5)).isZero();
+    assertThat(rows(new World(scene), 5)).isPositive();
   }
 
   @Test

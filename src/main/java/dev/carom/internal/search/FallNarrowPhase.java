@@ -286,7 +286,7 @@ final class FallNarrowPhase {
   }
 
   /** The first time at which c + v t + g t^2 / 2 becomes positive. */
-  private static double reaches(double c, double v, double g) {
+  static double reaches(double c, double v, double g) {
     if (c >= 0) {
       return v > 0 || (v == 0 && g > 0) ? 0 : g > 0 ? -2 * v / g : NEVER;
     }
