@@ -22,7 +22,9 @@ class ComingToRestTest {
     double first = Math.sqrt(2 * 10 / 10.0);
     double rest = first * (1 + e) / (1 - e);
     int rows = rows(world, rest * (1 - 1e-6));
-    assertThat(world.vy(0) == 0).isEqualTo(e == 0);
+    if (e > 0) {
+      assertThat(world.vy(0)).isNotZero();
+    }
     rows += rows(world, rest * (1 + 1e-6));
     assertThat(world.vy(0)).isZero();
     assertThat(world.y(0)).isCloseTo(1, within(1e-14));

@@ -52,7 +52,7 @@ class EverydayGravityTest {
     return builder;
   }
 
-  private static Stream<Arguments> ballsInPlaces() {
+  private static Stream<Arguments> placesOfABall() {
     return Stream.of(
             "two pegs, 1.4", "peg and wall, 1.3", "wedge, -10", "end of a line, 0", "joint, 10.3")
         .map(place -> place.split(", "))
@@ -64,7 +64,7 @@ class EverydayGravityTest {
 
   /** At the end it rests, or it fell beside the place and rolls on the floor for ever. */
   @ParameterizedTest
-  @MethodSource
+  @MethodSource("placesOfABall")
   void ballsInPlaces(String place, double x, double e) {
     double y = place.equals("wedge") ? 30 : 8;
     World world = new World(restingPlace(place).circle(x, y, 1, 0, 0).restitution(e).build());
@@ -110,7 +110,8 @@ class EverydayGravityTest {
     Random random = new Random(1);
     for (int i = 0; i < 50; i++) {
       double x = 2 + 4 * (i % 10) + 0.4 * random.nextDouble();
-      builder.circle(x, 45 + 2.5 * (i / 10), 0.5, 0, 0).restitution(e);
+      int row = i / 10;
+      builder.circle(x, 45 + 2.5 * row, 0.5, 0, 0).restitution(e);
     }
     World world = new World(builder.build());
     int rows = 0;
