@@ -91,4 +91,15 @@ class ComingToRestTest {
       assertThat(world.advanceTo(1.2 * i / speed)).as("part %d of its way", i).isTrue();
     }
   }
+
+  /**
+   * What the bounce leaves it is no hop from the floor; along that it still leads into the line.
+   */
+  @Test
+  void aBallOnTheFloorDoesNotCreepIntoALineThatLeansOverIt() {
+    World world = new World(box().line(14, 0, 7, 8).circle(5, 2, 2, 1, 0).restitution(0.5).build());
+    rows(world, 1e9);
+    assertThat(Falling.overlap(world)).isLessThan(1e-13);
+    assertThat(world.vx(0)).isNotPositive();
+  }
 }

@@ -46,6 +46,9 @@ public final class Settling {
   /** At a joint, gaps and hops of so many ulps are none. */
   private static final double JOINT_ULPS = 8;
 
+  /** In units of the speed: far more than the rounding of its part along a normal. */
+  private static final double ROUNDING = 0x1p-40;
+
   private final ObstacleTable obstacles;
   private final Gravity gravity;
   private final Impulse impulse = new Impulse();
@@ -79,6 +82,7 @@ public final class Settling {
     double length = StrictMath.hypot(point.nx, point.ny);
     nx = point.nx / length;
     ny = point.ny / length;
+    double bounce = (m.vx - point.ux) * nx + (m.vy - point.uy) * ny;
     boolean carried = m.isSupported() && m.support != code && staysOn(m);
     if (!carried) {
       m.fall(gravity.x, gravity.y);
@@ -86,9 +90,12 @@ public final class Settling {
     double sx = m.vx - point.ux;
     double sy = m.vy - point.uy;
     double out = sx * nx + sy * ny;
+    double along = sy * nx - sx * ny;
+    if (bounce > 0 && out < -ROUNDING * Math.abs(along)) {
+      m.last = MovingCircle.NOTHING; // what carries it leads it there again
+    }
     double pressure = -(m.gx * nx + m.gy * ny);
     if (reach > 0 && !carried) {
-      double along = sy * nx - sx * ny;
       hop(m, out, pressure - along * along / reach, reach, e);
       if (e < 1 && isCalm(m, reach) && isHeld(m, code)) {
         hold(m);
