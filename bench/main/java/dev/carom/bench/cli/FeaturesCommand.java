@@ -3,10 +3,13 @@ package dev.carom.bench.cli;
 
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.report.FeatureFigures;
+import dev.carom.bench.report.HeapFigures;
 import dev.carom.bench.report.Origin;
+import dev.carom.bench.report.ReportTable;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.series.Features;
+import dev.carom.bench.series.Heaps;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
@@ -26,10 +29,16 @@ import picocli.CommandLine.Spec;
           + " collisions; and 100 lines that move among 10,000, beside as many that rest;"
           + " gravity, also of 10,000 circles, and of a gas of 1,000."
     },
-    footer = {"", "Example: carom-bench features --rounds 11 --no-memory"},
+    footer = {
+      "",
+      "Example: carom-bench features --rounds 11 --no-memory",
+      "         carom-bench features --rounds 5 --heaps 1000"
+    },
     mixinStandardHelpOptions = true,
     sortOptions = false)
 final class FeaturesCommand implements Callable<Integer> {
+
+  private static final int LEAST_HEAP = 10;
 
   @Spec private CommandSpec spec;
 
@@ -55,17 +64,34 @@ final class FeaturesCommand implements Callable<Integer> {
   @Option(names = "--no-memory", description = "Do not measure what a world takes of memory.")
   private boolean noMemory;
 
+  @Option(
+      names = "--heaps",
+      paramLabel = "N",
+      description =
+          "Measure heaps of 10, 30, 100 and 1,000 circles instead, up to N; restitution 0.5, in a"
+              + " box, from the sixth second on. A frame's time is its median over the rounds.")
+  private Integer heaps;
+
   @Override
   public Integer call() throws IOException, CannotPlaceException {
     Bounded.atLeast(1, "--rounds", rounds, spec);
     Bounded.atLeast(0, "--warm-up", warmUpMillis, spec);
+    if (heaps != null) {
+      Bounded.atLeast(LEAST_HEAP, "--heaps", heaps, spec);
+    }
     series.prepare();
     List<Row> rows =
-        new Features(series.seed(), series.turns()).run(rounds, warmUpMillis, !noMemory);
+        heaps == null
+            ? new Features(series.seed(), series.turns()).run(rounds, warmUpMillis, !noMemory)
+            : new Heaps(heaps, series.seed()).run(rounds, warmUpMillis);
     series.write(rows);
     Results results = new Results(Origin.of(Map.of("features", series.seed()), "", false), rows);
-    spec.commandLine().getOut().print(new FeatureFigures(results).table().text());
+    spec.commandLine().getOut().print(table(results).text());
     spec.commandLine().getOut().flush();
     return 0;
+  }
+
+  private ReportTable table(Results results) {
+    return heaps == null ? new FeatureFigures(results).table() : new HeapFigures(results).table();
   }
 }

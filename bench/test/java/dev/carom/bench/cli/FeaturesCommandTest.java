@@ -46,11 +46,39 @@ class FeaturesCommandTest {
   }
 
   private static double value(List<Row> rows, String use, String metric) {
+    return valueOf(rows, "feature:" + use, metric);
+  }
+
+  private static double valueOf(List<Row> rows, String scene, String metric) {
     return rows.stream()
-        .filter(row -> row.scene().equals("feature:" + use) && row.metric().equals(metric))
+        .filter(row -> row.scene().equals(scene) && row.metric().equals(metric))
         .mapToDouble(Row::value)
         .findFirst()
         .orElseThrow();
+  }
+
+  @Test
+  void aHeapHopsForEverAndBallsAmongPegsFall(@TempDir Path folder) throws IOException {
+    Path csv = folder.resolve("heaps.csv");
+    Cli run = Cli.run("features", "--rounds", 1, "--warm-up", 0, "--heaps", 29, "--csv", csv);
+
+    assertThat(run.exitCode()).isZero();
+    assertThat(run.out())
+        .containsPattern("50 balls that fall among 203 pegs +[0-9.]+ [µm]s +[0-9,]+ +[0-9.]+ ")
+        .containsPattern("a heap of 10 +[0-9.]+ [µm]?s +[0-9,]+ ")
+        .doesNotContain("a heap of 30");
+    List<Row> rows = ResultsCsv.read(csv);
+    // Ten circles on each other make at least as many impacts as one hop on another:
+    // sqrt(|g| / (8 h)) in a second, with h = 2^-12 R, R = 2 and g = 10.
+    assertThat(valueOf(rows, "heap:10", "heap_impacts"))
+        .isGreaterThan(Math.sqrt(10 / (8 * 2 * 0x1p-12)));
+    assertThat(valueOf(rows, "plinko", "heap_impacts")).isPositive();
+  }
+
+  @Test
+  void aHeapOfTooFewIsRefused() {
+    assertThat(Cli.run("features", "--heaps", 9).err())
+        .contains("--heaps is 9: expected at least 10");
   }
 
   @Test

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.bench.series;
+
+import dev.carom.Scene;
+import dev.carom.SceneBuilder;
+import dev.carom.World;
+import dev.carom.bench.results.Row;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * What circles cost that lie on each other under gravity, and what balls cost that fall among pegs.
+ * Each scene is played several times, in 60 frames a second. All plays make the same impacts: the
+ * time of a frame is its median over them.
+ */
+public final class Heaps {
+
+  /** The metric of the time that one simulated second takes. */
+  public static final String SECOND = "heap_second";
+
+  /** The metric of the times of a frame. */
+  public static final String FRAME = "heap_frame";
+
+  /** The metric of the impacts in a simulated second. */
+  public static final String IMPACTS = "heap_impacts";
+
+  /** The prefix of the names of heaps, before the number of circles. */
+  public static final String HEAP = "heap:";
+
+  /** The name of the scene of balls among pegs. */
+  public static final String PLINKO = "plinko";
+
+  private static final int[] SIZES = {10, 30, 100, 1_000};
+  private static final int FRAMES_A_SECOND = 60;
+
+  /** The largest heap has come down after this many seconds. */
+  private static final int SECONDS_TO_FALL = 6;
+
+  private static final int PLINKO_SECONDS = 15;
+  private static final int BALLS = 50;
+  private static final double PEG_SPACING = 40 / 15.0;
+
+  /** A scene, and the frames that are measured. */
+  private record Pile(String name, Scene scene, int from, int to) {
+
+    /** Plays it; returns the number of impacts in the measured frames, and keeps their times. */
+    long play(double[] nanos) {
+      World world = new World(scene);
+      long impacts = 0;
+      for (int frame = 0; frame < to; frame++) {
+        long start = System.nanoTime();
+        if (!world.step(1.0 / FRAMES_A_SECOND)) {
+          throw new IllegalStateException(name + ": a step was unfinished at " + world.now());
+        }
+        if (frame >= from) {
+          nanos[frame - from] = System.nanoTime() - start;
+          impacts += world.impacts().size();
+        }
+      }
+      return impacts;
+    }
+  }
+
+  private final List<Pile> piles = new ArrayList<>();
+
+  /**
+   * Prepares the scenes.
+   *
+   * @param most the most circles in a heap
+   * @param seed of their places
+   */
+  public Heaps(int most, long seed) {
+    piles.add(new Pile(PLINKO, plinko(seed), 0, PLINKO_SECONDS * FRAMES_A_SECOND));
+    int fallen = SECONDS_TO_FALL * FRAMES_A_SECOND;
+    Arrays.stream(SIZES)
+        .filter(n -> n <= most)
+        .forEach(
+            n -> piles.add(new Pile(HEAP + n, heap(n, seed), fallen, fallen + FRAMES_A_SECOND)));
+  }
+
+  /** Circles of radius 1 in a box, about as high as wide; they begin in rows above each other. */
+  private static Scene heap(int circles, long seed) {
+    int columns = (int) Math.ceil(Math.sqrt(circles));
+    SceneBuilder builder = Scene.builder().collide(true).gravity(0, -10);
+    builder.bounds(0, 0, 2.4 * columns + 0.7, 3.0 * columns + 10);
+    Random random = new Random(seed);
+    for (int i = 0; i < circles; i++) {
+      double x = 1.2 + 2.4 * (i % columns) + 0.3 * random.nextDouble();
+      builder.circle(x, 2 + 3.0 * (i / columns), 1, 0, 0).restitution(0.5);
+    }
+    return builder.build();
+  }
+
+  /** 203 pegs between two walls; the balls fall out below. */
+  private static Scene plinko(long seed) {
+    SceneBuilder builder = Scene.builder().collide(true).gravity(0, -10);
+    builder.line(0, -2, 0, 99).line(40, -2, 40, 99);
+    for (int row = 0; row < 14; row++) {
+      for (int i = 0; i < 14 + row % 2; i++) {
+        builder.peg((i + (row % 2 == 0 ? 1 : 0.5)) * PEG_SPACING, 4 + row * 2.6, 0.3);
+      }
+    }
+    Random random = new Random(seed);
+    for (int i = 0; i < BALLS; i++) {
+      double x = 2 + 4 * (i % 10) + 0.4 * random.nextDouble();
+      builder.circle(x, 45 + 2.5 * (i / 10), 0.5, 0, 0).restitution(0.5);
+    }
+    return builder.build();
+  }
+
+  /**
+   * Measures.
+   *
+   * @param rounds in which each scene is played
+   * @param warmUpMillis how long each is played before
+   * @return the rows
+   */
+  public List<Row> run(int rounds, int warmUpMillis) {
+    List<Row> rows = new ArrayList<>();
+    for (Pile pile : piles) {
+      int frames = pile.to - pile.from;
+      double[][] nanos = new double[rounds][frames];
+      long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(warmUpMillis);
+      while (System.nanoTime() < deadline) {
+        pile.play(new double[frames]);
+      }
+      long impacts = 0;
+      for (double[] round : nanos) {
+        impacts = pile.play(round);
+      }
+      add(rows, pile.name, medians(nanos), impacts);
+    }
+    return rows;
+  }
+
+  private static void add(List<Row> rows, String name, double[] frames, long impacts) {
+    double seconds = (double) frames.length / FRAMES_A_SECOND;
+    double sum = Arrays.stream(frames).sum();
+    double worst = Arrays.stream(frames).max().orElseThrow();
+    rows.add(row(name, SECOND, "mean", sum / seconds, "ns", frames.length));
+    rows.add(row(name, FRAME, "median", SeriesRows.median(frames), "ns", frames.length));
+    rows.add(row(name, FRAME, "max", worst, "ns", frames.length));
+    rows.add(row(name, IMPACTS, "mean", impacts / seconds, "1", frames.length));
+  }
+
+  private static Row row(
+      String scene, String metric, String stat, double value, String unit, int n) {
+    return new Row(scene, "carom", "", metric, stat, value, unit, n, 0);
+  }
+
+  /** The median time of each frame over the rounds. */
+  private static double[] medians(double[][] rounds) {
+    double[] medians = new double[rounds[0].length];
+    for (int i = 0; i < medians.length; i++) {
+      int frame = i;
+      medians[i] =
+          SeriesRows.median(Arrays.stream(rounds).mapToDouble(round -> round[frame]).toArray());
+    }
+    return medians;
+  }
+}
