@@ -60,7 +60,7 @@ record TrustPart(String scene) implements Part {
           });
       Quantiles q = quantiles(ratios);
       rows.add(trial.row(RATIO, "median", q.median(), Trial.ONE, q.size()));
-      rows.add(trial.row(EXCEEDED, "count", exceeded, Trial.ONE, q.size()));
+      rows.add(trial.row(EXCEEDED, "count", (double) exceeded, Trial.ONE, q.size()));
       rows.add(trial.row(EXCEEDED, "of", q.size(), Trial.ONE, q.size()));
       return rows;
     }
