@@ -89,7 +89,8 @@ public final class Heaps {
     Random random = new Random(seed);
     for (int i = 0; i < circles; i++) {
       double x = 1.2 + 2.4 * (i % columns) + 0.3 * random.nextDouble();
-      builder.circle(x, 2 + 3.0 * (i / columns), 1, 0, 0).restitution(0.5);
+      int row = i / columns;
+      builder.circle(x, 2 + 3.0 * row, 1, 0, 0).restitution(0.5);
     }
     return builder.build();
   }
@@ -106,7 +107,8 @@ public final class Heaps {
     Random random = new Random(seed);
     for (int i = 0; i < BALLS; i++) {
       double x = 2 + 4 * (i % 10) + 0.4 * random.nextDouble();
-      builder.circle(x, 45 + 2.5 * (i / 10), 0.5, 0, 0).restitution(0.5);
+      int row = i / 10;
+      builder.circle(x, 45 + 2.5 * row, 0.5, 0, 0).restitution(0.5);
     }
     return builder.build();
   }
