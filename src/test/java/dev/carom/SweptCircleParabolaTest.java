@@ -232,6 +232,24 @@ class SweptCircleParabolaTest {
     assertThat(impact.normal().x()).isEqualTo(1);
   }
 
+  /** Squares of the height underflow at the small scale: it is then as if it touched the strip. */
+  @Test
+  void aDiskBeyondAnEndHitsTheSideAtEveryScale() {
+    double large = timeBesideAnEnd(0, 0);
+    assertThat(large).isLessThan(0.3);
+    assertThat(timeBesideAnEnd(-120, 84)).isEqualTo(Math.scalb(large, -204));
+  }
+
+  /** With lengths and speeds times powers of two. */
+  private static double timeBesideAnEnd(int length, int speed) {
+    double[] n = {0.2334, 2.344, 0.15625, 0.125, -0.625, -0.03125, 0.15625, 1.6432, 0.3918, 2.2831};
+    for (int i = 0; i < n.length; i++) {
+      boolean isSpeed = i == 3 || i == 4;
+      n[i] = Math.scalb(n[i], i == 5 ? 2 * speed - length : isSpeed ? speed : length);
+    }
+    return SweptCircle.line(n[0], n[1], n[2], n[3], n[4], 0, n[5], n[6], n[7], n[8], n[9], NEVER);
+  }
+
   @Test
   void otherNumbersAreRefusedByName() {
     assertRefused("px", () -> SweptCircle.line(NEVER, 5, 1, 0, 0, 0, 1, 0, 0, 1, 0, 1));

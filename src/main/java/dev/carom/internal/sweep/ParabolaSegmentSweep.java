@@ -37,6 +37,9 @@ public final class ParabolaSegmentSweep {
 
   private static final double LEAST_SAFE = 0x1p-300;
 
+  /** Below this, underflow alone may hide whether a disk is in the strip, however far it is. */
+  private static final double LEAST_SQUARE = 0x1p-380;
+
   private static final double MOST = 0x1p150;
 
   private ParabolaSegmentSweep() {}
@@ -276,7 +279,8 @@ public final class ParabolaSegmentSweep {
     double h1 = wx * sy - wy * sx;
     double least = WELL * size;
     boolean isFast =
-        Math.abs(h0 * h1) > WELL * (size * speed)
+        size * size > LEAST_SQUARE
+            && Math.abs(h0 * h1) > WELL * (size * speed)
             && size * speed < MOST
             && size * speed > LEAST_SAFE;
     if (!isFast) {
