@@ -122,10 +122,7 @@ final class PlainFall {
   private double ofOneWay(MovingCircle m, int code) {
     double[] n = row(m, code);
     if (code == m.last) {
-      double t =
-          ParabolaReturn.toLine(
-              m.x, m.y, m.radius, m.vx, m.vy, m.gx, m.gy, n[0], n[1], n[2], n[3], ux(code),
-              uy(code), NEVER);
+      double t = again(m, code);
       if (t == NEVER || isLeft(m, code, n, t)) {
         return t;
       }
@@ -165,7 +162,11 @@ final class PlainFall {
     if (m.support == ~code && t == 0) {
       return (nearEnd(m, n) == 0 ? Contact.START : Contact.END) | Contact.NOW;
     }
-    return code == m.last && !obstacles.isSensor(code)
+    boolean isReturn =
+        code == m.last
+            && !obstacles.isSensor(code)
+            && (!obstacles.isOneWay(code) || again(m, code) == t);
+    return isReturn
         ? ParabolaReturn.contactOfReturn(
             m.x, m.y, m.radius, m.vx, m.vy, m.gx, m.gy, n[0], n[1], n[2], n[3], ux(code), uy(code),
             t)
@@ -202,8 +203,11 @@ final class PlainFall {
       }
       return g > 0 ? -2 * v / g : NEVER;
     }
-    double sum = v + Math.sqrt(v * v - 2 * g * c);
-    return sum > 0 ? -2 * c / sum : NEVER;
+    double root = Math.sqrt(v * v - 2 * g * c);
+    if (v < 0) {
+      return g > 0 ? (root - v) / g : NEVER;
+    }
+    return v + root > 0 ? -2 * c / (v + root) : NEVER;
   }
 
   private double ux(int code) {
