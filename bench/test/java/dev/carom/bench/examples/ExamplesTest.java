@@ -99,7 +99,7 @@ class ExamplesTest {
     args.add("main/java/dev/carom/bench/examples/Example.java");
     Path charts = Path.of("main/java/dev/carom/bench/charts");
     String readme = Files.readString(Path.of("README.md"));
-    String named = readme.substring(readme.indexOf("the classes that draw examples ("));
+    String named = readme.substring(readme.indexOf("the classes that draw examples: "));
     Matcher file = Pattern.compile("`(\\w+)`").matcher(named);
     file.region(0, named.indexOf(" in [charts]"));
     while (file.find()) {
