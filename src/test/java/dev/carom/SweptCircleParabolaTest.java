@@ -75,6 +75,16 @@ class SweptCircleParabolaTest {
   }
 
   @Test
+  void circlesWithOneCentreThatFallTogetherAtOnceHaveANormal() {
+    Impact impact =
+        SweptCircle.cast(
+                new Circle(3, 4, 1), Vec2.ZERO, G, new Circle(3, 4, 2), new Vec2(0, -5e-324), 9)
+            .orElseThrow();
+    assertThat(impact.time()).isZero();
+    assertThat(impact.normal()).isEqualTo(new Vec2(0, 1));
+  }
+
+  @Test
   void aBallThrownUpMeetsTheCeilingOrComesBackToTheFloor() {
     Bounds box = new Bounds(0, 0, 10, 6);
     Circle ball = new Circle(5, 1, 1);

@@ -34,55 +34,21 @@ final class LineRegion {
 
   /** The region at the time that t is the rounding of. */
   static int at(
-      double px,
-      double py,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by,
-      double ux,
-      double uy,
-      double t) {
+      double px, double py, double vx, double vy, double gx, double gy, double ax, double ay,
+      double bx, double by, double ux, double uy, double t) {
     return region(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
   }
 
   /** The region at all times within {@link GapRoot#MARGIN} of t. */
   static int near(
-      double px,
-      double py,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by,
-      double ux,
-      double uy,
-      double t) {
+      double px, double py, double vx, double vy, double gx, double gy, double ax, double ay,
+      double bx, double by, double ux, double uy, double t) {
     return region(ROUGH_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
   }
 
   private static int region(
-      double bound,
-      double px,
-      double py,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by,
-      double ux,
-      double uy,
-      double t) {
+      double bound, double px, double py, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy, double t) {
     double wx = bx - ax;
     double wy = by - ay;
     int start = along(bound, px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, t);
@@ -97,19 +63,8 @@ final class LineRegion {
    * The side of the line, +1 left or -1 right, at the time that t is the rounding of; 0 in doubt.
    */
   static int side(
-      double px,
-      double py,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by,
-      double ux,
-      double uy,
-      double t) {
+      double px, double py, double vx, double vy, double gx, double gy, double ax, double ay,
+      double bx, double by, double ux, double uy, double t) {
     return along(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, ux, uy, ay - by, bx - ax, t);
   }
 
@@ -126,20 +81,8 @@ final class LineRegion {
 
   /** The sign of w.(p(t) - q), with a bound of its error in terms of it; 0 in doubt. */
   private static int along(
-      double relativeBound,
-      double px,
-      double py,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double qx,
-      double qy,
-      double ux,
-      double uy,
-      double wx,
-      double wy,
-      double t) {
+      double relativeBound, double px, double py, double vx, double vy, double gx, double gy,
+      double qx, double qy, double ux, double uy, double wx, double wy, double t) {
     double x = Offset.head(px, qx, vx, ux, gx, t);
     double y = Offset.head(py, qy, vy, uy, gy, t);
     double sizeX = Offset.size(px - qx, vx - ux, gx, t);

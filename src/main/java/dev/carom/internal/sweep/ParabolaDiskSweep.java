@@ -198,7 +198,8 @@ public final class ParabolaDiskSweep {
       double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
       double y2, double r2, double vx2, double vy2, double t) {
     if (t == 0) {
-      return UnitVectors.unit(x1, y1, x2, y2);
+      boolean haveOneCentre = x1 == x2 && y1 == y2; // the normal is where they come from
+      return haveOneCentre ? null : UnitVectors.unit(x1, y1, x2, y2);
     }
     double x = Offset.head(x1, x2, vx1, vx2, gx, t);
     double y = Offset.head(y1, y2, vy1, vy2, gy, t);

@@ -33,13 +33,23 @@ public final class ParabolaSegmentSweep {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  private static final double WELL = 0x1p-20;
+  /** In units of sizes: far more than the rounding of a place or a speed. */
+  private static final double FAR = 0x1p-20;
 
+  /**
+   * A gap that rounding leaves in doubt, below 2^-50 of the size squared, is gone after a time t of
+   * 2^-30 sizes over the speed. Gravity g takes the disk no further than {@link #FAR} in it, {@code
+   * g t^2 / 2}, if the speed squared is above this part of g times the size.
+   */
+  private static final double LEAST_STEADY = 0x1p-40;
+
+  /** Above this, no product of a size and a speed underflows to less than rounding. */
   private static final double LEAST_SAFE = 0x1p-300;
 
   /** Below this, underflow alone may hide whether a disk is in the strip, however far it is. */
   private static final double LEAST_SQUARE = 0x1p-380;
 
+  /** Below this, no such product overflows. */
   private static final double MOST = 0x1p150;
 
   private ParabolaSegmentSweep() {}
@@ -142,7 +152,7 @@ public final class ParabolaSegmentSweep {
     double m1 = Math.abs(wx * sy) + Math.abs(wy * sx);
     double m2 = 0.5 * (Math.abs(wx * gy) + Math.abs(wy * gx));
     int strip = GapRoot.sign(c0, m0 * m0);
-    int beside = strip == 0 ? whereItTouches(dx, dy, sx, sy, wx, wy, r) : 0;
+    int beside = strip == 0 ? whereItTouches(dx, dy, sx, sy, gx, gy, wx, wy, r) : 0;
     if (strip == 0 && beside == 0) {
       return GapRoot.DOUBT;
     }
@@ -265,11 +275,12 @@ public final class ParabolaSegmentSweep {
 
   /**
    * Where a disk that touches the strip is: 1 beside the line, -1 beyond an end. It is 0 near an end,
-   * and for a disk that moves nearly along the line: by 2^-20 of the sizes. So a disk that is in the
+   * for a disk that moves nearly along the line, and where gravity is strong. So a disk that is in the
    * strip or out of it by no more than rounding has left or entered it before it comes to an end.
    */
   private static int whereItTouches(
-      double dx, double dy, double sx, double sy, double wx, double wy, double r) {
+      double dx, double dy, double sx, double sy, double gx, double gy, double wx, double wy,
+      double r) {
     double width = Math.abs(wx) + Math.abs(wy);
     double size = width * (Math.abs(dx) + Math.abs(dy) + r);
     double speed = width * (Math.abs(sx) + Math.abs(sy));
@@ -277,10 +288,12 @@ public final class ParabolaSegmentSweep {
     double toEnd = wx * (wx - dx) + wy * (wy - dy);
     double h0 = wx * dy - wy * dx;
     double h1 = wx * sy - wy * sx;
-    double least = WELL * size;
+    double least = FAR * size;
+    double pull = width * (Math.abs(gx) + Math.abs(gy));
     boolean isFast =
         size * size > LEAST_SQUARE
-            && Math.abs(h0 * h1) > WELL * (size * speed)
+            && Math.abs(h0 * h1) > FAR * (size * speed)
+            && speed * speed > LEAST_STEADY * (pull * size)
             && size * speed < MOST
             && size * speed > LEAST_SAFE;
     if (!isFast) {
