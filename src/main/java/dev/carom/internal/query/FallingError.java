@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.query;
 
+import dev.carom.internal.response.Settling;
 import dev.carom.internal.state.MovingCircle;
 
 /**
@@ -26,9 +27,9 @@ final class FallingError extends PathError {
 
   /**
    * An inelastic bounce off something round that is no higher than this part of the distance of the
-   * centres may be one that the rules of gravity have made higher. Twice the height of these.
+   * centres may be one that the rules of gravity have made higher.
    */
-  private static final double FAINT_HOP = 0x1p-11;
+  private static final double FAINT_HOP = 2 * Settling.LEAST_HOP;
 
   /** An elastic one, in ulps of the coordinates. */
   private static final double FAINT_ULPS = 8;
@@ -104,13 +105,16 @@ final class FallingError extends PathError {
     double delay = errors.delay(map);
     double steeper = steeper(nx, ny, radius, delay);
     boolean sure = (delay == 0 || delay * steeper < dt) && !isFaint(nx, ny, radius, e, x, y);
+    if (!sure) {
+      return false;
+    }
     addRoundingsBefore();
     errors.bounce(map);
     errors.addDelay(map, (steeper - 1) * delay);
     addRoundings(map, dt, x, y, nx, ny, e, code);
     flown += dt;
     flights++;
-    return errors.enclose(flown / flights) && sure;
+    return errors.enclose(flown / flights);
   }
 
   /**

@@ -29,7 +29,7 @@ import java.util.function.Function;
 public final class Settling {
 
   /** The least hop from what is round, in combined radii. */
-  private static final double LEAST_HOP = 0x1p-12;
+  public static final double LEAST_HOP = 0x1p-12;
 
   /** A circle whose motion could lift it by no more than so many least hops may rest. */
   private static final double CALM_HOPS = 4;
