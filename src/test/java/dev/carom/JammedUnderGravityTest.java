@@ -35,4 +35,26 @@ class JammedUnderGravityTest {
 
     assertThat(world.y(0)).isCloseTo(world.line(LIFT).ay() + 1, within(2 * depth));
   }
+
+  /** A press sinks one unit in each unit of time; it jams a ball on a floor, and passes over it. */
+  @Test
+  void aFreedBallFallsUntilItReachesTheLineThatHasLeftIt() {
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -8)
+                .line(-10, 0, 10, 0)
+                .line(-10, 10, 10, 10)
+                .velocity(0, -1)
+                .circle(0, 1, 1, 0, 0)
+                .restitution(0)
+                .build());
+    assertThat(world.advanceTo(14)).isTrue();
+    assertThat(world.y(0)).isEqualTo(1);
+    world.remove(LINE, 0); // the press is at -4
+    assertThat(world.advanceTo(15)).isTrue();
+    assertThat(world.y(0)).isEqualTo(1 - 4);
+    assertThat(world.advanceTo(20)).isTrue();
+    assertThat(world.y(0)).isCloseTo(world.line(1).ay() + 1, within(1e-12));
+  }
 }

@@ -147,6 +147,9 @@ abstract class PlainState {
     }
     if (m.support == MovingCircle.HELD) {
       m.leavePlace();
+      if (m.last != MovingCircle.NOTHING && obstacles.moves(m.last)) {
+        m.last = MovingCircle.NOTHING;
+      }
     }
     boolean isHeavy = registry.mass(m.id) == NEVER;
     m.fall(isHeavy ? 0 : gravity.x, isHeavy ? 0 : gravity.y);

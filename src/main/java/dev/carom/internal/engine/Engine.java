@@ -66,6 +66,9 @@ public abstract class Engine {
     }
     if (m.support == MovingCircle.HELD) {
       m.leavePlace(); // what it ignored while it was jammed may be in the way of its fall
+      if (m.last != MovingCircle.NOTHING && staticScene.obstacles.moves(m.last)) {
+        m.last = MovingCircle.NOTHING; // it may have left the circle since
+      }
     }
     if (registry.mass(m.id) < Double.POSITIVE_INFINITY) {
       m.fall(gravity.x, gravity.y);
