@@ -41,7 +41,7 @@ class ParabolaBoundsTest {
   private static final long SEED = Long.getLong("carom.seed", 1);
 
   /** Families in which mistakes are rare and queries cheap. */
-  private static final Set<String> RARE = Set.of("ceiling", "halfway");
+  private static final Set<String> RARE = Set.of("ceiling", "halfway", "underflow");
 
   /** Constants of a class, and what they are multiplied with. */
   private record Weakening(String name, String owner, double factor, List<Double> values) {}

@@ -9,8 +9,8 @@ import dev.carom.World;
 import java.util.BitSet;
 
 /**
- * The circles whose last impact was with something that they overlapped. With gravity such a circle
- * may come back to the same depth, also in a later step.
+ * The circles whose last impact was with something that they overlapped, or beyond a wall. With
+ * gravity such a circle may come back to the same depth, also in a later step.
  */
 final class DeepHits {
 
@@ -41,7 +41,8 @@ final class DeepHits {
         double y = pair ? timeline.y(log.id(row), t) : log.y(row);
         double reach = world.radius(i) + (pair ? world.radius(log.id(row)) : 0);
         double size = Math.abs(x) + Math.abs(y) + reach;
-        double distance = Math.hypot(timeline.x(i, t) - x, timeline.y(i, t) - y);
+        double distance =
+            log.nx(row) * (timeline.x(i, t) - x) + log.ny(row) * (timeline.y(i, t) - y);
         note(i, distance < reach - ROUNDING * size);
         if (pair) {
           note(log.id(row), deep.get(i));
