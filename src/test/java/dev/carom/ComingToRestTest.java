@@ -102,4 +102,22 @@ class ComingToRestTest {
     assertThat(Falling.overlap(world)).isLessThan(1e-13);
     assertThat(world.vx(0)).isNotPositive();
   }
+
+  /** Thrown up so that it comes to the peg's lowest point almost at its apex. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.5, 0.9})
+  void nothingHangsUnderAPeg(double e) {
+    double speed = Math.sqrt(16 * (1 + 1e-5));
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -8)
+                .peg(0, 3, 1)
+                .circle(0, 0, 1, 0, speed)
+                .restitution(e)
+                .build());
+    assertThat(rows(world, 2)).isEqualTo(1);
+    assertThat(world.isResting(0)).isFalse();
+    assertThat(world.y(0)).isLessThan(-5);
+  }
 }

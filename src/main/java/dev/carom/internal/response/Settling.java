@@ -301,7 +301,7 @@ public final class Settling {
       return false;
     }
     if (nx * gravity.y == ny * gravity.x) {
-      return true;
+      return nx * gravity.x + ny * gravity.y < 0; // it stands on the top, or hangs under it
     }
     for (int other : near.apply(m)) {
       if (other != code && isSolid(m, other) && !obstacles.moves(other)) {
