@@ -4,8 +4,11 @@ package dev.carom;
 import static dev.carom.Falling.box;
 import static dev.carom.Falling.rows;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Edits of a world with gravity in mid-flight, in mid-hop and at rest. */
 class GravityEditsTest {
@@ -91,5 +94,46 @@ class GravityEditsTest {
     world.setGravity(0, -10);
     assertThat(rows(world, 20)).isEqualTo(rows(other, 20));
     assertThat(world.snapshot()).isEqualTo(other.snapshot());
+  }
+
+  private static final int EDITS = 400;
+
+  /** A ball moves along a line, which is set anew in each frame, and neither feels it. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.5, 1})
+  void aLineThatIsEditedInEachFrameLetsABallSlideOnIt(double e) {
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -10)
+                .line(0, 10, 1000, 10)
+                .circle(40, 12, 2, 4, 0)
+                .restitution(e)
+                .build());
+    for (int frame = 1; frame <= EDITS; frame++) {
+      world.setVelocity(ObstacleKind.LINE, 0, Math.sin(frame), 0);
+      assertThat(world.advanceTo(frame / 60.0)).isTrue();
+    }
+    assertThat(world.x(0)).isCloseTo(40 + 4 * EDITS / 60.0, within(1e-10));
+    assertThat(world.y(0)).isCloseTo(12, within(1e-12));
+  }
+
+  /** As a game steers a lift: by its velocity, in each frame. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.5, 1})
+  void aLiftThatIsSetInEachFrameCarriesABall(double e) {
+    World world =
+        new World(
+            Scene.builder()
+                .gravity(0, -10)
+                .line(0, 10, 1000, 10)
+                .circle(40, 12, 2, 0, 3)
+                .restitution(e)
+                .build());
+    for (int frame = 1; frame <= EDITS; frame++) {
+      world.setVelocity(ObstacleKind.LINE, 0, 0, 3);
+      assertThat(world.advanceTo(frame / 60.0)).isTrue();
+    }
+    assertThat(world.y(0)).isCloseTo(12 + 3 * EDITS / 60.0, within(1e-10));
   }
 }

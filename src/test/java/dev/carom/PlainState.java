@@ -145,11 +145,12 @@ abstract class PlainState {
     if (m.isSupported() && Codes.isCircle(m.last)) {
       m.last = MovingCircle.NOTHING;
     }
-    if (m.support == MovingCircle.HELD) {
+    boolean isHeld = m.support == MovingCircle.HELD;
+    if (m.isSupported()) {
       m.leavePlace();
-      if (m.last != MovingCircle.NOTHING && obstacles.moves(m.last)) {
-        m.last = MovingCircle.NOTHING;
-      }
+    }
+    if (isHeld && m.last != MovingCircle.NOTHING && obstacles.moves(m.last)) {
+      m.last = MovingCircle.NOTHING;
     }
     boolean isHeavy = registry.mass(m.id) == NEVER;
     m.fall(isHeavy ? 0 : gravity.x, isHeavy ? 0 : gravity.y);

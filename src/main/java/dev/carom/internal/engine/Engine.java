@@ -64,17 +64,21 @@ public abstract class Engine {
     if (m.isSupported() && Codes.isCircle(m.last)) {
       m.last = MovingCircle.NOTHING; // relative to that circle it moves otherwise from now on
     }
-    if (m.support == MovingCircle.HELD) {
+    if (m.isSupported()) {
       m.leavePlace(); // what it ignored while it was jammed may be in the way of its fall
-      if (m.last != MovingCircle.NOTHING && staticScene.obstacles.moves(m.last)) {
-        m.last = MovingCircle.NOTHING; // it may have left the circle since
-      }
+    }
+    if (m.support == MovingCircle.HELD && hitWhatMoves(m)) {
+      m.last = MovingCircle.NOTHING; // it may have left the circle since
     }
     if (registry.mass(m.id) < Double.POSITIVE_INFINITY) {
       m.fall(gravity.x, gravity.y);
     } else {
       m.fall(0, 0);
     }
+  }
+
+  private boolean hitWhatMoves(MovingCircle m) {
+    return m.last != MovingCircle.NOTHING && staticScene.obstacles.moves(m.last);
   }
 
   /** Sets gravity, for flights that begin from now on. */

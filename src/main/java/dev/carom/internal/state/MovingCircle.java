@@ -239,6 +239,7 @@ public final class MovingCircle {
     boolean knew = last == code || next == code || (jam != null && jam.concerns(code));
     if (last == code) {
       last = NOTHING;
+      stuck = isFalling() && jam == null ? 0 : stuck; // bounces on one thing are not counted
     }
     if (next == code) {
       next = NOTHING;
