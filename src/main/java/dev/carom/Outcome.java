@@ -30,10 +30,10 @@ public enum Outcome {
   STOPPED,
 
   /**
-   * The circle stopped bouncing, because its bounces had become lower than rounding can show.
+   * The circle stopped bouncing, because its bounces had become very low.
    *
-   * <p>From this impact on it slides along the side or wall that it hit, or rests on it. This
-   * happens only in a scene with {@linkplain SceneBuilder#gravity gravity}.
+   * <p>From this impact on it slides along a side or a wall, or rests. This happens only in a scene
+   * with {@linkplain SceneBuilder#gravity gravity}.
    */
   SETTLED
 }

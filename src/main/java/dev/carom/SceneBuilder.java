@@ -216,13 +216,14 @@ public final class SceneBuilder {
   }
 
   /**
-   * Sets the gravity: one constant acceleration of all circles. Without it, circles fly straight.
+   * Sets the gravity: one constant acceleration of all circles of finite mass. Without it, circles
+   * fly straight. Down is {@code (0, -g)} if y points up, and {@code (0, g)} if y points down.
    *
    * <p>Its unit is a length per time squared, in the units of the scene. With 30 px to the metre
    * and 60 frames to the second, 9.81 m/s^2 are {@code 9.81 * 30 / (60 * 60)} px per frame squared.
    *
-   * <p>All circles of finite mass fall alike, whatever their masses. A circle of infinite mass does
-   * not fall, even where circles ignore each other. Neither do lines, pegs and bounds.
+   * <p>They all fall alike, whatever their masses. A circle of infinite mass does not fall, even
+   * where circles ignore each other. Neither do lines, pegs and bounds.
    *
    * <p>Gravity (0, 0) is none. The world then runs the same code as without this call, and gives
    * the same bits.

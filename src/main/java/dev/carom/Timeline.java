@@ -20,9 +20,9 @@ import java.util.Optional;
  * System.out.println(world.step(6) + ", " + past.x(0, 2.5) + ", " + past.x(0, 5.5)); // true, 70.0, 86.0
  * }</pre>
  *
- * <p>Answers are those that the world gave at that moment, to the bit. If it was edited then, they
- * are those after the edits, and after the impacts that the edits caused at once. Each change of a
- * line or a peg is recorded, too.
+ * <p>Answers are those that the world gave at that moment, to the bit. If the world was edited at
+ * that moment, they are those after the edits, and after the impacts that the edits caused at once.
+ * Each change of a line or a peg is recorded, too.
  *
  * <p>A flight takes 72 bytes, so the size follows the impacts and not the steps. The size is
  * bounded, and so is the part that is kept of removed circles: see {@link World#record
@@ -52,7 +52,7 @@ public final class Timeline {
   /**
    * Returns the time up to which everything is known.
    *
-   * @return the time of the world, or that at which it stopped to record
+   * @return the time of the world, or the time at which it stopped recording
    */
   public double end() {
     return recorder.end();
@@ -175,6 +175,9 @@ public final class Timeline {
    * {@linkplain #end end} of the recording such impacts may still be missing: the next step makes
    * them. A call takes time in proportion to the circles, lines and pegs that are recorded. The
    * length of the recording does not matter.
+   *
+   * <p>To go back more than once, take all snapshots first, or call {@link World#stopRecording}
+   * before the restore: a world that records and is restored begins its recording anew.
    *
    * @param t a time within the recording
    * @return the snapshot

@@ -13,9 +13,9 @@ import java.util.function.IntFunction;
 import java.util.stream.Stream;
 
 /**
- * A {@code Trajectory} is the path of one circle among obstacles: straight from impact to impact.
- * Times count from its start. A coordinate beyond the range of doubles is given as the largest one.
- * Immutable.
+ * A {@code Trajectory} is the path of one circle among obstacles: straight lines from impact to
+ * impact, or arcs of parabolas under gravity. Times count from its start. A coordinate beyond the
+ * range of doubles is given as the largest one. Immutable.
  */
 public final class Trajectory {
 
@@ -91,7 +91,7 @@ public final class Trajectory {
   }
 
   /**
-   * Tells whether the path goes on as long as was asked for.
+   * Tells whether the path ends at the duration or at the number of bounces that was asked for.
    *
    * @return false if the budget of impacts was spent before; the duration is then the time of the
    *     last impact

@@ -41,11 +41,11 @@ import java.util.Arrays;
  * <h2>The bound</h2>
  *
  * <p>The bound counts from the state at the construction. That state, the obstacles and gravity are
- * taken as exact. The bound has two parts. The limits of the roundings that each flight and each
- * impact adds are proven. How they grow from then on is known to first order: errors are multiplied
- * by the derivative of the motion, along the computed path. So the bound leaves out products of
+ * taken as exact. The bound has two parts. How large each new rounding error can be is proven. How
+ * the errors grow from then on is computed with a linear approximation, the derivative of the
+ * motion along the computed path. So the bound as a whole is no proof: it leaves out products of
  * errors, a change from the side of a line to its end, and an obstacle that the computed path
- * misses by less than its error. The growth at an impact is that of the steepest incidence within
+ * misses by less than its error. At an impact it takes the growth of the most grazing hit within
  * the error.
  *
  * <p>Under {@linkplain SceneBuilder#gravity gravity} flights are parabolas, and all this holds as
@@ -57,8 +57,8 @@ import java.util.Arrays;
  * hit the same obstacle. Otherwise the bound becomes infinite. It also becomes infinite when it
  * exceeds the radius, or the length of a flight between two impacts; under gravity, when the error
  * of the time of an impact exceeds the duration of the flight before it. For a point particle the
- * radius of the smallest peg at the construction takes the place of its own. If a smaller peg is
- * added, make a new {@code Uncertainty}.
+ * radius of the smallest peg is used instead of its own: of the pegs that existed when the {@code
+ * Uncertainty} was made. If a smaller peg is added, make a new one.
  *
  * <p>The harness compares the bound with runs in arbitrary precision, without gravity and with it
  * ({@code UncertaintyBoundTest}). There the error of a circle never exceeds the bound, as long as
@@ -129,8 +129,8 @@ public final class Uncertainty {
   }
 
   /**
-   * Takes the present state of a circle as exact and begins anew with it, as after an edit. Of a
-   * circle that slides or rests under gravity nothing is known until it is begun with again.
+   * Takes the present state of a circle as exact and begins anew with it, as after an edit. Nothing
+   * is known of a circle that slides or rests, also after this call. Call it when the circle flies.
    *
    * @param id the id of the circle
    * @throws IndexOutOfBoundsException if there is no such circle

@@ -40,13 +40,13 @@ import java.util.function.IntPredicate;
  *
  * <ol>
  *   <li><b>No impact is lost.</b> A step resolves all impacts in it, each at its own moment, at any
- *       speed. There is no threshold (with gravity, hops below rounding end), positions are never
- *       corrected, and nothing jitters.
+ *       speed. Positions are never corrected. Without gravity there is no threshold, and nothing
+ *       jitters. With gravity, very low hops end, and a ball on a ball makes tiny ones.
  *   <li><b>Steps do not matter.</b> However a run to the same time is cut into steps, it gives the
  *       same bits. The same run gives the same bits on every Java virtual machine.
- *   <li><b>A step always ends.</b> It returns false if its budget of work is spent, and the next
- *       one goes on. A circle that would bounce at one place without end stops bouncing there, and
- *       the log says {@link Outcome#JAMMED}.
+ *   <li><b>Every call returns.</b> A step returns false if its budget of work is spent, and the
+ *       next one goes on. A circle that would bounce at one place without end stops bouncing there,
+ *       and the log says {@link Outcome#JAMMED}.
  * </ol>
  *
  * <p>A step goes on for a time span ({@link #step step}), to a time ({@link #advanceTo advanceTo})
@@ -369,9 +369,10 @@ public final class World {
   /**
    * Tells whether a circle rests under gravity.
    *
-   * <p>It has {@linkplain Outcome#SETTLED settled} or jammed, and stays where it is, or on the line
-   * that carries it, until something hits it or an edit frees it. A resting circle makes no impacts
-   * and costs nothing.
+   * <p>It has {@linkplain Outcome#SETTLED settled} or jammed, and does not move, or moves only with
+   * the line that carries it, until something hits it or an edit frees it. A circle that slides
+   * does not rest. After an edit of what carries it, it rests again from the next step on. A
+   * resting circle makes no impacts and costs nothing.
    *
    * @param id the id of the circle
    * @return true if it rests; never without gravity
@@ -517,11 +518,11 @@ public final class World {
    * <p>The circle flies straight on, also under {@linkplain SceneBuilder#gravity gravity}; {@link
    * #trace trace} follows one that falls. It meets walls, lines and pegs, and, if circles collide
    * in this world, the circles too. It passes through sensors. A circle of radius 0 is a ray. To
-   * ask for a circle of the world itself, give its place: a circle does not meet one that is
-   * exactly concentric with it, unless that one falls and catches up with it.
+   * cast a circle of the world, give its place: it does not hit itself, since circles with the same
+   * centre do not meet. With gravity the circle of the world falls, and may catch up with the cast.
    *
    * <p>Lines, pegs and circles go on with their present velocities. Circles that fall or slide keep
-   * their acceleration too. What they would hit themselves does not stop them.
+   * their acceleration too. Their own impacts are ignored: they pass through everything.
    *
    * <p>The earliest impact is found as if in real arithmetic, on the given doubles and on the
    * positions, velocities and accelerations that this world has. The circle has category 1 and mask
@@ -771,7 +772,7 @@ public final class World {
 
   /**
    * Sets gravity, from now on: the acceleration of all circles of finite mass. Circles that slide
-   * or rest on something fall from it, and may come to rest anew.
+   * or rest are set free, and may settle again.
    *
    * @param gx the x component, finite
    * @param gy the y component, finite
@@ -835,8 +836,8 @@ public final class World {
   }
 
   /**
-   * Sets the mass of a circle, from now on. Masses have no effect as long as circles ignore each
-   * other.
+   * Sets the mass of a circle, from now on. Where circles ignore each other, it matters only under
+   * gravity: a circle of infinite mass does not fall.
    *
    * <p>If the mass becomes infinite, or ceases to be, the circle begins a new flight: it can again
    * hit the circle or obstacle that it hit last or passed through.

@@ -23,8 +23,6 @@ import javax.swing.Timer;
  * as many as fit into the time that passed, so that a run does not depend on the timer. What is
  * shown lies one step back, between the last two steps: the timeline tells where each circle was
  * then, bounces included, where mixing two positions would cut the corner.
- *
- * <p>Gravity is a velocity that is set before each step.
  */
 public final class GameLoop implements Example {
 
@@ -52,6 +50,7 @@ public final class GameLoop implements Example {
   public GameLoop() {
     Scene scene =
         Scene.builder()
+            .gravity(0, GRAVITY)
             .bounds(0, 0, 400, 300)
             .restitution(0.9)
             .line(40, 200, 180, 140)
@@ -76,9 +75,6 @@ public final class GameLoop implements Example {
   }
 
   private void step() {
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
-      world.setVelocity(id, world.vx(id), world.vy(id) + GRAVITY * DT);
-    }
     Example.advance(world, DT, () -> {});
   }
 

@@ -16,7 +16,7 @@ import java.util.List;
 
 /**
  * A lift: a line that moves up and down. The ball without bounce rides on it, the others are pushed
- * and bounce. Gravity is a velocity that is set before each step.
+ * and bounce.
  */
 public final class Lift implements Example {
 
@@ -45,7 +45,8 @@ public final class Lift implements Example {
   private int chosen;
 
   private static World shaft() {
-    var scene = Scene.builder().bounds(0, 0, WIDTH, HEIGHT).line(0, BOTTOM, WIDTH, BOTTOM);
+    var scene = Scene.builder().gravity(0, GRAVITY);
+    scene.bounds(0, 0, WIDTH, HEIGHT).line(0, BOTTOM, WIDTH, BOTTOM);
     for (int i = 0; i < BOUNCE.length; i++) {
       scene.circle(50 * (i + 1), BOTTOM + 30, 7 + 2 * i, 0, 0).restitution(BOUNCE[i]);
     }
@@ -64,9 +65,6 @@ public final class Lift implements Example {
   @Override
   public void frame() {
     steer();
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
-      world.setVelocity(id, world.vx(id), world.vy(id) + GRAVITY);
-    }
     Example.advance(world, 1, () -> {});
     frame++;
   }
