@@ -294,11 +294,12 @@ public final class Uncertainty {
    */
   private int first(PathError path, int id, int side, double distance, double duration, int code) {
     path.load(body, world.radius(id), side, distance);
+    body.id = world.ids.circle(id);
     body.filter =
         Filter.of(world.category(ObstacleKind.CIRCLE, id), world.mask(ObstacleKind.CIRCLE, id));
     // A circle that falls can come back to what it hit: nothing is ignored.
     body.last = body.isFalling() ? MovingCircle.NOTHING : code;
-    return world.questions.first(body, duration);
+    return world.engine.first(body, duration);
   }
 
   /**

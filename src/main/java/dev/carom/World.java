@@ -73,7 +73,7 @@ public final class World {
   private final ImpactLog log;
   private final CircleRegistry registry;
   final Handles ids;
-  private final Engine engine;
+  final Engine engine;
   final CircleTable circles;
   final ObstacleTable obstacles;
   private final Editor editor;

@@ -144,24 +144,6 @@ final class WorldQueries {
     }
   }
 
-  /**
-   * Finds what a circle hits first until a time, among obstacles that stand where they are at 0. A
-   * circle with an acceleration falls.
-   *
-   * @param body the circle at the start; it receives the contact
-   * @return the code of the obstacle, {@link MovingCircle#NOTHING} for none
-   */
-  int first(MovingCircle body, double maxTime) {
-    index.expect(1);
-    Tracer tracer = new Tracer(index);
-    if (body.isFalling()) {
-      tracer.firstOfFall(body, maxTime);
-    } else {
-      tracer.first(body, maxTime);
-    }
-    return body.next;
-  }
-
   double restitution(int code) {
     return Codes.isCircle(code)
         ? circles.restitution(Codes.slot(code))

@@ -136,6 +136,19 @@ public abstract class Engine {
     staticScene.beginStep(reached, end);
   }
 
+  /**
+   * Finds what a circle hits first until a time, among obstacles at rest and past sensors. It is
+   * none of this world, and changes nothing; but the {@link MovingCircle#id} is the slot of one
+   * that has its radius, and the flight begins at time 0.
+   *
+   * @return the code of the obstacle; of several at the same rounded time the smallest one; NOTHING
+   *     if there is none
+   */
+  public final int first(MovingCircle m, double end) {
+    staticScene.prepare(circles, registry);
+    return staticScene.first(m, end);
+  }
+
   // Lines and pegs.
 
   /** Discards all predictions about a line or a peg that is about to change. */

@@ -24,6 +24,8 @@ import java.util.stream.IntStream;
  */
 public final class StaticScene {
 
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
   public final ObstacleTable obstacles;
   private final Grids grids;
   private final BroadPhase search;
@@ -88,6 +90,19 @@ public final class StaticScene {
     } else {
       search.extend(m, grid(m.id), needed);
     }
+  }
+
+  /** Finds the first impact of a circle until a time, see {@link Engine#first}. */
+  int first(MovingCircle m, double end) {
+    m.lookahead = MovingCircle.EDITED_LOOKAHEAD; // no further than the end
+    do {
+      if (m.isFalling()) {
+        falls.extendPastSensors(m, grid(m.id), end);
+      } else {
+        search.extendPastSensors(m, grid(m.id), end);
+      }
+    } while (m.next == MovingCircle.NOTHING && m.cleared <= end && m.cleared < NEVER);
+    return m.cleared <= end ? m.next : MovingCircle.NOTHING;
   }
 
   /** The codes of all obstacles that may touch a circle at its position, and maybe of others. */

@@ -61,18 +61,6 @@ public final class Tracer {
     }
   }
 
-  /**
-   * The same for a circle with an acceleration, to within the rounding of the time.
-   *
-   * @param body the circle at the start, at time 0; {@code next} is NOTHING if there is no contact
-   */
-  public void firstOfFall(MovingCircle body, double maxTime) {
-    grid = index.grid(body.radius);
-    if (!next(body, maxTime)) {
-      body.next = MovingCircle.NOTHING;
-    }
-  }
-
   /** Whether a contact is exactly later than a time to which it rounds. */
   private boolean isLater(MovingCircle body, double time) {
     return exactTime(body).compare(ExactTime.of(time)) > 0;
