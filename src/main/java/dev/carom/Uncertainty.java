@@ -2,8 +2,8 @@
 package dev.carom;
 
 import dev.carom.internal.query.PathError;
+import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.sweep.PegShape;
@@ -171,19 +171,21 @@ public final class Uncertainty {
     ImpactLog log = world.impacts();
     int size = log.size();
     for (int row = 0; row < size; row++) {
-      PathError path = path(log.circle(row));
+      int id = log.circle(row);
+      PathError path = path(id);
       if (path != null && path.isFollowed()) {
-        take(path, log, row);
+        take(path, id, log, row);
       }
     }
+    double now = world.now();
     for (int row = 0; row < size; row++) {
       int id = log.circle(row);
       PathError path = path(id);
       if (path != null && path.isFollowed()) {
         int slot = world.ids.circle(id);
-        double gx = world.circles.gx(slot);
-        double gy = world.circles.gy(slot);
-        path.setVelocity(world.vx(id), world.vy(id), gx, gy, world.now());
+        double vx = world.circles.vx(slot, now);
+        double vy = world.circles.vy(slot, now);
+        path.setVelocity(vx, vy, world.circles.gx(slot), world.circles.gy(slot), now);
       }
     }
   }
@@ -201,26 +203,26 @@ public final class Uncertainty {
     return id < paths.length ? paths[id] : null;
   }
 
-  private void take(PathError path, ImpactLog log, int row) {
-    int id = log.circle(row);
-    int code = Codes.of(log.kind(row).ordinal(), log.id(row));
+  private void take(PathError path, int id, ImpactLog log, int row) {
+    boolean isThere = world.contains(ObstacleKind.CIRCLE, id);
     Outcome outcome = log.outcome(row);
-    boolean bounced = outcome == Outcome.BOUNCED || outcome == Outcome.HALTED;
-    if (outcome == Outcome.SENSED && world.contains(ObstacleKind.CIRCLE, id)) {
+    if (isThere && outcome == Outcome.SENSED) {
       return;
     }
-    if (!bounced || !world.contains(ObstacleKind.CIRCLE, id)) {
+    if (!isThere || (outcome != Outcome.BOUNCED && outcome != Outcome.HALTED)) {
       path.lose();
       return;
     }
-    double r = world.radius(id);
+    int slot = world.ids.circle(id);
+    int code = Codes.of(log.kind(row).ordinal(), log.id(row));
+    double r = world.circles.radius(slot);
     double nx = log.nx(row);
     double ny = log.ny(row);
     double time = log.time(row);
-    if (isWide(path, id, time) && mayHitOther(path, id, time, code)) {
+    if (isWide(path, r, time) && mayHitOther(path, slot, time, code)) {
       path.giveUp();
     }
-    double e = world.restitution(ObstacleKind.CIRCLE, id) * world.obstacles.restitution(code);
+    double e = world.circles.restitution(slot) * world.obstacles.restitution(code);
     double radius = log.feature(row) == Feature.SIDE ? Double.POSITIVE_INFINITY : r + radius(code);
     double x = log.x(row) + r * nx;
     double y = log.y(row) + r * ny;
@@ -236,24 +238,23 @@ public final class Uncertainty {
     return pegs.values[pegs.offset(code) + PegShape.RADIUS];
   }
 
-  private boolean isWide(PathError path, int id, double time) {
-    return path.isKnown() && path.width(time) > WIDE * size(id);
+  private boolean isWide(PathError path, double r, double time) {
+    return path.isKnown() && path.width(time) > WIDE * size(r);
   }
 
   /** No obstacle fits between two circles that fly beside each other by less than this. */
-  private double size(int id) {
-    double r = world.radius(id);
+  private double size(double r) {
     return r > 0 ? r : leastPeg; // a point particle: its world has no lines
   }
 
   /** Tells whether the true flight may hit another obstacle than the one at its end. */
-  private boolean mayHitOther(PathError path, int id, double time, int code) {
+  private boolean mayHitOther(PathError path, int slot, double time, int code) {
     double width = path.width(time);
-    if (width > size(id)) {
+    if (width > size(world.circles.radius(slot))) {
       return true;
     }
     for (int side = 0; side < path.sides(); side++) {
-      if (isOther(first(path, id, side, width, path.since(time), code), code)) {
+      if (isOther(first(path, slot, side, width, path.since(time), code), code)) {
         return true;
       }
     }
@@ -261,16 +262,16 @@ public final class Uncertainty {
   }
 
   /** Tells whether the true flight may have had an impact, other than its next one. */
-  private boolean mayHaveHitOther(PathError path, int id, double now) {
+  private boolean mayHaveHitOther(PathError path, int slot, double now) {
     double width = path.width(now);
-    if (width > size(id)) {
+    if (width > size(world.circles.radius(slot))) {
       return true;
     }
     int next = MovingCircle.NOTHING;
     for (int side = 0; side < path.sides(); side++) {
-      int hit = first(path, id, side, width, path.since(now), MovingCircle.NOTHING);
+      int hit = first(path, slot, side, width, path.since(now), MovingCircle.NOTHING);
       if (hit != MovingCircle.NOTHING && next == MovingCircle.NOTHING) {
-        next = first(path, id, 0, 0, path.horizon(now), MovingCircle.NOTHING);
+        next = first(path, slot, 0, 0, path.horizon(now), MovingCircle.NOTHING);
       }
       if (isOther(hit, next)) {
         return true;
@@ -292,14 +293,12 @@ public final class Uncertainty {
    * @param code an obstacle that is ignored, unless it is a wall; or NOTHING
    * @return its code, or NOTHING
    */
-  private int first(PathError path, int id, int side, double distance, double duration, int code) {
-    path.load(body, world.radius(id), side, distance);
-    body.id = world.ids.circle(id);
-    body.filter =
-        Filter.of(world.category(ObstacleKind.CIRCLE, id), world.mask(ObstacleKind.CIRCLE, id));
+  private int first(
+      PathError path, int slot, int side, double distance, double duration, int code) {
+    path.load(body, side, distance);
     // A circle that falls can come back to what it hit: nothing is ignored.
     body.last = body.isFalling() ? MovingCircle.NOTHING : code;
-    return world.engine.first(body, duration);
+    return world.engine.first(body, slot, duration);
   }
 
   /**
@@ -369,20 +368,22 @@ public final class Uncertainty {
 
   /** The path of a circle, lost unless the world has it where the log led it. */
   private PathError checked(int id) {
-    double x = world.x(id);
+    int slot = world.ids.circle(id);
     PathError path = path(id);
     if (path == null || !path.isFollowed()) {
       return path;
     }
     double now = world.now();
-    int slot = world.ids.circle(id);
-    double gx = world.circles.gx(slot);
-    double gy = world.circles.gy(slot);
-    path.check(x, world.y(id), world.vx(id), world.vy(id), gx, gy, now);
+    CircleTable circles = world.circles;
+    double vx = circles.vx(slot, now);
+    double vy = circles.vy(slot, now);
+    double gx = circles.gx(slot);
+    double gy = circles.gy(slot);
+    path.check(circles.x(slot, now), circles.y(slot, now), vx, vy, gx, gy, now);
     if (world.obstacles.areMoving()) {
       path.lose();
     }
-    if (isWide(path, id, now) && mayHaveHitOther(path, id, now)) {
+    if (isWide(path, circles.radius(slot), now) && mayHaveHitOther(path, slot, now)) {
       path.giveUp();
     }
     return path;

@@ -137,15 +137,19 @@ public abstract class Engine {
   }
 
   /**
-   * Finds what a circle hits first until a time, among obstacles at rest and past sensors. It is
-   * none of this world, and changes nothing; but the {@link MovingCircle#id} is the slot of one
-   * that has its radius, and the flight begins at time 0.
+   * Finds what a circle would hit first on a path of its own, past sensors, while no obstacle
+   * moves. It changes nothing.
    *
+   * @param m the start of the path, at time 0; it receives the circle's radius and filter
+   * @param i the circle
    * @return the code of the obstacle; of several at the same rounded time the smallest one; NOTHING
-   *     if there is none
+   *     if there is none until the end
    */
-  public final int first(MovingCircle m, double end) {
+  public final int first(MovingCircle m, int i, double end) {
     staticScene.prepare(circles, registry);
+    m.id = i;
+    m.radius = circles.radius(i);
+    m.filter = registry.filter(i);
     return staticScene.first(m, end);
   }
 

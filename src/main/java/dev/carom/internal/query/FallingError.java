@@ -81,9 +81,9 @@ final class FallingError extends PathError {
 
   /** In any direction across, one of the four is as far off as asked. */
   @Override
-  public void load(MovingCircle m, double radius, int side, double distance) {
+  public void load(MovingCircle m, int side, double distance) {
     double off = (side % 2 == 0 ? Math.sqrt(2) : -Math.sqrt(2)) * distance;
-    m.start(0, side < 2 ? x + off : x, side < 2 ? y : y + off, radius, vx, vy, 1);
+    m.start(0, side < 2 ? x + off : x, side < 2 ? y : y + off, 0, vx, vy, 1);
     m.fall(gx, gy);
   }
 

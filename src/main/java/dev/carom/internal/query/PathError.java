@@ -99,12 +99,12 @@ public abstract class PathError {
   public abstract int sides();
 
   /**
-   * Puts a circle beside the start of the flight.
+   * Puts a circle, of radius 0, beside the start of the flight.
    *
    * @param side from 0 on, below {@link #sides}
    * @param distance how far from the path; 0 is the path itself
    */
-  public abstract void load(MovingCircle m, double radius, int side, double distance);
+  public abstract void load(MovingCircle m, int side, double distance);
 
   /** A duration of the present flight within which paths nearby have their next impacts, too. */
   public abstract double horizon(double now);

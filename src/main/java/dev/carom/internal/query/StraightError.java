@@ -48,9 +48,9 @@ final class StraightError extends PathError {
   }
 
   @Override
-  public void load(MovingCircle m, double radius, int side, double distance) {
+  public void load(MovingCircle m, int side, double distance) {
     double share = (side == 0 ? distance : -distance) / length(vx, vy);
-    m.start(0, x - share * vy, y + share * vx, radius, vx, vy, 1);
+    m.start(0, x - share * vy, y + share * vx, 0, vx, vy, 1);
   }
 
   @Override
@@ -61,16 +61,19 @@ final class StraightError extends PathError {
   @Override
   boolean impact(
       double dt, double x, double y, double nx, double ny, double radius, double e, int code) {
-    boolean isWall = isWall(code);
-    // Two walls may be hit in either order.
-    boolean isOrdered = isOrdered(dt) || (isWall && isWall(last));
-    along += alongRate * dt;
-    across += acrossRate * dt;
     double speed = length(vx, vy);
     double cosine = Math.min(1, -(vx * nx + vy * ny) / speed);
     ImpactMap map = new ImpactMap(speed, cosine, radius, e);
     nearby.fly(dt);
     nearby.bounce(map);
+    if (!isKnown()) {
+      return false;
+    }
+    boolean isWall = isWall(code);
+    // Two walls may be hit in either order.
+    boolean isOrdered = isOrdered(dt) || (isWall && isWall(last));
+    along += alongRate * dt;
+    across += acrossRate * dt;
     spread(map, isOrdered ? leastCosine(speed, cosine, radius) : Double.NaN, cosine);
     boolean isFinite = acrossRate + alongRate + across + along <= Double.MAX_VALUE;
     round(x, y, dt * speed, speed, cosine, radius, e, isWall && e == 1);
