@@ -5,7 +5,6 @@ import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.report.FeatureFigures;
 import dev.carom.bench.report.HeapFigures;
 import dev.carom.bench.report.Origin;
-import dev.carom.bench.report.ReportTable;
 import dev.carom.bench.results.Results;
 import dev.carom.bench.results.Row;
 import dev.carom.bench.series.Features;
@@ -25,8 +24,8 @@ import picocli.CommandLine.Spec;
     name = "features",
     description = {
       "Measures what each thing that a scene uses costs.",
-      "In time a frame and in memory: circles alone, walls, lines, sensors, a recording, edits,"
-          + " collisions; and 100 lines that move among 10,000, beside as many that rest;"
+      "In time a frame and in memory: circles alone, walls, lines, sensors, a recording,"
+          + " bounds of the errors, edits, collisions; and 100 lines that move among 10,000, beside as many that rest;"
           + " gravity, also of 10,000 circles, and of a gas of 1,000."
     },
     footer = {
@@ -86,12 +85,16 @@ final class FeaturesCommand implements Callable<Integer> {
             : new Heaps(heaps, series.seed()).run(rounds, warmUpMillis);
     series.write(rows);
     Results results = new Results(Origin.of(Map.of("features", series.seed()), "", false), rows);
-    spec.commandLine().getOut().print(table(results).text());
+    spec.commandLine().getOut().print(text(results));
     spec.commandLine().getOut().flush();
     return 0;
   }
 
-  private ReportTable table(Results results) {
-    return heaps == null ? new FeatureFigures(results).table() : new HeapFigures(results).table();
+  private String text(Results results) {
+    if (heaps != null) {
+      return new HeapFigures(results).table().text();
+    }
+    FeatureFigures figures = new FeatureFigures(results);
+    return figures.table().text() + "\n" + figures.uncertainty() + "\n";
   }
 }

@@ -6,6 +6,7 @@ import dev.carom.Line;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
+import dev.carom.Uncertainty;
 import dev.carom.Vec2;
 import dev.carom.World;
 import dev.carom.bench.experiment.CannotPlaceException;
@@ -64,25 +65,41 @@ public final class Features {
     void before(World world, int frame);
   }
 
-  private record Use(String name, Scene scene, int frames, boolean recorded, Action action) {
+  /** What is kept of a world besides its present state. */
+  private enum Keep {
+    NOTHING,
+    PAST,
+    ERRORS
+  }
+
+  private record Use(String name, Scene scene, int frames, Keep keep, Action action) {
 
     Use(String name, Scene scene) {
-      this(name, scene, FRAMES, false, (world, frame) -> {});
+      this(name, scene, Keep.NOTHING, (world, frame) -> {});
     }
 
-    World play(int[] impacts) {
+    Use(String name, Scene scene, Keep keep, Action action) {
+      this(name, scene, FRAMES, keep, action);
+    }
+
+    /** Returns what holds the world at the end, and all that is kept of it. */
+    Object play(int[] impacts) {
       World world = new World(scene);
-      if (recorded) {
+      if (keep == Keep.PAST) {
         world.record(RECORDED);
       }
+      Uncertainty uncertainty = keep == Keep.ERRORS ? new Uncertainty(world, 1) : null;
       for (int frame = 0; frame < frames; frame++) {
         action.before(world, frame);
         if (!world.step(1)) {
           throw new IllegalStateException(name + ": a step was unfinished at " + world.now());
         }
         impacts[0] += world.impacts().size();
+        if (uncertainty != null) {
+          uncertainty.update();
+        }
       }
-      return world;
+      return uncertainty == null ? world : uncertainty;
     }
   }
 
@@ -106,9 +123,10 @@ public final class Features {
     int all = canonical.lineCount();
     uses.add(new Use("sensors", part(canonical, true, all, Response.SENSOR)));
     uses.add(new Use("masks", masked(canonical)));
-    uses.add(new Use("recording", canonical, FRAMES, true, (world, frame) -> {}));
-    uses.add(new Use("steering", canonical, FRAMES, false, Features::steer));
-    uses.add(new Use("moving-line", canonical, FRAMES, false, Features::move));
+    uses.add(new Use("recording", canonical, Keep.PAST, (world, frame) -> {}));
+    uses.add(new Use("uncertainty", canonical, Keep.ERRORS, (world, frame) -> {}));
+    uses.add(new Use("steering", canonical, Keep.NOTHING, Features::steer));
+    uses.add(new Use("moving-line", canonical, Keep.NOTHING, Features::move));
     uses.add(new Use("collisions", colliding(canonical).build()));
     uses.add(new Use("many-lines", AmongMovingLines.scene(seed, FRAMES, false)));
     uses.add(new Use("moving-lines", AmongMovingLines.scene(seed, FRAMES, true)));
@@ -122,7 +140,7 @@ public final class Features {
   }
 
   private static Use many(String name, Scene scene) {
-    return new Use(name, scene, FEW_FRAMES, false, (world, frame) -> {});
+    return new Use(name, scene, FEW_FRAMES, Keep.NOTHING, (world, frame) -> {});
   }
 
   /** The same circles and lines under gravity. */
@@ -250,7 +268,7 @@ public final class Features {
   private static double bytes(Use use) {
     use.play(new int[1]);
     long before = Footprint.used();
-    World[] worlds = new World[WORLDS];
+    Object[] worlds = new Object[WORLDS];
     for (int i = 0; i < WORLDS; i++) {
       worlds[i] = use.play(new int[1]);
     }

@@ -22,7 +22,8 @@ class FeaturesCommandTest {
     assertThat(run.exitCode()).isZero();
     assertThat(run.out())
         .containsPattern("100 circles, nothing to hit +[0-9.]+ [nµ]s +0 +- +\\d+ KiB")
-        .containsPattern("walls, and the circles collide +[0-9.]+ [nµ]s +[0-9.]+ ");
+        .containsPattern("walls, and the circles collide +[0-9.]+ [nµ]s +[0-9.]+ ")
+        .containsPattern("100 circles among 100 lines takes -?[0-9.]+ of a frame[.]");
     List<Row> rows = ResultsCsv.read(csv);
     assertThat(value(rows, "circles", "feature_time"))
         .isLessThan(value(rows, "lines", "feature_time"));
@@ -42,7 +43,10 @@ class FeaturesCommandTest {
     }
     assertThat(run.out()).containsPattern("10,000 among 10,000, with gravity +.* not measured");
     assertThat(value(rows, "lines", "feature_memory"))
-        .isLessThan(value(rows, "recording", "feature_memory"));
+        .isLessThan(value(rows, "recording", "feature_memory"))
+        .isLessThan(value(rows, "uncertainty", "feature_memory"));
+    assertThat(value(rows, "uncertainty", "feature_impacts"))
+        .isEqualTo(value(rows, "lines", "feature_impacts"));
   }
 
   private static double value(List<Row> rows, String use, String metric) {
