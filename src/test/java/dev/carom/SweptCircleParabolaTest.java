@@ -78,7 +78,12 @@ class SweptCircleParabolaTest {
   void circlesWithOneCentreThatFallTogetherAtOnceHaveANormal() {
     Impact impact =
         SweptCircle.cast(
-                new Circle(3, 4, 1), Vec2.ZERO, G, new Circle(3, 4, 2), new Vec2(0, -5e-324), 9)
+                new Circle(3, 4, 1),
+                Vec2.ZERO,
+                G,
+                new Circle(3, 4, 2),
+                new Vec2(0, -Double.MIN_VALUE),
+                9)
             .orElseThrow();
     assertThat(impact.time()).isZero();
     assertThat(impact.normal()).isEqualTo(new Vec2(0, 1));
