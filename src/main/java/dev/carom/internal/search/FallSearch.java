@@ -9,6 +9,7 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.ObstacleShape;
 
 /**
@@ -47,6 +48,12 @@ public final class FallSearch {
   private double gx;
   private double gy;
   private double r;
+
+  // What bounds a coordinate: size + speed t + pull t^2.
+  private double size;
+  private double speed;
+  private double pull;
+
   private boolean filtered;
   private boolean bounded;
 
@@ -143,6 +150,9 @@ public final class FallSearch {
     gx = m.gx;
     gy = m.gy;
     r = m.radius;
+    size = Math.abs(px) + Math.abs(py) + 2 * r;
+    speed = Math.abs(vx) + Math.abs(vy);
+    pull = Math.abs(gx) + Math.abs(gy);
     filtered = obstacles.areFiltered() || m.filter != Filter.DEFAULT;
     bounded = obstacles.wallsFor(m.filter) != null;
     turnsX = -vx / gx;
@@ -165,26 +175,26 @@ public final class FallSearch {
 
   /** Searches from a time on. Returns the time up to which all impacts are found. */
   private double search(Grid grid, double from, double needed, int cells) {
-    endX = place(px, vx, gx, from);
-    endY = place(py, vy, gy, from);
     boolean isFollowed = grid != null && walk.start(grid, px, py, vx, vy, gx, gy, from);
+    if (isFollowed) {
+      walk.keepOff(grid, bounded ? obstacles.walls : null, r);
+    }
     double known = from;
     for (int piece = 0; known < NEVER && best > known; piece++) {
       if (piece > cells && known > needed) {
         break;
       }
       double end = isFollowed ? walk.to : NEVER;
-      enclose(known, end);
-      known = end;
       to = Math.min(end, best);
-      considerWalls();
       if (isFollowed) {
-        considerList(grid, walk.list());
-        considerLoose();
+        considerCell(grid, known, end);
         isFollowed = walk.advance();
       } else {
+        enclose(known, end);
+        considerWalls();
         considerEach();
       }
+      known = end;
     }
     to = Math.min(known, best);
     considerMoving();
@@ -192,19 +202,42 @@ public final class FallSearch {
     return known;
   }
 
-  /** Computes the chord and the box of the piece that begins where the last one ended. */
-  private void enclose(double from, double end) {
-    chordX = endX;
-    chordY = endY;
+  /**
+   * Considers what can be hit in a piece that stays in a cell. Most cells are empty or list two
+   * lines, and are out of reach of the walls: for the first there is nothing to do, and for the
+   * second no box is needed.
+   */
+  private void considerCell(Grid grid, double from, double end) {
+    long list = walk.list();
+    if (!walk.isFree() || loose.size > 0 || !CellList.isPairOfLines(list)) {
+      enclose(from, end);
+      considerWalls();
+      considerList(grid, list);
+      considerLoose();
+    } else if (list != CellList.EMPTY) {
+      draw(from, end);
+      considerLines(list);
+    }
+  }
+
+  /** Computes the chord of a piece. */
+  private void draw(double from, double end) {
+    chordX = place(px, vx, gx, from);
+    chordY = place(py, vy, gy, from);
     endX = place(px, vx, gx, end);
     endY = place(py, vy, gy, end);
     alongX = endX - chordX;
     alongY = endY - chordY;
+    double length = end - from;
+    double bend = pull * (length * length) / 8;
+    chordReach = (r + bend) * (1 + ROUNDING) + 4 * ROUNDING * (size + (speed + pull * end) * end);
+  }
+
+  /** Computes the chord and the box of a piece. */
+  private void enclose(double from, double end) {
+    draw(from, end);
     double marginX = margin(px, vx, gx, end < NEVER ? end : lastTurn(turnsX, from));
     double marginY = margin(py, vy, gy, end < NEVER ? end : lastTurn(turnsY, from));
-    double length = end - from;
-    double bend = (Math.abs(gx) + Math.abs(gy)) * (length * length) / 8;
-    chordReach = (r + bend) * (1 + ROUNDING) + 4 * (marginX + marginY);
     left = Math.min(chordX, endX) - marginX;
     right = Math.max(chordX, endX) + marginX;
     bottom = Math.min(chordY, endY) - marginY;
@@ -298,11 +331,43 @@ public final class FallSearch {
   }
 
   private void considerPair(long pair) {
+    if (!CellList.areOthers(pair)) {
+      considerLines(pair);
+      return;
+    }
     int first = CellList.first(pair);
     int second = CellList.second(pair);
     considerNear(first);
     if (second != first) {
       considerNear(second);
+    }
+  }
+
+  private void considerLines(long pair) {
+    int first = CellList.first(pair);
+    int second = CellList.second(pair);
+    considerLine(first);
+    if (second != first) {
+      considerLine(second);
+    }
+  }
+
+  /**
+   * Considers a line that a cell lists, as {@link #considerNear} does: there, the chord alone tells
+   * nearly all lines that are out of reach.
+   */
+  private void considerLine(int code) {
+    if (isPassed(code)) {
+      return;
+    }
+    int k = obstacles.lines.offset(code);
+    double[] v = obstacles.lines.values;
+    double ax = v[k + LineShape.AX];
+    double ay = v[k + LineShape.AY];
+    double bx = v[k + LineShape.BX];
+    double by = v[k + LineShape.BY];
+    if (!isBesideChord(ax, ay, bx, by, 0)) {
+      consider(code);
     }
   }
 
@@ -352,16 +417,16 @@ public final class FallSearch {
     double dy = ay - chordY;
     double a = alongX * dy - alongY * dx;
     double b = alongX * (by - chordY) - alongY * (bx - chordX);
-    double nearer = Math.min(Math.abs(a), Math.abs(b));
-    if (a * b > 0 && nearer * nearer > square * (alongX * alongX + alongY * alongY)) {
+    double least = square * (alongX * alongX + alongY * alongY);
+    if (a * b > 0 && a * a > least && b * b > least) {
       return true;
     }
     double wx = bx - ax;
     double wy = by - ay;
     double first = wy * dx - wx * dy;
     double last = first + (wx * alongY - wy * alongX);
-    nearer = Math.min(Math.abs(first), Math.abs(last));
-    return first * last > 0 && nearer * nearer > square * (wx * wx + wy * wy);
+    least = square * (wx * wx + wy * wy);
+    return first * last > 0 && first * first > least && last * last > least;
   }
 
   private void considerMoving() {
@@ -373,10 +438,14 @@ public final class FallSearch {
 
   /** Considers an obstacle other than a wall. */
   private void consider(int code) {
-    boolean isPassed = code == bestCode || (code == body.last && returns > to);
-    if (!isPassed && !isSkipped(code) && !obstacles.isGone(code)) {
+    if (!isPassed(code) && !isSkipped(code) && !obstacles.isGone(code)) {
       offer(detector.time(code, to), code);
     }
+  }
+
+  /** Whether an obstacle is not to be asked again, or not yet. */
+  private boolean isPassed(int code) {
+    return code == bestCode || (code == body.last && returns > to);
   }
 
   private boolean isSkipped(int code) {

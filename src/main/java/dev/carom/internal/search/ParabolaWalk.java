@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.search;
 
+import dev.carom.internal.state.Codes;
+
 /**
  * The way of a circle with a constant acceleration through the cells of a {@link Grid}, piece after
  * piece: in each the centre stays in one cell, or outside of the grid in line with a row or a
@@ -20,12 +22,32 @@ final class ParabolaWalk {
   /** Faster, squares of velocities could overflow; slower than its inverse, they underflow. */
   private static final double FASTEST = 0x1p300;
 
+  /** In cells: the path is followed with an error far below this. */
+  private static final double MARGIN = 0x1p-8;
+
   private final Axis x = new Axis();
   private final Axis y = new Axis();
   private Grid grid;
 
   /** The end of the piece. */
   double to;
+
+  /**
+   * Takes the walls, by their codes, that count for {@link #isFree}, or null.
+   *
+   * @param radius of the circle
+   */
+  void keepOff(Grid grid, double[] walls, double radius) {
+    if (walls == null) {
+      x.keepBetween(-NEVER, NEVER);
+      y.keepBetween(-NEVER, NEVER);
+      return;
+    }
+    double reach = radius * grid.perCell + MARGIN;
+    x.keepBetween(
+        grid.columns(walls[Codes.LEFT]) + reach, grid.columns(walls[Codes.RIGHT]) - reach);
+    y.keepBetween(grid.rows(walls[Codes.BOTTOM]) + reach, grid.rows(walls[Codes.TOP]) - reach);
+  }
 
   /** Begins at a time of a flight; false if the path cannot be followed. */
   boolean start(
@@ -64,6 +86,11 @@ final class ParabolaWalk {
     return grid.lists[grid.number(x.cell, y.cell)];
   }
 
+  /** Whether a circle whose centre is in the cell touches no wall, for certain. */
+  boolean isFree() {
+    return x.isFree() && y.isFree();
+  }
+
   /** One axis, in cells from the edge of the grid. */
   private static final class Axis {
     private double p;
@@ -71,6 +98,11 @@ final class ParabolaWalk {
     private double g;
     private int count;
     private double perSpeed;
+
+    /** A circle whose centre is between these places touches no wall. */
+    private double low;
+
+    private double high;
 
     /** The number of the cell, -1 or the count of cells outside of the grid. */
     private int cell;
@@ -101,6 +133,15 @@ final class ParabolaWalk {
     private static boolean isInRange(double speed) {
       double size = Math.abs(speed);
       return size == 0 || (size < FASTEST && size > 1 / FASTEST);
+    }
+
+    void keepBetween(double low, double high) {
+      this.low = low;
+      this.high = high;
+    }
+
+    boolean isFree() {
+      return cell >= low && cell < high - 1;
     }
 
     boolean isInside() {
