@@ -30,8 +30,11 @@ final class GapRoot {
   /** Steps of Newton's method, or halvings, towards the root. */
   private static final int STEPS = 20;
 
-  /** After a step of this size, in proportion, Newton's method is near enough to be corrected. */
-  private static final double LAST_STEP = 0x1p-30;
+  /**
+   * After a step of this size, in proportion, Newton's method is near enough to be corrected: about
+   * the square of it is left, and below {@link #MARGIN} in any case.
+   */
+  private static final double LAST_STEP = 0x1p-22;
 
   /** How near the root's interval the ends may be, in proportion. */
   static final double MARGIN = 0x1p-20;
@@ -334,8 +337,8 @@ final class GapRoot {
     double after = high;
     double t = start;
     for (int i = 0; i < STEPS; i++) {
-      double f = c0 + (c1 + (c2 + (c3 + c4 * t) * t) * t) * t;
-      double slope = c1 + (2 * c2 + (3 * c3 + 4 * c4 * t) * t) * t;
+      double f = Math.fma(Math.fma(Math.fma(Math.fma(c4, t, c3), t, c2), t, c1), t, c0);
+      double slope = Math.fma(Math.fma(Math.fma(4 * c4, t, 3 * c3), t, 2 * c2), t, c1);
       if (f > 0) {
         before = t;
       } else {
