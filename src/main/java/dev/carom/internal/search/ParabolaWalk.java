@@ -29,6 +29,9 @@ final class ParabolaWalk {
   private final Axis y = new Axis();
   private Grid grid;
 
+  /** The axis on which the next border is crossed. */
+  private Axis ahead = x;
+
   /** The end of the piece. */
   double to;
 
@@ -61,8 +64,14 @@ final class ParabolaWalk {
     }
     x.locate(from);
     y.locate(from);
-    to = Math.min(x.next, y.next);
+    look();
     return true;
+  }
+
+  /** Finds the end of the piece. */
+  private void look() {
+    ahead = x.next <= y.next ? x : y;
+    to = ahead.next;
   }
 
   private boolean isNear(double t) {
@@ -74,10 +83,9 @@ final class ParabolaWalk {
    * comes back to the grid: inside, the terms of a place do not outgrow the grid.
    */
   boolean advance() {
-    Axis axis = x.next <= y.next ? x : y;
-    boolean isFollowed = axis.isInside() || isNear(axis.next);
-    axis.cross();
-    to = Math.min(x.next, y.next);
+    boolean isFollowed = ahead.isInside() || isNear(to);
+    ahead.cross();
+    look();
     return isFollowed;
   }
 
@@ -99,10 +107,10 @@ final class ParabolaWalk {
     private int count;
     private double perSpeed;
 
-    /** A circle whose centre is between these places touches no wall. */
-    private double low;
+    /** A circle whose centre is in the cells from low to below high touches no wall. */
+    private int low;
 
-    private double high;
+    private int high;
 
     /** The number of the cell, -1 or the count of cells outside of the grid. */
     private int cell;
@@ -136,12 +144,13 @@ final class ParabolaWalk {
     }
 
     void keepBetween(double low, double high) {
-      this.low = low;
-      this.high = high;
+      boolean isSome = low < high;
+      this.low = isSome ? (int) Math.ceil(low) : 0;
+      this.high = isSome ? (int) Math.floor(high) : 0;
     }
 
     boolean isFree() {
-      return cell >= low && cell < high - 1;
+      return cell >= low && cell < high;
     }
 
     boolean isInside() {
@@ -166,12 +175,17 @@ final class ParabolaWalk {
      * turns just at a border, rounding may hide that it comes back: it then comes at once.
      */
     private void aim(double t) {
-      next = isLeaving() || step == 0 ? NEVER : Math.max(t, passage());
+      next = isLeaving() || step == 0 ? NEVER : later(t, passage());
       if (next == NEVER && step * g < 0) {
         step = -step;
         double back = passage();
         next = isLeaving() ? NEVER : Math.max(t, back < NEVER ? back : -v / g);
       }
+    }
+
+    /** The later of two times; less work than {@link Math#max}, which minds signs of 0. */
+    private static double later(double s, double t) {
+      return s > t ? s : t;
     }
 
     /** Whether it goes away from the grid. */
