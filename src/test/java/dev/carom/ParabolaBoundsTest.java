@@ -41,7 +41,8 @@ class ParabolaBoundsTest {
   private static final long SEED = Long.getLong("carom.seed", 1);
 
   /** Families in which mistakes are rare and queries cheap. */
-  private static final Set<String> RARE = Set.of("ceiling", "halfway", "underflow");
+  private static final Set<String> RARE =
+      Set.of("ceiling", "halfway", "halfway_side", "underflow");
 
   /** Constants of a class, and what they are multiplied with. */
   private record Weakening(String name, String owner, double factor, List<Double> values) {}
@@ -55,6 +56,7 @@ class ParabolaBoundsTest {
           new Weakening("Bernstein coefficients", "GapRoot", 0, List.of(48 * 0x1p-53)),
           new Weakening("residue", "GapRoot", 0, List.of(1024 * 0x1p-106, 64 * 0x1p-53, 8.0)),
           new Weakening("underflow of a gap", "GapRoot", 0, List.of(0x1p-460)),
+          new Weakening("root of a quadratic", "QuadraticRoot", 0, List.of(512 * 0x1p-106)),
           new Weakening("projection", "LineRegion", 0, List.of(16 * 0x1p-53)),
           new Weakening(
               "discriminant of a wall", "ParabolaWallSweep", NEARLY_NONE, List.of(8 * 0x1p-53)));

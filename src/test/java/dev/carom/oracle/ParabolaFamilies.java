@@ -34,6 +34,8 @@ public final class ParabolaFamilies {
     all.add(new ParabolaFamily("resting", ParabolaFamilies::resting));
     all.add(new ParabolaFamily("scaled", ParabolaFamilies::scaled));
     all.add(new ParabolaFamily("halfway", ParabolaFamilies::halfway));
+    all.add(new ParabolaFamily("halfway_side", ParabolaFamilies::halfwayToASide));
+    all.add(new ParabolaFamily("touching_side", ParabolaFamilies::touchingSide));
     all.add(new ParabolaFamily("halfway_wall", ParabolaFamilies::halfwayToAWall));
     all.add(new ParabolaFamily("ceiling", ParabolaFamilies::ceiling));
     all.add(new ParabolaFamily("underflow", ParabolaFamilies::underflow));
@@ -317,6 +319,64 @@ public final class ParabolaFamilies {
     }
     double[] n = {p.x(), p.y(), r, u.x(), u.y(), 0, y, 0, 0, 0, Double.POSITIVE_INFINITY};
     return new ParabolaQuery(PairQuery.of(n), g.x(), g.y());
+  }
+
+  /** The same with the side of a level line, whose height is corrected. */
+  private static ParabolaQuery halfwayToASide(Draw d) {
+    Point v = new Point(0, -d.log(1, 10)).turned(d.in(-1, 1));
+    double t = d.in(0.5, 1);
+    double r = d.log(0.1, 2);
+    Point g = d.direction().times(d.log(0.1, 10));
+    Point p = new Point(0, r).minus(v.times(t)).plus(g.times(t * t / 2));
+    Point u = v.minus(g.times(t));
+    Dyadic middle = Dyadic.of(t).plus(Dyadic.of(Math.ulp(t)).shift(-1));
+    double y = at(p.y(), u.y(), g.y(), middle).minus(Dyadic.of(r)).near();
+    double end = Double.POSITIVE_INFINITY;
+    double[] n = {-d.log(20, 99), y, d.log(20, 99), y, p.x(), p.y(), r, u.x(), u.y(), end};
+    return new ParabolaQuery(SegmentQuery.of(n), g.x(), g.y());
+  }
+
+  /** A gap, or a speed, at a contact: none, rounding, small, or plain. */
+  private static double slight(Draw d, double most) {
+    return switch (d.whole(0, 4)) {
+      case 0, 1 -> 0;
+      case 2 -> d.in(-2e-16, 2e-16);
+      case 3 -> d.sign() * d.log(1e-17, 1) * most;
+      default -> d.in(-most, most);
+    };
+  }
+
+  private static double window(Draw d) {
+    return d.pick(0, d.in(0, 1), d.log(1e-17, 1), Double.POSITIVE_INFINITY);
+  }
+
+  /** The acceleration of a disk at a contact: any, or along the normal or the tangent. */
+  private static Point pull(Draw d, Point normal) {
+    return switch (d.whole(0, 4)) {
+      case 0 -> new Point(0, -10);
+      case 1 -> normal.times(d.in(-10, 10));
+      case 2 -> normal.turned().times(d.in(-10, 10));
+      default -> d.direction().times(d.log(0.1, 10));
+    };
+  }
+
+  /** Starts at the side of a line, up to rounding: slides, leaves it, presses against it. */
+  private static ParabolaQuery touchingSide(Draw d) {
+    Point a = d.chance(0.3) ? d.node(9) : d.place();
+    Point w = d.chance(0.3) ? d.node(40) : d.direction().times(d.log(0.1, 100));
+    double length = Math.hypot(w.x(), w.y());
+    Point along = length > 0 ? w.times(1 / length) : new Point(1, 0);
+    Point normal = along.turned().times(d.sign());
+    double r = d.chance(0.3) ? 1 : d.log(0.1, 10);
+    double part = d.pick(d.in(0, 1), d.in(0, 1), d.in(-1, 2), d.whole(0, 1) + slight(d, 1e-9));
+    Point p = a.plus(w.times(part)).plus(normal.times(r + slight(d, r)));
+    double slide = d.chance(0.3) ? 0 : d.in(-10, 10);
+    Point v = along.times(slide).plus(normal.times(slight(d, 10)));
+    Point g = pull(d, normal);
+    double[] n = {
+      a.x(), a.y(), a.x() + w.x(), a.y() + w.y(), p.x(), p.y(), r, v.x(), v.y(), window(d)
+    };
+    return new ParabolaQuery(SegmentQuery.of(n), g.x(), g.y());
   }
 
   private static Dyadic at(double p, double v, double g, Dyadic t) {

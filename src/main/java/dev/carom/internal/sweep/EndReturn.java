@@ -121,7 +121,7 @@ final class EndReturn {
    *
    * @param sx the velocity of the disk less that of the line
    */
-  private static boolean isBeyond(
+  static boolean isBeyond(
       double px, double py, double sx, double sy, double gx, double gy, double qx, double qy,
       double ex, double ey, double from, double to) {
     double dx = px - qx;

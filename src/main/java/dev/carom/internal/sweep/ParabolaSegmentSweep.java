@@ -26,7 +26,8 @@ import dev.carom.internal.exact.RealRoot;
  *       until it hits that end, or for ever, that end is the answer.
  *   <li>If the height turns before, the other end counts, too. If it turns outside of the strip, so
  *       does the side, which the disk may hit when it enters the strip again.
- *   <li>All else, and all that doubles leave in doubt, goes to exact numbers.
+ *   <li>All else, and all that doubles leave in doubt, goes to {@link StripContact}, and what that
+ *       leaves in doubt to exact numbers.
  * </ol>
  */
 public final class ParabolaSegmentSweep {
@@ -67,6 +68,9 @@ public final class ParabolaSegmentSweep {
     }
     PrecisionCounters.parabola();
     double time = certain(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, T);
+    if (Double.isNaN(time)) {
+      time = StripContact.time(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, T);
+    }
     return !Double.isNaN(time)
         ? time
         : ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy).time(T);
@@ -165,10 +169,7 @@ public final class ParabolaSegmentSweep {
       if (Predicates.discriminant(bx, by, ax, ay, px, py, ax, ay, r, 0) >= 0) {
         return 0;
       }
-      double late = 2 * (Math.abs(c0) + GapRoot.error(m0 * m0)) / -c1;
-      return GapRoot.falls(c1, c2, m0, m1, m2, late)
-          ? GapRoot.upTo(T, timeNear(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, 0))
-          : GapRoot.DOUBT;
+      return GapRoot.DOUBT;
     }
     double c3 = 2 * h1 * h2;
     double c4 = h2 * h2;
@@ -252,10 +253,6 @@ public final class ParabolaSegmentSweep {
     double time = in;
     if (region == LineRegion.UNKNOWN || region == LineRegion.BESIDE) {
       time = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in);
-      if (Double.isNaN(time)) {
-        double exact = timeNear(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in);
-        time = GapRoot.beside(in, exact);
-      }
     }
     if (region == LineRegion.UNKNOWN) {
       region = LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, time);
@@ -265,12 +262,6 @@ public final class ParabolaSegmentSweep {
     }
     double before = time * (1 - 2 * GapRoot.MARGIN);
     return beyondAnEnd(region, px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, before, T);
-  }
-
-  private static double timeNear(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double ux, double uy, double t) {
-    return ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy).timeNear(t);
   }
 
   /**
@@ -310,7 +301,7 @@ public final class ParabolaSegmentSweep {
    * @param region which end
    * @param from a time at which it is there, or just before it enters the strip there
    */
-  private static double beyondAnEnd(
+  static double beyondAnEnd(
       int region, double px, double py, double r, double vx, double vy, double gx, double gy,
       double ax, double ay, double bx, double by, double ux, double uy, double from, double T) {
     boolean isStart = region == LineRegion.BEFORE;

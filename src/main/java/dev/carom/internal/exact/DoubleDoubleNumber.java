@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.exact;
+
+import static dev.carom.internal.exact.DoubleDouble.productTail;
+import static dev.carom.internal.exact.DoubleDouble.sumTail;
+
+/**
+ * A number of about 106 bits: the head is the double nearest to it, the tail the rest.
+ *
+ * <p>The bounds, in u^2 of the result: M. Joldes, J.-M. Muller and V. Popescu, Tight and rigorous
+ * error bounds for basic building blocks of double-word arithmetic, ACM Transactions on
+ * Mathematical Software 44 (2017); the root: V. Lefevre, N. Louvet, J.-M. Muller, J. Picot and L.
+ * Rideau, Accurate calculation of Euclidean norms using double-word arithmetic, the same 49 (2023).
+ * They hold as long as nothing underflows or overflows.
+ */
+public record DoubleDoubleNumber(double head, double tail) {
+
+  /** The sum of a double and a much smaller one. */
+  public static DoubleDoubleNumber of(double head, double tail) {
+    double sum = head + tail;
+    return new DoubleDoubleNumber(sum, tail - (sum - head));
+  }
+
+  /** This times a power of two. */
+  public DoubleDoubleNumber scaled(double factor) {
+    return new DoubleDoubleNumber(factor * head, factor * tail);
+  }
+
+  /** The sum: 4. */
+  public DoubleDoubleNumber plus(DoubleDoubleNumber that) {
+    double sum = head + that.head;
+    double tails = tail + that.tail;
+    DoubleDoubleNumber near = of(sum, sumTail(head, that.head, sum) + tails);
+    return of(near.head, near.tail + sumTail(tail, that.tail, tails));
+  }
+
+  /** The product: 5. */
+  public DoubleDoubleNumber times(DoubleDoubleNumber that) {
+    double product = head * that.head;
+    double crossed = Math.fma(head, that.tail, tail * that.head);
+    return of(product, productTail(head, that.head, product) + crossed);
+  }
+
+  /** The quotient: 15. */
+  public DoubleDoubleNumber over(DoubleDoubleNumber that) {
+    double quotient = head / that.head;
+    DoubleDoubleNumber product = that.times(new DoubleDoubleNumber(quotient, 0));
+    double rest = (head - product.head) + (tail - product.tail);
+    return of(quotient, rest / that.head);
+  }
+
+  /** The root of a positive number: 4. */
+  public DoubleDoubleNumber root() {
+    double root = Math.sqrt(head);
+    return of(root, (Math.fma(-root, root, head) + tail) / (2 * root));
+  }
+}
