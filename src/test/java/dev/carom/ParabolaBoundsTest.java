@@ -57,6 +57,7 @@ class ParabolaBoundsTest {
           new Weakening("residue", "GapRoot", 0, List.of(1024 * 0x1p-106, 64 * 0x1p-53, 8.0)),
           new Weakening("underflow of a gap", "GapRoot", 0, List.of(0x1p-460)),
           new Weakening("root of a quadratic", "QuadraticRoot", 0, List.of(512 * 0x1p-106)),
+          new Weakening("gap without cancellation", "DiskGap", 0, List.of(128 * 0x1p-106)),
           new Weakening("projection", "LineRegion", 0, List.of(16 * 0x1p-53)),
           new Weakening(
               "discriminant of a wall", "ParabolaWallSweep", NEARLY_NONE, List.of(8 * 0x1p-53)));

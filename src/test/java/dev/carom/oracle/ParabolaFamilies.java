@@ -36,6 +36,7 @@ public final class ParabolaFamilies {
     all.add(new ParabolaFamily("halfway", ParabolaFamilies::halfway));
     all.add(new ParabolaFamily("halfway_side", ParabolaFamilies::halfwayToASide));
     all.add(new ParabolaFamily("touching_side", ParabolaFamilies::touchingSide));
+    all.add(new ParabolaFamily("touching_disk", ParabolaFamilies::touchingDisk));
     all.add(new ParabolaFamily("halfway_wall", ParabolaFamilies::halfwayToAWall));
     all.add(new ParabolaFamily("ceiling", ParabolaFamilies::ceiling));
     all.add(new ParabolaFamily("underflow", ParabolaFamilies::underflow));
@@ -377,6 +378,21 @@ public final class ParabolaFamilies {
       a.x(), a.y(), a.x() + w.x(), a.y() + w.y(), p.x(), p.y(), r, v.x(), v.y(), window(d)
     };
     return new ParabolaQuery(SegmentQuery.of(n), g.x(), g.y());
+  }
+
+  /** The same at another disk, or at the end of a line. */
+  private static ParabolaQuery touchingDisk(Draw d) {
+    Point normal = d.direction();
+    Point at = d.chance(0.3) ? d.node(9) : d.place();
+    double r1 = d.chance(0.3) ? 1 : d.log(0.1, 10);
+    double r2 = d.pick(0, 1, d.log(0.1, 10));
+    Point p = at.plus(normal.times(r1 + r2 + slight(d, r1)));
+    double slide = d.chance(0.3) ? 0 : d.in(-10, 10);
+    Point v = normal.turned().times(slide).plus(normal.times(slight(d, 10)));
+    Point g = pull(d, normal);
+    double[] n = {p.x(), p.y(), r1, v.x(), v.y(), at.x(), at.y(), r2, 0, 0, window(d)};
+    boolean line = r2 == 0 && d.chance(0.5);
+    return new ParabolaQuery(line ? withLine(d, n) : PairQuery.of(n), g.x(), g.y());
   }
 
   private static Dyadic at(double p, double v, double g, Dyadic t) {

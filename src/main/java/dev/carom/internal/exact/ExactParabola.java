@@ -23,9 +23,6 @@ public final class ExactParabola {
 
   private static final Polynomial NONE = Polynomial.of();
 
-  /** Corrections of a time by Newton's method. */
-  private static final int CORRECTIONS = 6;
-
   /** Time 0. */
   static final RealRoot START = RealRoot.at(Dyadic.ZERO);
 
@@ -233,37 +230,6 @@ public final class ExactParabola {
   public double time(double T) {
     RealRoot root = first(T);
     return root == null ? Double.POSITIVE_INFINITY : root.nearest();
-  }
-
-  /**
-   * The double nearest to a time at which the gap falls to 0, from one near it by Newton's method;
-   * beside the line, if there is one. The signs at the middles to its neighbours tell that it is, so
-   * no root is isolated. NaN if they do not tell.
-   */
-  public double timeNear(double start) {
-    PrecisionCounters.exactParabola();
-    Polynomial gap = gaps[gaps.length / 2];
-    Polynomial slope = gap.derivative();
-    double t = start;
-    for (int i = 0; i < CORRECTIONS; i++) {
-      Dyadic at = Dyadic.of(t);
-      double f = rounded(gap.value(at));
-      t -= f / rounded(slope.value(at));
-    }
-    for (int i = 0; i < CORRECTIONS && t > 0 && t < Double.MAX_VALUE; i++) {
-      boolean isAfter = gap.sign(Dyadic.of(Math.nextDown(t)).plus(Dyadic.of(t)).half()) > 0;
-      boolean isBefore = gap.sign(Dyadic.of(t).plus(Dyadic.of(Math.nextUp(t))).half()) < 0;
-      if (isAfter && isBefore) {
-        return t;
-      }
-      t = isAfter ? Math.nextUp(t) : Math.nextDown(t);
-    }
-    return Double.NaN;
-  }
-
-  /** A number, rounded towards 0. */
-  private static double rounded(Dyadic x) {
-    return x.sign() * x.abs().floor();
   }
 
   /** The region at a time: -1 before the start, 0 beside the line, 1 beyond its end. */

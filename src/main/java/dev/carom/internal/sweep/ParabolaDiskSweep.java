@@ -136,10 +136,9 @@ public final class ParabolaDiskSweep {
         if (side < 0 || Predicates.gap(x1, y1, x2, y2, r1, r2) <= 0) {
           return 0;
         }
-        double late = 2 * (Math.abs(c0) + GapRoot.error(m0 * m0)) / -c1;
-        return GapRoot.falls(c1, c2, m0, m1, m2, late)
-            ? GapRoot.upTo(T, timeNear(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, 0))
-            : GapRoot.DOUBT;
+        double late = late(c0, c1, c2, m0, m1, m2);
+        double time = timeNear(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, 0);
+        return time <= late ? GapRoot.upTo(T, time) : GapRoot.DOUBT;
       }
       if (side < 0 && contact == FROM_OUTSIDE) {
         return GapRoot.DOUBT;
@@ -160,16 +159,26 @@ public final class ParabolaDiskSweep {
     }
     double nearest = nearest(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
     if (Double.isNaN(nearest)) {
-      double exact = timeNear(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
-      nearest = GapRoot.beside(t, exact);
+      double late = s <= 0 && side > 0 ? late(c0, c1, c2, m0, m1, m2) : 0;
+      double time = timeNear(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t < late ? 0 : t);
+      nearest = time <= late ? GapRoot.upTo(T, time) : GapRoot.beside(t, time);
     }
     return nearest;
+  }
+
+  /**
+   * A time by which the gap, above 0 at the start, has fallen below 0 without a turn; -1 if that is
+   * not certain.
+   */
+  private static double late(double c0, double c1, double c2, double m0, double m1, double m2) {
+    double late = 2 * (Math.abs(c0) + GapRoot.error(m0 * m0)) / -c1;
+    return late > 0 && GapRoot.falls(c1, c2, m0, m1, m2, late) ? late : -1;
   }
 
   private static double timeNear(
       double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
       double y2, double r2, double vx2, double vy2, double t) {
-    return ExactParabola.disk(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2).timeNear(t);
+    return new DiskGap(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2).nearest(r1, r2, t);
   }
 
   /** The double nearest to the root, DOUBT if some corrections of t do not tell. */

@@ -160,7 +160,10 @@ public final class ParabolaReturn {
         GapRoot.sign(c1, 2 * d * u) > 0
             || Predicates.dot(x1, y1, x2, y2, vx1, vy1, vx2, vy2) > 0;
     if (!leaves) {
-      return withoutSpeed(c2, u * u + d * g, c3, u * g, dx * gx + dy * gy, d * g);
+      double time = withoutSpeed(c2, u * u + d * g, c3, u * g, dx * gx + dy * gy, d * g);
+      return Double.isNaN(time)
+          ? new DiskGap(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2).returnWithoutSpeed(T)
+          : time;
     }
     // (m0 + m1 t + m2 t^2)^2 exceeds the terms 2 d u, u u + d g, u g and g g / 4 one by one.
     double m0 = Math.sqrt(2 * d * u);
