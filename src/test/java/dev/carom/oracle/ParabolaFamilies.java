@@ -365,6 +365,9 @@ public final class ParabolaFamilies {
   private static ParabolaQuery touchingSide(Draw d) {
     Point a = d.chance(0.3) ? d.node(9) : d.place();
     Point w = d.chance(0.3) ? d.node(40) : d.direction().times(d.log(0.1, 100));
+    if (d.chance(0.2)) {
+      w = new Point(0, w.y()); // so that it may move along the line exactly
+    }
     double length = Math.hypot(w.x(), w.y());
     Point along = length > 0 ? w.times(1 / length) : new Point(1, 0);
     Point normal = along.turned().times(d.sign());

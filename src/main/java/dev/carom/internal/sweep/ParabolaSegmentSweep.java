@@ -358,7 +358,7 @@ public final class ParabolaSegmentSweep {
    *
    * @param sx the velocity of the disk less that of the line
    */
-  private static int turn(
+  static int turn(
       double sx, double sy, double gx, double gy, double wx, double wy, double from, double to) {
     double h1 = wx * sy - wy * sx;
     double h2 = 0.5 * (wx * gy - wy * gx);

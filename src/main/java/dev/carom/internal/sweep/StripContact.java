@@ -56,10 +56,9 @@ final class StripContact {
     int bend = side * h2.sign();
     boolean isOutside = gap.sign() > 0;
     boolean falls = speed < 0 || (speed == 0 && bend < 0);
-    boolean isAlong = speed == 0 && bend == 0;
-    boolean leaves = speed >= 0 && bend >= 0 && (isOutside || !isAlong);
-    if (gap.sign() >= 0 && (leaves || isAlong)) {
-      return leaves ? NEVER : GapRoot.DOUBT;
+    boolean leaves = speed >= 0 && bend >= 0; // or moves along the line
+    if (leaves && gap.sign() >= 0) {
+      return NEVER; // nor does it overlap an end
     }
     if (!isOutside
         && LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, 0) != LineRegion.BESIDE) {
@@ -79,9 +78,13 @@ final class StripContact {
     }
     if (gap.sign() < 0) {
       double until = Math.min(exit(k0.head(), k1.head(), k2.head()), T);
-      boolean isBeside = isBeside(px, py, vx - ux, vy - uy, gx, gy, ax, ay, bx, by, until);
-      if (!isBeside || leaves || isAlong) {
-        return isBeside ? NEVER : GapRoot.DOUBT;
+      double sx = vx - ux;
+      double sy = vy - uy;
+      boolean isFree =
+          isBeside(px, py, sx, sy, gx, gy, ax, ay, bx, by, until)
+              || (leaves && isOneWay(sx, sy, gx, gy, bx - ax, by - ay, until));
+      if (!isFree || leaves) {
+        return isFree ? NEVER : GapRoot.DOUBT;
       }
     }
     double fall = QuadraticRoot.fall(k0, k1, k2);
@@ -133,6 +136,15 @@ final class StripContact {
     boolean isCertain = discriminant >= 0x1p-20 * (k1 * k1);
     double out = isCertain ? -2 * k0 / (k1 + Math.sqrt(discriminant)) : -0.5 * k1 / k2;
     return out * (1 + GapRoot.MARGIN);
+  }
+
+  /**
+   * Whether the motion along the line certainly has one direction up to a time: a disk that comes
+   * no nearer to the line then leaves the end that it passes.
+   */
+  private static boolean isOneWay(
+      double sx, double sy, double gx, double gy, double wx, double wy, double until) {
+    return ParabolaSegmentSweep.turn(sx, sy, gx, gy, wy, -wx, 0, until) < 0;
   }
 
   /** Whether a centre that starts beside the line is certain to stay there up to a time. */
