@@ -13,6 +13,7 @@ import dev.carom.oracle.ParabolaFamily;
 import dev.carom.oracle.ParabolaQuery;
 import dev.carom.oracle.SegmentQuery;
 import dev.carom.oracle.WallQuery;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.StringJoiner;
@@ -245,6 +246,98 @@ class ParabolaSweepTest {
             0,
             0x1.93e5939a08ceap-199);
     assertThat(time).isEqualTo(1.2832970836562791E-89);
+  }
+
+  /**
+   * A disk with an acceleration of -10 against a line, in contact at the start within rounding, in
+   * the order of the sweep without the velocity of the line; at last the window and the true time.
+   * Seated in a V of two lines; falling along a vertical line and past its end; at the joint of two
+   * lines.
+   */
+  private static final String CONTACTS =
+      """
+      -7.744168159939263e-17 1.6666666666666665 1 -0.046076151494304746 -0.06143486865907272 \
+      0 0 30 40 0 Infinity
+      -2.7755575615628914e-16 1.6666666666666663 1 3.1005740215122404 -4.134098695349652 \
+      0 0 -30 40 0 Infinity
+      -2.85050353000125e-16 1.6666666666666663 1 -1.0717815031037032 -1.4290420041382685 \
+      0 0 30 40 Infinity 1.4137043003924613e-9
+      4.29759936363746 7.396799151516613 1 -0.9288367676725362 -1.334012136669717 \
+      0 0 30 40 Infinity 3.0980517859845595e-15
+      0.5 5.55073634129931 0.5 0 -17.659284081220335 0 -2 0 99 0.5 Infinity
+      0.4999999999999999 2.360289347663948 0.5 0 -11.437530131648066 0 -2 0 99 0.5 Infinity
+      0.5 32.5982085649488 0.5 5.3985235635888694e-17 -9.227962351341052 \
+      0 -2 0 99 1.1315750209084718 Infinity
+      2.971771109349033 -18.76302434291932 1 -2.595118009107491 0.16384534779267987 \
+      3.1286893008046137 -19.753766811902757 6.180339887498945 -19.021130325903073 \
+      0.07361711290414859 Infinity
+      """;
+
+  @Test
+  void contactsWithLinesAtTheStartNeedNoExactNumbers() {
+    long before = PrecisionCounters.COUNT.exactParabolas;
+    for (String contact : CONTACTS.lines().toList()) {
+      double[] n = Arrays.stream(contact.split(" +")).mapToDouble(Double::parseDouble).toArray();
+      double time =
+          ParabolaSegmentSweep.time(
+              n[0], n[1], n[2], n[3], n[4], 0, -10, n[5], n[6], n[7], n[8], 0, 0, n[9]);
+      assertThat(time).isEqualTo(n[10]);
+    }
+    assertThat(PrecisionCounters.COUNT.exactParabolas).isEqualTo(before);
+  }
+
+  @Test
+  void contactsWithDisksAtTheStartNeedNoExactNumbers() {
+    long before = PrecisionCounters.COUNT.exactParabolas;
+    // All but touching a peg, it comes nearer slowly, or fast.
+    double slow =
+        ParabolaDiskSweep.time(
+            11.416835685962972,
+            35.47793244230939,
+            0.5,
+            2.520933829792924,
+            -7.075144539578793,
+            0,
+            -10,
+            10.666666666666666,
+            35.2,
+            0.3,
+            0,
+            0,
+            NEVER);
+    assertThat(slow).isEqualTo(2.790313288981091e-13);
+    double fast =
+        ParabolaDiskSweep.time(
+            26.13076570168882,
+            35.79397824517049,
+            0.5,
+            -6.982579459609074,
+            -6.683683962449991,
+            0,
+            -10,
+            26.666666666666668,
+            35.2,
+            0.3,
+            0,
+            0,
+            NEVER);
+    assertThat(fast).isEqualTo(8.870896863064536e-15);
+    // It flies off a peg along the tangent.
+    double back =
+        ParabolaReturn.toDisk(
+            3.9505440914875583,
+            33.398469857360446,
+            3.3650186085693945,
+            0.20842371307317462,
+            0,
+            -10,
+            4,
+            32.6,
+            0,
+            0,
+            NEVER);
+    assertThat(back).isEqualTo(NEVER);
+    assertThat(PrecisionCounters.COUNT.exactParabolas).isEqualTo(before);
   }
 
   /** Prints how many questions of each family exact numbers answered. */
