@@ -28,7 +28,7 @@ import org.junit.jupiter.api.Test;
  *
  * <p>More queries, and others: {@code mvn -pl src test -Dtest=ParabolaExactnessTest
  * -Dcarom.queries=1000000 -Dcarom.seed=2}. Those of some families alone: {@code
- * -Dcarom.families=.*touching.*}. Prints a table. The oracle takes about a millisecond a query.
+ * -Dcarom.families=.*touching.*}. Prints a table. The oracle takes about 0.2 ms a query.
  */
 class ParabolaExactnessTest {
   private static final long QUERIES = Long.getLong("carom.queries", 3_050);

@@ -83,6 +83,12 @@ public final class Dyadic implements Comparable<Dyadic> {
     return new Dyadic(m, e + bits);
   }
 
+  /** The greatest multiple of a power of two that is not above this number. */
+  Dyadic floor(Dyadic power) {
+    int k = power.magnitude() - 1;
+    return e >= k ? this : new Dyadic(m.shiftRight(k - e), k);
+  }
+
   public int signum() {
     return m.signum();
   }

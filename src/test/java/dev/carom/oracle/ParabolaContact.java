@@ -23,7 +23,7 @@ public record ParabolaContact(Part part, SturmRoot moment, Normal normal) {
     if (moment == null) {
       return 0;
     }
-    return Nearest.of(moment.narrow(70).low().near(), moment::compareTo);
+    return moment.nearest();
   }
 
   /** How far a time is from the true one, in ulps of that. */

@@ -2,8 +2,9 @@
 package dev.carom.oracle;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
-import java.util.stream.Stream;
+import java.util.function.Predicate;
 
 /**
  * The contract of contact for a circle with a constant acceleration, taken literally: the first
@@ -16,7 +17,10 @@ import java.util.stream.Stream;
  * the left is negative: the square of the distance then bends just before.
  */
 final class ParabolaOracle {
-  private static final int BITS = 260;
+  /** Bits of the time for a normal: of a point, whose velocity may nearly vanish, many more. */
+  private static final int BITS = 140;
+
+  private static final int BITS_OF_A_POINT = 260;
 
   /** A region, and the square of the distance less that of the radius, times a positive number. */
   private record Region(Part part, SturmPolynomial gap) {}
@@ -68,11 +72,11 @@ final class ParabolaOracle {
   static ParabolaContact after(ParabolaQuery query, double s) {
     ParabolaOracle oracle = of(query);
     boolean isPoint = oracle.r.signum() == 0;
-    Stream<SturmRoot> entries =
-        oracle.events().stream()
-            .filter(event -> isPoint ? oracle.arrives(event) : oracle.enters(event))
-            .filter(event -> oracle.contact(event).time() > s);
-    return within(oracle.first(entries), query.end());
+    return within(
+        oracle.first(
+            event ->
+                (isPoint ? oracle.arrives(event) : oracle.enters(event)) && event.nearest() > s),
+        query.end());
   }
 
   /** A disk against a disk or a line. */
@@ -116,24 +120,32 @@ final class ParabolaOracle {
   }
 
   ParabolaContact first() {
-    return r.signum() > 0 ? firstOfDisk() : first(events().stream().filter(this::arrives));
+    return r.signum() > 0 ? firstOfDisk() : first(this::arrives);
   }
 
   /** The first moment after which a gap is not above 0 and falls. */
   ParabolaContact firstOfDisk() {
-    return falls(null) ? contact(null) : first(events().stream().filter(this::falls));
+    return falls(null) ? contact(null) : first(this::falls);
   }
 
   /** The first moment at which a point arrives at another part than a given one. */
   ParabolaContact firstOfPoint(Part except) {
-    return first(events().stream().filter(this::arrives).filter(event -> part(event) != except));
+    return first(event -> arrives(event) && part(event) != except);
   }
 
-  private ParabolaContact first(Stream<SturmRoot> events) {
-    return events
-        .reduce((one, other) -> other.isBefore(one) ? other : one)
-        .map(this::contact)
-        .orElse(ParabolaContact.MISS);
+  /**
+   * The first of all moments for which a condition holds. Those that are too late need not be
+   * asked.
+   */
+  private ParabolaContact first(Predicate<SturmRoot> condition) {
+    SturmRoot first = null;
+    for (SturmRoot event : events()) {
+      boolean isLate = (first != null && event.isClearlyAfter(first));
+      if (!isLate && condition.test(event) && (first == null || event.isBefore(first))) {
+        first = event;
+      }
+    }
+    return first == null ? ParabolaContact.MISS : contact(first);
   }
 
   /** All moments at which the distance may begin to fall, or the region changes. */
@@ -145,6 +157,7 @@ final class ParabolaOracle {
     }
     events.addAll(alongStart.positiveRoots());
     events.addAll(alongEnd.positiveRoots());
+    events.sort(Comparator.comparing(event -> event.narrow(3).low()));
     return events;
   }
 
@@ -243,8 +256,9 @@ final class ParabolaOracle {
   /** As many digits as cancel between the terms of an offset and the radius, and some more. */
   private int bits(SturmRoot moment) {
     Dyadic terms = x.terms(moment.high()).plus(y.terms(moment.high()));
-    int cancelled = r.signum() == 0 ? 0 : terms.magnitude() - r.magnitude();
-    return BITS + Math.max(0, cancelled);
+    return r.signum() == 0
+        ? BITS_OF_A_POINT
+        : BITS + Math.max(0, terms.magnitude() - r.magnitude());
   }
 
   private int sideBefore(SturmRoot moment) {

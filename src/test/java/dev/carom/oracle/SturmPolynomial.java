@@ -4,18 +4,21 @@ package dev.carom.oracle;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
- * A polynomial over exact numbers, with Sturm sequences: the number of real roots in an interval,
- * and the signs of other polynomials at them, follow from the signs of remainders (A. Tarski, A
- * Decision Method for Elementary Algebra and Geometry, 1948). No root is divided out and no digits
- * decide.
+ * A polynomial over exact numbers, and its roots. They are isolated between those of the derivative
+ * (M. Rolle, 1691). The signs of other polynomials at them follow in the last resort from the signs
+ * of remainders in Sturm sequences (A. Tarski, A Decision Method for Elementary Algebra and
+ * Geometry, 1948). No root is divided out. Doubles decide a sign only where bounds prove it.
  */
 final class SturmPolynomial {
   static final SturmPolynomial ZERO = new SturmPolynomial();
 
   private final Dyadic[] c;
-  private List<SturmPolynomial> chain;
+  private SturmPolynomial derivative;
+  private Enclosure enclosure;
+  private List<SturmRoot> roots;
 
   /** From the constant coefficient on. */
   SturmPolynomial(Dyadic... c) {
@@ -65,10 +68,14 @@ final class SturmPolynomial {
     return product;
   }
 
+  /** Always the same object, so that {@link SturmRoot#sign} knows it again. */
   SturmPolynomial derivative() {
-    Dyadic[] d = new Dyadic[Math.max(0, c.length - 1)];
-    Arrays.setAll(d, i -> c[i + 1].times(Dyadic.of(i + 1)));
-    return new SturmPolynomial(d);
+    if (derivative == null) {
+      Dyadic[] d = new Dyadic[Math.max(0, c.length - 1)];
+      Arrays.setAll(d, i -> c[i + 1].times(Dyadic.of(i + 1)));
+      derivative = new SturmPolynomial(d);
+    }
+    return derivative;
   }
 
   /** This polynomial less its value at 0. A negative slope there counts as 0. */
@@ -86,7 +93,7 @@ final class SturmPolynomial {
     while (zeros < c.length && c[zeros].signum() == 0) {
       zeros++;
     }
-    return new SturmPolynomial(Arrays.copyOfRange(c, zeros, c.length));
+    return zeros == 0 ? this : new SturmPolynomial(Arrays.copyOfRange(c, zeros, c.length));
   }
 
   Dyadic value(Dyadic t) {
@@ -95,6 +102,20 @@ final class SturmPolynomial {
       value = value.times(t).plus(c[i]);
     }
     return value;
+  }
+
+  /** The sign at t >= 0. */
+  int sign(Dyadic t) {
+    int sign = signBetween(t, t);
+    return sign == 0 ? value(t).signum() : sign;
+  }
+
+  /** The sign from one number >= 0 to another; 0 if plain doubles leave it open. */
+  int signBetween(Dyadic low, Dyadic high) {
+    if (enclosure == null) {
+      enclosure = new Enclosure(c);
+    }
+    return enclosure.sign(low, high);
   }
 
   /** The sum of the absolute values of the terms at t >= 0. */
@@ -130,19 +151,11 @@ final class SturmPolynomial {
     int last = 0;
     int variations = 0;
     for (SturmPolynomial f : chain) {
-      int sign = f.value(t).signum();
+      int sign = f.sign(t);
       variations += sign * last < 0 ? 1 : 0;
       last = sign == 0 ? last : sign;
     }
     return variations;
-  }
-
-  /** The number of different roots between two numbers that are none. */
-  int roots(Dyadic low, Dyadic high) {
-    if (chain == null) {
-      chain = chain(this, derivative());
-    }
-    return variations(chain, low) - variations(chain, high);
   }
 
   /** The sum of the signs of q at the roots between two numbers that are none. */
@@ -151,14 +164,24 @@ final class SturmPolynomial {
     return variations(mixed, low) - variations(mixed, high);
   }
 
-  /** Its positive roots, each by itself; that many as there are different ones. */
+  /**
+   * Its positive roots in ascending order, each by itself; that many as there are different ones.
+   */
   List<SturmRoot> positiveRoots() {
-    List<SturmRoot> found = new ArrayList<>();
-    SturmPolynomial f = withoutZeroRoots();
-    if (f.degree() > 0) {
-      f.isolate(Dyadic.powerOfTwo(-f.reach(true)), Dyadic.powerOfTwo(f.reach(false)), found);
+    if (roots == null) {
+      SturmPolynomial f = withoutZeroRoots();
+      roots = f.changes() == 0 ? List.of() : f.isolate();
     }
-    return found;
+    return roots;
+  }
+
+  /**
+   * How often the sign changes from one coefficient to the next. There are no more positive roots,
+   * and one if it changes once (Descartes' rule of signs).
+   */
+  private int changes() {
+    int[] signs = Arrays.stream(c).mapToInt(Dyadic::signum).filter(sign -> sign != 0).toArray();
+    return (int) IntStream.range(1, signs.length).filter(i -> signs[i] != signs[i - 1]).count();
   }
 
   /** A k: all roots are below 2^k, or their reciprocals. Cauchy's bound is 1 + max |c_i / c_n|. */
@@ -169,14 +192,31 @@ final class SturmPolynomial {
     return Math.max(1, largest - lead.magnitude() + 2);
   }
 
-  private void isolate(Dyadic low, Dyadic high, List<SturmRoot> found) {
-    int count = roots(low, high);
-    if (count == 1) {
-      found.add(new SturmRoot(this, low, high));
-    } else if (count > 1) {
-      Dyadic middle = SturmRoot.noRoot(this, low, high);
-      isolate(low, middle, found);
-      isolate(middle, high, found);
+  /**
+   * Between two neighbouring roots of its derivative the polynomial is monotone: it has a root
+   * there if its signs at them differ. A root that it shares with the derivative is a multiple one.
+   */
+  private List<SturmRoot> isolate() {
+    List<SturmRoot> found = new ArrayList<>();
+    List<SturmRoot> turns = changes() > 1 ? derivative().positiveRoots() : List.of();
+    Dyadic low = Dyadic.powerOfTwo(-reach(true));
+    int before = c[0].signum();
+    for (SturmRoot turn : turns) {
+      int sign = turn.sign(this);
+      if (sign == 0) {
+        found.add(turn.of(this));
+      } else {
+        turn.narrow(this, sign);
+        if (sign != before) {
+          found.add(new SturmRoot(this, low, turn.low()));
+        }
+      }
+      low = turn.high();
+      before = sign(low);
     }
+    if (c[degree()].signum() != before) {
+      found.add(new SturmRoot(this, low, Dyadic.powerOfTwo(reach(false))));
+    }
+    return found;
   }
 }
