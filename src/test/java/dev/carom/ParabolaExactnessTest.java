@@ -2,6 +2,7 @@
 package dev.carom;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Hit;
@@ -16,11 +17,14 @@ import dev.carom.oracle.ParabolaJudge;
 import dev.carom.oracle.ParabolaQuery;
 import dev.carom.oracle.Part;
 import dev.carom.oracle.SegmentQuery;
+import dev.carom.oracle.Tally;
 import dev.carom.oracle.WallQuery;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /**
  * The promise of exactness for circles with a constant acceleration: no wrong decision, every time
@@ -48,6 +52,70 @@ class ParabolaExactnessTest {
           family.name(), chunks, chunk -> judge.judge(family, SEED * 1_000_000 + chunk, CHUNK));
     }
     tallies.assertNoFailure();
+  }
+
+  /** Defects of a detector: each must be seen in every answer that it spoils. */
+  private enum Defect {
+    TIME_TWO_ULPS_LATE {
+      @Override
+      Answer spoil(Answer a) {
+        double time = Math.nextUp(Math.nextUp(a.time()));
+        return new Answer(time, a.part(), a.nx(), a.ny());
+      }
+    },
+    NO_END {
+      @Override
+      Answer spoil(Answer a) {
+        return a.part() == Part.START || a.part() == Part.END ? Answer.MISS : a;
+      }
+    },
+    ENDS_SWAPPED {
+      @Override
+      Answer spoil(Answer a) {
+        Part other =
+            switch (a.part()) {
+              case START -> Part.END;
+              case END -> Part.START;
+              default -> a.part();
+            };
+        return new Answer(a.time(), other, a.nx(), a.ny());
+      }
+    },
+    NO_HIT {
+      @Override
+      Answer spoil(Answer a) {
+        return Answer.MISS;
+      }
+    },
+    NORMAL_TURNED {
+      @Override
+      Answer spoil(Answer a) {
+        return new Answer(a.time(), a.part(), a.nx() - 2e-15 * a.ny(), a.ny() + 2e-15 * a.nx());
+      }
+    };
+
+    /** The answer of the detector with the defect, to what is a hit. */
+    abstract Answer spoil(Answer answer);
+  }
+
+  @ParameterizedTest
+  @EnumSource(Defect.class)
+  void noDefectIsOverlooked(Defect defect) {
+    long[] spoilt = new long[1];
+    ParabolaJudge strict =
+        new ParabolaJudge(
+            query -> {
+              Answer answer = ask(query);
+              Answer spoiled = answer.part() == Part.NONE ? answer : defect.spoil(answer);
+              spoilt[0] += spoiled.equals(answer) ? 0 : 1;
+              return spoiled;
+            });
+    Tally tally = new Tally();
+    for (ParabolaFamily family : families()) {
+      tally = tally.plus(strict.judge(family, SEED, 3));
+    }
+    assertEquals(spoilt[0], tally.failures());
+    assertTrue(spoilt[0] > 30);
   }
 
   private static List<ParabolaFamily> families() {
