@@ -42,7 +42,7 @@ class ParabolaBoundsTest {
 
   /** Families in which mistakes are rare and queries cheap. */
   private static final Set<String> RARE =
-      Set.of("ceiling", "halfway", "halfway_side", "underflow");
+      Set.of("ceiling", "halfway", "halfway_side", "shallow_end", "underflow");
 
   /** Constants of a class, and what they are multiplied with. */
   private record Weakening(String name, String owner, double factor, List<Double> values) {}
@@ -59,6 +59,8 @@ class ParabolaBoundsTest {
           new Weakening("root of a quadratic", "QuadraticRoot", 0, List.of(512 * 0x1p-106)),
           new Weakening("gap without cancellation", "DiskGap", 0, List.of(128 * 0x1p-106)),
           new Weakening("projection", "LineRegion", 0, List.of(16 * 0x1p-53)),
+          new Weakening("projection at a rough time", "LineRegion", 0, List.of(0x1p-18)),
+          new Weakening("near an end", "ParabolaSegmentSweep", 0, List.of(0x1p-20)),
           new Weakening(
               "discriminant of a wall", "ParabolaWallSweep", NEARLY_NONE, List.of(8 * 0x1p-53)));
 

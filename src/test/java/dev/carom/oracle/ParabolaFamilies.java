@@ -41,6 +41,7 @@ public final class ParabolaFamilies {
     all.add(new ParabolaFamily("ceiling", ParabolaFamilies::ceiling));
     all.add(new ParabolaFamily("underflow", ParabolaFamilies::underflow));
     all.add(new ParabolaFamily("voronoi", ParabolaFamilies::voronoi));
+    all.add(new ParabolaFamily("shallow_end", ParabolaFamilies::shallowEnd));
     all.add(new ParabolaFamily("window_end", ParabolaFamilies::windowEnd));
     return all;
   }
@@ -464,6 +465,28 @@ public final class ParabolaFamilies {
     d.nudgeOne(n, 0.5);
     n[6] = Math.abs(n[6]);
     return new ParabolaQuery(SegmentQuery.of(n), g.x(), g.y());
+  }
+
+  /**
+   * Comes to the strip along a line near one of its ends, at an angle of 1e-8..1e-4, or starts
+   * there: while rounding leaves open when it enters the strip, it passes the end.
+   */
+  private static ParabolaQuery shallowEnd(Draw d) {
+    Point along = d.direction();
+    double length = d.log(0.1, 100);
+    double r = d.log(0.1, 20);
+    Point a = d.node(9);
+    Point b = a.plus(along.times(length));
+    double beside = d.sign() * length * d.log(1e-14, 1e-8);
+    Point touch = (d.chance(0.5) ? a : b).plus(along.times(beside)).plus(along.turned().times(r));
+    Point v = along.times(d.sign() * d.log(0.5, 100)).turned(d.sign() * d.log(1e-8, 1e-4));
+    Point g = d.direction().times(d.log(1e-3, 100));
+    double t = d.chance(0.3) ? 0 : d.in(0.01, 1);
+    Point p = touch.minus(v.times(t)).plus(g.times(t * t / 2));
+    Point u = v.minus(g.times(t));
+    double end = d.pick(2, Double.POSITIVE_INFINITY);
+    Query q = new SegmentQuery(a.x(), a.y(), b.x(), b.y(), p.x(), p.y(), r, u.x(), u.y(), end);
+    return new ParabolaQuery(q, g.x(), g.y());
   }
 
   /** The window ends at the rounded time of impact, or some ulps beside it. */
