@@ -4,9 +4,11 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.exact.ExactParabola;
+import dev.carom.internal.exact.ExactReturn;
 import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.ParabolaDiskSweep;
+import dev.carom.internal.sweep.ParabolaReturn;
 import dev.carom.internal.sweep.ParabolaSegmentSweep;
 import dev.carom.internal.sweep.ParabolaWallSweep;
 import dev.carom.oracle.Draw;
@@ -14,12 +16,14 @@ import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.ParabolaFamilies;
 import dev.carom.oracle.ParabolaFamily;
+import dev.carom.oracle.ParabolaNextFamilies;
 import dev.carom.oracle.ParabolaQuery;
 import dev.carom.oracle.SegmentQuery;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Method;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -102,6 +106,30 @@ class ParabolaBoundsTest {
     assertThat(mistakes).containsOnlyKeys(without.keySet());
   }
 
+  /** The side of a line that is left comes back, halfway between two doubles. */
+  @Test
+  void theBoundOfAReturnHoldsAndIsNeeded() {
+    Weakening weakening =
+        new Weakening("cross products", "ParabolaReturn", 0, List.of(128 * 0x1p-106));
+    MethodHandle whole = new Detector(null).side;
+    MethodHandle without = new Detector(weakening).side;
+    ParabolaFamily family = ParabolaNextFamilies.halfwayToASide();
+    Draw draw = new Draw(SEED);
+    int mistakes = 0;
+    for (int i = 0; i < 20 * QUERIES; i++) {
+      ParabolaQuery query = family.next(draw);
+      double[] a = ofLine(query);
+      double truth =
+          ExactReturn.toSide(1, a[3], a[4], a[5], a[6], a[7], a[8], a[9], a[10], a[11], a[12])
+              .time(a[13]);
+      double[] b = Arrays.copyOfRange(a, 2, 14);
+      b[0] = 1;
+      assertThat((double) Detector.call(whole, b)).as(query::hex).isEqualTo(truth);
+      mistakes += (double) Detector.call(without, b) == truth ? 0 : 1;
+    }
+    assertThat(mistakes).isPositive();
+  }
+
   private static List<ParabolaFamily> families() {
     return Stream.concat(ParabolaFamilies.all().stream(), ParabolaFamilies.ofMovingLines().stream())
         .toList();
@@ -176,6 +204,7 @@ class ParabolaBoundsTest {
     private final MethodHandle contact;
     private final MethodHandle disk;
     private final MethodHandle wall;
+    private final MethodHandle side;
 
     Detector(Weakening weakening) {
       ClassLoader classes = new PatchedClasses((name, pool) -> weaken(weakening, name, pool));
@@ -183,6 +212,7 @@ class ParabolaBoundsTest {
       contact = handle(classes, ParabolaSegmentSweep.class, "contact", 14);
       disk = handle(classes, ParabolaDiskSweep.class, "time", 13);
       wall = handle(classes, ParabolaWallSweep.class, "time", 7);
+      side = handle(classes, ParabolaReturn.class, "toSide", 12);
     }
 
     Reply ask(ParabolaQuery query) {

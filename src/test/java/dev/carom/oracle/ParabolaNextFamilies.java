@@ -14,9 +14,39 @@ public final class ParabolaNextFamilies {
 
   /** From every family with a circle or a line: the moment after the impact. */
   public static List<ParabolaFamily> ofReturns() {
-    return still()
-        .map(base -> new ParabolaFamily("return_" + base.name(), d -> after(d, base.next(d))))
-        .toList();
+    Stream<ParabolaFamily> after =
+        still()
+            .map(base -> new ParabolaFamily("return_" + base.name(), d -> after(d, base.next(d))));
+    return Stream.concat(after, Stream.of(halfwayToASide())).toList();
+  }
+
+  /**
+   * Back at the side of a line halfway between two doubles, up to about 2^-106 of the terms: the
+   * velocity of the disk less that of the line has so many bits.
+   */
+  public static ParabolaFamily halfwayToASide() {
+    return new ParabolaFamily("return_halfway_side", ParabolaNextFamilies::halfwayToASide);
+  }
+
+  private static ParabolaQuery halfwayToASide(Draw d) {
+    Point w = d.direction().times(d.log(1, 10));
+    Point n = w.turned().times(1 / Math.hypot(w.x(), w.y()));
+    double t = d.in(0.5, 1);
+    Point g = n.turned(d.in(-1, 1)).times(-d.log(1, 10));
+    double sx = d.in(-1, 1);
+    // 2 cross(w, s) = t cross(g, w)
+    Dyadic middle = Dyadic.of(t).plus(Dyadic.of(Math.ulp(t)).shift(-1));
+    Dyadic fall = Vector.of(g.x(), g.y()).cross(Vector.of(w.x(), w.y()));
+    Dyadic rest = middle.times(fall).shift(-1).plus(Dyadic.of(w.y()).times(Dyadic.of(sx)));
+    Dyadic sy = rest.over(Dyadic.of(w.x()), 160);
+    double vy = sy.near();
+    double uy = Dyadic.of(vy).minus(sy).near();
+    double r = d.in(0.5, 2);
+    Point p = w.times(0.5).plus(n.times(r));
+    Query q =
+        new MovingLineQuery(
+            0, 0, w.x(), w.y(), p.x(), p.y(), r, sx, vy, 0, uy, Double.POSITIVE_INFINITY);
+    return new ParabolaQuery(q, g.x(), g.y());
   }
 
   /** From every family with a circle or a line: through it, and back again. */
