@@ -37,6 +37,9 @@ final class EndReturn {
     double h0 = wx * dy - wy * dx;
     double h1 = wx * sy - wy * sx;
     double h2 = 0.5 * (wx * gy - wy * gx);
+    if (!(r < ParabolaSegmentSweep.LARGEST_RADIUS)) {
+      return GapRoot.DOUBT;
+    }
     double c0 = h0 * h0 - r * r * (wx * wx + wy * wy);
     double c1 = 2 * h0 * h1;
     double c2 = h1 * h1 + 2 * h0 * h2;

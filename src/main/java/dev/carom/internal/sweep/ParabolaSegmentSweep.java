@@ -53,6 +53,9 @@ public final class ParabolaSegmentSweep {
   /** Below this, no such product overflows. */
   private static final double MOST = 0x1p150;
 
+  /** The square of a larger radius may lift the underflow of w.w above all bounds. */
+  static final double LARGEST_RADIUS = 0x1p150;
+
   private ParabolaSegmentSweep() {}
 
   /** The correctly rounded time of impact, {@code +infinity} for none up to the window's end T. */
@@ -140,6 +143,9 @@ public final class ParabolaSegmentSweep {
   private static double certain(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
       double ay, double bx, double by, double ux, double uy, double T) {
+    if (!(r < LARGEST_RADIUS)) {
+      return GapRoot.DOUBT;
+    }
     double wx = bx - ax;
     double wy = by - ay;
     double dx = px - ax;

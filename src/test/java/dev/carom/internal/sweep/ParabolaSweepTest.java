@@ -376,4 +376,26 @@ class ParabolaSweepTest {
       SweptCircle.bounds(n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9]);
     }
   }
+
+  /** The square of such a length underflows, and that of the radius makes it count again. */
+  @Test
+  void aHugeDiskHitsATinyLine() {
+    double r = 0x1.5p360;
+    double px = -0x1.92a3b851398a1p358;
+    double py = 0x1.b4f8111ba7592p361;
+    double vx = 0x1.2dfaca3ceb279p361;
+    double vy = -0x1.177419a97b05cp363;
+    double gx = -0x1.c4f82f5b60bb6p362;
+    double gy = 0x1.d25c4cfc71114p363;
+    double length = 0x1.1a83bf6b20528p-586;
+    double time = 0.33333333333333326;
+    assertThat(
+            ParabolaSegmentSweep.time(
+                px, py, r, vx, vy, gx, gy, length, 0, 0, 0, 0, 0, Double.POSITIVE_INFINITY))
+        .isEqualTo(time);
+    assertThat(
+            ParabolaSegmentSweep.timeAfter(
+                px, py, r, vx, vy, gx, gy, length, 0, 0, 0, 0, 0, -1, Double.POSITIVE_INFINITY))
+        .isEqualTo(time);
+  }
 }
