@@ -24,11 +24,21 @@ final class Enclosure {
     }
   }
 
-  /** The sign that the polynomial has from one number &gt; 0 to another; 0 if that stays open. */
+  /** The sign at a number >= 0; 0 if it stays open. */
+  int sign(Dyadic t) {
+    double near = t.near();
+    return sign(near, near);
+  }
+
+  /** The sign that the polynomial has from one number >= 0 to another; 0 if that stays open. */
   int sign(Dyadic from, Dyadic to) {
-    double near = from.near();
-    double below = Math.max(0, Math.nextDown(near));
-    double above = Math.nextUp(from == to ? near : to.near());
+    return sign(from.near(), to.near());
+  }
+
+  /** The doubles are next to the numbers. */
+  private int sign(double from, double to) {
+    double below = Math.max(0, Math.nextDown(from));
+    double above = Math.nextUp(to);
     double least = 0;
     double most = 0;
     for (int i = low.length - 1; i >= 0; i--) {

@@ -106,16 +106,20 @@ final class SturmPolynomial {
 
   /** The sign at t >= 0. */
   int sign(Dyadic t) {
-    int sign = signBetween(t, t);
+    int sign = enclosure().sign(t);
     return sign == 0 ? value(t).signum() : sign;
   }
 
   /** The sign from one number >= 0 to another; 0 if plain doubles leave it open. */
   int signBetween(Dyadic low, Dyadic high) {
+    return enclosure().sign(low, high);
+  }
+
+  private Enclosure enclosure() {
     if (enclosure == null) {
       enclosure = new Enclosure(c);
     }
-    return enclosure.sign(low, high);
+    return enclosure;
   }
 
   /** The sum of the absolute values of the terms at t >= 0. */
