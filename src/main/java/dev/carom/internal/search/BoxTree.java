@@ -5,9 +5,9 @@ import dev.carom.internal.util.IntList;
 import java.util.Arrays;
 
 /**
- * A tree of bounding boxes over items, which are named by ints. The items are sorted into vertical
- * strips, and from bottom to top within a strip; each node is the box of a run of them. So neither
- * a distant item nor a large one spoils it. Immutable, safe for use by several threads.
+ * A tree of bounding boxes over items, which are named by ints. Each node is the box of a run of
+ * items. A run is divided across its longer side, so that nodes are nearly square. So neither a
+ * distant item nor a large one spoils it. Immutable, safe for use by several threads.
  */
 public final class BoxTree {
 
@@ -20,6 +20,9 @@ public final class BoxTree {
 
   /** A run of at most this many items is not divided further. */
   private static final int LEAF_SIZE = 4;
+
+  /** A run is sorted once for so many halvings: with one, the nodes are squarer, but dearer. */
+  private static final int HALVINGS = 4;
 
   /** Steps of a coordinate in the key by which items are sorted. */
   private static final double STEPS = 0x1p30;
@@ -41,7 +44,7 @@ public final class BoxTree {
    * @param boxes {@link #BOX} numbers for each item; rounding is the caller's
    */
   public BoxTree(int[] items, double[] boxes) {
-    int[] order = inStrips(boxes, items.length);
+    int[] order = order(boxes, items.length);
     this.items = new int[items.length];
     this.boxes = new double[items.length * BOX];
     for (int k = 0; k < order.length; k++) {
@@ -76,48 +79,65 @@ public final class BoxTree {
     boxes[at + TOP] = Math.nextUp(Math.max(ay, by) + radius);
   }
 
-  /** The order of the items: by the middles of their boxes, in steps of the whole. */
-  private static int[] inStrips(double[] boxes, int count) {
-    long[] keys = keys(boxes, count, LEFT);
-    Arrays.sort(keys);
-    int[] byX = places(keys, 0, count);
-    long[] byY = keys(boxes, count, BOTTOM);
-    int strip = LEAF_SIZE * (int) Math.ceil(Math.sqrt(count / (double) LEAF_SIZE));
-    for (int from = 0; from < count; from += strip) {
-      int to = Math.min(count, from + strip);
-      for (int k = from; k < to; k++) {
-        keys[k] = byY[byX[k]];
-      }
-      Arrays.sort(keys, from, to);
-    }
-    return places(keys, 0, count);
+  /** The order of the items: they are sorted as the keys, which have an item in the lower half. */
+  private static int[] order(double[] boxes, int count) {
+    long[] keys = new long[count];
+    Arrays.setAll(keys, k -> k);
+    divide(boxes, keys, 0, count);
+    int[] order = new int[count];
+    Arrays.setAll(order, k -> (int) keys[k]);
+    return order;
   }
 
-  /** The middles on one axis as whole numbers, each above the place of its item. */
-  private static long[] keys(double[] boxes, int count, int axis) {
-    double least = Double.POSITIVE_INFINITY;
-    double most = Double.NEGATIVE_INFINITY;
-    for (int k = 0; k < count; k++) {
-      least = Math.min(least, middle(boxes, k, axis));
-      most = Math.max(most, middle(boxes, k, axis));
+  /** Sorts a run of items across its longer side, divides it there, and goes on with each part. */
+  private static void divide(double[] boxes, long[] keys, int from, int to) {
+    if (to - from > LEAF_SIZE) {
+      boolean isHigh = length(boxes, keys, from, to, BOTTOM) > length(boxes, keys, from, to, LEFT);
+      sort(boxes, keys, from, to, isHigh ? BOTTOM : LEFT);
+      divideHalves(boxes, keys, from, to, HALVINGS);
     }
-    double scale = STEPS / (most / 2 - least / 2);
-    long[] keys = new long[count];
-    for (int k = 0; k < count; k++) {
-      int step = (int) ((middle(boxes, k, axis) / 2 - least / 2) * scale);
-      keys[k] = ((long) step << Integer.SIZE) | k;
+  }
+
+  private static void divideHalves(double[] boxes, long[] keys, int from, int to, int halvings) {
+    if (halvings == 0) {
+      divide(boxes, keys, from, to);
+    } else if (to - from > LEAF_SIZE) {
+      int middle = (from + to) >>> 1;
+      divideHalves(boxes, keys, from, middle, halvings - 1);
+      divideHalves(boxes, keys, middle, to, halvings - 1);
     }
-    return keys;
+  }
+
+  /** The length on one axis of the range that the middles of a run's boxes take. */
+  private static double length(double[] boxes, long[] keys, int from, int to, int axis) {
+    return end(boxes, keys, from, to, axis, 1) - end(boxes, keys, from, to, axis, -1);
+  }
+
+  /** Sorts a run of items by the middles of their boxes on one axis, in steps of their range. */
+  private static void sort(double[] boxes, long[] keys, int from, int to, int axis) {
+    double least = end(boxes, keys, from, to, axis, -1);
+    double scale = STEPS / (end(boxes, keys, from, to, axis, 1) / 2 - least / 2);
+    for (int i = from; i < to; i++) {
+      int item = (int) keys[i];
+      int step = (int) ((middle(boxes, item, axis) / 2 - least / 2) * scale);
+      keys[i] = ((long) step << Integer.SIZE) | item;
+    }
+    Arrays.sort(keys, from, to);
+  }
+
+  /** The least middle of a run's boxes on one axis, or the largest: in the direction -1 or 1. */
+  private static double end(
+      double[] boxes, long[] keys, int from, int to, int axis, int direction) {
+    double farthest = Double.NEGATIVE_INFINITY;
+    for (int i = from; i < to; i++) {
+      double middle = direction * middle(boxes, (int) keys[i], axis);
+      farthest = middle > farthest ? middle : farthest;
+    }
+    return direction * farthest;
   }
 
   private static double middle(double[] boxes, int item, int axis) {
     return boxes[item * BOX + axis] / 2 + boxes[item * BOX + axis + RIGHT] / 2;
-  }
-
-  private static int[] places(long[] keys, int from, int to) {
-    int[] places = new int[to - from];
-    Arrays.setAll(places, k -> (int) keys[from + k]);
-    return places;
   }
 
   /** Finds the boxes of a run of items, and of its halves. */
