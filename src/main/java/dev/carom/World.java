@@ -606,7 +606,8 @@ public final class World {
    * an aiming line that ends at the first ball in the way, see <a
    * href="doc-files/recipes.html#aiming">an aiming line that sees balls</a>. Lines and pegs go on
    * with their present velocities. A path has at most 100,000 impacts; one that would go on is not
-   * {@linkplain Trajectory#complete complete}.
+   * {@linkplain Trajectory#complete complete}. Places may differ from those of a circle that the
+   * world moves in the last digits, as times count from now.
    *
    * @param circle the circle at the start; its radius may be 0
    * @param velocity its velocity at the start
@@ -791,7 +792,7 @@ public final class World {
 
   /**
    * Sets the velocity of a circle, from now on. If the circle now approaches something that it
-   * touches, it bounces at once.
+   * touches, it bounces at the very start of the next step.
    *
    * @param id the id of the circle
    * @param vx the x component, finite
@@ -807,8 +808,9 @@ public final class World {
    * Moves a circle to another place at once. It hits nothing on the way.
    *
    * <p>If it overlaps something at the new place, it is not pushed out. If it approaches that
-   * thing, it bounces at once; otherwise it flies on. {@link SweptCircle#separation(Circle, Line)
-   * SweptCircle.separation} tells by how much to move it to be clear.
+   * thing, it bounces at the very start of the next step; otherwise it flies on. {@link
+   * SweptCircle#separation(Circle, Line) SweptCircle.separation} tells by how much to move it to be
+   * clear.
    *
    * @param id the id of the circle
    * @param x the x coordinate of the centre, finite

@@ -126,7 +126,8 @@ public final class SceneDataBuilder {
     int kind = Arrays.asList(obstacles).indexOf(last);
     if (last == null || kind < 0) {
       throw new IllegalStateException(
-          "velocity belongs to the line or peg just added: add one first");
+          "velocity belongs to the line or peg just added: add one first; that of a circle stands in"
+              + " circle(x, y, radius, vx, vy)");
     }
     int i = last.count() - 1;
     check(

@@ -35,16 +35,8 @@ final class DiskGap {
   private final Expansion gy;
 
   DiskGap(
-      double x1,
-      double y1,
-      double vx1,
-      double vy1,
-      double gx,
-      double gy,
-      double x2,
-      double y2,
-      double vx2,
-      double vy2) {
+      double x1, double y1, double vx1, double vy1, double gx, double gy, double x2, double y2,
+      double vx2, double vy2) {
     dx = Expansion.difference(x1, x2);
     dy = Expansion.difference(y1, y2);
     ux = Expansion.difference(vx1, vx2);

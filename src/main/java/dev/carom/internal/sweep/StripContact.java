@@ -23,20 +23,8 @@ final class StripContact {
 
   /** The time of impact up to T; NaN if double-double does not tell. */
   static double time(
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by,
-      double ux,
-      double uy,
-      double T) {
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy, double T) {
     Expansion wx = Expansion.difference(bx, ax);
     Expansion wy = Expansion.difference(by, ay);
     Expansion h0 =
@@ -100,21 +88,8 @@ final class StripContact {
    * @param isOutside whether it has not been in the strip before
    */
   private static double at(
-      double time,
-      boolean isOutside,
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by,
-      double ux,
-      double uy,
+      double time, boolean isOutside, double px, double py, double r, double vx, double vy,
+      double gx, double gy, double ax, double ay, double bx, double by, double ux, double uy,
       double T) {
     int region = LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, time);
     if (region == LineRegion.BESIDE) {
@@ -149,17 +124,8 @@ final class StripContact {
 
   /** Whether a centre that starts beside the line is certain to stay there up to a time. */
   private static boolean isBeside(
-      double px,
-      double py,
-      double sx,
-      double sy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by,
-      double until) {
+      double px, double py, double sx, double sy, double gx, double gy, double ax, double ay,
+      double bx, double by, double until) {
     double wx = bx - ax;
     double wy = by - ay;
     return EndReturn.isBeyond(px, py, sx, sy, gx, gy, ax, ay, wx, wy, 0, until)
