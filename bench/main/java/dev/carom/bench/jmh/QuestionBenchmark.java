@@ -112,8 +112,13 @@ public class QuestionBenchmark {
     /** Draws the circles and the questions. */
     @Setup
     public void draw() {
+      draw(0);
+    }
+
+    void draw(double gravity) {
       SplittableRandom random = new SplittableRandom(1);
-      SceneBuilder scene = Scene.builder().bounds(0, 0, 1000, 1000).collide(true);
+      SceneBuilder scene =
+          Scene.builder().bounds(0, 0, 1000, 1000).gravity(0, gravity).collide(true);
       for (int i = 0; i < 10_000; i++) {
         double vx = random.nextDouble(-1, 1);
         double vy = random.nextDouble(-1, 1);
@@ -122,6 +127,17 @@ public class QuestionBenchmark {
       world = new World(scene.build());
       world.advanceTo(5);
       draw(random, 1000);
+    }
+  }
+
+  /** The same circles, which fall. */
+  @State(Scope.Thread)
+  public static class Falling extends Circles {
+
+    @Override
+    @Setup
+    public void draw() {
+      draw(-1);
     }
   }
 
@@ -219,5 +235,16 @@ public class QuestionBenchmark {
   public Optional<Impact> castAmongCircles(Circles circles) {
     int i = circles.next();
     return circles.world.cast(circles.points[i], circles.velocities[i], FAR);
+  }
+
+  /**
+   * The same among circles that fall and collide.
+   *
+   * @param circles the circles
+   * @return the impact
+   */
+  @Benchmark
+  public Optional<Impact> castAmongFalling(Falling circles) {
+    return castAmongCircles(circles);
   }
 }
