@@ -5,107 +5,151 @@ import dev.carom.internal.search.BoxTree;
 import dev.carom.internal.state.MovingCircle;
 
 /**
- * Where a circle is now that a cast can touch in some part of its path. All circles of a {@link
- * CircleIndex} have velocities and accelerations of a known range. So a circle that is touched at a
- * time t is now at {@code p + (v - velocity) t - acceleration t^2 / 2}, give or take the radii.
+ * When a cast can first touch circles of which only ranges are known: of their places now, their
+ * velocities and their accelerations.
+ *
+ * <p>They are touched at a time t only if on each axis the two ranges of places overlap at that
+ * time. The gap between two sides, g now, is closed while {@code g <= u t + a t^2 / 2}, where u is
+ * the fastest closing speed and a the largest closing acceleration.
  */
 final class CastReach {
 
   /** In units of the terms of a position: far more than its rounding. */
   private static final double ROUNDING = 0x1p-40;
 
-  /** The first piece of a path is so many distances between neighbours long: measured. */
-  private static final double FIRST_PIECE = 2;
+  /** Squares above this do not suffer from underflow. */
+  private static final double TINY = 0x1p-900;
 
-  private final BoxTree.Outside outside = new BoxTree.Outside();
+  private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  private MovingCircle m;
-  private BoxTree tree;
-
-  /** The boxes of all velocities and accelerations. */
+  // The boxes of the nodes.
+  private double[] places;
   private double[] velocities;
-
   private double[] accelerations;
 
-  /** The length of the first piece of the path. */
-  private double piece;
-
-  /** The largest speed of a circle, that relative to the cast, and the largest acceleration. */
-  private double others;
-
-  private double speed;
-  private double pull;
-
-  // The box around the places of circles that can be touched.
+  // The sides of the cast now, and its velocity.
   private double left;
   private double bottom;
   private double right;
   private double top;
+  private double vx;
+  private double vy;
 
-  /** Begins a cast among the circles of an index, of which there is one at least. */
-  void start(MovingCircle cast, CircleIndex index) {
-    m = cast;
-    tree = index.tree();
+  /** The time from which, and the time until which, each gap looked at is closed. */
+  private double from;
+
+  private double until;
+
+  /** Begins a cast among the circles of an index. */
+  void start(MovingCircle m, CircleIndex index) {
+    places = index.tree().nodes();
     velocities = index.velocities();
     accelerations = index.accelerations();
-    double width = tree.side(BoxTree.RIGHT) - tree.side(BoxTree.LEFT);
-    double height = tree.side(BoxTree.TOP) - tree.side(BoxTree.BOTTOM);
-    piece = FIRST_PIECE * (m.radius + Math.sqrt(width / tree.size() * height));
-    others = farthest(velocities, 0, 0);
-    speed = farthest(velocities, m.vx, m.vy);
-    pull = farthest(accelerations, 0, 0);
+    double terms = Math.abs(m.x) + Math.abs(m.y) + index.tree().extent;
+    // This takes 2^-40 of each gap, so also 2^-41 of each time; all rounding is far less.
+    double reach = m.radius + ROUNDING * (m.radius + terms) + Double.MIN_NORMAL;
+    left = m.x - reach;
+    bottom = m.y - reach;
+    right = m.x + reach;
+    top = m.y + reach;
+    vx = m.vx;
+    vy = m.vy;
   }
 
-  /** The largest Manhattan distance of a point from those of a box. */
-  private static double farthest(double[] box, double x, double y) {
-    return Math.max(box[BoxTree.RIGHT] - x, x - box[BoxTree.LEFT])
-        + Math.max(box[BoxTree.TOP] - y, y - box[BoxTree.BOTTOM]);
+  /** A time before which the cast touches no circle of a node; infinite if it never does. */
+  double entry(int node) {
+    int k = node * BoxTree.BOX;
+    double[] p = places;
+    double[] v = velocities;
+    double[] a = accelerations;
+    from = 0;
+    until = Double.MAX_VALUE;
+    if (a == null) {
+      return straight(
+          p[k + BoxTree.LEFT] - right,
+          vx - v[k + BoxTree.LEFT],
+          left - p[k + BoxTree.RIGHT],
+          v[k + BoxTree.RIGHT] - vx,
+          p[k + BoxTree.BOTTOM] - top,
+          vy - v[k + BoxTree.BOTTOM],
+          bottom - p[k + BoxTree.TOP],
+          v[k + BoxTree.TOP] - vy);
+    }
+    close(p[k + BoxTree.LEFT] - right, vx - v[k + BoxTree.LEFT], -a[k + BoxTree.LEFT]);
+    close(left - p[k + BoxTree.RIGHT], v[k + BoxTree.RIGHT] - vx, a[k + BoxTree.RIGHT]);
+    close(p[k + BoxTree.BOTTOM] - top, vy - v[k + BoxTree.BOTTOM], -a[k + BoxTree.BOTTOM]);
+    close(bottom - p[k + BoxTree.TOP], v[k + BoxTree.TOP] - vy, a[k + BoxTree.TOP]);
+    return from > until ? NEVER : from;
+  }
+
+  /** The same for one circle. */
+  double entry(CastTarget c) {
+    from = 0;
+    until = Double.MAX_VALUE;
+    close(c.x - c.r - right, vx - c.vx, -c.gx);
+    close(left - (c.x + c.r), c.vx - vx, c.gx);
+    close(c.y - c.r - top, vy - c.vy, -c.gy);
+    close(bottom - (c.y + c.r), c.vy - vy, c.gy);
+    return from > until ? NEVER : from;
   }
 
   /**
-   * The end of the piece of the path that begins at a time. A piece is longer than the first one by
-   * the way that circles have come closer before it.
+   * The first time at which four gaps are closed, each at a constant speed. If the speed is
+   * negative, the gap is closed until the quotient, not from then on. Maxima need no branch, which
+   * would be unpredictable; NaN, which proves nothing, is passed on.
    */
-  double end(double from) {
-    double way = piece + (others + 0.5 * pull * from) * from;
-    double fastest = speed + pull * from;
-    return from + 2 * way / (fastest + Math.sqrt(fastest * fastest + 2 * pull * way));
-  }
-
-  /** A test that rejects boxes without circles that the cast can touch between two times. */
-  BoxTree.Outside between(double from, double to) {
-    double terms = Math.abs(m.x) + Math.abs(m.y) + tree.extent + (speed + pull * to) * to;
-    double reach = m.radius + ROUNDING * (m.radius + terms);
-    left = m.x - reach - lead(BoxTree.RIGHT, m.vx, 1, from, to);
-    bottom = m.y - reach - lead(BoxTree.TOP, m.vy, 1, from, to);
-    right = m.x + reach + lead(BoxTree.LEFT, m.vx, -1, from, to);
-    top = m.y + reach + lead(BoxTree.BOTTOM, m.vy, -1, from, to);
-    return outside.set(left, bottom, right, top);
-  }
-
-  /** How far a circle can get ahead of the cast on one axis, in a direction: +1 or -1. */
-  private double lead(int side, double v, int direction, double from, double to) {
-    double u = direction * (velocities[side] - v);
-    double g = direction * accelerations[side];
-    double straight = Math.max(u * from, u * to);
-    return g == 0 ? straight : straight + 0.5 * Math.max(g * from * from, g * to * to);
+  private static double straight(
+      double gap1,
+      double u1,
+      double gap2,
+      double u2,
+      double gap3,
+      double u3,
+      double gap4,
+      double u4) {
+    double first = 0;
+    double last = Double.MAX_VALUE;
+    if (u1 >= 0) {
+      first = Math.max(first, gap1 / Math.abs(u1)); // for -0
+    } else {
+      last = Math.min(last, gap1 / u1);
+    }
+    if (u2 >= 0) {
+      first = Math.max(first, gap2 / Math.abs(u2));
+    } else {
+      last = Math.min(last, gap2 / u2);
+    }
+    if (u3 >= 0) {
+      first = Math.max(first, gap3 / Math.abs(u3));
+    } else {
+      last = Math.min(last, gap3 / u3);
+    }
+    if (u4 >= 0) {
+      first = Math.max(first, gap4 / Math.abs(u4));
+    } else {
+      last = Math.min(last, gap4 / u4);
+    }
+    return first > last ? NEVER : first;
   }
 
   /**
-   * Whether the cast is beyond all circles since the last piece began, and none comes up with it.
+   * Takes one gap into account: with {@code root^2 = u^2 + 2 a gap} it is closed from or until
+   * {@code 2 gap / (u +- root)}. Where that overflows, underflows or cancels, it proves nothing.
    */
-  boolean isPast() {
-    return (left > tree.side(BoxTree.RIGHT) && isSlow(BoxTree.RIGHT, m.vx))
-        || (bottom > tree.side(BoxTree.TOP) && isSlow(BoxTree.TOP, m.vy))
-        || (right < tree.side(BoxTree.LEFT) && isFast(BoxTree.LEFT, m.vx))
-        || (top < tree.side(BoxTree.BOTTOM) && isFast(BoxTree.BOTTOM, m.vy));
-  }
-
-  private boolean isSlow(int side, double v) {
-    return velocities[side] <= v && accelerations[side] <= 0;
-  }
-
-  private boolean isFast(int side, double v) {
-    return velocities[side] >= v && accelerations[side] >= 0;
+  private void close(double gap, double u, double a) {
+    double square = u * u + 2 * a * gap;
+    if (gap > 0 && u <= 0 && a <= 0) {
+      until = -1; // never
+    } else if (!(Math.abs(square) > TINY && Math.abs(square) <= Double.MAX_VALUE)) {
+      return;
+    } else if (gap > 0 && square < 0) {
+      until = -1; // it stops closing before
+    } else if (gap > 0) {
+      double root = Math.sqrt(square);
+      double t = u < 0 ? (root - u) / a : 2 * gap / (u + root);
+      from = Math.max(from, t);
+    } else if (u < 0 && a <= 0) {
+      until = Math.min(until, 2 * gap / (u - Math.sqrt(square)));
+    }
   }
 }

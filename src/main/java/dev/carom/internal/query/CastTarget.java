@@ -20,6 +20,10 @@ final class CastTarget {
   /** Doubles of a row: x, y, radius, vx, vy, gx, gy, and one to fill 64 bytes. */
   static final int ROW = 8;
 
+  // The columns of the velocity and of the acceleration.
+  static final int VX = 3;
+  static final int GX = 5;
+
   private final Hit hit = new Hit();
 
   double x;
@@ -73,9 +77,6 @@ final class CastTarget {
 
   /** Whether a cast may hit this circle; false only if it certainly does not. */
   boolean mayBeHit(MovingCircle m) {
-    if (isFalling()) {
-      return true;
-    }
     return DiskSweep.mayMeet(m.x - x, m.y - y, m.vx - vx, m.vy - vy, m.radius + r);
   }
 

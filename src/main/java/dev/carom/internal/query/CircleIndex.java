@@ -4,7 +4,6 @@ package dev.carom.internal.query;
 import dev.carom.internal.search.BoxTree;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
-import java.util.Arrays;
 
 /**
  * An index of the circles of a world where they are now: a {@link BoxTree} of their slots, and how
@@ -31,18 +30,14 @@ final class CircleIndex {
 
   private long tested;
 
-  /** The circles as they are now, by their slots. */
+  /** The circles as they are now, in the order of the tree. */
   private double[] rows;
 
-  /** The number of the last cast that found each circle, by its slot. */
-  private int[] foundBy = new int[0];
+  /** The boxes of the velocities in each node of the tree. */
+  private double[] velocities;
 
-  private int cast;
-
-  /** The box of all velocities, and that of all accelerations and 0. */
-  private final double[] velocities = new double[BoxTree.BOX];
-
-  private final double[] accelerations = new double[BoxTree.BOX];
+  /** The boxes of the accelerations in each node of the tree; null if no circle falls. */
+  private double[] accelerations;
 
   CircleIndex(CircleTable circles, CircleRegistry registry, boolean wanted) {
     this.wanted = wanted;
@@ -70,49 +65,35 @@ final class CircleIndex {
   private void make(double now) {
     int[] slots = registry.present().stream(slot -> !isThere(slot, now)).toArray();
     double[] boxes = new double[slots.length * BoxTree.BOX];
-    int end = slots.length == 0 ? 0 : slots[slots.length - 1] + 1;
-    rows = new double[end * CastTarget.ROW];
-    foundBy = new int[end];
-    cast = 0;
-    Arrays.fill(velocities, Double.NaN);
-    Arrays.fill(accelerations, 0);
     CastTarget circle = new CastTarget();
     for (int k = 0; k < slots.length; k++) {
-      int slot = slots[k];
-      circle.load(circles, slot, now).save(rows, slot * CastTarget.ROW);
+      circle.load(circles, slots[k], now);
       BoxTree.put(boxes, k, circle.x, circle.y, circle.x, circle.y, circle.r);
-      include(velocities, circle.vx, circle.vy);
-      include(accelerations, circle.gx, circle.gy);
     }
     tree = new BoxTree(slots, boxes);
-  }
-
-  /** Extends a box to a point; one of NaN is empty. */
-  private static void include(double[] box, double x, double y) {
-    box[BoxTree.LEFT] = x > box[BoxTree.LEFT] ? box[BoxTree.LEFT] : x;
-    box[BoxTree.BOTTOM] = y > box[BoxTree.BOTTOM] ? box[BoxTree.BOTTOM] : y;
-    box[BoxTree.RIGHT] = x < box[BoxTree.RIGHT] ? box[BoxTree.RIGHT] : x;
-    box[BoxTree.TOP] = y < box[BoxTree.TOP] ? box[BoxTree.TOP] : y;
-  }
-
-  /** Loads a circle of the index. */
-  CastTarget load(int slot, CastTarget circle) {
-    return circle.load(rows, slot * CastTarget.ROW);
-  }
-
-  /** Begins a cast: each circle is new to it. */
-  void beginCast() {
-    if (++cast == 0) { // after 2^32 casts
-      Arrays.fill(foundBy, 0);
-      cast = 1;
+    rows = new double[slots.length * CastTarget.ROW];
+    boolean falls = false;
+    for (int k = 0; k < slots.length; k++) {
+      circle.load(circles, tree.item(k), now).save(rows, k * CastTarget.ROW);
+      falls |= circle.isFalling();
     }
+    velocities = nodes(boxes, CastTarget.VX);
+    accelerations = falls ? nodes(boxes, CastTarget.GX) : null;
   }
 
-  /** Whether this cast finds a circle for the first time. */
-  boolean isNew(int slot) {
-    boolean isNew = foundBy[slot] != cast;
-    foundBy[slot] = cast;
-    return isNew;
+  /** The boxes of the nodes of the tree around a vector of each circle. */
+  private double[] nodes(double[] boxes, int column) {
+    for (int k = 0; k < tree.size(); k++) {
+      int at = k * CastTarget.ROW + column;
+      System.arraycopy(rows, at, boxes, k * BoxTree.BOX, 2);
+      System.arraycopy(rows, at, boxes, k * BoxTree.BOX + BoxTree.RIGHT, 2);
+    }
+    return tree.nodes(boxes);
+  }
+
+  /** Loads the circle at a place of the order of the tree. */
+  CastTarget load(int place, CastTarget circle) {
+    return circle.load(rows, place * CastTarget.ROW);
   }
 
   /** Whether a circle is there, and not beyond the range of doubles. */

@@ -11,10 +11,9 @@ import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.Hit;
-import dev.carom.internal.util.IntList;
 
 /** The search for the first circle that a cast hits. */
-final class FirstCircle {
+final class FirstCircle implements BoxTree.First {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -22,7 +21,6 @@ final class FirstCircle {
   private final CircleRegistry registry;
   private final CircleIndex index;
   private final CastReach reach = new CastReach();
-  private final IntList near = new IntList();
   private final CastTarget target = new CastTarget();
 
   /** The circle that was found before, where it has to be compared exactly. */
@@ -48,8 +46,9 @@ final class FirstCircle {
     now = present;
     if (index.tree() == null) {
       testEach();
-    } else if (index.tree().size() > 0) {
-      walk(index.tree());
+    } else {
+      reach.start(m, index);
+      index.tree().first(this);
     }
   }
 
@@ -64,23 +63,21 @@ final class FirstCircle {
     }
   }
 
-  /** Tests the circles along the path, piece by piece. */
-  private void walk(BoxTree tree) {
-    index.beginCast();
-    reach.start(m, index);
-    int most = 16 + 4 * (int) Math.sqrt(tree.size());
-    double from = 0;
-    for (int pieces = 0; from <= end() && from < NEVER; pieces++) {
-      double to = pieces < most ? reach.end(from) : NEVER;
-      near.clear();
-      tree.find(reach.between(from, Math.min(to, end())), near);
-      for (int k = 0; k < near.size(); k++) {
-        int slot = near.get(k);
-        if (index.isNew(slot) && index.load(slot, target).mayBeHit(m)) {
-          test(slot);
-        }
-      }
-      from = reach.isPast() ? NEVER : to;
+  @Override
+  public double entry(int node) {
+    return reach.entry(node);
+  }
+
+  @Override
+  public double limit() {
+    return Math.min(end(), Double.MAX_VALUE);
+  }
+
+  @Override
+  public void look(int place) {
+    index.load(place, target);
+    if (target.isFalling() ? !(reach.entry(target) > limit()) : target.mayBeHit(m)) {
+      test(index.tree().item(place));
     }
   }
 

@@ -19,7 +19,7 @@ public final class BoxTree {
   public static final int BOX = 4;
 
   /** A run of at most this many items is not divided further. */
-  private static final int LEAF_SIZE = 4;
+  private static final int LEAF_SIZE = 8;
 
   /** A run is sorted once for so many halvings: with one, the nodes are squarer, but dearer. */
   private static final int HALVINGS = 4;
@@ -34,6 +34,8 @@ public final class BoxTree {
 
   /** The box of node k, whose halves are nodes 2k + 1 and 2k + 2. */
   private final double[] nodes;
+
+  private final int nodeCount;
 
   /** The largest absolute coordinate of a box. */
   public final double extent;
@@ -55,13 +57,11 @@ public final class BoxTree {
     for (int runs = (items.length + LEAF_SIZE - 1) / LEAF_SIZE; runs > 1; runs = (runs + 1) / 2) {
       count = 2 * count + 1;
     }
-    nodes = new double[count * BOX];
+    nodeCount = count;
+    nodes = nodes(this.boxes);
     double largest = 0;
-    if (items.length > 0) {
-      build(0, 0, items.length);
-      for (int k = 0; k < BOX; k++) {
-        largest = Math.max(largest, Math.abs(nodes[k]));
-      }
+    for (int k = 0; k < BOX; k++) {
+      largest = Math.max(largest, Math.abs(nodes[k]));
     }
     extent = largest;
   }
@@ -140,24 +140,33 @@ public final class BoxTree {
     return boxes[item * BOX + axis] / 2 + boxes[item * BOX + axis + RIGHT] / 2;
   }
 
+  /** The boxes of the nodes around some boxes of the items, which are in the order of the tree. */
+  public double[] nodes(double[] ofItems) {
+    double[] made = new double[nodeCount * BOX];
+    if (items.length > 0) {
+      build(ofItems, made, 0, 0, items.length);
+    }
+    return made;
+  }
+
   /** Finds the boxes of a run of items, and of its halves. */
-  private void build(int node, int from, int to) {
+  private static void build(double[] boxes, double[] nodes, int node, int from, int to) {
     int k = node * BOX;
     if (to - from <= LEAF_SIZE) {
       System.arraycopy(boxes, from * BOX, nodes, k, BOX);
       for (int i = from + 1; i < to; i++) {
-        include(k, boxes, i * BOX);
+        include(nodes, k, boxes, i * BOX);
       }
       return;
     }
     int middle = (from + to) >>> 1;
-    build(2 * node + 1, from, middle);
-    build(2 * node + 2, middle, to);
+    build(boxes, nodes, 2 * node + 1, from, middle);
+    build(boxes, nodes, 2 * node + 2, middle, to);
     System.arraycopy(nodes, (2 * node + 1) * BOX, nodes, k, BOX);
-    include(k, nodes, (2 * node + 2) * BOX);
+    include(nodes, k, nodes, (2 * node + 2) * BOX);
   }
 
-  private void include(int k, double[] from, int other) {
+  private static void include(double[] nodes, int k, double[] from, int other) {
     nodes[k + LEFT] = Math.min(nodes[k + LEFT], from[other + LEFT]);
     nodes[k + BOTTOM] = Math.min(nodes[k + BOTTOM], from[other + BOTTOM]);
     nodes[k + RIGHT] = Math.max(nodes[k + RIGHT], from[other + RIGHT]);
@@ -166,6 +175,16 @@ public final class BoxTree {
 
   public int size() {
     return items.length;
+  }
+
+  /** The item at a place of the order of the tree. */
+  public int item(int place) {
+    return items[place];
+  }
+
+  /** The boxes of the nodes: node k at {@code k * BOX}. */
+  public double[] nodes() {
+    return nodes;
   }
 
   /** A side of the box around all items: {@link #LEFT} to {@link #TOP}. There must be an item. */
@@ -231,6 +250,51 @@ public final class BoxTree {
       if (!rejects.test(boxes, i * BOX)) {
         found.add(items[i]);
       }
+    }
+  }
+
+  // Items in the order of time.
+
+  /** A search for the item that comes first. */
+  public interface First {
+
+    /** A time before which no item of a node comes; infinite if none does, NaN if unknown. */
+    double entry(int node);
+
+    /** The time after which no item is of interest; finite. */
+    double limit();
+
+    /** Looks at the item at a place of the order of the tree. */
+    void look(int place);
+  }
+
+  /** Shows a search all items that may come before its limit; those of earlier runs come first. */
+  public void first(First search) {
+    if (items.length > 0 && !(search.entry(0) > search.limit())) {
+      first(0, 0, items.length, search);
+    }
+  }
+
+  private void first(int node, int from, int to, First search) {
+    if (to - from <= LEAF_SIZE) {
+      for (int place = from; place < to; place++) {
+        search.look(place);
+      }
+      return;
+    }
+    int middle = (from + to) >>> 1;
+    int lower = 2 * node + 1;
+    double ofLower = search.entry(lower);
+    double ofUpper = search.entry(lower + 1);
+    boolean upperFirst = ofUpper < ofLower;
+    if (upperFirst && !(ofUpper > search.limit())) {
+      first(lower + 1, middle, to, search);
+    }
+    if (!(ofLower > search.limit())) {
+      first(lower, from, middle, search);
+    }
+    if (!upperFirst && !(ofUpper > search.limit())) {
+      first(lower + 1, middle, to, search);
     }
   }
 
