@@ -232,41 +232,82 @@ final class CollisionPredictor {
       double dy = Math.fma(vyi, ofI, yi) - Math.fma(vyj, ofJ, s[c + FlightRow.Y]);
       double ux = vxi - vxj;
       double uy = vyi - vyj;
-      double by = uy * dy;
-      double b = Math.fma(ux, dx, by);
-      double toward = Math.fma(APART_BOUND, Math.abs(by), TimeOfImpact.TINY) - b;
-      double arr = Math.fma(ux, ux, Math.fma(uy, uy, SMALL)) * Math.fma(r, r, SMALL);
-      double ky = uy * dx;
-      double cross = Math.fma(ux, dy, -ky);
-      // No less than |ux dy| + |uy dx|. The loss by underflow times m is below TINY + its bound.
-      double m = Math.fma(2, Math.abs(ky), Math.abs(cross));
-      double near =
-          Math.fma(-cross, cross, arr)
-              + Math.fma(DISCRIMINANT_BOUND, Math.fma(m, m, arr), TimeOfImpact.TINY);
       found[left] = j;
       int other = j ^ i;
-      int passes = (int) ((below(toward) | below(near)) >> 32);
-      left += (~passes & (other | -other)) >>> 31;
+      left += (mayMeet(dx, dy, ux, uy, r) & (other | -other)) >>> 31;
     }
     return left;
   }
 
-  /** The same for circles that may have accelerations; not branch-free. */
+  /**
+   * Negative if two circles may meet; at least 0 only if they certainly do not approach, or pass.
+   *
+   * @param dx,dy the offset of one from the other
+   * @param ux,uy its relative velocity
+   * @param r the sum of the radii
+   */
+  private static int mayMeet(double dx, double dy, double ux, double uy, double r) {
+    double by = uy * dy;
+    double b = Math.fma(ux, dx, by);
+    double toward = Math.fma(APART_BOUND, Math.abs(by), TimeOfImpact.TINY) - b;
+    double arr = Math.fma(ux, ux, Math.fma(uy, uy, SMALL)) * Math.fma(r, r, SMALL);
+    double ky = uy * dx;
+    double cross = Math.fma(ux, dy, -ky);
+    // No less than |ux dy| + |uy dx|. The loss by underflow times m is below TINY + its bound.
+    double m = Math.fma(2, Math.abs(ky), Math.abs(cross));
+    double near =
+        Math.fma(-cross, cross, arr)
+            + Math.fma(DISCRIMINANT_BOUND, Math.fma(m, m, arr), TimeOfImpact.TINY);
+    return ~(int) ((below(toward) | below(near)) >> 32);
+  }
+
+  /**
+   * The same for circles that may have accelerations. Where two have the same, places and
+   * velocities are those of {@link FallingPair}, which asks the same question.
+   */
   int filterFalling(double[] s, int[] codes, int i, int[] found, int size) {
+    int a = CircleTable.collidingAt(i);
+    double xi = s[a + FlightRow.X];
+    double yi = s[a + FlightRow.Y];
+    double vxi = s[a + FlightRow.VX];
+    double vyi = s[a + FlightRow.VY];
+    double ti = s[a + FlightRow.T];
+    double tli = s[a + FlightRow.TL];
+    double ri = s[a + FlightRow.RADIUS];
+    double gx = circles.gx(i);
+    double gy = circles.gy(i);
     int left = 0;
     int end = size;
     for (int k = 0; k < end; k++) {
       int j = found[k];
       int follower = codes[CircleTable.collidingCodesAt(j) + CircleTable.FOLLOWER];
-      if (follower >= 0) {
-        found[end++] = follower;
-      }
+      found[end] = follower;
+      end += 1 + (follower >> 31);
       found[left] = j;
-      if (i != j && pair.mayMeet(s, i, j)) {
+      if (circles.gx(j) != gx || circles.gy(j) != gy) {
         left++;
+        continue;
       }
+      int c = CircleTable.collidingAt(j);
+      double r = ri + s[c + FlightRow.RADIUS];
+      double later = (s[c + FlightRow.T] - ti) + (s[c + FlightRow.TL] - tli);
+      double ofI = positive(later);
+      double ofJ = ofI - later;
+      double vxj = s[c + FlightRow.VX];
+      double vyj = s[c + FlightRow.VY];
+      double dx = fallen(xi, vxi, gx, ofI) - fallen(s[c + FlightRow.X], vxj, gx, ofJ);
+      double dy = fallen(yi, vyi, gy, ofI) - fallen(s[c + FlightRow.Y], vyj, gy, ofJ);
+      double ux = Math.fma(gx, ofI, vxi) - Math.fma(gx, ofJ, vxj);
+      double uy = Math.fma(gy, ofI, vyi) - Math.fma(gy, ofJ, vyj);
+      int other = j ^ i;
+      left += (mayMeet(dx, dy, ux, uy, r) & (other | -other)) >>> 31;
     }
     return left;
+  }
+
+  /** p + v t + g t^2 / 2, as {@link MovingCircle#place}. */
+  private static double fallen(double p, double v, double g, double t) {
+    return Math.fma(Math.fma(0.5 * g, t, v), t, p);
   }
 
   /** x, or 0 if x is negative; branch-free. */
@@ -451,7 +492,7 @@ final class CollisionPredictor {
    */
   private void find(MeetingTime found, double[] s, int i, int j, boolean known) {
     if (falls) {
-      findFalling(found, s, i, j);
+      findFalling(found, s, i, j, known);
       return;
     }
     int a = CircleTable.collidingAt(Math.min(i, j));
@@ -493,13 +534,13 @@ final class CollisionPredictor {
   }
 
   /** The same for circles that may have accelerations. */
-  private void findFalling(MeetingTime found, double[] s, int i, int j) {
+  private void findFalling(MeetingTime found, double[] s, int i, int j, boolean known) {
     int low = Math.min(i, j);
     int high = Math.max(i, j);
     double tau = NEVER;
     if (pair.start(s, low, high)) {
       boolean silent = pairs.haveSilent() && pairs.isSilent(low, high);
-      tau = silent ? pair.timeAfter(-1) : pair.time(pairs.skips(circles, low, high));
+      tau = silent ? pair.timeAfter(-1) : pair.time(known, pairs.skips(circles, low, high));
       keep(found, s, tau);
       while (silent && tau < NEVER && !isEntered(found, i, j)) {
         tau = pair.timeAfter(tau);

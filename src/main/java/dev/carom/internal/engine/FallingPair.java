@@ -4,6 +4,7 @@ package dev.carom.internal.engine;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.ParabolaDiskSweep;
 import dev.carom.internal.sweep.ParabolaReturn;
@@ -84,14 +85,6 @@ final class FallingPair {
     return Math.abs(x1 - x2) + Math.abs(y1 - y2) < NEVER && r1 + r2 > 0;
   }
 
-  /** Whether two circles may meet; false only if that is certain. */
-  boolean mayMeet(double[] s, int i, int j) {
-    if (!start(s, i, j)) {
-      return false;
-    }
-    return gx != 0 || gy != 0 || DiskSweep.mayMeet(x1 - x2, y1 - y2, vx1 - vx2, vy1 - vy2, r1 + r2);
-  }
-
   /**
    * The duration from the later start to the collision of two circles with the same acceleration,
    * by the bounds of {@link CollisionPredictor}; NaN in doubt.
@@ -124,12 +117,14 @@ final class FallingPair {
   /**
    * The duration from the later start to the collision.
    *
+   * @param known whether {@link #roughTime} told it
    * @param justMet whether they hit each other last: if both flights began there, it is the
    *     duration to their return
    */
-  double time(boolean justMet) {
+  double time(boolean known, boolean justMet) {
     if (gx == 0 && gy == 0) {
-      int contact = DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
+      int contact =
+          known ? Contact.LATER : DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
       return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
     }
     return justMet && together
@@ -140,7 +135,7 @@ final class FallingPair {
   /** The duration to the first contact from outside that comes after a given one. */
   double timeAfter(double after) {
     if (gx == 0 && gy == 0) {
-      double t = time(false);
+      double t = time(false, false);
       return t > after ? t : NEVER;
     }
     return ParabolaDiskSweep.timeAfter(
