@@ -4,10 +4,12 @@ package dev.carom;
 import dev.carom.internal.query.PathError;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.util.Check;
+import dev.carom.internal.util.Part;
 import java.util.Arrays;
 
 /**
@@ -168,24 +170,26 @@ public final class Uncertainty {
       loseAll();
       return;
     }
-    ImpactLog log = world.impacts();
-    int size = log.size();
+    // The rows name circles by their slots: the log would look up the id of each, only to have its
+    // slot looked up again.
+    ImpactRows rows = world.rows;
+    int size = rows.size();
     for (int row = 0; row < size; row++) {
-      int id = log.circle(row);
-      PathError path = path(id);
-      if (path != null && path.isFollowed()) {
-        take(path, id, log, row);
+      int slot = rows.circle(row);
+      PathError path = followed(slot);
+      if (path != null) {
+        take(path, slot, rows, row);
       }
     }
     double now = world.now();
+    CircleTable circles = world.circles;
     for (int row = 0; row < size; row++) {
-      int id = log.circle(row);
-      PathError path = path(id);
-      if (path != null && path.isFollowed()) {
-        int slot = world.ids.circle(id);
-        double vx = world.circles.vx(slot, now);
-        double vy = world.circles.vy(slot, now);
-        path.setVelocity(vx, vy, world.circles.gx(slot), world.circles.gy(slot), now);
+      int slot = rows.circle(row);
+      PathError path = followed(slot);
+      if (path != null) {
+        double vx = circles.vx(slot, now);
+        double vy = circles.vy(slot, now);
+        path.setVelocity(vx, vy, circles.gx(slot), circles.gy(slot), now);
       }
     }
   }
@@ -203,29 +207,34 @@ public final class Uncertainty {
     return id < paths.length ? paths[id] : null;
   }
 
-  private void take(PathError path, int id, ImpactLog log, int row) {
-    boolean isThere = world.contains(ObstacleKind.CIRCLE, id);
-    Outcome outcome = log.outcome(row);
-    if (isThere && outcome == Outcome.SENSED) {
+  /** The path of the circle in a slot; null if it is not followed. */
+  private PathError followed(int slot) {
+    PathError path = path(world.registry.id(slot));
+    return path != null && path.isFollowed() ? path : null;
+  }
+
+  private void take(PathError path, int slot, ImpactRows rows, int row) {
+    boolean isThere = world.registry.contains(slot);
+    int outcome = rows.outcome(row);
+    if (isThere && outcome == ImpactRows.SENSED) {
       return;
     }
-    if (!isThere || (outcome != Outcome.BOUNCED && outcome != Outcome.HALTED)) {
+    if (!isThere || (outcome != ImpactRows.BOUNCED && outcome != ImpactRows.HALTED)) {
       path.lose();
       return;
     }
-    int slot = world.ids.circle(id);
-    int code = Codes.of(log.kind(row).ordinal(), log.id(row));
+    int code = Codes.of(rows.kind(row), rows.obstacle(row));
     double r = world.circles.radius(slot);
-    double nx = log.nx(row);
-    double ny = log.ny(row);
-    double time = log.time(row);
+    double nx = rows.nx(row);
+    double ny = rows.ny(row);
+    double time = rows.time(row);
     if (isWide(path, r, time) && mayHitOther(path, slot, time, code)) {
       path.giveUp();
     }
     double e = world.circles.restitution(slot) * world.obstacles.restitution(code);
-    double radius = log.feature(row) == Feature.SIDE ? Double.POSITIVE_INFINITY : r + radius(code);
-    double x = log.x(row) + r * nx;
-    double y = log.y(row) + r * ny;
+    double radius = rows.feature(row) == Part.SIDE ? Double.POSITIVE_INFINITY : r + radius(code);
+    double x = rows.x(row) + r * nx;
+    double y = rows.y(row) + r * ny;
     path.bounce(time, x, y, nx, ny, radius, e, code);
   }
 

@@ -69,9 +69,9 @@ public final class World {
   private static final int LOG_MOST = 4096;
 
   private final Scene scene;
-  private final ImpactRows rows;
+  final ImpactRows rows;
   private final ImpactLog log;
-  private final CircleRegistry registry;
+  final CircleRegistry registry;
   final Handles ids;
   final Engine engine;
   final CircleTable circles;
