@@ -6,6 +6,7 @@ import static dev.carom.internal.exact.DoubleDouble.sumTail;
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.FlightRow;
+import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.TimeOfImpact;
@@ -240,30 +241,8 @@ final class CollisionPredictor {
   }
 
   /**
-   * Negative if two circles may meet; at least 0 only if they certainly do not approach, or pass.
-   *
-   * @param dx,dy the offset of one from the other
-   * @param ux,uy its relative velocity
-   * @param r the sum of the radii
-   */
-  private static int mayMeet(double dx, double dy, double ux, double uy, double r) {
-    double by = uy * dy;
-    double b = Math.fma(ux, dx, by);
-    double toward = Math.fma(APART_BOUND, Math.abs(by), TimeOfImpact.TINY) - b;
-    double arr = Math.fma(ux, ux, Math.fma(uy, uy, SMALL)) * Math.fma(r, r, SMALL);
-    double ky = uy * dx;
-    double cross = Math.fma(ux, dy, -ky);
-    // No less than |ux dy| + |uy dx|. The loss by underflow times m is below TINY + its bound.
-    double m = Math.fma(2, Math.abs(ky), Math.abs(cross));
-    double near =
-        Math.fma(-cross, cross, arr)
-            + Math.fma(DISCRIMINANT_BOUND, Math.fma(m, m, arr), TimeOfImpact.TINY);
-    return ~(int) ((below(toward) | below(near)) >> 32);
-  }
-
-  /**
-   * The same for circles that may have accelerations. Where two have the same, places and
-   * velocities are those of {@link FallingPair}, which asks the same question.
+   * The same for circles that may have accelerations. Two with the same one move straight relative
+   * to each other, from the places and velocities that {@link FallingPair} takes; others stay.
    */
   int filterFalling(double[] s, int[] codes, int i, int[] found, int size) {
     int a = CircleTable.collidingAt(i);
@@ -295,19 +274,40 @@ final class CollisionPredictor {
       double ofJ = ofI - later;
       double vxj = s[c + FlightRow.VX];
       double vyj = s[c + FlightRow.VY];
-      double dx = fallen(xi, vxi, gx, ofI) - fallen(s[c + FlightRow.X], vxj, gx, ofJ);
-      double dy = fallen(yi, vyi, gy, ofI) - fallen(s[c + FlightRow.Y], vyj, gy, ofJ);
-      double ux = Math.fma(gx, ofI, vxi) - Math.fma(gx, ofJ, vxj);
-      double uy = Math.fma(gy, ofI, vyi) - Math.fma(gy, ofJ, vyj);
+      double dx =
+          MovingCircle.place(xi, vxi, gx, ofI)
+              - MovingCircle.place(s[c + FlightRow.X], vxj, gx, ofJ);
+      double dy =
+          MovingCircle.place(yi, vyi, gy, ofI)
+              - MovingCircle.place(s[c + FlightRow.Y], vyj, gy, ofJ);
+      double ux = MovingCircle.velocity(vxi, gx, ofI) - MovingCircle.velocity(vxj, gx, ofJ);
+      double uy = MovingCircle.velocity(vyi, gy, ofI) - MovingCircle.velocity(vyj, gy, ofJ);
       int other = j ^ i;
       left += (mayMeet(dx, dy, ux, uy, r) & (other | -other)) >>> 31;
     }
     return left;
   }
 
-  /** p + v t + g t^2 / 2, as {@link MovingCircle#place}. */
-  private static double fallen(double p, double v, double g, double t) {
-    return Math.fma(Math.fma(0.5 * g, t, v), t, p);
+  /**
+   * Negative if two circles may meet; at least 0 only if they certainly do not approach, or pass.
+   *
+   * @param dx,dy the offset of one from the other
+   * @param ux,uy its relative velocity
+   * @param r the sum of the radii
+   */
+  private static int mayMeet(double dx, double dy, double ux, double uy, double r) {
+    double by = uy * dy;
+    double b = Math.fma(ux, dx, by);
+    double toward = Math.fma(APART_BOUND, Math.abs(by), TimeOfImpact.TINY) - b;
+    double arr = Math.fma(ux, ux, Math.fma(uy, uy, SMALL)) * Math.fma(r, r, SMALL);
+    double ky = uy * dx;
+    double cross = Math.fma(ux, dy, -ky);
+    // No less than |ux dy| + |uy dx|. The loss by underflow times m is below TINY + its bound.
+    double m = Math.fma(2, Math.abs(ky), Math.abs(cross));
+    double near =
+        Math.fma(-cross, cross, arr)
+            + Math.fma(DISCRIMINANT_BOUND, Math.fma(m, m, arr), TimeOfImpact.TINY);
+    return ~(int) ((below(toward) | below(near)) >> 32);
   }
 
   /** x, or 0 if x is negative; branch-free. */
