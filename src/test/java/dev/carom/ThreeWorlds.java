@@ -29,6 +29,9 @@ final class ThreeWorlds {
 
   private static final int BOUNCES = 5;
 
+  /** Of the world: a step of more work than this ends a session anyway. */
+  private static final EngineOptions SMALL_BUDGET = EngineOptions.budget(1.0 / 20);
+
   /** The source of random choices for the twin alone. */
   private final Random random;
 
@@ -58,7 +61,7 @@ final class ThreeWorlds {
   }
 
   private void begin() {
-    world = new World(scene);
+    world = new World(scene, SMALL_BUDGET);
     twin = new World(scene, options);
     past = new PastCheck(twin);
   }

@@ -13,6 +13,7 @@ import dev.carom.Snapshot;
 import dev.carom.Timeline;
 import dev.carom.Vec2;
 import dev.carom.World;
+import dev.carom.WorldsOfBudget;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -23,7 +24,10 @@ import org.junit.jupiter.api.Timeout;
  */
 class ExtremeWorldsTest {
 
-  private static final int WORLDS = 300;
+  private static final int WORLDS = Integer.getInteger("carom.worlds", 300);
+
+  /** Only some worlds may use all their budget: it is spent in exact arithmetic of huge numbers. */
+  private static final int SEEDS_OF_FULL_BUDGET = 15;
 
   @Test
   @Tag("long")
@@ -33,7 +37,8 @@ class ExtremeWorldsTest {
     int impacts = 0;
     for (int seed = 0; seed < WORLDS; seed++) {
       Extremes e = new Extremes(seed);
-      World world = world(e);
+      double budget = seed % SEEDS_OF_FULL_BUDGET == 0 ? 1 : 1.0 / 100;
+      World world = WorldsOfBudget.of(scene(e), budget);
       Timeline timeline = world.record(10);
       double pace = fastest(world);
       for (int frame = 0; frame < 4; frame++) {
@@ -51,8 +56,8 @@ class ExtremeWorldsTest {
     assertThat(impacts).isPositive();
   }
 
-  /** A world of size 10, with any speeds. */
-  private static World world(Extremes e) {
+  /** A scene of size 10, with any speeds. */
+  private static Scene scene(Extremes e) {
     SceneBuilder builder = Scene.builder().collide(e.random.nextBoolean());
     if (e.random.nextBoolean()) {
       builder.bounds(-10, -10, 10, 10);
@@ -65,7 +70,7 @@ class ExtremeWorldsTest {
       builder.circle(place(e), place(e), 0.1 + e.random.nextDouble(), e.any(), e.any());
       builder.mass(e.mass());
     }
-    return new World(builder.build());
+    return builder.build();
   }
 
   private static double place(Extremes e) {
