@@ -120,7 +120,6 @@ final class PatchedDetector {
   /**
    * A static method that takes doubles, perhaps an int before them.
    *
-   * @param doubles how many it takes
    * @param given how many it is to be given, in an array
    */
   private static MethodHandle handle(

@@ -48,9 +48,8 @@ final class RestoredTwin {
   }
 
   /**
-   * Advances it in one step, in which the same impacts happen as in the other one.
-   *
-   * @return false if that took more than its budget, which is not saved
+   * Advances it in one step, in which the same impacts happen as in the other one, and returns
+   * false if that took more than its budget, which is not saved.
    */
   boolean advance(World world, double end, List<Run.Row> rows) {
     if (!twin.advanceTo(end)) {

@@ -44,7 +44,6 @@ public final class AnimatedGif {
    * @param colorCount a power of two from 4 to 128
    * @param delay of each image in hundredths of a second
    * @param rest of the last image, before all begins again, in hundredths of a second
-   * @return the bytes
    * @throws IOException if this Java cannot write GIF
    */
   public static byte[] of(List<BufferedImage> images, int colorCount, int delay, int rest)

@@ -50,11 +50,7 @@ public final class BarChart {
     this.bars = List.copyOf(bars);
   }
 
-  /**
-   * Draws it.
-   *
-   * @return the picture
-   */
+  /** Draws it. */
   public Picture picture() {
     double head = legend.isEmpty() ? 0 : LEGEND;
     int height = (int) head + ROW * bars.size() + 6;

@@ -30,11 +30,7 @@ public final class BounceChart {
     this.curves = List.copyOf(curves);
   }
 
-  /**
-   * Draws it.
-   *
-   * @return one panel
-   */
+  /** Draws it. */
   public List<Panel> panels() {
     String title = "Energy error, as a part of the energy";
     return List.of(new Panel(title, new Picture(WIDTH, HEIGHT, description, this::draw)));

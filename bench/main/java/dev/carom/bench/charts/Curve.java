@@ -24,11 +24,7 @@ public record Curve(
     }
   }
 
-  /**
-   * The place of the last value of the line.
-   *
-   * @return its number, or -1 if there is none
-   */
+  /** The place of the last value of the line: its number, or -1 if there is none. */
   public int last() {
     int i = middle.length - 1;
     while (i >= 0 && Double.isNaN(middle[i])) {

@@ -52,11 +52,7 @@ public final class DriftChart {
     this.limit = limit;
   }
 
-  /**
-   * Draws it.
-   *
-   * @return a panel for each quantity
-   */
+  /** Draws it, and returns a panel for each quantity. */
   public List<Panel> panels() {
     List<Panel> all = new ArrayList<>();
     Rectangle2D where = new Rectangle2D.Double(2, 0, Picture.PANEL - 4, PANEL - 4);

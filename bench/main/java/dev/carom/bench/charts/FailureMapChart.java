@@ -85,11 +85,7 @@ public final class FailureMapChart {
     wide = (width - LEFT - RIGHT - (columns - 1) * SPACE) / columns;
   }
 
-  /**
-   * Draws it.
-   *
-   * @return the picture
-   */
+  /** Draws it. */
   public Picture picture() {
     int bands = (panels.size() + columns - 1) / columns;
     double each = HEAD + CELL * y.ticks.size() + 6;

@@ -64,11 +64,7 @@ public final class FrameStripsChart {
     this.budget = budget;
   }
 
-  /**
-   * Draws it.
-   *
-   * @return the picture
-   */
+  /** Draws it. */
   public Picture picture() {
     int height = (int) Math.ceil(ROW * strips.size() + FOOT);
     return new Picture(Picture.PANEL, height, description, g -> paint(g, height));

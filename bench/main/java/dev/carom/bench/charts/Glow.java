@@ -20,11 +20,7 @@ public final class Glow {
     left = new int[circles];
   }
 
-  /**
-   * Goes on by one frame.
-   *
-   * @param impacts of that frame
-   */
+  /** Goes on by one frame. */
   public void frame(ImpactLog impacts) {
     for (int i = 0; i < left.length; i++) {
       left[i] = Math.max(0, left[i] - 1);

@@ -87,11 +87,7 @@ public record Picture(int width, int height, String title, Consumer<Graphics2D> 
     return out.toByteArray();
   }
 
-  /**
-   * The bytes of an SVG file, without anything that differs from run to run.
-   *
-   * @return the picture
-   */
+  /** The bytes of an SVG file, without anything that differs from run to run: the picture. */
   public byte[] svg() {
     return (svg("d") + "\n").getBytes(StandardCharsets.UTF_8);
   }
@@ -100,7 +96,6 @@ public record Picture(int width, int height, String title, Consumer<Graphics2D> 
    * An SVG element, to stand in a page among others.
    *
    * @param prefix of the names that its parts refer to each other by, which no other has
-   * @return the element
    */
   public String svg(String prefix) {
     SVGGraphics2D g = new SVGGraphics2D(width, height);

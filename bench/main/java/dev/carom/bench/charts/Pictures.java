@@ -40,7 +40,6 @@ public final class Pictures {
   /**
    * Runs a scene once more and draws it; draws the frame times that were measured before.
    *
-   * @param scene the scene
    * @param frames the number of frames to run, each of length 1, at least 0
    * @param frameNanos the time of each frame of a replay in nanoseconds, finite and at least 0; at
    *     least one

@@ -44,11 +44,7 @@ public final class ScaleChart {
     this.limit = limit;
   }
 
-  /**
-   * Draws it.
-   *
-   * @return its panels
-   */
+  /** Draws it. */
   public List<Panel> panels() {
     return panels.entrySet().stream()
         .map(

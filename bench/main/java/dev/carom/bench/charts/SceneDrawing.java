@@ -62,7 +62,6 @@ public final class SceneDrawing {
    * Starts with arrows whose time suits the speeds at time 0: 1, 2, 3 or 5 times a power of ten.
    *
    * @param scene what to draw; if it has no bounds, what is there at time 0 must fit
-   * @return the drawing
    */
   public static SceneDrawing of(Scene scene) {
     Rectangle2D extent = SceneExtent.of(scene);
@@ -85,7 +84,6 @@ public final class SceneDrawing {
    * The same with other arrows.
    *
    * @param time the time of motion that an arrow shows, at least 0; at 0 there are no arrows
-   * @return the drawing
    */
   public SceneDrawing withArrowTime(double time) {
     return new SceneDrawing(scene, extent, time, margin, scheme);
@@ -95,7 +93,6 @@ public final class SceneDrawing {
    * The same with another margin.
    *
    * @param pixels the room around the scene, at least 0
-   * @return the drawing
    */
   public SceneDrawing withMargin(double pixels) {
     return new SceneDrawing(scene, extent, arrowTime, pixels, scheme);
@@ -105,17 +102,12 @@ public final class SceneDrawing {
    * The same in other colours.
    *
    * @param other for light or dark
-   * @return the drawing
    */
   public SceneDrawing withScheme(Style.Scheme other) {
     return new SceneDrawing(scene, extent, arrowTime, margin, other);
   }
 
-  /**
-   * The time of motion that an arrow shows.
-   *
-   * @return at least 0
-   */
+  /** The time of motion that an arrow shows: at least 0. */
   public double arrowTime() {
     return arrowTime;
   }
@@ -152,7 +144,6 @@ public final class SceneDrawing {
    *
    * @param area in pixels
    * @param share the point, in shares of the width from the left and of the height from the bottom
-   * @return the place
    */
   public Vec2 place(Rectangle2D area, Vec2 share) {
     double scale = scale(area.getWidth(), area.getHeight());
@@ -193,7 +184,6 @@ public final class SceneDrawing {
    *
    * @param to what to draw on; left as it was, but for the picture
    * @param area where on it, in pixels; nothing is drawn outside
-   * @param still the circles
    */
   public void draw(Graphics2D to, Rectangle2D area, Still still) {
     Graphics2D g = (Graphics2D) to.create();

@@ -20,7 +20,6 @@ public final class Sheet {
    * @param title what the reader is to take home
    * @param note what is shown
    * @param panels of one width, at least one
-   * @return the picture
    */
   public static Picture of(String title, String note, List<Panel> panels) {
     int columns = Math.min(COLUMNS, panels.size());

@@ -23,12 +23,7 @@ public final class Still {
     colors = new Color[circles];
   }
 
-  /**
-   * A scene at time 0.
-   *
-   * @param scene the scene
-   * @return its circles
-   */
+  /** The circles of a scene at time 0. */
   public static Still of(Scene scene) {
     Still still = new Still(scene.circleCount());
     for (int i = 0; i < scene.circleCount(); i++) {
@@ -58,8 +53,6 @@ public final class Still {
    * A world as it stands, with the circles that hit something lately glowing.
    *
    * @param world the world; it may move on
-   * @param glow of the same world
-   * @return its circles
    */
   public static Still of(World world, Glow glow) {
     Still still = of(world);
@@ -114,11 +107,7 @@ public final class Still {
     numbers[k + 4] = vy;
   }
 
-  /**
-   * The number of circles.
-   *
-   * @return at least 0
-   */
+  /** The number of circles: at least 0. */
   public int count() {
     return numbers.length / CIRCLE;
   }

@@ -45,7 +45,6 @@ public final class Style {
      * The same with another floor.
      *
      * @param other the inside of a scene
-     * @return the scheme
      */
     public Scheme withFloor(Color other) {
       return new Scheme(paper, other, ink, quiet, grid, rim);
@@ -135,7 +134,6 @@ public final class Style {
    * The font of texts.
    *
    * @param size in pixels, greater than 0
-   * @return the font
    */
   public static Font font(double size) {
     return new Font(FAMILY, Font.PLAIN, 1).deriveFont((float) size);
@@ -145,7 +143,6 @@ public final class Style {
    * The font of titles and of what is to be read first.
    *
    * @param size in pixels, greater than 0
-   * @return the font
    */
   public static Font bold(double size) {
     return new Font(FAMILY, Font.BOLD, 1).deriveFont((float) size);
@@ -155,7 +152,6 @@ public final class Style {
    * A whole line with round ends, so that a line of no length is a dot.
    *
    * @param width in pixels, at least 0
-   * @return the stroke
    */
   public static BasicStroke line(double width) {
     return new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
@@ -167,7 +163,6 @@ public final class Style {
    * @param width in pixels, greater than 0
    * @param on the length of a dash in pixels
    * @param off the length of a gap in pixels
-   * @return the stroke
    */
   public static BasicStroke dashes(double width, double on, double off) {
     float[] pattern = {(float) on, (float) off};
@@ -178,9 +173,7 @@ public final class Style {
   /**
    * A colour that lets through what lies under it.
    *
-   * @param color the colour
    * @param opacity from 0, nothing to be seen, to 1
-   * @return the colour with that opacity
    */
   public static Color veil(Color color, double opacity) {
     int alpha = (int) Math.round(255 * opacity);

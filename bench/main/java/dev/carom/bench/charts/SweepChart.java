@@ -45,11 +45,7 @@ public final class SweepChart {
     this.published = published;
   }
 
-  /**
-   * Draws it.
-   *
-   * @return its panels
-   */
+  /** Draws it. */
   public List<Panel> panels() {
     return panels.entrySet().stream()
         .map(

@@ -24,9 +24,7 @@ public final class Thumbnail {
   /**
    * Draws a scene at time 0.
    *
-   * @param scene what to draw
    * @param title what it is, for those who cannot see it
-   * @return the picture
    */
   public static Picture of(Scene scene, String title) {
     return new Picture(WIDTH, HEIGHT, title, g -> draw(g, scene));

@@ -34,11 +34,7 @@ public final class TrustChart {
     this.curves = curves;
   }
 
-  /**
-   * Draws it.
-   *
-   * @return one panel a scene
-   */
+  /** Draws it, and returns one panel a scene. */
   public List<Panel> panels() {
     return curves.entrySet().stream()
         .map(

@@ -65,7 +65,6 @@ public final class WorkPrecisionChart {
    * The first panel, large, with all knobs.
    *
    * @param width {@link Picture#WIDE} or {@link Picture#PANEL}
-   * @return the picture
    */
   public Picture large(int width) {
     int height = width < Picture.WIDE ? NARROW_TALL : TALL;
@@ -73,11 +72,7 @@ public final class WorkPrecisionChart {
     return picture(width, height, dots, width < Picture.WIDE ? SMALL_TEXT : 1);
   }
 
-  /**
-   * All panels, small, with the names of methods alone.
-   *
-   * @return one a panel, on the same axes
-   */
+  /** All panels, small, with the names of methods alone: one a panel, on the same axes. */
   public List<Panel> small() {
     return panels.entrySet().stream()
         .map(

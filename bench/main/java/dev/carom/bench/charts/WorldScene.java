@@ -26,10 +26,7 @@ public final class WorldScene {
   }
 
   /**
-   * A world as it stands.
-   *
-   * @param world the world
-   * @return what is there now; circles that flew out of the range of doubles are not
+   * A world as it stands: what is there now; circles that flew out of the range of doubles are not.
    */
   public static Scene of(World world) {
     WorldScene now = new WorldScene(world);
@@ -49,8 +46,6 @@ public final class WorldScene {
   /**
    * A world as it was.
    *
-   * @param world the world
-   * @param past its timeline
    * @param t a time within the recording * @return what was there then, with the properties that it
    *     had then * window shows gravity as it is now, and can change it)
    * @throws IllegalArgumentException if the time is not within the recording

@@ -60,7 +60,6 @@ public final class CaromBench {
   /**
    * Runs one command. Options without a command are those of {@code replay}.
    *
-   * @param args the command and its options
    * @return the exit code: 0 done, 1 failed, 2 a wrong command line
    */
   public static int execute(String... args) {

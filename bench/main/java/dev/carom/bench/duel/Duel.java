@@ -57,7 +57,6 @@ public final class Duel implements AutoCloseable {
    * Plays a scene by both for a moment, so that the virtual machine compiles them: otherwise the
    * first seconds would time its interpreter.
    *
-   * @param scene the scene
    * @param rival the method that plays it, too
    */
   public static void warmUp(Scene scene, Rival rival) {
@@ -75,20 +74,12 @@ public final class Duel implements AutoCloseable {
     }
   }
 
-  /**
-   * The scene at frame 0.
-   *
-   * @return the scene
-   */
+  /** The scene at frame 0. */
   public Scene scene() {
     return scene;
   }
 
-  /**
-   * The rival of this library.
-   *
-   * @return the rival
-   */
+  /** The rival of this library. */
   public Rival rival() {
     return rival;
   }
@@ -184,7 +175,6 @@ public final class Duel implements AutoCloseable {
   /**
    * The distance of each circle from where it should be.
    *
-   * @param played what was played
    * @param frame the number of that frame
    * @return in radii, ascending; infinite for a circle at no place
    */

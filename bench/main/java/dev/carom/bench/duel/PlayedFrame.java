@@ -23,11 +23,7 @@ public final class PlayedFrame {
     this.micros = micros;
   }
 
-  /**
-   * The number of circles.
-   *
-   * @return at least 0
-   */
+  /** The number of circles: at least 0. */
   public int circles() {
     return states.length / CIRCLE;
   }
@@ -76,17 +72,12 @@ public final class PlayedFrame {
    * Whether a circle got through a line, or out of the bounds, in this frame or before.
    *
    * @param i its number in the scene
-   * @return whether it is lost
    */
   public boolean isLost(int i) {
     return lost.get(i);
   }
 
-  /**
-   * How many are lost.
-   *
-   * @return at least 0
-   */
+  /** How many are lost: at least 0. */
   public int lost() {
     return lost.cardinality();
   }
@@ -97,9 +88,8 @@ public final class PlayedFrame {
   }
 
   /**
-   * How deep any circle ever reached into a line, a wall or another circle at the end of a frame.
-   *
-   * @return in radii, at least 0; not counted once it is lost
+   * How deep any circle ever reached into a line, a wall or another circle at the end of a frame:
+   * in radii, at least 0; not counted once it is lost.
    */
   public double penetration() {
     return penetration;
@@ -115,11 +105,7 @@ public final class PlayedFrame {
     return energy;
   }
 
-  /**
-   * The time of a frame.
-   *
-   * @return the median of the last 60 frames, in microseconds; NaN at the start
-   */
+  /** The time of a frame: the median of the last 60 frames, in microseconds; NaN at the start. */
   public double micros() {
     return micros;
   }

@@ -10,19 +10,12 @@ import java.util.function.Supplier;
 /** Small scenes in which methods fail, each in its own way, within five seconds. */
 @SuppressWarnings("ImmutableEnumChecker") // each maker is a static method
 public enum Preset {
-  /** Fast circles before thin lines. */
   FAST("Fast circles before thin lines", true, PresetScenes::fast),
-  /** Gaps that are a hair wider than a circle. */
   GAP("Gaps a hair wider, and a hair narrower, than the circle", true, PresetScenes::gap),
-  /** Acute corners. */
   CORNER("Acute corners, elastic", true, PresetScenes::corner),
-  /** Flights that nearly follow a wall. */
   SHALLOW("Flights that nearly follow a wall", true, PresetScenes::shallow),
-  /** Slow bounces. */
   SLOW("Bounces slower than half a pixel a frame", true, PresetScenes::slow),
-  /** Circles that come to rest in wedges. */
   WEDGE("Circles that come to rest in wedges", false, PresetScenes::wedge),
-  /** Rows of circles that collide. */
   ROW("A circle runs into a row of others that touch", true, PresetScenes::row);
 
   /** Five seconds. */
@@ -38,20 +31,12 @@ public enum Preset {
     this.maker = maker;
   }
 
-  /**
-   * The title of the scene.
-   *
-   * @return a phrase
-   */
+  /** The title of the scene: a phrase. */
   public String about() {
     return about;
   }
 
-  /**
-   * The scene.
-   *
-   * @return the scene at time 0
-   */
+  /** The scene at time 0. */
   public Scene scene() {
     return maker.get();
   }

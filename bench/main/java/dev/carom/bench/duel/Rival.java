@@ -8,21 +8,13 @@ import java.util.Locale;
 
 /** The methods that can play beside this library, by name. */
 public enum Rival {
-  /** Box2D as libGDX carries it. */
   BOX2D("Box2D, as it comes", "gdx-box2d-defaults"),
-  /** dyn4j. */
   DYN4J("dyn4j, as it comes", "dyn4j-defaults"),
-  /** JBox2D. */
   JBOX2D("JBox2D, as it comes", "jbox2d-defaults"),
-  /** The published algorithm. */
   PUBLISHED("the published algorithm", "poster"),
-  /** The overlap test, eight times a frame. */
   SUBSTEPS("8 substeps a frame", "substeps-8"),
-  /** Box2D, set up as well as it can be. */
   BOX2D_BEST("Box2D at its best", "gdx-box2d-best"),
-  /** dyn4j, set up as well as it can be. */
   DYN4J_BEST("dyn4j at its best", "dyn4j-best"),
-  /** JBox2D, set up as well as it can be. */
   JBOX2D_BEST("JBox2D at its best", "jbox2d-best");
 
   private final String title;
@@ -33,11 +25,7 @@ public enum Rival {
     this.id = id;
   }
 
-  /**
-   * Its name in headings.
-   *
-   * @return a phrase
-   */
+  /** Its name in headings: a phrase. */
   public String title() {
     return title;
   }

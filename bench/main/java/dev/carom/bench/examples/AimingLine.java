@@ -45,9 +45,8 @@ public final class AimingLine implements Example {
   private Vec2 aim = new Vec2(SPEED * 0.8, SPEED * 0.6);
 
   /**
-   * The way that a shot would take.
-   *
-   * @return from the ball to its seventh impact, or as far as it comes in 300 frames
+   * The way that a shot would take: from the ball to its seventh impact, or as far as it comes in
+   * 300 frames.
    */
   public Trajectory line() {
     Circle ball = new Circle(world.x(BALL), world.y(BALL), world.radius(BALL));
@@ -75,11 +74,7 @@ public final class AimingLine implements Example {
     }
   }
 
-  /**
-   * The world, to look at.
-   *
-   * @return the ball and what is in its way
-   */
+  /** The world, to look at: the ball and what is in its way. */
   public World world() {
     return world;
   }

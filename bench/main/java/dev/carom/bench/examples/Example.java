@@ -19,25 +19,16 @@ public interface Example {
   /**
    * Draws the present.
    *
-   * @param g what to draw on
    * @param area where on it, in pixels
    */
   void draw(Graphics2D g, Rectangle2D area);
 
-  /**
-   * The size that suits it.
-   *
-   * @return in pixels
-   */
+  /** The size that suits it: in pixels. */
   default Dimension size() {
     return new Dimension(840, 640);
   }
 
-  /**
-   * The instruction for a player.
-   *
-   * @return one line, to stand under the picture
-   */
+  /** The instruction for a player: one line, to stand under the picture. */
   String hint();
 
   /**
@@ -64,8 +55,6 @@ public interface Example {
   /**
    * Advances a world by a time span, in as many calls as its budget of work asks for.
    *
-   * @param world the world
-   * @param dt the time span
    * @param readLog reads the impacts of a call: the next one empties the log
    */
   static void advance(World world, double dt, Runnable readLog) {

@@ -34,7 +34,6 @@ public final class ExampleWindow extends JComponent {
   /**
    * Makes a window in which an example goes on, with its hint below.
    *
-   * @param title of the window
    * @param example what runs in it
    * @return the window, to be shown
    */

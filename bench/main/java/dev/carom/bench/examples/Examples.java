@@ -6,35 +6,20 @@ import java.util.Locale;
 
 /** The examples by name. */
 public enum Examples {
-  /** See {@link Breakout}. */
   BREAKOUT("a paddle is a line that moves between frames", 900),
-  /** See {@link Billiards}. */
   BILLIARDS("an aiming line that sees balls; friction is a velocity set between frames", 900),
-  /** See {@link Relaxation}. */
   GAS("speeds relax to those of Maxwell and Boltzmann", 200),
-  /** See {@link AimingLine}. */
   AIM("the way that a shot would take, bounces included", 0),
-  /** See {@link SinaiBilliard}. */
   SINAI("two orbits that start a trillionth apart", 530),
-  /** See {@link PiCollisions}. */
   PI("pi by counting collisions", 345),
-  /** See {@link Photon}. */
   PHOTON("a photon among mirrors, and the digits of its place that are sure", 300),
-  /** See {@link GameLoop}. */
   LOOP("fixed steps in a Swing timer, with gravity", 100),
-  /** See {@link Threads}. */
   THREADS("a scene split over two threads", 150),
-  /** See {@link Paddle}. */
   PADDLE("a paddle that moves as a player wants it, and pushes the ball", 330),
-  /** See {@link Lift}. */
   LIFT("a platform that carries a ball and throws two", 45),
-  /** See {@link Piston}. */
   PISTON("a gas that a lid compresses warms by the adiabatic law", 1_000),
-  /** See {@link WhatIf}. */
   WHATIF("a recorded run, and another future of it with a wall elsewhere", 240),
-  /** See {@link Plinko}. */
   PLINKO("balls fall among pegs, and the slots below count them", 12_000),
-  /** See {@link Pinball}. */
   PINBALL("slopes, bumpers and a plunger under gravity", 1_500);
 
   private final String about;
@@ -45,29 +30,17 @@ public enum Examples {
     this.frames = frames;
   }
 
-  /**
-   * Returns its subject.
-   *
-   * @return a phrase
-   */
+  /** Its subject: a phrase. */
   public String about() {
     return about;
   }
 
-  /**
-   * When a picture of it tells most.
-   *
-   * @return a number of frames
-   */
+  /** When a picture of it tells most: a number of frames. */
   public int frames() {
     return frames;
   }
 
-  /**
-   * Starts it.
-   *
-   * @return a new one, at its beginning
-   */
+  /** Starts it, and returns a new one, at its beginning. */
   public Example start() {
     return switch (this) {
       case BREAKOUT -> new Breakout();

@@ -111,11 +111,7 @@ public final class GameLoop implements Example {
     drawing.withScene(then).draw(g, area, Still.of(then).colored(COLORS::get));
   }
 
-  /**
-   * The loop itself: a component that shows the game and keeps it going.
-   *
-   * @return the component
-   */
+  /** The loop itself: a component that shows the game and keeps it going. */
   public JComponent component() {
     JComponent view =
         new JComponent() {

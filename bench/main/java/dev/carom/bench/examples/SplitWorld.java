@@ -87,9 +87,8 @@ public final class SplitWorld implements AutoCloseable {
   }
 
   /**
-   * The parts, in the order of their circles.
-   *
-   * @return one world a thread; each contains its own circles only
+   * The parts, in the order of their circles: one world a thread; each contains its own circles
+   * only.
    */
   public List<World> parts() {
     return List.copyOf(parts);

@@ -20,7 +20,6 @@ import dev.carom.Scene;
  * @param minSpeed the lowest speed in px a frame, finite, at least 0
  * @param maxSpeed the speed that all stay below, at least minSpeed; equal to it, every circle has
  *     it
- * @param seed any number
  */
 public record Crosses(
     int circles, int crosses, double radius, double minSpeed, double maxSpeed, long seed) {
@@ -64,12 +63,7 @@ public record Crosses(
     return new Crosses(100, 50, 10, 1, 10, seed);
   }
 
-  /**
-   * The same numbers with another seed.
-   *
-   * @param other any number
-   * @return these numbers, their seed replaced
-   */
+  /** The same numbers with another seed: these numbers, their seed replaced. */
   public Crosses withSeed(long other) {
     return new Crosses(circles, crosses, radius, minSpeed, maxSpeed, other);
   }

@@ -17,7 +17,6 @@ import dev.carom.SceneBuilder;
  *     has room for less than pi / 4
  * @param spread the largest radius, at least 1; radii are uniform from 1 to it
  * @param heavy whether a circle's mass is its radius squared; else all masses are 1
- * @param seed any number
  */
 public record Gas(int circles, double packing, double spread, boolean heavy, long seed) {
 

@@ -16,7 +16,6 @@ import java.util.Arrays;
  *     places at random soon run out
  * @param spread the largest radius, from 1 to 1e6
  * @param heavy whether a circle's mass is its radius squared; else all masses are 1
- * @param seed any number
  */
 public record MixedGas(int circles, double packing, double spread, boolean heavy, long seed) {
 

@@ -317,9 +317,8 @@ public final class EndScene {
   }
 
   /**
-   * Edits the world before a step, so that there is more to come.
-   *
-   * @return whether it edited anything
+   * Edits the world before a step, so that there is more to come, and returns whether it edited
+   * anything.
    */
   boolean steer(World world) {
     steered++;

@@ -24,11 +24,7 @@ public final class QueryFuzz {
   private long hits;
   private long refused;
 
-  /**
-   * Starts a row of queries.
-   *
-   * @param seed the same queries for the same one
-   */
+  /** Starts a row of queries. */
   public QueryFuzz(long seed) {
     bits = new Bits(seed);
   }
@@ -36,7 +32,6 @@ public final class QueryFuzz {
   /**
    * Asks some more.
    *
-   * @param count how many
    * @throws FindingException if an answer is none
    */
   public void ask(long count) throws FindingException {

@@ -44,10 +44,8 @@ public final class Soak {
   /**
    * Runs an elastic scene of finite masses.
    *
-   * @param scene the scene
    * @param impacts at least so many, after a twentieth of them that warms up and counts as well
    * @param afterRound told of each round that is done, from 1 to {@link #ROUNDS}
-   * @return what was found
    */
   public static SoakResult run(Scene scene, long impacts, IntConsumer afterRound) {
     ElasticRun run = new ElasticRun(scene);
@@ -62,8 +60,6 @@ public final class Soak {
   /**
    * Runs a scene on which the end rule works, and checks each step as a fuzz does.
    *
-   * @param kind which kind of scene
-   * @param seed the same run for the same one
    * @param impacts at least so many
    * @param afterRound told of each round that is done
    * @return how long it took

@@ -6,7 +6,6 @@ import java.util.Locale;
 /**
  * What a very long run of an elastic scene showed.
  *
- * @param times how long it was
  * @param escapes centres outside of the bounds at the end of a round, the most of all rounds
  * @param crossings flights of a centre, from impact to impact, through a line
  * @param overlaps pairs of colliding circles that are inside of each other at the end of a round,

@@ -6,7 +6,6 @@ import java.util.Locale;
 /**
  * How long a very long run was, and what it took.
  *
- * @param impacts of the whole run
  * @param end the world's time at its end
  * @param heapAtStart bytes in use after the first round
  * @param heapAtEnd bytes in use after the last one

@@ -15,7 +15,6 @@ import java.util.List;
  *
  * @param axis the line, or the peg's centre, at the start of a flight
  * @param radius of the peg, 0 of a line
- * @param velocity its own
  */
 record Solid(String name, Line axis, double radius, Vec2 velocity, boolean oneWay) {
 

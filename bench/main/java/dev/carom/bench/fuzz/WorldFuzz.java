@@ -15,7 +15,6 @@ public final class WorldFuzz {
   /**
    * Plays one session.
    *
-   * @param seed its seed, the same session for the same one
    * @throws FindingException if something is not as it must be; the message tells seed and scene
    */
   public void play(long seed) throws FindingException {

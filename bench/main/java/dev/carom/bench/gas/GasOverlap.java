@@ -27,7 +27,6 @@ public final class GasOverlap {
    * Plays a scene, untimed.
    *
    * @param scene whose circles collide, or not
-   * @param frames how many
    * @param frameTime how long each lasts
    * @return the deepest overlap of two circles, as a part of the smaller radius; 0 if none overlap
    */

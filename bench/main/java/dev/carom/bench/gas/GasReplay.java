@@ -11,7 +11,6 @@ import dev.carom.World;
  *
  * @param nanos what its steps took, without building the world and reading its log
  * @param collisions between circles
- * @param wallImpacts with walls
  * @param energyChange of the kinetic energy, relative to what it was
  */
 public record GasReplay(long nanos, long collisions, long wallImpacts, double energyChange) {
@@ -20,7 +19,6 @@ public record GasReplay(long nanos, long collisions, long wallImpacts, double en
    * Plays a scene once.
    *
    * @param scene whose circles collide
-   * @param frames how many
    * @param frameTime how long each lasts
    * @return what it took, and what happened
    */

@@ -15,8 +15,6 @@ import java.util.Arrays;
  *
  * @param median nanoseconds per collision over the rounds: what its steps took, without reading the
  *     log
- * @param least of the rounds
- * @param most of the rounds
  * @param collisions of all rounds together
  * @param frames of all rounds together
  * @param bytes allocated in the steps of the last round
@@ -73,7 +71,6 @@ public record GasSteady(
   /**
    * Plays a scene in which circles collide again and again.
    *
-   * @param scene the scene
    * @param rounds how many rounds, at least 1
    * @param collisions of one round, at least; it ends with a frame
    * @return what the rounds took

@@ -184,12 +184,7 @@ public class EditBenchmark {
     return s.world.step(1);
   }
 
-  /**
-   * One velocity set.
-   *
-   * @param s the world
-   * @return the world
-   */
+  /** One velocity set. */
   @Benchmark
   public World setVelocity(Steered s) {
     s.steerOne();
@@ -200,7 +195,6 @@ public class EditBenchmark {
    * A snapshot of 1,000 circles that ignore each other.
    *
    * @param s the worlds
-   * @return the snapshot
    */
   @Benchmark
   public Snapshot snapshotAlone(Thousand s) {
@@ -211,7 +205,6 @@ public class EditBenchmark {
    * A snapshot of 1,000 circles that collide.
    *
    * @param s the worlds
-   * @return the snapshot
    */
   @Benchmark
   public Snapshot snapshotGas(Thousand s) {
@@ -222,7 +215,6 @@ public class EditBenchmark {
    * The hash of a snapshot of 1,000 circles.
    *
    * @param s the worlds
-   * @return the hash
    */
   @Benchmark
   public long hashGas(Thousand s) {
@@ -233,7 +225,6 @@ public class EditBenchmark {
    * A snapshot of 1,000 circles, written.
    *
    * @param s the worlds
-   * @return the bytes
    * @throws IOException never
    */
   @Benchmark
@@ -247,7 +238,6 @@ public class EditBenchmark {
    * A snapshot of 1,000 circles, read.
    *
    * @param s the worlds
-   * @return the snapshot
    * @throws IOException never
    */
   @Benchmark
@@ -259,31 +249,20 @@ public class EditBenchmark {
    * A snapshot of 1,000 circles that collide, at a moment of the past.
    *
    * @param s the worlds
-   * @return the snapshot
    */
   @Benchmark
   public Snapshot pastGas(Thousand s) {
     return s.pastOfGas.snapshot(s.next++ % MOMENTS * PAST / MOMENTS);
   }
 
-  /**
-   * Back to where the snapshot was taken.
-   *
-   * @param s the worlds
-   * @return the world
-   */
+  /** Back to where the snapshot was taken. */
   @Benchmark
   public World restoreAlone(Thousand s) {
     s.alone.restore(s.ofAlone);
     return s.alone;
   }
 
-  /**
-   * Back to where the snapshot was taken.
-   *
-   * @param s the worlds
-   * @return the world
-   */
+  /** Back to where the snapshot was taken. */
   @Benchmark
   public World restoreGas(Thousand s) {
     s.gas.restore(s.ofGas);

@@ -73,11 +73,7 @@ public class ExactnessBenchmark {
     return next * WIDTH;
   }
 
-  /**
-   * Plain doubles.
-   *
-   * @return the time of impact
-   */
+  /** Plain doubles: the time of impact. */
   @Benchmark
   public double plain() {
     double[] n = numbers;
@@ -91,11 +87,7 @@ public class ExactnessBenchmark {
             n[k + 9], n[k + 10]);
   }
 
-  /**
-   * This library.
-   *
-   * @return the time of impact
-   */
+  /** This library: the time of impact. */
   @Benchmark
   public double exact() {
     double[] n = numbers;

@@ -83,11 +83,7 @@ public class GasBenchmark {
     return finished;
   }
 
-  /**
-   * A world of the scene, ready for its first step.
-   *
-   * @return the world
-   */
+  /** A world of the scene, ready for its first step. */
   @Benchmark
   public World build() {
     return new World(scene);

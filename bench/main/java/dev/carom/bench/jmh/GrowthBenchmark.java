@@ -63,31 +63,19 @@ public class GrowthBenchmark {
     world.step(1);
   }
 
-  /**
-   * One frame.
-   *
-   * @return how the step ended
-   */
+  /** One frame: how the step ended. */
   @Benchmark
   public boolean frame() {
     return world.step(1);
   }
 
-  /**
-   * A world of the scene, ready for its first step.
-   *
-   * @return the world
-   */
+  /** A world of the scene, ready for its first step. */
   @Benchmark
   public World build() {
     return new World(scene);
   }
 
-  /**
-   * All positions, read one by one.
-   *
-   * @return their sum
-   */
+  /** All positions, read one by one: their sum. */
   @Benchmark
   public double positions() {
     double sum = 0;

@@ -80,31 +80,19 @@ public class QueryBenchmark {
         1);
   }
 
-  /**
-   * A circle that hits the inside of a line.
-   *
-   * @return the time of impact
-   */
+  /** A circle that hits the inside of a line: the time of impact. */
   @Benchmark
   public double lineSide() {
     return line(query(), 1, 0);
   }
 
-  /**
-   * A circle that is aimed at an end of a line.
-   *
-   * @return the time of impact
-   */
+  /** A circle that is aimed at an end of a line: the time of impact. */
   @Benchmark
   public double lineEndpoint() {
     return line(query(), 1, HALF_LINE);
   }
 
-  /**
-   * A circle that flies away from a line.
-   *
-   * @return infinity
-   */
+  /** A circle that flies away from a line: infinity. */
   @Benchmark
   public double lineMiss() {
     return line(query(), -1, 0);
@@ -135,11 +123,7 @@ public class QueryBenchmark {
         1);
   }
 
-  /**
-   * A circle that passes the end of a line by a hundredth of its radius.
-   *
-   * @return infinity
-   */
+  /** A circle that passes the end of a line by a hundredth of its radius: infinity. */
   @Benchmark
   public double lineNearMiss() {
     return beside(query(), 1.01 * RADIUS);
@@ -155,11 +139,7 @@ public class QueryBenchmark {
     return beside(query(), RADIUS);
   }
 
-  /**
-   * A circle that flies away from a peg.
-   *
-   * @return infinity
-   */
+  /** A circle that flies away from a peg: infinity. */
   @Benchmark
   public double pegMiss() {
     int k = query();
@@ -167,11 +147,7 @@ public class QueryBenchmark {
         aimed[k], aimed[k + 1], RADIUS, -aimed[k + 2], -aimed[k + 3], 0, 0, RADIUS, 1);
   }
 
-  /**
-   * Two moving circles that fly apart.
-   *
-   * @return infinity
-   */
+  /** Two moving circles that fly apart: infinity. */
   @Benchmark
   public double pairMiss() {
     int k = query();
@@ -180,11 +156,7 @@ public class QueryBenchmark {
     return SweptCircle.pair(aimed[k], aimed[k + 1], RADIUS, vx, vy, 0, 0, RADIUS, -vx, -vy, 1);
   }
 
-  /**
-   * A circle that is aimed at a peg.
-   *
-   * @return the time of impact
-   */
+  /** A circle that is aimed at a peg: the time of impact. */
   @Benchmark
   public double peg() {
     int k = query();
@@ -192,11 +164,7 @@ public class QueryBenchmark {
         aimed[k], aimed[k + 1], RADIUS, aimed[k + 2], aimed[k + 3], 0, 0, RADIUS, 1);
   }
 
-  /**
-   * A circle within bounds that flies away from their middle.
-   *
-   * @return the time of impact
-   */
+  /** A circle within bounds that flies away from their middle: the time of impact. */
   @Benchmark
   public double bounds() {
     int k = query();
@@ -204,11 +172,7 @@ public class QueryBenchmark {
         aimed[k], aimed[k + 1], RADIUS, -aimed[k + 2], -aimed[k + 3], -130, -130, 130, 130, 1);
   }
 
-  /**
-   * Two moving circles that are aimed at each other.
-   *
-   * @return the time of impact
-   */
+  /** Two moving circles that are aimed at each other: the time of impact. */
   @Benchmark
   public double pair() {
     int k = query();

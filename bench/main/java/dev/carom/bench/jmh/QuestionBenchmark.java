@@ -141,36 +141,21 @@ public class QuestionBenchmark {
     }
   }
 
-  /**
-   * The first impact of a ray in a world.
-   *
-   * @param lines the lines
-   * @return the impact
-   */
+  /** The first impact of a ray in a world. */
   @Benchmark
   public Optional<Impact> cast(Lines lines) {
     int i = lines.next();
     return lines.world.cast(lines.points[i], lines.velocities[i], FAR);
   }
 
-  /**
-   * The first impact of a ray, without a world.
-   *
-   * @param lines the lines
-   * @return the impact
-   */
+  /** The first impact of a ray, without a world. */
   @Benchmark
   public Optional<Impact> castOfResolver(Lines lines) {
     int i = lines.next();
     return lines.resolver.cast(lines.points[i], lines.velocities[i], FAR);
   }
 
-  /**
-   * One of 10,000 rays of a lidar, asked in one call.
-   *
-   * @param lines the lines
-   * @return the last distance
-   */
+  /** One of 10,000 rays of a lidar, asked in one call: the last distance. */
   @Benchmark
   @OperationsPerInvocation(RAYS)
   public double lidar(Lines lines) {
@@ -178,12 +163,7 @@ public class QuestionBenchmark {
     return lines.rays.time(RAYS - 1);
   }
 
-  /**
-   * One of twenty bounces of a path.
-   *
-   * @param lines the lines
-   * @return the path
-   */
+  /** One of twenty bounces of a path. */
   @Benchmark
   @OperationsPerInvocation(BOUNCES)
   public Trajectory trace(Lines lines) {
@@ -191,58 +171,33 @@ public class QuestionBenchmark {
     return lines.world.trace(lines.points[i], lines.velocities[i], 1, FAR, BOUNCES);
   }
 
-  /**
-   * The line that is nearest to a point.
-   *
-   * @param lines the lines
-   * @return its id
-   */
+  /** The line that is nearest to a point: its id. */
   @Benchmark
   public int nearest(Lines lines) {
     Circle point = lines.points[lines.next()];
     return lines.world.nearest(ObstacleKind.LINE, point.x(), point.y());
   }
 
-  /**
-   * The nearest obstacle, without a world.
-   *
-   * @param lines the lines
-   * @return the obstacle
-   */
+  /** The nearest obstacle, without a world. */
   @Benchmark
   public Optional<Obstacle> nearestOfResolver(Lines lines) {
     return lines.resolver.nearest(lines.points[lines.next()].center());
   }
 
-  /**
-   * The three or four lines that overlap a disk of radius 10.
-   *
-   * @param lines the lines
-   * @return their ids
-   */
+  /** The three or four lines that overlap a disk of radius 10: their ids. */
   @Benchmark
   public int[] overlapping(Lines lines) {
     return lines.world.overlapping(ObstacleKind.LINE, lines.disks[lines.next()]);
   }
 
-  /**
-   * The first impact of a ray among circles that collide, at their speed.
-   *
-   * @param circles the circles
-   * @return the impact
-   */
+  /** The first impact of a ray among circles that collide, at their speed. */
   @Benchmark
   public Optional<Impact> castAmongCircles(Circles circles) {
     int i = circles.next();
     return circles.world.cast(circles.points[i], circles.velocities[i], FAR);
   }
 
-  /**
-   * The same among circles that fall and collide.
-   *
-   * @param circles the circles
-   * @return the impact
-   */
+  /** The same among circles that fall and collide. */
   @Benchmark
   public Optional<Impact> castAmongFalling(Falling circles) {
     return castAmongCircles(circles);

@@ -46,21 +46,13 @@ public class WorldBenchmark {
     world = new World(scene);
   }
 
-  /**
-   * One frame of trajectories that go on and on, unlike those of a replay.
-   *
-   * @return how the step ended
-   */
+  /** One frame of trajectories that go on and on, unlike those of a replay: how the step ended. */
   @Benchmark
   public boolean frame() {
     return world.step(1);
   }
 
-  /**
-   * A world of the scene, ready for its first step.
-   *
-   * @return the world
-   */
+  /** A world of the scene, ready for its first step. */
   @Benchmark
   public World build() {
     return new World(scene);

@@ -24,8 +24,6 @@ public interface Part {
   /**
    * Measures. What fails is told by rows whose value is NaN, among them one of the metric {@code
    * failure} whose stat is the reason.
-   *
-   * @return what was found
    */
   List<Row> run();
 }

@@ -148,21 +148,12 @@ public final class Parts {
     return all;
   }
 
-  /**
-   * A scene of the comparison.
-   *
-   * @param name its name
-   * @return the scene at time 0
-   */
+  /** A scene of the comparison, at time 0. */
   public static Scene scene(String name) {
     return Subjects.scene(name);
   }
 
-  /**
-   * Lists the methods that a quick comparison leaves out, for people.
-   *
-   * @return one line
-   */
+  /** Lists the methods that a quick comparison leaves out, for people, and returns one line. */
   public static String leftOut() {
     return "the short run leaves out the scenes "
         + String.join(", ", SCENES.subList(1, SCENES.size()))

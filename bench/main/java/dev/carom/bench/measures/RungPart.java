@@ -17,7 +17,6 @@ import java.util.List;
  * scene look at.
  *
  * @param scenes the scenes to play
- * @param count how many questions of each class
  */
 record RungPart(List<String> scenes, int count) implements Part {
 

@@ -6,7 +6,6 @@ package dev.carom.bench.measures;
  * its decisions, or the rounding of its time, needed.
  *
  * @param family the kind of queries
- * @param queries how many
  * @param plain decided by plain doubles
  * @param doubleDouble decided by double-double
  * @param exact decided by exact numbers
@@ -32,21 +31,12 @@ public record RungShare(
     return new RungShare(family, 0, 0, 0, 0, 0, 0);
   }
 
-  /**
-   * The times that double-double rounded.
-   *
-   * @return how many
-   */
+  /** The times that double-double rounded. */
   public long doubleDoubleTimes() {
     return times - exactTimes;
   }
 
-  /**
-   * The sum of two counts.
-   *
-   * @param other the other one
-   * @return the sum, with the name of this one
-   */
+  /** The sum of two counts, with the name of this one. */
   public RungShare plus(RungShare other) {
     return new RungShare(
         family,

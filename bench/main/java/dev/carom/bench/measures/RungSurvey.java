@@ -18,11 +18,7 @@ public final class RungSurvey {
 
   private RungSurvey() {}
 
-  /**
-   * The number of families.
-   *
-   * @return how many rows a survey has
-   */
+  /** The number of families: how many rows a survey has. */
   public static int families() {
     return Families.all().size();
   }

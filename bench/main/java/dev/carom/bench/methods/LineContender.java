@@ -17,11 +17,7 @@ public record LineContender(String id, String method, String knob, LineDetector 
   private static final int LEAST_TOLERANCE = -12;
   private static final int MOST_SAMPLES = 4096;
 
-  /**
-   * All of them.
-   *
-   * @return in the order in which tables show them, this library first
-   */
+  /** All of them: in the order in which tables show them, this library first. */
   public static List<LineContender> all() {
     List<LineContender> all = new ArrayList<>();
     all.add(new LineContender("carom", "carom", "", new CaromDetector()));
@@ -53,8 +49,6 @@ public record LineContender(String id, String method, String knob, LineDetector 
   /**
    * One of them.
    *
-   * @param id its id
-   * @return the contender
    * @throws IllegalArgumentException if there is none of this id
    */
   public static LineContender byId(String id) {

@@ -85,10 +85,8 @@ public final class Methods {
   }
 
   /**
-   * Conservative advancement with a tolerance of a power of ten, in the scene's unit of length.
-   *
-   * @param exponent of the tolerance
-   * @return the method
+   * Conservative advancement with a tolerance of a power of ten, in the scene's unit of length: the
+   * method.
    */
   public static Contender advancement(int exponent) {
     double tolerance = Double.parseDouble("1e" + exponent);

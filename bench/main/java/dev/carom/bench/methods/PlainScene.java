@@ -20,8 +20,6 @@ public final class PlainScene {
   /**
    * Refuses what a plain method has no code for.
    *
-   * @param scene any scene
-   * @return the scene
    * @throws UnsupportedOperationException if it has pegs, obstacles that move, colliding circles or
    *     gravity
    */
@@ -32,8 +30,6 @@ public final class PlainScene {
   /**
    * Refuses circles that collide or fall, and obstacles that move.
    *
-   * @param scene any scene
-   * @return the scene
    * @throws UnsupportedOperationException if its circles collide, a line or a peg moves, or there
    *     is gravity
    */
@@ -45,8 +41,6 @@ public final class PlainScene {
   /**
    * Refuses gravity.
    *
-   * @param scene any scene
-   * @return the scene
    * @throws UnsupportedOperationException if there is gravity
    */
   public static Scene checkStraight(Scene scene) {
@@ -54,12 +48,7 @@ public final class PlainScene {
     return scene;
   }
 
-  /**
-   * Whether circles fly straight.
-   *
-   * @param scene any scene
-   * @return whether there is no gravity
-   */
+  /** Whether circles fly straight, that is, without gravity. */
   public static boolean isStraight(Scene scene) {
     return scene.gravity().equals(Vec2.ZERO);
   }
@@ -68,7 +57,6 @@ public final class PlainScene {
    * Refuses obstacles that a plain method has no code for.
    *
    * @param scene any scene; its circles may collide
-   * @return the scene
    * @throws UnsupportedOperationException if it has pegs, or a line moves
    */
   public static Scene checkObstacles(Scene scene) {
@@ -79,8 +67,6 @@ public final class PlainScene {
   /**
    * Refuses obstacles that move.
    *
-   * @param scene any scene
-   * @return the scene
    * @throws UnsupportedOperationException if a line or a peg moves
    */
   public static Scene checkRest(Scene scene) {
@@ -88,12 +74,7 @@ public final class PlainScene {
     return scene;
   }
 
-  /**
-   * Whether no obstacle moves.
-   *
-   * @param scene any scene
-   * @return whether all its lines and pegs rest
-   */
+  /** Whether no line or peg moves. */
   public static boolean isAtRest(Scene scene) {
     return rest(scene, LINE, scene.lineCount()) && rest(scene, PEG, scene.pegCount());
   }

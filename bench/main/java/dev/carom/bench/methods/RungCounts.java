@@ -33,11 +33,7 @@ public record RungCounts(
     }
   }
 
-  /**
-   * Whether this process counts.
-   *
-   * @return false unless counts are enabled
-   */
+  /** Whether this process counts, as it does if counts are enabled. */
   public static boolean areEnabled() {
     return PrecisionCounters.COUNT != null;
   }
@@ -45,7 +41,6 @@ public record RungCounts(
   /**
    * All counts of this process so far.
    *
-   * @return the counts
    * @throws IllegalStateException unless they are enabled
    */
   public static RungCounts now() {
@@ -61,20 +56,14 @@ public record RungCounts(
   }
 
   /**
-   * All counts of this process so far, at no cost in a process that does not count.
-   *
-   * @return the counts, all 0 unless they are enabled
+   * All counts of this process so far, at no cost in a process that does not count: the counts, all
+   * 0 unless they are enabled.
    */
   public static RungCounts soFar() {
     return areEnabled() ? now() : NONE;
   }
 
-  /**
-   * Returns the counts since an earlier moment.
-   *
-   * @param before the counts then
-   * @return the differences
-   */
+  /** The counts since an earlier moment. */
   public RungCounts since(RungCounts before) {
     return new RungCounts(
         doubtfulDecisions - before.doubtfulDecisions,

@@ -11,11 +11,7 @@ public final class Contenders {
 
   private Contenders() {}
 
-  /**
-   * All of them.
-   *
-   * @return the methods, then the peers
-   */
+  /** All of them: the methods, then the peers. */
   public static List<Contender> all() {
     List<Contender> all = new ArrayList<>(Methods.all());
     all.addAll(Peers.all());
@@ -25,8 +21,6 @@ public final class Contenders {
   /**
    * One of them.
    *
-   * @param id its id
-   * @return the contender
    * @throws IllegalArgumentException if there is none of this id
    */
   public static Contender byId(String id) {

@@ -14,11 +14,7 @@ public final class Peers {
 
   private Peers() {}
 
-  /**
-   * All of them.
-   *
-   * @return each engine twice
-   */
+  /** All of them: each engine twice. */
   public static List<Contender> all() {
     return List.of(
         usual("dyn4j", Dyn4jPeer::new),

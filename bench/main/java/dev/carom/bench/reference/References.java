@@ -51,8 +51,6 @@ public final class References {
   /**
    * Reads a scene that has a stored reference.
    *
-   * @param name a name of {@link #STORED}
-   * @return the scene
    * @throws IOException if there is none of that name
    */
   public static Scene scene(String name) throws IOException {
@@ -66,8 +64,6 @@ public final class References {
    * Stores a reference in a folder, made if it is not there, under the name by which it is read.
    *
    * @param truth the course to be stored
-   * @param scene the name of its scene
-   * @param folder where to
    * @return the size of the file in bytes
    * @throws IOException if it cannot be written
    */

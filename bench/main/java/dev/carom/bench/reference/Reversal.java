@@ -15,7 +15,6 @@ import java.util.stream.IntStream;
  * @param digits the decimal digits behind the point to which all circles are proved to be back
  * @param digitsOfMore the same, where each circle carries {@link #MORE_BITS} more
  * @param returned how many circles of a {@link World}, in doubles, are back within {@link #NEAR}
- * @param circles of how many
  */
 public record Reversal(int bits, double digits, double digitsOfMore, int returned, int circles) {
 

@@ -18,9 +18,7 @@ public final class RoundedPlaces {
    * Plays one circle.
    *
    * @param scene any scene of circles that ignore each other, and that {@link Truth} plays
-   * @param circle which one
    * @param frames how many, at least 1, each one unit of time
-   * @return where it is at the end
    * @throws IllegalStateException if 512 bits do not decide what happens
    */
   public static Vec2 end(Scene scene, int circle, int frames) {

@@ -35,7 +35,6 @@ public final class Truth implements Reference {
    *     up; its circles may collide, if there is no gravity
    * @param frames how many, at least 1, each one unit of time
    * @param progress called once a group: each circle, or all that collide; from any thread
-   * @return the course
    * @throws IllegalArgumentException if something in the scene does not just bounce, or frames is
    *     less than 1
    * @throws IllegalStateException if impacts pile up, or 32,768 bits do not decide what happens
@@ -112,38 +111,30 @@ public final class Truth implements Reference {
     return proofs;
   }
 
-  /**
-   * The number of impacts in all frames, one for both circles of a pair.
-   *
-   * @return at least 0
-   */
+  /** The number of impacts in all frames, one for both circles of a pair: at least 0. */
   public int impacts() {
     return proofs.stream().mapToInt(proof -> proof.hits().size()).sum();
   }
 
   /**
-   * The number of impacts of one circle in all frames, of a scene whose circles ignore each other.
-   *
-   * @param circle which one
-   * @return at least 0
+   * The number of impacts of one circle in all frames, of a scene whose circles ignore each other:
+   * at least 0.
    */
   public int impacts(int circle) {
     return proofs.get(circle).hits().size();
   }
 
   /**
-   * How many binary digits behind the point were enough.
-   *
-   * @return one number a circle, or a single one if they collide, in increasing order
+   * How many binary digits behind the point were enough: one number a circle, or a single one if
+   * they collide, in increasing order.
    */
   public int[] neededBits() {
     return proofs.stream().mapToInt(Proof::needed).sorted().toArray();
   }
 
   /**
-   * How much the scene multiplies relative errors until the last frame, for the worst circle.
-   *
-   * @return the base-10 logarithm, also beyond 300
+   * How much the scene multiplies relative errors until the last frame, for the worst circle: the
+   * base-10 logarithm, also beyond 300.
    */
   public double worstLog10Conditioning() {
     return Arrays.stream(courses).mapToDouble(c -> c.conditioning[frames]).max().orElse(0);

@@ -11,7 +11,6 @@ public final class Counted {
   /**
    * A number with a noun whose plural ends in s.
    *
-   * @param n the number
    * @param noun in the singular
    * @return both, the thousands set apart
    */
@@ -22,7 +21,6 @@ public final class Counted {
   /**
    * A number with a noun.
    *
-   * @param n the number
    * @param one the noun in the singular
    * @param many in the plural
    * @return both, the thousands set apart

@@ -16,7 +16,6 @@ public record Counts(long impacts, long wallImpacts, long squareRoots) {
    * Plays and counts.
    *
    * @param method a scene at time 0
-   * @param frames how many frames to play
    * @return the sums over all frames
    */
   static Counts of(Method method, int frames) {

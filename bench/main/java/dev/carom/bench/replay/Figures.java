@@ -12,10 +12,8 @@ import java.util.stream.LongStream;
  * @param name the method's label
  * @param counts what happens in one replay
  * @param samples the number of frame times
- * @param mean of all samples
  * @param leastForkMean the mean of the fork whose mean is least
  * @param mostForkMean the mean of the fork whose mean is greatest
- * @param median of all samples
  * @param p95 the 95th percentile
  * @param p99 the 99th percentile
  * @param worst the slowest frame of a replay: the median over replays
@@ -55,7 +53,6 @@ public record Figures(
    * @param name the method's label
    * @param counts what happens in one replay
    * @param forks at least one, each with at least one replay of at least one frame
-   * @return the figures
    */
   static Figures of(String name, Counts counts, List<Samples> forks) {
     long[] all = forks.stream().flatMapToLong(Figures::samplesOf).sorted().toArray();
@@ -85,20 +82,12 @@ public record Figures(
         median(forks.stream().mapToDouble(Samples::emptyPairNanos).toArray()));
   }
 
-  /**
-   * The frames per second that the mean allows.
-   *
-   * @return 10^6 / mean
-   */
+  /** The frames per second that the mean allows: 10^6 / mean. */
   public double fps() {
     return 1e6 / mean;
   }
 
-  /**
-   * The part of the budget of a frame that the mean takes.
-   *
-   * @return 1 for all of it
-   */
+  /** The part of the budget of a frame that the mean takes: 1 for all of it. */
   public double shareOfBudget() {
     return mean / Budget.MICROS;
   }

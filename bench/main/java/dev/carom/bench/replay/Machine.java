@@ -18,11 +18,7 @@ public record Machine(String cpu, String jdk, String flags) {
 
   private static final Path CPU_INFO = Path.of("/proc/cpuinfo");
 
-  /**
-   * Looks at the machine that we run on.
-   *
-   * @return its description
-   */
+  /** Looks at the machine that we run on, and returns its description. */
   public static Machine current() {
     return new Machine(
         "%s, %d cores".formatted(cpuName(), Runtime.getRuntime().availableProcessors()),

@@ -96,11 +96,7 @@ public class ReplayBenchmark {
     }
   }
 
-  /**
-   * Warms up, if that is what this iteration is for; then sets a fresh world in motion.
-   *
-   * @param iteration what this iteration is for
-   */
+  /** Warms up, if that is what this iteration is for; then sets a fresh world in motion. */
   @Setup(Level.Iteration)
   public void prepare(IterationParams iteration) {
     if (iteration.getType() == IterationType.WARMUP) {
@@ -133,22 +129,14 @@ public class ReplayBenchmark {
     return times;
   }
 
-  /**
-   * The replay.
-   *
-   * @return the nanoseconds of each frame
-   */
+  /** The replay: the nanoseconds of each frame. */
   @Benchmark
   public long[] replay() {
     Stopwatch.play(playing, nanos);
     return nanos;
   }
 
-  /**
-   * Keeps the frame times of a measured replay, and ends it.
-   *
-   * @param iteration what this iteration was for
-   */
+  /** Keeps the frame times of a measured replay, and ends it. */
   @TearDown(Level.Iteration)
   public void keep(IterationParams iteration) {
     if (iteration.getType() == IterationType.MEASUREMENT) {

@@ -10,7 +10,6 @@ import java.util.List;
 /**
  * The plan of a replay.
  *
- * @param name the name of the scene
  * @param scene the scene that is measured
  * @param others scenes to play in between, at least one
  * @param contenders who replays it
@@ -55,11 +54,7 @@ public record ReplayPlan(
         warmUpMillis);
   }
 
-  /**
-   * The work of a run, to show its progress.
-   *
-   * @return the number of virtual machines it starts
-   */
+  /** The work of a run, to show its progress: the number of virtual machines it starts. */
   public int steps() {
     return forks * contenders.size();
   }

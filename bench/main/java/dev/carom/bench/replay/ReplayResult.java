@@ -33,29 +33,17 @@ public final class ReplayResult {
     }
   }
 
-  /**
-   * Returns the plan of the run.
-   *
-   * @return the plan
-   */
+  /** Returns the plan of the run. */
   public ReplayPlan plan() {
     return plan;
   }
 
-  /**
-   * Where it was replayed.
-   *
-   * @return the machine
-   */
+  /** Where it was replayed. */
   public Machine machine() {
     return machine;
   }
 
-  /**
-   * The figures of every method.
-   *
-   * @return one row a method, in the order of the plan
-   */
+  /** The figures of every method: one row a method, in the order of the plan. */
   public List<Figures> figures() {
     return List.copyOf(figures.values());
   }
@@ -71,9 +59,8 @@ public final class ReplayResult {
   }
 
   /**
-   * How many times faster than the published algorithm we are.
-   *
-   * @return the ratio of the two means; empty if that one did not replay
+   * How many times faster than the published algorithm we are: the ratio of the two means; empty if
+   * that one did not replay.
    */
   public OptionalDouble ratioToPoster() {
     return plan.contenders().contains(Methods.POSTER)
@@ -82,9 +69,8 @@ public final class ReplayResult {
   }
 
   /**
-   * The raw frame times of the replay by Carom whose slowest frame is the median one.
-   *
-   * @return nanoseconds, one for each frame
+   * The raw frame times of the replay by Carom whose slowest frame is the median one: nanoseconds,
+   * one for each frame.
    */
   public double[] typicalReplay() {
     List<double[]> replays =

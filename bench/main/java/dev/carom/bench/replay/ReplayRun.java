@@ -32,7 +32,6 @@ public final class ReplayRun implements AutoCloseable {
   /**
    * Measures all of a plan.
    *
-   * @param plan what to replay
    * @param progress called after each of the plan's steps
    * @return the figures, and the frame times behind them
    * @throws IOException if the temporary folder cannot be used
@@ -48,7 +47,6 @@ public final class ReplayRun implements AutoCloseable {
   /**
    * Prepares to measure fork by fork.
    *
-   * @param plan what to replay
    * @return the run, to be closed
    * @throws IOException if the temporary folder cannot be made
    */
@@ -59,7 +57,6 @@ public final class ReplayRun implements AutoCloseable {
   /**
    * The order in which contenders take their turns in a round.
    *
-   * @param contenders in any order
    * @param round its number
    * @return the same, shuffled; the same shuffle for the same number
    */

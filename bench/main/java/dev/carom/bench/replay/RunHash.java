@@ -48,9 +48,7 @@ public final class RunHash {
   /**
    * Runs a scene.
    *
-   * @param scene the scene
    * @param frames how many units of time, at least 0
-   * @return its hash
    */
   public static RunHash of(Scene scene, int frames) {
     return new RunHash(scene, frames);

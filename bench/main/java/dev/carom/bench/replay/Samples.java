@@ -31,11 +31,7 @@ public final class Samples {
     return cold;
   }
 
-  /**
-   * The frame times of each replay after the warm-up.
-   *
-   * @return in nanoseconds
-   */
+  /** The frame times of each replay after the warm-up: in nanoseconds. */
   public List<long[]> replays() {
     return replays;
   }
@@ -45,11 +41,7 @@ public final class Samples {
     return emptyPairNanos;
   }
 
-  /**
-   * Returns the memory that one replay after the warm-up allocates.
-   *
-   * @return in bytes
-   */
+  /** Returns the memory that one replay after the warm-up allocates. */
   public long bytesAllocated() {
     return bytesAllocated;
   }

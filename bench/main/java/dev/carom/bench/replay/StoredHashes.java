@@ -17,7 +17,6 @@ public final class StoredHashes {
   /**
    * Reads those of this version.
    *
-   * @return the hashes
    * @throws IOException if the resource cannot be read
    */
   public static StoredHashes read() throws IOException {

@@ -59,11 +59,7 @@ public final class FeatureFigures {
     this.results = results;
   }
 
-  /**
-   * The bars.
-   *
-   * @return one figure, or none if nothing was measured
-   */
+  /** The bars: one figure, or none if nothing was measured. */
   public List<Figure> figures() {
     List<Panel> panels = new ArrayList<>();
     if (!results.scenes(Features.TIME).isEmpty()) {
@@ -141,11 +137,7 @@ public final class FeatureFigures {
     return ReportNumbers.count(bytes / 1024) + " KiB";
   }
 
-  /**
-   * The numbers.
-   *
-   * @return a row for each use
-   */
+  /** The numbers: a row for each use. */
   public ReportTable table() {
     ReportTable.Builder table =
         new ReportTable.Builder("a scene of", "a frame", "impacts a frame", "an impact", "memory");
@@ -167,11 +159,7 @@ public final class FeatureFigures {
     return table.build();
   }
 
-  /**
-   * What an {@link dev.carom.Uncertainty} costs.
-   *
-   * @return a sentence
-   */
+  /** What an {@link dev.carom.Uncertainty} costs: a sentence. */
   public String uncertainty() {
     double without = value(Features.SCENE + "lines", Features.TIME, "median");
     double with = value(Features.SCENE + "uncertainty", Features.TIME, "median");

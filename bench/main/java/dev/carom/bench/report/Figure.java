@@ -46,11 +46,7 @@ public record Figure(
     this(id, heading, title, note, caption, panels, Optional.empty(), table);
   }
 
-  /**
-   * All of it but the table, on one sheet.
-   *
-   * @return the picture
-   */
+  /** All of it but the table, on one sheet. */
   public Picture picture() {
     return Sheet.of(title, note, panels);
   }

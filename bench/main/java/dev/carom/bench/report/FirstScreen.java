@@ -14,10 +14,7 @@ final class FirstScreen {
   /**
    * One number, its unit, and what others reach.
    *
-   * @param name what it is of
-   * @param value the number
    * @param unit what it counts
-   * @param rival the same of others
    */
   record Tile(String name, String value, String unit, String rival) {}
 

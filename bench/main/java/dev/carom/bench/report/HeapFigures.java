@@ -18,11 +18,7 @@ public final class HeapFigures {
     this.results = results;
   }
 
-  /**
-   * The numbers.
-   *
-   * @return a row for each scene
-   */
+  /** The numbers: a row for each scene. */
   public ReportTable table() {
     ReportTable.Builder table =
         new ReportTable.Builder(

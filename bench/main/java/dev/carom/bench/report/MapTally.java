@@ -12,8 +12,6 @@ import java.util.stream.IntStream;
  * The outcomes of all cells of a map.
  *
  * @param setting who played
- * @param outcomes by cell
- * @param limits by cell
  * @param played false of one that has no code for such scenes
  */
 record MapTally(

@@ -29,7 +29,6 @@ public final class Origin {
    * @param seeds of what is drawn at random
    * @param date of the run
    * @param quick whether it is the short run
-   * @return the metadata
    * @throws IOException if a scene is not in the jar
    */
   public static Metadata of(Map<String, Long> seeds, String date, boolean quick)

@@ -67,11 +67,7 @@ public final class ReadmeFigures {
     WholeFile.write(page, filled);
   }
 
-  /**
-   * Replaces what stands between marks.
-   *
-   * @return the page with the figures of these results
-   */
+  /** Replaces what stands between marks, and returns the page with the figures of these results. */
   static String fill(String page, Results results) {
     ReadmeFigures figures = new ReadmeFigures(results);
     StringBuilder filled = new StringBuilder();

@@ -80,7 +80,6 @@ public final class Report {
   /**
    * Writes a figure as PNG and SVG, named after it.
    *
-   * @param figure the figure
    * @param dir a folder that exists
    * @throws IOException if a file cannot be written; the message names it
    */

@@ -32,9 +32,6 @@ public final class ReportRun {
     /**
      * A part is done.
      *
-     * @param part which
-     * @param done how many parts are done
-     * @param of how many there are
      * @param kept whether its rows are those of an earlier run
      */
     void finished(Part part, int done, int of, boolean kept);
@@ -46,7 +43,6 @@ public final class ReportRun {
   /**
    * Prepares a run.
    *
-   * @param metadata of this run
    * @param folder where rows are kept
    */
   public ReportRun(Metadata metadata, Path folder) {
@@ -57,7 +53,6 @@ public final class ReportRun {
   /**
    * Runs what is not kept.
    *
-   * @param parts all parts
    * @param listener is told of each
    * @return the rows of all parts, in their order; a part that broke down leaves one that says why
    * @throws IOException if rows cannot be kept

@@ -20,9 +20,8 @@ public record ReportTable(List<String> head, List<List<String>> rows) {
   }
 
   /**
-   * The table in columns, the first one to the left, the others to the right.
-   *
-   * @return lines of text, each ended
+   * The table in columns, the first one to the left, the others to the right: lines of text, each
+   * ended.
    */
   public String text() {
     int[] widths = new int[head.size()];

@@ -33,11 +33,7 @@ public final class ScaleFigures {
     growth = new ScaleGrowth(results);
   }
 
-  /**
-   * Makes the figure.
-   *
-   * @return one, or none if nothing was measured
-   */
+  /** Makes the figure: one, or none if nothing was measured. */
   public List<Figure> figures() {
     if (times.isEmpty()) {
       return List.of();
@@ -95,22 +91,14 @@ public final class ScaleFigures {
     return new Curve(c.method(), "", c.x(), c.low(), c.middle(), c.high());
   }
 
-  /**
-   * How times grow with the number of circles, and what a world takes of memory.
-   *
-   * @return sentences
-   */
+  /** How times grow with the number of circles, and what a world takes of memory: sentences. */
   public List<String> told() {
     List<String> told = new ArrayList<>(growth.sentences());
     growth.memory().ifPresent(told::add);
     return told;
   }
 
-  /**
-   * The numbers.
-   *
-   * @return a row for each scene and method
-   */
+  /** The numbers: a row for each scene and method. */
   public ReportTable table() {
     ReportTable.Builder table =
         new ReportTable.Builder(

@@ -33,11 +33,7 @@ public final class StabilityFigures {
     this.results = results;
   }
 
-  /**
-   * The maps that the results have.
-   *
-   * @return one figure a map
-   */
+  /** The maps that the results have. */
   public List<Figure> figures() {
     List<String> played = results.scenes(Survey.LIMIT);
     return FailureMap.all(false).stream()

@@ -43,11 +43,7 @@ public final class SweepFigures {
     this.results = results;
   }
 
-  /**
-   * Makes the figure.
-   *
-   * @return one, or none if no sweep was measured
-   */
+  /** Makes the figure: one, or none if no sweep was measured. */
   public List<Figure> figures() {
     if (results.scenes(Sweep.TIME).isEmpty()) {
       return List.of();
@@ -84,11 +80,7 @@ public final class SweepFigures {
             table()));
   }
 
-  /**
-   * How times grow with the sizes of the scene.
-   *
-   * @return a sentence for each size and method
-   */
+  /** How times grow with the sizes of the scene: a sentence for each size and method. */
   public List<String> growth() {
     List<String> sentences = new ArrayList<>();
     for (String axis : SIZES) {
@@ -157,11 +149,7 @@ public final class SweepFigures {
     return new Curve(setting.method(), slope, values[0], values[1], values[2], values[3]);
   }
 
-  /**
-   * The numbers.
-   *
-   * @return a row for each place and method
-   */
+  /** The numbers: a row for each place and method. */
   public ReportTable table() {
     ReportTable.Builder table =
         new ReportTable.Builder(

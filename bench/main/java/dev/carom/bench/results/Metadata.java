@@ -40,7 +40,6 @@ public record Metadata(
   /**
    * Whether rows of both may stand in one table: all but the date is the same.
    *
-   * @param other of the other rows
    * @return whether they match
    */
   public boolean matches(Metadata other) {

@@ -38,20 +38,12 @@ public final class Results {
     }
   }
 
-  /**
-   * Where the rows come from.
-   *
-   * @return the metadata
-   */
+  /** Where the rows come from. */
   public Metadata metadata() {
     return metadata;
   }
 
-  /**
-   * Every measured number.
-   *
-   * @return the rows as they were given
-   */
+  /** Every measured number, in the order given. */
   public List<Row> rows() {
     return rows;
   }
@@ -60,7 +52,6 @@ public final class Results {
    * Where a metric was measured.
    *
    * @param metric its name
-   * @return the scenes that have it
    */
   public List<String> scenes(String metric) {
     return keys(metric, key -> true).map(Key::scene).distinct().toList();
@@ -69,19 +60,13 @@ public final class Results {
   /**
    * Returns the settings for which a metric was measured.
    *
-   * @param scene the scene
    * @param metric its name
-   * @return the settings that have it there
    */
   public List<Setting> settings(String scene, String metric) {
     return keys(metric, key -> key.scene.equals(scene)).map(Key::setting).distinct().toList();
   }
 
-  /**
-   * Every method of every row.
-   *
-   * @return their labels
-   */
+  /** Every method of every row: their labels. */
   public Set<String> methods() {
     Set<String> methods = new LinkedHashSet<>();
     index.keySet().forEach(key -> methods.add(key.setting.method()));
@@ -91,10 +76,8 @@ public final class Results {
   /**
    * One number over all forks.
    *
-   * @param scene the scene
    * @param setting the method and its knob
    * @param metric what was measured
-   * @param stat which number of it
    * @return its spread, or nothing if it was not measured
    */
   public Optional<Spread> spread(String scene, Setting setting, String metric, String stat) {
@@ -109,7 +92,6 @@ public final class Results {
   /**
    * The number of a metric that has but one stat, whatever that is called.
    *
-   * @param scene the scene
    * @param setting the method and its knob
    * @param metric what was measured
    * @return its spread, or nothing if it was not measured
@@ -123,10 +105,8 @@ public final class Results {
   /**
    * The median over forks of one number.
    *
-   * @param scene the scene
    * @param setting the method and its knob
    * @param metric what was measured
-   * @param stat which number of it
    * @return the number, NaN if it failed or was not measured
    */
   public double value(String scene, Setting setting, String metric, String stat) {
@@ -136,10 +116,8 @@ public final class Results {
   /**
    * A series by frame: the numbers whose stat is {@code name@frame}, the median over forks of each.
    *
-   * @param scene the scene
    * @param setting the method and its knob
    * @param metric what was measured
-   * @param name of the series ({@code median})
    * @return frames and values, in the order of the rows
    */
   public Map<Integer, Double> series(String scene, Setting setting, String metric, String name) {

@@ -65,8 +65,6 @@ public final class ResultsCsv {
   /**
    * Reads a table back.
    *
-   * @param file the file
-   * @return its rows
    * @throws IOException if it cannot be read, or is no such table: the message names the file, the
    *     line, and what was expected
    */

@@ -85,7 +85,6 @@ public final class ResultsJson {
   /**
    * Writes results.
    *
-   * @param results all of them
    * @param file where; one that is there is replaced
    * @throws IOException if the file cannot be written
    */

@@ -9,11 +9,7 @@ package dev.carom.bench.results;
  */
 public record Setting(String method, String knob) {
 
-  /**
-   * The value of the knob.
-   *
-   * @return what stands after the equals sign, or all there is
-   */
+  /** The value of the knob: what stands after the equals sign, or all there is. */
   public String value() {
     return knob.substring(knob.indexOf('=') + 1);
   }

@@ -19,7 +19,6 @@ public record Spread(double low, double middle, double high, int forks, long n) 
    *
    * @param n how many values they stand for
    * @param values one a fork, at least one
-   * @return their spread
    */
   public static Spread of(long n, double... values) {
     if (Arrays.stream(values).anyMatch(Double::isNaN)) {
@@ -50,11 +49,7 @@ public record Spread(double low, double middle, double high, int forks, long n) 
     return high < other.low;
   }
 
-  /**
-   * Whether the method gave no number.
-   *
-   * @return whether it is NaN
-   */
+  /** Whether the method gave no number, but NaN. */
   public boolean failed() {
     return Double.isNaN(middle);
   }

@@ -60,7 +60,6 @@ public final class WholeFile implements AutoCloseable {
    * Writes text in UTF-8.
    *
    * @param file where; one that is there is replaced
-   * @param text all of it
    * @throws IOException if it cannot be written; the message names the file
    */
   public static void write(Path file, String text) throws IOException {
@@ -71,7 +70,6 @@ public final class WholeFile implements AutoCloseable {
    * Writes bytes.
    *
    * @param file where; one that is there is replaced
-   * @param bytes all of them
    * @throws IOException if it cannot be written; the message names the file
    */
   public static void write(Path file, byte[] bytes) throws IOException {
@@ -84,7 +82,6 @@ public final class WholeFile implements AutoCloseable {
   /**
    * Opens a file, or where it is not there its packed twin, {@code .gz} at the end of its name.
    *
-   * @param file the file
    * @return its bytes, unpacked
    * @throws IOException if neither can be read; the message names the file
    */
@@ -99,7 +96,6 @@ public final class WholeFile implements AutoCloseable {
   /**
    * The file that symbolic links lead to, also where it is not there yet.
    *
-   * @param file any path
    * @return the path itself if it is no link
    * @throws IOException if a link cannot be read, or leads to itself
    */
@@ -115,10 +111,8 @@ public final class WholeFile implements AutoCloseable {
   }
 
   /**
-   * Whether a path is that of a pipe or a device, which is written to as it is.
-   *
-   * @param file any path
-   * @return false where nothing is
+   * Whether a path is that of a pipe or a device, which is written to as it is: false where nothing
+   * is.
    */
   public static boolean isSpecial(Path file) {
     return Files.exists(file) && !Files.isRegularFile(file);
@@ -155,11 +149,7 @@ public final class WholeFile implements AutoCloseable {
     }
   }
 
-  /**
-   * Where to write.
-   *
-   * @return a stream without a buffer
-   */
+  /** Where to write: a stream without a buffer. */
   public OutputStream out() {
     return out;
   }

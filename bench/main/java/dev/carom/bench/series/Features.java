@@ -223,7 +223,6 @@ public final class Features {
    * @param rounds in which the scenes take turns
    * @param warmUpMillis how long they do before anything is measured
    * @param memory whether memory is measured, too
-   * @return the rows
    */
   public List<Row> run(int rounds, int warmUpMillis, boolean memory) {
     List<Row> rows = new ArrayList<>();

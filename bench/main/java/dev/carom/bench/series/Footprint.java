@@ -14,7 +14,6 @@ import java.util.List;
  * The memory of a world that is ready for its first step, beside that of its scene, from what the
  * heap holds before and after.
  *
- * @param circles how many circles, and how many lines
  * @param perCircle bytes for each circle
  * @param perLine bytes for each line
  */

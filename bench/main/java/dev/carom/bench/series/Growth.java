@@ -17,7 +17,6 @@ public record Growth(double slope, double low, double high) {
    *
    * @param numbers greater than 0, at least three
    * @param times as many, greater than 0
-   * @return the fit
    */
   public static Growth of(double[] numbers, double[] times) {
     SimpleRegression fit = new SimpleRegression();

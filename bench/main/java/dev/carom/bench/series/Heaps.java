@@ -118,7 +118,6 @@ public final class Heaps {
    *
    * @param rounds in which each scene is played
    * @param warmUpMillis how long each is played before
-   * @return the rows
    */
   public List<Row> run(int rounds, int warmUpMillis) {
     List<Row> rows = new ArrayList<>();

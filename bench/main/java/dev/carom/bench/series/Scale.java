@@ -88,7 +88,6 @@ public final class Scale {
    * @param model what the circles are to each other
    * @param contenders what to play it by
    * @param progress called after each scene
-   * @return the rows
    * @throws CannotPlaceException if a scene has no room
    */
   public List<Row> run(Model model, List<Contender> contenders, Runnable progress)

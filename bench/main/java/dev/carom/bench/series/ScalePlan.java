@@ -17,7 +17,6 @@ import java.util.stream.IntStream;
  * @param roundMillis how long a method plays in a round, at least one frame
  * @param warmUpMillis how long each method plays the first scene before anything is measured
  * @param limitMillis a method of which one frame takes longer plays no larger scenes
- * @param seed of the scenes
  */
 public record ScalePlan(
     List<Integer> sides,
@@ -29,9 +28,7 @@ public record ScalePlan(
 
   /** How circles treat each other. */
   public enum Model {
-    /** They ignore each other, among lines. */
     ALONE("alone", "circles that ignore each other"),
-    /** They collide. */
     GAS("gas", "circles that collide");
 
     private final String label;
@@ -42,29 +39,17 @@ public record ScalePlan(
       this.words = words;
     }
 
-    /**
-     * Its name in files.
-     *
-     * @return the name
-     */
+    /** Its name in files. */
     public String label() {
       return label;
     }
 
-    /**
-     * Returns it for a title.
-     *
-     * @return a few words
-     */
+    /** It for a title: a few words. */
     public String title() {
       return this == GAS ? "Colliding circles" : "Circles among lines";
     }
 
-    /**
-     * Returns it in words.
-     *
-     * @return the words
-     */
+    /** Returns it in words. */
     public String words() {
       return words;
     }
@@ -83,8 +68,6 @@ public record ScalePlan(
    * @param most circles, at least 100
    * @param quick whether up to a thousand circles, and short rounds, will do
    * @param limitMillis see above
-   * @param seed of the scenes
-   * @return the plan
    */
   public static ScalePlan of(int most, boolean quick, int limitMillis, long seed) {
     int end = quick ? Math.min(most, MOST_QUICK) : most;
@@ -98,18 +81,12 @@ public record ScalePlan(
    *
    * @param rounds see above
    * @param warmUpMillis see above
-   * @return the plan
    */
   public ScalePlan lasting(int rounds, int warmUpMillis) {
     return new ScalePlan(sides, rounds, roundMillis, warmUpMillis, limitMillis, seed);
   }
 
-  /**
-   * The circles of a scene.
-   *
-   * @param side of the scene
-   * @return how many
-   */
+  /** The circles of a scene. */
   public static int circles(int side) {
     return 100 * side * side;
   }

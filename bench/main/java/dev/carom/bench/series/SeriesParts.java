@@ -25,7 +25,6 @@ public final class SeriesParts {
    *
    * @param fork the number of the virtual machine, from 0
    * @param quick whether a few scenes will do
-   * @return the part
    */
   public static Part sweep(int fork, boolean quick) {
     List<String> options = new ArrayList<>();
@@ -41,7 +40,6 @@ public final class SeriesParts {
    *
    * @param fork the number of the virtual machine, from 0; the first one measures memory, too
    * @param quick whether up to ten thousand circles will do
-   * @return the part
    */
   public static Part scale(int fork, boolean quick) {
     List<String> options = new ArrayList<>();
@@ -60,7 +58,6 @@ public final class SeriesParts {
    *
    * @param fork the number of the virtual machine, from 0; the first one measures memory, too
    * @param quick whether short rounds will do
-   * @return the part
    */
   public static Part features(int fork, boolean quick) {
     List<String> options = new ArrayList<>();

@@ -61,7 +61,6 @@ public final class Sweep {
    *
    * @param warmUpMillis how long all methods play before the first scene
    * @param progress called after each scene
-   * @return the rows
    * @throws CannotPlaceException if a scene has no room
    */
   public List<Row> run(int warmUpMillis, Runnable progress) throws CannotPlaceException {

@@ -12,7 +12,6 @@ import java.util.stream.IntStream;
  *
  * @param frames of one replay, at least 1
  * @param replays of each scene by each method, at least 1
- * @param points the scenes
  */
 public record SweepPlan(int frames, int replays, List<Point> points) {
 
@@ -31,11 +30,7 @@ public record SweepPlan(int frames, int replays, List<Point> points) {
       this.label = label;
     }
 
-    /**
-     * Its name in files.
-     *
-     * @return the name
-     */
+    /** Its name in files. */
     public String label() {
       return label;
     }
@@ -46,7 +41,6 @@ public record SweepPlan(int frames, int replays, List<Point> points) {
    *
    * @param axis which number of the scene is varied
    * @param at its value
-   * @param crosses the scene
    */
   public record Point(Axis axis, int at, Crosses crosses) {}
 
@@ -58,10 +52,8 @@ public record SweepPlan(int frames, int replays, List<Point> points) {
    * The published sweep, 1 to 100 circles and radius 1 to 20; and 2 to 200 lines.
    *
    * @param seed of the random scenes
-   * @param frames of one replay
    * @param replays of each scene by each method
    * @param quick whether a few places of each axis will do
-   * @return the plan
    */
   public static SweepPlan of(long seed, int frames, int replays, boolean quick) {
     Crosses base = Crosses.canonical(seed);

@@ -12,7 +12,6 @@ import java.util.stream.IntStream;
  *
  * @param label its name, with its unit
  * @param values ascending
- * @param text of a value
  */
 @SuppressWarnings("ArrayRecordComponent") // compared by nobody
 public record Axis(String label, double[] values, DoubleFunction<String> text) {

@@ -21,11 +21,7 @@ public enum CellLimit {
     this.meaning = meaning;
   }
 
-  /**
-   * Returns the limit in words.
-   *
-   * @return a clause; empty for nothing
-   */
+  /** The limit in words: a clause; empty for nothing. */
   public String meaning() {
     return meaning;
   }

@@ -69,11 +69,7 @@ public record FailureMap(String name, String heading, String run, Axis x, Axis y
     return cell(row * x.values().length + column).truth();
   }
 
-  /**
-   * Returns one of its scenes, to be shown.
-   *
-   * @return the scene of a cell in the middle
-   */
+  /** One of its scenes, to be shown: the scene of a cell in the middle. */
   public Scene example() {
     return scene(x.values().length / 2, y.values().length / 2);
   }

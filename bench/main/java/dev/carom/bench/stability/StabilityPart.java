@@ -5,11 +5,7 @@ import dev.carom.bench.measures.Part;
 import dev.carom.bench.results.Row;
 import java.util.List;
 
-/**
- * One map as a part of the report. It takes no times.
- *
- * @param map the map
- */
+/** One map as a part of the report. It takes no times. */
 public record StabilityPart(FailureMap map) implements Part {
 
   /** About a minute for all six. */
@@ -19,7 +15,6 @@ public record StabilityPart(FailureMap map) implements Part {
    * All maps.
    *
    * @param quick whether every third value of each axis will do
-   * @return one part a map
    */
   public static List<Part> all(boolean quick) {
     return FailureMap.all(quick).stream().<Part>map(StabilityPart::new).toList();

@@ -51,7 +51,6 @@ public final class Survey {
   /**
    * Plays a map.
    *
-   * @param map the map
    * @param contenders who plays
    * @return the rows: axes and limits under the first of the contenders, classes under each
    */
@@ -67,11 +66,7 @@ public final class Survey {
     return rows;
   }
 
-  /**
-   * Returns the methods of the report.
-   *
-   * @return this library first
-   */
+  /** The methods of the report: this library first. */
   public static List<Contender> contenders() {
     List<Contender> all = new ArrayList<>(List.of(Methods.CAROM, Methods.POSTER));
     all.addAll(List.of(Methods.POSTER_DOUBLE, Methods.TEXTBOOK_FLOAT, Methods.TEXTBOOK_DOUBLE));

@@ -11,8 +11,6 @@ import dev.carom.World;
  * Something that the mouse is about to add, from where it was pressed to where it is.
  *
  * @param tool which thing: not the hand
- * @param from where the mouse was pressed
- * @param to where it is
  * @param radius of a new circle
  */
 record Draft(Tool tool, Vec2 from, Vec2 to, double radius) {

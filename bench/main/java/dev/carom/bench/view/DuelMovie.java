@@ -44,7 +44,6 @@ public final class DuelMovie {
   /**
    * Plays a duel and draws every second frame.
    *
-   * @param duel the duel, at any frame
    * @param title the heading
    * @param frames how many, at least 0
    * @return the bytes of a GIF file, {@value #WIDTH} pixels wide

@@ -8,9 +8,7 @@ import java.util.List;
  *
  * @param keys as {@link javax.swing.KeyStroke#getKeyStroke(String)} takes them, at least one
  * @param label of the first of them, on the page of help
- * @param name of its button
  * @param tip what it does, in a sentence without full stop
- * @param action does it
  */
 record KeyAction(List<String> keys, String label, String name, String tip, Runnable action) {
 

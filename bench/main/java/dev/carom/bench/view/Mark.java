@@ -6,7 +6,6 @@ import dev.carom.ImpactLog;
 /**
  * An impact that was seen.
  *
- * @param time when
  * @param circle the id of the circle
  * @param x the x coordinate of the contact point
  * @param y the y coordinate of the contact point

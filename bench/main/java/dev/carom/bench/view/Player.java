@@ -51,7 +51,6 @@ public final class Player {
   /**
    * Starts with a scene at time 0, at rest.
    *
-   * @param scene the scene
    * @param frame the time of a frame at speed 1, finite and greater than 0
    */
   public Player(Scene scene, double frame) {
@@ -59,11 +58,7 @@ public final class Player {
     load(scene);
   }
 
-  /**
-   * Starts anew with another scene.
-   *
-   * @param scene the scene
-   */
+  /** Starts anew with another scene. */
   public void load(Scene scene) {
     begin(scene);
     beginning = scene;
@@ -77,8 +72,6 @@ public final class Player {
   /**
    * Runs a scene for a moment in another world, so that the virtual machine compiles what moves it:
    * otherwise the first seconds would time its interpreter.
-   *
-   * @param scene the scene
    */
   public static void warmUp(Scene scene) {
     long end = System.nanoTime() + WARM_UP_NANOS;
@@ -169,9 +162,8 @@ public final class Player {
   }
 
   /**
-   * Goes on to the next impact, recorded or new, and stops.
-   *
-   * @return whether there is one within a million frames
+   * Goes on to the next impact, recorded or new, and stops, and returns whether there is one within
+   * a million frames.
    */
   public boolean nextImpact() {
     running = false;
@@ -213,20 +205,12 @@ public final class Player {
     shown = Math.max(start(), Math.min(end(), t));
   }
 
-  /**
-   * The first moment that can be shown.
-   *
-   * @return at least 0
-   */
+  /** The first moment that can be shown: at least 0. */
   public double start() {
     return past.start();
   }
 
-  /**
-   * The last moment that can be shown.
-   *
-   * @return the time of the world
-   */
+  /** The last moment that can be shown: the time of the world. */
   public double end() {
     return world.now();
   }
@@ -245,20 +229,12 @@ public final class Player {
     return shown() >= world.now();
   }
 
-  /**
-   * The impacts up to the moment shown.
-   *
-   * @return at least 0
-   */
+  /** The impacts up to the moment shown: at least 0. */
   public long impacts() {
     return isPresent() ? allImpacts() : history.impacts(shown());
   }
 
-  /**
-   * Returns the things at the moment shown, to be drawn or saved.
-   *
-   * @return a scene
-   */
+  /** Returns the things at the moment shown, to be drawn or saved. */
   public Scene scene() {
     return WorldScene.of(look());
   }
@@ -279,11 +255,7 @@ public final class Player {
     return Still.of(scene).glowing(i -> lately.contains(ids[i]));
   }
 
-  /**
-   * The machinery of the world.
-   *
-   * @return a phrase
-   */
+  /** The machinery of the world: a phrase. */
   public String engineDescription() {
     return world.engineDescription();
   }
@@ -353,7 +325,6 @@ public final class Player {
   /**
    * Puts a circle elsewhere.
    *
-   * @param id the circle
    * @param x the x coordinate of its centre, finite
    * @param y the y coordinate of its centre, finite
    */
@@ -365,7 +336,6 @@ public final class Player {
   /**
    * Gives a circle another velocity.
    *
-   * @param id the circle
    * @param vx the x component, finite
    * @param vy the y component, finite
    */
@@ -373,12 +343,7 @@ public final class Player {
     editable().setVelocity(id, vx, vy);
   }
 
-  /**
-   * Puts a line elsewhere.
-   *
-   * @param id the line
-   * @param to where
-   */
+  /** Puts a line elsewhere. */
   public void moveLine(int id, Line to) {
     editable().moveLine(id, to.ax(), to.ay(), to.bx(), to.by());
   }
@@ -386,7 +351,6 @@ public final class Player {
   /**
    * Puts a peg elsewhere.
    *
-   * @param id the peg
    * @param x the x coordinate of its centre, finite
    * @param y the y coordinate of its centre, finite
    */
@@ -418,11 +382,7 @@ public final class Player {
     editable().addCircle(x, y, radius, vx, vy);
   }
 
-  /**
-   * Adds a line.
-   *
-   * @param line where
-   */
+  /** Adds a line. */
   public void addLine(Line line) {
     editable().addLine(line.ax(), line.ay(), line.bx(), line.by());
   }
@@ -442,7 +402,6 @@ public final class Player {
    * Removes something.
    *
    * @param kind not {@link ObstacleKind#WALL}
-   * @param id of what is there
    */
   public void remove(ObstacleKind kind, int id) {
     editable().remove(kind, id);

@@ -24,7 +24,6 @@ final class RunHistory {
    * @param from the time of the world before
    * @param to its time after
    * @param nanos how long the call took
-   * @param impacts how many there were
    */
   private record Tick(double from, double to, long nanos, int impacts) {}
 

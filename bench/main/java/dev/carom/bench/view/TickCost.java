@@ -10,7 +10,6 @@ import java.util.Locale;
  * @param ticks how many, at 60 a second
  * @param frames the frames that they went on, in all
  * @param nanos the time that the world took, in all
- * @param impacts the impacts, in all
  */
 record TickCost(int ticks, double frames, long nanos, long impacts) {
 

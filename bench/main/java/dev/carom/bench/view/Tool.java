@@ -3,15 +3,10 @@ package dev.carom.bench.view;
 
 /** The tools of the mouse. */
 enum Tool {
-  /** Drags what is there, throws circles, and pans. */
   HAND("Hand", "Drag circles, lines, their ends and pegs; throw a circle; drag the floor to pan"),
-  /** Adds circles. */
   CIRCLE("Circle", "Add a circle: press, draw its velocity, release"),
-  /** Adds lines. */
   LINE("Line", "Add a line: press at one end, release at the other"),
-  /** Adds pegs. */
   PEG("Peg", "Add a peg: press at its centre, release at its rim"),
-  /** Removes what is clicked. */
   DELETE("Delete", "Delete the circle, line or peg that is clicked");
 
   private final String label;

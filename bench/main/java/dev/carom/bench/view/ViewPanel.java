@@ -357,7 +357,6 @@ public final class ViewPanel extends JPanel {
    * Starts another scene, at rest.
    *
    * @param title of the window
-   * @param scene what is there
    * @param truth its true course; null if that is not known
    * @throws IllegalArgumentException if no world can be made of it; then nothing changes
    */
