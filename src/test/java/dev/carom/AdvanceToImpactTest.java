@@ -110,13 +110,9 @@ class AdvanceToImpactTest {
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void editsTakeEffectAfterTheImpact(boolean collide) {
-    World world =
-        new World(
-            Scene.builder()
-                .collide(collide)
-                .bounds(0, 0, 100, 100)
-                .circle(50, 50, 10, 7, 0)
-                .build());
+    SceneBuilder scene = Scene.builder().collide(collide).bounds(0, 0, 100, 100);
+    scene.circle(50, 50, 10, 7, 0);
+    World world = new World(scene.build());
     world.advanceToImpact(100);
     assertThat(world.vx(0)).isEqualTo(-7);
     world.setVelocity(0, world.vx(0), 3);
@@ -130,14 +126,9 @@ class AdvanceToImpactTest {
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void sensorsCount(boolean collide) {
-    World world =
-        new World(
-            Scene.builder()
-                .collide(collide)
-                .line(60, 0, 60, 100)
-                .response(Response.SENSOR)
-                .circle(10, 50, 10, 3, 0)
-                .build());
+    SceneBuilder scene = Scene.builder().collide(collide);
+    scene.line(60, 0, 60, 100).response(Response.SENSOR).circle(10, 50, 10, 3, 0);
+    World world = new World(scene.build());
     assertThat(world.advanceToImpact(100)).isEqualTo(StopReason.IMPACT);
     assertThat(world.impacts().outcome(0)).isEqualTo(Outcome.SENSED);
     assertThat(world.now()).isBetween(40 / 3.0, Math.nextUp(40 / 3.0));

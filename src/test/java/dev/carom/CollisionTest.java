@@ -162,19 +162,10 @@ class CollisionTest {
    */
   @Test
   void squeezedAgainstAWallACircleStaysInside() {
-    World world =
-        new World(
-            Scene.builder()
-                .collide(true)
-                .bounds(0, 0, 4, 100)
-                .circle(1, 30, 1, 0, 0)
-                .restitution(0)
-                .circle(3, 30, 1, 0, 0)
-                .restitution(0)
-                .circle(2, 60, 1, 0, -1e-3)
-                .mass(100)
-                .restitution(0)
-                .build());
+    SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 4, 100);
+    scene.circle(1, 30, 1, 0, 0).restitution(0).circle(3, 30, 1, 0, 0).restitution(0);
+    scene.circle(2, 60, 1, 0, -1e-3).mass(100).restitution(0);
+    World world = new World(scene.build());
     for (int call = 0; call < 20 && world.now() < 1e5; call++) {
       Run.to(world, 1e5);
     }
@@ -204,14 +195,9 @@ class CollisionTest {
   @ParameterizedTest
   @ValueSource(doubles = {1.2, -1.2})
   void ofTwoThatItMeetsAtOneTimeTheSmallerIdIsFirst(double y) {
-    World world =
-        new World(
-            Scene.builder()
-                .collide(true)
-                .circle(0, 0, 1, 1, 0)
-                .circle(6, y, 1, 0, 0)
-                .circle(6, -y, 1, 0, 0)
-                .build());
+    SceneBuilder scene = Scene.builder().collide(true).circle(0, 0, 1, 1, 0).circle(6, y, 1, 0, 0);
+    scene.circle(6, -y, 1, 0, 0);
+    World world = new World(scene.build());
     Run.step(world, 5);
     assertThat(world.impacts().time(0)).isCloseTo(4.4, within(1e-15));
     assertThat(world.impacts().circle(0)).isZero();
@@ -226,11 +212,9 @@ class CollisionTest {
     Random random = new Random(1);
     for (int i = 0; i < 200; i++) {
       double speed = 1 + random.nextDouble();
-      Scene scene =
-          colliding()
-              .circle(0, random.nextDouble(), 1, speed, 0)
-              .circle(9 + random.nextDouble(), 0, 1, -random.nextDouble(), 0)
-              .build();
+      SceneBuilder builder = colliding().circle(0, random.nextDouble(), 1, speed, 0);
+      builder.circle(9 + random.nextDouble(), 0, 1, -random.nextDouble(), 0);
+      Scene scene = builder.build();
       World world = new World(scene);
       Run.step(world, 20);
       double time = world.impacts().time(0);
@@ -250,18 +234,11 @@ class CollisionTest {
    */
   @Test
   void anInfiniteMassThatKeepsItsVelocityPassesOverACrushedCircle() {
-    World world =
-        new World(
-            colliding()
-                .bounds(0, 0, 12800, 10240)
-                .line(12724, 9499, 12295, 9876)
-                .response(Response.HALT)
-                .line(10799, 8474, 10384, 7629)
-                .circle(12136, 8935, 383, 0.9, 1.1)
-                .mass(Double.POSITIVE_INFINITY)
-                .circle(11515, 9225, 1015, 0, 0)
-                .restitution(0.9)
-                .build());
+    SceneBuilder scene = colliding().bounds(0, 0, 12800, 10240);
+    scene.line(12724, 9499, 12295, 9876).response(Response.HALT).line(10799, 8474, 10384, 7629);
+    scene.circle(12136, 8935, 383, 0.9, 1.1).mass(Double.POSITIVE_INFINITY);
+    scene.circle(11515, 9225, 1015, 0, 0).restitution(0.9);
+    World world = new World(scene.build());
 
     assertThat(world.advanceTo(2000)).isTrue();
     assertThat(world.impacts().size()).isLessThan(500);

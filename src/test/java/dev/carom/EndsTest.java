@@ -128,12 +128,9 @@ class EndsTest {
   /** The lines along (4, 3), five apart; v is (4, 3.5), of which (4.24, 3.18) leads along them. */
   @Test
   void aSlantedCorridorOfOneDiameterIsSlidThrough() {
-    Scene scene =
-        Scene.builder()
-            .line(-400, -300, 400, 300)
-            .line(-403, -296, 397, 304)
-            .circle(-1.5, 2, 2.5, 4, 3.5)
-            .build();
+    SceneBuilder setup = Scene.builder().line(-400, -300, 400, 300).line(-403, -296, 397, 304);
+    setup.circle(-1.5, 2, 2.5, 4, 3.5);
+    Scene scene = setup.build();
     Run run = Run.advance(new World(scene), 60);
     assertThat(run.impacts()).hasSizeBetween(PATIENCE, 4 * PATIENCE);
     Run.State end = run.end().get(0);
@@ -169,13 +166,9 @@ class EndsTest {
 
   @Test
   void betweenTwoPegsThatLeaveNoRoomItStops() {
-    Scene scene =
-        Scene.builder()
-            .peg(0, 0, 1)
-            .peg(4, 0, 1)
-            .peg(2, -Math.sqrt(3), 0)
-            .circle(2, 0, Math.sqrt(3), 0.5, -1)
-            .build();
+    SceneBuilder setup = Scene.builder().peg(0, 0, 1).peg(4, 0, 1).peg(2, -Math.sqrt(3), 0);
+    setup.circle(2, 0, Math.sqrt(3), 0.5, -1);
+    Scene scene = setup.build();
     World world = new World(scene);
     assertThat(world.advanceTo(10)).isTrue();
     assertThat(world.impacts().size()).isLessThan(4 * PATIENCE);
@@ -186,13 +179,9 @@ class EndsTest {
   @ParameterizedTest
   @CsvSource({"4,0", "4,3.5"})
   void bumpersAboveOneOnAllSidesEndInADefinedState(double vx, double vy) {
-    World world =
-        new World(
-            Scene.builder()
-                .bounds(0, 0, 10, 10)
-                .restitution(1.5)
-                .circle(5, 4, 1.5, vx, vy)
-                .build());
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).restitution(1.5);
+    scene.circle(5, 4, 1.5, vx, vy);
+    World world = new World(scene.build());
     boolean complete = world.advanceTo(60);
     for (int call = 1; call < 5 && !complete; call++) {
       complete = world.advanceTo(60);
@@ -211,16 +200,9 @@ class EndsTest {
    */
   @Test
   void bumpersAboveOneEndAmongCirclesThatCollide() {
-    World world =
-        new World(
-            Scene.builder()
-                .collide(true)
-                .bounds(0, 0, 40, 40)
-                .restitution(1.1)
-                .circle(37, 20, 2, 0, 0)
-                .mass(1e-3)
-                .circle(20, 20.5, 3, 1, 0)
-                .build());
+    SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 40, 40).restitution(1.1);
+    scene.circle(37, 20, 2, 0, 0).mass(1e-3).circle(20, 20.5, 3, 1, 0);
+    World world = new World(scene.build());
     assertThat(world.advanceTo(100)).isTrue();
     for (int i = 0; i < 2; i++) {
       assertThat(world.x(i)).isBetween(2 - 1e-9, 38 + 1e-9);

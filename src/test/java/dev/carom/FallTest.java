@@ -77,14 +77,9 @@ class FallTest {
 
   @Test
   void aSensorReportsABallEachTimeItComes() {
-    World world =
-        new World(
-            Scene.builder()
-                .gravity(0, -10)
-                .line(0, 10, 20, 10)
-                .response(Response.SENSOR)
-                .circle(10, 5, 1, 0, 20)
-                .build());
+    SceneBuilder scene = Scene.builder().gravity(0, -10);
+    scene.line(0, 10, 20, 10).response(Response.SENSOR).circle(10, 5, 1, 0, 20);
+    World world = new World(scene.build());
     int rows = rows(world, 100);
     assertThat(rows).isEqualTo(2);
     assertThat(world.impacts().time(0)).isLessThan(0.3);
@@ -139,13 +134,9 @@ class FallTest {
   /** Half an angle of 45 degrees: the motions along the two sides do not know of each other. */
   @Test
   void theWedgeBilliardKeepsTheEnergiesAlongItsSides() {
-    Scene scene =
-        Scene.builder()
-            .gravity(0, -10)
-            .line(-1000, 1000, 0, 0)
-            .line(0, 0, 1000, 1000)
-            .circle(3, 40, 1, 2, 1)
-            .build();
+    SceneBuilder setup = Scene.builder().gravity(0, -10).line(-1000, 1000, 0, 0);
+    setup.line(0, 0, 1000, 1000).circle(3, 40, 1, 2, 1);
+    Scene scene = setup.build();
     World world = new World(scene);
     double left = alongSide(world, -1);
     double right = alongSide(world, 1);

@@ -16,14 +16,9 @@ class GalperinTest {
   @ParameterizedTest
   @CsvSource({"0, 3", "1, 31", "2, 314", "3, 3141", "4, 31415", "5, 314159"})
   void countsTheDigitsOfPi(int n, int impacts) {
-    Scene scene =
-        Scene.builder()
-            .line(0, -10, 0, 10)
-            .circle(5, 0, 1, 0, 0)
-            .circle(10, 0, 1, -1, 0)
-            .mass(Math.pow(100, n))
-            .collide(true)
-            .build();
+    SceneBuilder setup = Scene.builder().line(0, -10, 0, 10).circle(5, 0, 1, 0, 0);
+    setup.circle(10, 0, 1, -1, 0).mass(Math.pow(100, n)).collide(true);
+    Scene scene = setup.build();
     World world = new World(scene);
     int counted = 0;
     boolean complete;

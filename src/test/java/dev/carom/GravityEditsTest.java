@@ -30,14 +30,9 @@ class GravityEditsTest {
 
   @Test
   void aSupportThatGoesLetsTheBallFall() {
-    World world =
-        new World(
-            Scene.builder()
-                .gravity(0, -10)
-                .line(0, 0, 20, 0)
-                .circle(10, 1, 1, 0, 0)
-                .restitution(0)
-                .build());
+    SceneBuilder scene = Scene.builder().gravity(0, -10).line(0, 0, 20, 0);
+    scene.circle(10, 1, 1, 0, 0).restitution(0);
+    World world = new World(scene.build());
     rows(world, 5);
     assertThat(world.y(0)).isEqualTo(1);
     world.remove(ObstacleKind.LINE, 0);
@@ -68,15 +63,9 @@ class GravityEditsTest {
   /** The ball above bounced from one at rest, which then loses its support. */
   @Test
   void twoBallsOfWhichOneRestedMeetAgainWhenBothFall() {
-    Scene scene =
-        Scene.builder()
-            .gravity(0, -10)
-            .collide(true)
-            .line(0, 0, 20, 0)
-            .restitution(0)
-            .circle(10, 1, 1, 0, 0)
-            .circle(10, 8, 1, 0, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().gravity(0, -10).collide(true);
+    setup.line(0, 0, 20, 0).restitution(0).circle(10, 1, 1, 0, 0).circle(10, 8, 1, 0, 0);
+    Scene scene = setup.build();
     World world = new World(scene);
     rows(world, 2.5); // it has hit the other one at 1, and is on its way down
     world.remove(ObstacleKind.LINE, 0);
@@ -102,14 +91,9 @@ class GravityEditsTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.5, 1})
   void aLineThatIsEditedInEachFrameLetsABallSlideOnIt(double e) {
-    World world =
-        new World(
-            Scene.builder()
-                .gravity(0, -10)
-                .line(0, 10, 1000, 10)
-                .circle(40, 12, 2, 4, 0)
-                .restitution(e)
-                .build());
+    SceneBuilder scene = Scene.builder().gravity(0, -10).line(0, 10, 1000, 10);
+    scene.circle(40, 12, 2, 4, 0).restitution(e);
+    World world = new World(scene.build());
     for (int frame = 1; frame <= EDITS; frame++) {
       world.setVelocity(ObstacleKind.LINE, 0, Math.sin(frame), 0);
       assertThat(world.advanceTo(frame / 60.0)).isTrue();
@@ -122,14 +106,9 @@ class GravityEditsTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.5, 1})
   void aLiftThatIsSetInEachFrameCarriesABall(double e) {
-    World world =
-        new World(
-            Scene.builder()
-                .gravity(0, -10)
-                .line(0, 10, 1000, 10)
-                .circle(40, 12, 2, 0, 3)
-                .restitution(e)
-                .build());
+    SceneBuilder scene = Scene.builder().gravity(0, -10).line(0, 10, 1000, 10);
+    scene.circle(40, 12, 2, 0, 3).restitution(e);
+    World world = new World(scene.build());
     for (int frame = 1; frame <= EDITS; frame++) {
       world.setVelocity(ObstacleKind.LINE, 0, 0, 3);
       assertThat(world.advanceTo(frame / 60.0)).isTrue();

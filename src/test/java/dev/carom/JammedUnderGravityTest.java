@@ -17,16 +17,9 @@ class JammedUnderGravityTest {
   @Test
   void aLiftCarriesTheBallThatItSqueezedWhenTheCeilingGoes() {
     double depth = 0x1p-10;
-    World world =
-        new World(
-            Scene.builder()
-                .gravity(0, -8)
-                .line(-10, 10, 10, 10)
-                .line(-10, 2, 10, 2)
-                .velocity(0, 1)
-                .circle(0, 4, 1, 0, 0)
-                .restitution(0.5)
-                .build());
+    SceneBuilder scene = Scene.builder().gravity(0, -8).line(-10, 10, 10, 10);
+    scene.line(-10, 2, 10, 2).velocity(0, 1).circle(0, 4, 1, 0, 0).restitution(0.5);
+    World world = new World(scene.build());
     assertThat(world.advanceTo(6 + depth)).isTrue();
     assertThat(world.isResting(0)).isTrue();
     assertThat(world.y(0)).isEqualTo(9);
@@ -39,16 +32,9 @@ class JammedUnderGravityTest {
   /** A press sinks one unit in each unit of time; it jams a ball on a floor, and passes over it. */
   @Test
   void aFreedBallFallsUntilItReachesTheLineThatHasLeftIt() {
-    World world =
-        new World(
-            Scene.builder()
-                .gravity(0, -8)
-                .line(-10, 0, 10, 0)
-                .line(-10, 10, 10, 10)
-                .velocity(0, -1)
-                .circle(0, 1, 1, 0, 0)
-                .restitution(0)
-                .build());
+    SceneBuilder scene = Scene.builder().gravity(0, -8).line(-10, 0, 10, 0);
+    scene.line(-10, 10, 10, 10).velocity(0, -1).circle(0, 1, 1, 0, 0).restitution(0);
+    World world = new World(scene.build());
     assertThat(world.advanceTo(14)).isTrue();
     assertThat(world.y(0)).isEqualTo(1);
     world.remove(LINE, 0); // the press is at -4

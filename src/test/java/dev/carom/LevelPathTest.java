@@ -20,12 +20,9 @@ class LevelPathTest {
   private static void assertHit(double px, double py, double r, double vx, Line line) {
     assertThat(SweptCircle.line(px, py, r, vx, 0, line.ax(), line.ay(), line.bx(), line.by(), 99))
         .isLessThan(99);
-    World world =
-        new World(
-            Scene.builder()
-                .line(line.ax(), line.ay(), line.bx(), line.by())
-                .circle(px, py, r, vx, 0)
-                .build());
+    SceneBuilder scene = Scene.builder().line(line.ax(), line.ay(), line.bx(), line.by());
+    scene.circle(px, py, r, vx, 0);
+    World world = new World(scene.build());
     Run.step(world, 99);
     assertThat(world.impacts().size()).as("%s, %s, %s, %s, %s", px, py, r, vx, line).isPositive();
   }

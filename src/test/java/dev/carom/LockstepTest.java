@@ -64,14 +64,10 @@ class LockstepTest {
   void whatAnEditedCircleMeetsAtOnceIsStillToBeMet(boolean collide, boolean sensorFirst) {
     double late = 0x1p50;
     double near = sensorFirst ? 1 : 2;
-    Scene scene =
-        Scene.builder()
-            .collide(collide)
-            .line(10 + near, -9, 10 + near, 9)
-            .response(Response.SENSOR)
-            .line(13 - near, -9, 13 - near, 9)
-            .circle(0, 0, 1, 0, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().collide(collide);
+    setup.line(10 + near, -9, 10 + near, 9).response(Response.SENSOR);
+    setup.line(13 - near, -9, 13 - near, 9).circle(0, 0, 1, 0, 0);
+    Scene scene = setup.build();
     World world = new World(scene);
     Run.to(world, late);
     world.setVelocity(0, 0x1p7, 0);
@@ -85,13 +81,9 @@ class LockstepTest {
   /** An edit comes after the impacts of now, also of a circle that is gone. */
   @Test
   void theLastImpactOfACircleThatWasRemovedIsNotForgotten() {
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, 10, 10)
-            .collide(true)
-            .circle(5, 2, 1, 0.7, 0)
-            .circle(5, 8, 1, 0, 0.3)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 10, 10).collide(true).circle(5, 2, 1, 0.7, 0);
+    setup.circle(5, 8, 1, 0, 0.3);
+    Scene scene = setup.build();
     int rounded = 0;
     for (Run.Row row : Run.advance(new World(scene), 200).impacts()) {
       World world = new World(scene);

@@ -197,17 +197,9 @@ class MasksTest {
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void aCircleLeavesWallsThatItCannotMeet(boolean collide) {
-    World world =
-        new World(
-            box()
-                .collide(collide)
-                .circle(50, 50, 10, 8, 0)
-                .filter(A, -1)
-                .circle(50, 20, 10, 8, 0)
-                .line(120, 0, 120, 100)
-                .line(300, 0, 400, 0)
-                .filter(B, B)
-                .build());
+    SceneBuilder scene = box().collide(collide).circle(50, 50, 10, 8, 0).filter(A, -1);
+    scene.circle(50, 20, 10, 8, 0).line(120, 0, 120, 100).line(300, 0, 400, 0).filter(B, B);
+    World world = new World(scene.build());
     Timeline past = world.record(100);
     assertThat(world.step(7)).isTrue();
     assertThat(world.x(0)).isEqualTo(106);
@@ -227,15 +219,9 @@ class MasksTest {
   /** Its flights began inside: nothing takes it back to the wall that it flew through. */
   @Test
   void beyondTheWallsACircleMeetsOthersWhereItIs() {
-    World world =
-        new World(
-            box()
-                .collide(true)
-                .circle(50, 50, 10, 8, 0)
-                .filter(A, -1)
-                .circle(180, 50, 10, -8, 0)
-                .filter(A, -1)
-                .build());
+    SceneBuilder scene = box().collide(true).circle(50, 50, 10, 8, 0).filter(A, -1);
+    scene.circle(180, 50, 10, -8, 0).filter(A, -1);
+    World world = new World(scene.build());
     assertThat(world.step(7)).isTrue();
     assertThat(world.impacts().time(0)).isEqualTo(6.875);
     assertThat(world.x(0)).isEqualTo(104);
@@ -260,14 +246,9 @@ class MasksTest {
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void anEditOfTheWallsConcernsAllCircles(boolean collide) {
-    World world =
-        new World(
-            box()
-                .collide(collide)
-                .circle(50, 50, 10, 8, 0)
-                .filter(A, -1)
-                .circle(50, 20, 10, 8, 0)
-                .build());
+    SceneBuilder scene = box().collide(collide).circle(50, 50, 10, 8, 0).filter(A, -1);
+    scene.circle(50, 20, 10, 8, 0);
+    World world = new World(scene.build());
     world.setFilter(ObstacleKind.WALL, 2, 1, A);
     assertThat(world.mask(ObstacleKind.WALL, 0)).isEqualTo(A);
     assertThat(world.step(6)).isTrue();
@@ -285,14 +266,9 @@ class MasksTest {
   @ParameterizedTest
   @CsvSource({"2, -2, true", "-2, 2, false"})
   void circlesThatOverlapAndNowMeetBounceIfTheyApproach(double v1, double v2, boolean bounce) {
-    World world =
-        new World(
-            Scene.builder()
-                .collide(true)
-                .circle(0, 0, 10, v1, 0)
-                .filter(A, A)
-                .circle(5, 0, 10, v2, 0)
-                .build());
+    SceneBuilder scene = Scene.builder().collide(true).circle(0, 0, 10, v1, 0).filter(A, A);
+    scene.circle(5, 0, 10, v2, 0);
+    World world = new World(scene.build());
     world.setFilter(ObstacleKind.CIRCLE, 0, A, -1);
     assertThat(world.step(0.5)).isTrue();
     assertThat(world.impacts().size()).isEqualTo(bounce ? 1 : 0);

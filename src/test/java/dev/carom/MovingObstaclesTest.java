@@ -341,15 +341,9 @@ class MovingObstaclesTest {
 
   @Test
   void aSceneFileHasTheVelocity() throws Exception {
-    Scene scene =
-        Scene.builder()
-            .line(0, 0, 1, 1)
-            .velocity(0.1, -0.2)
-            .oneWay()
-            .peg(5, 5, 1)
-            .velocity(0, 3)
-            .peg(8, 8, 1)
-            .build();
+    SceneBuilder setup = Scene.builder().line(0, 0, 1, 1).velocity(0.1, -0.2).oneWay();
+    setup.peg(5, 5, 1).velocity(0, 3).peg(8, 8, 1);
+    Scene scene = setup.build();
     StringBuilder text = new StringBuilder();
     scene.write(text);
     assertThat(text.toString()).contains("vx=0.1,vy=-0.2").contains("vx=0.0,vy=3.0");

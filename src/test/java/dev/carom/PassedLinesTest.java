@@ -26,12 +26,9 @@ class PassedLinesTest {
       Line line = new Line(place(6), place(6), place(6), place(6));
       double t =
           SweptCircle.line(p[0], p[1], r, vx, vy, line.ax(), line.ay(), line.bx(), line.by(), END);
-      World world =
-          new World(
-              Scene.builder()
-                  .line(line.ax(), line.ay(), line.bx(), line.by())
-                  .circle(p[0], p[1], r, vx, vy)
-                  .build());
+      SceneBuilder scene = Scene.builder().line(line.ax(), line.ay(), line.bx(), line.by());
+      scene.circle(p[0], p[1], r, vx, vy);
+      World world = new World(scene.build());
       Run.step(world, END);
       boolean hit = t <= END;
       assertThat(world.impacts().size() > 0)

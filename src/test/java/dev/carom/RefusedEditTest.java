@@ -31,19 +31,10 @@ class RefusedEditTest {
       ": expected a smaller one: 2^10 ulps of it must not exceed the least radius, " + LEAST;
 
   private static World world(boolean collide) {
-    World world =
-        new World(
-            Scene.builder()
-                .bounds(0, 0, 1000, 900)
-                .collide(collide)
-                .line(10, 20, 30, 40)
-                .line(50, 60, 70, 80)
-                .peg(500, 500, 5)
-                .peg(600, 600, 5)
-                .circle(100, 100, LEAST, 1, 2)
-                .circle(200, 100, 3, 1, 2)
-                .circle(300, 100, 3, 1, 2)
-                .build());
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 1000, 900).collide(collide);
+    scene.line(10, 20, 30, 40).line(50, 60, 70, 80).peg(500, 500, 5).peg(600, 600, 5);
+    scene.circle(100, 100, LEAST, 1, 2).circle(200, 100, 3, 1, 2).circle(300, 100, 3, 1, 2);
+    World world = new World(scene.build());
     world.step(3);
     world.remove(CIRCLE, 2);
     world.remove(LINE, 1);
@@ -172,12 +163,9 @@ class RefusedEditTest {
   @Test
   void aRadiusTooSmallForTheFarthestEnd() {
     for (Line far : List.of(new Line(1e14, 1, 0, 0), new Line(0, 0, 1, -1e14))) {
-      World world =
-          new World(
-              Scene.builder()
-                  .line(far.ax(), far.ay(), far.bx(), far.by())
-                  .circle(0, 99, 16, 0, 0)
-                  .build());
+      SceneBuilder scene = Scene.builder().line(far.ax(), far.ay(), far.bx(), far.by());
+      scene.circle(0, 99, 16, 0, 0);
+      World world = new World(scene.build());
       assertTooSmall(world);
     }
   }

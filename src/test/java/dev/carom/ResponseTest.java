@@ -38,16 +38,9 @@ class ResponseTest {
 
   @Test
   void aPegAndTheBoundsCanHalt() {
-    World world =
-        new World(
-            Scene.builder()
-                .bounds(0, 0, 100, 100)
-                .response(Response.HALT)
-                .peg(50, 20, 5)
-                .response(Response.HALT)
-                .circle(20, 20, 5, 3, 0)
-                .circle(20, 50, 5, 3, 1)
-                .build());
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).response(Response.HALT);
+    scene.peg(50, 20, 5).response(Response.HALT).circle(20, 20, 5, 3, 0).circle(20, 50, 5, 3, 1);
+    World world = new World(scene.build());
     Run.step(world, 100);
     assertThat(List.of(world.vx(0), world.vy(0))).containsExactly(0.0, 0.0);
     assertThat(List.of(world.vx(1), world.vy(1))).containsExactly(0.0, 0.0);
@@ -56,15 +49,9 @@ class ResponseTest {
 
   @Test
   void bothCirclesOfAPairLoseTheirMotionAlongTheNormal() {
-    World world =
-        new World(
-            Scene.builder()
-                .collide(true)
-                .circle(0, 0, 1, 2, 1)
-                .mass(5)
-                .response(Response.HALT)
-                .circle(10, 4, 1, -2, -1)
-                .build());
+    SceneBuilder scene = Scene.builder().collide(true);
+    scene.circle(0, 0, 1, 2, 1).mass(5).response(Response.HALT).circle(10, 4, 1, -2, -1);
+    World world = new World(scene.build());
     Run.step(world, 3);
     assertThat(world.impacts().size()).isEqualTo(1);
     assertThat(world.impacts().nx(0)).isEqualTo(-1);
@@ -74,15 +61,10 @@ class ResponseTest {
 
   @Test
   void atACircleThatNothingDeflectsTheOtherTakesOverItsMotion() {
-    World world =
-        new World(
-            Scene.builder()
-                .collide(true)
-                .circle(0, 0, 1, 3, 0)
-                .response(Response.HALT)
-                .circle(10, 0, 1, -1, 0)
-                .mass(Double.POSITIVE_INFINITY)
-                .build());
+    SceneBuilder scene = Scene.builder().collide(true);
+    scene.circle(0, 0, 1, 3, 0).response(Response.HALT);
+    scene.circle(10, 0, 1, -1, 0).mass(Double.POSITIVE_INFINITY);
+    World world = new World(scene.build());
     Run.step(world, 10);
     assertThat(world.vx(0)).isEqualTo(-1);
     assertThat(world.vx(1)).isEqualTo(-1);
@@ -221,18 +203,11 @@ class ResponseTest {
 
   @Test
   void responsesAreKeptInScenesAndFiles() throws Exception {
-    Scene scene =
-        box()
-            .response(Response.HALT)
-            .line(1, 2, 3, 4)
-            .response(Response.SENSOR)
-            .oneWay()
-            .peg(5, 6, 7)
-            .restitution(0.5)
-            .response(Response.HALT)
-            .circle(50, 50, 5, 0, 0)
-            .response(Response.SENSOR)
-            .build();
+    SceneBuilder builder = box().response(Response.HALT);
+    builder.line(1, 2, 3, 4).response(Response.SENSOR).oneWay();
+    builder.peg(5, 6, 7).restitution(0.5).response(Response.HALT);
+    builder.circle(50, 50, 5, 0, 0).response(Response.SENSOR);
+    Scene scene = builder.build();
     StringBuilder text = new StringBuilder();
     scene.write(text);
     assertThat(text.toString().lines())

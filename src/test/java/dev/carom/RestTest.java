@@ -147,16 +147,9 @@ class RestTest {
   /** Gravity, set before each frame: one impact a frame, and not a bit of creeping. */
   @Test
   void aCirclePressedToTheFloorEachFrameStaysThereForAMillionSteps() {
-    World world =
-        new World(
-            Scene.builder()
-                .bounds(0, 0, 40, 40)
-                .restitution(0)
-                .circle(20.3, 1, 1, 0, 0)
-                .circle(39, 1, 1, 0, 0)
-                .circle(37, 1, 1, 0, 0)
-                .collide(true)
-                .build());
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 40, 40).restitution(0);
+    scene.circle(20.3, 1, 1, 0, 0).circle(39, 1, 1, 0, 0).circle(37, 1, 1, 0, 0).collide(true);
+    World world = new World(scene.build());
     List<Run.State> before = Run.states(world);
     int impacts = 0;
     for (int frame = 0; frame < 1_000_000; frame++) {

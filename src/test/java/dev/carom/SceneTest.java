@@ -101,13 +101,9 @@ class SceneTest {
 
   @Test
   void theExampleOfTheJavadoc() {
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, 800, 600)
-            .line(300, 200, 500, 400)
-            .restitution(0.9)
-            .circle(100, 100, 10, 4, 3)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 800, 600);
+    setup.line(300, 200, 500, 400).restitution(0.9).circle(100, 100, 10, 4, 3);
+    Scene scene = setup.build();
     assertThat(scene)
         .hasToString(
             "Scene[circles=1, lines=1, pegs=0,"

@@ -121,16 +121,9 @@ class SnapshotTest {
   @ParameterizedTest
   @CsvSource({"false, 0", "true, 0", "false, -0.5", "true, -0.5"})
   void howARunWasCutIntoStepsDoesNotShow(boolean collide, double gravity) {
-    Scene scene =
-        box(collide)
-            .gravity(0, gravity)
-            .peg(80, 80, 3)
-            .response(Response.HALT)
-            .line(10, 40, 90, 60)
-            .response(Response.SENSOR)
-            .peg(20, 80, 3)
-            .response(Response.SENSOR)
-            .build();
+    SceneBuilder builder = box(collide).gravity(0, gravity).peg(80, 80, 3).response(Response.HALT);
+    builder.line(10, 40, 90, 60).response(Response.SENSOR).peg(20, 80, 3).response(Response.SENSOR);
+    Scene scene = builder.build();
     // Cells so small that a search goes only as far as a step needs.
     World one = new World(scene, EngineOptions.cells(0.25));
     World two = new World(scene, EngineOptions.cells(0.25));
@@ -235,16 +228,10 @@ class SnapshotTest {
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void theOtherSensorIsReportedWhenOneWasRemoved(boolean collide) {
-    World world =
-        new World(
-            Scene.builder()
-                .collide(collide)
-                .line(50, 0, 50, 100)
-                .response(Response.SENSOR)
-                .line(50, 100, 50, 0)
-                .response(Response.SENSOR)
-                .circle(10, 50, 5, 5, 0)
-                .build());
+    SceneBuilder setup = Scene.builder().collide(collide);
+    setup.line(50, 0, 50, 100).response(Response.SENSOR);
+    setup.line(50, 100, 50, 0).response(Response.SENSOR).circle(10, 50, 5, 5, 0);
+    World world = new World(setup.build());
     Run.step(world, 6);
     world.remove(LINE, 0);
     World other = new World(world.scene());

@@ -108,14 +108,9 @@ class TimelineTest {
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void onlySoManyFlightsAreKept(boolean collide) {
-    World world =
-        new World(
-            Scene.builder()
-                .bounds(0, 0, 10, 10)
-                .collide(collide)
-                .circle(5, 2, 1, 4, 0)
-                .circle(5, 8, 1, 0, 0)
-                .build());
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).collide(collide);
+    scene.circle(5, 2, 1, 4, 0).circle(5, 8, 1, 0, 0);
+    World world = new World(scene.build());
     Timeline timeline = world.record(3);
     Run.step(world, 3); // walls at 1, 3; a flight lasts 2
     assertThat(timeline.start()).isZero();

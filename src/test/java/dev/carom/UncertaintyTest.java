@@ -109,12 +109,9 @@ class UncertaintyTest {
   }
 
   private static double exponentInABox(double restitution) {
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, 90, 5)
-            .restitution(restitution)
-            .circle(3, 2, 1, 1.3, 2.1)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 90, 5).restitution(restitution);
+    setup.circle(3, 2, 1, 1.3, 2.1);
+    Scene scene = setup.build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
     advance(world, uncertainty, 10);
@@ -256,12 +253,9 @@ class UncertaintyTest {
   /** At a halt along a line only the motion along it remains, and its error. */
   @Test
   void aCircleThatHaltsAtALineKeepsItsError() {
-    Scene scene =
-        Scene.builder()
-            .line(-1000, 0, 1000, 0)
-            .response(Response.HALT)
-            .circle(0, 5, 2, 1, -1)
-            .build();
+    SceneBuilder setup = Scene.builder().line(-1000, 0, 1000, 0).response(Response.HALT);
+    setup.circle(0, 5, 2, 1, -1);
+    Scene scene = setup.build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
     advance(world, uncertainty, 20);
@@ -319,12 +313,9 @@ class UncertaintyTest {
   void theExponentOfABounceOnAPegIsThatOfItsMap() {
     double height = 8;
     double reach = 12;
-    Scene scene =
-        Scene.builder()
-            .peg(50, 0, 10)
-            .circle(50, reach + height, 2, 0, 0)
-            .gravity(0, -0.25)
-            .build();
+    SceneBuilder setup = Scene.builder().peg(50, 0, 10);
+    setup.circle(50, reach + height, 2, 0, 0).gravity(0, -0.25);
+    Scene scene = setup.build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
     advance(world, uncertainty, 4000);
@@ -387,13 +378,10 @@ class UncertaintyTest {
     double[] bounds = new double[2];
     for (int i = 0; i < 2; i++) {
       double unit = i == 0 ? 1 : 0x1p20;
-      Scene scene =
-          Scene.builder()
-              .bounds(0, 0, 100 * unit, 200 * unit)
-              .peg(50 * unit, 50 * unit, 20 * unit)
-              .gravity(0, -0.125 * unit)
-              .circle(48 * unit, 180 * unit, 3 * unit, 0, -0.5 * unit)
-              .build();
+      SceneBuilder setup = Scene.builder().bounds(0, 0, 100 * unit, 200 * unit);
+      setup.peg(50 * unit, 50 * unit, 20 * unit).gravity(0, -0.125 * unit);
+      setup.circle(48 * unit, 180 * unit, 3 * unit, 0, -0.5 * unit);
+      Scene scene = setup.build();
       World world = new World(scene);
       Uncertainty uncertainty = new Uncertainty(world, unit);
       advance(world, uncertainty, 120);
@@ -404,13 +392,9 @@ class UncertaintyTest {
 
   @Test
   void aCircleThatSettlesIsUnknown() {
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, 100, 90)
-            .restitution(0.5)
-            .circle(50, 12, 2, 1, 0)
-            .gravity(0, -1)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 90).restitution(0.5);
+    setup.circle(50, 12, 2, 1, 0).gravity(0, -1);
+    Scene scene = setup.build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
     advance(world, uncertainty, 5);
@@ -429,13 +413,9 @@ class UncertaintyTest {
   /** The rules of gravity make a low bounce off a peg higher than the restitution has it. */
   @Test
   void aHopOfTheRulesIsUnknown() {
-    Scene scene =
-        Scene.builder()
-            .peg(50, 0, 10)
-            .restitution(0.5)
-            .circle(50.5, 20, 2, 0, 0)
-            .gravity(0, -0.25)
-            .build();
+    SceneBuilder setup = Scene.builder().peg(50, 0, 10).restitution(0.5);
+    setup.circle(50.5, 20, 2, 0, 0).gravity(0, -0.25);
+    Scene scene = setup.build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
     int bounces = 0;
@@ -477,14 +457,9 @@ class UncertaintyTest {
 
   @Test
   void aCircleThatNothingMovesIsKnownBesideOnesThatFall() {
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, 100, 90)
-            .gravity(0, -1)
-            .circle(50, 60, 2, 1, 0)
-            .mass(Double.POSITIVE_INFINITY)
-            .circle(20, 60, 2, 1, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 90).gravity(0, -1);
+    setup.circle(50, 60, 2, 1, 0).mass(Double.POSITIVE_INFINITY).circle(20, 60, 2, 1, 0);
+    Scene scene = setup.build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
     advance(world, uncertainty, 60);
@@ -496,13 +471,9 @@ class UncertaintyTest {
   /** Two pegs touched at once: which of them is first depends on roundings. */
   @Test
   void twoPegsAtOnceMakeUnknown() {
-    Scene scene =
-        Scene.builder()
-            .bounds(-100, -100, 100, 100)
-            .peg(-9.3, 30.1, 10)
-            .peg(9.3, 30.1, 10)
-            .circle(0, -80, 2, 0, 1.7)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(-100, -100, 100, 100).peg(-9.3, 30.1, 10);
+    setup.peg(9.3, 30.1, 10).circle(0, -80, 2, 0, 1.7);
+    Scene scene = setup.build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
     advance(world, uncertainty, 100);

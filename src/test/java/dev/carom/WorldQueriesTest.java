@@ -201,16 +201,9 @@ class WorldQueriesTest {
 
   @Test
   void sensorsArePassedOverAndOneWayLinesStopFromTheLeft() {
-    World world =
-        new World(
-            room()
-                .line(30, 0, 30, 100)
-                .response(Response.SENSOR)
-                .line(50, 0, 50, 100)
-                .oneWay()
-                .peg(10, 20, 4)
-                .response(Response.SENSOR)
-                .build());
+    SceneBuilder scene = room().line(30, 0, 30, 100).response(Response.SENSOR);
+    scene.line(50, 0, 50, 100).oneWay().peg(10, 20, 4).response(Response.SENSOR);
+    World world = new World(scene.build());
     assertThat(world.cast(new Circle(20, 20, 5), new Vec2(1, 0), NEVER).orElseThrow().id())
         .isEqualTo(1);
     Impact wall = world.cast(new Circle(80, 20, 5), new Vec2(-1, 0), NEVER).orElseThrow();
@@ -276,16 +269,9 @@ class WorldQueriesTest {
 
   @Test
   void theNearestThingOfEachKind() {
-    World world =
-        new World(
-            room()
-                .line(10, 10, 20, 10)
-                .line(10, 30, 20, 30)
-                .peg(50, 50, 10)
-                .peg(80, 50, 2)
-                .circle(30, 80, 5, 1, 0)
-                .circle(60, 80, 5, 0, 0)
-                .build());
+    SceneBuilder scene = room().line(10, 10, 20, 10).line(10, 30, 20, 30).peg(50, 50, 10);
+    scene.peg(80, 50, 2).circle(30, 80, 5, 1, 0).circle(60, 80, 5, 0, 0);
+    World world = new World(scene.build());
     Run.step(world, 10);
     assertThat(world.nearest(ObstacleKind.LINE, 15, 19)).isZero();
     assertThat(world.nearest(ObstacleKind.LINE, 15, 20)).as("equally near").isZero();

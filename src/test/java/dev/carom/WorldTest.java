@@ -503,16 +503,10 @@ class WorldTest {
   /** Coordinates may be -0; where a component of the normal is 0, it is not. */
   @Test
   void normalsHaveNoMinusZero() {
-    World world =
-        new World(
-            Scene.builder()
-                .line(-4, -0.0, 4, 0)
-                .circle(0, 3, 1, 0, -1)
-                .circle(0, -3, 1, 0, 1)
-                .line(-0.0, 10, 0, 18)
-                .circle(3, 14, 1, -1, 0)
-                .circle(-3, 14, 1, 1, 0)
-                .build());
+    SceneBuilder scene = Scene.builder().line(-4, -0.0, 4, 0).circle(0, 3, 1, 0, -1);
+    scene.circle(0, -3, 1, 0, 1).line(-0.0, 10, 0, 18).circle(3, 14, 1, -1, 0);
+    scene.circle(-3, 14, 1, 1, 0);
+    World world = new World(scene.build());
     Run.step(world, 2);
     for (int row = 0; row < 4; row++) {
       double zero = row < 2 ? world.impacts().nx(row) : world.impacts().ny(row);
@@ -524,16 +518,9 @@ class WorldTest {
 
   @Test
   void aWorldTellsWhatIsThereAndWhen() {
-    World world =
-        new World(
-            Scene.builder()
-                .bounds(0, 0, 9, 8)
-                .collide(true)
-                .line(1, 2, 3, 4)
-                .peg(5, 5, 1)
-                .peg(6, 5, 1)
-                .circle(7, 2, 1, 2, 0)
-                .build());
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 9, 8).collide(true).line(1, 2, 3, 4);
+    scene.peg(5, 5, 1).peg(6, 5, 1).circle(7, 2, 1, 2, 0);
+    World world = new World(scene.build());
     world.remove(ObstacleKind.PEG, 0);
     world.addCircle(2, 7, 0.5, 0, 0);
     Run.step(world, 1.5);
@@ -549,14 +536,9 @@ class WorldTest {
 
   @Test
   void aLogTellsItsFirstRows() {
-    World world =
-        new World(
-            Scene.builder()
-                .bounds(0, 0, 10, 20)
-                .line(4, 4, 6, 4)
-                .circle(5, 2, 1, 0, 4)
-                .circle(5, 10, 1, 2, 0)
-                .build());
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 20).line(4, 4, 6, 4);
+    scene.circle(5, 2, 1, 0, 4).circle(5, 10, 1, 2, 0);
+    World world = new World(scene.build());
     assertThat(world.impacts()).hasToString("ImpactLog of 0 rows");
     Run.step(world, 1);
     assertThat(world.impacts())

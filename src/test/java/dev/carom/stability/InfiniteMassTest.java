@@ -35,16 +35,9 @@ class InfiniteMassTest {
 
   @Test
   void threeInARowPassThroughEachOther() {
-    World world =
-        new World(
-            colliding()
-                .circle(0, 0, 1, 0, 0)
-                .mass(INFINITE)
-                .circle(3, 0, 1, -1, 0)
-                .mass(INFINITE)
-                .circle(7, 0, 1, -2, 0)
-                .mass(INFINITE)
-                .build());
+    SceneBuilder scene = colliding().circle(0, 0, 1, 0, 0).mass(INFINITE);
+    scene.circle(3, 0, 1, -1, 0).mass(INFINITE).circle(7, 0, 1, -2, 0).mass(INFINITE);
+    World world = new World(scene.build());
     assertThat(world.step(10)).isTrue();
     assertThat(world.impacts().size()).isEqualTo(3);
     assertThat(count(world.impacts(), Outcome.PASSED)).isEqualTo(3);
@@ -85,16 +78,9 @@ class InfiniteMassTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.3, 0.5, 0.9, 1})
   void twoDoorsThatCloseCrushABall(double e) {
-    World world =
-        new World(
-            colliding()
-                .circle(0, 0, 1, 0.3, 0)
-                .restitution(e)
-                .circle(-5, 0, 1, 1, 0)
-                .mass(INFINITE)
-                .circle(5, 0, 1, -1, 0)
-                .mass(INFINITE)
-                .build());
+    SceneBuilder scene = colliding().circle(0, 0, 1, 0.3, 0).restitution(e);
+    scene.circle(-5, 0, 1, 1, 0).mass(INFINITE).circle(5, 0, 1, -1, 0).mass(INFINITE);
+    World world = new World(scene.build());
     assertThat(world.step(2.5)).isTrue();
     int rows = world.impacts().size();
     assertThat(world.step(1)).isTrue();
@@ -116,15 +102,9 @@ class InfiniteMassTest {
   @ParameterizedTest
   @ValueSource(doubles = {0, 0.5, 1})
   void aPistonCrushesABallAtAWall(double e) {
-    World world =
-        new World(
-            colliding()
-                .bounds(0, 0, 20, 20)
-                .circle(15, 10, 1, 0.3, 0)
-                .restitution(e)
-                .circle(5, 10, 1, 1, 0)
-                .mass(INFINITE)
-                .build());
+    SceneBuilder scene = colliding().bounds(0, 0, 20, 20).circle(15, 10, 1, 0.3, 0).restitution(e);
+    scene.circle(5, 10, 1, 1, 0).mass(INFINITE);
+    World world = new World(scene.build());
     assertThat(world.advanceTo(13)).isTrue();
     assertThat(world.x(0)).isCloseTo(19, within(1e-4));
     assertThat(world.vx(0)).isZero();
@@ -137,17 +117,9 @@ class InfiniteMassTest {
   /** A crushed circle is hit like one of infinite mass, and moves again once the doors left it. */
   @Test
   void aCrushedCircleStandsUntilTheDoorsHaveLeft() {
-    World world =
-        new World(
-            colliding()
-                .circle(0, 0, 1, 0, 0)
-                .circle(-5, 0, 1, 1, 0)
-                .mass(INFINITE)
-                .circle(5, 0, 1, -1, 0)
-                .mass(INFINITE)
-                .circle(0, 10, 1, 0, -2)
-                .restitution(1)
-                .build());
+    SceneBuilder scene = colliding().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).mass(INFINITE);
+    scene.circle(5, 0, 1, -1, 0).mass(INFINITE).circle(0, 10, 1, 0, -2).restitution(1);
+    World world = new World(scene.build());
     assertThat(world.advanceTo(4)).isTrue();
     assertThat(world.y(3)).as("before").isEqualTo(2, within(1e-12));
     assertThat(world.advanceTo(4.5)).isTrue();
@@ -163,17 +135,9 @@ class InfiniteMassTest {
   /** A ball that rides on one door is hit by the other one: it is not crushed while it moves. */
   @Test
   void onlyWhatStandsIsPassedOver() {
-    World world =
-        new World(
-            colliding()
-                .bounds(-50, 0, 50, 50)
-                .circle(0, 1.5, 1, 0, 0)
-                .restitution(0)
-                .circle(-3, 3.5, 2, 0.5, -1)
-                .mass(INFINITE)
-                .circle(3, 3.5, 2, -2, -0.5)
-                .mass(INFINITE)
-                .build());
+    SceneBuilder scene = colliding().bounds(-50, 0, 50, 50).circle(0, 1.5, 1, 0, 0).restitution(0);
+    scene.circle(-3, 3.5, 2, 0.5, -1).mass(INFINITE).circle(3, 3.5, 2, -2, -0.5).mass(INFINITE);
+    World world = new World(scene.build());
     for (int frame = 1; frame <= 400; frame++) {
       assertThat(world.advanceTo(frame / 100.0)).isTrue();
       double nearest = Double.POSITIVE_INFINITY;
@@ -188,17 +152,9 @@ class InfiniteMassTest {
 
   @Test
   void whoComesLaterPassesOverACrushedCircleToo() {
-    World world =
-        new World(
-            colliding()
-                .circle(0, 0, 1, 0, 0)
-                .circle(-5, 0, 1, 1, 0)
-                .mass(INFINITE)
-                .circle(5, 0, 1, -1, 0)
-                .mass(INFINITE)
-                .circle(0, 9, 1, 0, -2)
-                .mass(INFINITE)
-                .build());
+    SceneBuilder scene = colliding().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).mass(INFINITE);
+    scene.circle(5, 0, 1, -1, 0).mass(INFINITE).circle(0, 9, 1, 0, -2).mass(INFINITE);
+    World world = new World(scene.build());
     assertThat(world.advanceTo(3)).isTrue();
     assertThat(world.advanceTo(4)).isTrue();
     assertThat(count(world.impacts(), Outcome.JAMMED)).as("it comes").isPositive();

@@ -107,16 +107,9 @@ class JammedCirclesTest {
   @ParameterizedTest
   @CsvSource({"1e-3, 0, 20", "1e-3, 0, 20.5", "1e-3, 0.5, 20", "1e-9, 0, 20", "0x1p-500, 0.5, 20"})
   void aLightCircleIsNotPressedThroughAWall(double mass, double e, double y) {
-    World world =
-        new World(
-            Scene.builder()
-                .collide(true)
-                .bounds(0, 0, 40, 40)
-                .circle(37, 20, 2, 0, 0)
-                .mass(mass)
-                .circle(20, y, 3, 1, 0)
-                .restitution(e)
-                .build());
+    SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 40, 40);
+    scene.circle(37, 20, 2, 0, 0).mass(mass).circle(20, y, 3, 1, 0).restitution(e);
+    World world = new World(scene.build());
     assertApart(world, 100, 200, 2, 3);
     assertThat(world.x(0)).isBetween(2.0, 38 + BORNE);
     assertThat(world.x(1)).isBetween(3.0, 37 + BORNE);
@@ -130,17 +123,9 @@ class JammedCirclesTest {
   @ParameterizedTest
   @ValueSource(doubles = {20, 20.5, 22})
   void aLightCircleThatGathersSpeedInOneMomentIsNotPassedThrough(double y) {
-    World world =
-        new World(
-            Scene.builder()
-                .collide(true)
-                .bounds(0, 0, 40, 40)
-                .restitution(0.9)
-                .circle(39, 20, 2, 0, 0)
-                .mass(0x1p-500)
-                .circle(20, y, 3, 1, 0)
-                .restitution(1.5)
-                .build());
+    SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 40, 40).restitution(0.9);
+    scene.circle(39, 20, 2, 0, 0).mass(0x1p-500).circle(20, y, 3, 1, 0).restitution(1.5);
+    World world = new World(scene.build());
     assertApart(world, 100, 200, 2, 3);
     assertThat(world.x(0)).isBetween(2.0, 39 + BORNE);
     assertThat(world.x(1)).isBetween(3.0, 37 + BORNE);

@@ -120,14 +120,10 @@ class TrappedTest {
   /** A clearance of 18 ulps among three points: too little for doubles to tell where it is. */
   @Test
   void aPocketOfSomeUlpsJams() {
-    World world =
-        new World(
-            Scene.builder()
-                .peg(0, 1.000000000000004, 0)
-                .peg(.866025403784442, -.500000000000002, 0)
-                .peg(-.866025403784442, -.500000000000002, 0)
-                .circle(0, 0, 1, .3, .2)
-                .build());
+    SceneBuilder scene = Scene.builder().peg(0, 1.000000000000004, 0);
+    scene.peg(.866025403784442, -.500000000000002, 0).peg(-.866025403784442, -.500000000000002, 0);
+    scene.circle(0, 0, 1, .3, .2);
+    World world = new World(scene.build());
     assertThat(world.step(1)).isTrue();
     assertThat(world.impacts().size()).isBetween(1_025, 1_100);
     assertThat(world.step(1)).isTrue();

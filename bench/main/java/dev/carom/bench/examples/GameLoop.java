@@ -3,6 +3,7 @@ package dev.carom.bench.examples;
 
 import dev.carom.ObstacleKind;
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.Timeline;
 import dev.carom.World;
 import dev.carom.bench.charts.SceneDrawing;
@@ -48,18 +49,11 @@ public final class GameLoop implements Example {
 
   /** Sets up a scene. */
   public GameLoop() {
-    Scene scene =
-        Scene.builder()
-            .gravity(0, GRAVITY)
-            .bounds(0, 0, 400, 300)
-            .restitution(0.9)
-            .line(40, 200, 180, 140)
-            .line(220, 90, 370, 150)
-            .peg(200, 220, 12)
-            .circle(60, 270, 10, 40, 0)
-            .circle(330, 250, 14, -120, 0)
-            .circle(205, 285, 8, 0, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().gravity(0, GRAVITY);
+    setup.bounds(0, 0, 400, 300).restitution(0.9).line(40, 200, 180, 140).line(220, 90, 370, 150);
+    setup.peg(200, 220, 12).circle(60, 270, 10, 40, 0).circle(330, 250, 14, -120, 0);
+    setup.circle(205, 285, 8, 0, 0);
+    Scene scene = setup.build();
     world = new World(scene);
     past = world.record(FLIGHTS);
     drawing = SceneDrawing.of(scene).withArrowTime(0).withMargin(8);

@@ -2,6 +2,7 @@
 package dev.carom.bench.examples;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.World;
 import dev.carom.bench.charts.SceneDrawing;
 import dev.carom.bench.charts.Still;
@@ -52,14 +53,9 @@ public final class PiCollisions implements Example {
     double mass = 1;
     for (int k = 0; k < LANES; k++) {
       double radius = LIGHT + 4 * k;
-      Scene scene =
-          Scene.builder()
-              .collide(true)
-              .line(WALL, -HALF, WALL, HALF)
-              .circle(60, 0, LIGHT, 0, 0)
-              .circle(300, 0, radius, -SPEED, 0)
-              .mass(mass)
-              .build();
+      SceneBuilder setup = Scene.builder().collide(true).line(WALL, -HALF, WALL, HALF);
+      setup.circle(60, 0, LIGHT, 0, 0).circle(300, 0, radius, -SPEED, 0).mass(mass);
+      Scene scene = setup.build();
       lanes.add(new World(scene));
       counts[k] = 0;
       mass *= 100;

@@ -2,6 +2,7 @@
 package dev.carom.bench.examples;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.Timeline;
 import dev.carom.Vec2;
 import dev.carom.World;
@@ -57,13 +58,9 @@ public final class SinaiBilliard implements Example {
     Vec2 way = new Vec2(mouse.x() - 15, mouse.y() - 20);
     double vx = SPEED * way.x() / way.length();
     double vy = SPEED * way.y() / way.length();
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, SIDE, SIDE)
-            .peg(SIDE / 2, SIDE / 2, 22)
-            .circle(15, 20, 2, vx, vy)
-            .circle(15 + APART, 20, 2, vx, vy)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, SIDE, SIDE).peg(SIDE / 2, SIDE / 2, 22);
+    setup.circle(15, 20, 2, vx, vy).circle(15 + APART, 20, 2, vx, vy);
+    Scene scene = setup.build();
     world = new World(scene);
     past = world.record(100_000);
     drawing = SceneDrawing.of(scene).withArrowTime(0).withMargin(12);

@@ -2,6 +2,7 @@
 package dev.carom.bench.stability;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import java.util.Arrays;
 
 /** One circle in a box of four lines, whose course unfolds. */
@@ -59,14 +60,10 @@ final class BoxMaps {
     double vx = speed * StrictMath.cos(angle);
     double vy = speed * StrictMath.sin(angle);
     double gap = Math.min(WIDTH / 2 + 7.3, BEFORE * frames * vx);
-    Scene scene =
-        Scene.builder()
-            .line(0, 0, WIDTH, 0)
-            .line(WIDTH, 0, WIDTH, HEIGHT)
-            .line(WIDTH, HEIGHT, 0, HEIGHT)
-            .line(0, HEIGHT, 0, 0)
-            .circle(WIDTH - RADIUS - gap, 120.7, RADIUS, vx, vy)
-            .build();
+    SceneBuilder setup = Scene.builder().line(0, 0, WIDTH, 0).line(WIDTH, 0, WIDTH, HEIGHT);
+    setup.line(WIDTH, HEIGHT, 0, HEIGHT).line(0, HEIGHT, 0, 0);
+    setup.circle(WIDTH - RADIUS - gap, 120.7, RADIUS, vx, vy);
+    Scene scene = setup.build();
     BoxCourse truth = new BoxCourse(scene, WIDTH, HEIGHT, frames);
     Fence fence = (x, y) -> x < 0 || x > WIDTH || y < 0 || y > HEIGHT;
     return new Cell(scene, truth, fence, false);

@@ -2,6 +2,7 @@
 package dev.carom.bench.stability;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.bench.reference.Truth;
 
 /** A circle that flies, a little askew, at the gap between two lines. */
@@ -44,12 +45,9 @@ final class GapMap {
     double vx = speed / Math.sqrt(1 + SLOPE * SLOPE);
     double vy = SLOPE * vx;
     double before = BEFORE * way;
-    Scene scene =
-        Scene.builder()
-            .line(0, -half, way, -half)
-            .line(0, half, way, half)
-            .circle(-before, -SLOPE * before, RADIUS, vx, vy)
-            .build();
+    SceneBuilder setup = Scene.builder().line(0, -half, way, -half).line(0, half, way, half);
+    setup.circle(-before, -SLOPE * before, RADIUS, vx, vy);
+    Scene scene = setup.build();
     Fence fence = (x, y) -> x > 0 && (gap < 1 || Math.abs(y) > half);
     Truth truth;
     try {

@@ -2,6 +2,7 @@
 package dev.carom.bench.stability;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.bench.reference.Truth;
 
 /** A circle that meets the end of a line, far from the origin. */
@@ -28,11 +29,9 @@ final class OriginMap {
     double endX = 0.8 * distance * RADIUS;
     double endY = 0.6 * distance * RADIUS;
     double speed = radiiPerFrame * RADIUS;
-    Scene scene =
-        Scene.builder()
-            .line(endX, endY - 20 * RADIUS, endX, endY)
-            .circle(endX - 0.8 * RADIUS - BEFORE * speed, endY + 0.6 * RADIUS, RADIUS, speed, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().line(endX, endY - 20 * RADIUS, endX, endY);
+    setup.circle(endX - 0.8 * RADIUS - BEFORE * speed, endY + 0.6 * RADIUS, RADIUS, speed, 0);
+    Scene scene = setup.build();
     return new Cell(scene, Truth.of(scene, FRAMES, () -> {}), Fence.NONE, false);
   }
 }

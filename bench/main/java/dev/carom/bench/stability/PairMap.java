@@ -2,6 +2,7 @@
 package dev.carom.bench.stability;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.bench.reference.Truth;
 
 /** A circle that squeezes a lighter one against a line. */
@@ -42,16 +43,10 @@ final class PairMap {
   private static Cell cell(double ratio, double restitution) {
     // The product of the two is the pair's.
     double each = Math.sqrt(restitution);
-    Scene scene =
-        Scene.builder()
-            .collide(true)
-            .line(0, -30 * RADIUS, 0, 30 * RADIUS)
-            .circle(ROOM + 3 * RADIUS, 0, RADIUS, -1, 0)
-            .mass(ratio)
-            .restitution(each)
-            .circle(GAP + RADIUS, ASIDE, RADIUS, 0, 0)
-            .restitution(each)
-            .build();
+    SceneBuilder setup = Scene.builder().collide(true).line(0, -30 * RADIUS, 0, 30 * RADIUS);
+    setup.circle(ROOM + 3 * RADIUS, 0, RADIUS, -1, 0).mass(ratio).restitution(each);
+    setup.circle(GAP + RADIUS, ASIDE, RADIUS, 0, 0).restitution(each);
+    Scene scene = setup.build();
     Truth truth = Truth.of(scene, FRAMES, () -> {});
     return new Cell(scene, truth, (x, y) -> x < 0, false);
   }

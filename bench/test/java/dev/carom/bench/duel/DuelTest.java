@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.World;
 import dev.carom.bench.reference.Reference;
 import java.util.EnumMap;
@@ -105,12 +106,9 @@ class DuelTest {
 
   @Test
   void countsWhoIsLostOnceAndForEver() {
-    Scene thin =
-        Scene.builder()
-            .line(50, -50, 50, 150)
-            .circle(20, 30, 5, 0, 0)
-            .circle(20, 70, 1, 64, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().line(50, -50, 50, 150).circle(20, 30, 5, 0, 0);
+    setup.circle(20, 70, 1, 64, 0);
+    Scene thin = setup.build();
     try (Duel duel = new Duel(thin, Rival.SUBSTEPS, null)) {
       assertThat(duel.rival(1).lost()).isEqualTo(1);
       assertThat(duel.rival(50).isLost(1)).isTrue();

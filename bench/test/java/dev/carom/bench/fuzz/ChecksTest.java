@@ -62,15 +62,9 @@ class ChecksTest {
 
   /** A line that goes right and a peg that goes left; each flight takes one unit of time. */
   private static World withMovingThings() {
-    World world =
-        new World(
-            box()
-                .line(10, 5, 10, 95)
-                .velocity(20, 0)
-                .peg(95, 90, 3)
-                .velocity(-30, 0)
-                .circle(20, 50, 5, 1, 0)
-                .build());
+    SceneBuilder scene = box().line(10, 5, 10, 95).velocity(20, 0).peg(95, 90, 3).velocity(-30, 0);
+    scene.circle(20, 50, 5, 1, 0);
+    World world = new World(scene.build());
     world.setResponse(ObstacleKind.CIRCLE, 0, Response.SENSOR); // nothing happens to it
     world.advanceTo(1);
     return world;
@@ -93,14 +87,9 @@ class ChecksTest {
 
   @Test
   void thingsThatMovePassOverJammedCirclesOnly() throws FindingException {
-    World squeezed =
-        new World(
-            Scene.builder()
-                .bounds(0, 0, 100, 100)
-                .line(50, 0, 50, 100)
-                .velocity(8, 0)
-                .circle(94, 50, 5, 0, 0)
-                .build());
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).line(50, 0, 50, 100).velocity(8, 0);
+    scene.circle(94, 50, 5, 0, 0);
+    World squeezed = new World(scene.build());
     passed.enter(squeezed);
     squeezed.advanceTo(6);
     double x = squeezed.x(0);
@@ -179,14 +168,9 @@ class ChecksTest {
 
   @Test
   void energyFromNowhereIsFoundBesideThingsThatMove() throws FindingException {
-    World world =
-        new World(
-            Scene.builder()
-                .line(0, -10, 0, 10)
-                .velocity(1, 0)
-                .circle(3, 0, 1, 0, 0)
-                .circle(3, 50, 1, 1, 0)
-                .build());
+    SceneBuilder scene = Scene.builder().line(0, -10, 0, 10).velocity(1, 0).circle(3, 0, 1, 0, 0);
+    scene.circle(3, 50, 1, 1, 0);
+    World world = new World(scene.build());
     EnergyCheck energy = new EnergyCheck(world, 1);
     energy.begin();
     world.step(3);
@@ -199,14 +183,9 @@ class ChecksTest {
   /** Infinite masses give and take energy, but only where they meet others. */
   @Test
   void energyFromNowhereIsFoundBesideInfiniteMasses() throws FindingException {
-    World world =
-        new World(
-            Scene.builder()
-                .collide(true)
-                .circle(0, 0, 1, 1, 0)
-                .mass(Double.POSITIVE_INFINITY)
-                .circle(4, 0, 1, 0, 0)
-                .build());
+    SceneBuilder scene = Scene.builder().collide(true);
+    scene.circle(0, 0, 1, 1, 0).mass(Double.POSITIVE_INFINITY).circle(4, 0, 1, 0, 0);
+    World world = new World(scene.build());
     EnergyCheck energy = new EnergyCheck(world, 1);
     energy.begin();
     world.step(1);

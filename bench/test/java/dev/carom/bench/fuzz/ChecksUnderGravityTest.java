@@ -126,14 +126,9 @@ class ChecksUnderGravityTest {
   /** A slide off a table and a fall: the log knows nothing of the edge. */
   @Test
   void theEndOfASlideIsFound() throws FindingException {
-    World world =
-        new World(
-            Scene.builder()
-                .gravity(0, -8)
-                .line(0, 0, 10, 0)
-                .circle(7, 1, 1, 4, 0)
-                .restitution(0)
-                .build());
+    SceneBuilder scene = Scene.builder().gravity(0, -8).line(0, 0, 10, 0);
+    scene.circle(7, 1, 1, 4, 0).restitution(0);
+    World world = new World(scene.build());
     Timeline timeline = world.record(10);
     world.step(2);
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.World;
 import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.experiment.Gas;
@@ -64,13 +65,9 @@ class SoakTest {
   /** A one-way line lets a circle through from behind: that counts, since nothing else does. */
   @Test
   void aFlightThroughALineIsSeen() {
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, 100, 100)
-            .line(50, 0, 50, 100)
-            .oneWay()
-            .circle(70, 50, 5, -10, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 100).line(50, 0, 50, 100).oneWay();
+    setup.circle(70, 50, 5, -10, 0);
+    Scene scene = setup.build();
     World world = new World(scene);
     Guard guard = new Guard(scene, world);
     world.advanceTo(7);
@@ -83,14 +80,9 @@ class SoakTest {
 
   @Test
   void circlesOutsideAndInsideOfEachOtherAreSeen() {
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, 100, 100)
-            .collide(true)
-            .circle(120, 50, 5, 1, 0)
-            .circle(50, 50, 5, 0, 0)
-            .circle(53, 50, 5, 0, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 100).collide(true);
+    setup.circle(120, 50, 5, 1, 0).circle(50, 50, 5, 0, 0).circle(53, 50, 5, 0, 0);
+    Scene scene = setup.build();
     Guard guard = new Guard(scene, new World(scene));
 
     assertThat(guard.outside()).isOne();

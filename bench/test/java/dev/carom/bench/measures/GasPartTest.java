@@ -4,6 +4,7 @@ package dev.carom.bench.measures;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Methods;
 import dev.carom.bench.results.Row;
@@ -33,13 +34,9 @@ class GasPartTest {
   /** 3 of 10 units over are 0.6 radii; one circle is still on its way from outside. */
   @Test
   void overlapEnergyAndLostCirclesAreThoseOfTheWorstFrame() {
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, 100, 100)
-            .circle(20, 50, 5, 0, 1)
-            .circle(27, 50, 5, 0, 1)
-            .circle(120, 50, 1, -1, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 100).circle(20, 50, 5, 0, 1);
+    setup.circle(27, 50, 5, 0, 1).circle(120, 50, 1, -1, 0);
+    Scene scene = setup.build();
 
     Map<String, Double> found = measure(Methods.TEXTBOOK_DOUBLE, scene, 5);
 

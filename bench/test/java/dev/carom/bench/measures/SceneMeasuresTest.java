@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.bench.methods.Contender;
 import dev.carom.bench.methods.Methods;
 import dev.carom.bench.results.Row;
@@ -117,12 +118,9 @@ class SceneMeasuresTest {
 
   @Test
   void whoLeavesTheBoundsHasEscaped() {
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, 100, 100)
-            .circle(50, 50, 5, 3, 0)
-            .circle(50, 50, 5, 1, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 5, 3, 0);
+    setup.circle(50, 50, 5, 1, 0);
+    Scene scene = setup.build();
 
     List<Row> rows = rows(scene, Drunkard.astray(0));
 

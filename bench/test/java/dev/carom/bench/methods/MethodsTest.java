@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
 import java.util.List;
@@ -156,13 +157,9 @@ class MethodsTest {
 
   @Test
   void everyCircleAsksEveryLineOfThePublishedAlgorithm() {
-    Scene scene =
-        Scene.builder()
-            .line(50, 0, 50, 100)
-            .line(60, 0, 60, 100)
-            .circle(38, 40, 5, 1, 0)
-            .circle(38, 60, 5, 1, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().line(50, 0, 50, 100).line(60, 0, 60, 100);
+    setup.circle(38, 40, 5, 1, 0).circle(38, 60, 5, 1, 0);
+    Scene scene = setup.build();
 
     assertThat(after(1, Methods.POSTER, scene).pairTests()).isEqualTo(4);
     assertThat(after(1, Methods.POSTER_DOUBLE, scene).pairTests()).isEqualTo(4);
@@ -202,13 +199,9 @@ class MethodsTest {
   @ParameterizedTest
   @MethodSource("eventDriven")
   void whatIsNotElasticTakesSpeedAlongTheNormal(Contender contender) {
-    Scene scene =
-        Scene.builder()
-            .line(50, 0, 50, 100)
-            .restitution(0.8)
-            .circle(40, 40, 5, 10, 1)
-            .restitution(0.5)
-            .build();
+    SceneBuilder setup = Scene.builder().line(50, 0, 50, 100).restitution(0.8);
+    setup.circle(40, 40, 5, 10, 1).restitution(0.5);
+    Scene scene = setup.build();
 
     Method method = after(1, contender, scene);
 
@@ -220,14 +213,9 @@ class MethodsTest {
   @ParameterizedTest
   @MethodSource("all")
   void wallsAndPartsOfAFrameKeepTheirRestitution(Contender contender) {
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, 100, 100)
-            .restitution(0.5)
-            .line(20, 0, 20, 100)
-            .restitution(0.25)
-            .circle(80, 50, 10, 8, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 100).restitution(0.5);
+    setup.line(20, 0, 20, 100).restitution(0.25).circle(80, 50, 10, 8, 0);
+    Scene scene = setup.build();
 
     assertThat(after(4, contender, scene).vx(0)).isCloseTo(-4, within(1e-5));
     assertThat(after(20, contender, scene).vx(0)).isCloseTo(1, within(1e-5));
@@ -240,14 +228,9 @@ class MethodsTest {
   @ParameterizedTest
   @MethodSource("all")
   void circlesThatCollideAreForMethodsThatKnowPairs(Contender contender) {
-    Scene scene =
-        Scene.builder()
-            .collide(true)
-            .circle(0, 0, 5, 2, 0)
-            .mass(3)
-            .circle(20, 0, 5, -1, 0)
-            .restitution(0.5)
-            .build();
+    SceneBuilder setup = Scene.builder().collide(true).circle(0, 0, 5, 2, 0).mass(3);
+    setup.circle(20, 0, 5, -1, 0).restitution(0.5);
+    Scene scene = setup.build();
 
     if (!List.of("carom", "overlap", "substeps").contains(contender.method())) {
       assertThatThrownBy(() -> contender.start(scene))
@@ -302,15 +285,10 @@ class MethodsTest {
   /** From outside, along the grid, away from it, and past it. */
   @Test
   void aCircleMayComeFromOutsideTheGrid() {
-    Scene scene =
-        Scene.builder()
-            .line(0, 0, 10, 0)
-            .line(0, 40, 10, 40)
-            .circle(5, -1000, 1, 0, 100)
-            .circle(-1000, 20, 1, 100, 0)
-            .circle(5, -1000, 1, 0, -100)
-            .circle(2000, -1000, 1, 1, 100)
-            .build();
+    SceneBuilder setup = Scene.builder().line(0, 0, 10, 0).line(0, 40, 10, 40);
+    setup.circle(5, -1000, 1, 0, 100).circle(-1000, 20, 1, 100, 0).circle(5, -1000, 1, 0, -100);
+    setup.circle(2000, -1000, 1, 1, 100);
+    Scene scene = setup.build();
 
     Method cells = after(20, Methods.TEXTBOOK_GRID, scene);
     Method all = after(20, Methods.TEXTBOOK_DOUBLE, scene);

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.bench.experiment.CannotPlaceException;
 import dev.carom.bench.experiment.Crosses;
 import dev.carom.bench.methods.Contender;
@@ -131,13 +132,9 @@ class PeersTest {
   @ParameterizedTest
   @MethodSource("all")
   void whatIsNotElasticTakesSpeed(Contender peer) {
-    Scene scene =
-        Scene.builder()
-            .line(50, 0, 50, 100)
-            .restitution(0.8)
-            .circle(30, 50, 10, 3, 0)
-            .restitution(0.5)
-            .build();
+    SceneBuilder setup = Scene.builder().line(50, 0, 50, 100).restitution(0.8);
+    setup.circle(30, 50, 10, 3, 0).restitution(0.5);
+    Scene scene = setup.build();
 
     try (Method method = peer.start(scene)) {
       play(method, 10);
@@ -148,13 +145,9 @@ class PeersTest {
   @ParameterizedTest
   @MethodSource("all")
   void circlesThatCollideHaveTheirMasses(Contender peer) {
-    Scene scene =
-        Scene.builder()
-            .collide(true)
-            .circle(0, 0, 10, 2, 0)
-            .mass(3)
-            .circle(40, 0, 10, -1, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().collide(true).circle(0, 0, 10, 2, 0).mass(3);
+    setup.circle(40, 0, 10, -1, 0);
+    Scene scene = setup.build();
 
     try (Method method = peer.start(scene)) {
       play(method, 20);
@@ -166,13 +159,9 @@ class PeersTest {
   @ParameterizedTest
   @MethodSource("all")
   void noCircleDeflectsAnInfiniteMass(Contender peer) {
-    Scene scene =
-        Scene.builder()
-            .collide(true)
-            .circle(0, 0, 10, 2, 0)
-            .mass(Double.POSITIVE_INFINITY)
-            .circle(40, 0, 10, -1, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().collide(true);
+    setup.circle(0, 0, 10, 2, 0).mass(Double.POSITIVE_INFINITY).circle(40, 0, 10, -1, 0);
+    Scene scene = setup.build();
 
     try (Method method = peer.start(scene)) {
       play(method, 20);
@@ -186,13 +175,9 @@ class PeersTest {
   void restitutionsThatTheGreaterOneDoesNotGiveAreRefused(Contender peer) {
     Scene circles =
         Scene.builder().circle(0, 0, 1, 1, 1).restitution(0.5).circle(9, 9, 1, 1, 1).build();
-    Scene line =
-        Scene.builder()
-            .collide(true)
-            .line(50, 0, 50, 9)
-            .restitution(0.5)
-            .circle(0, 0, 1, 1, 1)
-            .build();
+    SceneBuilder setup = Scene.builder().collide(true).line(50, 0, 50, 9).restitution(0.5);
+    setup.circle(0, 0, 1, 1, 1);
+    Scene line = setup.build();
 
     for (Scene scene : List.of(circles, line)) {
       assertThatThrownBy(() -> peer.start(scene))

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.carom.Feature;
 import dev.carom.ObstacleKind;
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.World;
 import java.util.Arrays;
 import java.util.List;
@@ -36,14 +37,9 @@ class CollidingTruthTest {
   @ParameterizedTest
   @CsvSource({"1, 3", "100, 31", "10000, 314"})
   void impactsCountTheDigitsOfPi(double mass, int impacts) {
-    Scene scene =
-        Scene.builder()
-            .line(0, -10, 0, 10)
-            .circle(5, 0, 1, 0, 0)
-            .circle(10, 0, 1, -1, 0)
-            .mass(mass)
-            .collide(true)
-            .build();
+    SceneBuilder setup = Scene.builder().line(0, -10, 0, 10).circle(5, 0, 1, 0, 0);
+    setup.circle(10, 0, 1, -1, 0).mass(mass).collide(true);
+    Scene scene = setup.build();
     Truth truth = truth(scene, 1000);
     assertThat(truth.impacts()).isEqualTo(impacts);
     assertThat(truth.vx(1000, 1))
@@ -56,13 +52,9 @@ class CollidingTruthTest {
   @ParameterizedTest
   @CsvSource({"1, -1, 2", "0.5, -0.25, 1.25", "0, 0.5, 0.5"})
   void headOnPairPartsByItsRestitution(double restitution, double v1, double v2) {
-    Scene scene =
-        Scene.builder()
-            .circle(0, 0, 1, 2, 0)
-            .restitution(restitution)
-            .circle(5, 0, 1, -1, 0)
-            .collide(true)
-            .build();
+    SceneBuilder setup = Scene.builder().circle(0, 0, 1, 2, 0).restitution(restitution);
+    setup.circle(5, 0, 1, -1, 0).collide(true);
+    Scene scene = setup.build();
     Truth truth = truth(scene, 3);
     assertThat(truth.vx(3, 0)).isEqualTo(v1);
     assertThat(truth.vx(3, 1)).isEqualTo(v2);
@@ -71,20 +63,12 @@ class CollidingTruthTest {
   /** Its velocity is zero, but not to be told from zero by any digits. */
   @Test
   void circleThatStopsHitsNothing() {
-    Scene scene =
-        Scene.builder()
-            .line(1.05, -5, 1.05, 5)
-            .circle(2.1, 0.1, 0.7, 0.3, 0.1)
-            .circle(5.6, 0.1 + 3.5 / 3, 0.7, 0, 0)
-            .collide(true)
-            .build();
-    Scene headOn =
-        Scene.builder()
-            .line(-0.75, -5, -0.75, 5)
-            .circle(0, 0.1, 0.7, 0.3, 0)
-            .circle(3.1, 0.1, 0.7, 0, 0)
-            .collide(true)
-            .build();
+    SceneBuilder setup = Scene.builder().line(1.05, -5, 1.05, 5).circle(2.1, 0.1, 0.7, 0.3, 0.1);
+    setup.circle(5.6, 0.1 + 3.5 / 3, 0.7, 0, 0).collide(true);
+    Scene scene = setup.build();
+    SceneBuilder other = Scene.builder().line(-0.75, -5, -0.75, 5).circle(0, 0.1, 0.7, 0.3, 0);
+    other.circle(3.1, 0.1, 0.7, 0, 0).collide(true);
+    Scene headOn = other.build();
     assertThat(truth(scene, 20).impacts()).isEqualTo(1);
     Truth truth = truth(headOn, 20);
     assertThat(truth.impacts()).isEqualTo(1);
@@ -94,13 +78,9 @@ class CollidingTruthTest {
 
   @Test
   void infiniteMassIsNotDeflected() {
-    Scene scene =
-        Scene.builder()
-            .circle(0, 0, 1, 2, 0)
-            .circle(5, 0, 1, -1, 0)
-            .mass(Double.POSITIVE_INFINITY)
-            .collide(true)
-            .build();
+    SceneBuilder setup = Scene.builder().circle(0, 0, 1, 2, 0);
+    setup.circle(5, 0, 1, -1, 0).mass(Double.POSITIVE_INFINITY).collide(true);
+    Scene scene = setup.build();
     Truth truth = truth(scene, 2);
     assertThat(truth.vx(2, 0)).isEqualTo(-4);
     assertThat(truth.vx(2, 1)).isEqualTo(-1);
@@ -109,14 +89,9 @@ class CollidingTruthTest {
   /** Both pairs touch at time 1: the one with the lower numbers comes first. */
   @Test
   void simultaneousPairsAreTakenByTheirNumbers() {
-    Scene scene =
-        Scene.builder()
-            .circle(0, 0, 1, 0.3, 0)
-            .circle(2.3, 9, 1, 0, 0)
-            .circle(2.3, 0, 1, 0, 0)
-            .circle(0, 9, 1, 0.3, 0)
-            .collide(true)
-            .build();
+    SceneBuilder setup = Scene.builder().circle(0, 0, 1, 0.3, 0).circle(2.3, 9, 1, 0, 0);
+    setup.circle(2.3, 0, 1, 0, 0).circle(0, 9, 1, 0.3, 0).collide(true);
+    Scene scene = setup.build();
     List<Hit> hits = truth(scene, 2).proofs().get(0).hits();
     assertThat(hits)
         .containsExactly(

@@ -9,6 +9,7 @@ import dev.carom.Feature;
 import dev.carom.ObstacleKind;
 import dev.carom.Response;
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.util.List;
@@ -35,12 +36,9 @@ class TruthTest {
 
   @Test
   void squareBilliardIsTheClosedForm() {
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, 10, 10)
-            .circle(1.3, 4.1, 0.7, 3.7, -2.3)
-            .circle(9.1, 0.4, 0.3, -0.1, 17.9)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 10, 10).circle(1.3, 4.1, 0.7, 3.7, -2.3);
+    setup.circle(9.1, 0.4, 0.3, -0.1, 17.9);
+    Scene scene = setup.build();
     Truth truth = truth(scene, 300);
     for (int frame = 0; frame <= 300; frame++) {
       assertThat(truth.x(frame, 0)).isEqualTo(zigzag(1.3, 3.7, frame, 0.7, 10));
@@ -97,16 +95,10 @@ class TruthTest {
 
   @Test
   void overlapIsAnImpactIfItGetsDeeper() {
-    Scene scene =
-        Scene.builder()
-            .peg(0, 0, 1)
-            .line(10, 0, 20, 0)
-            .circle(1.5, 0, 1, -1, 0)
-            .circle(1.5, 0, 1, 1, 0)
-            .circle(15, 0.5, 1, 0, -0.25)
-            .circle(15, 0.5, 1, 0, 0.25)
-            .circle(15, 0, 1, 0, -0.25)
-            .build();
+    SceneBuilder setup = Scene.builder().peg(0, 0, 1).line(10, 0, 20, 0).circle(1.5, 0, 1, -1, 0);
+    setup.circle(1.5, 0, 1, 1, 0).circle(15, 0.5, 1, 0, -0.25).circle(15, 0.5, 1, 0, 0.25);
+    setup.circle(15, 0, 1, 0, -0.25);
+    Scene scene = setup.build();
     Truth truth = truth(scene, 2);
     assertThat(truth.vx(0, 0)).isEqualTo(1);
     assertThat(truth.vx(2, 1)).isEqualTo(1);
@@ -118,13 +110,9 @@ class TruthTest {
 
   @Test
   void restitutionScalesTheNormalPart() {
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, 10, 10)
-            .restitution(0.5)
-            .circle(5, 5, 1, 2, 1)
-            .restitution(0.5)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 10, 10).restitution(0.5);
+    setup.circle(5, 5, 1, 2, 1).restitution(0.5);
+    Scene scene = setup.build();
     Truth truth = truth(scene, 3);
     assertThat(truth.vx(3, 0)).isEqualTo(-0.5);
     assertThat(truth.vy(3, 0)).isEqualTo(1);
@@ -133,13 +121,9 @@ class TruthTest {
   /** Dropped from 8 above the floor it is back after 2 sqrt(2 h / g) = 8: g is 1. */
   @Test
   void aBallThatBouncesIsTheClosedForm() {
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, 100, 1000)
-            .gravity(0, -1)
-            .circle(30, 10, 2, 0.1, 0)
-            .circle(60, 10, 2, 0, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 1000).gravity(0, -1);
+    setup.circle(30, 10, 2, 0.1, 0).circle(60, 10, 2, 0, 0);
+    Scene scene = setup.build();
     Truth truth = truth(scene, 300);
     for (int frame = 0; frame <= 300; frame++) {
       double t = (frame + 4) % 8 - 4; // since the top
@@ -178,13 +162,9 @@ class TruthTest {
    */
   @Test
   void aWedgeOf45DegreesKeepsTheEnergiesAlongItsSides() {
-    Scene scene =
-        Scene.builder()
-            .line(-300, 300, 0, 0)
-            .line(0, 0, 300, 300)
-            .gravity(0, -0.25)
-            .circle(20, 90, 3, 0.5, 0.25)
-            .build();
+    SceneBuilder setup = Scene.builder().line(-300, 300, 0, 0);
+    setup.line(0, 0, 300, 300).gravity(0, -0.25).circle(20, 90, 3, 0.5, 0.25);
+    Scene scene = setup.build();
     Truth truth = truth(scene, 400);
     assertThat(truth.impacts()).isGreaterThan(10);
     double slope = Math.sqrt(0.5);
@@ -199,14 +179,9 @@ class TruthTest {
   /** The top of a ball that bounces on a peg, exactly above it, and of one that meets an end. */
   @Test
   void aBallBouncesOnAPegAndOnAnEnd() {
-    Scene scene =
-        Scene.builder()
-            .peg(10, 0, 4)
-            .line(40, 0, 40, -20)
-            .gravity(0, -1)
-            .circle(10, 13, 1, 0, 0)
-            .circle(40, 9, 1, 0, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().peg(10, 0, 4).line(40, 0, 40, -20).gravity(0, -1);
+    setup.circle(10, 13, 1, 0, 0).circle(40, 9, 1, 0, 0);
+    Scene scene = setup.build();
     Truth truth = truth(scene, 80);
     for (int frame = 0; frame <= 80; frame++) {
       double t = (frame + 4) % 8 - 4;
@@ -285,12 +260,9 @@ class TruthTest {
     assertThatThrownBy(() -> truth(gas, 1))
         .hasMessage(
             "circles collide: with gravity, a reference expects ones that ignore each other");
-    Scene floating =
-        Scene.builder()
-            .gravity(0, -0.5)
-            .circle(5, 9, 1, 0, 0)
-            .mass(Double.POSITIVE_INFINITY)
-            .build();
+    SceneBuilder setup = Scene.builder().gravity(0, -0.5);
+    setup.circle(5, 9, 1, 0, 0).mass(Double.POSITIVE_INFINITY);
+    Scene floating = setup.build();
     assertThatThrownBy(() -> truth(floating, 1))
         .hasMessage(
             "circle 0 has infinite mass: with gravity, a reference expects circles that fall");

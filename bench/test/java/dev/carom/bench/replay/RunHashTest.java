@@ -39,13 +39,9 @@ class RunHashTest {
   @Test
   void tellsAnImpactThatLeavesNoTrace() {
     Scene scene = box().circle(20, 20, 5, 0, 0).circle(60, 20, 5, 4, 0).build();
-    Scene sensed =
-        box()
-            .circle(20, 20, 5, 0, 0)
-            .circle(60, 20, 5, 4, 0)
-            .peg(75, 20, 2)
-            .response(Response.SENSOR)
-            .build();
+    SceneBuilder builder = box().circle(20, 20, 5, 0, 0).circle(60, 20, 5, 4, 0);
+    builder.peg(75, 20, 2).response(Response.SENSOR);
+    Scene sensed = builder.build();
 
     assertThat(hash(sensed, 5)).isNotEqualTo(hash(scene, 5));
     assertThat(hash(sensed, 1)).isEqualTo(hash(scene, 1));

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.bench.reference.Reference;
 import dev.carom.bench.reference.Truth;
 import org.junit.jupiter.api.Test;
@@ -28,14 +29,9 @@ class CoursesTest {
 
   @Test
   void aBoxUnfolds() {
-    Scene scene =
-        Scene.builder()
-            .line(0, 0, 70, 0)
-            .line(70, 0, 70, 50)
-            .line(70, 50, 0, 50)
-            .line(0, 50, 0, 0)
-            .circle(31, 17, 5, -23.7, 41.3)
-            .build();
+    SceneBuilder setup = Scene.builder().line(0, 0, 70, 0).line(70, 0, 70, 50).line(70, 50, 0, 50);
+    setup.line(0, 50, 0, 0).circle(31, 17, 5, -23.7, 41.3);
+    Scene scene = setup.build();
 
     agree(new BoxCourse(scene, 70, 50, 30), Truth.of(scene, 30, () -> {}));
   }

@@ -75,15 +75,9 @@ class CollidingEngineTest {
   /** It stays in its place, but what hits it again and again comes from far away. */
   @Test
   void whoRestsIsNotStuckHoweverOftenItIsHit() {
-    World world =
-        new World(
-            Scene.builder()
-                .bounds(0, 0, 100, 20)
-                .collide(true)
-                .circle(50, 10, 5, 0, 0)
-                .mass(Double.POSITIVE_INFINITY)
-                .circle(20, 10, 1, -43, 0)
-                .build());
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 20).collide(true);
+    scene.circle(50, 10, 5, 0, 0).mass(Double.POSITIVE_INFINITY).circle(20, 10, 1, -43, 0);
+    World world = new World(scene.build());
     int impacts = 0;
     for (int i = 1; i <= 100; i++) {
       assertThat(world.advanceTo(100 * i)).isTrue();

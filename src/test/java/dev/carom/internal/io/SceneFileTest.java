@@ -152,13 +152,9 @@ class SceneFileTest {
             .restitution(-0.0)
             .gravity(-MAX, MIN)
             .build();
-    Scene small =
-        Scene.builder()
-            .bounds(-MIN, -0.0, 0.0, MIN)
-            .peg(-0.0, 3 * MIN, MIN)
-            .circle(-MIN, Math.nextDown(Double.MIN_NORMAL), 0x1p-1064, -0.0, MIN)
-            .gravity(-MIN, MAX)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(-MIN, -0.0, 0.0, MIN).peg(-0.0, 3 * MIN, MIN);
+    setup.circle(-MIN, Math.nextDown(Double.MIN_NORMAL), 0x1p-1064, -0.0, MIN).gravity(-MIN, MAX);
+    Scene small = setup.build();
     assertThat(read(written(large))).isEqualTo(large);
     assertThat(read(hex(written(large)))).isEqualTo(large);
     assertThat(read(written(small))).isEqualTo(small);
@@ -238,14 +234,9 @@ class SceneFileTest {
 
   @Test
   void circlesThatCollideAndTheirMassesReadBack() throws IOException {
-    Scene scene =
-        Scene.builder()
-            .circle(1, 2, 3, 4, 5)
-            .mass(1.0 / 3)
-            .circle(10, 2, 3, 4, 5)
-            .mass(Double.POSITIVE_INFINITY)
-            .collide(true)
-            .build();
+    SceneBuilder setup = Scene.builder().circle(1, 2, 3, 4, 5).mass(1.0 / 3);
+    setup.circle(10, 2, 3, 4, 5).mass(Double.POSITIVE_INFINITY).collide(true);
+    Scene scene = setup.build();
     assertThat(written(scene))
         .contains("collide,1\n", "circle,1.0,2.0,3.0,4.0,5.0,0.3333333333333333\n");
     assertThat(read(written(scene))).isEqualTo(scene);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Run;
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.SweptSphere;
 import dev.carom.World;
 import java.math.BigDecimal;
@@ -94,15 +95,9 @@ class ImpulseTest {
       double[] v = {number(), number(), number(), number()};
       double m1 = 1 + random.nextDouble() * 9;
       double m2 = i % 3 == 0 ? m1 : 1e-3 + random.nextDouble();
-      World world =
-          new World(
-              Scene.builder()
-                  .circle(n[0], n[1], 600, v[0], v[1])
-                  .mass(m1)
-                  .circle(0, 0, 900, v[2], v[3])
-                  .mass(m2)
-                  .collide(true)
-                  .build());
+      SceneBuilder scene = Scene.builder().circle(n[0], n[1], 600, v[0], v[1]).mass(m1);
+      scene.circle(0, 0, 900, v[2], v[3]).mass(m2).collide(true);
+      World world = new World(scene.build());
       Run.step(world, 0);
       met += world.impacts().size();
       if (world.impacts().size() == 1) {

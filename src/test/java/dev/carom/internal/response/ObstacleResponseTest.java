@@ -9,6 +9,7 @@ import dev.carom.Internals;
 import dev.carom.Outcome;
 import dev.carom.Run;
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.World;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.Gravity;
@@ -129,13 +130,9 @@ class ObstacleResponseTest {
   /** A wider wedge turns it twice the same way: it goes up on the other side. */
   @Test
   void whatTurnsItOnTheSameWayLetsItGoOn() {
-    Scene wide =
-        Scene.builder()
-            .line(0, 0, 20, 10)
-            .restitution(0)
-            .line(0, 0, -20, 10)
-            .restitution(0)
-            .build();
+    SceneBuilder setup = Scene.builder().line(0, 0, 20, 10).restitution(0);
+    setup.line(0, 0, -20, 10).restitution(0);
+    Scene wide = setup.build();
     ObstacleResponse wedge =
         new ObstacleResponse(
             ObstacleTable.of(Internals.data(wide)), new Gravity(0, 0), m -> new int[0]);
@@ -204,12 +201,9 @@ class ObstacleResponseTest {
   @ParameterizedTest
   @ValueSource(doubles = {0x1p600, 0x1p-600})
   void theContactPointOfALineOfAnyLength(double unit) {
-    World world =
-        new World(
-            Scene.builder()
-                .line(0, 0, 8 * unit, 0)
-                .circle(2 * unit, 3 * unit, unit, 0, -unit)
-                .build());
+    SceneBuilder scene = Scene.builder().line(0, 0, 8 * unit, 0);
+    scene.circle(2 * unit, 3 * unit, unit, 0, -unit);
+    World world = new World(scene.build());
     Run.step(world, 3);
     assertThat(world.impacts().time(0)).isEqualTo(2);
     assertThat(world.impacts().x(0)).isEqualTo(2 * unit);

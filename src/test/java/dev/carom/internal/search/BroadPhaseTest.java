@@ -71,13 +71,10 @@ class BroadPhaseTest {
   @ValueSource(booleans = {false, true})
   void aWallIsHitFromTheOtherEndOfTheDoubles(boolean collide) {
     double far = 0.9 * Double.MAX_VALUE;
-    Scene scene =
-        Scene.builder()
-            .bounds(-far, -far, far, far)
-            .circle(0.8 * far, 0, far / 8, -far, 0)
-            .circle(far / 2, 0.8 * far, far / 8, 0, -far)
-            .collide(collide)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(-far, -far, far, far);
+    setup.circle(0.8 * far, 0, far / 8, -far, 0);
+    setup.circle(far / 2, 0.8 * far, far / 8, 0, -far).collide(collide);
+    Scene scene = setup.build();
     ImpactLog log = step(new World(scene), 1.7);
     assertThat(log.size()).isEqualTo(2);
     assertThat(log.kind(0)).isEqualTo(ObstacleKind.WALL);
@@ -144,12 +141,9 @@ class BroadPhaseTest {
               20);
       boolean hit = t <= 20;
       hits += hit ? 1 : 0;
-      World world =
-          new World(
-              Scene.builder()
-                  .line(line.ax(), line.ay(), line.bx(), line.by())
-                  .circle(circle.x(), circle.y(), circle.radius(), v.x(), v.y())
-                  .build());
+      SceneBuilder scene = Scene.builder().line(line.ax(), line.ay(), line.bx(), line.by());
+      scene.circle(circle.x(), circle.y(), circle.radius(), v.x(), v.y());
+      World world = new World(scene.build());
       assertThat(step(world, 20).size() > 0).as("%s, %s, %s", circle, v, line).isEqualTo(hit);
     }
     assertThat(hits).isBetween(50, 450);
@@ -168,11 +162,9 @@ class BroadPhaseTest {
     Resolver huge = Resolver.of(List.of(new Line(0, 0, 0x1p500, 0)));
     Circle tiny = new Circle(-0x1p-539, 0x1p-690, 0x1p-540);
     assertThat(huge.trace(tiny, new Vec2(1, 0x1p-10), 1).impacts()).hasSize(1);
-    Scene scene =
-        Scene.builder()
-            .line(0, 0, 0x1p-540, 0)
-            .circle(-0x1p501, 0x1p400, 0x1p500, 0x1p152, 0x1p142)
-            .build();
+    SceneBuilder setup = Scene.builder().line(0, 0, 0x1p-540, 0);
+    setup.circle(-0x1p501, 0x1p400, 0x1p500, 0x1p152, 0x1p142);
+    Scene scene = setup.build();
     assertThat(step(new World(scene), 0x1p400).size()).isOne();
   }
 
@@ -187,13 +179,9 @@ class BroadPhaseTest {
       double r = Math.scalb(1 + random.nextDouble(), random.nextInt(20));
       double x = wall + r + Math.scalb(random.nextDouble(), -random.nextInt(20));
       double y = random.nextDouble();
-      World world =
-          new World(
-              Scene.builder()
-                  .bounds(wall, -1e9, 1e9, 1e9)
-                  .line(wall, -5, wall, 5)
-                  .circle(x, y, r, -0.5 - random.nextDouble(), 0)
-                  .build());
+      SceneBuilder scene = Scene.builder().bounds(wall, -1e9, 1e9, 1e9).line(wall, -5, wall, 5);
+      scene.circle(x, y, r, -0.5 - random.nextDouble(), 0);
+      World world = new World(scene.build());
       ImpactLog log = step(world, 5);
       assertThat(log.size()).isPositive();
       assertThat(log.kind(0)).isEqualTo(ObstacleKind.WALL);
@@ -380,11 +368,9 @@ class BroadPhaseTest {
   @Test
   void aLineIsMetWhereCrossProductsOverflow() {
     double far = 1e200;
-    Scene scene =
-        Scene.builder()
-            .circle(-far, -far, far / 8, 1e150, 1e150)
-            .line(far / 4, -far / 4, -far / 4, far / 4)
-            .build();
+    SceneBuilder setup = Scene.builder().circle(-far, -far, far / 8, 1e150, 1e150);
+    setup.line(far / 4, -far / 4, -far / 4, far / 4);
+    Scene scene = setup.build();
     World world = new World(scene);
     Run.to(world, 1e50);
     assertThat(world.impacts().size()).isEqualTo(1);

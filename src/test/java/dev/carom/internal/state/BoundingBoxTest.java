@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.Internals;
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import org.junit.jupiter.api.Test;
 
 class BoundingBoxTest {
@@ -44,13 +45,9 @@ class BoundingBoxTest {
 
   @Test
   void whatIsGoneOrBeyondTheDoublesIsLeftOut() {
-    Scene scene =
-        Scene.builder()
-            .circle(3, 4, 1, 0, 0)
-            .circle(0, 90, 1, 0, 0)
-            .circle(9, 9, 1, 0, 1e308)
-            .circle(9, 9, 1, 1e308, 0)
-            .build();
+    SceneBuilder setup = Scene.builder().circle(3, 4, 1, 0, 0).circle(0, 90, 1, 0, 0);
+    setup.circle(9, 9, 1, 0, 1e308).circle(9, 9, 1, 1e308, 0);
+    Scene scene = setup.build();
     CircleRegistry registry = new CircleRegistry(Internals.data(scene), 1);
     registry.remove(1);
     assertThat(of(scene, registry, 10)).isEqualTo(new BoundingBox(3, 4, 3, 4));

@@ -7,6 +7,7 @@ import dev.carom.Circle;
 import dev.carom.Internals;
 import dev.carom.Line;
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import dev.carom.internal.response.ScaledVectors;
 import dev.carom.internal.util.Kind;
 import java.util.List;
@@ -18,14 +19,9 @@ import org.junit.jupiter.api.Test;
 class ObstacleTableTest {
 
   private static ObstacleTable obstacles() {
-    Scene scene =
-        Scene.builder()
-            .bounds(0, 0, 9, 9)
-            .line(1, 2, 3, 4)
-            .line(2, 3, 4, 5)
-            .peg(5, 6, 1)
-            .peg(6, 7, 1)
-            .build();
+    SceneBuilder setup = Scene.builder().bounds(0, 0, 9, 9).line(1, 2, 3, 4).line(2, 3, 4, 5);
+    setup.peg(5, 6, 1).peg(6, 7, 1);
+    Scene scene = setup.build();
     return ObstacleTable.of(Internals.data(scene));
   }
 
