@@ -22,11 +22,8 @@ class BoxTest {
   private static final double RADIUS = 10;
 
   private static SceneBuilder lines() {
-    return Scene.builder()
-        .line(0, 0, 800, 0)
-        .line(800, 0, 800, 600)
-        .line(800, 600, 0, 600)
-        .line(0, 600, 0, 0);
+    SceneBuilder builder = Scene.builder().line(0, 0, 800, 0).line(800, 0, 800, 600);
+    return builder.line(800, 600, 0, 600).line(0, 600, 0, 0);
   }
 
   @Test

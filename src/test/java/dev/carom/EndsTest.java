@@ -39,12 +39,8 @@ class EndsTest {
    */
   /** A circle that flies into a corner, where it loses half of its speed at each impact. */
   private static SceneBuilder wedge(double opening) {
-    return Scene.builder()
-        .line(0, 0, 100, opening)
-        .restitution(0.5)
-        .line(0, 0, 100, -opening)
-        .restitution(0.5)
-        .circle(50, 0, 0.1, -1, 0.01);
+    SceneBuilder builder = Scene.builder().line(0, 0, 100, opening).restitution(0.5);
+    return builder.line(0, 0, 100, -opening).restitution(0.5).circle(50, 0, 0.1, -1, 0.01);
   }
 
   @ParameterizedTest

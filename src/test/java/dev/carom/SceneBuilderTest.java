@@ -18,13 +18,8 @@ class SceneBuilderTest {
   private static final double INFINITY = Double.POSITIVE_INFINITY;
 
   private static SceneBuilder two() {
-    return Scene.builder()
-        .line(1, 2, 3, 4)
-        .line(5, 6, 7, 8)
-        .peg(1, 2, 3)
-        .circle(1, 2, 3, 4, 5)
-        .circle(1, 2, 3, 4, 5)
-        .circle(1, 2, 3, 4, 5);
+    SceneBuilder builder = Scene.builder().line(1, 2, 3, 4).line(5, 6, 7, 8).peg(1, 2, 3);
+    return builder.circle(1, 2, 3, 4, 5).circle(1, 2, 3, 4, 5).circle(1, 2, 3, 4, 5);
   }
 
   static Stream<Arguments> refusals() {

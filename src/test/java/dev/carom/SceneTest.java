@@ -15,20 +15,11 @@ class SceneTest {
 
   /** Two of each kind, every number of its own. */
   private static SceneBuilder full() {
-    return Scene.builder()
-        .bounds(-1, -2, 801, 602)
-        .restitution(0.5)
-        .line(11, 12, 13, 14)
-        .line(21, 22, 23, 24)
-        .restitution(0.25)
-        .peg(31, 32, 33)
-        .restitution(1.5)
-        .peg(41, 42, 0)
-        .circle(51, 52, 53, 54, 55)
-        .mass(56)
-        .restitution(0)
-        .circle(61, 62, 63, 64, 65)
-        .gravity(71, -72);
+    SceneBuilder builder = Scene.builder().bounds(-1, -2, 801, 602).restitution(0.5);
+    builder.line(11, 12, 13, 14).line(21, 22, 23, 24).restitution(0.25);
+    builder.peg(31, 32, 33).restitution(1.5).peg(41, 42, 0);
+    builder.circle(51, 52, 53, 54, 55).mass(56).restitution(0);
+    return builder.circle(61, 62, 63, 64, 65).gravity(71, -72);
   }
 
   @Test

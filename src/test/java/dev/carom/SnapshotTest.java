@@ -29,16 +29,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 class SnapshotTest {
 
   private static SceneBuilder box(boolean collide) {
-    return Scene.builder()
-        .bounds(0, 0, 100, 100)
-        .collide(collide)
-        .line(20, 20, 40, 40)
-        .oneWay()
-        .line(60, 20, 80, 30)
-        .peg(50, 70, 5)
-        .circle(10, 50, 3, 4, 1)
-        .circle(90, 50, 2, -3, 2)
-        .circle(50, 50, 4, 1, 1);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 100, 100).collide(collide);
+    builder.line(20, 20, 40, 40).oneWay().line(60, 20, 80, 30).peg(50, 70, 5);
+    return builder.circle(10, 50, 3, 4, 1).circle(90, 50, 2, -3, 2).circle(50, 50, 4, 1, 1);
   }
 
   private static World world(boolean collide) {

@@ -16,11 +16,8 @@ class UncertaintyTest {
   private static final double U = 0x1p-53;
 
   private static SceneBuilder billiard() {
-    return Scene.builder()
-        .bounds(0, 0, 100, 100)
-        .peg(50, 50, 22)
-        .circle(15, 20, 2, 1.3, 2.1)
-        .circle(80, 15, 2, -0.7, 2.9);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 100, 100).peg(50, 50, 22);
+    return builder.circle(15, 20, 2, 1.3, 2.1).circle(80, 15, 2, -0.7, 2.9);
   }
 
   /** Steps of 1 until a time, each taken in. */

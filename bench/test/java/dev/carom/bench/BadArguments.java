@@ -181,14 +181,9 @@ final class BadArguments {
   }
 
   private static Scene scene(boolean collide) {
-    return Scene.builder()
-        .collide(collide)
-        .bounds(0, 0, 100, 100)
-        .line(40, 0, 40, 30)
-        .peg(70, 70, 5)
-        .circle(20, 20, 10, 4, 3)
-        .circle(60, 20, 10, 4, 3)
-        .build();
+    SceneBuilder builder = Scene.builder().collide(collide).bounds(0, 0, 100, 100);
+    builder.line(40, 0, 40, 30).peg(70, 70, 5).circle(20, 20, 10, 4, 3).circle(60, 20, 10, 4, 3);
+    return builder.build();
   }
 
   private static World stepped(boolean collide) {

@@ -25,11 +25,8 @@ class TrappedTest {
 
   /** A disk on the three lines of a triangle, each of which turns it towards the other two. */
   private static SceneBuilder triangle() {
-    return Scene.builder()
-        .line(-10, -2, 10, -2)
-        .line(-8, -6, 4, 8)
-        .line(8, -6, -4, 8)
-        .circle(0, 0, 5, 3, 1);
+    SceneBuilder builder = Scene.builder().line(-10, -2, 10, -2).line(-8, -6, 4, 8);
+    return builder.line(8, -6, -4, 8).circle(0, 0, 5, 3, 1);
   }
 
   private static SceneBuilder bystanders(SceneBuilder scene, int count) {

@@ -18,14 +18,18 @@ public interface Method extends AutoCloseable {
    *
    * @return at least 0; {@link #UNKNOWN} of a method that does not tell
    */
-  int impacts();
+  default int impacts() {
+    return UNKNOWN;
+  }
 
   /**
    * The impacts with the walls of the bounds in the last frame.
    *
    * @return at least 0; {@link #UNKNOWN} of a method that does not tell
    */
-  int wallImpacts();
+  default int wallImpacts() {
+    return UNKNOWN;
+  }
 
   /**
    * The square roots of the last frame, those spent on finding and resolving impacts. No other
@@ -33,7 +37,9 @@ public interface Method extends AutoCloseable {
    *
    * @return at least 0; {@link #UNKNOWN} of a method that does not tell
    */
-  int squareRoots();
+  default int squareRoots() {
+    return UNKNOWN;
+  }
 
   /**
    * Where a circle is at the end of the last frame.
@@ -73,7 +79,9 @@ public interface Method extends AutoCloseable {
    *
    * @return at least 0; {@link #UNKNOWN} of a method that does not tell
    */
-  long pairTests();
+  default long pairTests() {
+    return UNKNOWN;
+  }
 
   /**
    * How often, in the last frame, more precision than a double was needed. No other method may have

@@ -144,26 +144,6 @@ abstract class Peer implements Method {
   }
 
   @Override
-  public final int impacts() {
-    return UNKNOWN;
-  }
-
-  @Override
-  public final int wallImpacts() {
-    return UNKNOWN;
-  }
-
-  @Override
-  public final int squareRoots() {
-    return UNKNOWN;
-  }
-
-  @Override
-  public final long pairTests() {
-    return UNKNOWN;
-  }
-
-  @Override
   public final long fallbacks() {
     return UNKNOWN;
   }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.carom.Scene;
+import dev.carom.SceneBuilder;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -38,13 +39,8 @@ class PicturesTest {
   }
 
   private static Scene scene() {
-    return Scene.builder()
-        .bounds(0, 0, 80, 60)
-        .line(30, 20, 50, 40)
-        .peg(60, 30, 3)
-        .circle(20, 30, 5, 4, 3)
-        .circle(60, 50, 5, -2, 0)
-        .build();
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 80, 60).line(30, 20, 50, 40).peg(60, 30, 3);
+    return builder.circle(20, 30, 5, 4, 3).circle(60, 50, 5, -2, 0).build();
   }
 
   private static double[] nanos() {

@@ -18,21 +18,11 @@ import org.junit.jupiter.api.Test;
 class WorldSceneTest {
 
   private static SceneBuilder start() {
-    return Scene.builder()
-        .bounds(0, 0, 100, 60)
-        .response(Response.HALT)
-        .filter(7, 6)
-        .line(10, 10, 20, 20)
-        .restitution(0.5)
-        .oneWay()
-        .filter(4, -1)
-        .peg(50, 50, 2)
-        .response(Response.SENSOR)
-        .circle(30, 30, 5, 1, 0)
-        .mass(3)
-        .restitution(0.25)
-        .filter(2, 3)
-        .collide(true);
+    SceneBuilder builder = Scene.builder();
+    builder.bounds(0, 0, 100, 60).response(Response.HALT).filter(7, 6);
+    builder.line(10, 10, 20, 20).restitution(0.5).oneWay().filter(4, -1);
+    builder.peg(50, 50, 2).response(Response.SENSOR);
+    return builder.circle(30, 30, 5, 1, 0).mass(3).restitution(0.25).filter(2, 3).collide(true);
   }
 
   @Test

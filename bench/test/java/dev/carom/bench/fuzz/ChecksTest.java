@@ -63,8 +63,7 @@ class ChecksTest {
   /** A line that goes right and a peg that goes left; each flight takes one unit of time. */
   private static World withMovingThings() {
     SceneBuilder scene = box().line(10, 5, 10, 95).velocity(20, 0).peg(95, 90, 3).velocity(-30, 0);
-    scene.circle(20, 50, 5, 1, 0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(20, 50, 5, 1, 0).build());
     world.setResponse(ObstacleKind.CIRCLE, 0, Response.SENSOR); // nothing happens to it
     world.advanceTo(1);
     return world;
@@ -88,8 +87,7 @@ class ChecksTest {
   @Test
   void thingsThatMovePassOverJammedCirclesOnly() throws FindingException {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).line(50, 0, 50, 100).velocity(8, 0);
-    scene.circle(94, 50, 5, 0, 0);
-    World squeezed = new World(scene.build());
+    World squeezed = new World(scene.circle(94, 50, 5, 0, 0).build());
     passed.enter(squeezed);
     squeezed.advanceTo(6);
     double x = squeezed.x(0);
@@ -169,8 +167,7 @@ class ChecksTest {
   @Test
   void energyFromNowhereIsFoundBesideThingsThatMove() throws FindingException {
     SceneBuilder scene = Scene.builder().line(0, -10, 0, 10).velocity(1, 0).circle(3, 0, 1, 0, 0);
-    scene.circle(3, 50, 1, 1, 0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(3, 50, 1, 1, 0).build());
     EnergyCheck energy = new EnergyCheck(world, 1);
     energy.begin();
     world.step(3);
@@ -225,13 +222,9 @@ class ChecksTest {
   }
 
   private static SceneBuilder doors() {
-    return Scene.builder()
-        .collide(true)
-        .circle(0, 0, 1, 0, 0)
-        .circle(-5, 0, 1, 1, 0)
-        .mass(Double.POSITIVE_INFINITY)
-        .circle(5, 0, 1, -1, 0)
-        .mass(Double.POSITIVE_INFINITY);
+    SceneBuilder builder = Scene.builder().collide(true).circle(0, 0, 1, 0, 0);
+    builder.circle(-5, 0, 1, 1, 0).mass(Double.POSITIVE_INFINITY);
+    return builder.circle(5, 0, 1, -1, 0).mass(Double.POSITIVE_INFINITY);
   }
 
   @Test

@@ -20,11 +20,8 @@ class ChecksUnderGravityTest {
   private final PassedOver passed = new PassedOver();
 
   private static SceneBuilder box() {
-    return Scene.builder()
-        .bounds(0, 0, 100, 100)
-        .gravity(0, -8)
-        .line(30, 20, 70, 20)
-        .peg(80, 50, 4);
+    SceneBuilder builder = Scene.builder().bounds(0, 0, 100, 100).gravity(0, -8);
+    return builder.line(30, 20, 70, 20).peg(80, 50, 4);
   }
 
   private static World world() {

@@ -83,11 +83,6 @@ final class Drunkard implements Method {
   }
 
   @Override
-  public int impacts() {
-    return UNKNOWN;
-  }
-
-  @Override
   public int wallImpacts() {
     return 3;
   }

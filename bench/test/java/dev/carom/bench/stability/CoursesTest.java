@@ -37,13 +37,8 @@ class CoursesTest {
   }
 
   private static Scene corner(double restitution) {
-    return Scene.builder()
-        .line(3, 4, 103, 14)
-        .restitution(restitution)
-        .line(3, 4, 83, 74)
-        .restitution(restitution)
-        .circle(60, 28, 5, -4, -1.7)
-        .build();
+    SceneBuilder builder = Scene.builder().line(3, 4, 103, 14).restitution(restitution);
+    return builder.line(3, 4, 83, 74).restitution(restitution).circle(60, 28, 5, -4, -1.7).build();
   }
 
   @ParameterizedTest

@@ -40,22 +40,12 @@ class SceneFileTest {
 
   /** A scene that has everything a file can say. */
   private static Scene full() {
-    return Scene.builder()
-        .bounds(-1, -2, 801, 602)
-        .restitution(0.9)
-        .line(0.1, 0.2, 0.3, 0.4)
-        .line(5, 6, 7, 8)
-        .restitution(1.5)
-        .peg(300, 200, 0)
-        .peg(1, 2, 3)
-        .restitution(0)
-        .circle(10, 20, 5, -1, 1)
-        .circle(30, 40, 5, -0.0, 0)
-        .mass(2.5)
-        .circle(50, 60, 5, 0, 0)
-        .mass(Double.POSITIVE_INFINITY)
-        .restitution(1.0 / 3)
-        .build();
+    SceneBuilder builder = Scene.builder().bounds(-1, -2, 801, 602).restitution(0.9);
+    builder.line(0.1, 0.2, 0.3, 0.4).line(5, 6, 7, 8).restitution(1.5).peg(300, 200, 0);
+    builder.peg(1, 2, 3).restitution(0).circle(10, 20, 5, -1, 1);
+    builder.circle(30, 40, 5, -0.0, 0).mass(2.5);
+    builder.circle(50, 60, 5, 0, 0).mass(Double.POSITIVE_INFINITY).restitution(1.0 / 3);
+    return builder.build();
   }
 
   private static Scene read(String text) throws IOException {

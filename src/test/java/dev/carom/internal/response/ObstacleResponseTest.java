@@ -79,12 +79,8 @@ class ObstacleResponseTest {
 
   /** Two lines that meet below it in a narrow wedge; it hits one of them, then the other. */
   private static Scene wedge(double restitution) {
-    return Scene.builder()
-        .line(0, 0, 10, 20)
-        .restitution(restitution)
-        .line(0, 0, -10, 20)
-        .restitution(restitution)
-        .build();
+    SceneBuilder builder = Scene.builder().line(0, 0, 10, 20).restitution(restitution);
+    return builder.line(0, 0, -10, 20).restitution(restitution).build();
   }
 
   private void hitInWedge(ObstacleResponse wedge, int line, int contact) {
