@@ -163,21 +163,8 @@ class ParabolaSweepTest {
         s =
             i % 2 == 0
                 ? ParabolaSegmentSweep.timeAfter(
-                    0,
-                    0,
-                    r,
-                    v[0],
-                    v[1],
-                    0,
-                    g,
-                    at[0] - wx,
-                    at[1] - wy,
-                    at[0] + wx,
-                    at[1] + wy,
-                    0,
-                    0,
-                    s,
-                    T)
+                    0, 0, r, v[0], v[1], 0, g, at[0] - wx, at[1] - wy, at[0] + wx, at[1] + wy, 0,
+                    0, s, T)
                 : ParabolaDiskSweep.timeAfter(
                     0, 0, r, v[0], v[1], 0, g, at[0], at[1], r / 2, 0, 0, s, T);
         entries[k] += s < NEVER ? 1 : 0;
@@ -232,19 +219,9 @@ class ParabolaSweepTest {
   void coefficientsThatOverflowGoToExactNumbers() {
     double time =
         ParabolaDiskSweep.time(
-            -0x1.27f1c8b2c0d1dp7,
-            0x1.45b7f755df968p10,
-            0x1.bp7,
-            0x1.1c722cb03473ap301,
-            0x1.10115440d2f73p301,
-            0x1.c6e9a7e5c62d6p593,
-            -0x1.0115440d2f731p596,
-            0,
-            0x1.b98p9,
-            0x1.69p8,
-            0,
-            0,
-            0x1.93e5939a08ceap-199);
+            -0x1.27f1c8b2c0d1dp7, 0x1.45b7f755df968p10, 0x1.bp7, 0x1.1c722cb03473ap301,
+            0x1.10115440d2f73p301, 0x1.c6e9a7e5c62d6p593, -0x1.0115440d2f731p596, 0, 0x1.b98p9,
+            0x1.69p8, 0, 0, 0x1.93e5939a08ceap-199);
     assertThat(time).isEqualTo(1.2832970836562791E-89);
   }
 
@@ -292,50 +269,19 @@ class ParabolaSweepTest {
     // All but touching a peg, it comes nearer slowly, or fast.
     double slow =
         ParabolaDiskSweep.time(
-            11.416835685962972,
-            35.47793244230939,
-            0.5,
-            2.520933829792924,
-            -7.075144539578793,
-            0,
-            -10,
-            10.666666666666666,
-            35.2,
-            0.3,
-            0,
-            0,
-            NEVER);
+            11.416835685962972, 35.47793244230939, 0.5, 2.520933829792924, -7.075144539578793, 0,
+            -10, 10.666666666666666, 35.2, 0.3, 0, 0, NEVER);
     assertThat(slow).isEqualTo(2.790313288981091e-13);
     double fast =
         ParabolaDiskSweep.time(
-            26.13076570168882,
-            35.79397824517049,
-            0.5,
-            -6.982579459609074,
-            -6.683683962449991,
-            0,
-            -10,
-            26.666666666666668,
-            35.2,
-            0.3,
-            0,
-            0,
-            NEVER);
+            26.13076570168882, 35.79397824517049, 0.5, -6.982579459609074, -6.683683962449991, 0,
+            -10, 26.666666666666668, 35.2, 0.3, 0, 0, NEVER);
     assertThat(fast).isEqualTo(8.870896863064536e-15);
     // It flies off a peg along the tangent.
     double back =
         ParabolaReturn.toDisk(
-            3.9505440914875583,
-            33.398469857360446,
-            3.3650186085693945,
-            0.20842371307317462,
-            0,
-            -10,
-            4,
-            32.6,
-            0,
-            0,
-            NEVER);
+            3.9505440914875583, 33.398469857360446, 3.3650186085693945, 0.20842371307317462, 0,
+            -10, 4, 32.6, 0, 0, NEVER);
     assertThat(back).isEqualTo(NEVER);
     assertThat(PrecisionCounters.COUNT.exactParabolas).isEqualTo(before);
   }
