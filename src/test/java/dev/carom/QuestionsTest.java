@@ -26,7 +26,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * The answers of indexes beside those of a loop that asks each obstacle and each circle: the same
- * to the bit.
+ * to the bit. {@code -Dcarom.questions=600} asks more between two edits.
  */
 @Tag("long")
 class QuestionsTest {

@@ -20,7 +20,8 @@ import org.junit.jupiter.api.Timeout;
 
 /**
  * Scenes, steps and edits of any finite doubles: each is taken or refused, no place is NaN, no step
- * goes on without end, and the world goes on after each refusal.
+ * goes on without end, and the world goes on after each refusal. {@code -Dcarom.worlds=3000} plays
+ * more of them.
  */
 class ExtremeWorldsTest {
 
