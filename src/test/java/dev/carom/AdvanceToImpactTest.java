@@ -111,8 +111,7 @@ class AdvanceToImpactTest {
   @ValueSource(booleans = {false, true})
   void editsTakeEffectAfterTheImpact(boolean collide) {
     SceneBuilder scene = Scene.builder().collide(collide).bounds(0, 0, 100, 100);
-    scene.circle(50, 50, 10, 7, 0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(50, 50, 10, 7, 0).build());
     world.advanceToImpact(100);
     assertThat(world.vx(0)).isEqualTo(-7);
     world.setVelocity(0, world.vx(0), 3);

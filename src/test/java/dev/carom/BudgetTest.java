@@ -62,8 +62,7 @@ class BudgetTest {
   @Test
   void eachMayMakeAThousandImpactsBesides() {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).circle(5, 5, 1, 0x1p11, 0);
-    scene.circle(5, 5, 1, 8, 0).circle(5, 5, 1, 9, 0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(5, 5, 1, 8, 0).circle(5, 5, 1, 9, 0).build());
     assertThat(world.advanceTo(999)).as("the first one makes 255,744 impacts").isTrue();
     world.setVelocity(0, 0x1p14, 0);
     assertThat(world.advanceTo(1998)).as("it would make 2,045,952").isFalse();

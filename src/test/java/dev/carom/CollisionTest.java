@@ -164,8 +164,7 @@ class CollisionTest {
   void squeezedAgainstAWallACircleStaysInside() {
     SceneBuilder scene = Scene.builder().collide(true).bounds(0, 0, 4, 100);
     scene.circle(1, 30, 1, 0, 0).restitution(0).circle(3, 30, 1, 0, 0).restitution(0);
-    scene.circle(2, 60, 1, 0, -1e-3).mass(100).restitution(0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(2, 60, 1, 0, -1e-3).mass(100).restitution(0).build());
     for (int call = 0; call < 20 && world.now() < 1e5; call++) {
       Run.to(world, 1e5);
     }
@@ -196,8 +195,7 @@ class CollisionTest {
   @ValueSource(doubles = {1.2, -1.2})
   void ofTwoThatItMeetsAtOneTimeTheSmallerIdIsFirst(double y) {
     SceneBuilder scene = Scene.builder().collide(true).circle(0, 0, 1, 1, 0).circle(6, y, 1, 0, 0);
-    scene.circle(6, -y, 1, 0, 0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(6, -y, 1, 0, 0).build());
     Run.step(world, 5);
     assertThat(world.impacts().time(0)).isCloseTo(4.4, within(1e-15));
     assertThat(world.impacts().circle(0)).isZero();
@@ -213,8 +211,7 @@ class CollisionTest {
     for (int i = 0; i < 200; i++) {
       double speed = 1 + random.nextDouble();
       SceneBuilder builder = colliding().circle(0, random.nextDouble(), 1, speed, 0);
-      builder.circle(9 + random.nextDouble(), 0, 1, -random.nextDouble(), 0);
-      Scene scene = builder.build();
+      Scene scene = builder.circle(9 + random.nextDouble(), 0, 1, -random.nextDouble(), 0).build();
       World world = new World(scene);
       Run.step(world, 20);
       double time = world.impacts().time(0);
@@ -237,8 +234,7 @@ class CollisionTest {
     SceneBuilder scene = colliding().bounds(0, 0, 12800, 10240);
     scene.line(12724, 9499, 12295, 9876).response(Response.HALT).line(10799, 8474, 10384, 7629);
     scene.circle(12136, 8935, 383, 0.9, 1.1).mass(Double.POSITIVE_INFINITY);
-    scene.circle(11515, 9225, 1015, 0, 0).restitution(0.9);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(11515, 9225, 1015, 0, 0).restitution(0.9).build());
 
     assertThat(world.advanceTo(2000)).isTrue();
     assertThat(world.impacts().size()).isLessThan(500);

@@ -125,8 +125,7 @@ class EndsTest {
   @Test
   void aSlantedCorridorOfOneDiameterIsSlidThrough() {
     SceneBuilder setup = Scene.builder().line(-400, -300, 400, 300).line(-403, -296, 397, 304);
-    setup.circle(-1.5, 2, 2.5, 4, 3.5);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(-1.5, 2, 2.5, 4, 3.5).build();
     Run run = Run.advance(new World(scene), 60);
     assertThat(run.impacts()).hasSizeBetween(PATIENCE, 4 * PATIENCE);
     Run.State end = run.end().get(0);
@@ -163,8 +162,7 @@ class EndsTest {
   @Test
   void betweenTwoPegsThatLeaveNoRoomItStops() {
     SceneBuilder setup = Scene.builder().peg(0, 0, 1).peg(4, 0, 1).peg(2, -Math.sqrt(3), 0);
-    setup.circle(2, 0, Math.sqrt(3), 0.5, -1);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(2, 0, Math.sqrt(3), 0.5, -1).build();
     World world = new World(scene);
     assertThat(world.advanceTo(10)).isTrue();
     assertThat(world.impacts().size()).isLessThan(4 * PATIENCE);
@@ -176,8 +174,7 @@ class EndsTest {
   @CsvSource({"4,0", "4,3.5"})
   void bumpersAboveOneOnAllSidesEndInADefinedState(double vx, double vy) {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).restitution(1.5);
-    scene.circle(5, 4, 1.5, vx, vy);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(5, 4, 1.5, vx, vy).build());
     boolean complete = world.advanceTo(60);
     for (int call = 1; call < 5 && !complete; call++) {
       complete = world.advanceTo(60);
@@ -288,8 +285,7 @@ class EndsTest {
   @Test
   void theBudgetIsSpentToTheLastImpact() {
     SceneBuilder builder = Scene.builder().bounds(0, 0, 64, 64).circle(32, 32, 1, 0x1p27, 0);
-    builder.circle(32, 32, 1, 0, 0);
-    World world = new World(builder.build());
+    World world = new World(builder.circle(32, 32, 1, 0, 0).build());
     assertThat(world.step(1)).isFalse();
     assertThat(world.impacts().size()).isEqualTo(2_000_000);
   }

@@ -97,8 +97,7 @@ class FallTest {
       double y = 10 + 60 * random.nextDouble();
       builder.line(x, y, x + 8 * random.nextDouble(), y + 4 * random.nextDouble());
     }
-    builder.circle(50, 90, 1, 3, 0);
-    World world = new World(builder.build());
+    World world = new World(builder.circle(50, 90, 1, 3, 0).build());
     double before = energy(world, 0);
     int rows = 0;
     while (rows < 100_000) {
@@ -135,8 +134,7 @@ class FallTest {
   @Test
   void theWedgeBilliardKeepsTheEnergiesAlongItsSides() {
     SceneBuilder setup = Scene.builder().gravity(0, -10).line(-1000, 1000, 0, 0);
-    setup.line(0, 0, 1000, 1000).circle(3, 40, 1, 2, 1);
-    Scene scene = setup.build();
+    Scene scene = setup.line(0, 0, 1000, 1000).circle(3, 40, 1, 2, 1).build();
     World world = new World(scene);
     double left = alongSide(world, -1);
     double right = alongSide(world, 1);

@@ -171,8 +171,7 @@ class FirstImpactTest {
     scene.line(EARLIER.bx(), THIRD, EARLIER.ax(), THIRD).response(Response.SENSOR);
     scene.line(EARLIER.bx(), THIRD, EARLIER.ax(), THIRD);
     scene.line(EARLIER.ax(), THIRD, EARLIER.bx(), THIRD).oneWay().line(1, -9, 1, 9);
-    scene.line(1, -8, 1, 8);
-    World world = new World(scene.build());
+    World world = new World(scene.line(1, -8, 1, 8).build());
     world.remove(ObstacleKind.LINE, 1);
     assertThat(world.cast(POINT, V, NEVER).orElseThrow().id()).isEqualTo(3);
     world.setOneWay(2, false);

@@ -17,8 +17,7 @@ class GalperinTest {
   @CsvSource({"0, 3", "1, 31", "2, 314", "3, 3141", "4, 31415", "5, 314159"})
   void countsTheDigitsOfPi(int n, int impacts) {
     SceneBuilder setup = Scene.builder().line(0, -10, 0, 10).circle(5, 0, 1, 0, 0);
-    setup.circle(10, 0, 1, -1, 0).mass(Math.pow(100, n)).collide(true);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(10, 0, 1, -1, 0).mass(Math.pow(100, n)).collide(true).build();
     World world = new World(scene);
     int counted = 0;
     boolean complete;

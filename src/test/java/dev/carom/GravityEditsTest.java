@@ -31,8 +31,7 @@ class GravityEditsTest {
   @Test
   void aSupportThatGoesLetsTheBallFall() {
     SceneBuilder scene = Scene.builder().gravity(0, -10).line(0, 0, 20, 0);
-    scene.circle(10, 1, 1, 0, 0).restitution(0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(10, 1, 1, 0, 0).restitution(0).build());
     rows(world, 5);
     assertThat(world.y(0)).isEqualTo(1);
     world.remove(ObstacleKind.LINE, 0);
@@ -92,8 +91,7 @@ class GravityEditsTest {
   @ValueSource(doubles = {0, 0.5, 1})
   void aLineThatIsEditedInEachFrameLetsABallSlideOnIt(double e) {
     SceneBuilder scene = Scene.builder().gravity(0, -10).line(0, 10, 1000, 10);
-    scene.circle(40, 12, 2, 4, 0).restitution(e);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(40, 12, 2, 4, 0).restitution(e).build());
     for (int frame = 1; frame <= EDITS; frame++) {
       world.setVelocity(ObstacleKind.LINE, 0, Math.sin(frame), 0);
       assertThat(world.advanceTo(frame / 60.0)).isTrue();
@@ -107,8 +105,7 @@ class GravityEditsTest {
   @ValueSource(doubles = {0, 0.5, 1})
   void aLiftThatIsSetInEachFrameCarriesABall(double e) {
     SceneBuilder scene = Scene.builder().gravity(0, -10).line(0, 10, 1000, 10);
-    scene.circle(40, 12, 2, 0, 3).restitution(e);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(40, 12, 2, 0, 3).restitution(e).build());
     for (int frame = 1; frame <= EDITS; frame++) {
       world.setVelocity(ObstacleKind.LINE, 0, 0, 3);
       assertThat(world.advanceTo(frame / 60.0)).isTrue();

@@ -21,8 +21,7 @@ class LevelPathTest {
     assertThat(SweptCircle.line(px, py, r, vx, 0, line.ax(), line.ay(), line.bx(), line.by(), 99))
         .isLessThan(99);
     SceneBuilder scene = Scene.builder().line(line.ax(), line.ay(), line.bx(), line.by());
-    scene.circle(px, py, r, vx, 0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(px, py, r, vx, 0).build());
     Run.step(world, 99);
     assertThat(world.impacts().size()).as("%s, %s, %s, %s, %s", px, py, r, vx, line).isPositive();
   }

@@ -66,8 +66,7 @@ class LockstepTest {
     double near = sensorFirst ? 1 : 2;
     SceneBuilder setup = Scene.builder().collide(collide);
     setup.line(10 + near, -9, 10 + near, 9).response(Response.SENSOR);
-    setup.line(13 - near, -9, 13 - near, 9).circle(0, 0, 1, 0, 0);
-    Scene scene = setup.build();
+    Scene scene = setup.line(13 - near, -9, 13 - near, 9).circle(0, 0, 1, 0, 0).build();
     World world = new World(scene);
     Run.to(world, late);
     world.setVelocity(0, 0x1p7, 0);
@@ -82,8 +81,7 @@ class LockstepTest {
   @Test
   void theLastImpactOfACircleThatWasRemovedIsNotForgotten() {
     SceneBuilder setup = Scene.builder().bounds(0, 0, 10, 10).collide(true).circle(5, 2, 1, 0.7, 0);
-    setup.circle(5, 8, 1, 0, 0.3);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(5, 8, 1, 0, 0.3).build();
     int rounded = 0;
     for (Run.Row row : Run.advance(new World(scene), 200).impacts()) {
       World world = new World(scene);

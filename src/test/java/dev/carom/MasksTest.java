@@ -220,8 +220,7 @@ class MasksTest {
   @Test
   void beyondTheWallsACircleMeetsOthersWhereItIs() {
     SceneBuilder scene = box().collide(true).circle(50, 50, 10, 8, 0).filter(A, -1);
-    scene.circle(180, 50, 10, -8, 0).filter(A, -1);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(180, 50, 10, -8, 0).filter(A, -1).build());
     assertThat(world.step(7)).isTrue();
     assertThat(world.impacts().time(0)).isEqualTo(6.875);
     assertThat(world.x(0)).isEqualTo(104);
@@ -247,8 +246,7 @@ class MasksTest {
   @ValueSource(booleans = {false, true})
   void anEditOfTheWallsConcernsAllCircles(boolean collide) {
     SceneBuilder scene = box().collide(collide).circle(50, 50, 10, 8, 0).filter(A, -1);
-    scene.circle(50, 20, 10, 8, 0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(50, 20, 10, 8, 0).build());
     world.setFilter(ObstacleKind.WALL, 2, 1, A);
     assertThat(world.mask(ObstacleKind.WALL, 0)).isEqualTo(A);
     assertThat(world.step(6)).isTrue();
@@ -267,8 +265,7 @@ class MasksTest {
   @CsvSource({"2, -2, true", "-2, 2, false"})
   void circlesThatOverlapAndNowMeetBounceIfTheyApproach(double v1, double v2, boolean bounce) {
     SceneBuilder scene = Scene.builder().collide(true).circle(0, 0, 10, v1, 0).filter(A, A);
-    scene.circle(5, 0, 10, v2, 0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(5, 0, 10, v2, 0).build());
     world.setFilter(ObstacleKind.CIRCLE, 0, A, -1);
     assertThat(world.step(0.5)).isTrue();
     assertThat(world.impacts().size()).isEqualTo(bounce ? 1 : 0);

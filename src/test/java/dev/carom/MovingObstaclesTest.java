@@ -342,8 +342,7 @@ class MovingObstaclesTest {
   @Test
   void aSceneFileHasTheVelocity() throws Exception {
     SceneBuilder setup = Scene.builder().line(0, 0, 1, 1).velocity(0.1, -0.2).oneWay();
-    setup.peg(5, 5, 1).velocity(0, 3).peg(8, 8, 1);
-    Scene scene = setup.build();
+    Scene scene = setup.peg(5, 5, 1).velocity(0, 3).peg(8, 8, 1).build();
     StringBuilder text = new StringBuilder();
     scene.write(text);
     assertThat(text.toString()).contains("vx=0.1,vy=-0.2").contains("vx=0.0,vy=3.0");

@@ -27,8 +27,7 @@ class PassedLinesTest {
       double t =
           SweptCircle.line(p[0], p[1], r, vx, vy, line.ax(), line.ay(), line.bx(), line.by(), END);
       SceneBuilder scene = Scene.builder().line(line.ax(), line.ay(), line.bx(), line.by());
-      scene.circle(p[0], p[1], r, vx, vy);
-      World world = new World(scene.build());
+      World world = new World(scene.circle(p[0], p[1], r, vx, vy).build());
       Run.step(world, END);
       boolean hit = t <= END;
       assertThat(world.impacts().size() > 0)

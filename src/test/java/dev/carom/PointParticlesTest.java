@@ -78,8 +78,7 @@ class PointParticlesTest {
   @Test
   void twoPointsNeverMeet() {
     SceneBuilder scene = room().collide(true).circle(20, 50, 0, 10, 0).circle(80, 50, 0, -10, 0);
-    scene.circle(50, 20, 0, 0, 10);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(50, 20, 0, 0, 10).build());
     assertThat(world.step(4)).isTrue();
     assertThat(world.impacts().size()).isZero();
     assertThat(world.x(0)).isEqualTo(60);

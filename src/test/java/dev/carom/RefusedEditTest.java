@@ -164,8 +164,7 @@ class RefusedEditTest {
   void aRadiusTooSmallForTheFarthestEnd() {
     for (Line far : List.of(new Line(1e14, 1, 0, 0), new Line(0, 0, 1, -1e14))) {
       SceneBuilder scene = Scene.builder().line(far.ax(), far.ay(), far.bx(), far.by());
-      scene.circle(0, 99, 16, 0, 0);
-      World world = new World(scene.build());
+      World world = new World(scene.circle(0, 99, 16, 0, 0).build());
       assertTooSmall(world);
     }
   }

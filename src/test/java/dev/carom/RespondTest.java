@@ -30,8 +30,7 @@ class RespondTest {
       // So large that they overlap: the impact is at 0, and the places are as given.
       SceneBuilder setup = Scene.builder().collide(true);
       setup.circle(n[0], n[1], 15, v[0], v[1]).mass(m1);
-      setup.circle(n[2], n[3], 15, v[2], v[3]).mass(m2).restitution(e);
-      Scene scene = setup.build();
+      Scene scene = setup.circle(n[2], n[3], 15, v[2], v[3]).mass(m2).restitution(e).build();
       World world = new World(scene);
       Run.step(world, 0);
       met += world.impacts().size();

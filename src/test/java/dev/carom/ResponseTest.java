@@ -63,8 +63,7 @@ class ResponseTest {
   void atACircleThatNothingDeflectsTheOtherTakesOverItsMotion() {
     SceneBuilder scene = Scene.builder().collide(true);
     scene.circle(0, 0, 1, 3, 0).response(Response.HALT);
-    scene.circle(10, 0, 1, -1, 0).mass(Double.POSITIVE_INFINITY);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(10, 0, 1, -1, 0).mass(Double.POSITIVE_INFINITY).build());
     Run.step(world, 10);
     assertThat(world.vx(0)).isEqualTo(-1);
     assertThat(world.vx(1)).isEqualTo(-1);
@@ -206,8 +205,7 @@ class ResponseTest {
     SceneBuilder builder = box().response(Response.HALT);
     builder.line(1, 2, 3, 4).response(Response.SENSOR).oneWay();
     builder.peg(5, 6, 7).restitution(0.5).response(Response.HALT);
-    builder.circle(50, 50, 5, 0, 0).response(Response.SENSOR);
-    Scene scene = builder.build();
+    Scene scene = builder.circle(50, 50, 5, 0, 0).response(Response.SENSOR).build();
     StringBuilder text = new StringBuilder();
     scene.write(text);
     assertThat(text.toString().lines())

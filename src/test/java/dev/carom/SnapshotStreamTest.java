@@ -62,8 +62,7 @@ class SnapshotStreamTest {
   private static byte[] small(double velocity) {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100);
     scene.line(10, 20, 30, 40).velocity(velocity, 0).peg(50, 50, 5).velocity(0, velocity);
-    scene.circle(70, 70, 3, 1, -2).circle(20, 80, 3, 1, -2);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(70, 70, 3, 1, -2).circle(20, 80, 3, 1, -2).build());
     Run.step(world, 40);
     return SnapshotBytes.of(world.snapshot());
   }
@@ -183,8 +182,7 @@ class SnapshotStreamTest {
   void whatThingsDoIsKept() {
     SceneBuilder builder = room().response(Response.HALT).line(10, 20, 30, 40).oneWay();
     builder.peg(50, 50, 5).response(Response.SENSOR).circle(70, 70, 3, 1, -2);
-    builder.circle(20, 80, 3, 1, -2).response(Response.SENSOR);
-    World world = new World(builder.build());
+    World world = new World(builder.circle(20, 80, 3, 1, -2).response(Response.SENSOR).build());
     world.remove(ObstacleKind.CIRCLE, 0);
     World other = new World(world.scene());
     other.restore(SnapshotBytes.copy(world.snapshot()));

@@ -109,8 +109,7 @@ class TimelineTest {
   @ValueSource(booleans = {false, true})
   void onlySoManyFlightsAreKept(boolean collide) {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 10).collide(collide);
-    scene.circle(5, 2, 1, 4, 0).circle(5, 8, 1, 0, 0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(5, 2, 1, 4, 0).circle(5, 8, 1, 0, 0).build());
     Timeline timeline = world.record(3);
     Run.step(world, 3); // walls at 1, 3; a flight lasts 2
     assertThat(timeline.start()).isZero();

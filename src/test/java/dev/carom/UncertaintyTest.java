@@ -107,8 +107,7 @@ class UncertaintyTest {
 
   private static double exponentInABox(double restitution) {
     SceneBuilder setup = Scene.builder().bounds(0, 0, 90, 5).restitution(restitution);
-    setup.circle(3, 2, 1, 1.3, 2.1);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(3, 2, 1, 1.3, 2.1).build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
     advance(world, uncertainty, 10);
@@ -251,8 +250,7 @@ class UncertaintyTest {
   @Test
   void aCircleThatHaltsAtALineKeepsItsError() {
     SceneBuilder setup = Scene.builder().line(-1000, 0, 1000, 0).response(Response.HALT);
-    setup.circle(0, 5, 2, 1, -1);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(0, 5, 2, 1, -1).build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
     advance(world, uncertainty, 20);
@@ -311,8 +309,7 @@ class UncertaintyTest {
     double height = 8;
     double reach = 12;
     SceneBuilder setup = Scene.builder().peg(50, 0, 10);
-    setup.circle(50, reach + height, 2, 0, 0).gravity(0, -0.25);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(50, reach + height, 2, 0, 0).gravity(0, -0.25).build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
     advance(world, uncertainty, 4000);
@@ -377,8 +374,7 @@ class UncertaintyTest {
       double unit = i == 0 ? 1 : 0x1p20;
       SceneBuilder setup = Scene.builder().bounds(0, 0, 100 * unit, 200 * unit);
       setup.peg(50 * unit, 50 * unit, 20 * unit).gravity(0, -0.125 * unit);
-      setup.circle(48 * unit, 180 * unit, 3 * unit, 0, -0.5 * unit);
-      Scene scene = setup.build();
+      Scene scene = setup.circle(48 * unit, 180 * unit, 3 * unit, 0, -0.5 * unit).build();
       World world = new World(scene);
       Uncertainty uncertainty = new Uncertainty(world, unit);
       advance(world, uncertainty, 120);
@@ -390,8 +386,7 @@ class UncertaintyTest {
   @Test
   void aCircleThatSettlesIsUnknown() {
     SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 90).restitution(0.5);
-    setup.circle(50, 12, 2, 1, 0).gravity(0, -1);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(50, 12, 2, 1, 0).gravity(0, -1).build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
     advance(world, uncertainty, 5);
@@ -411,8 +406,7 @@ class UncertaintyTest {
   @Test
   void aHopOfTheRulesIsUnknown() {
     SceneBuilder setup = Scene.builder().peg(50, 0, 10).restitution(0.5);
-    setup.circle(50.5, 20, 2, 0, 0).gravity(0, -0.25);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(50.5, 20, 2, 0, 0).gravity(0, -0.25).build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
     int bounces = 0;
@@ -469,8 +463,7 @@ class UncertaintyTest {
   @Test
   void twoPegsAtOnceMakeUnknown() {
     SceneBuilder setup = Scene.builder().bounds(-100, -100, 100, 100).peg(-9.3, 30.1, 10);
-    setup.peg(9.3, 30.1, 10).circle(0, -80, 2, 0, 1.7);
-    Scene scene = setup.build();
+    Scene scene = setup.peg(9.3, 30.1, 10).circle(0, -80, 2, 0, 1.7).build();
     World world = new World(scene);
     Uncertainty uncertainty = new Uncertainty(world, 1);
     advance(world, uncertainty, 100);

@@ -505,8 +505,7 @@ class WorldTest {
   void normalsHaveNoMinusZero() {
     SceneBuilder scene = Scene.builder().line(-4, -0.0, 4, 0).circle(0, 3, 1, 0, -1);
     scene.circle(0, -3, 1, 0, 1).line(-0.0, 10, 0, 18).circle(3, 14, 1, -1, 0);
-    scene.circle(-3, 14, 1, 1, 0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(-3, 14, 1, 1, 0).build());
     Run.step(world, 2);
     for (int row = 0; row < 4; row++) {
       double zero = row < 2 ? world.impacts().nx(row) : world.impacts().ny(row);
@@ -519,8 +518,7 @@ class WorldTest {
   @Test
   void aWorldTellsWhatIsThereAndWhen() {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 9, 8).collide(true).line(1, 2, 3, 4);
-    scene.peg(5, 5, 1).peg(6, 5, 1).circle(7, 2, 1, 2, 0);
-    World world = new World(scene.build());
+    World world = new World(scene.peg(5, 5, 1).peg(6, 5, 1).circle(7, 2, 1, 2, 0).build());
     world.remove(ObstacleKind.PEG, 0);
     world.addCircle(2, 7, 0.5, 0, 0);
     Run.step(world, 1.5);
@@ -537,8 +535,7 @@ class WorldTest {
   @Test
   void aLogTellsItsFirstRows() {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 10, 20).line(4, 4, 6, 4);
-    scene.circle(5, 2, 1, 0, 4).circle(5, 10, 1, 2, 0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(5, 2, 1, 0, 4).circle(5, 10, 1, 2, 0).build());
     assertThat(world.impacts()).hasToString("ImpactLog of 0 rows");
     Run.step(world, 1);
     assertThat(world.impacts())

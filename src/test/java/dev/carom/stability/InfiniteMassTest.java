@@ -103,8 +103,7 @@ class InfiniteMassTest {
   @ValueSource(doubles = {0, 0.5, 1})
   void aPistonCrushesABallAtAWall(double e) {
     SceneBuilder scene = colliding().bounds(0, 0, 20, 20).circle(15, 10, 1, 0.3, 0).restitution(e);
-    scene.circle(5, 10, 1, 1, 0).mass(INFINITE);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(5, 10, 1, 1, 0).mass(INFINITE).build());
     assertThat(world.advanceTo(13)).isTrue();
     assertThat(world.x(0)).isCloseTo(19, within(1e-4));
     assertThat(world.vx(0)).isZero();

@@ -119,8 +119,7 @@ class TrappedTest {
   void aPocketOfSomeUlpsJams() {
     SceneBuilder scene = Scene.builder().peg(0, 1.000000000000004, 0);
     scene.peg(.866025403784442, -.500000000000002, 0).peg(-.866025403784442, -.500000000000002, 0);
-    scene.circle(0, 0, 1, .3, .2);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(0, 0, 1, .3, .2).build());
     assertThat(world.step(1)).isTrue();
     assertThat(world.impacts().size()).isBetween(1_025, 1_100);
     assertThat(world.step(1)).isTrue();

@@ -107,8 +107,7 @@ class DuelTest {
   @Test
   void countsWhoIsLostOnceAndForEver() {
     SceneBuilder setup = Scene.builder().line(50, -50, 50, 150).circle(20, 30, 5, 0, 0);
-    setup.circle(20, 70, 1, 64, 0);
-    Scene thin = setup.build();
+    Scene thin = setup.circle(20, 70, 1, 64, 0).build();
     try (Duel duel = new Duel(thin, Rival.SUBSTEPS, null)) {
       assertThat(duel.rival(1).lost()).isEqualTo(1);
       assertThat(duel.rival(50).isLost(1)).isTrue();

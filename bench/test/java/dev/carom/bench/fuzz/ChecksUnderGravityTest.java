@@ -124,8 +124,7 @@ class ChecksUnderGravityTest {
   @Test
   void theEndOfASlideIsFound() throws FindingException {
     SceneBuilder scene = Scene.builder().gravity(0, -8).line(0, 0, 10, 0);
-    scene.circle(7, 1, 1, 4, 0).restitution(0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(7, 1, 1, 4, 0).restitution(0).build());
     Timeline timeline = world.record(10);
     world.step(2);
 

@@ -66,8 +66,7 @@ class SoakTest {
   @Test
   void aFlightThroughALineIsSeen() {
     SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 100).line(50, 0, 50, 100).oneWay();
-    setup.circle(70, 50, 5, -10, 0);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(70, 50, 5, -10, 0).build();
     World world = new World(scene);
     Guard guard = new Guard(scene, world);
     world.advanceTo(7);

@@ -35,8 +35,7 @@ class GasPartTest {
   @Test
   void overlapEnergyAndLostCirclesAreThoseOfTheWorstFrame() {
     SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 100).circle(20, 50, 5, 0, 1);
-    setup.circle(27, 50, 5, 0, 1).circle(120, 50, 1, -1, 0);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(27, 50, 5, 0, 1).circle(120, 50, 1, -1, 0).build();
 
     Map<String, Double> found = measure(Methods.TEXTBOOK_DOUBLE, scene, 5);
 

@@ -119,8 +119,7 @@ class SceneMeasuresTest {
   @Test
   void whoLeavesTheBoundsHasEscaped() {
     SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 5, 3, 0);
-    setup.circle(50, 50, 5, 1, 0);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(50, 50, 5, 1, 0).build();
 
     List<Row> rows = rows(scene, Drunkard.astray(0));
 

@@ -158,8 +158,7 @@ class MethodsTest {
   @Test
   void everyCircleAsksEveryLineOfThePublishedAlgorithm() {
     SceneBuilder setup = Scene.builder().line(50, 0, 50, 100).line(60, 0, 60, 100);
-    setup.circle(38, 40, 5, 1, 0).circle(38, 60, 5, 1, 0);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(38, 40, 5, 1, 0).circle(38, 60, 5, 1, 0).build();
 
     assertThat(after(1, Methods.POSTER, scene).pairTests()).isEqualTo(4);
     assertThat(after(1, Methods.POSTER_DOUBLE, scene).pairTests()).isEqualTo(4);
@@ -200,8 +199,7 @@ class MethodsTest {
   @MethodSource("eventDriven")
   void whatIsNotElasticTakesSpeedAlongTheNormal(Contender contender) {
     SceneBuilder setup = Scene.builder().line(50, 0, 50, 100).restitution(0.8);
-    setup.circle(40, 40, 5, 10, 1).restitution(0.5);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(40, 40, 5, 10, 1).restitution(0.5).build();
 
     Method method = after(1, contender, scene);
 
@@ -214,8 +212,7 @@ class MethodsTest {
   @MethodSource("all")
   void wallsAndPartsOfAFrameKeepTheirRestitution(Contender contender) {
     SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 100).restitution(0.5);
-    setup.line(20, 0, 20, 100).restitution(0.25).circle(80, 50, 10, 8, 0);
-    Scene scene = setup.build();
+    Scene scene = setup.line(20, 0, 20, 100).restitution(0.25).circle(80, 50, 10, 8, 0).build();
 
     assertThat(after(4, contender, scene).vx(0)).isCloseTo(-4, within(1e-5));
     assertThat(after(20, contender, scene).vx(0)).isCloseTo(1, within(1e-5));
@@ -229,8 +226,7 @@ class MethodsTest {
   @MethodSource("all")
   void circlesThatCollideAreForMethodsThatKnowPairs(Contender contender) {
     SceneBuilder setup = Scene.builder().collide(true).circle(0, 0, 5, 2, 0).mass(3);
-    setup.circle(20, 0, 5, -1, 0).restitution(0.5);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(20, 0, 5, -1, 0).restitution(0.5).build();
 
     if (!List.of("carom", "overlap", "substeps").contains(contender.method())) {
       assertThatThrownBy(() -> contender.start(scene))
@@ -287,8 +283,7 @@ class MethodsTest {
   void aCircleMayComeFromOutsideTheGrid() {
     SceneBuilder setup = Scene.builder().line(0, 0, 10, 0).line(0, 40, 10, 40);
     setup.circle(5, -1000, 1, 0, 100).circle(-1000, 20, 1, 100, 0).circle(5, -1000, 1, 0, -100);
-    setup.circle(2000, -1000, 1, 1, 100);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(2000, -1000, 1, 1, 100).build();
 
     Method cells = after(20, Methods.TEXTBOOK_GRID, scene);
     Method all = after(20, Methods.TEXTBOOK_DOUBLE, scene);

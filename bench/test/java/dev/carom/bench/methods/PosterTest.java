@@ -100,8 +100,7 @@ class PosterTest {
   @Test
   void restitutionIsTheProductOfBoth() {
     SceneBuilder setup = Scene.builder().line(50, 0, 50, 100).restitution(0.5);
-    setup.circle(40, 40, 5, 10, 0).restitution(0.8);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(40, 40, 5, 10, 0).restitution(0.8).build();
 
     assertThat(after(1, scene).x(0)).isCloseTo(45 - 0.5 * 0.4 * 10, FLOAT);
   }

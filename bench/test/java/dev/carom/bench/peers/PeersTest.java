@@ -133,8 +133,7 @@ class PeersTest {
   @MethodSource("all")
   void whatIsNotElasticTakesSpeed(Contender peer) {
     SceneBuilder setup = Scene.builder().line(50, 0, 50, 100).restitution(0.8);
-    setup.circle(30, 50, 10, 3, 0).restitution(0.5);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(30, 50, 10, 3, 0).restitution(0.5).build();
 
     try (Method method = peer.start(scene)) {
       play(method, 10);
@@ -146,8 +145,7 @@ class PeersTest {
   @MethodSource("all")
   void circlesThatCollideHaveTheirMasses(Contender peer) {
     SceneBuilder setup = Scene.builder().collide(true).circle(0, 0, 10, 2, 0).mass(3);
-    setup.circle(40, 0, 10, -1, 0);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(40, 0, 10, -1, 0).build();
 
     try (Method method = peer.start(scene)) {
       play(method, 20);
@@ -176,8 +174,7 @@ class PeersTest {
     Scene circles =
         Scene.builder().circle(0, 0, 1, 1, 1).restitution(0.5).circle(9, 9, 1, 1, 1).build();
     SceneBuilder setup = Scene.builder().collide(true).line(50, 0, 50, 9).restitution(0.5);
-    setup.circle(0, 0, 1, 1, 1);
-    Scene line = setup.build();
+    Scene line = setup.circle(0, 0, 1, 1, 1).build();
 
     for (Scene scene : List.of(circles, line)) {
       assertThatThrownBy(() -> peer.start(scene))

@@ -38,8 +38,7 @@ class CollidingTruthTest {
   @CsvSource({"1, 3", "100, 31", "10000, 314"})
   void impactsCountTheDigitsOfPi(double mass, int impacts) {
     SceneBuilder setup = Scene.builder().line(0, -10, 0, 10).circle(5, 0, 1, 0, 0);
-    setup.circle(10, 0, 1, -1, 0).mass(mass).collide(true);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(10, 0, 1, -1, 0).mass(mass).collide(true).build();
     Truth truth = truth(scene, 1000);
     assertThat(truth.impacts()).isEqualTo(impacts);
     assertThat(truth.vx(1000, 1))
@@ -53,8 +52,7 @@ class CollidingTruthTest {
   @CsvSource({"1, -1, 2", "0.5, -0.25, 1.25", "0, 0.5, 0.5"})
   void headOnPairPartsByItsRestitution(double restitution, double v1, double v2) {
     SceneBuilder setup = Scene.builder().circle(0, 0, 1, 2, 0).restitution(restitution);
-    setup.circle(5, 0, 1, -1, 0).collide(true);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(5, 0, 1, -1, 0).collide(true).build();
     Truth truth = truth(scene, 3);
     assertThat(truth.vx(3, 0)).isEqualTo(v1);
     assertThat(truth.vx(3, 1)).isEqualTo(v2);
@@ -64,11 +62,9 @@ class CollidingTruthTest {
   @Test
   void circleThatStopsHitsNothing() {
     SceneBuilder setup = Scene.builder().line(1.05, -5, 1.05, 5).circle(2.1, 0.1, 0.7, 0.3, 0.1);
-    setup.circle(5.6, 0.1 + 3.5 / 3, 0.7, 0, 0).collide(true);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(5.6, 0.1 + 3.5 / 3, 0.7, 0, 0).collide(true).build();
     SceneBuilder other = Scene.builder().line(-0.75, -5, -0.75, 5).circle(0, 0.1, 0.7, 0.3, 0);
-    other.circle(3.1, 0.1, 0.7, 0, 0).collide(true);
-    Scene headOn = other.build();
+    Scene headOn = other.circle(3.1, 0.1, 0.7, 0, 0).collide(true).build();
     assertThat(truth(scene, 20).impacts()).isEqualTo(1);
     Truth truth = truth(headOn, 20);
     assertThat(truth.impacts()).isEqualTo(1);
@@ -79,8 +75,7 @@ class CollidingTruthTest {
   @Test
   void infiniteMassIsNotDeflected() {
     SceneBuilder setup = Scene.builder().circle(0, 0, 1, 2, 0);
-    setup.circle(5, 0, 1, -1, 0).mass(Double.POSITIVE_INFINITY).collide(true);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(5, 0, 1, -1, 0).mass(Double.POSITIVE_INFINITY).collide(true).build();
     Truth truth = truth(scene, 2);
     assertThat(truth.vx(2, 0)).isEqualTo(-4);
     assertThat(truth.vx(2, 1)).isEqualTo(-1);
@@ -90,8 +85,7 @@ class CollidingTruthTest {
   @Test
   void simultaneousPairsAreTakenByTheirNumbers() {
     SceneBuilder setup = Scene.builder().circle(0, 0, 1, 0.3, 0).circle(2.3, 9, 1, 0, 0);
-    setup.circle(2.3, 0, 1, 0, 0).circle(0, 9, 1, 0.3, 0).collide(true);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(2.3, 0, 1, 0, 0).circle(0, 9, 1, 0.3, 0).collide(true).build();
     List<Hit> hits = truth(scene, 2).proofs().get(0).hits();
     assertThat(hits)
         .containsExactly(

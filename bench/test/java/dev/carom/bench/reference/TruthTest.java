@@ -37,8 +37,7 @@ class TruthTest {
   @Test
   void squareBilliardIsTheClosedForm() {
     SceneBuilder setup = Scene.builder().bounds(0, 0, 10, 10).circle(1.3, 4.1, 0.7, 3.7, -2.3);
-    setup.circle(9.1, 0.4, 0.3, -0.1, 17.9);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(9.1, 0.4, 0.3, -0.1, 17.9).build();
     Truth truth = truth(scene, 300);
     for (int frame = 0; frame <= 300; frame++) {
       assertThat(truth.x(frame, 0)).isEqualTo(zigzag(1.3, 3.7, frame, 0.7, 10));
@@ -97,8 +96,7 @@ class TruthTest {
   void overlapIsAnImpactIfItGetsDeeper() {
     SceneBuilder setup = Scene.builder().peg(0, 0, 1).line(10, 0, 20, 0).circle(1.5, 0, 1, -1, 0);
     setup.circle(1.5, 0, 1, 1, 0).circle(15, 0.5, 1, 0, -0.25).circle(15, 0.5, 1, 0, 0.25);
-    setup.circle(15, 0, 1, 0, -0.25);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(15, 0, 1, 0, -0.25).build();
     Truth truth = truth(scene, 2);
     assertThat(truth.vx(0, 0)).isEqualTo(1);
     assertThat(truth.vx(2, 1)).isEqualTo(1);
@@ -111,8 +109,7 @@ class TruthTest {
   @Test
   void restitutionScalesTheNormalPart() {
     SceneBuilder setup = Scene.builder().bounds(0, 0, 10, 10).restitution(0.5);
-    setup.circle(5, 5, 1, 2, 1).restitution(0.5);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(5, 5, 1, 2, 1).restitution(0.5).build();
     Truth truth = truth(scene, 3);
     assertThat(truth.vx(3, 0)).isEqualTo(-0.5);
     assertThat(truth.vy(3, 0)).isEqualTo(1);
@@ -122,8 +119,7 @@ class TruthTest {
   @Test
   void aBallThatBouncesIsTheClosedForm() {
     SceneBuilder setup = Scene.builder().bounds(0, 0, 100, 1000).gravity(0, -1);
-    setup.circle(30, 10, 2, 0.1, 0).circle(60, 10, 2, 0, 0);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(30, 10, 2, 0.1, 0).circle(60, 10, 2, 0, 0).build();
     Truth truth = truth(scene, 300);
     for (int frame = 0; frame <= 300; frame++) {
       double t = (frame + 4) % 8 - 4; // since the top
@@ -163,8 +159,7 @@ class TruthTest {
   @Test
   void aWedgeOf45DegreesKeepsTheEnergiesAlongItsSides() {
     SceneBuilder setup = Scene.builder().line(-300, 300, 0, 0);
-    setup.line(0, 0, 300, 300).gravity(0, -0.25).circle(20, 90, 3, 0.5, 0.25);
-    Scene scene = setup.build();
+    Scene scene = setup.line(0, 0, 300, 300).gravity(0, -0.25).circle(20, 90, 3, 0.5, 0.25).build();
     Truth truth = truth(scene, 400);
     assertThat(truth.impacts()).isGreaterThan(10);
     double slope = Math.sqrt(0.5);
@@ -180,8 +175,7 @@ class TruthTest {
   @Test
   void aBallBouncesOnAPegAndOnAnEnd() {
     SceneBuilder setup = Scene.builder().peg(10, 0, 4).line(40, 0, 40, -20).gravity(0, -1);
-    setup.circle(10, 13, 1, 0, 0).circle(40, 9, 1, 0, 0);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(10, 13, 1, 0, 0).circle(40, 9, 1, 0, 0).build();
     Truth truth = truth(scene, 80);
     for (int frame = 0; frame <= 80; frame++) {
       double t = (frame + 4) % 8 - 4;
@@ -261,8 +255,7 @@ class TruthTest {
         .hasMessage(
             "circles collide: with gravity, a reference expects ones that ignore each other");
     SceneBuilder setup = Scene.builder().gravity(0, -0.5);
-    setup.circle(5, 9, 1, 0, 0).mass(Double.POSITIVE_INFINITY);
-    Scene floating = setup.build();
+    Scene floating = setup.circle(5, 9, 1, 0, 0).mass(Double.POSITIVE_INFINITY).build();
     assertThatThrownBy(() -> truth(floating, 1))
         .hasMessage(
             "circle 0 has infinite mass: with gravity, a reference expects circles that fall");

@@ -40,8 +40,7 @@ class RunHashTest {
   void tellsAnImpactThatLeavesNoTrace() {
     Scene scene = box().circle(20, 20, 5, 0, 0).circle(60, 20, 5, 4, 0).build();
     SceneBuilder builder = box().circle(20, 20, 5, 0, 0).circle(60, 20, 5, 4, 0);
-    builder.peg(75, 20, 2).response(Response.SENSOR);
-    Scene sensed = builder.build();
+    Scene sensed = builder.peg(75, 20, 2).response(Response.SENSOR).build();
 
     assertThat(hash(sensed, 5)).isNotEqualTo(hash(scene, 5));
     assertThat(hash(sensed, 1)).isEqualTo(hash(scene, 1));

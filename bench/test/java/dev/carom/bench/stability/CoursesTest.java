@@ -30,8 +30,7 @@ class CoursesTest {
   @Test
   void aBoxUnfolds() {
     SceneBuilder setup = Scene.builder().line(0, 0, 70, 0).line(70, 0, 70, 50).line(70, 50, 0, 50);
-    setup.line(0, 50, 0, 0).circle(31, 17, 5, -23.7, 41.3);
-    Scene scene = setup.build();
+    Scene scene = setup.line(0, 50, 0, 0).circle(31, 17, 5, -23.7, 41.3).build();
 
     agree(new BoxCourse(scene, 70, 50, 30), Truth.of(scene, 30, () -> {}));
   }

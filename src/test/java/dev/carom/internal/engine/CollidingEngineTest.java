@@ -60,8 +60,7 @@ class CollidingEngineTest {
   void whoWaitedForWhatHitsItAtOnceHasNotStoodStill() {
     SceneBuilder cradle = Scene.builder().bounds(0, 0, 100, 10).collide(true);
     cradle.circle(3, 5, 1, 1, 0).circle(7, 5, 1, 0, 0).circle(11, 5, 3, 0, 0);
-    cradle.mass(Double.POSITIVE_INFINITY);
-    World world = new World(cradle.build());
+    World world = new World(cradle.mass(Double.POSITIVE_INFINITY).build());
     for (int k = 0; k < MANY; k++) {
       assertThat(world.step(8)).isTrue();
       assertThat(world.impacts().size()).isEqualTo(4);
@@ -95,8 +94,7 @@ class CollidingEngineTest {
   @Test
   void whatASensorReportedIsNewToAFlightThatBeginsBeforeIt() {
     SceneBuilder scene = Scene.builder().collide(true).circle(2, 0, 1, 0, 0);
-    scene.response(Response.SENSOR).circle(-THIRD, 0, 1, 0, 0);
-    World world = new World(scene.build());
+    World world = new World(scene.response(Response.SENSOR).circle(-THIRD, 0, 1, 0, 0).build());
     Run.to(world, 1);
     world.setVelocity(1, 1, 0);
     Run.to(world, 1 + THIRD);
@@ -124,8 +122,7 @@ class CollidingEngineTest {
   @Test
   void aNewFlightIsNewToWhomReportedItsOldOneJustThen() {
     SceneBuilder scene = Scene.builder().collide(true).circle(-8, 0, 1, 0, 0);
-    scene.circle(2, 0, 1, 0, 0).response(Response.SENSOR);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(2, 0, 1, 0, 0).response(Response.SENSOR).build());
     Run.to(world, 0x1p40);
     world.setVelocity(0, 0x1p17, 0);
     Run.step(world, 0);
@@ -147,8 +144,7 @@ class CollidingEngineTest {
   @Test
   void aSensorReportsAgainWhatIsGoneBackTo() {
     SceneBuilder scene = Scene.builder().collide(true).circle(-8, 0, 1, 1, 0);
-    scene.circle(2, 0, 1, 0, 0).response(Response.SENSOR);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(2, 0, 1, 0, 0).response(Response.SENSOR).build());
     Snapshot before = world.snapshot();
     for (int k = 0; k < 2; k++) {
       Run.step(world, 9);

@@ -168,8 +168,7 @@ class TurnoverTest {
   @Test
   void theIdsOfEachKind() {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 9, 9).line(1, 1, 2, 2).line(3, 3, 4, 4);
-    scene.peg(5, 5, 1).circle(7, 7, 1, 0, 0).circle(2, 7, 1, 0, 0);
-    World here = new World(scene.build());
+    World here = new World(scene.peg(5, 5, 1).circle(7, 7, 1, 0, 0).circle(2, 7, 1, 0, 0).build());
     here.remove(CIRCLE, 0);
     here.remove(LINE, 0);
     here.remove(PEG, 0);

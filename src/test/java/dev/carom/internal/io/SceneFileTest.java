@@ -225,8 +225,7 @@ class SceneFileTest {
   @Test
   void circlesThatCollideAndTheirMassesReadBack() throws IOException {
     SceneBuilder setup = Scene.builder().circle(1, 2, 3, 4, 5).mass(1.0 / 3);
-    setup.circle(10, 2, 3, 4, 5).mass(Double.POSITIVE_INFINITY).collide(true);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(10, 2, 3, 4, 5).mass(Double.POSITIVE_INFINITY).collide(true).build();
     assertThat(written(scene))
         .contains("collide,1\n", "circle,1.0,2.0,3.0,4.0,5.0,0.3333333333333333\n");
     assertThat(read(written(scene))).isEqualTo(scene);

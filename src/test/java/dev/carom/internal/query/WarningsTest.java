@@ -276,8 +276,7 @@ class WarningsTest {
       double rise = slope * reach;
       scene.line(x - reach, y + shift - rise, x + reach, y + shift + rise);
     }
-    scene.circle(1e9, 5, 1, 0, 0).circle(-3, -1e9, 1000, 0, 0);
-    Scene built = scene.build();
+    Scene built = scene.circle(1e9, 5, 1, 0, 0).circle(-3, -1e9, 1000, 0, 0).build();
     List<String> warnings = Assertions.assertTimeout(Duration.ofSeconds(20), built::warnings);
     assertThat(warnings).hasSize(103);
   }

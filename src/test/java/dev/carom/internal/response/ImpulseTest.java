@@ -96,8 +96,7 @@ class ImpulseTest {
       double m1 = 1 + random.nextDouble() * 9;
       double m2 = i % 3 == 0 ? m1 : 1e-3 + random.nextDouble();
       SceneBuilder scene = Scene.builder().circle(n[0], n[1], 600, v[0], v[1]).mass(m1);
-      scene.circle(0, 0, 900, v[2], v[3]).mass(m2).collide(true);
-      World world = new World(scene.build());
+      World world = new World(scene.circle(0, 0, 900, v[2], v[3]).mass(m2).collide(true).build());
       Run.step(world, 0);
       met += world.impacts().size();
       if (world.impacts().size() == 1) {

@@ -127,8 +127,7 @@ class ObstacleResponseTest {
   @Test
   void whatTurnsItOnTheSameWayLetsItGoOn() {
     SceneBuilder setup = Scene.builder().line(0, 0, 20, 10).restitution(0);
-    setup.line(0, 0, -20, 10).restitution(0);
-    Scene wide = setup.build();
+    Scene wide = setup.line(0, 0, -20, 10).restitution(0).build();
     ObstacleResponse wedge =
         new ObstacleResponse(
             ObstacleTable.of(Internals.data(wide)), new Gravity(0, 0), m -> new int[0]);
@@ -198,8 +197,7 @@ class ObstacleResponseTest {
   @ValueSource(doubles = {0x1p600, 0x1p-600})
   void theContactPointOfALineOfAnyLength(double unit) {
     SceneBuilder scene = Scene.builder().line(0, 0, 8 * unit, 0);
-    scene.circle(2 * unit, 3 * unit, unit, 0, -unit);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(2 * unit, 3 * unit, unit, 0, -unit).build());
     Run.step(world, 3);
     assertThat(world.impacts().time(0)).isEqualTo(2);
     assertThat(world.impacts().x(0)).isEqualTo(2 * unit);

@@ -73,8 +73,7 @@ class BroadPhaseTest {
     double far = 0.9 * Double.MAX_VALUE;
     SceneBuilder setup = Scene.builder().bounds(-far, -far, far, far);
     setup.circle(0.8 * far, 0, far / 8, -far, 0);
-    setup.circle(far / 2, 0.8 * far, far / 8, 0, -far).collide(collide);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(far / 2, 0.8 * far, far / 8, 0, -far).collide(collide).build();
     ImpactLog log = step(new World(scene), 1.7);
     assertThat(log.size()).isEqualTo(2);
     assertThat(log.kind(0)).isEqualTo(ObstacleKind.WALL);
@@ -163,8 +162,7 @@ class BroadPhaseTest {
     Circle tiny = new Circle(-0x1p-539, 0x1p-690, 0x1p-540);
     assertThat(huge.trace(tiny, new Vec2(1, 0x1p-10), 1).impacts()).hasSize(1);
     SceneBuilder setup = Scene.builder().line(0, 0, 0x1p-540, 0);
-    setup.circle(-0x1p501, 0x1p400, 0x1p500, 0x1p152, 0x1p142);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(-0x1p501, 0x1p400, 0x1p500, 0x1p152, 0x1p142).build();
     assertThat(step(new World(scene), 0x1p400).size()).isOne();
   }
 
@@ -180,8 +178,7 @@ class BroadPhaseTest {
       double x = wall + r + Math.scalb(random.nextDouble(), -random.nextInt(20));
       double y = random.nextDouble();
       SceneBuilder scene = Scene.builder().bounds(wall, -1e9, 1e9, 1e9).line(wall, -5, wall, 5);
-      scene.circle(x, y, r, -0.5 - random.nextDouble(), 0);
-      World world = new World(scene.build());
+      World world = new World(scene.circle(x, y, r, -0.5 - random.nextDouble(), 0).build());
       ImpactLog log = step(world, 5);
       assertThat(log.size()).isPositive();
       assertThat(log.kind(0)).isEqualTo(ObstacleKind.WALL);
@@ -276,8 +273,7 @@ class BroadPhaseTest {
     for (int i = 0; i < 20; i++) {
       scene.line(i * unit, 20 * unit, (i + 1) * unit, 20 * unit);
     }
-    scene.circle(50 * unit, 50 * unit, 2 * unit, 0, 0);
-    World world = new World(scene.build());
+    World world = new World(scene.circle(50 * unit, 50 * unit, 2 * unit, 0, 0).build());
     assertThat(world.engineDescription()).contains("grid");
     Circle circle = new Circle(Math.nextUp(2 * unit), 97 * unit, 2 * unit);
     for (double drift : new double[] {0, -0x1p-60, -0x1p-58}) {
@@ -369,8 +365,7 @@ class BroadPhaseTest {
   void aLineIsMetWhereCrossProductsOverflow() {
     double far = 1e200;
     SceneBuilder setup = Scene.builder().circle(-far, -far, far / 8, 1e150, 1e150);
-    setup.line(far / 4, -far / 4, -far / 4, far / 4);
-    Scene scene = setup.build();
+    Scene scene = setup.line(far / 4, -far / 4, -far / 4, far / 4).build();
     World world = new World(scene);
     Run.to(world, 1e50);
     assertThat(world.impacts().size()).isEqualTo(1);

@@ -46,8 +46,7 @@ class BoundingBoxTest {
   @Test
   void whatIsGoneOrBeyondTheDoublesIsLeftOut() {
     SceneBuilder setup = Scene.builder().circle(3, 4, 1, 0, 0).circle(0, 90, 1, 0, 0);
-    setup.circle(9, 9, 1, 0, 1e308).circle(9, 9, 1, 1e308, 0);
-    Scene scene = setup.build();
+    Scene scene = setup.circle(9, 9, 1, 0, 1e308).circle(9, 9, 1, 1e308, 0).build();
     CircleRegistry registry = new CircleRegistry(Internals.data(scene), 1);
     registry.remove(1);
     assertThat(of(scene, registry, 10)).isEqualTo(new BoundingBox(3, 4, 3, 4));

@@ -20,8 +20,7 @@ class ObstacleTableTest {
 
   private static ObstacleTable obstacles() {
     SceneBuilder setup = Scene.builder().bounds(0, 0, 9, 9).line(1, 2, 3, 4).line(2, 3, 4, 5);
-    setup.peg(5, 6, 1).peg(6, 7, 1);
-    Scene scene = setup.build();
+    Scene scene = setup.peg(5, 6, 1).peg(6, 7, 1).build();
     return ObstacleTable.of(Internals.data(scene));
   }
 
