@@ -27,6 +27,9 @@ public final class FallSearch {
   /** In units of the terms of a place: far more than its rounding. */
   private static final double ROUNDING = 0x1p-40;
 
+  /** If the square of a reach, which covers rounding, is below this, no product overflows. */
+  private static final double LARGEST_SQUARE = 0x1p200;
+
   /** {@link MovingCircle#lookahead} counts halves of cells; a fall searches whole ones. */
   private static final int HALVES = 2;
 
@@ -410,23 +413,30 @@ public final class FallSearch {
     double places = Math.abs(ax) + Math.abs(ay) + Math.abs(bx) + Math.abs(by);
     double reach = chordReach + radius + ROUNDING * places;
     double square = reach * reach;
-    if (!(square > Double.MIN_NORMAL)) {
-      return false; // so small that squares do not tell
+    if (!(square > Double.MIN_NORMAL && square < LARGEST_SQUARE)) {
+      return false; // so small or large that squares do not tell
     }
     double dx = ax - chordX;
     double dy = ay - chordY;
     double a = alongX * dy - alongY * dx;
     double b = alongX * (by - chordY) - alongY * (bx - chordX);
-    double least = square * (alongX * alongX + alongY * alongY);
-    if (a * b > 0 && a * a > least && b * b > least) {
-      return true;
-    }
     double wx = bx - ax;
     double wy = by - ay;
     double first = wy * dx - wx * dy;
     double last = first + (wx * alongY - wy * alongX);
-    least = square * (wx * wx + wy * wy);
-    return first * last > 0 && first * first > least && last * last > least;
+    double besidePath = beyond(a, b, square * (alongX * alongX + alongY * alongY));
+    double besideLine = beyond(first, last, square * (wx * wx + wy * wy));
+    // One branch for both, as each alone would be unpredictable.
+    return (Double.doubleToRawLongBits(besidePath) | Double.doubleToRawLongBits(besideLine)) < 0;
+  }
+
+  /**
+   * Negative if two numbers have one sign, and both their squares are above a limit; branch-free.
+   * Its rounding, 4 ulps of the larger number, is far below the {@link #ROUNDING} in the reach.
+   */
+  private static double beyond(double a, double b, double limit) {
+    double twice = Math.abs(a + b) - Math.abs(a - b); // the lesser size, below 0 for two signs
+    return 4 * limit - twice * Math.abs(twice);
   }
 
   private void considerMoving() {
