@@ -43,6 +43,9 @@ public final class Settling {
   /** A hop that is no higher than so many ulps of the coordinates is none. */
   private static final double ULPS = 2;
 
+  /** The largest ulp of a number, in proportion. */
+  private static final double ULP = 0x1p-52;
+
   /** At a joint, gaps and hops of so many ulps are none. */
   private static final double JOINT_ULPS = 8;
 
@@ -79,6 +82,10 @@ public final class Settling {
    */
   void settle(
       MovingCircle m, int code, ContactPoint point, double reach, double e, ImpactRows log) {
+    if (!m.isSupported() && isFast(m, point, reach)) {
+      m.fall(gravity.x, gravity.y);
+      return;
+    }
     double length = StrictMath.hypot(point.nx, point.ny);
     nx = point.nx / length;
     ny = point.ny / length;
@@ -111,6 +118,25 @@ public final class Settling {
         m.fall(gravity.x, gravity.y);
       }
     }
+  }
+
+  /**
+   * Whether a circle certainly leaves so fast that nothing ends: it hops from a side, leaves what
+   * is round by more than the least speed, and is not calm. So most impacts need no unit normal.
+   */
+  private boolean isFast(MovingCircle m, ContactPoint point, double reach) {
+    double x = (m.vx - point.ux) * point.nx;
+    double y = (m.vy - point.uy) * point.ny;
+    double out = x + y;
+    double size = Math.abs(m.x) + Math.abs(m.y) + m.radius;
+    double hop = ULPS * (ULP * size + Double.MIN_NORMAL) + CALM_HOPS * LEAST_HOP * reach;
+    double pull = Math.abs(gravity.x) + Math.abs(gravity.y);
+    // A hop of this height takes the square of a speed of 2 g times it: twice that is left for
+    // rounding. The least normal numbers cover underflow.
+    double square = 4 * (pull * hop + Double.MIN_NORMAL);
+    double lengthSquared = point.nx * point.nx + point.ny * point.ny;
+    return out > ROUNDING * (Math.abs(x) + Math.abs(y))
+        && out * out > square * lengthSquared + Double.MIN_NORMAL;
   }
 
   /** Lets a circle go on falling freely. */
