@@ -63,7 +63,8 @@ class ParabolaBoundsTest {
           new Weakening("root of a quadratic", "QuadraticRoot", 0, List.of(512 * 0x1p-106)),
           new Weakening("gap without cancellation", "DiskGap", 0, List.of(128 * 0x1p-106)),
           new Weakening("projection", "LineRegion", 0, List.of(16 * 0x1p-53)),
-          new Weakening("projection at a rough time", "LineRegion", 0, List.of(0x1p-18)),
+          new Weakening("direct hit at a rough time", "DirectHit", 0, List.of(0x1p-18)),
+          new Weakening("distance from a tangent", "DirectHit", 0, List.of(0x1p-40)),
           new Weakening("near an end", "ParabolaSegmentSweep", 0, List.of(0x1p-20)),
           new Weakening(
               "discriminant of a wall", "ParabolaWallSweep", NEARLY_NONE, List.of(8 * 0x1p-53)));

@@ -62,6 +62,9 @@ final class FallNarrowPhase {
   private double ux;
   private double uy;
 
+  /** The time near which a hit is expected, which saves work; infinite or NaN for none. */
+  private double about;
+
   /** Where a moving obstacle was at the start of the flight. */
   private final double[] placed = new double[ObstacleTable.MOST_NUMBERS + 1];
 
@@ -124,9 +127,14 @@ final class FallNarrowPhase {
         : ParabolaWallSweep.time(isVertical ? px : py, r, v, g, obstacles.walls[code], inward, to);
   }
 
-  /** The time of the next contact that counts with a line or a peg, up to the end of a window. */
-  double time(int code, double to) {
+  /**
+   * The time of the next contact that counts with a line or a peg, up to the end of a window.
+   *
+   * @param about the time near which it is expected; infinite or NaN for none
+   */
+  double time(int code, double about, double to) {
     take(code);
+    this.about = about;
     if (obstacles.isSensor(code)) {
       return timeOfSensor(code, to);
     }
@@ -138,7 +146,7 @@ final class FallNarrowPhase {
 
   private double firstTime(int code, double to) {
     return Codes.isLine(code)
-        ? ParabolaSegmentSweep.time(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, to)
+        ? ParabolaSegmentSweep.time(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, about, to)
         : ParabolaDiskSweep.time(px, py, r, vx, vy, gx, gy, ax, ay, radius, ux, uy, to);
   }
 

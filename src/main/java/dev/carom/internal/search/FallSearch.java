@@ -68,6 +68,9 @@ public final class FallSearch {
 
   private double turnsY;
 
+  /** The start of the piece; NEVER for questions about all pieces together. */
+  private double pieceStart;
+
   /** The end of the piece, or the first impact in it. */
   private double to;
 
@@ -160,6 +163,7 @@ public final class FallSearch {
     bounded = obstacles.wallsFor(m.filter) != null;
     turnsX = -vx / gx;
     turnsY = -vy / gy;
+    pieceStart = NEVER;
     best = NEVER;
     bestCode = MovingCircle.NOTHING;
     detector.start(m);
@@ -188,6 +192,7 @@ public final class FallSearch {
         break;
       }
       double end = isFollowed ? walk.to : NEVER;
+      pieceStart = known;
       to = Math.min(end, best);
       if (isFollowed) {
         considerCell(grid, known, end);
@@ -199,6 +204,7 @@ public final class FallSearch {
       }
       known = end;
     }
+    pieceStart = NEVER;
     to = Math.min(known, best);
     considerMoving();
     considerEndOfSlide();
@@ -449,7 +455,8 @@ public final class FallSearch {
   /** Considers an obstacle other than a wall. */
   private void consider(int code) {
     if (!isPassed(code) && !isSkipped(code) && !obstacles.isGone(code)) {
-      offer(detector.time(code, to), code);
+      double middle = pieceStart + 0.5 * (to - pieceStart);
+      offer(detector.time(code, middle, to), code);
     }
   }
 

@@ -21,11 +21,6 @@ final class LineRegion {
    */
   private static final double PLACE_BOUND = 16 * 0x1p-53;
 
-  /**
-   * The same at a time within {@link GapRoot#MARGIN} of itself: that moves it by twice the terms.
-   */
-  private static final double ROUGH_BOUND = 4 * GapRoot.MARGIN;
-
   private static final double TINY = 0x1p-600;
 
   private static final double MOST = 0x1p150;
@@ -36,26 +31,13 @@ final class LineRegion {
   static int at(
       double px, double py, double vx, double vy, double gx, double gy, double ax, double ay,
       double bx, double by, double ux, double uy, double t) {
-    return region(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
-  }
-
-  /** The region at all times within {@link GapRoot#MARGIN} of t. */
-  static int near(
-      double px, double py, double vx, double vy, double gx, double gy, double ax, double ay,
-      double bx, double by, double ux, double uy, double t) {
-    return region(ROUGH_BOUND, px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
-  }
-
-  private static int region(
-      double bound, double px, double py, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double ux, double uy, double t) {
     double wx = bx - ax;
     double wy = by - ay;
-    int start = along(bound, px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, t);
+    int start = along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, wx, wy, t);
     if (start < 0) {
       return BEFORE;
     }
-    int end = along(bound, px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, t);
+    int end = along(px, py, vx, vy, gx, gy, bx, by, ux, uy, wx, wy, t);
     return end > 0 ? BEYOND : start > 0 && end < 0 ? BESIDE : UNKNOWN;
   }
 
@@ -65,7 +47,7 @@ final class LineRegion {
   static int side(
       double px, double py, double vx, double vy, double gx, double gy, double ax, double ay,
       double bx, double by, double ux, double uy, double t) {
-    return along(PLACE_BOUND, px, py, vx, vy, gx, gy, ax, ay, ux, uy, ay - by, bx - ax, t);
+    return along(px, py, vx, vy, gx, gy, ax, ay, ux, uy, ay - by, bx - ax, t);
   }
 
   /** The {@link Contact} with a line, or {@link Contact#DOUBT}. */
@@ -79,17 +61,17 @@ final class LineRegion {
     return side > 0 ? Contact.LEFT : Contact.RIGHT;
   }
 
-  /** The sign of w.(p(t) - q), with a bound of its error in terms of it; 0 in doubt. */
+  /** The sign of w.(p(t) - q); 0 in doubt. */
   private static int along(
-      double relativeBound, double px, double py, double vx, double vy, double gx, double gy,
-      double qx, double qy, double ux, double uy, double wx, double wy, double t) {
+      double px, double py, double vx, double vy, double gx, double gy, double qx, double qy,
+      double ux, double uy, double wx, double wy, double t) {
     double x = Offset.head(px, qx, vx, ux, gx, t);
     double y = Offset.head(py, qy, vy, uy, gy, t);
     double sizeX = Offset.size(px - qx, vx - ux, gx, t);
     double sizeY = Offset.size(py - qy, vy - uy, gy, t);
     double value = wx * x + wy * y;
     double terms = Math.abs(wx) * sizeX + Math.abs(wy) * sizeY;
-    double bound = Math.fma(relativeBound, terms, TINY);
+    double bound = Math.fma(PLACE_BOUND, terms, TINY);
     boolean isCertain = Math.abs(value) > bound && t < MOST && Math.abs(wx) + Math.abs(wy) < MOST;
     return isCertain ? UnitVectors.sign(value) : 0;
   }

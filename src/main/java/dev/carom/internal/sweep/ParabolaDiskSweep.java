@@ -182,7 +182,7 @@ public final class ParabolaDiskSweep {
   }
 
   /** The double nearest to the root, DOUBT if some corrections of t do not tell. */
-  private static double nearest(
+  static double nearest(
       double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
       double y2, double r2, double vx2, double vy2, double start) {
     double t = start;

@@ -17,7 +17,9 @@ import dev.carom.internal.exact.RealRoot;
  * {@code s = v - u}, the centre's height is {@code h(t) = cross(w, d + s t + g t^2 / 2)}. The gap
  * beside the line, times w.w, is {@code h^2 - r^2 w.w}. Double-double takes s with its tail, and
  * exact numbers take it exactly. The disk touches the line when its centre
- * enters the capsule of radius r around it: a disk around each end, and the strip between them. So:
+ * enters the capsule of radius r around it: a disk around each end, and the strip between them.
+ *
+ * <p>{@link DirectHit} answers nearly all questions. The others are answered so:
  *
  * <ol>
  *   <li>A disk that starts outside the strip of width 2 r along the infinite line can touch nothing
@@ -62,6 +64,17 @@ public final class ParabolaSegmentSweep {
   public static double time(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
       double ay, double bx, double by, double ux, double uy, double T) {
+    return time(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, NEVER, T);
+  }
+
+  /**
+   * The same, found sooner if it is near an expected time.
+   *
+   * @param about the expected time; infinite or NaN for none
+   */
+  public static double time(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy, double about, double T) {
     if (gx == 0 && gy == 0) {
       int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, ux, uy);
       return SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, T);
@@ -70,7 +83,10 @@ public final class ParabolaSegmentSweep {
       return ParabolaDiskSweep.time(px, py, r, vx, vy, gx, gy, ax, ay, 0, ux, uy, T);
     }
     PrecisionCounters.parabola();
-    double time = certain(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, T);
+    double time = DirectHit.time(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, about, T);
+    if (Double.isNaN(time)) {
+      time = certain(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, T);
+    }
     if (Double.isNaN(time)) {
       time = StripContact.time(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, T);
     }
@@ -189,36 +205,10 @@ public final class ParabolaSegmentSweep {
     if (!(out < NEVER)) {
       return out;
     }
-    double in = strip > 0 ? entry(h0, h1, h2, r * Math.sqrt(wx * wx + wy * wy)) : GapRoot.DOUBT;
-    boolean isSure =
-        in * (1 + GapRoot.MARGIN) < end
-            && GapRoot.sign(c0, c1, c2, c3, c4, m0, m1, m2, in * (1 + GapRoot.MARGIN)) < 0
-            && GapRoot.sign(c0, c1, c2, c3, c4, m0, m1, m2, in * (1 - GapRoot.MARGIN)) > 0
-            && h0 * height(h0, h1, h2, in * (1 - GapRoot.MARGIN)) > 0;
-    if (!isSure) {
-      in = GapRoot.first(c0, c1, c2, c3, c4, m0, m1, m2, out, end);
-    }
-    if (!(in < NEVER)) {
-      return in;
-    }
-    return atStrip(isSure, px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in, T);
-  }
-
-  /**
-   * The time at which the height h0 + h1 t + h2 t^2 first falls to a distance, approximately; NaN if
-   * it seems not to. A parabola that is above the distance at the start and at a time t, and below
-   * it later, has not been below it before t: so two signs of the gap show that it is the first.
-   */
-  private static double entry(double h0, double h1, double h2, double distance) {
-    double a = Math.abs(h0) - distance;
-    double b = h0 > 0 ? h1 : -h1;
-    double c = h0 > 0 ? h2 : -h2;
-    double root = Math.sqrt(b * b - 4 * a * c);
-    return b < 0 ? 2 * a / (root - b) : c < 0 ? (b + root) / (-2 * c) : Double.NaN;
-  }
-
-  private static double height(double h0, double h1, double h2, double t) {
-    return h0 + (h1 + h2 * t) * t;
+    double in = GapRoot.first(c0, c1, c2, c3, c4, m0, m1, m2, out, end);
+    return in < NEVER
+        ? atStrip(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in, T)
+        : in;
   }
 
   /** The time of impact of a disk that starts in the strip. */
@@ -244,25 +234,12 @@ public final class ParabolaSegmentSweep {
     return GapRoot.sign(height * speed, terms) < 0 ? 0 : GapRoot.DOUBT;
   }
 
-  /**
-   * The time of impact of a disk that enters the strip.
-   *
-   * @param isSure whether it enters within {@link GapRoot#MARGIN} of the time in, for certain
-   */
+  /** The time of impact of a disk that enters the strip at about the time in. */
   private static double atStrip(
-      boolean isSure, double px, double py, double r, double vx, double vy, double gx, double gy,
-      double ax, double ay, double bx, double by, double ux, double uy, double in, double T) {
-    int region =
-        isSure
-            ? LineRegion.near(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in)
-            : LineRegion.UNKNOWN;
-    double time = in;
-    if (region == LineRegion.UNKNOWN || region == LineRegion.BESIDE) {
-      time = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in);
-    }
-    if (region == LineRegion.UNKNOWN) {
-      region = LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, time);
-    }
+      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
+      double ay, double bx, double by, double ux, double uy, double in, double T) {
+    double time = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in);
+    int region = LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, time);
     if (region == LineRegion.BESIDE || region == LineRegion.UNKNOWN) {
       return region == LineRegion.BESIDE ? time : GapRoot.DOUBT;
     }
