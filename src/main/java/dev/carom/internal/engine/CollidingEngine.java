@@ -64,9 +64,6 @@ public final class CollidingEngine extends Engine {
   /** Whether this step ends at the first impact. */
   private boolean stopsAtImpact;
 
-  /** Whether this step has no lines and no pegs. */
-  private boolean nothingInside;
-
   /** Whether an edit needs more room or other cells than exist. */
   private boolean outgrown;
 
@@ -91,12 +88,11 @@ public final class CollidingEngine extends Engine {
   /** Rebuilds the scheduler and all predictions from the flights. */
   private void begin() {
     crossed = Double.NaN;
-    nothingInside = staticScene.obstacles.size() == 0;
-    double[] walls = staticScene.obstacles.walls;
     double diameters = options.pairCells();
-    scheduler = new EventScheduler(circles, registry, pairs, sensed, walls, diameters, reached);
+    scheduler =
+        new EventScheduler(circles, registry, staticScene, pairs, sensed, diameters, reached);
     for (int i : registry.slots()) {
-      findNextObstacle(circles.state, circles.codes, i);
+      scheduler.findNextObstacle(circles.state, circles.codes, i);
       scheduler.predict(i);
     }
   }
@@ -123,11 +119,11 @@ public final class CollidingEngine extends Engine {
     unfinished = false;
     end = last;
     prepare(last);
-    nothingInside = staticScene.obstacles.size() == 0;
     if (outgrown) {
       outgrown = false;
       begin();
     }
+    scheduler.beginStep();
     double[] s = circles.state;
     int[] c = circles.codes;
     long usual = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * registry.count();
@@ -148,7 +144,8 @@ public final class CollidingEngine extends Engine {
       advanceClock(scheduler.polledTime());
       int kind = EventScheduler.kind(c, i);
       if (kind >= EventKind.CROSSING) { // most events are crossings
-        cross(s, c, i, kind - EventKind.CROSSING);
+        crossed = reached;
+        scheduler.cross(s, c, i, kind - EventKind.CROSSING);
       } else {
         handle(s, c, i, kind);
       }
@@ -190,19 +187,18 @@ public final class CollidingEngine extends Engine {
   private void handle(double[] s, int[] c, int i, int kind) {
     switch (kind) {
       case EventKind.STATIC -> meetObstacle(i);
-      case EventKind.PAIR -> meetCircle(s, c, i);
+      case EventKind.PAIR -> {
+        if (CollisionPredictor.isValid(c, i)) {
+          meetCircle(s, c, i);
+        } else {
+          scheduler.predict(i);
+        }
+      }
       default -> { // an edit
-        findNextObstacle(s, c, i);
+        scheduler.findNextObstacle(s, c, i);
         scheduler.predict(i);
       }
     }
-  }
-
-  private void cross(double[] s, int[] c, int i, int way) {
-    crossed = reached;
-    int size = scheduler.cross(s, c, i, way);
-    findNextObstacle(s, c, i);
-    scheduler.predictAfterCrossing(s, c, i, size);
   }
 
   private void meetObstacle(int i) {
@@ -243,11 +239,8 @@ public final class CollidingEngine extends Engine {
     }
   }
 
+  /** Resolves the collision predicted of circle i, if it comes before all other events. */
   private void meetCircle(double[] s, int[] c, int i) {
-    if (!CollisionPredictor.isValid(c, i)) {
-      scheduler.predict(i);
-      return;
-    }
     int j = CollisionPredictor.partner(c, i);
     if (CollisionPredictor.isOpen(s, i)) {
       if (!scheduler.confirm(s, c, i, j, end)) {
@@ -322,7 +315,7 @@ public final class CollidingEngine extends Engine {
     if (recorder != null) {
       recorder.add(m);
     }
-    findNextObstacle(s, c, i);
+    scheduler.findNextObstacle(s, c, i);
   }
 
   private void noteEvent(double head, double tail) {
@@ -374,11 +367,15 @@ public final class CollidingEngine extends Engine {
    */
   private void reactivate(int i) {
     IgnoreList jam = circles.jam(i);
-    if (jam == null) {
-      return;
+    if (jam != null) {
+      reactivate(i, jam);
     }
+  }
+
+  private void reactivate(int i, IgnoreList ignored) {
+    IgnoreList jam = ignored;
     circles.load(i);
-    for (int code : jam.entries()) {
+    for (int code : ignored.entries()) {
       if (Codes.isCircle(code)) {
         circles.load(Codes.slot(code), other);
         if (pairs.part(circles.body, other)) {
@@ -398,19 +395,6 @@ public final class CollidingEngine extends Engine {
   private void invalidate(int[] c, int i) {
     c[CircleTable.collidingCodesAt(i) + CircleTable.COUNT]++;
     sensed.forget(i);
-  }
-
-  /**
-   * Predicts a circle's next impact with an obstacle, unless that is known or its cell can hold
-   * none.
-   */
-  private void findNextObstacle(double[] s, int[] c, int i) {
-    boolean nothingNear = nothingInside && scheduler.isInside(s, i);
-    if (!nothingNear && !EventScheduler.isObstacleKnown(s, c, i)) {
-      circles.load(i);
-      staticScene.extend(circles.body, 0);
-      circles.store(i, circles.body);
-    }
   }
 
   // Edits.

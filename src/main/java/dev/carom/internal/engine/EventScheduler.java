@@ -7,15 +7,14 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Index;
 import java.util.Arrays;
 
 /**
  * Schedules the next event of each circle that collides. It owns the cells of the circles, the
- * predictor of collisions, and the event queue. Each circle has one event in the queue, the
- * earliest of three: it hits an obstacle (or its prediction of obstacles ends), it collides with
- * another circle, or it leaves a cell.
+ * predictor of collisions, and the event queue. It asks the static scene for obstacles. Each circle
+ * has one event in the queue, the earliest of three: it hits an obstacle (or its prediction of
+ * obstacles ends), it collides with another circle, or it leaves a cell.
  *
  * <p>The three parts depend on each other and on the capacity of the circle table. So they are
  * created together, and replaced together when an edit needs more room or other cells.
@@ -24,6 +23,8 @@ final class EventScheduler {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
+  private final CircleTable circles;
+  private final StaticScene staticScene;
   private final CalendarQueue queue;
   private final NeighborGrid neighbors;
   private final CollisionPredictor predictor;
@@ -38,32 +39,43 @@ final class EventScheduler {
   /** Whether circles may have accelerations. */
   private final boolean falls;
 
+  /** Whether this step has no lines and no pegs. */
+  private boolean nothingInside;
+
   /**
    * Creates a scheduler without events.
    *
-   * @param walls as {@link ObstacleTable#walls}
    * @param diameters the width of a cell in largest diameters
    */
   EventScheduler(
       CircleTable circles,
       CircleRegistry registry,
+      StaticScene staticScene,
       PairResponse pairs,
       SensorPairs sensed,
-      double[] walls,
       double diameters,
       double now) {
+    this.circles = circles;
+    this.staticScene = staticScene;
     state = circles.state;
     codes = circles.codes;
     falls = circles.allowsGravity();
     int room = circles.capacity();
     found = new int[room + NeighborGrid.SPARE];
     foundOfOther = new int[room + NeighborGrid.SPARE];
+    double[] walls = staticScene.obstacles.walls;
     neighbors = new NeighborGrid(circles, registry.slots(), walls, diameters, now);
     predictor = new CollisionPredictor(circles, pairs, sensed);
     order = new EventComparator(circles, neighbors, pairs);
     boolean many = room >= EventPrefetcher.LEAST_CIRCLES;
     EventPrefetcher prefetcher = many ? new EventPrefetcher(circles, registry, neighbors) : null;
     queue = new CalendarQueue(room, order, prefetcher, codes);
+    beginStep();
+  }
+
+  /** Must be called before a step, as edits may have added or removed obstacles. */
+  void beginStep() {
+    nothingInside = staticScene.obstacles.size() == 0;
   }
 
   /** The kind of a circle's event. */
@@ -183,26 +195,33 @@ final class EventScheduler {
     schedule(s, c, j, crossingOfJ);
   }
 
-  /**
-   * Moves a circle into the cell that it enters; {@link #predictAfterCrossing} must follow.
-   *
-   * @return the number of new neighbours
-   */
-  int cross(double[] s, int[] c, int i, int way) {
-    return neighbors.cross(s, c, i, way, found);
-  }
-
-  /**
-   * Updates a circle's prediction for the neighbours that {@link #cross} found, and schedules its
-   * event.
-   */
-  void predictAfterCrossing(double[] s, int[] c, int i, int size) {
+  /** Moves a circle into the cell that it enters, and schedules its next event. */
+  void cross(double[] s, int[] c, int i, int way) {
+    int size = neighbors.cross(s, c, i, way, found);
     double crossing = neighbors.nextCrossing(s, c, i);
+    findNextObstacle(s, c, i);
     if (predictor.predictEarlier(s, c, i, found, size)) {
       schedule(s, c, i, crossing);
     } else {
       predict(i);
     }
+  }
+
+  /**
+   * Predicts a circle's next impact with an obstacle, unless that is known or its cell can hold
+   * none.
+   */
+  void findNextObstacle(double[] s, int[] c, int i) {
+    boolean nothingNear = nothingInside && neighbors.isInside(s, i);
+    if (!nothingNear && !isObstacleKnown(s, c, i)) {
+      searchObstacles(i);
+    }
+  }
+
+  private void searchObstacles(int i) {
+    circles.load(i);
+    staticScene.extend(circles.body, 0);
+    circles.store(i, circles.body);
   }
 
   /** Schedules the first event of a circle whose predictions are complete. */
@@ -252,11 +271,6 @@ final class EventScheduler {
   }
 
   // Cells and edits.
-
-  /** Whether a circle hits no wall before it next leaves its cell. */
-  boolean isInside(double[] s, int i) {
-    return neighbors.isInside(s, i);
-  }
 
   /** Lists a circle in the cell where its new flight starts, if it is not listed there. */
   void comeBack(double[] s, int i) {

@@ -123,9 +123,10 @@ public final class ContactCluster {
 
   /** Whether a circle is crushed: an infinite mass that crushed it still overlaps it. */
   public boolean isCrushed(MovingCircle m) {
-    if (m.jam == null) {
-      return false;
-    }
+    return m.jam != null && isCrushedByIgnored(m);
+  }
+
+  private boolean isCrushedByIgnored(MovingCircle m) {
     for (int entry : m.jam.entries()) {
       if (IgnoreList.crushes(entry) && Codes.isCircle(IgnoreList.code(entry))) {
         MovingCircle mass = vicinity.copyOf(Codes.slot(IgnoreList.code(entry)));
