@@ -133,32 +133,40 @@ public final class PairResponse {
    * @return what follows, as for {@link ObstacleResponse#resolve}
    */
   public int resolve(MovingCircle a, MovingCircle b, ImpactRows log) {
-    report(a, b, log);
-    if (isSilent(a.id, b.id)) {
+    measure(a, b);
+    boolean halt = registry.halts(a.id) || registry.halts(b.id);
+    double e = halt ? 0 : a.restitution * b.restitution;
+    // The new velocities wait for the impulse. Begun here, it overlaps with writing and counting.
+    impulse.of(1 + e, ux, uy, nx, ny);
+    write(a, b, log);
+    if (haveSilent() && isSilent(a.id, b.id)) {
       log.setOutcome(isSensor(a.id, b.id) ? ImpactRows.SENSED : ImpactRows.PASSED);
       return ObstacleResponse.SENSED;
     }
-    if (mass(a) == INFINITE && mass(b) == INFINITE) {
+    double massA = mass(a);
+    double massB = mass(b);
+    if (massA == INFINITE && massB == INFINITE) {
       passOverCrushed(a, b);
       passOverCrushed(b, a);
       log.setOutcome(ImpactRows.JAMMED);
       return ObstacleResponse.NEW_FLIGHT;
     }
-    boolean halt = registry.halts(a.id) || registry.halts(b.id);
-    double e = halt ? 0 : a.restitution * b.restitution;
     if (a.isFalling() || b.isFalling()) {
       bounce(a, b, e, halt, log);
       return ObstacleResponse.NEW_FLIGHT;
     }
     double approach = un / (Math.abs(nx) + Math.abs(ny));
-    count(a, b, e, approach);
-    count(b, a, e, approach);
-    a.driven |= mass(b) == INFINITE && b.vx * nx + b.vy * ny > 0;
-    b.driven |= mass(a) == INFINITE && a.vx * nx + a.vy * ny < 0;
+    count(a, b, massB, e, approach);
+    count(b, a, massA, e, approach);
+    a.driven |= massB == INFINITE && b.vx * nx + b.vy * ny > 0;
+    b.driven |= massA == INFINITE && a.vx * nx + a.vy * ny < 0;
     boolean stuck = isStuck(a) || isStuck(b);
     boolean faint = stuck && (isFaint(a, approach) || isFaint(b, approach));
     if (un < 0) {
-      change(a, b, stuck ? 0 : e, halt, log);
+      if (stuck) {
+        impulse.of(1, ux, uy, nx, ny);
+      }
+      change(a, massA, b, massB, halt, log);
     }
     if (stuck) {
       log.setOutcome(ImpactRows.JAMMED);
@@ -181,7 +189,7 @@ public final class PairResponse {
     countDriven(a, b, e, approach, 1);
     countDriven(b, a, e, approach, -1);
     if (un < 0) {
-      change(a, b, e, halt, log);
+      change(a, mass(a), b, mass(b), halt, log);
     }
     double length = StrictMath.hypot(nx, ny);
     double kx = nx / length;
@@ -251,23 +259,22 @@ public final class PairResponse {
     return !m.crushed && StuckRule.isFaint(m, approach);
   }
 
-  private void count(MovingCircle m, MovingCircle other, double e, double approach) {
+  private void count(
+      MovingCircle m, MovingCircle other, double massOfOther, double e, double approach) {
     if (!m.crushed) {
       double speed = scaled(Math.abs(ux) + Math.abs(uy), fast);
-      int elastic = mass(other) == INFINITE ? StuckRule.ELASTIC : StuckRule.ELASTIC_PAIR;
+      int elastic = massOfOther == INFINITE ? StuckRule.ELASTIC : StuckRule.ELASTIC_PAIR;
       StuckRule.count(
           m, m.flown * speed, speeds(m, other), approach, e, elastic, StuckRule.DRIVEN_PLACE);
     }
   }
 
-  private void change(MovingCircle a, MovingCircle b, double e, boolean halt, ImpactRows log) {
-    double massA = mass(a);
-    double massB = mass(b);
+  private void change(
+      MovingCircle a, double massA, MovingCircle b, double massB, boolean halt, ImpactRows log) {
     if (halt && massA + massB < INFINITE) {
       stop(a, nx, ny);
       stop(b, nx, ny);
     } else {
-      impulse.of(1 + e, ux, uy, nx, ny);
       impulse.scale(fast);
       push(a, -1, massB, massA, nx, ny);
       push(b, 1, massA, massB, nx, ny);
@@ -289,6 +296,12 @@ public final class PairResponse {
 
   /** Writes a row for two circles in contact, the lower number first, with their approach. */
   void report(MovingCircle a, MovingCircle b, ImpactRows log) {
+    measure(a, b);
+    write(a, b, log);
+  }
+
+  /** Computes the relative velocity of two circles, their offset, and their approach. */
+  private void measure(MovingCircle a, MovingCircle b) {
     fast = exponent(a, b);
     ux = ScaledVectors.difference(a.vx, b.vx, fast);
     uy = ScaledVectors.difference(a.vy, b.vy, fast);
@@ -296,6 +309,9 @@ public final class PairResponse {
     nx = ScaledVectors.difference(a.x, b.x, large);
     ny = ScaledVectors.difference(a.y, b.y, large);
     un = scaled(ScaledVectors.dot(ux, uy, nx, ny), fast);
+  }
+
+  private void write(MovingCircle a, MovingCircle b, ImpactRows log) {
     double share = Coordinates.share(b.radius, a.radius);
     log.addPair(a.t, a.id, b.id);
     log.set(Coordinates.between(share, b.x, a.x), Coordinates.between(share, b.y, a.y), nx, ny, un);

@@ -93,7 +93,10 @@ public final class StuckRule {
       int elastic,
       double driven) {
     int exponent = exponent(speed);
-    if (m.standsStill || way <= place(m, e) || slides(m, approach, exponent)) {
+    if (hasLeft(m, way) && !isFaint(approach, exponent)) { // the usual case
+      m.leavePlace();
+      m.speedExponent = exponent;
+    } else if (m.standsStill || way <= place(m, e) || slides(m, approach, exponent)) {
       m.speedExponent = Math.max(m.speedExponent, exponent);
       add(m, isFaint(m, approach) ? FAINT : weight(e, elastic));
     } else if (m.driven && way <= driven * m.radius) {
@@ -126,6 +129,15 @@ public final class StuckRule {
   private static boolean slides(MovingCircle m, double approach, int exponent) {
     return isFaint(approach, exponent)
         && (isStuck(m) || m.flown * Math.abs(approach) <= ROUNDED * size(m));
+  }
+
+  /**
+   * Whether a circle certainly left its last place: it moved farther than a place of any kind is
+   * wide. Most circles did, and the width of their own place need not be known.
+   */
+  private static boolean hasLeft(MovingCircle m, double way) {
+    double widest = Math.fma(PLACE, Math.abs(m.x) + Math.abs(m.y), PUSHED_PLACE * m.radius);
+    return way > widest && !m.standsStill;
   }
 
   private static void add(MovingCircle m, int weight) {
