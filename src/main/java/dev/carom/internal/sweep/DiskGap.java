@@ -70,6 +70,23 @@ final class DiskGap {
   }
 
   /**
+   * Whether the disk certainly moves to and fro on a straight line, and that keeps a distance of r:
+   * {@code u x g = 0} and {@code (d x g)^2 >= r^2 g.g}. At most the disk grazes the other.
+   */
+  boolean staysOutside(double r1, double r2) {
+    Expansion turn = Expansion.cross(ux, uy, gx, gy);
+    if (!turn.isExact() || turn.sign() != 0) {
+      return false;
+    }
+    Expansion aside = Expansion.cross(dx, dy, gx, gy);
+    Expansion r = Expansion.sum(r1, r2);
+    Expansion rr = new Expansion().plus(1, r, r);
+    Expansion clearance =
+        new Expansion().plus(1, aside, aside).plus(-1, rr, dotAcceleration());
+    return clearance.isExact() && clearance.sign() >= 0;
+  }
+
+  /**
    * The double nearest to a time at which the gap falls to 0, from a time near that; NaN if
    * double-double does not tell. It falls from above 0 halfway to the double before to below 0
    * halfway to the one after.

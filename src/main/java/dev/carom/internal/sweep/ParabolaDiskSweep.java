@@ -106,6 +106,16 @@ public final class ParabolaDiskSweep {
   private static double certain(
       int contact, double x1, double y1, double r1, double vx1, double vy1, double gx, double gy,
       double x2, double y2, double r2, double vx2, double vy2, double s, double T) {
+    double time = inDoubles(contact, x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, s, T);
+    return Double.isNaN(time)
+            && new DiskGap(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2).staysOutside(r1, r2)
+        ? NEVER
+        : time;
+  }
+
+  private static double inDoubles(
+      int contact, double x1, double y1, double r1, double vx1, double vy1, double gx, double gy,
+      double x2, double y2, double r2, double vx2, double vy2, double s, double T) {
     double dx = x1 - x2;
     double dy = y1 - y2;
     double ux = vx1 - vx2;

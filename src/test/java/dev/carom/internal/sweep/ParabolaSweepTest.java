@@ -324,6 +324,23 @@ class ParabolaSweepTest {
   }
 
   /** The square of such a length underflows, and that of the radius makes it count again. */
+  /** It falls past a disk or a point at exactly the distance at which it would graze it. */
+  @Test
+  void fallsPastATangentNeedNoExactNumbers() {
+    long before = PrecisionCounters.COUNT.exactParabolas;
+    for (int i = 0; i < QUERIES; i++) {
+      double y = random.nextDouble(2, 10);
+      double vy = random.nextDouble(-5, 5);
+      double r = random.nextInt(1, 64) / 64.0;
+      double aside = random.nextBoolean() ? 1 : -1;
+      assertThat(ParabolaDiskSweep.time(aside, y, 1 - r, 0, vy, 0, -10, 0, 0, r, 0, 0, NEVER))
+          .isEqualTo(NEVER);
+      assertThat(ParabolaDiskSweep.time(y, aside, 1, vy, 3, -10, 0, 0, 0, 0, 0, 3, NEVER))
+          .isEqualTo(NEVER);
+    }
+    assertThat(PrecisionCounters.COUNT.exactParabolas).isEqualTo(before);
+  }
+
   @Test
   void aHugeDiskHitsATinyLine() {
     double r = 0x1.5p360;
