@@ -190,10 +190,33 @@ final class CollisionPredictor {
    */
   void predictAmong(double[] s, int[] codes, int i, int[] found, int left) {
     setFirst(s, i, Index.NONE, NEVER, NEVER, 0, 0);
-    for (int k = 0; k < left; k++) {
-      consider(s, codes, i, found[k], Index.NONE);
+    if (falls) {
+      considerAlikeFirst(s, codes, i, found, left);
+    } else {
+      for (int k = 0; k < left; k++) {
+        consider(s, codes, i, found[k], Index.NONE);
+      }
     }
     storePartner(codes, i);
+  }
+
+  /**
+   * Circles with the same acceleration are considered first: their collisions are found faster, and
+   * leave less time to search for others.
+   */
+  private void considerAlikeFirst(double[] s, int[] codes, int i, int[] found, int left) {
+    int others = 0;
+    for (int k = 0; k < left; k++) {
+      int j = found[k];
+      if (pair.fallAlike(i, j)) {
+        consider(s, codes, i, j, Index.NONE);
+      } else {
+        found[others++] = j;
+      }
+    }
+    for (int k = 0; k < others; k++) {
+      consider(s, codes, i, found[k], Index.NONE);
+    }
   }
 
   /**
@@ -540,7 +563,8 @@ final class CollisionPredictor {
     double tau = NEVER;
     if (pair.start(s, low, high)) {
       boolean silent = pairs.haveSilent() && pairs.isSilent(low, high);
-      tau = silent ? pair.timeAfter(-1) : pair.time(known, pairs.skips(circles, low, high));
+      boolean justMet = pairs.skips(circles, low, high);
+      tau = silent ? pair.timeAfter(-1) : pair.time(known, justMet, until(s, low, high));
       keep(found, s, tau);
       while (silent && tau < NEVER && !isEntered(found, i, j)) {
         tau = pair.timeAfter(tau);
@@ -548,6 +572,16 @@ final class CollisionPredictor {
       }
     }
     found.tau = tau;
+  }
+
+  /**
+   * How long a collision of two circles is of interest, from the later start: until the first one
+   * so far, or the end of one of their flights.
+   */
+  private double until(double[] s, int i, int j) {
+    double end = Math.min(high, Math.min(circles.endOfFlight(i), circles.endOfFlight(j)));
+    double start = s[CircleTable.collidingAt(pair.later()) + FlightRow.T];
+    return end < NEVER ? Math.max(0, end - start + 4 * Math.ulp(end)) : NEVER;
   }
 
   /** Keeps the later start of the pair plus tau, as head and tail. */

@@ -120,22 +120,23 @@ final class FallingPair {
    * @param known whether {@link #roughTime} told it
    * @param justMet whether they hit each other last: if both flights began there, it is the
    *     duration to their return
+   * @param until later collisions of circles with different accelerations may be left out
    */
-  double time(boolean known, boolean justMet) {
+  double time(boolean known, boolean justMet, double until) {
     if (gx == 0 && gy == 0) {
       int contact =
           known ? Contact.LATER : DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
       return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
     }
     return justMet && together
-        ? ParabolaReturn.toDisk(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, NEVER)
-        : ParabolaDiskSweep.time(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, NEVER);
+        ? ParabolaReturn.toDisk(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, until)
+        : ParabolaDiskSweep.time(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, until);
   }
 
   /** The duration to the first contact from outside that comes after a given one. */
   double timeAfter(double after) {
     if (gx == 0 && gy == 0) {
-      double t = time(false, false);
+      double t = time(false, false, NEVER);
       return t > after ? t : NEVER;
     }
     return ParabolaDiskSweep.timeAfter(

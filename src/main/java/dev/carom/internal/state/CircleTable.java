@@ -236,6 +236,19 @@ public final class CircleTable {
     return MovingCircle.velocity(state[k + FlightRow.VY], gy(i), since);
   }
 
+  /**
+   * The time of the impact with an obstacle that ends the flight of a circle that collides;
+   * infinite if none is known.
+   */
+  public double endOfFlight(int i) {
+    int next = codes[collidingCodesAt(i) + NEXT];
+    if (next < 0 || obstacles.isSensor(next)) {
+      return Double.POSITIVE_INFINITY;
+    }
+    int k = collidingAt(i);
+    return MovingCircle.sum(state[k + FlightRow.T], state[k + FlightRow.TL], state[k + CLEARED]);
+  }
+
   /** How long a circle has been on its flight. */
   public double since(int i, double now) {
     int k = at(i);
