@@ -72,7 +72,7 @@ public final class Snapshot {
    *
    * <p>It takes 125 bytes a circle, 41 a line, 33 a peg, 28 more for each line or peg that moves or
    * moved before, 1 for each that was removed, and 143 for the rest, 111 without bounds. A circle
-   * takes 4 more for each thing that it is jammed by. With gravity, circles take 20 more. If any
+   * takes 4 more for each thing that it is jammed by. With gravity, circles take 24 more. If any
    * circle, line or peg has a {@linkplain SceneBuilder#filter filter} of its own, all of its kind
    * take 8 more.
    *

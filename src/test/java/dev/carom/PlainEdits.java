@@ -41,7 +41,21 @@ abstract class PlainEdits extends PlainSearch {
     }
   }
 
+  /** Circles fall that lay on one which is about to change, if that rested. */
+  private void freeHeap(int id) {
+    MovingCircle m = copy(bodies.get(id));
+    if (m.vx == 0 && m.vy == 0 && m.gx == 0 && m.gy == 0) {
+      m.tl = tailOfEdit(m);
+      m.t = now;
+      for (MovingCircle other : heap.free(m)) {
+        bodies.set(other.id, other);
+        begin(other);
+      }
+    }
+  }
+
   private MovingCircle restarted(int id) {
+    freeHeap(id);
     MovingCircle m = begunAnew(id);
     release(m);
     return m;
@@ -90,6 +104,7 @@ abstract class PlainEdits extends PlainSearch {
   void setMass(int id, double mass) {
     double never = Double.POSITIVE_INFINITY;
     boolean passes = (registry.mass(id) == never) != (mass == never);
+    freeHeap(id);
     registry.setMass(id, mass);
     if (passes && (collide || gravity.acts())) {
       restarted(id).forget();
@@ -144,6 +159,7 @@ abstract class PlainEdits extends PlainSearch {
 
   private void removeCircle(int id) {
     int code = Codes.circle(id);
+    freeHeap(id);
     registry.remove(id);
     leaveJams(code);
   }

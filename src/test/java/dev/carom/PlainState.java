@@ -2,6 +2,7 @@
 package dev.carom;
 
 import dev.carom.internal.response.ContactCluster;
+import dev.carom.internal.response.Heap;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleRegistry;
@@ -31,6 +32,7 @@ abstract class PlainState {
   ObstacleResponse response;
   PairResponse pairs;
   ContactCluster cluster;
+  Heap heap;
   Gravity gravity;
   PlainFall falls;
   List<MovingCircle> bodies = new ArrayList<>();
@@ -71,6 +73,7 @@ abstract class PlainState {
     response = new ObstacleResponse(obstacles, gravity, m -> codes());
     pairs = new PairResponse(registry, response.settling);
     cluster = new ContactCluster(registry, pairs, response, obstacles, new Vicinity());
+    heap = new Heap(registry, pairs, response, obstacles, gravity, new Vicinity());
   }
 
   /** Everything is near everything. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.response.Heap;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ImpactRows;
@@ -59,6 +60,7 @@ public final class PlainWorld extends PlainEdits {
       int code = m.next;
       double vx = m.vx;
       double vy = m.vy;
+      boolean rested = m.isHeld();
       int result = response.resolve(m, rows);
       if (result == ObstacleResponse.SENSED) {
         met.get(low).put(code, m.cleared);
@@ -69,6 +71,9 @@ public final class PlainWorld extends PlainEdits {
           leaveJamsOfInfinite(m);
         }
         settle(result, m);
+        if (rested && !m.isHeld()) {
+          change(heap.free(copy(m)));
+        }
       }
     }
   }
@@ -100,7 +105,24 @@ public final class PlainWorld extends PlainEdits {
       begin(one);
       begin(two);
       settle(result, one, two);
+      if (a.isHeld() && !one.isHeld()) {
+        change(heap.free(copy(one)));
+      } else if (b.isHeld() && !two.isHeld()) {
+        change(heap.free(copy(two)));
+      }
+      if (one.calm >= Heap.TRIAL || two.calm >= Heap.TRIAL) {
+        change(heap.rest(rows, copy(one), copy(two)));
+      }
     }
+  }
+
+  /** Circles begin new flights, as a heap has it. */
+  private void change(Collection<MovingCircle> changed) {
+    for (MovingCircle m : changed) {
+      bodies.set(m.id, m);
+      begin(m);
+    }
+    changed.forEach(this::revive);
   }
 
   /** Updates the jams of circles that begin new flights. */

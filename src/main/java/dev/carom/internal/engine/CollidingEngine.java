@@ -3,6 +3,7 @@ package dev.carom.internal.engine;
 
 import dev.carom.internal.exact.ExactBudget;
 import dev.carom.internal.response.ContactCluster;
+import dev.carom.internal.response.Heap;
 import dev.carom.internal.response.ObstacleResponse;
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleRegistry;
@@ -44,6 +45,7 @@ public final class CollidingEngine extends Engine {
 
   private final PairResponse pairs;
   private final ContactCluster cluster;
+  private final Heap heap;
   private EventScheduler scheduler;
 
   /**
@@ -76,6 +78,7 @@ public final class CollidingEngine extends Engine {
     this.options = options;
     pairs = new PairResponse(registry, response.settling);
     cluster = new ContactCluster(registry, pairs, response, staticScene.obstacles, new Vicinity());
+    heap = new Heap(registry, pairs, response, staticScene.obstacles, gravity, new Vicinity());
     int count = circles.count;
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
@@ -216,6 +219,7 @@ public final class CollidingEngine extends Engine {
     }
     double vx = m.vx;
     double vy = m.vy;
+    boolean rested = m.isHeld();
     int result = response.resolve(m, log);
     boolean turned = m.vx != vx || m.vy != vy;
     switch (result) {
@@ -231,10 +235,14 @@ public final class CollidingEngine extends Engine {
       }
       default -> {
         noteEvent(m.t, m.tl);
+        boolean isFree = rested && !m.isHeld();
         startFlight(circles.state, circles.codes, i, m);
         leaveJamsOfInfinite(i, turned);
         reactivate(i);
         scheduler.predict(i);
+        if (isFree) {
+          begin(heap.free(copy(i)));
+        }
       }
     }
   }
@@ -259,6 +267,8 @@ public final class CollidingEngine extends Engine {
     }
     circles.body.crushed = cluster.isCrushed(circles.body);
     other.crushed = cluster.isCrushed(other);
+    boolean lowRests = circles.body.isHeld();
+    boolean highRests = other.isHeld();
     switch (pairs.resolve(circles.body, other, log)) {
       case ObstacleResponse.SENSED -> {
         report(low, high, i);
@@ -271,11 +281,20 @@ public final class CollidingEngine extends Engine {
       }
       default -> {
         noteEvent(other.t, other.tl); // for both
+        boolean lowIsFree = lowRests && !circles.body.isHeld();
+        boolean highIsFree = highRests && !other.isHeld();
+        boolean tries = circles.body.calm >= Heap.TRIAL || other.calm >= Heap.TRIAL;
         startFlight(s, c, low, circles.body);
         startFlight(s, c, high, other);
         reactivate(low);
         reactivate(high);
         scheduler.predict(s, c, low, high);
+        if (lowIsFree || highIsFree) {
+          begin(heap.free(copy(lowIsFree ? low : high)));
+        }
+        if (tries) {
+          begin(heap.rest(log, copy(low), copy(high)));
+        }
       }
     }
   }
@@ -326,7 +345,11 @@ public final class CollidingEngine extends Engine {
   /** Resolves all contacts of stuck circles, and of all that touch them, at once. */
   private void resolveContacts(int... hit) {
     MovingCircle[] first = Arrays.stream(hit).mapToObj(this::copy).toArray(MovingCircle[]::new);
-    Collection<MovingCircle> members = cluster.resolve(log, first);
+    begin(cluster.resolve(log, first));
+  }
+
+  /** Begins new flights of circles. */
+  private void begin(Collection<MovingCircle> members) {
     for (MovingCircle m : members) {
       scheduler.cancel(m.id);
       noteEvent(m.t, m.tl);
@@ -341,7 +364,7 @@ public final class CollidingEngine extends Engine {
 
     @Override
     public int[] circlesNear(int i) {
-      return scheduler.near(i);
+      return outgrown ? registry.slots() : scheduler.near(i);
     }
 
     @Override
@@ -402,6 +425,20 @@ public final class CollidingEngine extends Engine {
   @Override
   void beginGravity() {
     outgrown = true; // the scheduler and the cells are those of straight flights
+  }
+
+  /** A circle holds others only while it rests. */
+  @Override
+  void freeHeap(int i, double now) {
+    if (!circles.allowsGravity()) {
+      return;
+    }
+    MovingCircle m = copy(i);
+    if (m.vx == 0 && m.vy == 0 && m.gx == 0 && m.gy == 0) {
+      m.t = now;
+      m.tl = tailOfEdit(m, now);
+      heap.free(m).forEach(this::beginFlight);
+    }
   }
 
   @Override

@@ -139,6 +139,7 @@ public final class Editor {
       throw named(e, Codes.circle(slot));
     }
     boolean passes = (registry.mass(slot) == INFINITE) != (m == INFINITE);
+    engine.freeHeap(slot, now);
     registry.setMass(slot, m);
     if (passes && (collide || engine.gravity.acts())) {
       restarted(slot, now).forget();
@@ -188,6 +189,7 @@ public final class Editor {
   }
 
   private void restart(MovingCircle m, double now) {
+    engine.freeHeap(m.id, now);
     m.restart(now, engine.tailOfEdit(m, now), circles.wallsOf(m.id));
     engine.release(m);
   }
@@ -318,6 +320,7 @@ public final class Editor {
 
   public void remove(int code, double now) {
     if (Codes.isCircle(code)) {
+      engine.freeHeap(Codes.slot(code), now);
       registry.remove(Codes.slot(code));
       engine.remove(Codes.slot(code));
     } else {

@@ -130,6 +130,9 @@ public abstract class Engine {
   /** Stores a circle whose prediction was shortened. */
   abstract void store(int i, MovingCircle m);
 
+  /** Lets the circles fall that a circle holds, which is about to change. */
+  void freeHeap(int i, double now) {}
+
   /** Prepares the search structures for a step that ends at a given time. */
   final void prepare(double end) {
     staticScene.prepare(circles, registry);
@@ -182,6 +185,8 @@ public abstract class Engine {
 
   /** Lets a circle fall from an obstacle that is about to change. */
   private void letGo(MovingCircle m, int code) {
+    freeHeap(m.id, reached);
+    circles.load(m.id, m);
     m.restart(reached, tailOfEdit(m, reached), circles.wallsOf(m.id));
     m.forget(code, 0);
     release(m);

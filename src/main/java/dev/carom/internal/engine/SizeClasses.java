@@ -20,6 +20,9 @@ public final class SizeClasses {
   /** Makes a cell wider than a diameter, as rounding may delay the notice of a crossing. */
   private static final double SLACK = 1 + 0x1p-20;
 
+  /** The same under gravity, where circles that lie on each other are found by their cells. */
+  private static final double HEAP_SLACK = 1 + 0x1p-6;
+
   /**
    * Widens a cell by this part of the largest coordinate: 16 ulps, more than a position and an edge
    * err by.
@@ -59,6 +62,7 @@ public final class SizeClasses {
 
   private final double slack;
   private final double diameters;
+  private final boolean falls;
 
   /** The largest radius of each class and the width of its cells, the smallest class first. */
   public final double[] radii;
@@ -79,6 +83,7 @@ public final class SizeClasses {
     side = Math.max(extent.right() - extent.left(), extent.top() - extent.bottom());
     slack = ROUNDING * extent.farthest();
     this.diameters = diameters;
+    falls = circles.allowsGravity();
     for (int i : ids) {
       double radius = circles.radius(i);
       octaves.computeIfAbsent(Math.getExponent(radius), e -> new Octave()).add(radius);
@@ -116,7 +121,7 @@ public final class SizeClasses {
   }
 
   private double width(Octave octave) {
-    double diameter = 2 * octave.largest * SLACK * diameters;
+    double diameter = 2 * octave.largest * (falls ? HEAP_SLACK : SLACK) * diameters;
     double distance = Math.sqrt(area / octave.listed);
     if (diameter == 0) { // points, which may stand in line, or at one place
       distance = Math.max(distance, side / octave.listed);

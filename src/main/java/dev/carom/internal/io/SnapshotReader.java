@@ -115,6 +115,8 @@ public final class SnapshotReader {
         checkCode(code);
         expectCode(Codes.isWall(code) ? obstacles.walls != null : !obstacles.isGone(code), code);
       }
+      m.calm = in.readInt();
+      expect(m.calm >= 0, "the calm contacts of a circle are " + m.calm);
       if (m.isFalling()) {
         flights.putAcceleration(i, m);
       }

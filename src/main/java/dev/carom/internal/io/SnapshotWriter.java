@@ -24,7 +24,7 @@ public final class SnapshotWriter {
   /** "CAROM" and a zero byte, which no text contains. */
   static final long MARK = 0x4341524F4D00L;
 
-  static final int VERSION = 6;
+  static final int VERSION = 7;
 
   /**
    * Marks a removed obstacle: this byte stands for its traits, and nothing else of it is written.
@@ -100,6 +100,7 @@ public final class SnapshotWriter {
       s.flights().get(i, m);
       numbers(m.gx, m.gy);
       out.writeInt(m.support);
+      out.writeInt(m.calm);
     }
   }
 

@@ -130,16 +130,58 @@ public final class InelasticShock {
         resolved = true;
         most = step + step / 4 + 4; // what comes to rest, does so to the last place
       }
-      ExactBudget.addRelaxations(2 * contacts);
-      if (isProportional(shortStep)) {
-        descend(shortStep);
-      } else {
-        release();
-      }
-      residual = differentiate();
+      residual = relax(shortStep);
     }
     dropNoise();
     return resolved || residual <= TOLERANCE;
+  }
+
+  /**
+   * Looks for impulses that leave nearly nothing of the velocities of some circles. It ends when it
+   * has found them, or velocities that it can make no smaller.
+   *
+   * @param stays which circles
+   * @param small the largest component that counts as nothing, in units of {@link #speed}
+   * @param tolerance the largest approach with which it may end, in the same units
+   * @return whether it has found them
+   */
+  boolean balance(boolean[] stays, double small, double tolerance) {
+    scale();
+    double shortStep = 1 / bound();
+    int most = STEPS + STEPS_EACH * contacts;
+    double residual = differentiate();
+    follow();
+    boolean balanced = areSmall(stays, small);
+    for (int step = 0; step < most && residual > tolerance && !unbounded && !balanced; step++) {
+      residual = relax(shortStep);
+      balanced = areSmall(stays, small);
+    }
+    return balanced;
+  }
+
+  private boolean areSmall(boolean[] stays, double small) {
+    for (int i = 0; i < vx.length; i++) {
+      if (stays[i] && !isSmall(i, small)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Whether nearly nothing is left of the velocity of a circle, see {@link #balance}. */
+  boolean isSmall(int i, double small) {
+    return Math.max(Math.abs(vx[i]), Math.abs(vy[i])) <= small;
+  }
+
+  /** One step of the relaxation; returns the largest violation. */
+  private double relax(double shortStep) {
+    ExactBudget.addRelaxations(2 * contacts);
+    if (isProportional(shortStep)) {
+      descend(shortStep);
+    } else {
+      release();
+    }
+    return differentiate();
   }
 
   /** A bound of the largest eigenvalue of the scaled matrix: the most contacts of two partners. */

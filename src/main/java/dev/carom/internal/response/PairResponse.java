@@ -182,25 +182,25 @@ public final class PairResponse {
 
   /**
    * Changes the velocities of two circles of which one falls, slides or rests. They leave each
-   * other by a least speed; so only an infinite mass that crushes a circle can make it stuck.
+   * other by a least speed; so only an infinite mass that crushes a circle can make it stuck. A
+   * circle that is held is a peg for what comes slowly; what comes faster frees it.
    */
   private void bounce(MovingCircle a, MovingCircle b, double e, boolean halt, ImpactRows log) {
+    double length = StrictMath.hypot(nx, ny);
     double approach = un / (Math.abs(nx) + Math.abs(ny));
     countDriven(a, b, e, approach, 1);
     countDriven(b, a, e, approach, -1);
+    boolean calm = e < 1 && settling.isCalm(a, b, -un / length);
+    a.firm = calm && a.isHeld() && mass(b) < INFINITE;
+    b.firm = calm && b.isHeld() && mass(a) < INFINITE && !a.firm;
     if (un < 0) {
+      // Between two things that are held, a faint bounce would be followed by others without end.
+      if (calm && -un <= Settling.ROUNDING * speeds(a, b) * length) {
+        impulse.of(1, ux, uy, nx, ny);
+      }
       change(a, mass(a), b, mass(b), halt, log);
     }
-    double length = StrictMath.hypot(nx, ny);
-    double kx = nx / length;
-    double ky = ny / length;
-    double out = (a.vx - b.vx) * kx + (a.vy - b.vy) * ky;
-    double least = settling.leastSpeed(a, b, out, e);
-    if (out < least) {
-      impulse.of(1, (out - least) * kx, (out - least) * ky, nx, ny);
-      push(a, -1, mass(b), mass(a), nx, ny);
-      push(b, 1, mass(a), mass(b), nx, ny);
-    }
+    leaveAtLeast(a, b, nx / length, ny / length, e);
     beginFlight(a, b);
     beginFlight(b, a);
     boolean aJammed = crush(a, b);
@@ -208,8 +208,36 @@ public final class PairResponse {
     if (aJammed || bJammed) {
       log.setOutcome(ImpactRows.JAMMED);
     }
-    settling.afterPair(a);
-    settling.afterPair(b);
+    goOn(a, calm);
+    goOn(b, calm);
+  }
+
+  /** Lets two circles leave each other by a least speed, along the unit normal k. */
+  private void leaveAtLeast(MovingCircle a, MovingCircle b, double kx, double ky, double e) {
+    double out = (a.vx - b.vx) * kx + (a.vy - b.vy) * ky;
+    double reach = a.radius + b.radius;
+    double least;
+    if (a.firm) {
+      least = settling.leastSpeed(b, -kx, -ky, reach, out, e);
+    } else if (b.firm) {
+      least = settling.leastSpeed(a, kx, ky, reach, out, e);
+    } else {
+      least = settling.leastSpeed(a, b, out, e);
+    }
+    if (out < least) {
+      impulse.of(1, (out - least) * kx, (out - least) * ky, nx, ny);
+      push(a, -1, mass(b), mass(a), nx, ny);
+      push(b, 1, mass(a), mass(b), nx, ny);
+    }
+  }
+
+  /** Decides how a circle goes on after a collision, and counts a calm one. */
+  private void goOn(MovingCircle m, boolean calm) {
+    if (!m.firm) {
+      settling.afterPair(m);
+      m.calm = settling.mayRest(m) ? m.calm + (calm ? 1 : 0) : 0;
+    }
+    m.firm = false;
   }
 
   /** Counts an impact of a circle that an infinite mass drives. */
@@ -230,7 +258,7 @@ public final class PairResponse {
 
   /** Stops a stuck circle that an infinite mass crushes; returns whether it did. */
   private boolean crush(MovingCircle m, MovingCircle other) {
-    if (!isStuck(m) || !m.isFalling() || mass(other) < INFINITE) {
+    if (!isStuck(m) || !m.isFalling() || other.firm || mass(other) < INFINITE) {
       return false;
     }
     m.jam = IgnoreList.crushedBy(m.jam, Codes.circle(other.id));
@@ -246,9 +274,9 @@ public final class PairResponse {
     beginFlight(m, other);
   }
 
-  /** The mass of a circle in a collision: infinite if it is crushed. */
+  /** The mass of a circle in a collision: infinite if it is crushed or firm. */
   double mass(MovingCircle m) {
-    return m.crushed ? INFINITE : registry.mass(m.id);
+    return m.crushed || m.firm ? INFINITE : registry.mass(m.id);
   }
 
   private static boolean isStuck(MovingCircle m) {

@@ -40,6 +40,15 @@ public final class Settling {
   /** Nor in radii of the circle: the cells of the grid list what is within 2^-8 of a radius. */
   private static final double MOST_HOLD = 0x1p-8 - 0x1p-18;
 
+  /** A contact of two circles is calm if they approach by no more than so many least speeds. */
+  private static final double CALM_APPROACH = 3;
+
+  /** A circle whose motion could lift it by no more than so many least hops may lie in a heap. */
+  private static final double SLOW_HOPS = 64;
+
+  /** What holds a circle in a heap is no further away, in combined radii. */
+  private static final double HEAP_HOLD = 32 * LEAST_HOP;
+
   /** A hop that is no higher than so many ulps of the coordinates is none. */
   private static final double ULPS = 2;
 
@@ -50,7 +59,7 @@ public final class Settling {
   private static final double JOINT_ULPS = 8;
 
   /** In units of the speed: far more than the rounding of its part along a normal. */
-  private static final double ROUNDING = 0x1p-40;
+  static final double ROUNDING = 0x1p-40;
 
   private final ObstacleTable obstacles;
   private final Gravity gravity;
@@ -151,9 +160,42 @@ public final class Settling {
    * @param e the restitution
    */
   double leastSpeed(MovingCircle a, MovingCircle b, double out, double e) {
-    double g = StrictMath.hypot(gravity.x, gravity.y);
+    double g = size();
     double least = Math.sqrt(2 * g * LEAST_HOP * (a.radius + b.radius));
     return out < least && (e < 1 || !isHop(a, out, g)) ? least : out;
+  }
+
+  /**
+   * The least speed at which a circle leaves one that is held: that of a peg.
+   *
+   * @param kx,ky the unit normal, which points to the circle
+   * @param reach the sum of the radii
+   * @param out the speed at which it would leave
+   */
+  double leastSpeed(MovingCircle m, double kx, double ky, double reach, double out, double e) {
+    double along = m.vy * kx - m.vx * ky;
+    double pressure = -(m.gx * kx + m.gy * ky) - along * along / reach;
+    return pressure > 0 && (e < 1 || !isHop(m, out, pressure))
+        ? Math.max(out, Math.sqrt(2 * pressure * LEAST_HOP * reach))
+        : out;
+  }
+
+  /** Whether two circles approach each other by no more than some least speeds. */
+  boolean isCalm(MovingCircle a, MovingCircle b, double approach) {
+    double hop = LEAST_HOP * (a.radius + b.radius);
+    return approach * approach <= CALM_APPROACH * CALM_APPROACH * 2 * size() * hop;
+  }
+
+  /** Whether a circle of finite mass is so slow that it may rest in a heap. */
+  boolean mayRest(MovingCircle m) {
+    double hop = LEAST_HOP * (2 * m.radius);
+    boolean isSlow = m.vx * m.vx + m.vy * m.vy <= 2 * size() * SLOW_HOPS * hop;
+    return isSlow && m.isFalling() && m.jam == null && !StuckRule.isStuck(m);
+  }
+
+  /** |g|. */
+  private double size() {
+    return StrictMath.hypot(gravity.x, gravity.y);
   }
 
   /**
@@ -317,8 +359,7 @@ public final class Settling {
 
   /** Whether all the motion of a circle could lift it by no more than some least hops. */
   private boolean isCalm(MovingCircle m, double reach) {
-    double g = StrictMath.hypot(gravity.x, gravity.y);
-    return m.vx * m.vx + m.vy * m.vy <= 2 * g * CALM_HOPS * LEAST_HOP * reach;
+    return m.vx * m.vx + m.vy * m.vy <= 2 * size() * CALM_HOPS * LEAST_HOP * reach;
   }
 
   /** Whether what a circle hit holds it against gravity, alone or with another thing at rest. */
@@ -354,14 +395,28 @@ public final class Settling {
 
   /** The contact with an obstacle that may hold a circle; null if it is too far away. */
   private Touch touch(MovingCircle m, int code) {
+    return touch(m, code, HOLD);
+  }
+
+  private Touch touch(MovingCircle m, int code, double hold) {
     double radius = Codes.isWall(code) ? 0 : obstacles.radius(code);
-    double distance = Math.min(HOLD * (m.radius + radius), MOST_HOLD * m.radius);
+    double distance = Math.min(hold * (m.radius + radius), MOST_HOLD * m.radius);
     return Touch.of(m, obstacles, code, distance);
+  }
+
+  /** The contact with an obstacle at rest that may hold a circle in a heap; null for none. */
+  Touch touchInHeap(MovingCircle m, int code) {
+    return isSolid(m, code) && !obstacles.moves(code) ? touch(m, code, HEAP_HOLD) : null;
+  }
+
+  /** The contact of two circles in a heap; null if they are too far from each other. */
+  static Touch touchInHeap(MovingCircle a, MovingCircle b) {
+    return Touch.of(a, b, HEAP_HOLD * (a.radius + b.radius));
   }
 
   /** Whether an obstacle may hold a circle at its place. */
   public boolean touches(MovingCircle m, int code) {
-    return touch(m, code) != null;
+    return touch(m, code, HEAP_HOLD) != null;
   }
 
   /**

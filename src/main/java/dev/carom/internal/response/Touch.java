@@ -30,11 +30,15 @@ record Touch(int code, int contact, double nx, double ny) {
 
   /** The contact of a circle with another one, null if they do not touch; two points never do. */
   static Touch of(MovingCircle m, MovingCircle other) {
-    double size = Math.max(size(m), size(other));
+    return of(m, other, tolerance(m, Math.max(size(m), size(other))));
+  }
+
+  /** The same for circles that are no further apart than a given distance. */
+  static Touch of(MovingCircle m, MovingCircle other, double most) {
     double radiusSum = m.radius + other.radius;
     return radiusSum == 0
         ? null
-        : offset(m, Codes.circle(other.id), 0, other.x, other.y, radiusSum, tolerance(m, size));
+        : offset(m, Codes.circle(other.id), 0, other.x, other.y, radiusSum, most);
   }
 
   /** The contact of a circle with an obstacle, null if it does not touch it. */

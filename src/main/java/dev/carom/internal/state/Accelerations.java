@@ -11,10 +11,12 @@ final class Accelerations {
 
   private double[] values;
   private int[] supports;
+  private int[] calms;
 
   Accelerations(int room) {
     values = new double[2 * room];
     supports = new int[room];
+    calms = new int[room];
     Arrays.fill(supports, MovingCircle.NOTHING);
   }
 
@@ -22,6 +24,7 @@ final class Accelerations {
     int before = supports.length;
     values = Arrays.copyOf(values, 2 * room);
     supports = Arrays.copyOf(supports, room);
+    calms = Arrays.copyOf(calms, room);
     if (room > before) {
       Arrays.fill(supports, before, room, MovingCircle.NOTHING);
     }
@@ -31,18 +34,21 @@ final class Accelerations {
     values[2 * i] = m.gx;
     values[2 * i + 1] = m.gy;
     supports[i] = m.support;
+    calms[i] = m.calm;
   }
 
   void get(int i, MovingCircle m) {
     m.gx = values[2 * i];
     m.gy = values[2 * i + 1];
     m.support = supports[i];
+    m.calm = calms[i];
   }
 
   /** Copies a row of another table to row i. */
   void copy(int i, Accelerations from, int of) {
     System.arraycopy(from.values, 2 * of, values, 2 * i, 2);
     supports[i] = from.supports[of];
+    calms[i] = from.calms[of];
   }
 
   /** Clears row i: nothing moves that circle. */
@@ -50,6 +56,7 @@ final class Accelerations {
     values[2 * i] = 0;
     values[2 * i + 1] = 0;
     supports[i] = MovingCircle.NOTHING;
+    calms[i] = 0;
   }
 
   double x(int i) {
@@ -68,7 +75,8 @@ final class Accelerations {
   public boolean equals(Object other) {
     return other instanceof Accelerations that
         && Arrays.equals(values, that.values)
-        && Arrays.equals(supports, that.supports);
+        && Arrays.equals(supports, that.supports)
+        && Arrays.equals(calms, that.calms);
   }
 
   @Override

@@ -21,7 +21,7 @@ public final class MovingCircle {
   /** No obstacle or circle: nothing was hit yet, or nothing since the last edit. */
   public static final int NOTHING = -1;
 
-  /** The support of a jammed circle under gravity: it stays where it is. */
+  /** The support of a circle that several things hold, or a jammed one: it stays where it is. */
   public static final int HELD = Integer.MAX_VALUE;
 
   /**
@@ -112,11 +112,20 @@ public final class MovingCircle {
   /** Whether one of them was with an infinite mass that moved towards the circle. */
   public boolean driven;
 
+  /** The number of its calm contacts with circles, see {@code Heap}; 0 without gravity. */
+  public int calm;
+
   /**
    * Whether infinite masses that crushed this circle still overlap it. Set only while a collision
    * is resolved.
    */
   public boolean crushed;
+
+  /**
+   * Whether the circle is held, and what hits it is too slow to free it. Set only while a collision
+   * is resolved.
+   */
+  public boolean firm;
 
   /** Starts the first flight of a circle, at time 0. */
   public void start(
@@ -178,6 +187,11 @@ public final class MovingCircle {
     return support > NOTHING;
   }
 
+  /** Whether things at rest hold the circle where it is. */
+  public boolean isHeld() {
+    return support == HELD && jam == null;
+  }
+
   /** Whether the circle has an acceleration, or slides or rests on something. */
   public boolean isFalling() {
     return gx != 0 || gy != 0 || support != NOTHING;
@@ -211,6 +225,7 @@ public final class MovingCircle {
   /** Forgets what was hit last, so that the next impact may be with anything. */
   public void forget() {
     last = NOTHING;
+    calm = 0;
     leavePlace();
     speedExponent = Double.MIN_EXPONENT;
   }

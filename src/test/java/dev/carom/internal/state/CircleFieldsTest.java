@@ -27,7 +27,7 @@ class CircleFieldsTest {
    * which the registry keeps.
    */
   private static final Set<String> PASSING =
-      Set.of("id", "flown", "standsStill", "crushed", "filter");
+      Set.of("id", "flown", "standsStill", "crushed", "firm", "filter");
 
   /** Fields that tell what is ahead; a snapshot leaves them out, and the next search finds them. */
   private static final Set<String> AHEAD = Set.of("cleared", "next", "contact", "lookahead");
