@@ -238,7 +238,17 @@ class EverydayGravityTest {
 
   /** Fifty balls of diameter 1 under pegs, more than the floor has room for side by side. */
   @ParameterizedTest
-  @CsvSource({"40, 0", "40, 0.5", "40.3, 0", "40.3, 0.5", "25.3, 0", "25.3, 0.5", "25.3, 0.9"})
+  @CsvSource({
+    "40, 0",
+    "40, 0.5",
+    "33, 0.5",
+    "45, 0.5",
+    "25, 0.5",
+    "40.3, 0",
+    "40.3, 0.5",
+    "25.3, 0",
+    "25.3, 0.9"
+  })
   void aFloorThatBallsFill(double width, double e) {
     SceneBuilder builder = open().bounds(0, 0, width, 200).collide(true);
     int across = (int) (width / (40.0 / 15)) - 1;

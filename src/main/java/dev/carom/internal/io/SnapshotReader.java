@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.io;
 
+import dev.carom.internal.response.Heap;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
@@ -116,7 +117,7 @@ public final class SnapshotReader {
         expectCode(Codes.isWall(code) ? obstacles.walls != null : !obstacles.isGone(code), code);
       }
       m.calm = in.readInt();
-      expect(m.calm >= 0, "the calm contacts of a circle are " + m.calm);
+      expect(m.calm <= Heap.TRIAL, "the calm contacts of a circle are " + m.calm);
       if (m.isFalling()) {
         flights.putAcceleration(i, m);
       }

@@ -188,11 +188,11 @@ public final class PairResponse {
   private void bounce(MovingCircle a, MovingCircle b, double e, boolean halt, ImpactRows log) {
     double length = StrictMath.hypot(nx, ny);
     double approach = un / (Math.abs(nx) + Math.abs(ny));
-    countDriven(a, b, e, approach, 1);
-    countDriven(b, a, e, approach, -1);
     boolean calm = e < 1 && settling.isCalm(a, b, -un / length);
     a.firm = calm && a.isHeld() && mass(b) < INFINITE;
     b.firm = calm && b.isHeld() && mass(a) < INFINITE && !a.firm;
+    countDriven(a, b, e, approach, 1);
+    countDriven(b, a, e, approach, -1);
     if (un < 0) {
       // Between two things that are held, a faint bounce would be followed by others without end.
       if (calm && -un <= Settling.ROUNDING * speeds(a, b) * length) {
@@ -208,8 +208,8 @@ public final class PairResponse {
     if (aJammed || bJammed) {
       log.setOutcome(ImpactRows.JAMMED);
     }
-    goOn(a, calm);
-    goOn(b, calm);
+    goOn(a, aJammed, calm);
+    goOn(b, bJammed, calm);
   }
 
   /** Lets two circles leave each other by a least speed, along the unit normal k. */
@@ -232,15 +232,15 @@ public final class PairResponse {
   }
 
   /** Decides how a circle goes on after a collision, and counts a calm one. */
-  private void goOn(MovingCircle m, boolean calm) {
-    if (!m.firm) {
+  private void goOn(MovingCircle m, boolean jammed, boolean calm) {
+    if (!m.firm && !jammed) {
       settling.afterPair(m);
-      m.calm = settling.mayRest(m) ? m.calm + (calm ? 1 : 0) : 0;
+      m.calm = settling.mayRest(m) ? m.calm + (calm ? 1 : 0) : Math.min(m.calm, 0);
     }
     m.firm = false;
   }
 
-  /** Counts an impact of a circle that an infinite mass drives. */
+  /** Counts an impact of a circle that an infinite mass drives, or with one that is held. */
   private void countDriven(
       MovingCircle m, MovingCircle other, double e, double approach, int sign) {
     if (m.crushed || !m.isFalling()) {
@@ -256,12 +256,14 @@ public final class PairResponse {
     }
   }
 
-  /** Stops a stuck circle that an infinite mass crushes; returns whether it did. */
+  /** Stops a circle that is stuck between things which do not give way; returns whether it did. */
   private boolean crush(MovingCircle m, MovingCircle other) {
-    if (!isStuck(m) || !m.isFalling() || other.firm || mass(other) < INFINITE) {
+    if (!isStuck(m) || !m.isFalling() || mass(other) < INFINITE) {
       return false;
     }
-    m.jam = IgnoreList.crushedBy(m.jam, Codes.circle(other.id));
+    if (!other.firm) {
+      m.jam = IgnoreList.crushedBy(m.jam, Codes.circle(other.id));
+    }
     Settling.hold(m);
     return true;
   }

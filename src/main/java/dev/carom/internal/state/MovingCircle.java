@@ -112,7 +112,10 @@ public final class MovingCircle {
   /** Whether one of them was with an infinite mass that moved towards the circle. */
   public boolean driven;
 
-  /** The number of its calm contacts with circles, see {@code Heap}; 0 without gravity. */
+  /**
+   * The number of its calm contacts with circles, see {@code Heap}; below 0 after a trial that
+   * failed. 0 without gravity.
+   */
   public int calm;
 
   /**
