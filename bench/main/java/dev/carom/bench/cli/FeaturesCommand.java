@@ -68,7 +68,8 @@ final class FeaturesCommand implements Callable<Integer> {
       paramLabel = "N",
       description =
           "Measure heaps of 10, 30, 100 and 1,000 circles instead, up to N; restitution 0.5, in a"
-              + " box, for one second after six. A frame's time is its median over the rounds.")
+              + " box, for six seconds from the fall on. A frame's time is its median over the"
+              + " rounds.")
   private Integer heaps;
 
   @Override

@@ -22,14 +22,20 @@ public final class HeapFigures {
   public ReportTable table() {
     ReportTable.Builder table =
         new ReportTable.Builder(
-            "a scene of", "a simulated second", "impacts in it", "median frame", "worst frame");
+            "a scene of",
+            "a simulated second",
+            "impacts in it",
+            "median frame",
+            "worst frame",
+            "at rest at the end");
     for (String scene : results.scenes(Heaps.SECOND)) {
       table.row(
           words(scene),
           ReportNumbers.time(value(scene, Heaps.SECOND, "mean")),
           ReportNumbers.count(value(scene, Heaps.IMPACTS, "mean")),
           ReportNumbers.time(value(scene, Heaps.FRAME, "median")),
-          ReportNumbers.time(value(scene, Heaps.FRAME, "max")));
+          ReportNumbers.time(value(scene, Heaps.FRAME, "max")),
+          Math.round(100 * value(scene, Heaps.RESTING, "end")) + " %");
     }
     return table.build();
   }

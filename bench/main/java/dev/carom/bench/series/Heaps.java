@@ -12,9 +12,9 @@ import java.util.Random;
 import java.util.concurrent.TimeUnit;
 
 /**
- * What circles cost that lie on each other under gravity, and what balls cost that fall among pegs.
- * Each scene is played several times, in 60 frames a second. All plays make the same impacts: the
- * time of a frame is its median over them.
+ * What circles cost that fall on each other until they rest, and what balls cost that fall among
+ * pegs. Each scene is played several times, in 60 frames a second. All plays make the same impacts:
+ * the time of a frame is its median over them.
  */
 public final class Heaps {
 
@@ -27,6 +27,9 @@ public final class Heaps {
   /** The metric of the impacts in a simulated second. */
   public static final String IMPACTS = "heap_impacts";
 
+  /** The metric of the share of circles that rest at the end. */
+  public static final String RESTING = "heap_resting";
+
   /** The prefix of the names of heaps, before the number of circles. */
   public static final String HEAP = "heap:";
 
@@ -36,33 +39,38 @@ public final class Heaps {
   private static final int[] SIZES = {10, 30, 100, 1_000};
   private static final int FRAMES_A_SECOND = 60;
 
-  /** The largest heap has come down after this many seconds. */
-  private static final int SECONDS_TO_FALL = 6;
-
+  private static final int HEAP_SECONDS = 6;
   private static final int PLINKO_SECONDS = 15;
   private static final int BALLS = 50;
   private static final double PEG_SPACING = 40 / 15.0;
 
-  /** A scene, and the frames that are measured. */
-  private record Pile(String name, Scene scene, int from, int to) {
+  /** A scene, and how many frames of it are played. */
+  private record Pile(String name, Scene scene, int frames) {
 
-    /** Plays it; returns the number of impacts in the measured frames, and keeps their times. */
-    long play(double[] nanos) {
+    /** Plays it, and keeps the times of its frames. */
+    Play play(double[] nanos) {
       World world = new World(scene);
       long impacts = 0;
-      for (int frame = 0; frame < to; frame++) {
+      for (int frame = 0; frame < frames; frame++) {
+        double end = (frame + 1.0) / FRAMES_A_SECOND;
         long start = System.nanoTime();
-        if (!world.step(1.0 / FRAMES_A_SECOND)) {
-          throw new IllegalStateException(name + ": a step was unfinished at " + world.now());
-        }
-        if (frame >= from) {
-          nanos[frame - from] = System.nanoTime() - start;
+        boolean finished;
+        do {
+          finished = world.advanceTo(end);
           impacts += world.impacts().size();
-        }
+        } while (!finished);
+        nanos[frame] = System.nanoTime() - start;
       }
-      return impacts;
+      int resting = 0;
+      for (int i = 0; i < world.circleCount(); i++) {
+        resting += world.isResting(i) ? 1 : 0;
+      }
+      return new Play(impacts, (double) resting / world.circleCount());
     }
   }
+
+  /** What a play made: its impacts, and the share of circles that rest at its end. */
+  private record Play(long impacts, double resting) {}
 
   private final List<Pile> piles = new ArrayList<>();
 
@@ -73,12 +81,11 @@ public final class Heaps {
    * @param seed of their places
    */
   public Heaps(int most, long seed) {
-    piles.add(new Pile(PLINKO, plinko(seed), 0, PLINKO_SECONDS * FRAMES_A_SECOND));
-    int fallen = SECONDS_TO_FALL * FRAMES_A_SECOND;
+    piles.add(new Pile(PLINKO, plinko(seed), PLINKO_SECONDS * FRAMES_A_SECOND));
     Arrays.stream(SIZES)
         .filter(n -> n <= most)
         .forEach(
-            n -> piles.add(new Pile(HEAP + n, heap(n, seed), fallen, fallen + FRAMES_A_SECOND)));
+            n -> piles.add(new Pile(HEAP + n, heap(n, seed), HEAP_SECONDS * FRAMES_A_SECOND)));
   }
 
   /** Circles of radius 1 in a box, about as high as wide; they begin in rows above each other. */
@@ -122,29 +129,29 @@ public final class Heaps {
   public List<Row> run(int rounds, int warmUpMillis) {
     List<Row> rows = new ArrayList<>();
     for (Pile pile : piles) {
-      int frames = pile.to - pile.from;
-      double[][] nanos = new double[rounds][frames];
+      double[][] nanos = new double[rounds][pile.frames];
       long deadline = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(warmUpMillis);
       while (System.nanoTime() < deadline) {
-        pile.play(new double[frames]);
+        pile.play(new double[pile.frames]);
       }
-      long impacts = 0;
+      Play last = null;
       for (double[] round : nanos) {
-        impacts = pile.play(round);
+        last = pile.play(round);
       }
-      add(rows, pile.name, medians(nanos), impacts);
+      add(rows, pile.name, medians(nanos), last);
     }
     return rows;
   }
 
-  private static void add(List<Row> rows, String name, double[] frames, long impacts) {
+  private static void add(List<Row> rows, String name, double[] frames, Play play) {
     double seconds = (double) frames.length / FRAMES_A_SECOND;
     double sum = Arrays.stream(frames).sum();
     double worst = Arrays.stream(frames).max().orElseThrow();
     rows.add(row(name, SECOND, "mean", sum / seconds, "ns", frames.length));
     rows.add(row(name, FRAME, "median", SeriesRows.median(frames), "ns", frames.length));
     rows.add(row(name, FRAME, "max", worst, "ns", frames.length));
-    rows.add(row(name, IMPACTS, "mean", impacts / seconds, "1", frames.length));
+    rows.add(row(name, IMPACTS, "mean", play.impacts / seconds, "1", frames.length));
+    rows.add(row(name, RESTING, "end", play.resting, "1", frames.length));
   }
 
   private static Row row(

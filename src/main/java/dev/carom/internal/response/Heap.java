@@ -36,10 +36,13 @@ public final class Heap {
 
   /**
    * After a trial the circles that do not rest wait for one more contact for so many circles in it.
-   * Measured: with less delay, a heap of 1,000 balls spends most of its time with trials; with
-   * more, a row without clearance makes many impacts before it rests.
+   * With less delay a heap spends most of its time with trials; with more, a row without clearance
+   * makes many impacts before it rests.
    */
   private static final int DELAY = 4;
+
+  /** Larger heaps do not try to rest: a trial would take longer than their hops. */
+  private static final int MOST = 200;
 
   /** The largest acceleration of a circle that is held, as a part of gravity. */
   private static final double STILL = 0x1p-7;
@@ -89,6 +92,9 @@ public final class Heap {
    */
   public Collection<MovingCircle> rest(ImpactRows log, MovingCircle... hit) {
     gather(hit);
+    if (members.size() > MOST) {
+      return delayed();
+    }
     boolean[] rests = new boolean[members.size()];
     Arrays.fill(rests, true);
     while (!isBalanced(rests)) {
@@ -110,11 +116,28 @@ public final class Heap {
       } else if (m.isHeld() && !rests[i]) {
         response.settling.fall(m);
       }
-      m.calm = rests[i] ? 0 : -rests.length / DELAY;
+      m.calm = rests[i] ? 0 : delay();
       m.last = MovingCircle.NOTHING;
     }
     report(comes, log, hit);
     return changed;
+  }
+
+  /** The members that wait for their next trial; those at rest stay so. */
+  private Collection<MovingCircle> delayed() {
+    List<MovingCircle> waiting = new ArrayList<>();
+    for (MovingCircle m : members) {
+      if (m.calm > 0) {
+        m.calm = delay();
+        m.last = MovingCircle.NOTHING;
+        waiting.add(m);
+      }
+    }
+    return waiting;
+  }
+
+  private int delay() {
+    return -members.size() / DELAY;
   }
 
   /**
@@ -215,7 +238,7 @@ public final class Heap {
         add(m);
       }
     }
-    for (int k = 0; k < members.size(); k++) { // the list grows
+    for (int k = 0; k < members.size() && members.size() <= MOST; k++) { // the list grows
       addObstacles(k);
       addCircles(k);
     }
