@@ -126,6 +126,37 @@ class HeapTest {
     assertThat(resting(world)).isEmpty();
   }
 
+  /** Balls pass through a sensor. */
+  @Test
+  void aCircleThatBecomesASensorFreesThoseOnIt() {
+    World world = threeAtRest();
+    world.setResponse(ObstacleKind.CIRCLE, 0, Response.SENSOR);
+    assertThat(resting(world)).isEmpty();
+    rows(world, 20);
+    assertThat(world.y(2)).isBetween(1.0, 1 + 0x1p-7);
+  }
+
+  /** Also the circle itself falls, whose supports may move aside under another weight. */
+  @Test
+  void anotherMassFreesTheHeap() {
+    World world = threeAtRest();
+    world.setMass(2, 1000);
+    assertThat(resting(world)).isEmpty();
+    rows(world, 20);
+    assertThat(resting(world)).containsExactly(0, 1, 2);
+  }
+
+  @Test
+  void anInfinitelyHeavyCircleThatALinePushesFreesThoseOnIt() {
+    SceneBuilder builder = open().circle(0, 0, 2, 0, 0).mass(INFINITE).restitution(0.5);
+    builder.circle(0, 3.5, 1, 0, 0).restitution(0.5);
+    World world = new World(builder.line(40, 0, 42, 0).velocity(-1, 0).build());
+    rows(world, 37);
+    assertThat(world.isResting(1)).isTrue();
+    rows(world, 50);
+    assertThat(world.y(1)).isLessThan(-100);
+  }
+
   @Test
   void aMovedLineFreesTheHeapOnIt() {
     SceneBuilder builder = open().bounds(0, 0, 4, 100).line(-1, 10, 5, 10);

@@ -44,7 +44,7 @@ abstract class PlainEdits extends PlainSearch {
   /** Circles fall that lay on one which is about to change, if that rested. */
   private void freeHeap(int id) {
     MovingCircle m = copy(bodies.get(id));
-    if (m.vx == 0 && m.vy == 0 && m.gx == 0 && m.gy == 0) {
+    if (m.isAtRest()) {
       m.tl = tailOfEdit(m);
       m.t = now;
       for (MovingCircle other : heap.free(m)) {
@@ -106,7 +106,8 @@ abstract class PlainEdits extends PlainSearch {
     boolean passes = (registry.mass(id) == never) != (mass == never);
     freeHeap(id);
     registry.setMass(id, mass);
-    if (passes && (collide || gravity.acts())) {
+    boolean held = collide && bodies.get(id).isHeld();
+    if (held || (passes && (collide || gravity.acts()))) {
       restarted(id).forget();
     }
   }
@@ -188,8 +189,8 @@ abstract class PlainEdits extends PlainSearch {
       case WALL ->
           obstacles.setTraits(id, ContactFlags.with(obstacles.boundsTraits, response.ordinal()));
       case CIRCLE -> {
-        registry.setTraits(id, ContactFlags.with(registry.traits(id), response.ordinal()));
         restarted(id);
+        registry.setTraits(id, ContactFlags.with(registry.traits(id), response.ordinal()));
       }
     }
   }

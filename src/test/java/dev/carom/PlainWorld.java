@@ -60,7 +60,7 @@ public final class PlainWorld extends PlainEdits {
       int code = m.next;
       double vx = m.vx;
       double vy = m.vy;
-      boolean rested = m.isHeld();
+      boolean rested = m.isAtRest();
       int result = response.resolve(m, rows);
       if (result == ObstacleResponse.SENSED) {
         met.get(low).put(code, m.cleared);
@@ -71,8 +71,8 @@ public final class PlainWorld extends PlainEdits {
           leaveJamsOfInfinite(m);
         }
         settle(result, m);
-        if (rested && !m.isHeld()) {
-          change(heap.free(copy(m)));
+        if (rested) {
+          freeThoseOn(m);
         }
       }
     }
@@ -105,14 +105,21 @@ public final class PlainWorld extends PlainEdits {
       begin(one);
       begin(two);
       settle(result, one, two);
-      if (a.isHeld() && !one.isHeld()) {
-        change(heap.free(copy(one)));
-      } else if (b.isHeld() && !two.isHeld()) {
-        change(heap.free(copy(two)));
+      if (a.isAtRest()) {
+        freeThoseOn(one);
+      } else if (b.isAtRest()) {
+        freeThoseOn(two);
       }
       if (one.calm >= Heap.TRIAL || two.calm >= Heap.TRIAL) {
         change(heap.rest(rows, copy(one), copy(two)));
       }
+    }
+  }
+
+  /** Lets the circles fall that one held which rested, unless it still does. */
+  private void freeThoseOn(MovingCircle m) {
+    if (gravity.acts() && collide && !m.isAtRest()) {
+      change(heap.free(copy(m)));
     }
   }
 

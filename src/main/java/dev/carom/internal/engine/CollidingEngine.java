@@ -219,7 +219,7 @@ public final class CollidingEngine extends Engine {
     }
     double vx = m.vx;
     double vy = m.vy;
-    boolean rested = m.isHeld();
+    boolean rested = gravity.acts() && m.isAtRest();
     int result = response.resolve(m, log);
     boolean turned = m.vx != vx || m.vy != vy;
     switch (result) {
@@ -235,15 +235,24 @@ public final class CollidingEngine extends Engine {
       }
       default -> {
         noteEvent(m.t, m.tl);
-        boolean isFree = rested && !m.isHeld();
         startFlight(circles.state, circles.codes, i, m);
         leaveJamsOfInfinite(i, turned);
         reactivate(i);
         scheduler.predict(i);
-        if (isFree) {
-          begin(heap.free(copy(i)));
-        }
       }
+    }
+    if (rested) {
+      freeThoseOn(i);
+    }
+  }
+
+  /**
+   * Lets the circles fall that a circle held which rested before an impact, unless it still does.
+   */
+  private void freeThoseOn(int i) {
+    MovingCircle m = copy(i);
+    if (!m.isAtRest()) {
+      begin(heap.free(m));
     }
   }
 
@@ -267,8 +276,8 @@ public final class CollidingEngine extends Engine {
     }
     circles.body.crushed = cluster.isCrushed(circles.body);
     other.crushed = cluster.isCrushed(other);
-    boolean lowRests = circles.body.isHeld();
-    boolean highRests = other.isHeld();
+    boolean lowRested = gravity.acts() && circles.body.isAtRest();
+    boolean highRested = gravity.acts() && other.isAtRest();
     switch (pairs.resolve(circles.body, other, log)) {
       case ObstacleResponse.SENSED -> {
         report(low, high, i);
@@ -281,16 +290,14 @@ public final class CollidingEngine extends Engine {
       }
       default -> {
         noteEvent(other.t, other.tl); // for both
-        boolean lowIsFree = lowRests && !circles.body.isHeld();
-        boolean highIsFree = highRests && !other.isHeld();
         boolean tries = circles.body.calm >= Heap.TRIAL || other.calm >= Heap.TRIAL;
         startFlight(s, c, low, circles.body);
         startFlight(s, c, high, other);
         reactivate(low);
         reactivate(high);
         scheduler.predict(s, c, low, high);
-        if (lowIsFree || highIsFree) {
-          begin(heap.free(copy(lowIsFree ? low : high)));
+        if (lowRested || highRested) {
+          freeThoseOn(lowRested ? low : high);
         }
         if (tries) {
           begin(heap.rest(log, copy(low), copy(high)));
@@ -427,14 +434,14 @@ public final class CollidingEngine extends Engine {
     outgrown = true; // the scheduler and the cells are those of straight flights
   }
 
-  /** A circle holds others only while it rests. */
+  /** A circle holds others only while it is at rest. */
   @Override
   void freeHeap(int i, double now) {
     if (!circles.allowsGravity()) {
       return;
     }
     MovingCircle m = copy(i);
-    if (m.vx == 0 && m.vy == 0 && m.gx == 0 && m.gy == 0) {
+    if (m.isAtRest()) {
       m.t = now;
       m.tl = tailOfEdit(m, now);
       heap.free(m).forEach(this::beginFlight);

@@ -141,7 +141,9 @@ public final class Editor {
     boolean passes = (registry.mass(slot) == INFINITE) != (m == INFINITE);
     engine.freeHeap(slot, now);
     registry.setMass(slot, m);
-    if (passes && (collide || engine.gravity.acts())) {
+    circles.load(slot, body);
+    boolean held = collide && body.isHeld(); // maybe by what fell just now
+    if (held || (passes && (collide || engine.gravity.acts()))) {
       restarted(slot, now).forget();
       engine.beginFlight(body);
     }
@@ -348,8 +350,9 @@ public final class Editor {
   public void setResponse(int code, int response, double now) {
     if (Codes.isCircle(code)) {
       int slot = Codes.slot(code);
+      MovingCircle m = restarted(slot, now);
       registry.setTraits(slot, ContactFlags.with(registry.traits(slot), response));
-      engine.beginFlight(restarted(slot, now));
+      engine.beginFlight(m);
       engine.noteProperties(slot, now);
     } else if (Codes.isWall(code)) {
       if (response == ContactFlags.SENSOR) {

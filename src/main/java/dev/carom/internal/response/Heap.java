@@ -282,7 +282,7 @@ public final class Heap {
     }
     if (known != null || mayRest(other)) {
       contacts.add(new Contact(k, known != null ? known : add(other), touch, other));
-    } else if (other.vx == 0 && other.vy == 0 && other.gx == 0 && other.gy == 0) {
+    } else if (other.isAtRest()) {
       contacts.add(new Contact(k, InelasticShock.OBSTACLE, touch, other));
     }
   }

@@ -195,6 +195,11 @@ public final class MovingCircle {
     return support == HELD && jam == null;
   }
 
+  /** Whether the circle stays where it is until something hits it. */
+  public boolean isAtRest() {
+    return vx == 0 && vy == 0 && gx == 0 && gy == 0;
+  }
+
   /** Whether the circle has an acceleration, or slides or rests on something. */
   public boolean isFalling() {
     return gx != 0 || gy != 0 || support != NOTHING;
