@@ -95,7 +95,8 @@ public final class EndScene {
   double duration() {
     double frames =
         switch (kind) {
-          case HEAP, PILE, PLINKO -> 1;
+          case HEAP -> 1;
+          case PILE, PLINKO -> 4; // so that they come to rest in a session
           case BUMPERS -> 0.25;
           default -> 4 * random.nextDouble();
         };

@@ -58,6 +58,12 @@ record Solid(String name, Line axis, double radius, Vec2 velocity, boolean oneWa
 
   /** How far a place is from the axis at the start of the flight. */
   double distance(double x, double y) {
+    Vec2 offset = offset(x, y);
+    return Math.hypot(offset.x(), offset.y());
+  }
+
+  /** From the nearest point of the axis to a place, at the start of the flight. */
+  Vec2 offset(double x, double y) {
     double wx = axis.bx() - axis.ax();
     double wy = axis.by() - axis.ay();
     double dx = x - axis.ax();
@@ -65,9 +71,7 @@ record Solid(String name, Line axis, double radius, Vec2 velocity, boolean oneWa
     double length = Math.hypot(wx, wy);
     double along = length == 0 ? 0 : wx / length * dx + wy / length * dy;
     double t = Math.max(0, Math.min(length, along));
-    return length == 0
-        ? Math.hypot(dx, dy)
-        : Math.hypot(dx - wx / length * t, dy - wy / length * t);
+    return length == 0 ? new Vec2(dx, dy) : new Vec2(dx - wx / length * t, dy - wy / length * t);
   }
 
   /** How far a place is left of a line, at the start of the flight; less than 0 right of it. */

@@ -1,19 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.fuzz;
 
+import dev.carom.Bounds;
+import dev.carom.ObstacleKind;
+import dev.carom.Response;
 import dev.carom.Vec2;
 import dev.carom.World;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
  * What keeps circles from falling. The acceleration in a flight is gravity, or the part of it along
  * some direction, or none. Where it is not gravity, the circle touches something that carries it,
- * was jammed, or has infinite mass.
+ * was jammed, or has infinite mass. The normals of what a circle at rest touches hold gravity
+ * between them; of circles only those count that stand still.
  */
 final class SupportCheck {
 
-  /** What holds a circle at rest is no further from it, in its own radii. */
+  /** An obstacle that holds a circle at rest is no further from it, in its own radii. */
   private static final double HOLD = 0x1p-8;
+
+  /** Nor is another circle, in the sum of the radii. */
+  private static final double PAIR_HOLD = 0x1p-7;
+
+  /** Gravity is held if it is so near to the angle between two normals, in radians. */
+  private static final double TILT = 0x1p-6;
+
+  /** A normal is only known of a distance of so many roundings. */
+  private static final double KNOWN = 0x1p10;
 
   /** Of an acceleration, in proportion to gravity. */
   private static final double ROUNDING = 0x1p-40;
@@ -22,6 +36,9 @@ final class SupportCheck {
   private final Rounding rounding;
   private final PassedOver passed;
   private final Vec2 gravity;
+
+  /** The directions of the normals at which a circle touches things, from upwards. */
+  private final List<Double> tilts = new ArrayList<>();
 
   SupportCheck(World world, Rounding rounding, PassedOver passed) {
     this.world = world;
@@ -33,12 +50,12 @@ final class SupportCheck {
   void check(List<List<Flight>> flights) throws FindingException {
     for (List<Flight> of : flights) {
       for (Flight f : of) {
-        check(f);
+        check(f, flights);
       }
     }
   }
 
-  private void check(Flight f) throws FindingException {
+  private void check(Flight f, List<List<Flight>> all) throws FindingException {
     double lackX = gravity.x() - f.ax();
     double lackY = gravity.y() - f.ay();
     double lack = Math.hypot(lackX, lackY);
@@ -48,16 +65,83 @@ final class SupportCheck {
     if (Math.abs(share) > slack * (lack + Math.hypot(f.ax(), f.ay()))) {
       throw new FindingException("%s does not fall by a part of %s".formatted(f, gravity));
     }
-    if (lack > slack && world.mass(f.circle()) < Double.POSITIVE_INFINITY && !isCarried(f)) {
+    if (lack > slack && world.mass(f.circle()) < Double.POSITIVE_INFINITY && !isCarried(f, all)) {
       throw new FindingException("nothing carries %s".formatted(f));
     }
   }
 
-  private boolean isCarried(Flight f) {
+  private boolean isCarried(Flight f, List<List<Flight>> all) {
     double near = f.radius() * (1 + HOLD) + rounding.of(f);
-    return passed.wasJammed(f.circle())
-        || (Filters.areBound(world, f.circle()) && PlaceCheck.room(world, f.px(), f.py()) <= near)
-        || Solid.of(world, f).stream()
-            .anyMatch(solid -> solid.distance(f.px(), f.py()) <= near + solid.radius());
+    if (passed.wasJammed(f.circle()) || f.radius() < KNOWN * rounding.of(f)) {
+      return true;
+    }
+    tilts.clear();
+    addWalls(f, near);
+    for (Solid solid : Solid.of(world, f)) {
+      Vec2 offset = solid.offset(f.px(), f.py());
+      addTouch(offset.x(), offset.y(), near + solid.radius());
+    }
+    if (!f.isStanding()) {
+      return !tilts.isEmpty();
+    }
+    if (world.scene().collide() && !isSensor(f.circle())) {
+      addCircles(f, all);
+    }
+    return tilts.stream().anyMatch(a -> tilts.stream().anyMatch(b -> holdBetween(a, b)));
+  }
+
+  private static boolean holdBetween(double left, double right) {
+    return left >= -TILT && right <= TILT && left - right <= Math.PI + TILT;
+  }
+
+  private void addWalls(Flight f, double near) {
+    if (Filters.areBound(world, f.circle())) {
+      Bounds b = world.scene().bounds().get();
+      addWall(f.px() - b.xmin(), 1, 0, near);
+      addWall(b.xmax() - f.px(), -1, 0, near);
+      addWall(f.py() - b.ymin(), 0, 1, near);
+      addWall(b.ymax() - f.py(), 0, -1, near);
+    }
+  }
+
+  private void addWall(double distance, double nx, double ny, double near) {
+    if (distance <= near) {
+      addNormal(nx, ny);
+    }
+  }
+
+  private void addCircles(Flight f, List<List<Flight>> all) {
+    double middle = f.from() + (f.to() - f.from()) / 2;
+    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+      if (id != f.circle()
+          && !isSensor(id)
+          && Filters.meet(world, f.circle(), ObstacleKind.CIRCLE, id)) {
+        for (Flight other : all.get(id)) {
+          if (other.from() <= middle && middle <= other.to() && other.isStanding()) {
+            double reach = f.radius() + other.radius();
+            double x = f.px() - other.px();
+            double y = f.py() - other.py();
+            addTouch(x, y, reach * (1 + PAIR_HOLD) + rounding.of(f));
+          }
+        }
+      }
+    }
+  }
+
+  private boolean isSensor(int circle) {
+    return world.response(ObstacleKind.CIRCLE, circle) == Response.SENSOR;
+  }
+
+  /** Notes the normal of something at a given offset, if that is near. */
+  private void addTouch(double nx, double ny, double near) {
+    if (Math.hypot(nx, ny) <= near) {
+      addNormal(nx, ny);
+    }
+  }
+
+  private void addNormal(double nx, double ny) {
+    double up = -(nx * gravity.x() + ny * gravity.y());
+    double across = nx * gravity.y() - ny * gravity.x();
+    tilts.add(Math.atan2(across, up));
   }
 }
