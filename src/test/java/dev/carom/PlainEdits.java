@@ -44,7 +44,7 @@ abstract class PlainEdits extends PlainSearch {
   /** Circles fall that lay on one which is about to change, if that rested. */
   private void freeHeap(int id) {
     MovingCircle m = copy(bodies.get(id));
-    if (m.isAtRest()) {
+    if (m.holdsOthers()) {
       m.tl = tailOfEdit(m);
       m.t = now;
       for (MovingCircle other : heap.free(m)) {

@@ -60,7 +60,7 @@ public final class PlainWorld extends PlainEdits {
       int code = m.next;
       double vx = m.vx;
       double vy = m.vy;
-      boolean rested = m.isAtRest();
+      boolean rested = m.holdsOthers();
       int result = response.resolve(m, rows);
       if (result == ObstacleResponse.SENSED) {
         met.get(low).put(code, m.cleared);
@@ -105,9 +105,9 @@ public final class PlainWorld extends PlainEdits {
       begin(one);
       begin(two);
       settle(result, one, two);
-      if (a.isAtRest()) {
+      if (a.holdsOthers()) {
         freeThoseOn(one);
-      } else if (b.isAtRest()) {
+      } else if (b.holdsOthers()) {
         freeThoseOn(two);
       }
       if (one.calm >= Heap.TRIAL || two.calm >= Heap.TRIAL) {
@@ -118,7 +118,7 @@ public final class PlainWorld extends PlainEdits {
 
   /** Lets the circles fall that one held which rested, unless it still does. */
   private void freeThoseOn(MovingCircle m) {
-    if (gravity.acts() && collide && !m.isAtRest()) {
+    if (gravity.acts() && collide && !m.holdsOthers()) {
       change(heap.free(copy(m)));
     }
   }

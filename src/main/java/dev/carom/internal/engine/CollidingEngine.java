@@ -219,7 +219,7 @@ public final class CollidingEngine extends Engine {
     }
     double vx = m.vx;
     double vy = m.vy;
-    boolean rested = gravity.acts() && m.isAtRest();
+    boolean rested = gravity.acts() && m.holdsOthers();
     int result = response.resolve(m, log);
     boolean turned = m.vx != vx || m.vy != vy;
     switch (result) {
@@ -251,7 +251,7 @@ public final class CollidingEngine extends Engine {
    */
   private void freeThoseOn(int i) {
     MovingCircle m = copy(i);
-    if (!m.isAtRest()) {
+    if (!m.holdsOthers()) {
       begin(heap.free(m));
     }
   }
@@ -276,8 +276,8 @@ public final class CollidingEngine extends Engine {
     }
     circles.body.crushed = cluster.isCrushed(circles.body);
     other.crushed = cluster.isCrushed(other);
-    boolean lowRested = gravity.acts() && circles.body.isAtRest();
-    boolean highRested = gravity.acts() && other.isAtRest();
+    boolean lowRested = gravity.acts() && circles.body.holdsOthers();
+    boolean highRested = gravity.acts() && other.holdsOthers();
     switch (pairs.resolve(circles.body, other, log)) {
       case ObstacleResponse.SENSED -> {
         report(low, high, i);
@@ -441,7 +441,7 @@ public final class CollidingEngine extends Engine {
       return;
     }
     MovingCircle m = copy(i);
-    if (m.isAtRest()) {
+    if (m.holdsOthers()) {
       m.t = now;
       m.tl = tailOfEdit(m, now);
       heap.free(m).forEach(this::beginFlight);

@@ -282,7 +282,7 @@ public final class Heap {
     }
     if (known != null || mayRest(other)) {
       contacts.add(new Contact(k, known != null ? known : add(other), touch, other));
-    } else if (other.isAtRest()) {
+    } else if (other.holdsOthers()) {
       contacts.add(new Contact(k, InelasticShock.OBSTACLE, touch, other));
     }
   }

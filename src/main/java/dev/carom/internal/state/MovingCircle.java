@@ -195,9 +195,10 @@ public final class MovingCircle {
     return support == HELD && jam == null;
   }
 
-  /** Whether the circle stays where it is until something hits it. */
-  public boolean isAtRest() {
-    return vx == 0 && vy == 0 && gx == 0 && gy == 0;
+  /** Whether other circles may lie on this one: it is held, or stands still by its mass. */
+  public boolean holdsOthers() {
+    boolean stands = vx == 0 && vy == 0 && gx == 0 && gy == 0;
+    return stands && (support == HELD || support == NOTHING);
   }
 
   /** Whether the circle has an acceleration, or slides or rests on something. */
