@@ -84,8 +84,7 @@ public final class Heaps {
     piles.add(new Pile(PLINKO, plinko(seed), PLINKO_SECONDS * FRAMES_A_SECOND));
     Arrays.stream(SIZES)
         .filter(n -> n <= most)
-        .forEach(
-            n -> piles.add(new Pile(HEAP + n, heap(n, seed), HEAP_SECONDS * FRAMES_A_SECOND)));
+        .forEach(n -> piles.add(new Pile(HEAP + n, heap(n, seed), HEAP_SECONDS * FRAMES_A_SECOND)));
   }
 
   /** Circles of radius 1 in a box, about as high as wide; they begin in rows above each other. */
