@@ -32,8 +32,9 @@ public enum Outcome {
   /**
    * The circle stopped bouncing, because its bounces had become very low.
    *
-   * <p>From this impact on it slides along a side or a wall, or rests. This happens only in a scene
-   * with {@linkplain SceneBuilder#gravity gravity}.
+   * <p>From this impact on it slides along a side or a wall, or rests. In a heap, the contacts that
+   * hold a circle which comes to rest have this outcome. This happens only in a scene with
+   * {@linkplain SceneBuilder#gravity gravity}.
    */
   SETTLED
 }

@@ -41,7 +41,7 @@ import java.util.function.IntPredicate;
  * <ol>
  *   <li><b>No impact is lost.</b> A step resolves all impacts in it, each at its own moment, at any
  *       speed. Positions are never corrected. Without gravity there is no threshold, and nothing
- *       jitters. With gravity, very low hops end, and a ball on a ball makes tiny ones.
+ *       jitters. With gravity, very low hops end, and heaps come to rest.
  *   <li><b>Steps do not matter.</b> However a run to the same time is cut into steps, it gives the
  *       same bits. The same run gives the same bits on every Java virtual machine.
  *   <li><b>Every call returns.</b> A step returns false if its budget of work is spent, and the
@@ -372,7 +372,9 @@ public final class World {
    * <p>It has {@linkplain Outcome#SETTLED settled} or jammed, and does not move, or moves only with
    * the line that carries it, until something hits it or an edit frees it. A circle that slides
    * does not rest. After an edit of what carries it, it rests again from the next step on. A
-   * resting circle makes no impacts and costs nothing.
+   * resting circle makes no impacts and costs nothing. In a heap, a circle that approaches it
+   * slowly bounces off it and does not free it, see <a
+   * href="doc-files/rules.html#gravity">Gravity</a>.
    *
    * @param id the id of the circle
    * @return true if it rests; never without gravity

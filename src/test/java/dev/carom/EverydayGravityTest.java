@@ -261,7 +261,8 @@ class EverydayGravityTest {
     Random random = new Random(1);
     for (int i = 0; i < 50; i++) {
       double x = width / 20 + width / 10 * (i % 10) + 0.4 * random.nextDouble();
-      builder.circle(x, 45 + 2.5 * (i / 10), 0.5, 0, 0).restitution(e);
+      int row = i / 10;
+      builder.circle(x, 45 + 2.5 * row, 0.5, 0, 0).restitution(e);
     }
     World world = new World(builder.build());
     assertThat(unfinishedCalls(world, 30)).isZero();
