@@ -26,8 +26,8 @@ import java.util.stream.IntStream;
  * approaches; {@link InelasticShock} finds them. Circles that accelerate are left out, and the rest
  * tries again without them.
  *
- * <p>A circle at rest is a peg for what comes slowly. What hits it faster frees it, and with it all
- * circles at rest that it touches, that those touch, and so on.
+ * <p>A circle at rest is a peg for what comes slowly. A faster impact frees it. All circles at rest
+ * in contact with it, directly or through others, are then free, too.
  */
 public final class Heap {
 

@@ -70,7 +70,7 @@ final class DiskGap {
   }
 
   /**
-   * Whether the disk certainly moves to and fro on a straight line, and that keeps a distance of r:
+   * Whether the disk certainly moves on one straight line, at a distance of r or more:
    * {@code u x g = 0} and {@code (d x g)^2 >= r^2 g.g}. At most the disk grazes the other.
    */
   boolean staysOutside(double r1, double r2) {
