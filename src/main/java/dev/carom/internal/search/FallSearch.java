@@ -63,11 +63,6 @@ public final class FallSearch {
   /** Before this time of the flight it cannot return to what was hit last. */
   private double returns;
 
-  /** When the path turns back on an axis. */
-  private double turnsX;
-
-  private double turnsY;
-
   /** The start of the piece; NEVER for questions about all pieces together. */
   private double pieceStart;
 
@@ -161,8 +156,6 @@ public final class FallSearch {
     pull = Math.abs(gx) + Math.abs(gy);
     filtered = obstacles.areFiltered() || m.filter != Filter.DEFAULT;
     bounded = obstacles.wallsFor(m.filter) != null;
-    turnsX = -vx / gx;
-    turnsY = -vy / gy;
     pieceStart = NEVER;
     best = NEVER;
     bestCode = MovingCircle.NOTHING;
@@ -196,7 +189,7 @@ public final class FallSearch {
       to = Math.min(end, best);
       if (isFollowed) {
         considerCell(grid, known, end);
-        isFollowed = walk.advance();
+        isFollowed = best > end && walk.advance();
       } else {
         enclose(known, end);
         considerWalls();
@@ -245,6 +238,8 @@ public final class FallSearch {
   /** Computes the chord and the box of a piece. */
   private void enclose(double from, double end) {
     draw(from, end);
+    double turnsX = -vx / gx;
+    double turnsY = -vy / gy;
     double marginX = margin(px, vx, gx, end < NEVER ? end : lastTurn(turnsX, from));
     double marginY = margin(py, vy, gy, end < NEVER ? end : lastTurn(turnsY, from));
     left = Math.min(chordX, endX) - marginX;
@@ -496,6 +491,9 @@ public final class FallSearch {
       to = t;
       bestCode = code;
       isBestSensor = sensor;
+      if (pieceStart < NEVER) {
+        draw(pieceStart, to);
+      }
     }
   }
 }

@@ -105,6 +105,8 @@ final class ParabolaWalk {
     private double v;
     private double g;
     private int count;
+
+    /** The time for one cell, without acceleration. */
     private double perSpeed;
 
     /** A circle whose centre is in the cells from low to below high touches no wall. */
@@ -126,7 +128,7 @@ final class ParabolaWalk {
       this.v = v;
       this.g = g;
       this.count = count;
-      perSpeed = 1 / v;
+      perSpeed = g == 0 ? 1 / v : Double.NaN;
     }
 
     /** Whether rounding does not count at a time. */
