@@ -11,18 +11,19 @@ package dev.carom.internal.sweep;
  * {@code (s - t) n.(v + g (s + t) / 2)}, and the last factor is linear in s. So it suffices that
  * this factor is below 0 at {@code s = t}, where it is the speed of approach, and at {@code s = 0}.
  *
- * <p>The contact is found in plain doubles, approximately. The signs are certain for all times
- * within {@link GapRoot#MARGIN} of it. Then the time is corrected in double-double. A disk that seems to hit nothing in time is shown to stay in front of a
- * tangent.
+ * <p>The time of the contact is first found in plain doubles. The signs are shown to hold at all
+ * times within {@link GapRoot#MARGIN} of that, so they hold at the true time. Then the time is
+ * corrected in double-double. A disk that seems to touch nothing in time is shown to stay in front
+ * of a tangent.
  */
 final class DirectHit {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   /**
-   * A product of a place and a speed at a time within {@link GapRoot#MARGIN} of itself, in terms of
-   * it: that moves the place by twice its terms and the speed by its terms, and rounding is far
-   * less.
+   * How much a product of a place and a speed changes while the time changes by {@link
+   * GapRoot#MARGIN} of itself, in units of the product's terms: the place changes by twice its
+   * terms, the speed by its terms. Rounding is far less.
    */
   private static final double ROUGH_BOUND = 4 * GapRoot.MARGIN;
 
@@ -56,8 +57,8 @@ final class DirectHit {
     double t = about < NEVER ? about : entry(dx, dy, r, sx, sy, gx, gy, wx, wy);
     // Straight on with the place and the velocity of that time, would the disk touch the start of
     // the line, its end, or the side between them? Products x |x| are squares that keep the sign.
-    double x = dx + (sx + 0.5 * gx * t) * t;
-    double y = dy + (sy + 0.5 * gy * t) * t;
+    double x = place(dx, sx, gx, t);
+    double y = place(dy, sy, gy, t);
     double speedX = sx + gx * t;
     double speedY = sy + gy * t;
     double start = x * speedY - y * speedX;
@@ -92,8 +93,11 @@ final class DirectHit {
       return unlessMissed(T, dx, dy, r, sx, sy, gx, gy, wx, wy, T);
     }
     double side = Math.copySign(1, wx * dy - wy * dx);
+    double nx = -side * wy;
+    double ny = side * wx;
     if (!(r < ParabolaSegmentSweep.LARGEST_RADIUS)
-        || !isDirect(dx, dy, sx, sy, gx, gy, -side * wy, side * wx, t)) {
+        || !isInFront(nx, ny, dx, dy, sx, sy, gx, gy, t)
+        || !isApproach(nx, ny, Math.abs(nx), Math.abs(ny), sx, sy, gx, gy, t)) {
       return GapRoot.DOUBT;
     }
     double root =
@@ -126,29 +130,37 @@ final class DirectHit {
   }
 
   /**
-   * Whether a centre comes from in front of a side with the normal n at about the time t, all the
-   * way from the start. Its offset from the line is d at the start, and its velocity s.
+   * Whether a centre is certain to be in front of a line through the point that its offset is from,
+   * at about the time t.
+   *
+   * @param nx the normal of that line
+   * @param dx the offset at the start
    */
-  private static boolean isDirect(
-      double dx, double dy, double sx, double sy, double gx, double gy, double nx, double ny,
+  private static boolean isInFront(
+      double nx, double ny, double dx, double dy, double sx, double sy, double gx, double gy,
       double t) {
-    double meanX = sx + 0.5 * gx * t;
-    double meanY = sy + 0.5 * gy * t;
-    double height = nx * (dx + meanX * t) + ny * (dy + meanY * t);
-    double mean = nx * meanX + ny * meanY;
-    double last = nx * (sx + gx * t) + ny * (sy + gy * t);
+    double height = nx * place(dx, sx, gx, t) + ny * place(dy, sy, gy, t);
     double sizeX = Math.abs(nx);
     double sizeY = Math.abs(ny);
-    double places = sizeX * Offset.size(dx, sx, gx, t) + sizeY * Offset.size(dy, sy, gy, t);
+    double terms = sizeX * Offset.size(dx, sx, gx, t) + sizeY * Offset.size(dy, sy, gy, t);
+    return height > Math.fma(ROUGH_BOUND, terms, TINY) && t < MOST && sizeX + sizeY < MOST;
+  }
+
+  /**
+   * Whether a centre is certain to move against a normal n, at about the time t and in the mean up
+   * to it: then it was in front of the tangent there all the way from the start.
+   *
+   * @param sizeX the terms of nx
+   */
+  private static boolean isApproach(
+      double nx, double ny, double sizeX, double sizeY, double sx, double sy, double gx, double gy,
+      double t) {
+    double mean = nx * (sx + 0.5 * gx * t) + ny * (sy + 0.5 * gy * t);
+    double last = nx * (sx + gx * t) + ny * (sy + gy * t);
     double speedX = Math.abs(sx) + Math.abs(gx) * t;
     double speedY = Math.abs(sy) + Math.abs(gy) * t;
     double bound = Math.fma(ROUGH_BOUND, sizeX * speedX + sizeY * speedY, TINY);
-    return height > Math.fma(ROUGH_BOUND, places, TINY)
-        && mean < -bound
-        && last < -bound
-        && t > 0
-        && t < MOST
-        && sizeX + sizeY < MOST;
+    return mean < -bound && last < -bound && t > 0 && t < MOST && speedX + speedY < MOST;
   }
 
   /**
@@ -174,34 +186,44 @@ final class DirectHit {
       return unlessMissed(T, dx, dy, r, sx, sy, gx, gy, ex, ey, T);
     }
     double t = nearer(dx, dy, r, sx, sy, gx, gy, better);
-    if (!isDirectAtEnd(dx, dy, sx, sy, gx, gy, ex, ey, t)) {
+    double nx = place(dx, sx, gx, t);
+    double ny = place(dy, sy, gy, t);
+    double sizeX = Offset.size(dx, sx, gx, t);
+    double sizeY = Offset.size(dy, sy, gy, t);
+    if (!isInFront(-ex, -ey, dx, dy, sx, sy, gx, gy, t)
+        || !isApproach(nx, ny, sizeX, sizeY, sx, sy, gx, gy, t)) {
       return GapRoot.DOUBT;
     }
     double time = ParabolaDiskSweep.nearest(px, py, r, vx, vy, gx, gy, qx, qy, 0, ux, uy, t);
     return GapRoot.upTo(T, GapRoot.beside(t, time));
   }
 
-  /** The same as {@link #isDirect} at an end, with the normal that the centre has then. */
-  private static boolean isDirectAtEnd(
-      double dx, double dy, double sx, double sy, double gx, double gy, double ex, double ey,
-      double t) {
-    double meanX = sx + 0.5 * gx * t;
-    double meanY = sy + 0.5 * gy * t;
-    double x = dx + meanX * t;
-    double y = dy + meanY * t;
-    double sizeX = Offset.size(dx, sx, gx, t);
-    double sizeY = Offset.size(dy, sy, gy, t);
-    double speedX = Math.abs(sx) + Math.abs(gx) * t;
-    double speedY = Math.abs(sy) + Math.abs(gy) * t;
-    double bound = Math.fma(ROUGH_BOUND, sizeX * speedX + sizeY * speedY, TINY);
-    double places = Math.abs(ex) * sizeX + Math.abs(ey) * sizeY;
-    return x * meanX + y * meanY < -bound
-        && x * (sx + gx * t) + y * (sy + gy * t) < -bound
-        && ex * x + ey * y < -Math.fma(ROUGH_BOUND, places, TINY)
-        && t > 0
-        && t < MOST
-        && speedX + speedY < MOST
-        && Math.abs(ex) + Math.abs(ey) < MOST;
+  // The way from a point to a disk: its offset d at the start, its velocity s, its place at t.
+
+  private static double place(double d, double s, double g, double t) {
+    return d + (s + 0.5 * g * t) * t;
+  }
+
+  /** The square of the distance from a point less that of the radius. */
+  private static double gap(
+      double dx, double dy, double r, double sx, double sy, double gx, double gy, double t) {
+    double x = place(dx, sx, gx, t);
+    double y = place(dy, sy, gy, t);
+    return (x * x + y * y) - r * r;
+  }
+
+  /** Half the rate at which the gap changes. */
+  private static double slope(
+      double dx, double dy, double sx, double sy, double gx, double gy, double t) {
+    return place(dx, sx, gx, t) * (sx + gx * t) + place(dy, sy, gy, t) * (sy + gy * t);
+  }
+
+  /** The rate at which the slope changes. */
+  private static double bend(
+      double dx, double dy, double sx, double sy, double gx, double gy, double t) {
+    double vx = sx + gx * t;
+    double vy = sy + gy * t;
+    return (vx * vx + vy * vy) + (place(dx, sx, gx, t) * gx + place(dy, sy, gy, t) * gy);
   }
 
   /**
@@ -210,37 +232,25 @@ final class DirectHit {
    */
   private static double touch(
       double dx, double dy, double r, double sx, double sy, double gx, double gy, double t) {
-    double x = dx + (sx + 0.5 * gx * t) * t;
-    double y = dy + (sy + 0.5 * gy * t) * t;
-    double vx = sx + gx * t;
-    double vy = sy + gy * t;
-    double gap = (x * x + y * y) - r * r;
-    double slope = x * vx + y * vy;
-    double bend = (vx * vx + vy * vy) + (x * gx + y * gy);
+    double gap = gap(dx, dy, r, sx, sy, gx, gy, t);
+    double slope = slope(dx, dy, sx, sy, gx, gy, t);
+    double bend = bend(dx, dy, sx, sy, gx, gy, t);
     return t + gap / (Math.sqrt(slope * slope - gap * bend) - slope);
   }
 
   /** The time after a step of Halley's method towards that at which a disk touches a point. */
   private static double nearer(
       double dx, double dy, double r, double sx, double sy, double gx, double gy, double t) {
-    double x = dx + (sx + 0.5 * gx * t) * t;
-    double y = dy + (sy + 0.5 * gy * t) * t;
-    double vx = sx + gx * t;
-    double vy = sy + gy * t;
-    double gap = (x * x + y * y) - r * r;
-    double slope = x * vx + y * vy;
-    double bend = (vx * vx + vy * vy) + (x * gx + y * gy);
+    double gap = gap(dx, dy, r, sx, sy, gx, gy, t);
+    double slope = slope(dx, dy, sx, sy, gx, gy, t);
+    double bend = bend(dx, dy, sx, sy, gx, gy, t);
     return t - gap * slope / (2 * slope * slope - 0.5 * gap * bend);
   }
 
   /** About when a disk is closest to a point, by a step of Newton's method from a time t. */
   private static double closest(
       double dx, double dy, double sx, double sy, double gx, double gy, double t) {
-    double x = dx + (sx + 0.5 * gx * t) * t;
-    double y = dy + (sy + 0.5 * gy * t) * t;
-    double vx = sx + gx * t;
-    double vy = sy + gy * t;
-    return t - (x * vx + y * vy) / ((vx * vx + vy * vy) + (x * gx + y * gy));
+    return t - slope(dx, dy, sx, sy, gx, gy, t) / bend(dx, dy, sx, sy, gx, gy, t);
   }
 
   /**
@@ -255,8 +265,8 @@ final class DirectHit {
   private static double unlessMissed(
       double closest, double dx, double dy, double r, double sx, double sy, double gx, double gy,
       double ex, double ey, double T) {
-    double x = dx + (sx + 0.5 * gx * closest) * closest;
-    double y = dy + (sy + 0.5 * gy * closest) * closest;
+    double x = place(dx, sx, gx, closest);
+    double y = place(dy, sy, gy, closest);
     double part = Math.max(0, Math.min(1, (x * ex + y * ey) / (ex * ex + ey * ey)));
     double nx = x - part * ex;
     double ny = y - part * ey;
@@ -264,7 +274,7 @@ final class DirectHit {
     double reach = r * Math.sqrt(square) + Math.max(0, nx * ex + ny * ey);
     double first = nx * dx + ny * dy;
     double middle = first + (nx * sx + ny * sy) * (0.5 * T);
-    double last = nx * (dx + (sx + 0.5 * gx * T) * T) + ny * (dy + (sy + 0.5 * gy * T) * T);
+    double last = nx * place(dx, sx, gx, T) + ny * place(dy, sy, gy, T);
     double terms =
         Math.abs(nx) * (r + Math.abs(ex) + Offset.size(dx, sx, gx, T))
             + Math.abs(ny) * (r + Math.abs(ey) + Offset.size(dy, sy, gy, T));
