@@ -71,7 +71,8 @@ final class DiskGap {
 
   /**
    * Whether the disk certainly moves on one straight line, at a distance of r or more:
-   * {@code u x g = 0} and {@code (d x g)^2 >= r^2 g.g}. At most the disk grazes the other.
+   * {@code u x g = 0} and {@code (d x g)^2 >= r^2 g.g}. At most the disk grazes the other. At
+   * radius 0 the distance must be above 0, as a point that comes to another hits it.
    */
   boolean staysOutside(double r1, double r2) {
     Expansion turn = Expansion.cross(ux, uy, gx, gy);
@@ -83,7 +84,8 @@ final class DiskGap {
     Expansion rr = new Expansion().plus(1, r, r);
     Expansion clearance =
         new Expansion().plus(1, aside, aside).plus(-1, rr, dotAcceleration());
-    return clearance.isExact() && clearance.sign() >= 0;
+    int least = r.sign() > 0 ? 0 : 1;
+    return clearance.isExact() && clearance.sign() >= least;
   }
 
   /**

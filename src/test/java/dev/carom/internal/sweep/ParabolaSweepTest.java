@@ -2,6 +2,7 @@
 package dev.carom.internal.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.SweptCircle;
 import dev.carom.internal.exact.ExactParabola;
@@ -323,7 +324,6 @@ class ParabolaSweepTest {
     }
   }
 
-  /** The square of such a length underflows, and that of the radius makes it count again. */
   /** It falls past a disk or a point at exactly the distance at which it would graze it. */
   @Test
   void fallsPastATangentNeedNoExactNumbers() {
@@ -341,6 +341,22 @@ class ParabolaSweepTest {
     assertThat(PrecisionCounters.COUNT.exactParabolas).isEqualTo(before);
   }
 
+  /** What would be a graze for a disk is a hit for a point: it passes through the other. */
+  @Test
+  void aPointFallsOnAPoint() {
+    for (int i = 0; i < QUERIES / 10; i++) {
+      double y = random.nextInt(1, 1 << 20);
+      double up = random.nextInt(-1 << 10, 1 << 10);
+      double g = random.nextInt(1, 1 << 10);
+      double fall = (up + Math.sqrt(up * up + 2 * g * y)) / g;
+      assertThat(ParabolaDiskSweep.time(3, y, 0, 0, up, 0, -g, 3, 0, 0, 0, 0, NEVER))
+          .isCloseTo(fall, within(1e-14 * fall));
+      assertThat(ParabolaSegmentSweep.time(3, y, 0, 0, up, 0, -g, 3, 0, 3, 0, 0, 0, NEVER))
+          .isCloseTo(fall, within(1e-14 * fall));
+    }
+  }
+
+  /** The square of such a length underflows, and that of the radius makes it count again. */
   @Test
   void aHugeDiskHitsATinyLine() {
     double r = 0x1.5p360;
