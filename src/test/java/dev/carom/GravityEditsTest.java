@@ -112,4 +112,24 @@ class GravityEditsTest {
     }
     assertThat(world.y(0)).isCloseTo(12 + 3 * EDITS / 60.0, within(1e-10));
   }
+
+  /** The ball that rests on it begins to fall, and searches, before the floor moves. */
+  @Test
+  void aFloorThatBeginsToMoveIsNoLongerWhereItWas() {
+    SceneBuilder scene = Scene.builder().gravity(0, -1).line(-10, 0, 10, 0);
+    for (int i = 0; i < 20; i++) { // so many that there is a grid
+      scene.line(10 * i, -50, 10 * i + 5, -50);
+    }
+    World world = new World(scene.circle(0, 1, 1, 0, 0).restitution(0).build());
+    world.step(1);
+    assertThat(world.isResting(0)).isTrue();
+    world.setVelocity(ObstacleKind.LINE, 0, 100, 0);
+    world.setGravity(0, 0);
+    world.setVelocity(0, 0, 0);
+    world.step(10);
+    world.setVelocity(0, 0, -1);
+    world.step(10);
+    assertThat(world.impacts().size()).isZero();
+    assertThat(world.y(0)).isCloseTo(-9, within(1e-12));
+  }
 }

@@ -293,11 +293,12 @@ public final class Editor {
     } catch (IllegalArgumentException e) {
       throw named(e, code);
     }
-    if (!obstacles.moves(code)) {
-      engine.staticScene.forgetGrids(); // it is in them
-    }
-    engine.forget(code);
+    boolean isInGrids = !obstacles.moves(code);
+    engine.forget(code); // circles that it lets go search with the grids as they are
     obstacles.setVelocity(code, vx, vy, now);
+    if (isInGrids) {
+      engine.staticScene.forgetGrids();
+    }
     engine.appeared(code, now);
   }
 
