@@ -69,7 +69,9 @@ final class EndReturn {
     if (!(in < NEVER)) {
       return in == back ? in : GapRoot.DOUBT;
     }
-    double t = ParabolaSegmentSweep.nearest(px, py, r, vx, vy, gx, gy, qx, qy, ox, oy, ux, uy, in);
+    double nearest =
+        ParabolaSegmentSweep.nearest(px, py, r, vx, vy, gx, gy, qx, qy, ox, oy, ux, uy, in);
+    double t = GapRoot.beside(in, nearest);
     double below = below(h0, h1, h2, r * Math.sqrt(wx * wx + wy * wy));
     boolean isBelow =
         strip <= 0 && below > t && GapRoot.sign(c0, c1, c2, c3, c4, m0, m1, m2, below) > 0;

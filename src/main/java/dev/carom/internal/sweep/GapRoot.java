@@ -27,16 +27,19 @@ final class GapRoot {
   /** Corrections of a time in double-double. */
   static final int CORRECTIONS = 3;
 
-  /** Steps of Newton's method, or halvings, towards the root. */
+  /** Steps of Newton's method, or halvings, towards the root: as {@link #LAST_STEP}. */
   private static final int STEPS = 20;
 
   /**
-   * After a step of this size, in proportion, Newton's method is near enough to be corrected: about
-   * the square of it is left, and below {@link #MARGIN} in any case.
+   * After a step of this size, in proportion, Newton's method is near enough to be corrected. The
+   * value costs time only: {@link #beside} refuses a time that is corrected to another root.
    */
   private static final double LAST_STEP = 0x1p-22;
 
-  /** How near the root's interval the ends may be, in proportion. */
+  /**
+   * How far, in proportion, the interval of a root must reach beyond the time that {@link #first}
+   * tells. The value costs time only, as all that is taken for that root is nearer.
+   */
   static final double MARGIN = 0x1p-20;
 
   /**
@@ -93,7 +96,13 @@ final class GapRoot {
     return DOUBT;
   }
 
-  /** A time if it is within the {@link #MARGIN} of a root that {@link #first} found; else DOUBT. */
+  /**
+   * The rounded time of a root if it is certain to be the one that {@link #first} found, else DOUBT.
+   * Within the {@link #MARGIN} there is no other. Half of it is left for rounding.
+   *
+   * @param first what {@link #first} told
+   * @param time the double nearest to any root, or NaN
+   */
   static double beside(double first, double time) {
     return Math.abs(time - first) <= 0.5 * MARGIN * first ? time : DOUBT;
   }
@@ -147,8 +156,9 @@ final class GapRoot {
   }
 
   /**
-   * The root, approximately: f has it and no other within {@link #MARGIN} of the result, and none
-   * between it and the start. NEVER if f has none up to T, DOUBT if plain doubles do not tell.
+   * About the root: f has it and no other in an interval that reaches {@link #MARGIN} beyond the
+   * result, and none between that and the start. NEVER if f has none up to T, DOUBT if plain doubles
+   * do not tell.
    *
    * @param start a time at which f is certain to be above 0
    */

@@ -62,7 +62,9 @@ final class LaterEntry {
               ? GapRoot.nextFall(strip, c0, c1, c2, c3, c4, m0, m1, m2, from, limit)
               : from;
       if (side < NEVER) {
-        side = ParabolaSegmentSweep.nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, side);
+        double nearest =
+            ParabolaSegmentSweep.nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, side);
+        side = GapRoot.beside(side, nearest);
       }
       if (!(side > after)) {
         return GapRoot.DOUBT;

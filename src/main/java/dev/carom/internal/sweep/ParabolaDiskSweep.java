@@ -167,7 +167,8 @@ public final class ParabolaDiskSweep {
     if (!(t < NEVER)) {
       return t;
     }
-    double nearest = nearest(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
+    double nearest =
+        GapRoot.beside(t, nearest(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t));
     if (Double.isNaN(nearest)) {
       double late = s <= 0 && side > 0 ? late(c0, c1, c2, m0, m1, m2) : 0;
       double time = timeNear(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t < late ? 0 : t);

@@ -172,10 +172,11 @@ public final class ParabolaReturn {
     double m1 = (u * u + d * g) / (2 * m0);
     double m2 = u * g / (2 * m0);
     double reach = GapRoot.reach(2 * d, u, 0.5 * Math.max(Math.abs(gx), Math.abs(gy)), T);
-    double t = GapRoot.first(c1, c2, c3, c4, 0, m0, m1, m2, 0, reach);
-    if (!(t < NEVER)) {
-      return t;
+    double first = GapRoot.first(c1, c2, c3, c4, 0, m0, m1, m2, 0, reach);
+    if (!(first < NEVER)) {
+      return first;
     }
+    double t = first;
     double nearest = GapRoot.DOUBT;
     for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
       double f = residue(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, t);
@@ -183,7 +184,7 @@ public final class ParabolaReturn {
       nearest = GapRoot.nearest(t, f, slope, m0 + (m1 + m2 * t) * t);
       t -= f / slope;
     }
-    return nearest;
+    return GapRoot.beside(first, nearest);
   }
 
   /**

@@ -238,7 +238,8 @@ public final class ParabolaSegmentSweep {
   private static double atStrip(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
       double ay, double bx, double by, double ux, double uy, double in, double T) {
-    double time = nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in);
+    double time =
+        GapRoot.beside(in, nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, in));
     int region = LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, time);
     if (region == LineRegion.BESIDE || region == LineRegion.UNKNOWN) {
       return region == LineRegion.BESIDE ? time : GapRoot.DOUBT;
