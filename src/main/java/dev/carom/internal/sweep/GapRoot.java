@@ -125,15 +125,14 @@ final class GapRoot {
 
   /**
    * Whether f falls from the start up to a time, at least half as fast as at the start. Its slope is
-   * {@code c1 + 2 c2 t + 3 c3 t^2 + 4 c4 t^3}, where |c3| is at most 2 m1 m2, and c4 at most m2^2.
+   * {@code c1 + 2 c2 t + 3 c3 t^2 + 4 c4 t^3}, where |c3| is at most 2 m1 m2, and c4 at most m2^2. So
+   * the terms after c1 add up to less than {@code t bend}, in which c3 and c4 count twice. A
+   * coefficient errs by less than a quarter of its {@link #error}: so does c1, by its sign, of itself.
    */
   static boolean falls(double c1, double c2, double m0, double m1, double m2, double t) {
-    double ofC2 = Math.max(0, c2) + 0x1p-40 * (m1 * m1 + m0 * m2);
+    double ofC2 = Math.max(0, c2 + error(m1 * m1 + 2 * m0 * m2));
     double bend = 2 * ofC2 + 12 * (m1 + m2 * t) * (m2 * t);
-    return -c1 > 0x1p20 * BERNSTEIN_BOUND * (2 * m0 * m1) + TINY
-        && t * bend < 0.25 * -c1
-        && m0 + m1 + m2 < 0x1p100
-        && -c1 > 0x1p-300;
+    return sign(c1, 2 * m0 * m1) < 0 && t * bend < 0.25 * -c1;
   }
 
   /** The sign of a coefficient of f at time 0, of a given size; 0 in doubt. */
