@@ -107,6 +107,14 @@ final class GapRoot {
     return Math.abs(time - first) <= 0.5 * MARGIN * first ? time : DOUBT;
   }
 
+  /**
+   * A start from which {@link #first} finds roots just after a given time: it leaves those in doubt
+   * that are within the {@link #MARGIN} of the start. Any earlier start is right, too.
+   */
+  static double before(double time) {
+    return time * (1 - 2 * MARGIN);
+  }
+
   /** A time of impact, or NEVER if it is above the window's end T; DOUBT if it is T. */
   static double upTo(double T, double time) {
     return time < T ? time : time > T ? NEVER : DOUBT;

@@ -244,7 +244,7 @@ public final class ParabolaSegmentSweep {
     if (region == LineRegion.BESIDE || region == LineRegion.UNKNOWN) {
       return region == LineRegion.BESIDE ? time : GapRoot.DOUBT;
     }
-    double before = time * (1 - 2 * GapRoot.MARGIN);
+    double before = GapRoot.before(time);
     return beyondAnEnd(region, px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, before, T);
   }
 

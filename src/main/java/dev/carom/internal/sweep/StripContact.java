@@ -95,7 +95,7 @@ final class StripContact {
     if (region == LineRegion.BESIDE) {
       return time;
     }
-    double before = time * (1 - 2 * GapRoot.MARGIN);
+    double before = GapRoot.before(time);
     return region == LineRegion.UNKNOWN || !isOutside
         ? GapRoot.DOUBT
         : ParabolaSegmentSweep.beyondAnEnd(
