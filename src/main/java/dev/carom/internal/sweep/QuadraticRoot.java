@@ -18,9 +18,6 @@ final class QuadraticRoot {
   /** The time, of itself and of the ratio: 280 u^2, and the rounding of this bound. */
   private static final double BOUND = 512 * 0x1p-106;
 
-  /** From here on a discriminant is too small for its terms. */
-  private static final double MOST_RATIO = 0x1p40;
-
   /** Between these, no product of two coefficients and no tail of it underflows or overflows. */
   private static final double LEAST = 0x1p-200;
 
@@ -42,8 +39,8 @@ final class QuadraticRoot {
     DoubleDoubleNumber discriminant = square.plus(product);
     double terms = square.head() + Math.abs(product.head());
     double ratio = terms / discriminant.head();
-    if (!(Math.abs(ratio) < MOST_RATIO)) {
-      return GapRoot.DOUBT;
+    if (!(BOUND * Math.abs(ratio) < 1)) {
+      return GapRoot.DOUBT; // the sign of the discriminant is not certain
     }
     if (ratio < 0) {
       return k0.head() < 0 ? rounded(k1.over(k2.scaled(-2)), BOUND) : NEVER;
