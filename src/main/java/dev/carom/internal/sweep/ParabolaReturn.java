@@ -40,11 +40,11 @@ public final class ParabolaReturn {
    * by 64 u^2 of them. Their tails are below 4 u, so the numerator is below 5 u, and its sums err by
    * 13 u^2. The divisor errs by 2 u, so the quotient does by 15 u^2; its sum with the bound takes 5
    * u^2: 97 u^2 in all.
+   *
+   * <p>The divisor does so if its terms are at most 2^46 times itself. Where they are more, this
+   * bound exceeds half an ulp of the quotient.
    */
   private static final double CROSS_BOUND = 128 * 0x1p-106;
-
-  /** By so much the terms may cancel: the error of the divisor is then below 2^-53 of it. */
-  private static final double MOST_CANCELLED = 0x1p40;
 
   private static final double LEAST_SAFE = 0x1p-400;
 
@@ -114,7 +114,6 @@ public final class ParabolaReturn {
             && low != T
             && low > LEAST_SAFE
             && Math.abs(divisor) > LEAST_SAFE
-            && terms < MOST_CANCELLED * Math.abs(n)
             && t * terms < MOST_SAFE
             && terms > LEAST_SAFE
             && terms < MOST_SAFE;
