@@ -393,7 +393,7 @@ public final class ParabolaSegmentSweep {
     if (!isAlong(wx, wy, gx, gy)) {
       return GapRoot.reach(m0, m1, Math.abs(h2) - 0x1p-50 * m2, T);
     }
-    double speed = Math.abs(h1) - 0x1p-50 * m1;
+    double speed = Math.abs(h1); // without cancellation: the line is along an axis
     double reach = 1.001 * (m0 / speed);
     return speed > 0x1p-600 && reach < T ? reach : T;
   }
