@@ -435,4 +435,44 @@ class WorldQueriesTest {
     assertThat(world.overlapping(ObstacleKind.CIRCLE, new Circle(most, 0, 1))).containsExactly(0);
     assertThat(world.overlapping(ObstacleKind.CIRCLE, new Circle(0, -most, 1))).containsExactly(1);
   }
+
+  // The index.
+
+  /** So many questions that later ones use an index. */
+  private static void askOften(World world) {
+    for (int i = 0; i < 1_000; i++) {
+      world.nearest(ObstacleKind.PEG, i % 100, 50);
+      world.cast(new Circle(i % 100, 50, 0.5), new Vec2(0, 1), 1);
+    }
+  }
+
+  private static int hit(World world, double x) {
+    return world.cast(new Circle(x, -50, 0.5), new Vec2(0, 1), 200).map(Impact::id).orElse(-1);
+  }
+
+  @Test
+  void editsReachTheIndex() {
+    SceneBuilder scene = Scene.builder();
+    for (int i = 0; i < 100; i++) {
+      scene.peg(10 * (i % 10), 10 * (i / 10), 1);
+    }
+    World world = new World(scene.build());
+    askOften(world);
+    assertThat(world.nearest(ObstacleKind.PEG, 4, 4)).isZero();
+    assertThat(hit(world, 5)).isEqualTo(-1);
+    int added = world.addPeg(5, 5, 2);
+    assertThat(world.nearest(ObstacleKind.PEG, 4, 4)).isEqualTo(added);
+    assertThat(hit(world, 5)).isEqualTo(added);
+    world.movePeg(added, 15, 5, 2);
+    assertThat(world.nearest(ObstacleKind.PEG, 4, 4)).isZero();
+    assertThat(hit(world, 5)).isEqualTo(-1);
+    assertThat(hit(world, 15)).isEqualTo(added);
+    world.remove(ObstacleKind.PEG, added);
+    assertThat(hit(world, 15)).isEqualTo(-1);
+    askOften(world);
+    world.setVelocity(ObstacleKind.PEG, 0, 1, 0);
+    world.step(5);
+    assertThat(world.nearest(ObstacleKind.PEG, 4, 4)).isZero();
+    assertThat(hit(world, 0)).as("the peg above it").isEqualTo(10);
+  }
 }
