@@ -14,7 +14,8 @@ import java.util.function.IntUnaryOperator;
  * resolved, see {@link ObstacleKind}.
  *
  * <p>Under {@linkplain SceneBuilder#gravity gravity}, a circle that bounces lower and lower ends in
- * one row with the outcome {@link Outcome#SETTLED}. To slide or to rest makes no further rows.
+ * a row with the outcome {@link Outcome#SETTLED}. To slide or to rest makes no further rows. In a
+ * heap that comes down, neighbours free a circle again and again: it settles many times.
  *
  * <p>A row takes some 70 bytes. A log keeps room for the longest step so far, or up to twice that.
  * The <a href="doc-files/rules.html#unfinished">budget of work</a> bounds the rows of a step.

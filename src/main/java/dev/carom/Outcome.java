@@ -9,7 +9,10 @@ public enum Outcome {
   /** The motion along the normal was reversed and scaled by the restitution. */
   BOUNCED,
 
-  /** The motion along the normal stopped: one of the two has {@link Response#HALT}. */
+  /**
+   * The motion along the normal stopped: one of the two has {@link Response#HALT}. Under gravity
+   * such a circle may settle at once; the row then says {@link #SETTLED}.
+   */
   HALTED,
 
   /** Nothing changed: one of the two is a {@link Response#SENSOR}, and the circle flew on. */
@@ -30,7 +33,8 @@ public enum Outcome {
   STOPPED,
 
   /**
-   * The circle stopped bouncing, because its bounces had become very low.
+   * The circle stopped bouncing: its bounces had become very low, or this impact left none, by
+   * restitution 0 or {@link Response#HALT}.
    *
    * <p>From this impact on it slides along a side or a wall, or rests. In a heap, the contacts that
    * hold a circle which comes to rest have this outcome. This happens only in a scene with

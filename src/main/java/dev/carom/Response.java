@@ -30,7 +30,7 @@ public enum Response {
    * The contact is reported in the log, and the circle flies on unchanged.
    *
    * <p>A contact is reported when the distance falls to the radius. It is reported again only after
-   * the distance exceeded the radius. A flight that starts in touch with a sensor, or inside of it,
+   * the distance exceeded the radius. A flight that starts touching a sensor, or inside of it,
    * counts as reported already: the circle must leave before the next report. The bounds cannot be
    * a sensor, because they keep circles inside.
    *

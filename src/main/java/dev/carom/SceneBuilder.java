@@ -222,8 +222,8 @@ public final class SceneBuilder {
    * <p>Its unit is a length per time squared, in the units of the scene. With 30 px to the metre
    * and 60 frames to the second, 9.81 m/s^2 are {@code 9.81 * 30 / (60 * 60)} px per frame squared.
    *
-   * <p>They all fall alike, whatever their masses. A circle of infinite mass does not fall, even
-   * where circles ignore each other. Neither do lines, pegs and bounds.
+   * <p>All circles of finite mass fall alike. One of infinite mass does not fall, even where
+   * circles ignore each other. Neither do lines, pegs and bounds.
    *
    * <p>Gravity (0, 0) is none. The world then runs the same code as without this call, and gives
    * the same bits.

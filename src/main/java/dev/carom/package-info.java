@@ -70,11 +70,13 @@
  *       doubles. See <a href="doc-files/rules.html#accuracy">Accuracy</a>.
  *   <li>A step resolves all impacts in it, each at its own moment, any number of them. However a
  *       run to the same time is cut into steps, it gives the same bits.
- *   <li>There is no threshold below which a bounce is dropped, no cap on speed, and no slop.
- *       Positions are never corrected, and circles in contact do not jitter.
- *   <li>A step costs what happens in it: a circle that hits nothing costs one comparison. A step
- *       allocates memory only while a timeline is recorded, when its log or another list grows,
- *       when exact arithmetic has to decide, when a circle jams, and after edits of obstacles.
+ *   <li>There is no cap on speed, and positions are never corrected. Without gravity there is no
+ *       threshold below which a bounce is dropped, and circles in contact do not jitter.
+ *   <li>A step costs what happens in it: among obstacles at rest, a circle that hits nothing costs
+ *       one comparison. Circles that collide also pay for the cells of a grid that they enter. A
+ *       step allocates memory only while a timeline is recorded, when its log or another list
+ *       grows, when exact arithmetic has to decide, when a circle jams, and after edits of
+ *       obstacles.
  *   <li>A step always ends. If its budget is spent, it returns false and the next call goes on. A
  *       circle that would bounce at one place without end stops bouncing there, and the log says
  *       so.
@@ -144,8 +146,9 @@
  *
  * <ul>
  *   <li>Circles move straight on between impacts, or with one constant {@linkplain
- *       dev.carom.SceneBuilder#gravity gravity} on parabolas. There is no rotation, friction,
- *       stacking or polygon. Steering is a velocity that the caller sets between steps.
+ *       dev.carom.SceneBuilder#gravity gravity} on parabolas. There is no rotation, friction or
+ *       polygon. Heaps come to rest up to 200 circles. Steering is a velocity that the caller sets
+ *       between steps.
  *   <li>Lines and pegs rest, or move with a {@linkplain dev.carom.World#setVelocity(ObstacleKind,
  *       int, double, double) constant velocity} and push circles. They do not turn, and nothing
  *       deflects them.
@@ -177,9 +180,9 @@
  *   <dd>The moment at which a circle reaches an obstacle or another circle that it approaches; also
  *       the {@linkplain dev.carom.Impact record} of it.
  *   <dt>jam
- *   <dd>A stuck circle and a thing that it touches are jammed: they ignore each other as long as
- *       they approach no faster than rounding error. See <a href="doc-files/rules.html#stuck">stuck
- *       circles</a>.
+ *   <dd>A circle is jammed when it is stuck or squeezed, and no longer bounces there. It and what
+ *       it touches ignore each other as long as they approach no faster than rounding error. See <a
+ *       href="doc-files/rules.html#stuck">stuck circles</a>.
  *   <dt>normal
  *   <dd>The unit vector at a contact, from the obstacle to the circle.
  *   <dt>one-way

@@ -23,7 +23,7 @@ import picocli.CommandLine.Spec;
     name = "hash",
     description = {
       "Compares the bits of golden runs with stored hashes.",
-      "Plays three long runs (lines; pairs; all mixed). The hash is the SHA-256"
+      "Plays four long runs (lines; pairs; all mixed; falls). The hash is the SHA-256"
           + " over the bits of all their impacts, and of places and velocities at the end:"
           + " it is the same on every virtual machine. Takes seconds, with --long 10.",
       "With --frames it tells the hash of a scene of your own, which 'replay --demand' takes."
