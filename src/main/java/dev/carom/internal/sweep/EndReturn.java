@@ -83,7 +83,8 @@ final class EndReturn {
 
   /**
    * A time just after the height h0 + h1 t + h2 t^2 turned and passed a distance behind the line. A
-   * disk that left the strip and entered it again is behind it then, and does not come back.
+   * disk that left the strip and entered it again is behind it then, and does not come back. The
+   * time need not be exact: the caller asks whether the disk is out of the strip then.
    */
   private static double below(double h0, double h1, double h2, double distance) {
     double vertex = -0.5 * h1 / h2;
