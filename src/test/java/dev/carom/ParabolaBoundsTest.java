@@ -2,6 +2,7 @@
 package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.ExactReturn;
@@ -14,6 +15,7 @@ import dev.carom.internal.sweep.ParabolaWallSweep;
 import dev.carom.oracle.Draw;
 import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
+import dev.carom.oracle.ParabolaContact;
 import dev.carom.oracle.ParabolaFamilies;
 import dev.carom.oracle.ParabolaFamily;
 import dev.carom.oracle.ParabolaNextFamilies;
@@ -28,9 +30,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.BiConsumer;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /**
  * The rounding bounds of circles with a constant acceleration. None is violated: the ladder answers
@@ -54,11 +59,15 @@ class ParabolaBoundsTest {
   /** Not 0 where a condition keeps a bound of 0 from being used at all. */
   private static final double NEARLY_NONE = 0x1p-100;
 
-  /** The bounds of the residue, of the slope and of the bend each cover much of the others. */
+  /**
+   * The bound of the slope lies within what those of the residue and of the bend have to spare, so
+   * it is not needed by itself. Neither is that of the residue, as the one of the slope covers it.
+   */
   private static final List<Weakening> WEAKENINGS =
       List.of(
           new Weakening("Bernstein coefficients", "GapRoot", 0, List.of(48 * 0x1p-53)),
           new Weakening("residue", "GapRoot", 0, List.of(1024 * 0x1p-106, 64 * 0x1p-53, 8.0)),
+          new Weakening("bend", "GapRoot", 0, List.of(8.0)),
           new Weakening("underflow of a gap", "GapRoot", 0, List.of(0x1p-460)),
           new Weakening("root of a quadratic", "QuadraticRoot", 0, List.of(512 * 0x1p-106)),
           new Weakening("gap without cancellation", "DiskGap", 0, List.of(128 * 0x1p-106)),
@@ -80,7 +89,7 @@ class ParabolaBoundsTest {
   void everyBoundHoldsAndIsNeeded() {
     Map<String, Detector> without = new TreeMap<>();
     WEAKENINGS.forEach(weakening -> without.put(weakening.name(), new Detector(weakening)));
-    Detector whole = new Detector(null);
+    Detector whole = Detector.whole();
     List<String> violations = new ArrayList<>();
     Map<String, String> mistakes = new TreeMap<>();
     for (ParabolaFamily family : families()) {
@@ -112,7 +121,7 @@ class ParabolaBoundsTest {
   void theBoundOfAReturnHoldsAndIsNeeded() {
     Weakening weakening =
         new Weakening("cross products", "ParabolaReturn", 0, List.of(128 * 0x1p-106));
-    MethodHandle whole = new Detector(null).side;
+    MethodHandle whole = Detector.whole().side;
     MethodHandle without = new Detector(weakening).side;
     ParabolaFamily family = ParabolaNextFamilies.halfwayToASide();
     Draw draw = new Draw(SEED);
@@ -129,6 +138,122 @@ class ParabolaBoundsTest {
       mistakes += (double) Detector.call(without, b) == truth ? 0 : 1;
     }
     assertThat(mistakes).isPositive();
+  }
+
+  /**
+   * Constants that cost time only: others send more questions to exact numbers, and none is
+   * answered wrongly.
+   */
+  @Test
+  void whatALaterCheckCatchesCostsTimeOnly() {
+    Map<String, Detector> others = new TreeMap<>();
+    others.put("the first step of Newton's method is the last", detector("GapRoot", 0x1p-22, 1));
+    others.put("a search from an impact on", detector("GapRoot", 1 - 2 * 0x1p-20, 1));
+    others.put("a search from long before", detector("GapRoot", 1 - 2 * 0x1p-20, 0.5));
+    others.put("a wide margin", new Detector((name, pool) -> margin(0x1p-10, name, pool)));
+    others.put("a narrow margin", new Detector((name, pool) -> margin(0x1p-30, name, pool)));
+    for (ParabolaFamily family : families()) {
+      Draw draw = new Draw(SEED * 0x9E3779B97F4A7C15L ^ family.name().hashCode());
+      for (int i = 0; i < QUERIES / 20; i++) {
+        ParabolaQuery query = family.next(draw);
+        if (query.gx() == 0 && query.gy() == 0) {
+          continue;
+        }
+        Reply truth = exact(query);
+        others.forEach(
+            (name, detector) ->
+                assertThat(detector.ask(query)).as(name + ": " + query.hex()).isEqualTo(truth));
+      }
+    }
+  }
+
+  /** Another margin around roots, with all that is derived from it. */
+  private static void margin(double margin, String className, ConstantPool pool) {
+    if (className.endsWith(".GapRoot")) {
+      pool.replace(0x1p-20, margin);
+      pool.replace(0.5 * 0x1p-20, 0.5 * margin);
+      pool.replace(1 - 2 * 0x1p-20, 1 - 2 * margin);
+    }
+    if (className.endsWith(".DirectHit")) {
+      pool.replace(4 * 0x1p-20, 4 * margin);
+    }
+  }
+
+  /**
+   * A time that is corrected to another root is refused. No query shows it: where a gap falls
+   * twice, all its roots are real, and Newton's method from before them ascends to the first.
+   */
+  @Test
+  void onlyTheRootThatWasFoundIsTaken() throws Throwable {
+    // (t - 1) (t - 2) (t - 3) (t - 4) falls at 1 and at 3.
+    double found = (double) gapRoot(null, "first", 10).invoke(24, -50, 35, -10, 1, 8, 8, 8, 0, 9);
+    assertThat(found).isCloseTo(1, within(1e-12));
+    assertThat((double) gapRoot(null, "beside", 2).invoke(found, 1)).isEqualTo(1);
+    assertThat((double) gapRoot(null, "beside", 2).invoke(found, 3)).isNaN();
+    Weakening all = new Weakening("beside a root", "GapRoot", 0x1p100, List.of(0x1p-21));
+    assertThat((double) gapRoot(all, "beside", 2).invoke(found, 3)).isEqualTo(3);
+  }
+
+  /**
+   * A gap that turns does not fall up to a time after that. Here, too, Newton's method finds the
+   * first root in every query.
+   */
+  @Test
+  void aGapThatTurnsDoesNotFall() throws Throwable {
+    // 1 - t + t^2 turns at 0.5. A slope of -2^-20 that is a sum of terms of 2^40 may be above 0.
+    MethodHandle falls = gapRoot(null, "falls", 6);
+    assertThat((boolean) falls.invoke(-1, 1, 1, 1, 0, 0.1)).isTrue();
+    assertThat((boolean) falls.invoke(-1, 1, 1, 1, 0, 1.5)).isFalse();
+    assertThat((boolean) falls.invoke(-0x1p-20, 0, 0x1p20, 0x1p20, 0, 0x1p-70)).isFalse();
+    Weakening part = new Weakening("part of a slope", "GapRoot", 16, List.of(0.25));
+    assertThat((boolean) gapRoot(part, "falls", 6).invoke(-1, 1, 1, 1, 0, 1.5)).isTrue();
+    Weakening sign = new Weakening("sign", "GapRoot", 0, List.of(48 * 0x1p-53));
+    boolean says =
+        (boolean) gapRoot(sign, "falls", 6).invoke(-0x1p-20, 0, 0x1p20, 0x1p20, 0, 0x1p-70);
+    assertThat(says).isTrue();
+  }
+
+  /** A method of the search for roots. */
+  private static MethodHandle gapRoot(Weakening weakening, String name, int arguments) {
+    ClassLoader classes =
+        new PatchedClasses((className, pool) -> Detector.weaken(weakening, className, pool));
+    String owner = ParabolaWallSweep.class.getPackageName() + ".GapRoot";
+    return Detector.handle(classes, owner, name, arguments);
+  }
+
+  /** Of a normal: the error of the time, and the range of the numbers without exact ones. */
+  @ParameterizedTest
+  @CsvSource({
+    "circ_fast, ParabolaDiskSweep, 0x1p-55, 0x1p1000",
+    "circ_extreme_magnitude, UnitVectors, 0x1p-400, 0",
+    "scaled, UnitVectors, 0x1p400, 0x1p1000"
+  })
+  void theBoundsOfANormalHoldAndAreNeeded(String name, String owner, double from, double to)
+      throws ReflectiveOperationException {
+    Detector whole = Detector.whole();
+    Detector without = detector(owner, from, to);
+    ParabolaFamily family =
+        families().stream().filter(f -> f.name().equals(name)).findFirst().orElseThrow();
+    Draw draw = new Draw(SEED);
+    int mistakes = 0;
+    for (int i = 0; i < 3 * QUERIES; i++) {
+      ParabolaQuery query = family.next(draw);
+      ParabolaContact truth = query.truth();
+      if (query.straight() instanceof PairQuery && truth.time() < Double.POSITIVE_INFINITY) {
+        assertThat(whole.errorOfNormal(query, truth)).as(query::hex).isLessThan(1e-15);
+        mistakes += without.errorOfNormal(query, truth) < 1e-15 ? 0 : 1;
+      }
+    }
+    assertThat(mistakes).isPositive();
+  }
+
+  private static Detector detector(String owner, double from, double to) {
+    return new Detector(
+        (name, pool) -> {
+          if (name.endsWith("." + owner)) {
+            pool.replace(from, to);
+          }
+        });
   }
 
   private static List<ParabolaFamily> families() {
@@ -206,14 +331,55 @@ class ParabolaBoundsTest {
     private final MethodHandle disk;
     private final MethodHandle wall;
     private final MethodHandle side;
+    private final MethodHandle normal;
+
+    static Detector whole() {
+      return new Detector((name, pool) -> {});
+    }
 
     Detector(Weakening weakening) {
-      ClassLoader classes = new PatchedClasses((name, pool) -> weaken(weakening, name, pool));
+      this((name, pool) -> weaken(weakening, name, pool));
+    }
+
+    Detector(BiConsumer<String, ConstantPool> patch) {
+      ClassLoader classes = new PatchedClasses(patch);
       line = handle(classes, ParabolaSegmentSweep.class, "time", 14);
       contact = handle(classes, ParabolaSegmentSweep.class, "contact", 14);
       disk = handle(classes, ParabolaDiskSweep.class, "time", 13);
       wall = handle(classes, ParabolaWallSweep.class, "time", 7);
       side = handle(classes, ParabolaReturn.class, "toSide", 12);
+      normal = handle(classes, ParabolaDiskSweep.class, "normal", 13);
+    }
+
+    /** Of a hit on a disk; 0 if the normal is left to exact numbers. */
+    double errorOfNormal(ParabolaQuery query, ParabolaContact truth)
+        throws ReflectiveOperationException {
+      double[] n = query.straight().numbers();
+      Object unit =
+          call(
+              normal,
+              n[0],
+              n[1],
+              n[2],
+              n[3],
+              n[4],
+              query.gx(),
+              query.gy(),
+              n[5],
+              n[6],
+              n[7],
+              n[8],
+              n[9],
+              truth.time());
+      if (unit == null) {
+        return 0;
+      }
+      double x = (double) unit.getClass().getMethod("x").invoke(unit);
+      double y = (double) unit.getClass().getMethod("y").invoke(unit);
+      double error =
+          Math.max(
+              Math.abs(x - truth.normal().x().near()), Math.abs(y - truth.normal().y().near()));
+      return Double.isNaN(error) ? Double.POSITIVE_INFINITY : error;
     }
 
     Reply ask(ParabolaQuery query) {
@@ -268,13 +434,19 @@ class ParabolaBoundsTest {
 
     private static MethodHandle handle(
         ClassLoader classes, Class<?> original, String name, int arguments) {
+      return handle(classes, original.getName(), name, arguments);
+    }
+
+    private static MethodHandle handle(
+        ClassLoader classes, String owner, String name, int arguments) {
       try {
-        for (Method method : classes.loadClass(original.getName()).getDeclaredMethods()) {
+        for (Method method : classes.loadClass(owner).getDeclaredMethods()) {
           if (method.getName().equals(name) && method.getParameterCount() == arguments) {
+            method.setAccessible(true);
             return MethodHandles.lookup().unreflect(method);
           }
         }
-        throw new IllegalStateException(original.getName());
+        throw new IllegalStateException(owner);
       } catch (ReflectiveOperationException e) {
         throw new IllegalStateException(e);
       }
