@@ -247,6 +247,53 @@ class ParabolaBoundsTest {
     assertThat(mistakes).isPositive();
   }
 
+  /** Time to the fourth power lifts underflow above all bounds, so it has a limit. */
+  @Test
+  void theLatestTimeIsNeeded() {
+    double[] n = {
+      0x1.0de6b71c010edp7,
+      0x1.bbb5de00016c4p6,
+      0x1.f8p6,
+      0x1.d8ca471ff7896p-370,
+      -0x1.f6d7780005b1p-370,
+      -0x1.4cp6,
+      0x1.1cp6,
+      0x1.f8p6,
+      -0x1.2p-372,
+      -0x1.0p-375,
+      0x1.0p375
+    };
+    ParabolaQuery query =
+        new ParabolaQuery(PairQuery.of(n), -0x1.1065238ffbc4bp-744, 0x1.5ed7780005b1p-745);
+    assertNeeded(query, detector("GapRoot", 0x1p150, 0x1p1000));
+  }
+
+  /** A strip so thin that all is lost to underflow: two limits each cover for the other. */
+  @Test
+  void theLeastSizesAreNeeded() {
+    double[] n = {
+      0,
+      0,
+      -0x1.0p-143,
+      0x1.2p-142,
+      -0x1.f5ap-133,
+      -0x1.028853829d706p-135,
+      0x1.a78p-136,
+      0x1.cp-143,
+      0x1.1544528450d47p-143,
+      0x1.93e5939a08ceap99
+    };
+    ParabolaQuery query = new ParabolaQuery(SegmentQuery.of(n), 0, -0x1.cfd4c9ff570a4p-153);
+    List<Double> least = List.of(0x1p-300, 0x1p-380);
+    Weakening weakening = new Weakening("least sizes", "ParabolaSegmentSweep", 0, least);
+    assertNeeded(query, new Detector(weakening));
+  }
+
+  private static void assertNeeded(ParabolaQuery query, Detector without) {
+    assertThat(Detector.whole().ask(query)).isEqualTo(exact(query));
+    assertThat(without.ask(query)).isNotEqualTo(exact(query));
+  }
+
   private static Detector detector(String owner, double from, double to) {
     return new Detector(
         (name, pool) -> {
