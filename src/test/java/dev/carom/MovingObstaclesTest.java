@@ -214,6 +214,34 @@ class MovingObstaclesTest {
     assertThat(world.vx(1)).as("it was hit by it").isEqualTo(-1);
   }
 
+  /** Also where it gets its new velocity at the place and the time at which a flight begins. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void whatHasLeftACircleThatItCrushedIsMetAgain(boolean collide) {
+    World world =
+        world(
+            Scene.builder()
+                .collide(collide)
+                .line(-10, -50, -10, 50)
+                .velocity(1, 0)
+                .line(10, -50, 10, 50)
+                .velocity(-1, 0)
+                .peg(0, -90, 1)
+                .velocity(5, 0)
+                .circle(0, 0, 1, 0, 0));
+    finish(world, 20);
+    assertThat(world.velocity(ObstacleKind.CIRCLE, 0)).isEqualTo(new Vec2(0, 0));
+    world.movePeg(0, -2, 0, 1); // the circle is stuck, so it goes along with the peg
+    finish(world, 21);
+    assertThat(world.vx(0)).isCloseTo(5, within(1e-12));
+    world.remove(ObstacleKind.PEG, 0);
+    finish(world, 24);
+    assertThat(world.impacts().size()).as("the line that went ahead").isOne();
+    assertThat(world.impacts().id(0)).isZero();
+    assertThat(world.impacts().time(0)).isCloseTo(22.25, within(0.01));
+    assertThat(world.vx(0)).isCloseTo(2 * 1 - 5, within(1e-12));
+  }
+
   /** If all obstacles share a velocity, the impacts are those of obstacles at rest. */
   @Test
   void aFrameOfReferenceThatMovesGivesTheSameImpacts() {

@@ -94,8 +94,8 @@ public final class PlainWorld extends PlainEdits {
     two.advance(wait);
     early.flown += before;
     early.standsStill &= early.flown == wait;
-    one.crushed = cluster.isCrushed(one);
-    two.crushed = cluster.isCrushed(two);
+    cluster.noteCrushed(one);
+    cluster.noteCrushed(two);
     int result = pairs.resolve(one, two, rows);
     if (result == ObstacleResponse.SENSED) {
       metPairs.put(pair(a, b), wait);

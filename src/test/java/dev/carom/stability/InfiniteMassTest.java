@@ -131,6 +131,24 @@ class InfiniteMassTest {
     assertThat(world.vy(0)).as("moved").isCloseTo(-2, within(1e-12));
   }
 
+  /** Also if it gets its new velocity at the place and the time at which a flight begins. */
+  @Test
+  void aCircleMeetsADoorAgainThatCrushedItAndLeft() {
+    SceneBuilder scene = colliding().circle(0, 0, 1, 0, 0).circle(-5, 0, 1, 1, 0).mass(INFINITE);
+    scene.circle(5, 0, 1, -1, 0).mass(INFINITE).circle(0, 99, 1, 0, 0).restitution(1);
+    World world = new World(scene.build());
+    assertThat(world.advanceTo(9)).as("the doors are gone").isTrue();
+    world.setRadius(0, 1);
+    world.setPosition(3, -2, 0);
+    world.setVelocity(3, 10, 0); // the circle is stuck, so they go on together
+    assertThat(world.advanceTo(9.25)).isTrue();
+    assertThat(world.vx(0)).isCloseTo(5, within(1e-12));
+    assertThat(world.advanceTo(10)).isTrue();
+    assertThat(world.impacts().id(0)).as("the door that went ahead").isOne();
+    assertThat(world.impacts().time(0)).isCloseTo(9.5, within(0.01));
+    assertThat(world.impacts().outcome(0)).isEqualTo(Outcome.BOUNCED);
+  }
+
   /** A ball that rides on one door is hit by the other one: it is not crushed while it moves. */
   @Test
   void onlyWhatStandsIsPassedOver() {

@@ -274,8 +274,8 @@ public final class CollidingEngine extends Engine {
     if (stopsAtImpact) {
       stopAt(CollisionPredictor.time(s, i), CollisionPredictor.tail(s, i));
     }
-    circles.body.crushed = cluster.isCrushed(circles.body);
-    other.crushed = cluster.isCrushed(other);
+    cluster.noteCrushed(circles.body);
+    cluster.noteCrushed(other);
     boolean lowRested = gravity.acts() && circles.body.holdsOthers();
     boolean highRested = gravity.acts() && other.holdsOthers();
     switch (pairs.resolve(circles.body, other, log)) {

@@ -121,8 +121,18 @@ public final class ContactCluster {
     return changed;
   }
 
+  /**
+   * Notes whether a circle is crushed. If not, what crushed it has left it, and can be met again.
+   */
+  public void noteCrushed(MovingCircle m) {
+    m.crushed = isCrushed(m);
+    if (!m.crushed) {
+      m.jam = IgnoreList.withoutCrushers(m.jam);
+    }
+  }
+
   /** Whether a circle is crushed: an infinite mass that crushed it still overlaps it. */
-  public boolean isCrushed(MovingCircle m) {
+  boolean isCrushed(MovingCircle m) {
     return m.jam != null && isCrushedByIgnored(m);
   }
 
@@ -164,7 +174,7 @@ public final class ContactCluster {
     contacts.clear();
     Map<Integer, Integer> numbers = new HashMap<>();
     for (MovingCircle m : hit) {
-      m.crushed = isCrushed(m);
+      noteCrushed(m);
       numbers.put(m.id, members.size());
       members.add(m);
     }
@@ -221,7 +231,7 @@ public final class ContactCluster {
     Integer known = numbers.get(id);
     MovingCircle other = known != null ? members.get(known) : broughtTo(m, vicinity.copyOf(id));
     if (known == null) {
-      other.crushed = isCrushed(other);
+      noteCrushed(other);
     } else if (known < k && mass(other) < INFINITE) {
       return; // its own search added this contact
     }

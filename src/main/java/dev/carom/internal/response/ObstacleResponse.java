@@ -89,9 +89,12 @@ public final class ObstacleResponse {
       return NEW_FLIGHT;
     }
     double vn = report(m, code, m.t, log);
-    if (obstacles.moves(code) && m.jam != null && isCrushed.test(m)) {
-      passOver(m, code, log);
-      return NEW_FLIGHT;
+    if (obstacles.moves(code) && m.jam != null) {
+      if (isCrushed.test(m)) {
+        passOver(m, code, log);
+        return NEW_FLIGHT;
+      }
+      m.jam = IgnoreList.withoutCrushers(m.jam);
     }
     if (falls) {
       bounce(m, code, vn, log);

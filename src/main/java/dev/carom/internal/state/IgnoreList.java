@@ -70,6 +70,13 @@ public final class IgnoreList {
     return left.length == jam.entries.length ? jam : of(left);
   }
 
+  /** Removes all that crushed the circle, for none is upon it any more; null if nothing is left. */
+  public static IgnoreList withoutCrushers(IgnoreList jam) {
+    return jam == null
+        ? null
+        : of(Arrays.stream(jam.entries).filter(entry -> !crushes(entry)).toArray());
+  }
+
   private static boolean stays(int entry) {
     return crushes(entry) || isOfCircle(entry);
   }

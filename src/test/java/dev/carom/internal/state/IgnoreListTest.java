@@ -45,6 +45,14 @@ class IgnoreListTest {
   }
 
   @Test
+  void forgetsAllThatCrushed() {
+    IgnoreList jam = IgnoreList.crushedBy(IgnoreList.crushedBy(of(3), 5), Codes.circle(7));
+    assertThat(IgnoreList.withoutCrushers(jam)).isEqualTo(of(3));
+    assertThat(IgnoreList.withoutCrushers(IgnoreList.crushedBy(null, 5))).isNull();
+    assertThat(IgnoreList.withoutCrushers(null)).isNull();
+  }
+
+  @Test
   void equalsWhatHoldsTheSame() {
     assertThat(of(3, 4)).isEqualTo(of(3, 4)).hasSameHashCodeAs(of(3, 4));
     assertThat(of(3, 4)).isNotEqualTo(of(3, 5)).doesNotHaveSameHashCodeAs(of(3, 5));
