@@ -14,8 +14,8 @@ import java.util.Set;
 
 /**
  * Circles that ignore each other: none makes endless rows at one place. One that is trapped jams
- * after few of them, and makes no more until an edit. With gravity nothing is demanded: a ball may
- * bounce at one place as often as it likes.
+ * after few of them, and once it rests it makes no more until an edit. With gravity nothing is
+ * demanded: a ball may bounce at one place as often as it likes.
  */
 final class JamCheck {
 
@@ -38,7 +38,7 @@ final class JamCheck {
   private final double faint;
   private final Map<Integer, Run> runs = new HashMap<>();
 
-  /** Trapped circles that a whole step has jammed since the last edit. */
+  /** Trapped circles that a whole step has brought to rest since the last edit. */
   private final Set<Integer> jammed = new HashSet<>();
 
   JamCheck(Set<Integer> trapped, double speedUnit) {
@@ -69,11 +69,16 @@ final class JamCheck {
     }
     if (complete) {
       for (int i : trapped) {
-        if (world.contains(ObstacleKind.CIRCLE, i)) {
+        if (world.contains(ObstacleKind.CIRCLE, i) && rests(world, i)) {
           jammed.add(i);
         }
       }
     }
+  }
+
+  /** Whether a circle is left no motion but rounding; a short step may end before that. */
+  private boolean rests(World world, int i) {
+    return Math.hypot(world.vx(i), world.vy(i)) <= faint;
   }
 
   private void count(int i, double x, double y, double r) throws FindingException {

@@ -295,6 +295,16 @@ class ChecksTest {
   }
 
   @Test
+  void whoStillMovesAfterAStepMayMakeMoreRows() throws FindingException {
+    World world = trapped();
+    Timeline timeline = world.record(10_000);
+    JamCheck jam = new JamCheck(Set.of(0), 1);
+    jam.check(world, timeline, true);
+    world.step(1);
+    jam.check(world, timeline, true);
+  }
+
+  @Test
   void whoMakesTooManyRowsAtOnePlaceIsFound() throws FindingException {
     World world = trapped();
     Timeline timeline = world.record(10_000);
