@@ -40,11 +40,13 @@ public final class ParabolaSegmentSweep {
   private static final double FAR = 0x1p-20;
 
   /**
-   * A gap that rounding leaves in doubt, below 2^-50 of the size squared, is gone after a time t of
-   * 2^-30 sizes over the speed. Gravity g takes the disk no further than {@link #FAR} in it, {@code
-   * g t^2 / 2}, if the speed squared is above this part of g times the size.
+   * A gap that rounding leaves in doubt is below 2^-47 of the size squared, and changes at first by
+   * more than {@link #FAR} times size and speed. As long as the height does not turn, it keeps half
+   * of its speed for half of the time, so the gap is gone after a time t of 2^-27 sizes over the
+   * speed. Gravity g takes the disk no further than {@link #FAR} in it, {@code g t^2 / 2}, if the
+   * speed squared is above this part of g times the size.
    */
-  private static final double LEAST_STEADY = 0x1p-40;
+  private static final double LEAST_STEADY = 0x1p-32;
 
   /** Above this, no product of a size and a speed underflows to less than rounding. */
   private static final double LEAST_SAFE = 0x1p-300;
