@@ -59,8 +59,7 @@ final class SupportCheck {
     double lackX = gravity.x() - f.ax();
     double lackY = gravity.y() - f.ay();
     double lack = Math.hypot(lackX, lackY);
-    double g = gravity.length();
-    double slack = ROUNDING * g + 2 * rounding.ofVelocity(f, g) / (f.to() - f.from());
+    double slack = slack(f);
     double share = f.ax() * lackX + f.ay() * lackY;
     if (Math.abs(share) > slack * (lack + Math.hypot(f.ax(), f.ay()))) {
       throw new FindingException("%s does not fall by a part of %s".formatted(f, gravity));
@@ -81,7 +80,7 @@ final class SupportCheck {
       Vec2 offset = solid.offset(f.px(), f.py());
       addTouch(offset.x(), offset.y(), near + solid.radius());
     }
-    if (!f.isStanding()) {
+    if (!stands(f)) {
       return !tilts.isEmpty();
     }
     if (world.scene().collide() && !isSensor(f.circle())) {
@@ -116,8 +115,12 @@ final class SupportCheck {
       if (id != f.circle()
           && !isSensor(id)
           && Filters.meet(world, f.circle(), ObstacleKind.CIRCLE, id)) {
-        for (Flight other : all.get(id)) {
-          if (other.from() <= middle && middle <= other.to() && other.isStanding()) {
+        List<Flight> flights = all.get(id).stream().filter(o -> isAt(o, middle)).toList();
+        if (flights.isEmpty()) {
+          tilts.add(0.0); // its way is not known: it may carry the circle
+        }
+        for (Flight other : flights) {
+          if (stands(other)) {
             double reach = f.radius() + other.radius();
             double x = f.px() - other.px();
             double y = f.py() - other.py();
@@ -126,6 +129,21 @@ final class SupportCheck {
         }
       }
     }
+  }
+
+  /** Whether a circle rests, but for a fall at the end that is too short to be told from it. */
+  private boolean stands(Flight f) {
+    return f.vx() == 0 && f.vy() == 0 && Math.hypot(f.ax(), f.ay()) <= slack(f);
+  }
+
+  /** How far rounding may carry the acceleration of a flight. */
+  private double slack(Flight f) {
+    double g = gravity.length();
+    return ROUNDING * g + 2 * rounding.ofVelocity(f, g) / (f.to() - f.from());
+  }
+
+  private static boolean isAt(Flight f, double moment) {
+    return f.from() <= moment && moment <= f.to();
   }
 
   private boolean isSensor(int circle) {
