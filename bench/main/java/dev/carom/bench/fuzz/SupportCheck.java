@@ -116,7 +116,7 @@ final class SupportCheck {
           && !isSensor(id)
           && Filters.meet(world, f.circle(), ObstacleKind.CIRCLE, id)) {
         List<Flight> flights = all.get(id).stream().filter(o -> isAt(o, middle)).toList();
-        if (flights.isEmpty()) {
+        if (flights.isEmpty() && isNear(id, f)) {
           tilts.add(0.0); // its way is not known: it may carry the circle
         }
         for (Flight other : flights) {
@@ -129,6 +129,12 @@ final class SupportCheck {
         }
       }
     }
+  }
+
+  /** Whether a circle, when the step is over, is near where another one rests. */
+  private boolean isNear(int id, Flight f) {
+    double distance = Math.hypot(world.x(id) - f.px(), world.y(id) - f.py());
+    return distance <= 2 * (f.radius() + world.radius(id));
   }
 
   /** Whether a circle rests, but for a fall at the end that is too short to be told from it. */
