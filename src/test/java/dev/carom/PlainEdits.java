@@ -67,8 +67,7 @@ abstract class PlainEdits extends PlainSearch {
         begunAnew(m.id).forget();
       }
     }
-    gravity.x = gx;
-    gravity.y = gy;
+    gravity.set(gx, gy);
     bodies.stream().filter(m -> registry.contains(m.id)).forEach(this::release);
   }
 

@@ -83,8 +83,7 @@ public abstract class Engine {
 
   /** Sets gravity, for flights that begin from now on. */
   public final void setGravity(double gx, double gy) {
-    gravity.x = gx;
-    gravity.y = gy;
+    gravity.set(gx, gy);
     if (gravity.acts() && !circles.allowsGravity()) {
       circles.allowGravity();
       beginGravity();

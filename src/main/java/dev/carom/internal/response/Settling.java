@@ -160,7 +160,7 @@ public final class Settling {
    * @param e the restitution
    */
   double leastSpeed(MovingCircle a, MovingCircle b, double out, double e) {
-    double g = size();
+    double g = gravity.size();
     double least = Math.sqrt(2 * g * LEAST_HOP * (a.radius + b.radius));
     return out < least && (e < 1 || !isHop(a, out, g)) ? least : out;
   }
@@ -183,19 +183,14 @@ public final class Settling {
   /** Whether two circles approach each other by no more than some least speeds. */
   boolean isCalm(MovingCircle a, MovingCircle b, double approach) {
     double hop = LEAST_HOP * (a.radius + b.radius);
-    return approach * approach <= CALM_APPROACH * CALM_APPROACH * 2 * size() * hop;
+    return approach * approach <= CALM_APPROACH * CALM_APPROACH * 2 * gravity.size() * hop;
   }
 
   /** Whether a circle of finite mass is so slow that it may rest in a heap. */
   boolean mayRest(MovingCircle m) {
     double hop = LEAST_HOP * (2 * m.radius);
-    boolean isSlow = m.vx * m.vx + m.vy * m.vy <= 2 * size() * SLOW_HOPS * hop;
+    boolean isSlow = m.vx * m.vx + m.vy * m.vy <= 2 * gravity.size() * SLOW_HOPS * hop;
     return isSlow && m.isFalling() && m.jam == null && !StuckRule.isStuck(m);
-  }
-
-  /** |g|. */
-  private double size() {
-    return StrictMath.hypot(gravity.x, gravity.y);
   }
 
   /**
@@ -359,7 +354,7 @@ public final class Settling {
 
   /** Whether all the motion of a circle could lift it by no more than some least hops. */
   private boolean isCalm(MovingCircle m, double reach) {
-    return m.vx * m.vx + m.vy * m.vy <= 2 * size() * CALM_HOPS * LEAST_HOP * reach;
+    return m.vx * m.vx + m.vy * m.vy <= 2 * gravity.size() * CALM_HOPS * LEAST_HOP * reach;
   }
 
   /** Whether what a circle hit holds it against gravity, alone or with another thing at rest. */

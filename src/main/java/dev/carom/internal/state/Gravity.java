@@ -7,9 +7,22 @@ public final class Gravity {
   public double x;
   public double y;
 
+  /** Kept, as each collision asks for it. */
+  private double size;
+
   public Gravity(double x, double y) {
-    this.x = x;
-    this.y = y;
+    set(x, y);
+  }
+
+  /** Sets all three numbers; nothing else writes them. */
+  public void set(double gx, double gy) {
+    x = gx;
+    y = gy;
+    size = StrictMath.hypot(gx, gy);
+  }
+
+  public double size() {
+    return size;
   }
 
   /** Whether anything falls. */
