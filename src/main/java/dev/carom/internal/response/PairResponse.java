@@ -186,21 +186,22 @@ public final class PairResponse {
    * circle that is held is a peg for what comes slowly; what comes faster frees it.
    */
   private void bounce(MovingCircle a, MovingCircle b, double e, boolean halt, ImpactRows log) {
-    double length = StrictMath.hypot(nx, ny);
     double approach = un / (Math.abs(nx) + Math.abs(ny));
-    boolean calm = e < 1 && settling.isCalm(a, b, -un / length);
+    boolean calm = e < 1 && settling.isCalm(a, b, -un / length());
     a.firm = calm && a.isHeld() && mass(b) < INFINITE;
     b.firm = calm && b.isHeld() && mass(a) < INFINITE && !a.firm;
     countDriven(a, b, e, approach, 1);
     countDriven(b, a, e, approach, -1);
     if (un < 0) {
       // Between two things that are held, a faint bounce would be followed by others without end.
-      if (calm && -un <= Settling.ROUNDING * speeds(a, b) * length) {
+      if (calm && -un <= Settling.ROUNDING * speeds(a, b) * length()) {
         impulse.of(1, ux, uy, nx, ny);
       }
       change(a, mass(a), b, mass(b), halt, log);
     }
-    leaveAtLeast(a, b, nx / length, ny / length, e);
+    if (a.firm || b.firm || !leavesFast(a, b)) {
+      leaveAtLeast(a, b, nx / length(), ny / length(), e);
+    }
     beginFlight(a, b);
     beginFlight(b, a);
     boolean aJammed = crush(a, b);
@@ -210,6 +211,18 @@ public final class PairResponse {
     }
     goOn(a, aJammed, calm);
     goOn(b, bJammed, calm);
+  }
+
+  /** The length of the normal. */
+  private double length() {
+    return StrictMath.hypot(nx, ny);
+  }
+
+  /** Whether two circles certainly leave each other by more than the least speed of any two. */
+  private boolean leavesFast(MovingCircle a, MovingCircle b) {
+    double x = (a.vx - b.vx) * nx;
+    double y = (a.vy - b.vy) * ny;
+    return settling.isFast(x, y, nx, ny, a.radius + b.radius);
   }
 
   /** Lets two circles leave each other by a least speed, along the unit normal k. */
