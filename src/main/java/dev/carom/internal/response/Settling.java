@@ -136,16 +136,24 @@ public final class Settling {
   private boolean isFast(MovingCircle m, ContactPoint point, double reach) {
     double x = (m.vx - point.ux) * point.nx;
     double y = (m.vy - point.uy) * point.ny;
-    double out = x + y;
     double size = Math.abs(m.x) + Math.abs(m.y) + m.radius;
     double hop = ULPS * (ULP * size + Double.MIN_NORMAL) + CALM_HOPS * LEAST_HOP * reach;
     double pull = Math.abs(gravity.x) + Math.abs(gravity.y);
     // A hop of this height takes the square of a speed of 2 g times it: twice that is left for
     // rounding. The least normal numbers cover underflow.
     double square = 4 * (pull * hop + Double.MIN_NORMAL);
-    double lengthSquared = point.nx * point.nx + point.ny * point.ny;
+    return isAbove(square, x, y, point.nx, point.ny);
+  }
+
+  /**
+   * Whether the square of a speed along a normal n is certainly above another.
+   *
+   * @param x,y the terms of the product of the velocity and n
+   */
+  private static boolean isAbove(double square, double x, double y, double nx, double ny) {
+    double out = x + y;
     return out > ROUNDING * (Math.abs(x) + Math.abs(y))
-        && out * out > square * lengthSquared + Double.MIN_NORMAL;
+        && out * out > square * (nx * nx + ny * ny) + Double.MIN_NORMAL;
   }
 
   /** Lets a circle go on falling freely. */
@@ -173,10 +181,8 @@ public final class Settling {
    * @param reach the sum of the radii
    */
   boolean isFast(double x, double y, double nx, double ny, double reach) {
-    double out = x + y;
     // Four times the square of the least speed: that leaves half of the speed for rounding.
-    double square = 8 * gravity.size() * LEAST_HOP * reach * (nx * nx + ny * ny);
-    return out > ROUNDING * (Math.abs(x) + Math.abs(y)) && out * out > square + Double.MIN_NORMAL;
+    return isAbove(8 * gravity.size() * LEAST_HOP * reach, x, y, nx, ny);
   }
 
   /**
