@@ -11,9 +11,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Heaps of 10 to 30 balls that come to rest in a box, between lines, in a wedge or on pegs: all
- * rows are the same, to the bit, in a mirror and where all lengths or all masses are multiplied by
- * a power of four. With other ids for the balls the rows differ, but they come to rest, too.
+ * Heaps of 10 to 30 balls that come to rest in a box, between lines, in a wedge or on pegs. In a
+ * mirror all rows are the same to the bit. So they are where all lengths, or all masses, are
+ * multiplied by a power of four. With other ids for the balls the rows differ, but all come to
+ * rest.
  */
 class HeapSymmetryTest {
 

@@ -21,9 +21,9 @@ final class DirectHit {
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   /**
-   * How much a product of a place and a speed changes while the time changes by {@link
-   * GapRoot#MARGIN} of itself, in units of the product's terms: the place changes by twice its
-   * terms, the speed by its terms. Rounding is far less.
+      * The error of a product of a place and a speed, in units of its terms, if the time errs by
+   * {@link GapRoot#MARGIN} of itself. In units of the margin, a place errs by twice its terms and a
+   * speed by its terms. Rounding is far less.
    */
   private static final double ROUGH_BOUND = 4 * GapRoot.MARGIN;
 
@@ -130,11 +130,11 @@ final class DirectHit {
   }
 
   /**
-   * Whether a centre is certain to be in front of a line through the point that its offset is from,
-   * at about the time t.
+      * Whether a centre is certain to be in front of a point at about the time t, as seen along a
+   * normal.
    *
-   * @param nx the normal of that line
-   * @param dx the offset at the start
+   * @param nx the normal
+   * @param dx the offset from the point at the start
    */
   private static boolean isInFront(
       double nx, double ny, double dx, double dy, double sx, double sy, double gx, double gy,
@@ -147,8 +147,8 @@ final class DirectHit {
   }
 
   /**
-   * Whether a centre is certain to move against a normal n, at about the time t and in the mean up
-   * to it: then it was in front of the tangent there all the way from the start.
+      * Whether a centre is certain to move against a normal n, both at about the time t and in the
+   * mean up to it. Then it was in front of the tangent all the way from the start.
    *
    * @param sizeX the terms of nx
    */

@@ -27,7 +27,7 @@ final class GapRoot {
   /** Corrections of a time in double-double. */
   static final int CORRECTIONS = 3;
 
-  /** Steps of Newton's method, or halvings, towards the root: as {@link #LAST_STEP}. */
+  /** Steps of Newton's method, or halvings, towards the root. More cost time only. */
   private static final int STEPS = 20;
 
   /**

@@ -127,9 +127,10 @@ final class StripContact {
   }
 
   /**
-   * Whether a centre that starts beside the line is certain to stay there up to a time. An error of
-   * 10 u of the time changes a place by 20 u of its terms, and a speed by 10 u: with 10 u of their
-   * own, that is within the bounds of {@link EndReturn#isBeyond} and of {@link #isOneWay}.
+      * Whether a centre that starts beside the line is certain to stay there up to a time. The time
+   * may err by 10 u. That moves a place by 20 u of its terms, and changes a speed by 10 u of them.
+   * Each has 10 u more of its own. The bounds of {@link EndReturn#isBeyond} and of {@link
+   * #isOneWay} exceed both sums.
    */
   private static boolean isBeside(
       double px, double py, double sx, double sy, double gx, double gy, double ax, double ay,
