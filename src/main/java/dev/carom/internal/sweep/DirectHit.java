@@ -21,7 +21,7 @@ final class DirectHit {
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   /**
-      * The error of a product of a place and a speed, in units of its terms, if the time errs by
+   * The error of a product of a place and a speed, in units of its terms, if the time errs by
    * {@link GapRoot#MARGIN} of itself. In units of the margin, a place errs by twice its terms and a
    * speed by its terms. Rounding is far less.
    */
@@ -130,7 +130,7 @@ final class DirectHit {
   }
 
   /**
-      * Whether a centre is certain to be in front of a point at about the time t, as seen along a
+   * Whether a centre is certain to be in front of a point at about the time t, as seen along a
    * normal.
    *
    * @param nx the normal
@@ -147,7 +147,7 @@ final class DirectHit {
   }
 
   /**
-      * Whether a centre is certain to move against a normal n, both at about the time t and in the
+   * Whether a centre is certain to move against a normal n, both at about the time t and in the
    * mean up to it. Then it was in front of the tangent all the way from the start.
    *
    * @param sizeX the terms of nx
