@@ -59,20 +59,14 @@ class ParabolaBoundsTest {
   /** Not 0 where a condition keeps a bound of 0 from being used at all. */
   private static final double NEARLY_NONE = 0x1p-100;
 
-  /**
-   * The bound of the slope lies within what those of the residue and of the bend have to spare, so
-   * it is not needed by itself. Neither is that of the residue, as the one of the slope covers it.
-   */
   private static final List<Weakening> WEAKENINGS =
       List.of(
           new Weakening("Bernstein coefficients", "GapRoot", 0, List.of(48 * 0x1p-53)),
-          new Weakening("residue", "GapRoot", 0, List.of(1024 * 0x1p-106, 64 * 0x1p-53, 8.0)),
-          new Weakening("bend", "GapRoot", 0, List.of(8.0)),
+          new Weakening("beside a root", "GapRoot", 0, List.of(2560.0)),
           new Weakening("underflow of a gap", "GapRoot", 0, List.of(0x1p-460)),
           new Weakening("root of a quadratic", "QuadraticRoot", 0, List.of(512 * 0x1p-106)),
           new Weakening("gap without cancellation", "DiskGap", 0, List.of(128 * 0x1p-106)),
           new Weakening("projection", "LineRegion", 0, List.of(16 * 0x1p-53)),
-          new Weakening("direct hit at a rough time", "DirectHit", 0, List.of(0x1p-18)),
           new Weakening("distance from a tangent", "DirectHit", 0, List.of(0x1p-40)),
           new Weakening("near an end", "ParabolaSegmentSweep", 0, List.of(0x1p-20)),
           new Weakening(
@@ -150,6 +144,8 @@ class ParabolaBoundsTest {
     others.put("the first step of Newton's method is the last", detector("GapRoot", 0x1p-22, 1));
     others.put("a search from an impact on", detector("GapRoot", 1 - 2 * 0x1p-20, 1));
     others.put("a search from long before", detector("GapRoot", 1 - 2 * 0x1p-20, 0.5));
+    others.put("the end of a fall as computed", detector("GapRoot", 1.001, 1));
+    others.put("the end of a way as computed", detector("ParabolaSegmentSweep", 1.001, 1));
     others.put("a wide margin", new Detector((name, pool) -> margin(0x1p-10, name, pool)));
     others.put("a narrow margin", new Detector((name, pool) -> margin(0x1p-30, name, pool)));
     for (ParabolaFamily family : families()) {
@@ -287,6 +283,51 @@ class ParabolaBoundsTest {
     List<Double> least = List.of(0x1p-300, 0x1p-380);
     Weakening weakening = new Weakening("least sizes", "ParabolaSegmentSweep", 0, least);
     assertNeeded(query, new Detector(weakening));
+  }
+
+  /**
+   * A disk that seems to be in the strip, beyond an end, is above it, and gravity takes it over the
+   * end before it comes down on the side. Both gaps are as large as rounding may hide.
+   */
+  @Test
+  void theLimitOfGravityBesideAnEndIsNeeded() {
+    double[] n = {
+      0,
+      0,
+      0x1.96cf7ceea1719p1,
+      0x1.08351117f3bedp-4,
+      -0x1.160edb7657318p-5,
+      0x1.ac12c320cdd18p0,
+      0x1.ac295632ea9ebp0,
+      0x1.4c748a7842193p-6,
+      -0x1.ffe503622a4f3p-1,
+      0x1.471e3d3857283p-45
+    };
+    ParabolaQuery query =
+        new ParabolaQuery(SegmentQuery.of(n), 0x1.9f4dade20fb1bp92, 0x1.0db91e2641b38p87);
+    assertNeeded(query, detector("ParabolaSegmentSweep", 0x1p-32, 0));
+  }
+
+  /**
+   * A disk that comes slowly upon the side beside an end, with its centre hardly beside the line.
+   */
+  @Test
+  void theBoundOfARoughTimeIsNeeded() {
+    double[] n = {
+      0,
+      0x1.8p2,
+      -0x1.4d6388826f313p0,
+      0x1.ae4a869608c8cp2,
+      -0x1.6622297e069dbp1,
+      0x1.8b0a8aac2b73ep2,
+      0x1.351929c704ba4p0,
+      0x1.e6b4ef09d74adp-1,
+      -0x1.0dfda66d2de53p-1,
+      2
+    };
+    ParabolaQuery query =
+        new ParabolaQuery(SegmentQuery.of(n), 0x1.8b4ebc53adfacp-10, -0x1.8a6f097b9f403p-10);
+    assertNeeded(query, detector("DirectHit", 0x1p-18, 0));
   }
 
   private static void assertNeeded(ParabolaQuery query, Detector without) {

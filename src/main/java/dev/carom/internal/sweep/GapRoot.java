@@ -60,21 +60,16 @@ final class GapRoot {
   private static final double LEAST_SAFE = 0x1p-600;
 
   /**
-   * The residue, of A: an offset errs by 40 u^2 of its terms, a distance from a line by 160 u^2,
-   * the squares by twice that; their tails and their sums by less than 190 u^2: 512 u^2 at most.
-   * The rest covers the slope and the bend at half an ulp, 4 u^2 and 6 u^2.
+   * Of {@code f + f' step} beside a time t, where f is a residue: in units of {@code x^2 A}, for a
+   * step of at most x t. The residue errs by 510 u^2: an offset by 40 u^2 of its terms, a distance
+   * from a line by 160 u^2, the squares by twice that, their tails and their sums by less than 190
+   * u^2. The slope errs by 13 u of {@code 4 A / t}: that of a line has 7 of the height, 5 of its
+   * change and 1 of their product. The rounding of the residue, and the difference and the product
+   * with the step, take 3 u more: 64 u x in all. The bend adds 6 x^2, as f'' is at most 12 A / t^2,
+   * and half of it counts; higher terms are far below. A step is half an ulp at least, so u is at
+   * most 2 x, and all that is {@code (4 * 510 + 2 * 64 + 6) x^2} at most.
    */
-  private static final double RESIDUE_BOUND = 1024 * 0x1p-106;
-
-  /**
-   * The slope, of A / t, errs by 13 u of 4 A / t: that of a line has 7 of the height, 5 of its change
-   * and 1 of their product. The rounding of the residue, and the difference and the product with a
-   * step, take 3 u more: 64 u.
-   */
-  private static final double SLOPE_BOUND = 64 * 0x1p-53;
-
-  /** The bend: f'' is at most 12 A / t^2, half of it counts; higher terms are far below. */
-  private static final double BEND = 8;
+  private static final double STEP_BOUND = 2560;
 
   /** Underflow in a residue: 64 operations, factors up to {@link #LATEST} and {@link #MOST}. */
   private static final double RESIDUE_TINY = 0x1p-600;
@@ -120,10 +115,9 @@ final class GapRoot {
     return time < T ? time : time > T ? NEVER : DOUBT;
   }
 
-  /** Whether a residue in double-double is certain to be above 0. */
-  static boolean isAbove(double residue, double size) {
-    double scale = size * size;
-    return residue > Math.fma(scale, RESIDUE_BOUND, RESIDUE_TINY) && scale < MOST;
+  /** Whether a residue at t, in double-double, is certain to be above 0. */
+  static boolean isAbove(double t, double residue, double size) {
+    return residue > errorBeside(t, halfUlp(t), size);
   }
 
   /** A bound of the error of a coefficient of f at time 0, of a given size. */
@@ -284,21 +278,16 @@ final class GapRoot {
   }
 
   /**
-   * The sign of f half an ulp after t; 0 in doubt. The bound is that of {@link #nearest}.
+   * The sign of f half an ulp after t; 0 in doubt.
    *
    * @param f the residue at t, in double-double
    * @param slope f' at t
    * @param size {@code m0 + m1 t + m2 t^2}
    */
   static int signAfter(double t, double f, double slope, double size) {
-    double up = 0.5 * Math.ulp(t);
-    double ratio = up / t;
-    double scale = size * size;
-    double bound =
-        Math.fma(scale, RESIDUE_BOUND + ratio * (SLOPE_BOUND + BEND * ratio), RESIDUE_TINY);
+    double up = halfUlp(t);
     double value = f + slope * up;
-    boolean isCertain = Math.abs(value) > bound && scale < MOST && t < LATEST;
-    return isCertain ? UnitVectors.sign(value) : 0;
+    return Math.abs(value) > errorBeside(t, up, size) ? UnitVectors.sign(value) : 0;
   }
 
   /**
@@ -385,16 +374,9 @@ final class GapRoot {
     double step = n - t;
     double up = 0.5 * (next(n, 1) - n);
     double down = 0.5 * (n - next(n, -1));
-    double ratio = (Math.abs(step) + up) / t;
-    double scale = size * size;
-    double bound =
-        Math.fma(scale, RESIDUE_BOUND + ratio * (SLOPE_BOUND + BEND * ratio), RESIDUE_TINY);
+    double error = errorBeside(t, Math.abs(step) + up, size);
     boolean isCertain =
-        f + slope * (step - down) > bound
-            && f + slope * (step + up) < -bound
-            && scale < MOST
-            && n > 0
-            && t < LATEST;
+        f + slope * (step - down) > error && f + slope * (step + up) < -error && n > 0;
     return isCertain ? n : DOUBT;
   }
 
@@ -404,16 +386,29 @@ final class GapRoot {
   }
 
   /**
-   * A bound of the error of a step {@code c = -f / f'} from t to the root; NaN where none is known.
-   * The slope must not err by more than half of itself.
+   * A bound of the error of a step {@code c = -f / f'} from t to the root, which is the double
+   * nearest to it. Twice the error of f over the slope, as that errs by less than half of itself if
+   * the result is below 12 u t.
    */
   static double stepError(double t, double c, double slope, double size) {
+    return 2 * errorBeside(t, Math.abs(c) + halfUlp(t), size) / Math.abs(slope);
+  }
+
+  /**
+   * A bound of the error of f up to a step from t, from the residue and the slope at t. Infinite if
+   * numbers are so large that underflow has no bound.
+   *
+   * @param step half an ulp at least
+   */
+  private static double errorBeside(double t, double step, double size) {
+    double x = step / t;
     double scale = size * size;
-    double ratio = Math.abs(c) / t;
-    double error =
-        Math.fma(scale, RESIDUE_BOUND + ratio * (SLOPE_BOUND + BEND * ratio), RESIDUE_TINY);
-    boolean isKnown =
-        SLOPE_BOUND * scale < 0.5 * -slope * t && ratio < 0x1p-40 && scale < MOST && t < LATEST;
-    return isKnown ? 2 * error / -slope : DOUBT;
+    return scale < MOST && t < LATEST
+        ? Math.fma(scale, STEP_BOUND * (x * x), RESIDUE_TINY)
+        : Double.POSITIVE_INFINITY;
+  }
+
+  private static double halfUlp(double t) {
+    return 0.5 * Math.ulp(t);
   }
 }

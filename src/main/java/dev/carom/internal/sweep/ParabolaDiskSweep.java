@@ -157,7 +157,7 @@ public final class ParabolaDiskSweep {
       if (side == 0 && Double.isNaN(start)) {
         double t = GapRoot.rise(c1, c2, c3, c4, m0, m1, m2, end);
         double f = residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
-        start = GapRoot.isAbove(f, m0 + (m1 + m2 * t) * t) ? t : GapRoot.DOUBT;
+        start = GapRoot.isAbove(t, f, m0 + (m1 + m2 * t) * t) ? t : GapRoot.DOUBT;
       }
     }
     if (!(start < NEVER)) {

@@ -202,7 +202,7 @@ public final class ParabolaSegmentSweep {
     if (Double.isNaN(out)) {
       double t = GapRoot.rise(c1, c2, c3, c4, m0, m1, m2, end);
       double f = residue(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
-      out = GapRoot.isAbove(f, m0 + (m1 + m2 * t) * t) ? t : GapRoot.DOUBT;
+      out = GapRoot.isAbove(t, f, m0 + (m1 + m2 * t) * t) ? t : GapRoot.DOUBT;
     }
     if (!(out < NEVER)) {
       return out;
@@ -393,7 +393,7 @@ public final class ParabolaSegmentSweep {
       double wx, double wy, double gx, double gy, double h1, double h2, double m0, double m1,
       double m2, double T) {
     if (!isAlong(wx, wy, gx, gy)) {
-      return GapRoot.reach(m0, m1, Math.abs(h2) - 0x1p-50 * m2, T);
+      return GapRoot.reach(m0, m1, Math.abs(h2), T);
     }
     double speed = Math.abs(h1); // without cancellation: the line is along an axis
     double reach = 1.001 * (m0 / speed);
