@@ -15,7 +15,7 @@ final class CellExit {
   private static final long ONE = Double.doubleToRawLongBits(1);
 
   /** Beyond this many cells from the origin, a coordinate cannot distinguish adjacent cells. */
-  private static final double FARTHEST = 0x1p48;
+  static final double FARTHEST = 0x1p48;
 
   private static final int NEGATIVE = 1;
   private static final int VERTICAL = 2;
@@ -44,9 +44,14 @@ final class CellExit {
    * @param cell the column or the row of the cell
    */
   static double untilEdge(double p, double v, double cell, double cellWidth) {
+    double way = edge(v, cell, cellWidth) - p;
+    return Math.abs(cell) < FARTHEST && v != 0 ? way / v : NEVER;
+  }
+
+  /** The edge of a cell towards which a velocity points, on one axis. */
+  static double edge(double v, double cell, double cellWidth) {
     // The upper edge of a cell has the number of the next one.
-    double edge = (cell + oneIfPositive(v)) * cellWidth;
-    return Math.abs(cell) < FARTHEST && v != 0 ? (edge - p) / v : NEVER;
+    return (cell + oneIfPositive(v)) * cellWidth;
   }
 
   /** 1, or 0 if v has a minus sign. */

@@ -9,14 +9,36 @@ final class FallingExit {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /** Beyond this many cells from the origin, a coordinate cannot distinguish adjacent cells. */
-  private static final double FARTHEST = 0x1p48;
+  /**
+   * While an axis keeps more than this part of its first speed, it is certainly before {@code -v /
+   * g}, even as rounded.
+   */
+  private static final double GOING_ON = 0x1p-50;
 
   /** How long after the start of the flight it leaves the cell. */
   double after;
 
   /** 1 if it leaves towards larger coordinates, else -1. */
   double direction;
+
+  /**
+   * How long after the start of its flight a circle leaves a cell in the direction in which the
+   * flight began, bit for bit as {@link #find} has it. NaN if it stands still or may have turned
+   * back, or will before it leaves: few do. The direction is unpredictable, so it takes no branch.
+   */
+  static double ahead(double p, double v, double g, double since, double cell, double width) {
+    if (g == 0) {
+      return CellExit.untilEdge(p, v, cell, width);
+    }
+    double way = CellExit.edge(v, cell, width) - p;
+    double square = v * v + 2 * g * way;
+    // The least normal number covers underflow of -v / g.
+    boolean isAhead =
+        Math.fma(g, since + Double.MIN_NORMAL, v) * v > GOING_ON * (v * v)
+            && square >= 0
+            && Math.abs(cell) < CellExit.FARTHEST;
+    return isAhead ? 2 * way / (v + Math.copySign(Math.sqrt(square), v)) : Double.NaN;
+  }
 
   /**
    * Finds the exit from a cell.
@@ -27,7 +49,7 @@ final class FallingExit {
    */
   void find(double p, double v, double g, double since, double cell, double width) {
     after = NEVER;
-    if (!(Math.abs(cell) < FARTHEST)) {
+    if (!(Math.abs(cell) < CellExit.FARTHEST)) {
       return;
     }
     if (g == 0) {

@@ -284,9 +284,14 @@ public final class NeighborGrid {
 
   /** When circle i next leaves a cell; stores which {@linkplain CellExit way} in its row. */
   public double nextCrossing(double[] s, int[] c, int i) {
-    if (entered != null) {
-      return nextCrossingOfFalling(s, c, i);
+    if (entered == null) {
+      return nextCrossingStraight(s, c, i);
     }
+    return levels == 1 ? nextCrossingOfFalling(s, c, i) : nextCrossingOnLevels(s, c, i);
+  }
+
+  /** The same without gravity. */
+  private double nextCrossingStraight(double[] s, int[] c, int i) {
     int a = CircleTable.collidingAt(i);
     double x = s[a + FlightRow.X] - originX;
     double y = s[a + FlightRow.Y] - originY;
@@ -313,7 +318,26 @@ public final class NeighborGrid {
     return first < NEVER ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], first) : NEVER;
   }
 
+  /** The same for one that may fall, in cells of a single level. */
   private double nextCrossingOfFalling(double[] s, int[] c, int i) {
+    int a = CircleTable.collidingAt(i);
+    double x = s[a + FlightRow.X] - originX;
+    double y = s[a + FlightRow.Y] - originY;
+    double vx = s[a + FlightRow.VX];
+    double vy = s[a + FlightRow.VY];
+    double column = s[a + CircleTable.COLUMN];
+    double row = s[a + CircleTable.ROW];
+    double since = entered[i];
+    double dx = FallingExit.ahead(x, vx, circles.gx(i), since, column, width);
+    double dy = FallingExit.ahead(y, vy, circles.gy(i), since, row, width);
+    double first = Math.min(dx, dy);
+    return Double.isNaN(first)
+        ? nextCrossingOnLevels(s, c, i)
+        : keepCrossing(s, c, i, first, CellExit.way(0, dx, dy, vx, vy));
+  }
+
+  /** The same for a circle that has cells on several levels, or may turn back in its cell. */
+  private double nextCrossingOnLevels(double[] s, int[] c, int i) {
     int a = CircleTable.collidingAt(i);
     double x = s[a + FlightRow.X] - originX;
     double y = s[a + FlightRow.Y] - originY;
@@ -332,9 +356,15 @@ public final class NeighborGrid {
         way = CellExit.way(level, exitX.after, exitY.after, exitX.direction, exitY.direction);
       }
     }
+    return keepCrossing(s, c, i, first, way);
+  }
+
+  /** Keeps when and which way a falling circle leaves its cell; returns the time. */
+  private double keepCrossing(double[] s, int[] c, int i, double after, int way) {
     c[CircleTable.collidingCodesAt(i) + CircleTable.WAY] = way;
-    leaving[i] = first;
-    return first < NEVER ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], first) : NEVER;
+    leaving[i] = after;
+    int a = CircleTable.collidingAt(i);
+    return after < NEVER ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], after) : NEVER;
   }
 
   /** How long after the start of its flight circle i leaves a cell. */

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.engine;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Random;
+import org.junit.jupiter.api.RepeatedTest;
+import org.junit.jupiter.api.RepetitionInfo;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The quick way to the exit of a cell has the same bits as the complete one. */
+class FallingExitTest {
+
+  private final FallingExit exit = new FallingExit();
+
+  @RepeatedTest(10)
+  void exitAheadIsTheExit(RepetitionInfo repetition) {
+    Random random = new Random(repetition.getCurrentRepetition());
+    int quick = 0;
+    for (int k = 0; k < 10_000; k++) {
+      quick += exitIsTheSame(random) ? 1 : 0;
+    }
+    assertThat(quick).as("most exits are ahead").isGreaterThan(6_000);
+  }
+
+  /**
+   * Follows a circle from cell to cell; returns whether its last exit was found in the quick way.
+   */
+  private boolean exitIsTheSame(Random random) {
+    double width = 1 + random.nextDouble();
+    double p = 100 * random.nextGaussian();
+    double v = random.nextGaussian();
+    double g = Math.scalb(random.nextInt(3) - 1, -random.nextInt(12));
+    double cell = Math.floor(p / width);
+    double since = 0;
+    boolean quick = false;
+    for (int k = random.nextInt(6); k >= 0; k--) {
+      exit.find(p, v, g, since, cell, width);
+      double ahead = FallingExit.ahead(p, v, g, since, cell, width);
+      quick = !Double.isNaN(ahead);
+      if (quick) {
+        assertThat(ahead).isEqualTo(exit.after);
+        assertThat(exit.direction).isEqualTo(Math.signum(v));
+      }
+      cell += exit.direction;
+      since = exit.after;
+    }
+    return quick;
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "0, 0.5, 0", // stands still
+    "-1, 2, 0", // turns back before the edge
+    "-1, 0.1, 10", // has turned back
+    "-1, 0.1, 20",
+    "-1e-320, 1e-10, 0", // too slow for its square
+    "-1e155, 1e150, 0", // too fast
+    "-1e-10, 1e300, 1e-310"
+  })
+  void inDoubtThereIsNoQuickWay(double v, double g, double since) {
+    assertThat(FallingExit.ahead(0.5, v, g, since, 0, 2)).isNaN();
+  }
+}
