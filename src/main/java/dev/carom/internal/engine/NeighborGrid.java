@@ -62,10 +62,8 @@ public final class NeighborGrid {
    */
   private final double[] inside;
 
-  // Null without gravity: how long after the start of its flight each circle came into its cells,
-  // and leaves the first of them.
-  private final double[] entered;
-  private final double[] leaving;
+  /** Whether circles may have accelerations. */
+  private final boolean falls;
 
   private final FallingExit exitX = new FallingExit();
   private final FallingExit exitY = new FallingExit();
@@ -87,8 +85,7 @@ public final class NeighborGrid {
     own = new CellLinks[levels];
     smaller = new CellLinks[levels];
     levelOf = new short[count];
-    entered = circles.allowsGravity() ? new double[count] : null;
-    leaving = circles.allowsGravity() ? new double[count] : null;
+    falls = circles.allowsGravity();
     int[] next = new int[levels == 1 ? 0 : count];
     for (int k = 0; k < levels; k++) {
       own[k] = new CellLinks(k == 0 ? cells : cells(extent, size[k]), next, null);
@@ -154,8 +151,8 @@ public final class NeighborGrid {
       return false;
     }
     levelOf[i] = (short) level;
-    if (entered != null) {
-      entered[i] = circles.since(i, now);
+    if (falls) {
+      state[CircleTable.collidingAt(i) + CircleTable.ENTERED] = circles.since(i, now);
     }
     enter(i, circles.x(i, now) - originX, circles.y(i, now) - originY);
     return true;
@@ -192,10 +189,10 @@ public final class NeighborGrid {
    * circle may have crossed further cells within one stored time.
    */
   public void comeBack(double[] s, int i) {
-    if (entered != null) {
-      entered[i] = 0;
-    }
     int a = CircleTable.collidingAt(i);
+    if (falls) {
+      s[a + CircleTable.ENTERED] = 0;
+    }
     double cellWidth = width(i);
     double x = s[a + FlightRow.X] - originX;
     double y = s[a + FlightRow.Y] - originY;
@@ -284,7 +281,7 @@ public final class NeighborGrid {
 
   /** When circle i next leaves a cell; stores which {@linkplain CellExit way} in its row. */
   public double nextCrossing(double[] s, int[] c, int i) {
-    if (entered == null) {
+    if (!falls) {
       return nextCrossingStraight(s, c, i);
     }
     return levels == 1 ? nextCrossingOfFalling(s, c, i) : nextCrossingOnLevels(s, c, i);
@@ -327,7 +324,7 @@ public final class NeighborGrid {
     double vy = s[a + FlightRow.VY];
     double column = s[a + CircleTable.COLUMN];
     double row = s[a + CircleTable.ROW];
-    double since = entered[i];
+    double since = s[a + CircleTable.ENTERED];
     double dx = FallingExit.ahead(x, vx, circles.gx(i), since, column, width);
     double dy = FallingExit.ahead(y, vy, circles.gy(i), since, row, width);
     double first = Math.min(dx, dy);
@@ -343,13 +340,14 @@ public final class NeighborGrid {
     double y = s[a + FlightRow.Y] - originY;
     double vx = s[a + FlightRow.VX];
     double vy = s[a + FlightRow.VY];
+    double since = s[a + CircleTable.ENTERED];
     double first = NEVER;
     int way = 0;
     for (int level = levelOf(i); level < levels; level++) {
       double[] cellsOf = cellsOf(i, level);
       int k = cellAt(i, level);
-      exitX.find(x, vx, circles.gx(i), entered[i], cellsOf[k], size[level]);
-      exitY.find(y, vy, circles.gy(i), entered[i], cellsOf[k + 1], size[level]);
+      exitX.find(x, vx, circles.gx(i), since, cellsOf[k], size[level]);
+      exitY.find(y, vy, circles.gy(i), since, cellsOf[k + 1], size[level]);
       double soonest = Math.min(exitX.after, exitY.after);
       if (soonest < first) {
         first = soonest;
@@ -362,17 +360,17 @@ public final class NeighborGrid {
   /** Keeps when and which way a falling circle leaves its cell; returns the time. */
   private double keepCrossing(double[] s, int[] c, int i, double after, int way) {
     c[CircleTable.collidingCodesAt(i) + CircleTable.WAY] = way;
-    leaving[i] = after;
     int a = CircleTable.collidingAt(i);
+    s[a + CircleTable.LEAVING] = after;
     return after < NEVER ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], after) : NEVER;
   }
 
   /** How long after the start of its flight circle i leaves a cell. */
   double untilCrossing(double[] s, int i) {
-    if (leaving != null) {
-      return leaving[i];
-    }
     int a = CircleTable.collidingAt(i);
+    if (falls) {
+      return s[a + CircleTable.LEAVING];
+    }
     double x = s[a + FlightRow.X] - originX;
     double y = s[a + FlightRow.Y] - originY;
     double vx = s[a + FlightRow.VX];
@@ -403,13 +401,13 @@ public final class NeighborGrid {
   public int cross(double[] s, int[] c, int i, int way, int[] found) {
     int vertical = CellExit.vertical(way);
     int sign = CellExit.sign(way);
-    if (entered != null) {
-      entered[i] = leaving[i];
+    int a = CircleTable.collidingAt(i);
+    if (falls) {
+      s[a + CircleTable.ENTERED] = s[a + CircleTable.LEAVING];
     }
     if (levels > 1) {
       return cross(i, CellExit.level(way), vertical, sign, found);
     }
-    int a = CircleTable.collidingAt(i);
     int k = CircleTable.collidingCodesAt(i) + CircleTable.CELL;
     int cell = c[k];
     cells.remove(c, i, cell);

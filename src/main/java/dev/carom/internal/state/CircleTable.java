@@ -16,12 +16,15 @@ public final class CircleTable {
   static final int STATE = 9;
 
   // Further columns of a circle that collides: its next predicted collision, see
-  // CollisionPredictor, and its cell.
+  // CollisionPredictor, and its cell; under gravity, how long after the start of its flight it came
+  // into its cells, and leaves the first of them.
   public static final int MEETING = 9;
   public static final int MEETING_TAIL = 10;
   public static final int TAU = 11;
   public static final int COLUMN = 12;
   public static final int ROW = 13;
+  public static final int ENTERED = 14;
+  public static final int LEAVING = 15;
   private static final int COLLIDING_STATE = 16;
 
   /**
