@@ -23,8 +23,8 @@ final class BucketRing {
   private final int[] heads;
 
   /**
-   * One bit per bucket, set when a circle is added and cleared when the bucket is drained. A set
-   * bit may belong to an empty bucket.
+   * One bit per bucket, set as long as a circle is in it. So no search for the next event ends at
+   * an empty bucket.
    */
   private final long[] filled;
 
@@ -67,6 +67,7 @@ final class BucketRing {
     int next = after[i];
     if (heads[at] == i) {
       heads[at] = next;
+      filled[word(bucket >> WORD)] &= ~((long) (next >> 31) & 1L << bucket); // if next is NONE
       return;
     }
     int previous = before[i + 1];
@@ -101,7 +102,7 @@ final class BucketRing {
     return i;
   }
 
-  /** The first bucket within one turn from the given one that may hold a circle, or NOWHERE. */
+  /** The first bucket within one turn from the given one that holds a circle, or NOWHERE. */
   int filledFrom(int bucket) {
     int w = bucket >> WORD;
     int last = w + filled.length;

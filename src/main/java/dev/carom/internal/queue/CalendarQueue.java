@@ -209,7 +209,7 @@ public final class CalendarQueue {
         return NONE;
       }
       int i = ring.first(bucket);
-      if (i == NONE || ring.next(i) != NONE) {
+      if (ring.next(i) != NONE) {
         turnTo(bucket);
       } else { // the usual case: the only event of its bucket
         return times[i] <= last ? pollAlone(bucket, i) : NONE;
@@ -287,7 +287,7 @@ public final class CalendarQueue {
     return times[i] == time && ring.next(i) == IN_OVERFLOW;
   }
 
-  /** The next bucket that may hold an event, or NOWHERE if no event is left. */
+  /** The next bucket that holds an event, or NOWHERE if no event is left. */
   private int nextBucket() {
     int bucket = ring.filledFrom(current + 1);
     return bucket < limit ? bucket : goFurther(bucket);
