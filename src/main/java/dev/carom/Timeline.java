@@ -3,7 +3,7 @@ package dev.carom;
 
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.FlightHistory;
-import dev.carom.internal.state.FlightRecorder;
+import dev.carom.internal.state.TimelineRecorder;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Kind;
 import java.util.Optional;
@@ -33,9 +33,9 @@ import java.util.Optional;
  */
 public final class Timeline {
 
-  private final FlightRecorder recorder;
+  private final TimelineRecorder recorder;
 
-  Timeline(FlightRecorder recorder) {
+  Timeline(TimelineRecorder recorder) {
     this.recorder = recorder;
   }
 

@@ -10,10 +10,10 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.Filter;
-import dev.carom.internal.state.FlightRecorder;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
+import dev.carom.internal.state.TimelineRecorder;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Kind;
@@ -84,7 +84,7 @@ public final class World {
   private int unfinishedCircle = -1;
 
   /** Null unless flights are recorded. */
-  private FlightRecorder recorder;
+  private TimelineRecorder recorder;
 
   /**
    * Sets a scene in motion, at time 0.
@@ -1148,7 +1148,7 @@ public final class World {
     }
     stopRecording();
     recorder =
-        new FlightRecorder(
+        new TimelineRecorder(
             most,
             scene.collide(),
             registry,

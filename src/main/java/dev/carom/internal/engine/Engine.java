@@ -6,13 +6,13 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
-import dev.carom.internal.state.FlightRecorder;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.SceneData;
+import dev.carom.internal.state.TimelineRecorder;
 import dev.carom.internal.util.Index;
 
 /**
@@ -39,7 +39,7 @@ public abstract class Engine {
   public int spender = Index.NONE;
 
   /** Null unless flights are recorded. */
-  FlightRecorder recorder;
+  TimelineRecorder recorder;
 
   Engine(
       SceneData scene,
@@ -225,7 +225,7 @@ public abstract class Engine {
   // Time.
 
   /** Sets the recorder of flights, which first receives the current ones; null to stop. */
-  public final void record(FlightRecorder recorder) {
+  public final void record(TimelineRecorder recorder) {
     this.recorder = recorder;
     if (recorder != null) {
       recorder.noteTail(reached, lastTail(reached));

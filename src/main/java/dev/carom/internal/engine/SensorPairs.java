@@ -2,8 +2,8 @@
 package dev.carom.internal.engine;
 
 import dev.carom.internal.state.CircleRegistry;
-import dev.carom.internal.state.FlightRecorder;
 import dev.carom.internal.state.SavedFlights;
+import dev.carom.internal.state.TimelineRecorder;
 import java.util.Arrays;
 
 /**
@@ -69,7 +69,7 @@ public final class SensorPairs {
   }
 
   /** Records the last reported contact of circle i, if there is one. */
-  public void record(int i, FlightRecorder recorder) {
+  public void record(int i, TimelineRecorder recorder) {
     if (heads != null && i < heads.length && heads[i] >= 0) {
       recorder.noteSensed(i, heads[i], tails[i], partners[i]);
     }

@@ -10,7 +10,7 @@ import java.util.function.Supplier;
  * Records everything that determines the future of a world: the flights of circles, and each change
  * of circles and obstacles. So the state of any recorded moment can be built again.
  */
-public final class FlightRecorder {
+public final class TimelineRecorder {
 
   /** The limits of sizes, and the properties of the walls. */
   private record Settings(
@@ -90,7 +90,7 @@ public final class FlightRecorder {
    * @param gravity the gravity, likewise
    * @param present gives the state of the world
    */
-  public FlightRecorder(
+  public TimelineRecorder(
       int most,
       boolean collide,
       CircleRegistry registry,
