@@ -86,8 +86,8 @@ class ArchitectureTest {
         "response | state sweep exact util",
         "queue    | state util",
         "engine   | queue response search state sweep exact util",
-        "query    | engine response search state sweep exact util",
-        "io       | engine state util",
+        "query    | response search state sweep exact util",
+        "io       | state util",
       })
   void eachUsesThoseBelow(String name, String others) {
     String[] allowed =

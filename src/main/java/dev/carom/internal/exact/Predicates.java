@@ -6,8 +6,6 @@ import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
-import dev.carom.internal.sweep.DiskSweep;
-import dev.carom.internal.sweep.SegmentSweep;
 
 /**
  * The signs of the five polynomials on which every decision of a sweep rests. {@code SegmentSweep}

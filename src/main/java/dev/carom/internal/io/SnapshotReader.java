@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.io;
 
-import dev.carom.internal.response.Heap;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
@@ -117,7 +116,7 @@ public final class SnapshotReader {
         expectCode(Codes.isWall(code) ? obstacles.walls != null : !obstacles.isGone(code), code);
       }
       m.calm = in.readInt();
-      expect(m.calm <= Heap.TRIAL, "the calm contacts of a circle are " + m.calm);
+      expect(m.calm <= MovingCircle.CALM_LIMIT, "the calm contacts of a circle are " + m.calm);
       if (m.isFalling()) {
         flights.putAcceleration(i, m);
       }

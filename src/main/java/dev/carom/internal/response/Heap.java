@@ -32,7 +32,7 @@ import java.util.stream.IntStream;
 public final class Heap {
 
   /** The number of calm contacts after which a circle tries to rest. */
-  public static final int TRIAL = 32;
+  public static final int TRIAL = MovingCircle.CALM_LIMIT;
 
   /**
    * After a trial the circles that do not rest wait for one more contact for so many circles in it.

@@ -18,6 +18,9 @@ public final class MovingCircle {
   /** The sum of weights of impacts at one place beyond which a circle is stuck. */
   public static final int STUCK_LIMIT = 1 << 24;
 
+  /** The number of calm contacts after which a circle tries to rest. */
+  public static final int CALM_LIMIT = 32;
+
   /** No obstacle or circle: nothing was hit yet, or nothing since the last edit. */
   public static final int NOTHING = -1;
 
