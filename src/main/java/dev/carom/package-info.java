@@ -14,9 +14,9 @@
  * System.out.println(world.impacts().time(0) + ", " + world.x(0)); // 0.5, -15.0
  * }</pre>
  *
- * <p>Take it where circles are all that moves, and where wrong, missed or trembling bounces matter:
- * billiards, pinball, breakout, gases, particles, replays, netcode. Take an engine of rigid bodies
- * for rotation, friction, joints, stacks of boxes, or bodies that are no circles.
+ * <p>Take it where nothing but circles bounces, and where wrong, missed or trembling bounces
+ * matter: billiards, pinball, breakout, gases, particles, replays, netcode. Take an engine of rigid
+ * bodies for rotation, friction, joints, stacks of boxes, or bodies that are no circles.
  *
  * <p>Guides: <a href="doc-files/recipes.html">Recipes</a> for common tasks, and <a
  * href="doc-files/rules.html">Rules and limits</a> for what can go wrong.
@@ -77,17 +77,16 @@
  *       step allocates memory only while a timeline is recorded, when its log or another list
  *       grows, when exact arithmetic has to decide, when a circle jams, and after edits of
  *       obstacles.
- *   <li>A step always ends. If its budget is spent, it returns false and the next call goes on. A
- *       circle that would bounce at one place without end stops bouncing there, and the log says
- *       so.
+ *   <li>A step always ends. If its budget is spent, it returns false, and {@link
+ *       dev.carom.World#advanceTo advanceTo} goes on. A circle that would bounce at one place
+ *       without end stops bouncing there, and the log says so.
  * </ul>
  *
  * <h2 id="conventions">Conventions</h2>
  *
  * <ul>
  *   <li>Units are the caller's: any unit of length, any unit of time, and speeds in lengths per
- *       time. No rule has a fixed length, time or speed in it, so no unit is too large or too
- *       small.
+ *       time. No rule has a fixed length, time or speed in it, so any ordinary unit will do.
  *   <li>The x axis points right. Whether y points up or down changes nothing but the names of two
  *       walls: the bottom one is that at the smaller y.
  *   <li>A normal points from the obstacle to the circle; of two circles, from the second to the
@@ -111,8 +110,8 @@
  *
  * <ul>
  *   <li>A number out of its range throws an {@link java.lang.IllegalArgumentException}.
- *   <li>The id of a thing that does not exist, and the number of a row that does not exist, throw
- *       an {@link java.lang.IndexOutOfBoundsException}. A timeline instead throws an {@link
+ *   <li>The id of a thing that does not exist, and the number of a row that the log does not have,
+ *       throw an {@link java.lang.IndexOutOfBoundsException}. A timeline instead throws an {@link
  *       java.lang.IllegalArgumentException} for ids and times alike.
  *   <li>A builder's call out of order throws an {@link java.lang.IllegalStateException}. So does
  *       adding a thing when all ids of its kind were given.
@@ -126,14 +125,14 @@
  * <h2 id="determinism">Determinism</h2>
  *
  * The same scene and the same calls give the same impacts, bit for bit, on every Java 17 or newer
- * virtual machine. Trajectories are computed with {@code + - * /}, square root and fused
- * multiply-add alone, in a fixed order. The bits do not depend on how the time is cut into steps,
- * as long as it ends at the same moment and nothing is edited between. {@link
+ * virtual machine. Trajectories are computed with correctly rounded operations and {@link
+ * java.lang.StrictMath} alone, in a fixed order. The bits do not depend on how the time is cut into
+ * steps, as long as it ends at the same moment and nothing is edited between. {@link
  * dev.carom.World#advanceTo World.advanceTo} names that moment exactly.
  *
  * <p>Without fused multiply-add in hardware, or with {@code -XX:-UseFMA}, the bits are the same,
- * but each one is computed by big numbers: a frame of 100 circles among 100 lines then took 1.8 ms
- * instead of 1.1 us.
+ * but each such operation takes big numbers: a frame of 100 circles among 100 lines then took 1.8
+ * ms instead of 1.1 us.
  *
  * <h2 id="threads">Threads</h2>
  *
@@ -145,17 +144,17 @@
  * <h2 id="limits">Limits</h2>
  *
  * <ul>
- *   <li>Circles move straight on between impacts, or with one constant {@linkplain
+ *   <li>Between impacts circles move straight on, or under one constant {@linkplain
  *       dev.carom.SceneBuilder#gravity gravity} on parabolas. There is no rotation, friction or
- *       polygon. Heaps come to rest up to 200 circles. Steering is a velocity that the caller sets
- *       between steps.
+ *       polygon. Heaps of up to 200 circles come to rest. Steering is a velocity that the caller
+ *       sets between steps.
  *   <li>Lines and pegs rest, or move with a {@linkplain dev.carom.World#setVelocity(ObstacleKind,
  *       int, double, double) constant velocity} and push circles. They do not turn, and nothing
  *       deflects them.
  *   <li>Without gravity, nothing comes to rest by a threshold. With it, bounces end by <a
- *       href="doc-files/rules.html#gravity">relative lengths</a>. A circle caught in a narrow place
- *       costs every one of its bounces. Where they would never end, the world stops them by a rule
- *       and reports it.
+ *       href="doc-files/rules.html#gravity">relative lengths</a>. A circle in a narrow place makes
+ *       all of its bounces. Where they would never end, the world stops them by a rule and reports
+ *       it.
  *   <li>Every bounce off a curved obstacle magnifies the rounding errors before it.
  *   <li>A scene refuses circles so small, beside its coordinates, that rounding could carry one
  *       through a line.
@@ -185,10 +184,13 @@
  *       href="doc-files/rules.html#stuck">stuck circles</a>.
  *   <dt>normal
  *   <dd>The unit vector at a contact, from the obstacle to the circle.
+ *   <dt>obstacle
+ *   <dd>A line, a peg or a wall. The type {@link dev.carom.Obstacle} is all that a circle can hit,
+ *       other circles too.
  *   <dt>one-way
  *   <dd>A line that is solid for circles that come from its left, and does not exist for others.
  *   <dt>peg
- *   <dd>A circle that does not move. Its radius may be 0: a point.
+ *   <dd>A round obstacle. Its radius may be 0: a point.
  *   <dt>restitution
  *   <dd>The factor by which an impact scales the speed along the normal: 1 is elastic, 0 keeps no
  *       motion along it, above 1 is a bumper.
@@ -198,6 +200,8 @@
  *   <dt>stuck
  *   <dd>A circle is stuck when it made too many impacts at one place: see <a
  *       href="doc-files/rules.html#stuck">stuck circles</a>.
+ *   <dt>ulp
+ *   <dd>The distance from a double to the next one, some 2^-52 of it.
  *   <dt>unfinished
  *   <dd>A step that returned false: the world stands at an earlier time than was asked for.
  * </dl>

@@ -17,7 +17,7 @@ import dev.carom.internal.state.MovingCircle;
  *       with circles: long elastic rows need that many.
  *   <li><b>Other impacts.</b> A place is at least 2^-16 of the radius wide. The weight of an impact
  *       follows its restitution: a circle is stuck when the product of the restitutions is below
- *       2^-16, or above 2^16, but after at least 4 impacts. Then the impacts took away nearly all
+ *       2^-16, or above 2^16, but after more than 4 impacts. Then the impacts took away nearly all
  *       of the motion, or made nearly all of it.
  *   <li><b>Faint impacts</b> weigh 1/32 of the limit. Their approach is no more than the rounding
  *       of the speeds met at that place.

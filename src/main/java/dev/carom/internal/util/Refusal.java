@@ -3,7 +3,7 @@ package dev.carom.internal.util;
 
 /**
  * The exceptions of {@link Check}: plain {@link IllegalArgumentException}s with a message such as
- * "radius is -1.0: expected a finite number, more than 0". The name of the thing that has the
+ * "radius is -1.0: expected a finite number, at least 0". The name of the thing that has the
  * property may stand before it, as "circle 3: radius is -1.0: ...".
  */
 public final class Refusal {
