@@ -95,7 +95,7 @@ final class DirectHit {
     double side = Math.copySign(1, wx * dy - wy * dx);
     double nx = -side * wy;
     double ny = side * wx;
-    if (!(r < ParabolaSegmentSweep.LARGEST_RADIUS)
+    if (!ParabolaSegmentSweep.isInRange(r, wx, wy)
         || !isInFront(nx, ny, dx, dy, sx, sy, gx, gy, t)
         || !isApproach(nx, ny, Math.abs(nx), Math.abs(ny), sx, sy, gx, gy, t)) {
       return GapRoot.DOUBT;

@@ -37,7 +37,7 @@ final class EndReturn {
     double h0 = wx * dy - wy * dx;
     double h1 = wx * sy - wy * sx;
     double h2 = 0.5 * (wx * gy - wy * gx);
-    if (!(r < ParabolaSegmentSweep.LARGEST_RADIUS)) {
+    if (!ParabolaSegmentSweep.isInRange(r, wx, wy)) {
       return GapRoot.DOUBT;
     }
     double c0 = h0 * h0 - r * r * (wx * wx + wy * wy);

@@ -56,6 +56,9 @@ final class GapRoot {
   /** The latest end of an interval: its fourth power times 2^-1074 stays below {@link #TINY}. */
   static final double LATEST = 0x1p150;
 
+  /** Above this, half an ulp of a time is a double. */
+  private static final double EARLIEST = 0x1p-1000;
+
   /** Above this, no product of a reach underflows if f is above {@link #TINY} at time 0. */
   private static final double LEAST_SAFE = 0x1p-600;
 
@@ -144,9 +147,9 @@ final class GapRoot {
   }
 
   /**
-   * The end of the window in which f can reach 0, T at most: later {@code m2 t^2 > m1 t + m0}.
+   * The end of the window in which f can reach 0, T at most: later {@code least t^2 > m1 t + m0}.
    *
-   * @param least at most the true |m2|
+   * @param least a size that the last term of a place, over t^2, has at least
    */
   static double reach(double m0, double m1, double least, double T) {
     if ((least * T - m1) * T < m0) {
@@ -386,24 +389,26 @@ final class GapRoot {
   }
 
   /**
-   * A bound of the error of a step {@code c = -f / f'} from t to the root, which is the double
-   * nearest to it. Twice the error of f over the slope, as that errs by less than half of itself if
-   * the result is below 12 u t.
+   * A bound of the error of a step {@code c = -f / f'} from t to the root, if t is the double
+   * nearest to that; NaN if the slope is out of range. So near to t, f by the residue and the slope
+   * errs by no more than {@link #errorBeside}, and c by that over the slope. Twice that covers the
+   * rounding of c.
    */
   static double stepError(double t, double c, double slope, double size) {
-    return 2 * errorBeside(t, Math.abs(c) + halfUlp(t), size) / Math.abs(slope);
+    double steepness = Math.abs(slope) < Double.POSITIVE_INFINITY ? Math.abs(slope) : DOUBT;
+    return 2 * errorBeside(t, Math.abs(c) + halfUlp(t), size) / steepness;
   }
 
   /**
    * A bound of the error of f up to a step from t, from the residue and the slope at t. Infinite if
-   * numbers are so large that underflow has no bound.
+   * numbers are out of range.
    *
    * @param step half an ulp at least
    */
   private static double errorBeside(double t, double step, double size) {
     double x = step / t;
     double scale = size * size;
-    return scale < MOST && t < LATEST
+    return scale < MOST && t > EARLIEST && t < LATEST
         ? Math.fma(scale, STEP_BOUND * (x * x), RESIDUE_TINY)
         : Double.POSITIVE_INFINITY;
   }

@@ -20,11 +20,11 @@ final class LaterEntry {
   static double certain(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
       double ay, double bx, double by, double ux, double uy, double s, double T) {
-    if (!(r < ParabolaSegmentSweep.LARGEST_RADIUS)) {
-      return GapRoot.DOUBT;
-    }
     double wx = bx - ax;
     double wy = by - ay;
+    if (!ParabolaSegmentSweep.isInRange(r, wx, wy)) {
+      return GapRoot.DOUBT;
+    }
     double dx = px - ax;
     double dy = py - ay;
     double sx = vx - ux;

@@ -57,9 +57,6 @@ public final class ParabolaSegmentSweep {
   /** Below this, no such product overflows. */
   private static final double MOST = 0x1p150;
 
-  /** The square of a larger radius may lift the underflow of w.w above all bounds. */
-  static final double LARGEST_RADIUS = 0x1p150;
-
   private ParabolaSegmentSweep() {}
 
   /** The correctly rounded time of impact, {@code +infinity} for none up to the window's end T. */
@@ -161,11 +158,11 @@ public final class ParabolaSegmentSweep {
   private static double certain(
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
       double ay, double bx, double by, double ux, double uy, double T) {
-    if (!(r < LARGEST_RADIUS)) {
-      return GapRoot.DOUBT;
-    }
     double wx = bx - ax;
     double wy = by - ay;
+    if (!isInRange(r, wx, wy)) {
+      return GapRoot.DOUBT;
+    }
     double dx = px - ax;
     double dy = py - ay;
     double sx = vx - ux;
@@ -388,7 +385,20 @@ public final class ParabolaSegmentSweep {
     return (wx == 0 || vy == 0) && (wy == 0 || vx == 0);
   }
 
-  /** The end of the window in which the disk can enter the strip. */
+  /**
+   * Whether neither the square of a radius nor that of a line lifts the underflow of the other above
+   * all bounds.
+   */
+  static boolean isInRange(double r, double wx, double wy) {
+    return r < MOST && Math.abs(wx) + Math.abs(wy) < MOST;
+  }
+
+  /**
+   * The end of the window in which the disk can enter the strip. Where h2 is all rounding error, it
+   * may be too early. Then h2 is below 2^-41 of its terms m2, and at this end and later the gap is
+   * so small a part of its terms that its sign is in doubt, unless the height grows with h2 from
+   * there on: then the disk does not enter the strip any more.
+   */
   static double reach(
       double wx, double wy, double gx, double gy, double h1, double h2, double m0, double m1,
       double m2, double T) {

@@ -52,6 +52,48 @@ class ParabolaSweepTest {
     v[1] = speed * Math.sin(lean);
   }
 
+  /** Half an ulp of the start is no double. */
+  @Test
+  void aTimeAfterTheLeastDouble() {
+    double[] n = {
+      1.8218793876714408, 1.6334281234927437, 2.446907655393966, -1, -1, 0, -1,
+      -6.856796655450329e-06, -4.641358343428964e-08, 1.21795643972811e-17, 0, 0
+    };
+    double time =
+        ParabolaDiskSweep.timeAfter(
+            n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11],
+            Double.MIN_VALUE, 10);
+    double truth =
+        ExactParabola.disk(
+                n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11])
+            .timeAfter(Double.MIN_VALUE, 10);
+    assertThat(time).isEqualTo(truth).isLessThan(1e-30);
+  }
+
+  /** Place times speed overflows: the normal is left to exact numbers. */
+  @Test
+  void aNormalWhoseSlopeIsInfinite() {
+    double x = -0x1p110 * 1.2345678;
+    double y = 0x1p90 * 0.6;
+    double r = 0x1p89;
+    double v = 0x1p950 * 1.1;
+    double t = ParabolaDiskSweep.time(x, y, r, v, 0, 0, -1, 0, 0, r, 0, 0, 1);
+    assertThat(t).isLessThan(1e-250);
+    assertThat(ParabolaDiskSweep.normal(x, y, r, v, 0, 0, -1, 0, 0, r, 0, 0, t)).isNull();
+  }
+
+  /** The square of the radius underflows, and that of the line is nearly as large. */
+  @Test
+  void aLongLineAndATinyDisk() {
+    double a = 0x1p499;
+    double r = 0x1.d68f698580a8bp-522;
+    double y = 0x1.d68f6985808b4p-522;
+    double time =
+        ParabolaSegmentSweep.time(
+            0, y, r, 0, -y * 0x1p-22, 0, y, -a, 0, a, 0, 0, 0, 100);
+    assertThat(time).isZero();
+  }
+
   @Test
   void ordinaryQuestionsAboutDisksNeedNoExactNumbers() {
     long before = PrecisionCounters.COUNT.exactParabolas;
