@@ -37,6 +37,7 @@ public final class ParabolaFamilies {
     all.add(new ParabolaFamily("halfway_side", ParabolaFamilies::halfwayToASide));
     all.add(new ParabolaFamily("touching_side", ParabolaFamilies::touchingSide));
     all.add(new ParabolaFamily("touching_disk", ParabolaFamilies::touchingDisk));
+    all.add(new ParabolaFamily("touching_short_line", ParabolaFamilies::touchingShortLine));
     all.add(new ParabolaFamily("halfway_wall", ParabolaFamilies::halfwayToAWall));
     all.add(new ParabolaFamily("ceiling", ParabolaFamilies::ceiling));
     all.add(new ParabolaFamily("underflow", ParabolaFamilies::underflow));
@@ -397,6 +398,27 @@ public final class ParabolaFamilies {
     double[] n = {p.x(), p.y(), r1, v.x(), v.y(), at.x(), at.y(), r2, 0, 0, window(d)};
     boolean line = r2 == 0 && d.chance(0.5);
     return new ParabolaQuery(line ? withLine(d, n) : PairQuery.of(n), g.x(), g.y());
+  }
+
+  /** In contact with both ends of a line to within rounding, and moves nearly along it or round. */
+  private static ParabolaQuery touchingShortLine(Draw d) {
+    double length = Math.scalb(d.in(1, 2), d.whole(-40, -8));
+    Point along = d.direction();
+    Point normal = along.turned();
+    Point a = d.chance(0.5) ? new Point(0, 0) : d.place();
+    Point b = a.plus(along.times(length));
+    double aside = Math.max(length, 0x1p-22) * d.in(-4, 4);
+    Point p = a.plus(along.times(aside)).plus(normal.times(1 + d.whole(-700, 700) * 0x1p-53));
+    double slide = d.pick(0, 1, d.in(-10, 10));
+    double rise = d.chance(0.3) ? faint(d) : slide * (length * d.in(-2, 2) - aside);
+    Point v = along.times(slide).plus(normal.times(rise));
+    Point g = normal.times(faint(d)).plus(along.times(d.chance(0.7) ? 0 : faint(d)));
+    double[] n = {a.x(), a.y(), b.x(), b.y(), p.x(), p.y(), 1, v.x(), v.y(), window(d)};
+    return new ParabolaQuery(SegmentQuery.of(n), g.x(), g.y());
+  }
+
+  private static double faint(Draw d) {
+    return d.chance(0.1) ? 0 : d.sign() * Math.scalb(d.in(1, 2), d.whole(-45, 0));
   }
 
   private static Dyadic at(double p, double v, double g, Dyadic t) {

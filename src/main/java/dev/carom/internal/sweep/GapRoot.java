@@ -57,7 +57,7 @@ final class GapRoot {
   static final double LATEST = 0x1p150;
 
   /** Above this, half an ulp of a time is a double. */
-  private static final double EARLIEST = 0x1p-1000;
+  static final double EARLIEST = 0x1p-1000;
 
   /** Above this, no product of a reach underflows if f is above {@link #TINY} at time 0. */
   private static final double LEAST_SAFE = 0x1p-600;
@@ -199,7 +199,7 @@ final class GapRoot {
       double a0 = c0 + l * low;
       double a1 = (l + q2 * low) * w;
       double a2 = (q2 + (s2 + c4 * low) * low) * (w * w);
-      double a3 = (s2 + 2 * c4 * low) * (w * w * w);
+      double a3 = (s2 + 2 * c4 * low) * w * (w * w); // the cube of w may underflow
       double a4 = c4 * (w * w) * (w * w);
       double b1 = a0 + 0.25 * a1;
       double b2 = a0 + 0.5 * a1 + a2 / 6;

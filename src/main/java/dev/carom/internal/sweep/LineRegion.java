@@ -67,8 +67,9 @@ final class LineRegion {
       double ux, double uy, double wx, double wy, double t) {
     double x = Offset.head(px, qx, vx, ux, gx, t);
     double y = Offset.head(py, qy, vy, uy, gy, t);
-    double sizeX = Offset.size(px - qx, vx - ux, gx, t);
-    double sizeY = Offset.size(py - qy, vy - uy, gy, t);
+    double late = t + GapRoot.EARLIEST; // covers half an ulp of a subnormal time
+    double sizeX = Offset.size(px - qx, vx - ux, gx, late);
+    double sizeY = Offset.size(py - qy, vy - uy, gy, late);
     double value = wx * x + wy * y;
     double terms = Math.abs(wx) * sizeX + Math.abs(wy) * sizeY;
     double bound = Math.fma(PLACE_BOUND, terms, TINY);

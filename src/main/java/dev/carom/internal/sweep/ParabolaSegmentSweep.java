@@ -228,9 +228,9 @@ public final class ParabolaSegmentSweep {
     double sy = vy - uy;
     double height = wx * dy - wy * dx;
     double speed = wx * sy - wy * sx;
-    double terms =
-        (Math.abs(wx * dy) + Math.abs(wy * dx)) * (Math.abs(wx * sy) + Math.abs(wy * sx));
-    return GapRoot.sign(height * speed, terms) < 0 ? 0 : GapRoot.DOUBT;
+    int side = GapRoot.sign(height, Math.abs(wx * dy) + Math.abs(wy * dx));
+    int way = GapRoot.sign(speed, Math.abs(wx * sy) + Math.abs(wy * sx));
+    return side * way < 0 ? 0 : GapRoot.DOUBT;
   }
 
   /** The time of impact of a disk that enters the strip at about the time in. */
@@ -279,7 +279,8 @@ public final class ParabolaSegmentSweep {
   /**
    * The time of impact of a disk that is in the strip, beyond an end of the line. If its height is
    * monotone until it hits this end, or for ever, it cannot come to the other end: it would have to
-   * pass this one in the strip.
+   * pass this one in the strip. Otherwise it must be outside of this end at the start: one that
+   * overlaps it, and leaves, does not hit the other one by coming nearer to that.
    *
    * @param region which end
    * @param from a time at which it is there, or just before it enters the strip there
@@ -297,7 +298,7 @@ public final class ParabolaSegmentSweep {
     double sx = vx - ux;
     double sy = vy - uy;
     int turn = turn(sx, sy, gx, gy, wx, wy, from, Math.min(near, T));
-    if (turn <= 0) {
+    if (turn <= 0 || (from == 0 && !isOutside(isStart, px, py, r, ax, ay, bx, by))) {
       return turn < 0 ? near : GapRoot.DOUBT;
     }
     double far = endTime(!isStart, px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, 0, T);
@@ -323,6 +324,15 @@ public final class ParabolaSegmentSweep {
     double again = vertex + Math.sqrt((Math.abs(height) - r * Math.sqrt(ww)) / Math.abs(h2));
     return Math.min(
         first, again(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, vertex, again, first, T));
+  }
+
+  /** Whether a disk is certain not to overlap an end at the start. */
+  private static boolean isOutside(
+      boolean isStart, double px, double py, double r, double ax, double ay, double bx, double by) {
+    double dx = px - (isStart ? ax : bx);
+    double dy = py - (isStart ? ay : by);
+    double size = Math.abs(dx) + Math.abs(dy) + r;
+    return GapRoot.sign((dx * dx + dy * dy) - r * r, size * size) > 0;
   }
 
   /** The time of the first contact with an end, from a time on before which there is none. */

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.carom.SweptCircle;
 import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.UnitVector;
 import dev.carom.oracle.Draw;
 import dev.carom.oracle.PairQuery;
 import dev.carom.oracle.ParabolaFamilies;
@@ -92,6 +93,82 @@ class ParabolaSweepTest {
         ParabolaSegmentSweep.time(
             0, y, r, 0, -y * 0x1p-22, 0, y, -a, 0, a, 0, 0, 0, 100);
     assertThat(time).isZero();
+  }
+
+  /** It overlaps both ends of a short line by less than rounding, and leaves. */
+  @Test
+  void aDiskThatLeavesAShortLine() {
+    double y = 1 - 306 * 0x1p-53;
+    double vy = 0x1p-22 + 0x1p-31;
+    double time =
+        ParabolaSegmentSweep.time(
+            -0x1p-22, y, 1, 1, vy, 0, -0x1p-26, 0, 0, 0x1p-30, 0, 0, 0, 100);
+    assertThat(time).isEqualTo(NEVER);
+  }
+
+  /** A height that is the least double, of the wrong sign, times a speed of 2^700. */
+  @Test
+  void aDiskThatLeavesThroughALineOfTinyHeight() {
+    double ax = 0x1.0000000000001p-2;
+    double bx = 0x1.4000000000800p0;
+    double by = 0x1.0000000002800p-980;
+    double px = 0x1.0000000000002p-2;
+    double py = 0x0.0010000000002p-1022;
+    double time =
+        ParabolaSegmentSweep.time(px, py, 0.1, 0, -0x1p700, 0, -1, ax, 0, bx, by, 0, 0, 1);
+    assertThat(time).isEqualTo(NEVER);
+  }
+
+  /** The true time is 0.4, 0.6 or 1.4 times the least double: half an ulp is most of it. */
+  @Test
+  void theContactAtALeastTime() {
+    double u = 0x1p-74;
+    double r = 0x1p-70;
+    double v = 0x1p1000;
+    double y = 0x1.3333333333333p-75;
+    assertThat(contact(0.5, y, 0, 0, -v, 1)).isEqualTo(Contact.LEFT);
+    assertThat(contact(-1.2 * u, r + 1.4 * u, r, v, -v, 1)).isEqualTo(Contact.LEFT);
+    assertThat(contact(-0.2 * u, r + 0.4 * u, r, v, -v, 0)).isEqualTo(Contact.LEFT);
+  }
+
+  /** The part of the contact of a falling disk with the line from 0 to 1 at k least times. */
+  private static int contact(double px, double py, double r, double vx, double vy, int k) {
+    double time = ParabolaSegmentSweep.time(px, py, r, vx, vy, 0, -1, 0, 0, 1, 0, 0, 0, 1);
+    assertThat(time).isEqualTo(k * Double.MIN_VALUE);
+    int contact =
+        ParabolaSegmentSweep.contact(px, py, r, vx, vy, 0, -1, 0, 0, 1, 0, 0, 0, time);
+    return contact & ~Contact.NOW;
+  }
+
+  /** It comes back after 2.4 least times, and is beyond the end by then. */
+  @Test
+  void aReturnAfterALeastTime() {
+    double px = -0x1.199999999999ap-50;
+    double vx = 0x1p1023;
+    double vy = 3 * Double.MIN_VALUE;
+    double time = ParabolaReturn.toLine(px, 1, 1, vx, vy, 0, -2.5, -1, 0, 0, 0, 0, 0, 1);
+    assertThat(time).isEqualTo(NEVER);
+  }
+
+  /** The cube of the window is no double, and the acceleration is 2^499. */
+  @Test
+  void aWindowWhoseCubeUnderflows() {
+    double g = -0x1p499;
+    double T = 0x1p-360;
+    double time =
+        ParabolaDiskSweep.time(0x1p-222, 0, 0x1p-223, 0, 0x1p138, g, g, 0, 0, 0, 0, 0, T);
+    assertThat(time).isBetween(0.625 * T, 0.75 * T);
+  }
+
+  /** The impact is after the start, though the time is rounded to 0. */
+  @Test
+  void aNormalAfterTheTime0() {
+    double v = -0x1p1023;
+    double t = ParabolaDiskSweep.time(0x1p-52, 0x1p-54, 0x1p-53, v, 0, 0, -1, 0, 0, 0, 0, 0, 1);
+    assertThat(t).isZero();
+    UnitVector n =
+        ParabolaDiskSweep.normal(0x1p-52, 0x1p-54, 0x1p-53, v, 0, 0, -1, 0, 0, 0, 0, 0, t);
+    assertThat(n).isNull();
   }
 
   @Test
