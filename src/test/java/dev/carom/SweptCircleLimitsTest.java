@@ -46,6 +46,19 @@ class SweptCircleLimitsTest {
         .isEqualTo(x < t ? t : NEVER);
   }
 
+  /** The impact is after the start, where the circle touches nothing. */
+  @Test
+  void theNormalAtATimeThatIsRoundedTo0() {
+    Circle circle = new Circle(-1.25 * 0x1p-52, 0x1p-53, 0x1p-52);
+    Impact atPoint =
+        SweptCircle.cast(circle, new Vec2(0x1p1023, 0), new Endpoint(0, 0), 1).orElseThrow();
+    assertThat(atPoint.time()).isZero();
+    assertVector(atPoint.normal(), new Vec2(-Math.sqrt(0.75), 0.5), 1e-15);
+    Impact atLine = hit(new Circle(0x1p-60, 0x1p-60, 0), new Vec2(-0x1p1023, -0x1p1023), FLOOR);
+    assertThat(atLine.time()).isZero();
+    assertVector(atLine.normal(), new Vec2(0, 1), 1e-15);
+  }
+
   @Test
   void aTimeBeyondTheRangeOfDoublesIsNever() {
     Circle circle = new Circle(4, 1e300, 2);

@@ -244,15 +244,15 @@ public final class DiskSweep {
    * The unit normal at contact, from the second disk to the first, each component within 1e-15.
    *
    * @param out receives the normal
-   * @param t the time of impact, or 0 for an impact {@link Contact#NOW}
+   * @param t the time of impact; 0 also for one that is rounded to 0
    */
   public static UnitVector normal(
       UnitVector out, double x1, double y1, double r1, double vx1, double vy1, double x2,
       double y2, double r2, double vx2, double vy2, double t) {
-    if (t == 0) {
+    if (t == 0 && Predicates.gap(x1, y1, x2, y2, r1, r2) <= 0) {
       return UnitVectors.unit(out, x1, y1, x2, y2);
     }
-    double c = correction(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t);
+    double c = t == 0 ? Double.NaN : correction(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t);
     if (Double.isNaN(c)) {
       PrecisionCounters.exactNormal();
       return out.set(Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).normal());

@@ -64,7 +64,7 @@ public final class Hit {
   private Hit ofEnd(
       double px, double py, double r, double vx, double vy, double x, double y, double ox,
       double oy, double ux, double uy, double t) {
-    if (r == 0 && t > 0 && slides(vx, vy, x, y, ox, oy, ux, uy)) {
+    if (r == 0 && slides(vx, vy, x, y, ox, oy, ux, uy)) {
       setSlideNormal(vx, vy, x, y, ox, oy, ux, uy);
     } else {
       DiskSweep.normal(n, px, py, r, vx, vy, x, y, 0, ux, uy, t);

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import dev.carom.SweptCircle;
 import dev.carom.internal.exact.Exact;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -37,6 +38,27 @@ class SideSweepTest {
       }
     }
     assertThat(met).isGreaterThan(200);
+  }
+
+  /**
+   * The radius is as small as what the rough time lacks, and that leads to the other side of the
+   * line: there, {@code h + r |w|} would cancel.
+   */
+  @ParameterizedTest
+  @CsvSource({
+    "-0.125, 1.125, 0x1.6a09e667f3bcdp-55, 0.375, -0.375, 1, 1",
+    "-131072, 1179648, 0x1.6a09e667f3bcdp-35, 0.375, -0.375, 1048576, 1048576",
+    "0x1.7dc59aa55f876p-1, 0x1.315e7de6f8af0p0, 0x1.bd5f834dbf0cdp-55, 0x1.ee5482b555045p-17, "
+        + "-0x1.350387a1e478ep-17, 0x1.350387a1e478ep0, 0x1.ee5482b555045p0"
+  })
+  void theRadiusOfAPointButForRounding(
+      String px, String py, String r, String vx, String vy, String bx, String by) {
+    double[] n = Stream.of(px, py, r, vx, vy, bx, by).mapToDouble(Double::parseDouble).toArray();
+    double time = Exact.Side.of(n[0], n[1], n[2], n[3], n[4], 0, 0, n[5], n[6]).time();
+    assertThat(SweptCircle.line(n[0], n[1], n[2], n[3], n[4], 0, 0, n[5], n[6], 1e9))
+        .isEqualTo(time);
+    assertThat(SweptCircle.movingLine(n[0], n[1], n[2], 0, 0, 0, 0, n[5], n[6], -n[3], -n[4], 1e9))
+        .isEqualTo(time);
   }
 
   /** The square of a radius, or of a length, underflows, and what it is to take away does not. */
