@@ -204,4 +204,41 @@ class FallTest {
     assertThat(world.y(0)).isCloseTo(60, within(1e-6));
     assertThat(world.vx(0)).isCloseTo(-3, within(1e-6));
   }
+
+  /** The square of its length underflows. */
+  @Test
+  void aLineOfAlmostNoLengthIsHit() {
+    SceneBuilder scene = Scene.builder().gravity(0, -1e-3);
+    scene.line(30, -5, 30, 5).line(0, 0, 1.5e-162, 0);
+    World world = new World(scene.circle(-5, 0.9, 1, 10, 0).build());
+    rows(world, 0.5);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.impacts().id(0)).isEqualTo(1);
+    assertThat(world.impacts().time(0)).isCloseTo(0.456, within(1e-3));
+  }
+
+  /** It would turn at a time that is no double. */
+  @Test
+  void aGravityThatIsHardlyAnyLeavesTheCeilingWhereItIs() {
+    SceneBuilder scene = Scene.builder().gravity(0, -1e-309).bounds(-100, -100, 100, 100);
+    World world = new World(scene.circle(0, 0, 1, 0, 1).build());
+    rows(world, 100);
+    assertThat(world.impacts().size()).isEqualTo(1);
+    assertThat(world.y(0)).isEqualTo(98);
+  }
+
+  /**
+   * It touches the start of the floor, and overlaps it by 5e-7: so the floor sticks out over the
+   * tangent, and is hit again before the wall.
+   */
+  @Test
+  void aHopOffAnEndEndsOnTheSide() {
+    SceneBuilder scene = Scene.builder().gravity(0, -1);
+    scene.line(1.05999, 0.5, 1.05999, 2).line(0, 0, 10, 0);
+    World world = new World(scene.circle(0, 0.9999995, 1, 1, -0.03).build());
+    rows(world, 0.059985);
+    assertThat(world.impacts().size()).isEqualTo(2);
+    assertThat(world.impacts().id(1)).isEqualTo(1);
+    assertThat(world.impacts().time(1)).isCloseTo(0.0599833, within(1e-7));
+  }
 }

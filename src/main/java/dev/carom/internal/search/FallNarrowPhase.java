@@ -236,7 +236,8 @@ final class FallNarrowPhase {
   /**
    * A time before which the circle cannot return to what it has just hit. That is convex, so it
    * lies behind the tangent at the contact, to which the circle does not return before {@code 2 v.n
-   * / -g.n}. That holds unless it overlaps a line deeply, in which it may turn round.
+   * / -g.n}. That holds unless it overlaps a line deeply, in which it may turn round. From an end
+   * that it overlaps by d, it may return to the side before, by {@code d / v.n}.
    */
   double earliestReturn() {
     int code = body.last;
@@ -250,12 +251,17 @@ final class FallNarrowPhase {
     double wx = bx - ax;
     double wy = by - ay;
     double ww = wx * wx + wy * wy;
+    if (ww == NEVER) {
+      return 0;
+    }
     double s = ww > 0 ? ((px - ax) * wx + (py - ay) * wy) / ww : 0;
     s = Math.max(0, Math.min(1, s));
     double nx = px - (ax + s * wx);
     double ny = py - (ay + s * wy);
-    double reach = EARLIER * (r + radius);
-    if (!(nx * nx + ny * ny > reach * reach)) {
+    double nn = nx * nx + ny * ny;
+    double sum = r + radius;
+    double reach = EARLIER * sum;
+    if (!(nn > reach * reach)) {
       return 0; // it overlaps that, and may come deeper
     }
     // The normal errs by this, so speeds along it by that times theirs.
@@ -272,6 +278,12 @@ final class FallNarrowPhase {
         ROUNDING * (Math.abs(gx * nx) + Math.abs(gy * ny))
             + error * (Math.abs(gx) + Math.abs(gy))
             - lift;
+    // (sum - |n|) |n| is at most this: a quarter of the margin is for the side beside an end.
+    double overlap = Math.max(0, sum * sum - nn) + 4 * error * sum;
+    boolean isAtEnd = ww > 0 && (s == 0 || s == 1);
+    if (isAtEnd && !(overlap * pull <= 0x1p-22 * (away * away))) {
+      return 0;
+    }
     return pull > 0 ? EARLIER * (2 * away / pull) : NEVER;
   }
 

@@ -246,6 +246,14 @@ public final class FallSearch {
     right = Math.max(chordX, endX) + marginX;
     bottom = Math.min(chordY, endY) - marginY;
     top = Math.max(chordY, endY) + marginY;
+    if (gx != 0 && turnsX == NEVER) { // it turns beyond the range of doubles
+      left = -NEVER;
+      right = NEVER;
+    }
+    if (gy != 0 && turnsY == NEVER) {
+      bottom = -NEVER;
+      top = NEVER;
+    }
     if (turnsX > from && turnsX < end) {
       double x = place(px, vx, gx, turnsX);
       left = Math.min(left, x - marginX);
@@ -425,10 +433,15 @@ public final class FallSearch {
     double wy = by - ay;
     double first = wy * dx - wx * dy;
     double last = first + (wx * alongY - wy * alongX);
-    double besidePath = beyond(a, b, square * (alongX * alongX + alongY * alongY));
-    double besideLine = beyond(first, last, square * (wx * wx + wy * wy));
+    double besidePath = beyond(a, b, square * lengthSquare(alongX, alongY));
+    double besideLine = beyond(first, last, square * lengthSquare(wx, wy));
     // One branch for both, as each alone would be unpredictable.
     return (Double.doubleToRawLongBits(besidePath) | Double.doubleToRawLongBits(besideLine)) < 0;
+  }
+
+  /** Not less than the square of a length; the least normal number covers underflow. */
+  private static double lengthSquare(double x, double y) {
+    return x * x + y * y + Double.MIN_NORMAL;
   }
 
   /**
@@ -437,7 +450,7 @@ public final class FallSearch {
    */
   private static double beyond(double a, double b, double limit) {
     double twice = Math.abs(a + b) - Math.abs(a - b); // the lesser size, below 0 for two signs
-    return 4 * limit - twice * Math.abs(twice);
+    return 4 * limit + Double.MIN_NORMAL - twice * Math.abs(twice);
   }
 
   private void considerMoving() {

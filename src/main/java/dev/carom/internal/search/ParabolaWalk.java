@@ -202,7 +202,10 @@ final class ParabolaWalk {
         return d * perSpeed;
       }
       double square = v * v + 2 * g * d;
-      if (!(square >= 0)) {
+      if (step * g > 0) {
+        square =
+            Math.max(0, square); // just behind a turn at a border rounding may make it negative
+      } else if (!(square >= 0)) {
         return NEVER;
       }
       double speed = step * Math.sqrt(square);

@@ -76,4 +76,29 @@ class ParabolaWalkTest {
       assertFollows(grid, 21, 21.5, v, 0.01, g, 0, 20);
     }
   }
+
+  /** It begins just after a turn at a border, which rounding puts on either side. */
+  @Test
+  void itGoesOnAfterATurnAtABorder() {
+    Grid grid = grid();
+    ParabolaWalk walk = new ParabolaWalk();
+    double edge = -grid.rows(0) * CELL;
+    Random random = new Random(2);
+    for (int i = 0; i < 200_000; i++) {
+      double g = -1 - 9 * random.nextDouble();
+      double v = 5 * random.nextDouble();
+      double turn = -v / g;
+      double border = edge + (3 + random.nextInt(7)) * CELL;
+      double py = border - 0.5 * v * turn + (random.nextInt(9) - 4) * 0x1p-50;
+      double from = turn + random.nextInt(9) * 1e-9;
+      assertThat(walk.start(grid, 21, py, 0.01, v, 0, g, from)).isTrue();
+      double later = turn + Math.sqrt(3 * CELL / -g); // a cell and a half below
+      while (walk.to < later) {
+        assertThat(walk.advance()).isTrue();
+      }
+      double x = grid.columns(21 + 0.01 * later);
+      double y = grid.rows(py + (v + 0.5 * g * later) * later);
+      assertThat(walk.list()).isEqualTo(grid.lists[grid.number((int) x, (int) y)]);
+    }
+  }
 }
