@@ -36,6 +36,17 @@ class WorldEditTest {
 
   // Circles.
 
+  /** Cells are wider than circles by more than rounding where the circles were at first. */
+  @Test
+  void circlesThatWereMovedFarAwayCollide() {
+    double r = 1 + 0x1p-15;
+    World world =
+        world(Scene.builder().collide(true).circle(0, 0, r, 1, 0).circle(2.5, 0, r, 0, 0));
+    world.setPosition(0, 999999999999.1293, 0);
+    world.setPosition(1, 1000000000001.1393, 0);
+    assertThat(times(world, CIRCLE, 0.00998)).hasSize(1);
+  }
+
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void aNewVelocityHoldsFromNowOn(boolean collide) {

@@ -143,18 +143,20 @@ public final class NeighborGrid {
   /**
    * Lists a circle where it is at a given time, unless it is beyond the range of doubles.
    *
-   * @return false if no level was made for its radius
+   * @return false if no level was made for its radius, or the cells are too narrow so far away
    */
   public boolean enter(int i, double now) {
     int level = sizes.of(circles.radius(i));
-    if (level < 0) {
+    double x = circles.x(i, now);
+    double y = circles.y(i, now);
+    if (level < 0 || !sizes.reach(x, y)) {
       return false;
     }
     levelOf[i] = (short) level;
     if (falls) {
       state[CircleTable.collidingAt(i) + CircleTable.ENTERED] = circles.since(i, now);
     }
-    enter(i, circles.x(i, now) - originX, circles.y(i, now) - originY);
+    enter(i, x - originX, y - originY);
     return true;
   }
 

@@ -135,6 +135,16 @@ public final class SizeClasses {
     return slack;
   }
 
+  /**
+   * Whether cells are wide enough for circles at a place: rounding takes less there than what they
+   * are wider than diameters.
+   */
+  boolean reach(double x, double y) {
+    double farthest = Math.max(Math.abs(x), Math.abs(y));
+    double spare = slack + 0.5 * (SLACK - 1) * widths[0];
+    return ROUNDING * farthest <= spare || farthest == Double.POSITIVE_INFINITY;
+  }
+
   /** The class of a radius; -1 if the classes were made without it. */
   public int of(double radius) {
     int octave = Arrays.binarySearch(exponents, Math.getExponent(radius));
