@@ -105,6 +105,9 @@ abstract class PlainEdits extends PlainSearch {
     boolean passes = (registry.mass(id) == never) != (mass == never);
     freeHeap(id);
     registry.setMass(id, mass);
+    if (passes) {
+      leaveJams(Codes.circle(id));
+    }
     boolean held = collide && bodies.get(id).isHeld();
     if (held || (passes && (collide || gravity.acts()))) {
       restarted(id).forget();

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import dev.carom.ImpactLog;
+import dev.carom.ObstacleKind;
 import dev.carom.Outcome;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
@@ -44,6 +45,22 @@ class InfiniteMassTest {
     assertThat(world.x(0)).isZero();
     assertThat(world.x(1)).isEqualTo(-7);
     assertThat(world.x(2)).isEqualTo(-13);
+  }
+
+  /** A press becomes an ordinary circle upon what it has crushed, and comes back from the wall. */
+  @Test
+  void aPressThatBecomesACircleHitsWhatItCrushed() {
+    SceneBuilder scene = colliding().bounds(0, 0, 20, 4).circle(1.5, 2, 1, 0, 0);
+    World world = new World(scene.circle(10, 2, 1, -1, 0).mass(INFINITE).build());
+    assertThat(world.advanceTo(8)).isTrue();
+    assertThat(count(world.impacts(), Outcome.JAMMED)).isPositive();
+    world.setMass(1, 1);
+    assertThat(world.advanceTo(50)).isTrue();
+    int meetings = 0;
+    for (int i = 0; i < world.impacts().size(); i++) {
+      meetings += world.impacts().kind(i) == ObstacleKind.CIRCLE ? 1 : 0;
+    }
+    assertThat(meetings).isPositive();
   }
 
   /** Sixteen that overlap are moved as a flipper: each approach is one row, each frame. */

@@ -494,6 +494,11 @@ public final class CollidingEngine extends Engine {
       scheduler.remove(i);
     }
     invalidate(circles.codes, i);
+    leaveJamsOf(i);
+  }
+
+  @Override
+  void leaveJamsOf(int i) {
     if (circles.jams != null) {
       leaveJams(Codes.circle(i), reached);
     }

@@ -141,6 +141,9 @@ public final class Editor {
     boolean passes = (registry.mass(slot) == INFINITE) != (m == INFINITE);
     engine.freeHeap(slot, now);
     registry.setMass(slot, m);
+    if (passes) {
+      engine.leaveJamsOf(slot);
+    }
     circles.load(slot, body);
     boolean held = collide && body.isHeld(); // maybe by what fell just now
     if (held || (passes && (collide || engine.gravity.acts()))) {

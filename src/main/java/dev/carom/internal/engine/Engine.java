@@ -129,6 +129,9 @@ public abstract class Engine {
   /** Stores a circle whose prediction was shortened. */
   abstract void store(int i, MovingCircle m);
 
+  /** Lets circles that a circle crushed, or that jam with it, hit it again. */
+  void leaveJamsOf(int i) {}
+
   /** Lets the circles fall that a circle holds, which is about to change. */
   void freeHeap(int i, double now) {}
 
