@@ -6,6 +6,7 @@ import static dev.carom.Falling.rows;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -26,6 +27,53 @@ class GravityEditsTest {
     rows(world, 7);
     assertThat(world.y(0)).isEqualTo(16);
     assertThat(world.vy(0)).isEqualTo(10);
+  }
+
+  /** What moved once, and rests now, carries as what never moved. */
+  @Test
+  void aPegOfVelocity0CarriesABall() {
+    World world = onAPeg();
+    world.setVelocity(ObstacleKind.PEG, 0, 0, 0);
+    assertThat(world.advanceTo(20)).isTrue();
+    assertThat(world.isResting(0)).isTrue();
+  }
+
+  @Test
+  void aLiftThatStoppedCarriesAHeap() {
+    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true);
+    scene.line(0, 0, 0, 20).line(5, 0, 5, 20).line(-1, 1, 6, 1).velocity(0, 0.5);
+    scene.circle(1.5, 3, 1, 0, 0).restitution(0.5).circle(3.5, 4, 1, 0, 0).restitution(0.5);
+    scene.circle(2.6, 7, 1, 0, 0).restitution(0.5);
+    World world = new World(scene.build());
+    assertThat(world.advanceTo(2)).isTrue();
+    world.setVelocity(ObstacleKind.LINE, 2, 0, 0);
+    assertThat(world.advanceTo(60)).isTrue();
+    assertThat(IntStream.range(0, 3)).allMatch(world::isResting);
+    world.setVelocity(ObstacleKind.LINE, 2, 0, 0.5);
+    assertThat(IntStream.range(0, 3)).noneMatch(world::isResting);
+  }
+
+  /** The slope of the lift presses the ball against a wall, along which it goes up. */
+  @Test
+  void aLiftWithASlopeCarriesABallAlongAWall() {
+    SceneBuilder scene = Scene.builder().gravity(0, -10).line(0, -50, 0, 50);
+    scene.line(-2, -1, 10, 5).velocity(0, 0.5).circle(3, 6, 1, 0, 0).restitution(0.5);
+    World world = new World(scene.build());
+    assertThat(world.advanceTo(8)).isTrue();
+    double y = world.y(0);
+    assertThat(world.x(0)).isCloseTo(1, within(1e-9));
+    assertThat(world.advanceTo(20)).isTrue();
+    assertThat(world.impacts().size()).isZero();
+    assertThat(world.y(0)).isCloseTo(y + 6, within(1e-9));
+    world.setVelocity(ObstacleKind.LINE, 1, 0, 0);
+    assertThat(world.advanceTo(30)).isTrue();
+    assertThat(world.isResting(0)).isTrue();
+    assertThat(world.y(0)).isCloseTo(y + 6, within(1e-6));
+  }
+
+  private static World onAPeg() {
+    SceneBuilder scene = Scene.builder().gravity(0, -10).peg(0, 0, 1);
+    return new World(scene.circle(0, 2, 1, 0, 0).restitution(0.5).build());
   }
 
   @Test

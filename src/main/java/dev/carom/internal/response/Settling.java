@@ -119,12 +119,12 @@ public final class Settling {
       }
     } else if (pressure > 0 && !isHop(m, out, pressure)) {
       log.setOutcome(ImpactRows.SETTLED);
-      if (carried && holdsBetween() && movesAlike(m.support, point)) {
-        rest(m, code, point);
-      } else if (reach == 0) {
-        slide(m, code, point);
-      } else {
-        m.fall(gravity.x, gravity.y);
+      if (!(carried && holdsBetween() && restsBetween(m, code, point, reach))) {
+        if (reach == 0) {
+          slide(m, code, point);
+        } else {
+          m.fall(gravity.x, gravity.y);
+        }
       }
     }
   }
@@ -237,11 +237,35 @@ public final class Settling {
     m.support = MovingCircle.HELD;
   }
 
-  private static void rest(MovingCircle m, int code, ContactPoint point) {
+  /**
+   * Lets a circle rest between what carries it and what it hit, if these move alike. If one of them
+   * moves along the other one, which is straight, the circle goes with it, along that.
+   *
+   * @return whether it does
+   */
+  private boolean restsBetween(MovingCircle m, int code, ContactPoint point, double reach) {
+    int carrier = m.support;
+    double ux = obstacles.ux(carrier);
+    double uy = obstacles.uy(carrier);
+    double x = point.ux - ux;
+    double y = point.uy - uy;
+    if (x == 0 && y == 0) {
+      rest(m, code, ux, uy);
+    } else if (x * carrierX + y * carrierY == 0) {
+      rest(m, carrier, point.ux, point.uy);
+    } else if (reach == 0 && x * nx + y * ny == 0) {
+      rest(m, code, ux, uy);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  private static void rest(MovingCircle m, int support, double vx, double vy) {
     m.fall(0, 0);
-    m.vx = point.ux;
-    m.vy = point.uy;
-    m.support = code;
+    m.vx = vx;
+    m.vy = vy;
+    m.support = support;
   }
 
   /** Whether a circle leaves with a speed that makes a hop of more than rounding. */
@@ -368,10 +392,6 @@ public final class Settling {
     return true;
   }
 
-  private boolean movesAlike(int carrier, ContactPoint point) {
-    return obstacles.ux(carrier) == point.ux && obstacles.uy(carrier) == point.uy;
-  }
-
   /** Whether all the motion of a circle could lift it by no more than some least hops. */
   private boolean isCalm(MovingCircle m, double reach) {
     return m.vx * m.vx + m.vy * m.vy <= 2 * gravity.size() * CALM_HOPS * LEAST_HOP * reach;
@@ -379,14 +399,14 @@ public final class Settling {
 
   /** Whether what a circle hit holds it against gravity, alone or with another thing at rest. */
   private boolean isHeld(MovingCircle m, int code) {
-    if (obstacles.moves(code)) {
+    if (!obstacles.isAtRest(code)) {
       return false;
     }
     if (nx * gravity.y == ny * gravity.x) {
       return nx * gravity.x + ny * gravity.y < 0; // it stands on the top, or hangs under it
     }
     for (int other : near.apply(m)) {
-      if (other != code && isSolid(m, other) && !obstacles.moves(other)) {
+      if (other != code && isSolid(m, other) && obstacles.isAtRest(other)) {
         Touch touch = touch(m, other);
         if (touch != null) {
           carrierX = touch.nx();
@@ -421,7 +441,7 @@ public final class Settling {
 
   /** The contact with an obstacle at rest that may hold a circle in a heap; null for none. */
   Touch touchInHeap(MovingCircle m, int code) {
-    return isSolid(m, code) && !obstacles.moves(code) ? touch(m, code, HEAP_HOLD) : null;
+    return isSolid(m, code) && obstacles.isAtRest(code) ? touch(m, code, HEAP_HOLD) : null;
   }
 
   /** The contact of two circles in a heap; null if they are too far from each other. */

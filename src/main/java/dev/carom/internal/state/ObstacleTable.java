@@ -247,6 +247,11 @@ public final class ObstacleTable {
     return motions.count() > 0 && motions.indexOf(code) >= 0;
   }
 
+  /** Whether an obstacle does not move now. */
+  public boolean isAtRest(int code) {
+    return ux(code) == 0 && uy(code) == 0;
+  }
+
   public double ux(int code) {
     return moves(code) ? motions.ux(motions.indexOf(code)) : 0;
   }
