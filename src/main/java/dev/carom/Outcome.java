@@ -11,7 +11,8 @@ public enum Outcome {
 
   /**
    * The motion along the normal stopped: one of the two has {@link Response#HALT}. Under gravity
-   * such a circle may settle at once; the row then says {@link #SETTLED}.
+   * such a circle may settle at once; the row then says {@link #SETTLED}. Off what is round it
+   * leaves by the <a href="doc-files/rules.html#gravity">least speed</a>.
    */
   HALTED,
 
@@ -36,9 +37,10 @@ public enum Outcome {
    * The circle stopped bouncing: its bounces had become very low, or this impact left none, by
    * restitution 0 or {@link Response#HALT}.
    *
-   * <p>From this impact on it slides along a side or a wall, or rests. In a heap, the contacts that
-   * hold a circle which comes to rest have this outcome. This happens only in a scene with
-   * {@linkplain SceneBuilder#gravity gravity}.
+   * <p>From this impact on it slides along a side or a wall, or rests, or, where it slid upon
+   * something round that does not carry it, falls. In a heap, the contacts that hold a circle which
+   * comes to rest have this outcome. This happens only in a scene with {@linkplain
+   * SceneBuilder#gravity gravity}.
    */
   SETTLED
 }

@@ -159,8 +159,9 @@ public final class SceneBuilder {
    *
    * <p>Left is as seen from the start of the line to its end, as in {@code cross(b - a, p - a) >
    * 0}. The line is solid, ends included, for a flight that starts with the centre strictly left of
-   * it and moves against its left normal. For every other flight it does not exist. A line of zero
-   * length has no left, so no circle ever hits it.
+   * it and moves against its left normal. For every other flight it does not exist. Under gravity,
+   * a flight can turn: there the place and the motion count with which it comes to touch the line.
+   * A line of zero length has no left, so no circle ever hits it.
    *
    * <p><img src="doc-files/one-way.svg" alt="A line from a to b: a circle that comes from its left
    * bounces, one that comes from its right passes" style="max-width:100%">
