@@ -31,7 +31,7 @@ class FallingExitTest {
     double width = 1 + random.nextDouble();
     double p = 100 * random.nextGaussian();
     double v = random.nextGaussian();
-    double g = Math.scalb(random.nextInt(3) - 1, -random.nextInt(12));
+    double g = Math.scalb(random.nextInt(3) - 1.0, -random.nextInt(12));
     double cell = Math.floor(p / width);
     double since = 0;
     boolean quick = false;
