@@ -249,7 +249,7 @@ public final class DiskSweep {
   public static UnitVector normal(
       UnitVector out, double x1, double y1, double r1, double vx1, double vy1, double x2,
       double y2, double r2, double vx2, double vy2, double t) {
-    if (t == 0 && Predicates.gap(x1, y1, x2, y2, r1, r2) <= 0) {
+    if (t == 0 && isNow(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2)) {
       return UnitVectors.unit(out, x1, y1, x2, y2);
     }
     double c = t == 0 ? Double.NaN : correction(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t);
@@ -259,6 +259,17 @@ public final class DiskSweep {
     }
     return UnitVectors.unit(
         out, offset(x1, x2, vx1, vx2, t, c), offset(y1, y2, vy1, vy2, t, c), 0, 0);
+  }
+
+  /**
+   * Whether the normal at time 0 is that of the start. It may be another one only if the true time
+   * is rounded to 0, and the disks are so fast that they move by a part of their radii until then.
+   */
+  static boolean isNow(
+      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
+      double vx2, double vy2) {
+    double way = Double.MIN_VALUE * (Math.abs(vx1 - vx2) + Math.abs(vy1 - vy2));
+    return way < 0x1p-60 * (r1 + r2) || Predicates.gap(x1, y1, x2, y2, r1, r2) <= 0;
   }
 
   /**

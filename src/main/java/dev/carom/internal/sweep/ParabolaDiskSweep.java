@@ -219,7 +219,7 @@ public final class ParabolaDiskSweep {
       double y2, double r2, double vx2, double vy2, double t) {
     if (t == 0) {
       boolean haveOneCentre = x1 == x2 && y1 == y2; // the normal is where they come from
-      boolean isNow = Predicates.gap(x1, y1, x2, y2, r1, r2) <= 0; // no time rounded to 0
+      boolean isNow = DiskSweep.isNow(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
       return haveOneCentre || !isNow ? null : UnitVectors.unit(x1, y1, x2, y2);
     }
     double x = Offset.head(x1, x2, vx1, vx2, gx, t);
