@@ -214,7 +214,7 @@ class FallTest {
     rows(world, 0.5);
     assertThat(world.impacts().size()).isEqualTo(1);
     assertThat(world.impacts().id(0)).isEqualTo(1);
-    assertThat(world.impacts().time(0)).isCloseTo(0.456, within(1e-3));
+    assertThat(world.impacts().time(0)).isCloseTo(0.45639, within(1e-5));
   }
 
   /** It would turn at a time that is no double. */

@@ -68,7 +68,7 @@ class GravityEditsTest {
     world.setVelocity(ObstacleKind.LINE, 1, 0, 0);
     assertThat(world.advanceTo(30)).isTrue();
     assertThat(world.isResting(0)).isTrue();
-    assertThat(world.y(0)).isCloseTo(y + 6, within(1e-6));
+    assertThat(world.y(0)).isCloseTo(y + 6, within(1e-9));
   }
 
   private static World onAPeg() {
