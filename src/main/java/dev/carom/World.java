@@ -371,10 +371,11 @@ public final class World {
    *
    * <p>It has {@linkplain Outcome#SETTLED settled} or jammed, and does not move, or only moves with
    * the line or the two lines that carry it, until something hits it or an edit frees it. A circle
-   * that slides does not rest; over a line that moves sideways it slides, even where it stands
-   * still. After an edit of what carries it, it rests again from the next step on. A resting circle
-   * makes no impacts and costs nothing. In a heap, a circle that approaches it slowly bounces off
-   * it and does not free it, see <a href="doc-files/rules.html#gravity">Gravity</a>.
+   * that slides does not rest. Over a line that moves sideways it slides, even where it stands
+   * still, and so does one that a lift takes along a wall. After an edit of what carries it, it
+   * rests again from the next step on. A resting circle makes no impacts and costs nothing. In a
+   * heap, a circle that approaches it slowly bounces off it and does not free it, see <a
+   * href="doc-files/rules.html#gravity">Gravity</a>.
    *
    * @param id the id of the circle
    * @return true if it rests; never without gravity

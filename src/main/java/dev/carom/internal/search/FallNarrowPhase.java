@@ -237,7 +237,7 @@ final class FallNarrowPhase {
    * A time before which the circle cannot return to what it has just hit. That is convex, so it
    * lies behind the tangent at the contact, to which the circle does not return before {@code 2 v.n
    * / -g.n}. That holds unless it overlaps a line deeply, in which it may turn round. From an end
-   * that it overlaps by d, it may return to the side before, by {@code d / v.n}.
+   * that it overlaps by d, it may return to the side earlier, by {@code d / v.n}.
    */
   double earliestReturn() {
     int code = body.last;
@@ -278,7 +278,8 @@ final class FallNarrowPhase {
         ROUNDING * (Math.abs(gx * nx) + Math.abs(gy * ny))
             + error * (Math.abs(gx) + Math.abs(gy))
             - lift;
-    // (sum - |n|) |n| is at most this: a quarter of the margin is for the side beside an end.
+    // At least 2 (sum - |n|) |n|. The return to the side beside an end is earlier by a quarter of
+    // overlap pull / away^2, in proportion: far less than the margin.
     double overlap = Math.max(0, sum * sum - nn) + 4 * error * sum;
     boolean isAtEnd = ww > 0 && (s == 0 || s == 1);
     if (isAtEnd && !(overlap * pull <= 0x1p-22 * (away * away))) {

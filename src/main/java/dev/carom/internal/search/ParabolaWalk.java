@@ -202,9 +202,8 @@ final class ParabolaWalk {
         return d * perSpeed;
       }
       double square = v * v + 2 * g * d;
-      if (step * g > 0) {
-        square =
-            Math.max(0, square); // just behind a turn at a border rounding may make it negative
+      if (step * g > 0) { // just behind a turn at a border, rounding may make it negative
+        square = Math.max(0, square);
       } else if (!(square >= 0)) {
         return NEVER;
       }

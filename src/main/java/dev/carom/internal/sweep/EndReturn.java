@@ -3,12 +3,13 @@ package dev.carom.internal.sweep;
 
 /**
  * When a disk with a constant acceleration that touches an end of a line, q, hits the line next, as
- * far as doubles and double-double tell. The other end is o. {@link ParabolaReturn} says what counts.
+ * far as doubles and double-double tell. The other end is o. {@link ParabolaReturn} says what
+ * counts.
  *
- * <p>While the centre stays beyond q, only the return to q counts. Otherwise the disk must have left
- * the strip of {@link ParabolaSegmentSweep} when its centre comes beside the line. Until it is in the
- * strip again it hits nothing. If it then is beside the line, it hits the side; if it is beyond an
- * end and stays there, it can hit this end alone. All else is left open.
+ * <p>While the centre stays beyond q, only the return to q counts. Otherwise the disk must have
+ * left the strip of {@link ParabolaSegmentSweep} when its centre comes beside the line. Until it is
+ * in the strip again it hits nothing. If it then is beside the line, it hits the side; if it is
+ * beyond an end and stays there, it can hit this end alone. All else is left open.
  */
 final class EndReturn {
 

@@ -63,14 +63,15 @@ final class GapRoot {
   private static final double LEAST_SAFE = 0x1p-600;
 
   /**
-   * Of {@code f + f' step} beside a time t, where f is a residue: in units of {@code x^2 A}, for a
-   * step of at most x t. The residue errs by 510 u^2: an offset by 40 u^2 of its terms, a distance
-   * from a line by 160 u^2, the squares by twice that, their tails and their sums by less than 190
-   * u^2. The slope errs by 13 u of {@code 4 A / t}: that of a line has 7 of the height, 5 of its
-   * change and 1 of their product. The rounding of the residue, and the difference and the product
-   * with the step, take 3 u more: 64 u x in all. The bend adds 6 x^2, as f'' is at most 12 A / t^2,
-   * and half of it counts; higher terms are far below. A step is half an ulp at least, so u is at
-   * most 2 x, and all that is {@code (4 * 510 + 2 * 64 + 6) x^2} at most.
+   * The error of {@code f + f' step}, as a part of {@code x^2 A}. Here f is the residue at a time
+   * t, and the step is x t at most. The residue errs by 510 u^2. In it, an offset errs by 40 u^2 of
+   * its terms, and a distance from a line by 160 u^2. A square errs by twice that; the tails and
+   * the sums of squares err by less than 190 u^2. The slope errs by 13 u of {@code 4 A / t}: that
+   * of a line has 7 of the height, 5 of its change and 1 of their product. The rounding of the
+   * residue, and the difference and the product with the step, take 3 u more: 64 u x in all. The
+   * bend adds 6 x^2, as f'' is at most 12 A / t^2, and half of it counts; higher terms are far
+   * below. A step is half an ulp at least, so u is at most 2 x, and all that is
+   * {@code (4 * 510 + 2 * 64 + 6) x^2} at most.
    */
   private static final double STEP_BOUND = 2560;
 
@@ -95,8 +96,8 @@ final class GapRoot {
   }
 
   /**
-   * The rounded time of a root if it is certain to be the one that {@link #first} found, else DOUBT.
-   * Within the {@link #MARGIN} there is no other. Half of it is left for rounding.
+   * The rounded time of a root if it is certain to be the one that {@link #first} found, else
+   * DOUBT. Within the {@link #MARGIN} there is no other. Half of it is left for rounding.
    *
    * @param first what {@link #first} told
    * @param time the double nearest to any root, or NaN
@@ -129,10 +130,11 @@ final class GapRoot {
   }
 
   /**
-   * Whether f falls from the start up to a time, at least half as fast as at the start. Its slope is
-   * {@code c1 + 2 c2 t + 3 c3 t^2 + 4 c4 t^3}, where |c3| is at most 2 m1 m2, and c4 at most m2^2. So
-   * the terms after c1 add up to less than {@code t bend}, in which c3 and c4 count twice. A
-   * coefficient errs by less than a quarter of its {@link #error}: so does c1, by its sign, of itself.
+   * Whether f falls from the start up to a time, at least half as fast as at the start. Its slope
+   * is {@code c1 + 2 c2 t + 3 c3 t^2 + 4 c4 t^3}, where |c3| is at most 2 m1 m2, and c4 at most
+   * m2^2. So the terms after c1 add up to less than {@code t bend}, in which c3 and c4 count twice.
+   * A coefficient errs by less than a quarter of its {@link #error}: so does c1, by its sign, of
+   * itself.
    */
   static boolean falls(double c1, double c2, double m0, double m1, double m2, double t) {
     double ofC2 = Math.max(0, c2 + error(m1 * m1 + 2 * m0 * m2));
@@ -161,8 +163,8 @@ final class GapRoot {
 
   /**
    * About the root: f has it and no other in an interval that reaches {@link #MARGIN} beyond the
-   * result, and none between that and the start. NEVER if f has none up to T, DOUBT if plain doubles
-   * do not tell.
+   * result, and none between that and the start. NEVER if f has none up to T, DOUBT if plain
+   * doubles do not tell.
    *
    * @param start a time at which f is certain to be above 0
    */
@@ -269,8 +271,8 @@ final class GapRoot {
 
   /**
    * The sign of f at a time and up to half an ulp beside it; 0 in doubt. The coefficients err by 10
-   * u, the sums and products here by 8 u, and half an ulp of time changes f by 4 u: less than {@link
-   * #BERNSTEIN_BOUND}.
+   * u, the sums and products here by 8 u, and half an ulp of time changes f by 4 u: less than
+   * {@link #BERNSTEIN_BOUND}.
    */
   static int sign(
       double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,
@@ -308,8 +310,8 @@ final class GapRoot {
   }
 
   /**
-   * A time until which f rises from the start, and at which it is above 0. NEVER if it rises up to T
-   * and is not certain to come above 0, DOUBT if plain doubles do not tell.
+   * A time until which f rises from the start, and at which it is above 0. NEVER if it rises up to
+   * T and is not certain to come above 0, DOUBT if plain doubles do not tell.
    */
   static double leaves(
       double c0, double c1, double c2, double c3, double c4, double m0, double m1, double m2,

@@ -5,10 +5,10 @@ package dev.carom.internal.sweep;
  * When a disk with a constant acceleration comes into contact with a line after a given time, as
  * far as doubles and double-double tell.
  *
- * <p>The disk enters the capsule of {@link ParabolaSegmentSweep} where it enters the strip while its
- * centre is beside the line, or the disk of an end while its centre is beyond that end. So each of
- * the three is asked for its entries, and those elsewhere are passed over. A disk that is outside
- * the strip enters nothing before the strip.
+ * <p>The disk enters the capsule of {@link ParabolaSegmentSweep} where it enters the strip while
+ * its centre is beside the line, or the disk of an end while its centre is beyond that end. So each
+ * of the three is asked for its entries, and those elsewhere are passed over. A disk that is
+ * outside the strip enters nothing before the strip.
  */
 final class LaterEntry {
 
@@ -83,7 +83,7 @@ final class LaterEntry {
     return Math.min(side, Math.min(start, end));
   }
 
-  /** The first entry into the disk of the end q while the centre is beyond it; o is the other end. */
+  /** The first entry into the disk of the end q, of a centre beyond it; o is the other end. */
   private static double end(
       double px, double py, double r, double vx, double vy, double gx, double gy, double qx,
       double qy, double ox, double oy, double ux, double uy, double s, double T) {

@@ -201,7 +201,9 @@ public final class ParabolaDiskSweep {
     for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
       double f = residue(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, t);
       double slope = slope(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, t);
-      double size = r1 + r2 + Offset.size(x1 - x2, vx1 - vx2, gx, t) + Offset.size(y1 - y2, vy1 - vy2, gy, t);
+      double sizeX = Offset.size(x1 - x2, vx1 - vx2, gx, t);
+      double sizeY = Offset.size(y1 - y2, vy1 - vy2, gy, t);
+      double size = r1 + r2 + sizeX + sizeY;
       nearest = GapRoot.nearest(t, f, slope, size);
       t -= f / slope;
     }

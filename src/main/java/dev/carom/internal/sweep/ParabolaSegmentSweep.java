@@ -248,9 +248,10 @@ public final class ParabolaSegmentSweep {
   }
 
   /**
-   * Where a disk that touches the strip is: 1 beside the line, -1 beyond an end. It is 0 near an end,
-   * for a disk that moves nearly along the line, and where gravity is strong. So a disk that is in the
-   * strip or out of it by no more than rounding has left or entered it before it comes to an end.
+   * Where a disk that touches the strip is: 1 beside the line, -1 beyond an end. It is 0 near an
+   * end, for a disk that moves nearly along the line, and where gravity is strong. So a disk that
+   * is in the strip or out of it by no more than rounding has left or entered it before it comes to
+   * an end.
    */
   private static int whereItTouches(
       double dx, double dy, double sx, double sy, double gx, double gy, double wx, double wy,
@@ -346,8 +347,8 @@ public final class ParabolaSegmentSweep {
 
   /**
    * Whether the height turns between two times: 1 if it does, -1 if it is monotone, 0 in doubt. It
-   * does not turn if its slope has the same sign at both, or nothing but the velocity, or nothing but
-   * the acceleration, changes it.
+   * does not turn if its slope has the same sign at both, or nothing but the velocity, or nothing
+   * but the acceleration, changes it.
    *
    * @param sx the velocity of the disk less that of the line
    */
@@ -396,18 +397,19 @@ public final class ParabolaSegmentSweep {
   }
 
   /**
-   * Whether neither the square of a radius nor that of a line lifts the underflow of the other above
-   * all bounds.
+   * Whether a radius and a line are so small that the product of their squares has no underflow
+   * above the bounds.
    */
   static boolean isInRange(double r, double wx, double wy) {
     return r < MOST && Math.abs(wx) + Math.abs(wy) < MOST;
   }
 
   /**
-   * The end of the window in which the disk can enter the strip. Where h2 is all rounding error, it
-   * may be too early. Then h2 is below 2^-41 of its terms m2, and at this end and later the gap is
-   * so small a part of its terms that its sign is in doubt, unless the height grows with h2 from
-   * there on: then the disk does not enter the strip any more.
+   * The end of the window in which the disk can enter the strip.
+   *
+   * <p>It may be too early where h2 is all rounding error, below 2^-41 of its terms m2. Then the
+   * gap at this end is so small a part of its terms that its sign is in doubt. It is certain only
+   * later, if the height grows with h2. From then on the disk does not enter the strip.
    */
   static double reach(
       double wx, double wy, double gx, double gy, double h1, double h2, double m0, double m1,

@@ -147,11 +147,11 @@ public final class SideSweep {
   /**
    * The correction of a time t: the remaining gap over the speed, both times |w|:
    * {@code h - r |w| = (h^2 - r^2 w.w) / (h + r |w|)}, {@code h = side cross(w, e)},
-   * {@code e = d + v t}. All that cancels is kept as head and tail; one division does for two. (A
-   * time so late that h is below 0 needs neither.) Its
+   * {@code e = d + v t}. All that cancels is kept as head and tail; one division does for two. Its
    * divisor stays within the doubles: h and r |w| are below {@link #MOST_SAFE}, the speed below
    * MOST over a time from {@link #LEAST_SAFE} on, and where it underflows, the squares have done so
-   * before, to nothing left.
+   * before, to nothing left. If h is below 0, {@code h + r |w|} cancels, but {@code h - r |w|} does
+   * not.
    *
    * @param scaledRadius fl(r |w|)
    */
@@ -176,7 +176,7 @@ public final class SideSweep {
     double h1 = crossTail(wx, wxl, wy, wyl, ex, exl, ey, eyl, h0);
     double h = side * (h0 + h1);
     if (r == 0 || h < 0) {
-      return (h - scaledRadius) / speed; // nothing cancels
+      return (h - scaledRadius) / speed;
     }
     double hl = sumTail(side * h0, side * h1, h);
     return gap(h, hl, wx, wxl, wy, wyl, r) / ((h + scaledRadius) * speed);
@@ -205,9 +205,10 @@ public final class SideSweep {
    * <p>With {@code X = |dx| + |vx t|}, Y likewise: e loses 6 u^2 X, 6 u^2 Y in its tails; so h
    * loses D = 6 + 64 u^2 of {@code M = |wx| Y + |wy| X}. {@code h^2 - r^2 w.w} loses 2 h D and 2 x
    * 32 u^2 of h^2 <= h M, divided by {@code h + r |w|} >= h; and that sum, D itself, in proportion
-   * to the quotient, which is below h: 3 D + 32 u^2 M, less than 256 u^2 M. The divisions by {@code
-   * h + r |w|} (6 u, or 4 u for {@code h - r |w|} if h is below 0) and by the speed (3 u of its terms, and 2 more) err in proportion to the step;
-   * the least that the speed can be divides.
+   * to the quotient, which is below h: 3 D + 32 u^2 M, less than 256 u^2 M. Two errors more are
+   * in proportion to the step: that of the division by {@code h + r |w|}, 6 u, or of
+   * {@code h - r |w|}, 4 u, and that of the speed, 3 u of its terms and 2 more. The least that the
+   * speed can be divides.
    */
   private static double stepError(
       double dx, double dy, double r, double vx, double vy, double wx, double wy,

@@ -107,8 +107,8 @@ final class StripContact {
    * 10 u; infinite for one that moves along the line.
    *
    * <p>The coefficients err by u. Where the discriminant is not far below k1^2 it errs by 6 u of
-   * that, and its root by as much of k1. Elsewhere the disk turns soon after it leaves the strip, or
-   * before.
+   * that, and its root by as much of k1. Elsewhere the disk turns soon after it leaves the strip,
+   * or before.
    */
   private static double exit(double k0, double k1, double k2) {
     double discriminant = k1 * k1 - 4 * k0 * k2;
@@ -127,7 +127,7 @@ final class StripContact {
   }
 
   /**
-      * Whether a centre that starts beside the line is certain to stay there up to a time. The time
+   * Whether a centre that starts beside the line is certain to stay there up to a time. The time
    * may err by 10 u. That moves a place by 20 u of its terms, and changes a speed by 10 u of them.
    * Each has 10 u more of its own. The bounds of {@link EndReturn#isBeyond} and of {@link
    * #isOneWay} exceed both sums.
