@@ -19,7 +19,8 @@ import java.util.function.Function;
  *       along it from now on, with the part of gravity along it. On level ground it rests or rolls
  *       on for ever.
  *   <li><b>Corner.</b> A sliding circle that hits something else, and hops from neither, rests if
- *       the two normals hold gravity between them; else it slides on along what it hit.
+ *       the two normals hold gravity between them; else it slides on along what it hit. Between
+ *       things that move unlike each other it hops as from what is round.
  *   <li><b>Round.</b> Sliding over an end of a line, a peg or a circle has no closed form. A circle
  *       pressed against one leaves it fast enough for a hop of 2^-12 of the combined radius R. If
  *       all its motion could lift it by no more than 2^-10 R, and something within 2^-9 R holds it
@@ -48,6 +49,12 @@ public final class Settling {
 
   /** What holds a circle in a heap is no further away, in combined radii. */
   private static final double HEAP_HOLD = 32 * LEAST_HOP;
+
+  /**
+   * The sine of the least angle between two things that move unlike each other and carry a circle.
+   * Along one of them it leaves the other by the least speed, so at that over the sine.
+   */
+  private static final double LEAST_SINE = 0x1p-10;
 
   /** A hop that is no higher than so many ulps of the coordinates is none. */
   private static final double ULPS = 2;
@@ -118,8 +125,11 @@ public final class Settling {
         log.setOutcome(ImpactRows.SETTLED);
       }
     } else if (pressure > 0 && !isHop(m, out, pressure)) {
-      log.setOutcome(ImpactRows.SETTLED);
-      if (!(carried && holdsBetween() && restsBetween(m, code, point, reach))) {
+      boolean isHeld = carried && holdsBetween();
+      if (isHeld && restsBetween(m, code, point, reach)) {
+        log.setOutcome(ImpactRows.SETTLED);
+      } else if (!(isHeld && hopsBetween(m, out, pressure, reach))) {
+        log.setOutcome(ImpactRows.SETTLED);
         if (reach == 0) {
           slide(m, code, point);
         } else {
@@ -258,6 +268,24 @@ public final class Settling {
     } else {
       return false;
     }
+    return true;
+  }
+
+  /**
+   * Lets a circle hop between what carries it and what it hit, if these move unlike each other: it
+   * leaves what it hit by the least speed, along what carries it. So it follows both.
+   *
+   * @return whether it does; not if the two are all but parallel
+   */
+  private boolean hopsBetween(MovingCircle m, double out, double pressure, double reach) {
+    double sine = carrierX * ny - carrierY * nx;
+    if (Math.abs(sine) < LEAST_SINE) {
+      return false;
+    }
+    double hop = LEAST_HOP * (reach > 0 ? reach : m.radius);
+    double along = (Math.sqrt(2 * pressure * hop) - out) / sine;
+    m.vx -= along * carrierY;
+    m.vy += along * carrierX;
     return true;
   }
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Balls in the corner of two lines, of which one moves. */
+class MovingCornerTest {
+
+  /** Some hops of 2^-12 radii, off a side that the ball leaves at 45 degrees. */
+  private static final double HOPS = 4 * 0x1p-12;
+
+  /** A ball of radius 1 falls into a V; its left side is at rest, and its right side moves. */
+  private static World playedUntil(double end, double u, double e) {
+    SceneBuilder scene = Scene.builder().gravity(0, -1).line(-10, 10, 0, 0).restitution(e);
+    scene.line(0, 0, 10, 10).restitution(e).velocity(u, 0).circle(0, 1.5, 1, 0, 0);
+    World world = new World(scene.build());
+    assertThat(world.advanceTo(end)).isTrue();
+    return world;
+  }
+
+  /** The ball touches both sides as they part or close. */
+  @ParameterizedTest
+  @CsvSource({"0.5, 2", "0.125, 6", "-0.125, 20", "-0.5, 9"})
+  void theBallStaysInTheCorner(double u, double end) {
+    World world = playedUntil(end, u, 0);
+    assertThat(world.x(0)).isCloseTo(u * end / 2, within(HOPS));
+    assertThat(world.y(0)).isCloseTo(Math.sqrt(2) - u * end / 2, within(HOPS));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0.5, 0", "0.5, 0.25", "0.5, 0.5", "0.125, 0", "0.125, 0.5"})
+  void theBallFallsThroughTheGap(double u, double e) {
+    assertThat(playedUntil(40, u, e).y(0)).isLessThan(-100);
+  }
+
+  /** The hops off a side that moves take a bounded number of rows. */
+  @Test
+  void theBallMakesFewHops() {
+    World world = playedUntil(10, -0.125, 0);
+    world.advanceTo(11);
+    assertThat(world.impacts().size()).isLessThan(100);
+  }
+}
