@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Balls in the corner of two lines, of which one moves. */
+/** Balls between two things, of which one moves. */
 class MovingCornerTest {
 
   /** Some hops of 2^-12 radii, off a side that the ball leaves at 45 degrees. */
@@ -44,5 +44,52 @@ class MovingCornerTest {
     World world = playedUntil(10, -0.125, 0);
     world.advanceTo(11);
     assertThat(world.impacts().size()).isLessThan(100);
+  }
+
+  private static SceneBuilder lifting(String what, double e) {
+    SceneBuilder scene = Scene.builder().gravity(0, -1).bounds(0, -100, 100, 100);
+    if (what.equals("peg")) {
+      scene.peg(1.6, -1, 0.5);
+    } else {
+      scene.line(1.6, -1, 10, -4);
+    }
+    return scene.velocity(0, 0.25).restitution(e).circle(1, 1.5, 1, 0, 0).restitution(e);
+  }
+
+  /** The ball lies on what rises beside a wall, and touches the wall. */
+  @ParameterizedTest
+  @CsvSource({"peg, 0", "peg, 0.5", "end of a line, 0", "end of a line, 0.5"})
+  void whatIsRoundLiftsABallAlongAWall(String what, double e) {
+    World world = new World(lifting(what, e).build());
+    for (int t = 10; t <= 40; t += 5) {
+      assertThat(world.advanceTo(t)).isTrue();
+      double reach = what.equals("peg") ? 1.5 : 1;
+      double above = Math.sqrt(reach * reach - 0.6 * 0.6);
+      assertThat(world.x(0)).isCloseTo(1, within(HOPS));
+      assertThat(world.y(0)).isCloseTo(-1 + 0.25 * t + above, within(HOPS));
+    }
+  }
+
+  /** A peg rises between a slope and a ball, until the ball is no longer held and falls. */
+  @ParameterizedTest
+  @CsvSource({"0", "0.5", "0.9"})
+  void aPegThatRisesPastABallLetsItFall(double e) {
+    SceneBuilder scene = Scene.builder().gravity(0, -1).line(-50, 100, 0, 0);
+    scene.peg(1.6, -1, 0.5).velocity(0, 0.25).restitution(e).circle(1, 1.5, 1, 0, 0);
+    World world = new World(scene.restitution(e).build());
+    assertThat(world.advanceTo(40)).isTrue();
+    assertThat(world.y(0)).isLessThan(-100);
+  }
+
+  /** A ball that nothing lets out is squeezed, as before. */
+  @ParameterizedTest
+  @CsvSource({"0", "0.5", "0.9"})
+  void aPressJamsABallInAV(double e) {
+    SceneBuilder scene = Scene.builder().gravity(0, -1).line(-10, 10, 0, 0).line(0, 0, 10, 10);
+    scene.line(-10, 10, 10, 10).velocity(0, -0.25).restitution(e).circle(0, 3, 1, 0, 0);
+    World world = new World(scene.restitution(e).build());
+    assertThat(world.advanceTo(60)).isTrue();
+    assertThat(world.isResting(0)).isTrue();
+    assertThat(world.y(0)).isCloseTo(Math.sqrt(2), within(HOPS));
   }
 }

@@ -136,6 +136,18 @@ public final class ContactCluster {
     return m.jam != null && isCrushedByIgnored(m);
   }
 
+  /** Whether another circle is no further from a circle than a given distance. */
+  boolean touchesCircle(MovingCircle m, double most) {
+    for (int id : vicinity.circlesNear(m.id)) {
+      if (id != m.id
+          && registry.meet(id, m.id)
+          && Touch.of(m, broughtTo(m, vicinity.copyOf(id)), most) != null) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   private boolean isCrushedByIgnored(MovingCircle m) {
     for (int entry : m.jam.entries()) {
       if (IgnoreList.crushes(entry) && Codes.isCircle(IgnoreList.code(entry))) {

@@ -51,6 +51,7 @@ public final class ObstacleResponse {
   private Predicate<MovingCircle> isCrushed;
 
   public final Settling settling;
+  private final Escape escape;
 
   /** The codes of obstacles that a circle may touch, ascending. */
   private final Function<MovingCircle, int[]> near;
@@ -60,13 +61,15 @@ public final class ObstacleResponse {
     this.near = near;
     this.obstacles = obstacles;
     settling = new Settling(obstacles, gravity, near);
+    escape = new Escape(obstacles, gravity, settling, near);
     point = new ContactPoint(obstacles);
     isCrushed = m -> Touch.isCrushed(m, obstacles);
   }
 
-  /** Lets a cluster tell of crushed circles: it knows the infinite masses, too. */
+  /** Lets a cluster tell of crushed circles, and of circles that touch: it knows them all. */
   public void ask(ContactCluster cluster) {
     isCrushed = cluster::isCrushed;
+    escape.ask(cluster);
   }
 
   /**
@@ -105,7 +108,7 @@ public final class ObstacleResponse {
     double way = m.flown * speed;
     double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
     double speeds = Math.abs(m.vx) + Math.abs(m.vy) + Math.abs(point.ux) + Math.abs(point.uy);
-    double driven = obstacles.areMoving() ? StuckRule.PUSHED_PLACE : StuckRule.DRIVEN_PLACE;
+    double driven = StuckRule.drivenPlace(obstacles.areMoving());
     StuckRule.count(m, way, speeds, approach, e, StuckRule.ELASTIC, driven);
     m.driven |= point.ux * point.nx + point.uy * point.ny > 0;
     boolean stuck = StuckRule.isStuck(m);
@@ -152,6 +155,9 @@ public final class ObstacleResponse {
     m.newFlight();
     m.jam = IgnoreList.ofCircles(m.jam);
     if (StuckRule.isStuck(m)) {
+      if (e < 1 && obstacles.areMoving() && escape.escapes(m)) {
+        return;
+      }
       boolean pushes = point.ux != 0 || point.uy != 0;
       m.jam = pushes ? IgnoreList.crushedBy(m.jam, code) : m.jam;
       Settling.hold(m);
@@ -172,7 +178,7 @@ public final class ObstacleResponse {
     double speed = Math.abs(sx) + Math.abs(sy);
     double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
     double speeds = Math.abs(m.vx) + Math.abs(m.vy) + Math.abs(point.ux) + Math.abs(point.uy);
-    double driven = obstacles.areMoving() ? StuckRule.PUSHED_PLACE : StuckRule.DRIVEN_PLACE;
+    double driven = e < 1 ? StuckRule.FALLING_PLACE : StuckRule.drivenPlace(obstacles.areMoving());
     StuckRule.countFalling(m, m.flown * speed, speeds, approach, e, driven);
     m.driven |= point.ux * point.nx + point.uy * point.ny > 0;
   }

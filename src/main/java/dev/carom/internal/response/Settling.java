@@ -448,7 +448,8 @@ public final class Settling {
     return false;
   }
 
-  private boolean isSolid(MovingCircle m, int code) {
+  /** Whether an obstacle is there for a circle, and no sensor. */
+  boolean isSolid(MovingCircle m, int code) {
     return Filter.meet(m.filter, obstacles.filter(code))
         && (Codes.isWall(code)
             ? obstacles.walls != null

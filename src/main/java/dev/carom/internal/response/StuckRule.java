@@ -24,7 +24,7 @@ import dev.carom.internal.state.MovingCircle;
  *   <li><b>Driven circles.</b> An infinite mass or a moving obstacle that drives a circle against
  *       another thing leaves it less room with each impact: infinitely many impacts, even at
  *       restitution 1. For such a circle 2^-10 of the radius is one place, or 2^-6 in scenes with
- *       moving obstacles.
+ *       moving obstacles; 2^-14 if it falls, for impacts with obstacles that are not elastic.
  * </ul>
  */
 public final class StuckRule {
@@ -63,7 +63,14 @@ public final class StuckRule {
    * obstacle of speed u and something at rest makes some {@code v / u} impacts while the gap
    * halves, and twice as many with each further half.
    */
-  static final double PUSHED_PLACE = 0x1p-6;
+  private static final double PUSHED_PLACE = 0x1p-6;
+
+  /**
+   * The same for a circle that falls, where its impacts with obstacles are not elastic: less than
+   * its hops, which leave it room. It soon is as slow as what drives it, so it makes few impacts
+   * until there is no room.
+   */
+  static final double FALLING_PLACE = 0x1p-14;
 
   /** The part of its coordinates by which rounding can move a circle: 4 ulps of 1..2 are 2^-50. */
   private static final double ROUNDED = 0x1p-51;
@@ -123,6 +130,11 @@ public final class StuckRule {
       m.leavePlace();
       m.speedExponent = exponent;
     }
+  }
+
+  /** The width of a place for a driven circle, in radii, by whether any obstacle moves. */
+  static double drivenPlace(boolean isAnyMoving) {
+    return isAnyMoving ? PUSHED_PLACE : DRIVEN_PLACE;
   }
 
   /** Whether a circle slid along its partner: they came nearer by no more than rounding. */
