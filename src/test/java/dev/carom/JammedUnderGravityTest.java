@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import static dev.carom.ObstacleKind.CIRCLE;
 import static dev.carom.ObstacleKind.LINE;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Circles that something squeezed while they fell, and what happens when they are free again. */
 class JammedUnderGravityTest {
@@ -42,5 +45,26 @@ class JammedUnderGravityTest {
     assertThat(world.y(0)).isEqualTo(1 - 4);
     assertThat(world.advanceTo(20)).isTrue();
     assertThat(world.y(0)).isCloseTo(world.line(1).ay() + 1, within(1e-12));
+  }
+
+  /** A mass rises one unit in each unit of time; it jams a ball under a ceiling, and passes it. */
+  @ParameterizedTest
+  @ValueSource(strings = {"remove", "setMass", "setVelocity", "setPosition"})
+  void aBallFallsWhenTheMassThatPressedItIsGone(String edit) {
+    SceneBuilder scene = Scene.builder().collide(true).gravity(0, -1).line(-10, 10, 10, 10);
+    scene.circle(0, 5, 1, 0, 0).restitution(0.5);
+    scene.circle(0, 0, 1, 0, 1).mass(Double.POSITIVE_INFINITY);
+    World world = new World(scene.build());
+    assertThat(world.advanceTo(8)).isTrue();
+    assertThat(world.isResting(0)).isTrue();
+    assertThat(world.y(0)).isEqualTo(9);
+    switch (edit) {
+      case "remove" -> world.remove(CIRCLE, 1);
+      case "setMass" -> world.setMass(1, 1);
+      case "setVelocity" -> world.setVelocity(1, 0, -20);
+      default -> world.setPosition(1, 50, 0);
+    }
+    assertThat(world.advanceTo(20)).isTrue();
+    assertThat(world.y(0)).isLessThan(-20);
   }
 }

@@ -89,8 +89,22 @@ abstract class PlainEdits extends PlainSearch {
     boolean confined = meets(id, obstacles.filter(Codes.LEFT));
     m.restart(now, tailOfEdit(m), confined ? obstacles.walls : null);
     begin(m);
-    leaveJamsOfInfinite(m);
+    if (registry.mass(id) == Double.POSITIVE_INFINITY) {
+      leaveJamsOf(id);
+    }
     return m;
+  }
+
+  /** Circles fall that rest only since a circle, which is edited, pressed them. */
+  private void leaveJamsOf(int id) {
+    int code = Codes.circle(id);
+    for (MovingCircle m : bodies) {
+      boolean isPressed = m.jam != null && m.jam.isCrushedBy(code);
+      if (registry.contains(m.id) && isPressed && m.support == MovingCircle.HELD) {
+        restarted(m.id).forget(code, 0);
+      }
+    }
+    leaveJams(code);
   }
 
   /** An edit comes after all that happened: to the circle, if it is alone. */
@@ -106,7 +120,7 @@ abstract class PlainEdits extends PlainSearch {
     freeHeap(id);
     registry.setMass(id, mass);
     if (passes) {
-      leaveJams(Codes.circle(id));
+      leaveJamsOf(id);
     }
     boolean held = collide && bodies.get(id).isHeld();
     if (held || (passes && (collide || gravity.acts()))) {
@@ -161,10 +175,9 @@ abstract class PlainEdits extends PlainSearch {
   }
 
   private void removeCircle(int id) {
-    int code = Codes.circle(id);
     freeHeap(id);
     registry.remove(id);
-    leaveJams(code);
+    leaveJamsOf(id);
   }
 
   private void removeObstacle(int code) {

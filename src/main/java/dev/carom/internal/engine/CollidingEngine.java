@@ -467,7 +467,9 @@ public final class CollidingEngine extends Engine {
     }
     outgrown = outgrown || !scheduler.enter(i, reached);
     repredict(i);
-    leaveJamsOfInfinite(i, true);
+    if (registry.mass(i) == Double.POSITIVE_INFINITY) {
+      leaveJamsOf(i);
+    }
   }
 
   /** Schedules a new prediction of a circle for the next step, when all edits are done. */
@@ -500,7 +502,23 @@ public final class CollidingEngine extends Engine {
   @Override
   void leaveJamsOf(int i) {
     if (circles.jams != null) {
+      letGoOfPressed(Codes.circle(i));
       leaveJams(Codes.circle(i), reached);
+    }
+  }
+
+  /** Lets circles fall that rest only since a circle, which is edited, pressed them. */
+  private void letGoOfPressed(int code) {
+    LiveCodes present = registry.present();
+    for (int k = 0; k < present.size(); k++) {
+      int i = present.get(k);
+      IgnoreList jam = circles.jam(i);
+      if (registry.contains(i) && jam != null && jam.isCrushedBy(code)) {
+        circles.load(i);
+        if (circles.body.support == MovingCircle.HELD) {
+          letGo(circles.body, code);
+        }
+      }
     }
   }
 

@@ -185,8 +185,8 @@ public abstract class Engine {
         || (m.isSupported() && m.gx == 0 && m.gy == 0 && response.settling.touches(m, code));
   }
 
-  /** Lets a circle fall from an obstacle that is about to change. */
-  private void letGo(MovingCircle m, int code) {
+  /** Lets a circle fall that something holds, or pressed, which is about to change. */
+  final void letGo(MovingCircle m, int code) {
     freeHeap(m.id, reached);
     circles.load(m.id, m);
     m.restart(reached, tailOfEdit(m, reached), circles.wallsOf(m.id));
