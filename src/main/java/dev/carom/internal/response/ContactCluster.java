@@ -15,6 +15,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
@@ -136,16 +137,15 @@ public final class ContactCluster {
     return m.jam != null && isCrushedByIgnored(m);
   }
 
-  /** Whether another circle is no further from a circle than a given distance. */
-  boolean touchesCircle(MovingCircle m, double most) {
-    for (int id : vicinity.circlesNear(m.id)) {
-      if (id != m.id
-          && registry.meet(id, m.id)
-          && Touch.of(m, broughtTo(m, vicinity.copyOf(id)), most) != null) {
-        return true;
-      }
-    }
-    return false;
+  /** The circles that are no further from a circle than a given distance, at its time. */
+  List<MovingCircle> touching(MovingCircle m, double most) {
+    return IntStream.of(vicinity.circlesNear(m.id))
+        .sorted()
+        .distinct()
+        .filter(id -> id != m.id && registry.meet(id, m.id) && !pairs.isSensor(id, m.id))
+        .mapToObj(id -> broughtTo(m, vicinity.copyOf(id)))
+        .filter(other -> Touch.of(m, other, most) != null)
+        .collect(Collectors.toList());
   }
 
   private boolean isCrushedByIgnored(MovingCircle m) {
@@ -164,7 +164,7 @@ public final class ContactCluster {
     return m.id < 0;
   }
 
-  private boolean isInfinite(MovingCircle m) {
+  boolean isInfinite(MovingCircle m) {
     return isObstacle(m) || registry.mass(m.id) == INFINITE;
   }
 

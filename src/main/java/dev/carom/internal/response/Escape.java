@@ -10,9 +10,9 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * Lets a circle that falls, and is stuck between things of which one moves, leave all of them: each
- * by the least speed at which it leaves what is round. If there is no such velocity, they squeeze
- * it.
+ * Lets a circle that falls, and is stuck between things of which one moves, leave all of them:
+ * those that carry it by the least speed at which it leaves what is round. If there is no such
+ * velocity, they squeeze it.
  */
 final class Escape {
 
@@ -23,7 +23,7 @@ final class Escape {
   private final Gravity gravity;
   private final Settling settling;
 
-  /** Tells whether another circle touches one; null as long as no circles meet. */
+  /** Tells which circles touch one; null as long as no circles meet. */
   private ContactCluster circles;
 
   /** The codes of obstacles that a circle may touch, ascending. */
@@ -48,24 +48,29 @@ final class Escape {
   /**
    * Gives a circle the velocity nearest to its own with which it leaves all that it touches.
    *
-   * @return false if there is none, if nothing of that moves, or if other circles touch it, too;
-   *     then nothing has changed
+   * @return false if there is none, if nothing of that moves, or if a circle of finite mass touches
+   *     it, too; then nothing has changed
    */
   boolean escapes(MovingCircle m) {
     List<Touch> touches = touches(m);
-    boolean isAlone = circles == null || !circles.touchesCircle(m, REACH * m.radius);
-    if (!isAlone || touches.stream().allMatch(touch -> obstacles.isAtRest(touch.code()))) {
+    List<MovingCircle> partners =
+        circles == null ? List.of() : circles.touching(m, REACH * m.radius);
+    if (!partners.stream().allMatch(other -> circles.isInfinite(other))
+        || !isAnyMoving(touches, partners)) {
       return false;
     }
-    InelasticShock shock = new InelasticShock(1 + touches.size(), touches.size());
+    int most = touches.size() + partners.size();
+    InelasticShock shock = new InelasticShock(1 + most, most);
     shock.setCircle(0, m.vx, m.vy, 1);
-    for (int k = 0; k < touches.size(); k++) {
-      Touch touch = touches.get(k);
-      double least = leastSpeed(m, touch.code());
-      double ux = obstacles.ux(touch.code()) + least * touch.nx();
-      double uy = obstacles.uy(touch.code()) + least * touch.ny();
-      shock.setCircle(k + 1, ux, uy, Double.POSITIVE_INFINITY);
-      shock.addContact(0, k + 1, touch.nx(), touch.ny());
+    int k = 1;
+    for (Touch touch : touches) {
+      int code = touch.code();
+      double radius = Codes.isWall(code) ? 0 : obstacles.radius(code);
+      leave(shock, k++, touch, obstacles.ux(code), obstacles.uy(code), m.radius + radius);
+    }
+    for (MovingCircle other : partners) {
+      Touch touch = Touch.of(m, other, REACH * m.radius);
+      leave(shock, k++, touch, other.vx, other.vy, m.radius + other.radius);
     }
     if (!shock.resolve()) {
       return false;
@@ -75,6 +80,24 @@ final class Escape {
     m.leavePlace();
     settling.fall(m);
     return true;
+  }
+
+  private boolean isAnyMoving(List<Touch> touches, List<MovingCircle> partners) {
+    return touches.stream().anyMatch(touch -> !obstacles.isAtRest(touch.code()))
+        || partners.stream().anyMatch(other -> other.vx != 0 || other.vy != 0);
+  }
+
+  /**
+   * Adds a contact k with what has a velocity u. If gravity presses the circle on it, the circle
+   * leaves it by the least speed.
+   */
+  private void leave(InelasticShock shock, int k, Touch touch, double ux, double uy, double reach) {
+    double pressure = Math.max(0, -(gravity.x * touch.nx() + gravity.y * touch.ny()));
+    double least = Math.sqrt(2 * pressure * Settling.LEAST_HOP * reach);
+    double vx = ux + least * touch.nx();
+    double vy = uy + least * touch.ny();
+    shock.setCircle(k, vx, vy, Double.POSITIVE_INFINITY);
+    shock.addContact(0, k, touch.nx(), touch.ny());
   }
 
   private List<Touch> touches(MovingCircle m) {
@@ -87,10 +110,5 @@ final class Escape {
       }
     }
     return touches;
-  }
-
-  private double leastSpeed(MovingCircle m, int code) {
-    double radius = Codes.isWall(code) ? 0 : obstacles.radius(code);
-    return Math.sqrt(2 * gravity.size() * Settling.LEAST_HOP * (m.radius + radius));
   }
 }

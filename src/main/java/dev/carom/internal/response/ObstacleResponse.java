@@ -51,7 +51,6 @@ public final class ObstacleResponse {
   private Predicate<MovingCircle> isCrushed;
 
   public final Settling settling;
-  private final Escape escape;
 
   /** The codes of obstacles that a circle may touch, ascending. */
   private final Function<MovingCircle, int[]> near;
@@ -61,7 +60,6 @@ public final class ObstacleResponse {
     this.near = near;
     this.obstacles = obstacles;
     settling = new Settling(obstacles, gravity, near);
-    escape = new Escape(obstacles, gravity, settling, near);
     point = new ContactPoint(obstacles);
     isCrushed = m -> Touch.isCrushed(m, obstacles);
   }
@@ -69,7 +67,7 @@ public final class ObstacleResponse {
   /** Lets a cluster tell of crushed circles, and of circles that touch: it knows them all. */
   public void ask(ContactCluster cluster) {
     isCrushed = cluster::isCrushed;
-    escape.ask(cluster);
+    settling.escape.ask(cluster);
   }
 
   /**
@@ -155,7 +153,7 @@ public final class ObstacleResponse {
     m.newFlight();
     m.jam = IgnoreList.ofCircles(m.jam);
     if (StuckRule.isStuck(m)) {
-      if (e < 1 && obstacles.areMoving() && escape.escapes(m)) {
+      if (e < 1 && (m.driven || obstacles.areMoving()) && settling.escape.escapes(m)) {
         return;
       }
       boolean pushes = point.ux != 0 || point.uy != 0;

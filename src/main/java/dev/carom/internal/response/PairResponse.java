@@ -204,8 +204,8 @@ public final class PairResponse {
     }
     beginFlight(a, b);
     beginFlight(b, a);
-    boolean aJammed = crush(a, b);
-    boolean bJammed = crush(b, a);
+    boolean aJammed = crush(a, b, e);
+    boolean bJammed = crush(b, a, e);
     if (aJammed || bJammed) {
       log.setOutcome(ImpactRows.JAMMED);
     }
@@ -270,8 +270,11 @@ public final class PairResponse {
   }
 
   /** Stops a circle that is stuck between things which do not give way; returns whether it did. */
-  private boolean crush(MovingCircle m, MovingCircle other) {
+  private boolean crush(MovingCircle m, MovingCircle other, double e) {
     if (!isStuck(m) || !m.isFalling() || mass(other) < INFINITE) {
+      return false;
+    }
+    if (e < 1 && settling.escape.escapes(m)) {
       return false;
     }
     if (!other.firm) {

@@ -71,6 +71,7 @@ public final class Settling {
   private final ObstacleTable obstacles;
   private final Gravity gravity;
   private final Impulse impulse = new Impulse();
+  final Escape escape;
 
   /** The unit normal of what the circle hit, and of what carries it. */
   private double nx;
@@ -86,6 +87,7 @@ public final class Settling {
     this.obstacles = obstacles;
     this.gravity = gravity;
     this.near = near;
+    escape = new Escape(obstacles, gravity, this, near);
   }
 
   /**
