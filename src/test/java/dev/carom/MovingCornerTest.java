@@ -11,8 +11,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Balls between two things, of which one moves. */
 class MovingCornerTest {
 
-  /** Some hops of 2^-12 radii, off a side that the ball leaves at 45 degrees. */
-  private static final double HOPS = 4 * 0x1p-12;
+  /** How far the least speed, of a hop 2^-12 R high, takes a ball; R is 1.5 at most. */
+  private static final double HOPS = 4 * 1.5 * 0x1p-12;
 
   /** A ball of radius 1 falls into a V; its left side is at rest, and its right side moves. */
   private static World playedUntil(double end, double u, double e) {

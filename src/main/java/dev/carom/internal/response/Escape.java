@@ -48,8 +48,9 @@ final class Escape {
   /**
    * Gives a circle the velocity nearest to its own with which it leaves all that it touches.
    *
-   * @return false if there is none, if nothing of that moves, or if a circle of finite mass touches
-   *     it, too; then nothing has changed
+   * @return false if there is none, or none that differs from others by more than rounding; if
+   *     nothing of that moves; or if a circle of finite mass touches it, too. Then nothing has
+   *     changed.
    */
   boolean escapes(MovingCircle m) {
     List<Touch> touches = touches(m);
@@ -62,17 +63,18 @@ final class Escape {
     int most = touches.size() + partners.size();
     InelasticShock shock = new InelasticShock(1 + most, most);
     shock.setCircle(0, m.vx, m.vy, 1);
+    boolean leaves = true;
     int k = 1;
     for (Touch touch : touches) {
       int code = touch.code();
       double radius = Codes.isWall(code) ? 0 : obstacles.radius(code);
-      leave(shock, k++, touch, obstacles.ux(code), obstacles.uy(code), m.radius + radius);
+      leaves &= leave(shock, k++, m, touch, obstacles.ux(code), obstacles.uy(code), radius);
     }
     for (MovingCircle other : partners) {
       Touch touch = Touch.of(m, other, REACH * m.radius);
-      leave(shock, k++, touch, other.vx, other.vy, m.radius + other.radius);
+      leaves &= leave(shock, k++, m, touch, other.vx, other.vy, other.radius);
     }
-    if (!shock.resolve()) {
+    if (!leaves || !shock.resolve()) {
       return false;
     }
     m.vx = shock.vx(0);
@@ -88,16 +90,25 @@ final class Escape {
   }
 
   /**
-   * Adds a contact k with what has a velocity u. If gravity presses the circle on it, the circle
-   * leaves it by the least speed.
+   * Adds a contact k with what has a velocity u, and which the circle leaves by the least speed.
+   *
+   * @return whether that is more than rounding of the velocities
    */
-  private void leave(InelasticShock shock, int k, Touch touch, double ux, double uy, double reach) {
-    double pressure = Math.max(0, -(gravity.x * touch.nx() + gravity.y * touch.ny()));
-    double least = Math.sqrt(2 * pressure * Settling.LEAST_HOP * reach);
+  private boolean leave(
+      InelasticShock shock,
+      int k,
+      MovingCircle m,
+      Touch touch,
+      double ux,
+      double uy,
+      double radius) {
+    double least = Math.sqrt(2 * gravity.size() * Settling.LEAST_HOP * (m.radius + radius));
     double vx = ux + least * touch.nx();
     double vy = uy + least * touch.ny();
     shock.setCircle(k, vx, vy, Double.POSITIVE_INFINITY);
     shock.addContact(0, k, touch.nx(), touch.ny());
+    double speeds = Math.abs(m.vx) + Math.abs(m.vy) + Math.abs(ux) + Math.abs(uy);
+    return least > Settling.ROUNDING * speeds;
   }
 
   private List<Touch> touches(MovingCircle m) {

@@ -130,7 +130,7 @@ public final class Settling {
       boolean isHeld = carried && holdsBetween();
       if (isHeld && restsBetween(m, code, point, reach)) {
         log.setOutcome(ImpactRows.SETTLED);
-      } else if (!(isHeld && hopsBetween(m, out, pressure, reach))) {
+      } else if (!(isHeld && hopsBetween(m, point, out, pressure, reach))) {
         log.setOutcome(ImpactRows.SETTLED);
         if (reach == 0) {
           slide(m, code, point);
@@ -277,15 +277,18 @@ public final class Settling {
    * Lets a circle hop between what carries it and what it hit, if these move unlike each other: it
    * leaves what it hit by the least speed, along what carries it. So it follows both.
    *
-   * @return whether it does; not if the two are all but parallel
+   * @return whether it does; not if the two are all but parallel, or if that speed is mere rounding
    */
-  private boolean hopsBetween(MovingCircle m, double out, double pressure, double reach) {
+  private boolean hopsBetween(
+      MovingCircle m, ContactPoint point, double out, double pressure, double reach) {
     double sine = carrierX * ny - carrierY * nx;
-    if (Math.abs(sine) < LEAST_SINE) {
+    double hop = LEAST_HOP * (reach > 0 ? reach : m.radius);
+    double least = Math.sqrt(2 * pressure * hop);
+    double speeds = Math.abs(m.vx) + Math.abs(m.vy) + Math.abs(point.ux) + Math.abs(point.uy);
+    if (Math.abs(sine) < LEAST_SINE || least < ROUNDING * speeds) {
       return false;
     }
-    double hop = LEAST_HOP * (reach > 0 ? reach : m.radius);
-    double along = (Math.sqrt(2 * pressure * hop) - out) / sine;
+    double along = (least - out) / sine;
     m.vx -= along * carrierY;
     m.vy += along * carrierX;
     return true;
