@@ -29,7 +29,7 @@ class GravityEditsTest {
     assertThat(world.vy(0)).isEqualTo(10);
   }
 
-  /** What moved once, and rests now, carries as what never moved. */
+  /** A peg that has a velocity, but of 0, carries a ball like one that has none. */
   @Test
   void aPegOfVelocity0CarriesABall() {
     World world = onAPeg();

@@ -4,6 +4,7 @@ package dev.carom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -98,5 +99,27 @@ class MovingCornerTest {
     assertThat(world.advanceTo(60)).isTrue();
     assertThat(world.isResting(0)).isTrue();
     assertThat(world.y(0)).isCloseTo(Math.sqrt(2), within(HOPS));
+  }
+
+  /**
+   * Gravity presses the ball on neither the wall nor the line that pushes it down along it. If the
+   * ball left them by less than rounding, it would hit them without end.
+   */
+  @ParameterizedTest
+  @CsvSource({"1e-6", "1e-9", "1e-12", "1e-30"})
+  void aLineThatPushesABallDownAWallMakesFewRows(double g) {
+    Random random = new Random(1);
+    for (int i = 0; i < 200; i++) {
+      SceneBuilder scene = Scene.builder().bounds(0, -100, 10, 100).gravity(0, -g);
+      scene.line(-10, -4, 30, 10 + 30 * random.nextDouble()).restitution(0.25);
+      scene.velocity(1e-8 * random.nextDouble(), -0.1 - random.nextDouble()).circle(9, 0, 1, 0, 0);
+      World world = new World(scene.restitution(0.25).build());
+      int rows = 0;
+      for (int t = 1; t <= 60; t++) {
+        assertThat(world.advanceTo(t)).isTrue();
+        rows += world.impacts().size();
+      }
+      assertThat(rows).isLessThan(1000);
+    }
   }
 }

@@ -502,23 +502,7 @@ public final class CollidingEngine extends Engine {
   @Override
   void leaveJamsOf(int i) {
     if (circles.jams != null) {
-      letGoOfPressed(Codes.circle(i));
-      leaveJams(Codes.circle(i), reached);
-    }
-  }
-
-  /** Lets circles fall that rest only since a circle, which is edited, pressed them. */
-  private void letGoOfPressed(int code) {
-    LiveCodes present = registry.present();
-    for (int k = 0; k < present.size(); k++) {
-      int i = present.get(k);
-      IgnoreList jam = circles.jam(i);
-      if (registry.contains(i) && jam != null && jam.isCrushedBy(code)) {
-        circles.load(i);
-        if (circles.body.support == MovingCircle.HELD) {
-          letGo(circles.body, code);
-        }
-      }
+      leaveJams(Codes.circle(i), reached, true);
     }
   }
 
@@ -528,21 +512,28 @@ public final class CollidingEngine extends Engine {
    */
   private void leaveJamsOfInfinite(int i, boolean turned) {
     if (turned && circles.jams != null && registry.mass(i) == Double.POSITIVE_INFINITY) {
-      leaveJams(Codes.circle(i), circles.state[circles.at(i) + FlightRow.T]);
+      leaveJams(Codes.circle(i), circles.state[circles.at(i) + FlightRow.T], false);
     }
   }
 
-  /** Removes a code from all ignore lists, at a given time. */
-  private void leaveJams(int code, double time) {
+  /**
+   * Removes the code of a circle from all ignore lists, at a given time. After an edit of that
+   * circle, those fall that rest only since it pressed them.
+   */
+  private void leaveJams(int code, double time, boolean isEdit) {
     LiveCodes present = registry.present();
     for (int k = 0; k < present.size(); k++) {
       int i = present.get(k);
       IgnoreList jam = circles.jam(i);
       if (registry.contains(i) && jam != null && jam.concerns(code)) {
         circles.load(i);
-        circles.body.forget(code, 0);
-        store(i, circles.body);
-        noteContacts(circles.body, time);
+        if (isEdit && jam.isCrushedBy(code) && circles.body.support == MovingCircle.HELD) {
+          letGo(circles.body, code);
+        } else {
+          circles.body.forget(code, 0);
+          store(i, circles.body);
+          noteContacts(circles.body, time);
+        }
       }
     }
   }

@@ -185,7 +185,7 @@ public abstract class Engine {
         || (m.isSupported() && m.gx == 0 && m.gy == 0 && response.settling.touches(m, code));
   }
 
-  /** Lets a circle fall that something holds, or pressed, which is about to change. */
+  /** Lets a circle fall, as what holds or presses it is edited. */
   final void letGo(MovingCircle m, int code) {
     freeHeap(m.id, reached);
     circles.load(m.id, m);

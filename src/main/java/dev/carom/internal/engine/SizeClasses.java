@@ -136,8 +136,8 @@ public final class SizeClasses {
   }
 
   /**
-   * Whether cells are wide enough for circles at a place: rounding takes less there than what they
-   * are wider than diameters.
+   * Whether cells are wide enough for circles at a place: they are wider than diameters, by more
+   * than the rounding of that place.
    */
   boolean reach(double x, double y) {
     double farthest = Math.max(Math.abs(x), Math.abs(y));

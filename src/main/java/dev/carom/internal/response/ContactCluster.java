@@ -137,15 +137,20 @@ public final class ContactCluster {
     return m.jam != null && isCrushedByIgnored(m);
   }
 
-  /** The circles that are no further from a circle than a given distance, at its time. */
-  List<MovingCircle> touching(MovingCircle m, double most) {
+  /** All circles that may touch a circle, and maybe others, at its time. */
+  List<MovingCircle> circlesNear(MovingCircle m) {
+    return idsNear(m)
+        .mapToObj(id -> broughtTo(m, vicinity.copyOf(id)))
+        .collect(Collectors.toList());
+  }
+
+  /** The circles that may touch a circle; none that ignores it. */
+  private IntStream idsNear(MovingCircle m) {
     return IntStream.of(vicinity.circlesNear(m.id))
         .sorted()
         .distinct()
         .filter(id -> id != m.id && registry.meet(id, m.id) && !pairs.isSensor(id, m.id))
-        .mapToObj(id -> broughtTo(m, vicinity.copyOf(id)))
-        .filter(other -> Touch.of(m, other, most) != null)
-        .collect(Collectors.toList());
+        .filter(id -> m.jam == null || !m.jam.isCrushedBy(Codes.circle(id)));
   }
 
   private boolean isCrushedByIgnored(MovingCircle m) {
@@ -210,7 +215,7 @@ public final class ContactCluster {
     }
   }
 
-  /** Whether an obstacle is there for a circle, and no sensor. */
+  /** Whether a circle bounces off an obstacle: the filters let them meet, and it is no sensor. */
   private boolean isSolid(MovingCircle m, int code) {
     return !obstacles.isSensor(code) && Filter.meet(registry.filter(m.id), obstacles.filter(code));
   }
@@ -229,12 +234,8 @@ public final class ContactCluster {
 
   private void addCircles(int k, Map<Integer, Integer> numbers) {
     MovingCircle m = members.get(k);
-    int[] near = IntStream.of(vicinity.circlesNear(m.id)).sorted().distinct().toArray();
-    for (int id : near) {
-      boolean passesOver = m.jam != null && m.jam.isCrushedBy(Codes.circle(id));
-      if (id != m.id && registry.meet(id, m.id) && !pairs.isSensor(id, m.id) && !passesOver) {
-        addCircle(k, id, numbers);
-      }
+    for (int id : idsNear(m).toArray()) {
+      addCircle(k, id, numbers);
     }
   }
 

@@ -10,20 +10,35 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * Lets a circle that falls, and is stuck between things of which one moves, leave all of them:
- * those that carry it by the least speed at which it leaves what is round. If there is no such
- * velocity, they squeeze it.
+ * Lets a circle that falls, and is stuck between things of which one moves, leave each of them by
+ * the {@linkplain Settling#LEAST_HOP least speed}. If no velocity does that, they squeeze it.
  */
 final class Escape {
 
   /** How far from a circle things may be to count, in radii; the places of its impacts are less. */
   private static final double REACH = 2 * StuckRule.FALLING_PLACE;
 
+  private static final double INFINITE = Double.POSITIVE_INFINITY;
+
+  /**
+   * What a circle touches.
+   *
+   * @param ux,uy its velocity
+   * @param least the least speed at which the circle leaves it
+   * @param isInfinite whether it keeps its velocity
+   */
+  private record Contact(Touch touch, double ux, double uy, double least, boolean isInfinite) {
+
+    boolean isAtRest() {
+      return ux == 0 && uy == 0;
+    }
+  }
+
   private final ObstacleTable obstacles;
   private final Gravity gravity;
   private final Settling settling;
 
-  /** Tells which circles touch one; null as long as no circles meet. */
+  /** Knows the circles near one; null as long as no circles meet. */
   private ContactCluster circles;
 
   /** The codes of obstacles that a circle may touch, ascending. */
@@ -40,7 +55,7 @@ final class Escape {
     this.near = near;
   }
 
-  /** Lets a cluster tell of circles that touch. */
+  /** Takes the cluster that knows the circles near one. */
   void ask(ContactCluster cluster) {
     circles = cluster;
   }
@@ -48,33 +63,27 @@ final class Escape {
   /**
    * Gives a circle the velocity nearest to its own with which it leaves all that it touches.
    *
-   * @return false if there is none, or none that differs from others by more than rounding; if
-   *     nothing of that moves; or if a circle of finite mass touches it, too. Then nothing has
-   *     changed.
+   * @return false, and then nothing has changed, if there is no such velocity; if a least speed is
+   *     mere rounding; if nothing that it touches moves; or if it touches a circle of finite mass
    */
   boolean escapes(MovingCircle m) {
-    List<Touch> touches = touches(m);
-    List<MovingCircle> partners =
-        circles == null ? List.of() : circles.touching(m, REACH * m.radius);
-    if (!partners.stream().allMatch(other -> circles.isInfinite(other))
-        || !isAnyMoving(touches, partners)) {
+    List<Contact> contacts = new ArrayList<>();
+    addObstacles(m, contacts);
+    addCircles(m, contacts);
+    if (contacts.stream().allMatch(Contact::isAtRest)
+        || !contacts.stream().allMatch(c -> c.isInfinite && c.least > rounding(m, c))) {
       return false;
     }
-    int most = touches.size() + partners.size();
-    InelasticShock shock = new InelasticShock(1 + most, most);
+    InelasticShock shock = new InelasticShock(1 + contacts.size(), contacts.size());
     shock.setCircle(0, m.vx, m.vy, 1);
-    boolean leaves = true;
-    int k = 1;
-    for (Touch touch : touches) {
-      int code = touch.code();
-      double radius = Codes.isWall(code) ? 0 : obstacles.radius(code);
-      leaves &= leave(shock, k++, m, touch, obstacles.ux(code), obstacles.uy(code), radius);
+    for (int k = 0; k < contacts.size(); k++) {
+      Contact c = contacts.get(k);
+      double nx = c.touch.nx();
+      double ny = c.touch.ny();
+      shock.setCircle(k + 1, c.ux + c.least * nx, c.uy + c.least * ny, INFINITE);
+      shock.addContact(0, k + 1, nx, ny);
     }
-    for (MovingCircle other : partners) {
-      Touch touch = Touch.of(m, other, REACH * m.radius);
-      leaves &= leave(shock, k++, m, touch, other.vx, other.vy, other.radius);
-    }
-    if (!leaves || !shock.resolve()) {
+    if (!shock.resolve()) {
       return false;
     }
     m.vx = shock.vx(0);
@@ -84,42 +93,37 @@ final class Escape {
     return true;
   }
 
-  private boolean isAnyMoving(List<Touch> touches, List<MovingCircle> partners) {
-    return touches.stream().anyMatch(touch -> !obstacles.isAtRest(touch.code()))
-        || partners.stream().anyMatch(other -> other.vx != 0 || other.vy != 0);
+  /** The rounding of the velocities of a circle and of what it touches. */
+  private static double rounding(MovingCircle m, Contact c) {
+    double speeds = Math.abs(m.vx) + Math.abs(m.vy) + Math.abs(c.ux) + Math.abs(c.uy);
+    return Settling.ROUNDING * speeds;
   }
 
-  /**
-   * Adds a contact k with what has a velocity u, and which the circle leaves by the least speed.
-   *
-   * @return whether that is more than rounding of the velocities
-   */
-  private boolean leave(
-      InelasticShock shock,
-      int k,
-      MovingCircle m,
-      Touch touch,
-      double ux,
-      double uy,
-      double radius) {
-    double least = Math.sqrt(2 * gravity.size() * Settling.LEAST_HOP * (m.radius + radius));
-    double vx = ux + least * touch.nx();
-    double vy = uy + least * touch.ny();
-    shock.setCircle(k, vx, vy, Double.POSITIVE_INFINITY);
-    shock.addContact(0, k, touch.nx(), touch.ny());
-    double speeds = Math.abs(m.vx) + Math.abs(m.vy) + Math.abs(ux) + Math.abs(uy);
-    return least > Settling.ROUNDING * speeds;
-  }
-
-  private List<Touch> touches(MovingCircle m) {
-    List<Touch> touches = new ArrayList<>();
+  private void addObstacles(MovingCircle m, List<Contact> contacts) {
     for (int code : near.apply(m)) {
-      Touch touch =
-          settling.isSolid(m, code) ? Touch.of(m, obstacles, code, REACH * m.radius) : null;
-      if (touch != null) {
-        touches.add(touch);
+      if (settling.isSolid(m, code)) {
+        double radius = Codes.isWall(code) ? 0 : obstacles.radius(code);
+        Touch touch = Touch.of(m, obstacles, code, REACH * m.radius);
+        add(contacts, touch, obstacles.ux(code), obstacles.uy(code), m.radius + radius, true);
       }
     }
-    return touches;
+  }
+
+  private void addCircles(MovingCircle m, List<Contact> contacts) {
+    if (circles != null) {
+      for (MovingCircle other : circles.circlesNear(m)) {
+        Touch touch = Touch.of(m, other, REACH * m.radius);
+        double reach = m.radius + other.radius;
+        add(contacts, touch, other.vx, other.vy, reach, circles.isInfinite(other));
+      }
+    }
+  }
+
+  private void add(
+      List<Contact> contacts, Touch touch, double ux, double uy, double reach, boolean isInfinite) {
+    if (touch != null) {
+      double least = Math.sqrt(2 * gravity.size() * Settling.LEAST_HOP * reach);
+      contacts.add(new Contact(touch, ux, uy, least, isInfinite));
+    }
   }
 }

@@ -269,7 +269,10 @@ public final class PairResponse {
     }
   }
 
-  /** Stops a circle that is stuck between things which do not give way; returns whether it did. */
+  /**
+   * Stops a circle that is stuck between things which do not give way, and cannot escape them.
+   * Returns whether it did.
+   */
   private boolean crush(MovingCircle m, MovingCircle other, double e) {
     if (!isStuck(m) || !m.isFalling() || mass(other) < INFINITE) {
       return false;

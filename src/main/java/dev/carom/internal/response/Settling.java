@@ -453,7 +453,10 @@ public final class Settling {
     return false;
   }
 
-  /** Whether an obstacle is there for a circle, and no sensor. */
+  /**
+   * Whether a circle bounces off an obstacle: that is not removed, the filters let them meet, it is
+   * no sensor, and the circle does not ignore it.
+   */
   boolean isSolid(MovingCircle m, int code) {
     return Filter.meet(m.filter, obstacles.filter(code))
         && (Codes.isWall(code)

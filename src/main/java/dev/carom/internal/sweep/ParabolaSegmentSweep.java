@@ -397,8 +397,8 @@ public final class ParabolaSegmentSweep {
   }
 
   /**
-   * Whether a radius and a line are so small that the product of their squares has no underflow
-   * above the bounds.
+   * Whether a radius and a line are so small that underflow, multiplied by the squares of both,
+   * stays below the bounds.
    */
   static boolean isInRange(double r, double wx, double wy) {
     return r < MOST && Math.abs(wx) + Math.abs(wy) < MOST;
