@@ -61,6 +61,9 @@ public final class Resolver {
    */
   Resolver(ObstacleTable obstacles, Gravity gravity, IntFunction<Obstacle> records) {
     index = new ObstacleIndex(obstacles);
+    if (gravity.acts()) {
+      index.beginFalls();
+    }
     this.gravity = gravity;
     this.records = records;
   }

@@ -86,6 +86,7 @@ public abstract class Engine {
     gravity.set(gx, gy);
     if (gravity.acts() && !circles.allowsGravity()) {
       circles.allowGravity();
+      staticScene.beginFalls();
       beginGravity();
     }
   }

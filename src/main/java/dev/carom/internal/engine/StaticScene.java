@@ -49,6 +49,9 @@ public final class StaticScene {
     search = new BroadPhase(obstacles, grids.loose());
     falls = new FallSearch(obstacles, grids.loose());
     index = new ObstacleIndex(obstacles, options.grid());
+    if (scene.hasGravity()) {
+      index.beginFalls();
+    }
     assign(IntStream.range(0, scene.circleCount()).toArray(), scene::radius);
   }
 
@@ -142,6 +145,14 @@ public final class StaticScene {
       grids.remake(circles, slots);
       assign(slots, circles::radius);
     }
+  }
+
+  /** Prepares for circles that fall. */
+  void beginFalls() {
+    grids.beginFalls();
+    index.beginFalls();
+    shared = null;
+    own = null;
   }
 
   /** Drops all grids and the index of questions: the next step or question makes new ones. */

@@ -11,31 +11,39 @@ import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.ObstacleShape;
+import dev.carom.internal.sweep.UnitVectors;
 
 /**
  * Finds the next impact of a circle that falls or slides: the search of {@link BroadPhase} for
  * paths that are parabolas.
  *
- * <p>The path is searched piece after piece, each in one cell of the grid. The obstacles that the
- * cell lists, and the walls, are considered if they are near the piece. The {@link FallNarrowPhase}
- * then tells the time of impact.
+ * <p>The path is searched piece after piece. Each piece is so short that it counts as straight, so
+ * its cells are those along a line. The lines that a cell lists are considered if they are near
+ * that line, and then if they are near the part of the path in the cell. The {@link
+ * FallNarrowPhase} tells the time of impact.
  */
 public final class FallSearch {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /** In units of the terms of a place: far more than its rounding. */
+  /** Far more than the rounding of a radius, in units of it. */
   private static final double ROUNDING = 0x1p-40;
 
-  /** If the square of a reach, which covers rounding, is below this, no product overflows. */
-  private static final double LARGEST_SQUARE = 0x1p200;
+  /** Ticks in which a path along an axis crosses a cell. */
+  private static final double TICKS = 0x1p30;
+
+  /** As in {@link BroadPhase}: each axis counts as faster by this part, so that none rests. */
+  private static final double DRIFT = 0x1p-30;
+
+  /** In cells: a piece counts as longer by this, so that it has a length. */
+  private static final double LEAST_WAY = 0x1p-20;
 
   /** {@link MovingCircle#lookahead} counts halves of cells; a fall searches whole ones. */
   private static final int HALVES = 2;
 
   private final ObstacleTable obstacles;
   private final FallNarrowPhase detector;
-  private final ParabolaWalk walk = new ParabolaWalk();
+  private final FallPath path = new FallPath();
 
   /** The obstacles that are in no grid. */
   private final CodeSet loose;
@@ -44,45 +52,20 @@ public final class FallSearch {
 
   // The flight under search.
   private MovingCircle body;
-  private double px;
-  private double py;
-  private double vx;
-  private double vy;
-  private double gx;
-  private double gy;
-  private double r;
-
-  // What bounds a coordinate: size + speed t + pull t^2.
-  private double size;
-  private double speed;
-  private double pull;
-
   private boolean filtered;
   private boolean bounded;
 
   /** Before this time of the flight it cannot return to what was hit last. */
   private double returns;
 
-  /** The start of the piece; NEVER for questions about all pieces together. */
-  private double pieceStart;
+  /** The start of the part of the path in a cell; NEVER for questions about longer parts. */
+  private double enter;
 
-  /** The end of the piece, or the first impact in it. */
+  /** The time up to which impacts are asked for: the end of that part, or the best one so far. */
   private double to;
 
-  // The chord of the piece: its start, the way along it, and how far the circle reaches from it.
-  private double chordX;
-  private double chordY;
-  private double alongX;
-  private double alongY;
-  private double chordReach;
-  private double endX;
-  private double endY;
-
-  // The box around the centre's path in the piece.
-  private double left;
-  private double right;
-  private double bottom;
-  private double top;
+  /** The number of cells that the search has visited. */
+  private int visited;
 
   private double best;
   private int bestCode;
@@ -103,15 +86,9 @@ public final class FallSearch {
    */
   public void extend(MovingCircle m, Grid grid, double needed) {
     start(m);
-    double known = m.cleared;
-    if (!isInRange() || (isAtRest() && !obstacles.areMoving())) {
-      known = NEVER;
-    }
     int cells = m.lookahead / HALVES;
     m.lookahead = Math.min(2 * m.lookahead, 1 << 28);
-    if (known < NEVER) {
-      known = search(grid, known, needed, cells);
-    }
+    double known = path.isInRange() ? search(grid, m.cleared, needed, cells) : NEVER;
     if (best <= known && best != NEVER) {
       m.next = bestCode;
       m.contact = detector.contact(bestCode, best);
@@ -144,144 +121,216 @@ public final class FallSearch {
 
   private void start(MovingCircle m) {
     body = m;
-    px = m.x;
-    py = m.y;
-    vx = m.vx;
-    vy = m.vy;
-    gx = m.gx;
-    gy = m.gy;
-    r = m.radius;
-    size = Math.abs(px) + Math.abs(py) + 2 * r;
-    speed = Math.abs(vx) + Math.abs(vy);
-    pull = Math.abs(gx) + Math.abs(gy);
+    path.start(m);
     filtered = obstacles.areFiltered() || m.filter != Filter.DEFAULT;
     bounded = obstacles.wallsFor(m.filter) != null;
-    pieceStart = NEVER;
+    enter = NEVER;
     best = NEVER;
     bestCode = MovingCircle.NOTHING;
     detector.start(m);
     returns = detector.earliestReturn();
   }
 
-  private boolean isInRange() {
-    return Math.abs(px) <= Double.MAX_VALUE && Math.abs(py) <= Double.MAX_VALUE;
-  }
-
-  private boolean isAtRest() {
-    return vx == 0 && vy == 0 && gx == 0 && gy == 0;
-  }
-
   // The pieces.
 
   /** Searches from a time on. Returns the time up to which all impacts are found. */
   private double search(Grid grid, double from, double needed, int cells) {
-    boolean isFollowed = grid != null && walk.start(grid, px, py, vx, vy, gx, gy, from);
-    if (isFollowed) {
-      walk.keepOff(grid, bounded ? obstacles.walls : null, r);
-    }
-    double known = from;
-    for (int piece = 0; known < NEVER && best > known; piece++) {
-      if (piece > cells && known > needed) {
-        break;
-      }
-      double end = isFollowed ? walk.to : NEVER;
-      pieceStart = known;
-      to = Math.min(end, best);
-      if (isFollowed) {
-        considerCell(grid, known, end);
-        isFollowed = best > end && walk.advance();
+    double known = path.isAtRest() ? NEVER : from;
+    visited = 0;
+    while (known < NEVER && best > known && (visited <= cells || known <= needed)) {
+      enter = NEVER;
+      if (grid == null || !path.isResolved(grid, known)) {
+        known = searchAll(known);
+      } else if (path.isInside(grid, known)) {
+        known = searchInside(grid, known, needed - known, Math.max(1, cells - visited));
       } else {
-        enclose(known, end);
-        considerWalls();
-        considerEach();
+        known = searchOutside(grid, known);
       }
-      known = end;
     }
-    pieceStart = NEVER;
+    enter = NEVER;
     to = Math.min(known, best);
     considerMoving();
     considerEndOfSlide();
     return known;
   }
 
+  /** Searches all the path from a time on. */
+  private double searchAll(double from) {
+    to = NEVER;
+    path.enclose(from, NEVER);
+    considerWalls();
+    considerEach();
+    return NEVER;
+  }
+
+  /** Searches the part of the path that is outside of the grid. Returns its end. */
+  private double searchOutside(Grid grid, double from) {
+    double end = path.entry(grid, from);
+    if (Double.isNaN(end)) {
+      return searchAll(from);
+    }
+    to = end;
+    path.enclose(from, end);
+    considerWalls();
+    considerLoose();
+    return end;
+  }
+
+  /** Searches a piece that begins inside the grid. Returns its end. */
+  private double searchInside(Grid grid, double from, double needed, int cells) {
+    double length = path.straighten(grid, from, needed, cells);
+    double end = from + length;
+    to = end;
+    considerWalls();
+    considerLoose();
+    walk(grid, from, length, returns > end ? body.last : MovingCircle.NOTHING);
+    return end;
+  }
+
   /**
-   * Considers what can be hit in a piece that stays in a cell. Most cells are empty or list two
-   * lines, and are out of reach of the walls: for the first there is nothing to do, and for the
-   * second no box is needed.
+   * Visits the cells along the line near a piece, up to the best impact found. Times are whole
+   * ticks, and a mask chooses the next cell, as in {@link BroadPhase}. Unlike there, a branch skips
+   * the empty cells.
+   *
+   * @param passed the code of a line that is not hit in the piece
    */
-  private void considerCell(Grid grid, double from, double end) {
-    long list = walk.list();
-    if (!walk.isFree() || loose.size > 0 || !CellList.isPairOfLines(list)) {
-      enclose(from, end);
-      considerWalls();
+  private void walk(Grid grid, double from, double length, int passed) {
+    double alongX = path.alongX;
+    double alongY = path.alongY;
+    double x = grid.columns(path.lineX);
+    double y = grid.rows(path.lineY);
+    int column = grid.column(x);
+    int row = grid.row(y);
+    double absX = Math.abs(alongX);
+    double absY = Math.abs(alongY);
+    double manhattan = absX + absY;
+    double way = manhattan + LEAST_WAY * grid.cell;
+    double columnTicks = TICKS * way / Math.fma(way, DRIFT, absX);
+    double rowTicks = TICKS * way / Math.fma(way, DRIFT, absY);
+    double ticks = TICKS * way * grid.perCell;
+    double perTick = length / ticks;
+    // cross(p - line, along) is p.x crossX + p.y crossY + crossOfOrigin
+    double crossX = alongY;
+    double crossY = 0 - alongX;
+    double crossOfOrigin = path.lineY * alongX - path.lineX * alongY;
+    // |along| <= large + (sqrt(2) - 1) small
+    double least = 0.5857 * Math.max(absX, absY) + 0.4143 * manhattan;
+    double clear = 2 * least * path.reach + Double.MIN_NORMAL;
+    long nextX = (long) (toEdge(x - column, alongX) * columnTicks);
+    long nextY = (long) (toEdge(y - row, alongY) * rowTicks);
+    long perX = (long) columnTicks;
+    long perY = (long) rowTicks;
+    int nextRow = UnitVectors.sign(alongY) * grid.stride;
+    int nextColumn = UnitVectors.sign(alongX) - nextRow;
+    int cell = grid.number(column, row);
+    long[] lists = grid.lists;
+    double[] lines = obstacles.lines.values;
+    double end = from + length;
+    long lead = nextX - nextY;
+    long perBoth = perX + perY;
+    long last = (long) (part(from, length) * ticks) + 2;
+    long entered = 0;
+    while (true) {
+      long list = lists[cell];
+      long isColumn = lead >> 63;
+      long left = nextY + (lead & isColumn);
+      visited++;
+      if (list != CellList.EMPTY) {
+        if (list == CellList.OUTSIDE) {
+          return;
+        }
+        int near = near(list, lines, crossX, crossY, crossOfOrigin, clear, passed);
+        if (near != 0) {
+          visit(grid, list, near, from + entered * perTick, Math.min(end, from + left * perTick));
+          last = (long) (part(from, length) * ticks) + 2;
+        }
+      }
+      if (last <= left) {
+        return;
+      }
+      entered = left;
+      nextY += perY & ~isColumn;
+      lead += (perBoth & isColumn) - perY;
+      cell += nextRow + (nextColumn & (int) isColumn);
+    }
+  }
+
+  /** The part of a piece that is before the best impact so far. */
+  private double part(double from, double length) {
+    return best < from + length ? (best - from) / length : 1;
+  }
+
+  /** The distance of a place in a cell of size 1 from the edge through which v leaves the cell. */
+  private static double toEdge(double place, double v) {
+    return Math.abs(place - 0.5 - Math.copySign(0.5, v));
+  }
+
+  /**
+   * Which lines of a pair may be hit: bit 0 for the first one, bit 1 for the second; -1 for others.
+   */
+  private static int near(
+      long list,
+      double[] lines,
+      double crossX,
+      double crossY,
+      double crossOfOrigin,
+      double clear,
+      int passed) {
+    if (!CellList.isPairOfLines(list)) {
+      return -1;
+    }
+    int first = CellList.first(list);
+    int second = CellList.second(list);
+    return isNear(first, lines, crossX, crossY, crossOfOrigin, clear, passed)
+        | (isNear(second, lines, crossX, crossY, crossOfOrigin, clear, passed) << 1);
+  }
+
+  /**
+   * 0 if both ends of a line lie on the same side of the path and out of its reach, or if the line
+   * is passed; else 1. Branch-free.
+   */
+  private static int isNear(
+      int code,
+      double[] lines,
+      double crossX,
+      double crossY,
+      double crossOfOrigin,
+      double clear,
+      int passed) {
+    int k = code * LineShape.ROW;
+    double ax = lines[k + LineShape.AX];
+    double by = lines[k + LineShape.BY];
+    double ay = lines[k + LineShape.AY];
+    double bx = lines[k + LineShape.BX];
+    double a = Math.fma(ay, crossY, Math.fma(ax, crossX, crossOfOrigin));
+    double b = Math.fma(by, crossY, Math.fma(bx, crossX, crossOfOrigin));
+    // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
+    double beyond = Math.abs(a + b) - (Math.abs(a - b) + clear);
+    int other = code ^ passed; // 0 if the line is passed
+    int isPassed = ((other - 1) & ~other) >>> 31;
+    return (int) (Double.doubleToRawLongBits(beyond) >>> 63) & ~isPassed;
+  }
+
+  /**
+   * Considers the obstacles that a cell lists, in a part of the path; of a pair those that are
+   * near.
+   */
+  private void visit(Grid grid, long list, int near, double from, double end) {
+    enter = from;
+    to = Math.min(best, end);
+    path.draw(from, to);
+    if (near < 0) {
       considerList(grid, list);
-      considerLoose();
-    } else if (list != CellList.EMPTY) {
-      draw(from, end);
-      considerLines(list);
+      return;
     }
-  }
-
-  /** Computes the chord of a piece. */
-  private void draw(double from, double end) {
-    chordX = place(px, vx, gx, from);
-    chordY = place(py, vy, gy, from);
-    endX = place(px, vx, gx, end);
-    endY = place(py, vy, gy, end);
-    alongX = endX - chordX;
-    alongY = endY - chordY;
-    double length = end - from;
-    double bend = pull * (length * length) / 8;
-    chordReach = (r + bend) * (1 + ROUNDING) + 4 * ROUNDING * (size + (speed + pull * end) * end);
-  }
-
-  /** Computes the chord and the box of a piece. */
-  private void enclose(double from, double end) {
-    draw(from, end);
-    double turnsX = -vx / gx;
-    double turnsY = -vy / gy;
-    double marginX = margin(px, vx, gx, end < NEVER ? end : lastTurn(turnsX, from));
-    double marginY = margin(py, vy, gy, end < NEVER ? end : lastTurn(turnsY, from));
-    left = Math.min(chordX, endX) - marginX;
-    right = Math.max(chordX, endX) + marginX;
-    bottom = Math.min(chordY, endY) - marginY;
-    top = Math.max(chordY, endY) + marginY;
-    if (gx != 0 && turnsX == NEVER) { // it turns beyond the range of doubles
-      left = -NEVER;
-      right = NEVER;
+    int first = CellList.first(list);
+    int second = CellList.second(list);
+    if ((near & 1) != 0) {
+      considerLine(first);
     }
-    if (gy != 0 && turnsY == NEVER) {
-      bottom = -NEVER;
-      top = NEVER;
+    if (near > 1 && second != first) {
+      considerLine(second);
     }
-    if (turnsX > from && turnsX < end) {
-      double x = place(px, vx, gx, turnsX);
-      left = Math.min(left, x - marginX);
-      right = Math.max(right, x + marginX);
-    }
-    if (turnsY > from && turnsY < end) {
-      double y = place(py, vy, gy, turnsY);
-      bottom = Math.min(bottom, y - marginY);
-      top = Math.max(top, y + marginY);
-    }
-  }
-
-  /** The last finite time at which an endless piece has a place: where it turns, or begins. */
-  private static double lastTurn(double turn, double from) {
-    return turn > from && turn < NEVER ? turn : from;
-  }
-
-  private double margin(double p, double v, double g, double t) {
-    return ROUNDING * (Math.abs(p) + r + (Math.abs(v) + Math.abs(g) * t) * t);
-  }
-
-  /** The place on one axis, also after an infinite time. */
-  private static double place(double p, double v, double g, double t) {
-    if (t == NEVER) {
-      double way = g != 0 ? g : v;
-      return way == 0 ? p : way * NEVER;
-    }
-    return p + (v + 0.5 * g * t) * t;
   }
 
   // The candidates.
@@ -291,16 +340,16 @@ public final class FallSearch {
       return;
     }
     double[] walls = obstacles.walls;
-    if (left - r <= walls[Codes.LEFT]) {
+    if (path.left <= walls[Codes.LEFT]) {
       considerWall(Codes.LEFT);
     }
-    if (right + r >= walls[Codes.RIGHT]) {
+    if (path.right >= walls[Codes.RIGHT]) {
       considerWall(Codes.RIGHT);
     }
-    if (bottom - r <= walls[Codes.BOTTOM]) {
+    if (path.bottom <= walls[Codes.BOTTOM]) {
       considerWall(Codes.BOTTOM);
     }
-    if (top + r >= walls[Codes.TOP]) {
+    if (path.top >= walls[Codes.TOP]) {
       considerWall(Codes.TOP);
     }
   }
@@ -328,11 +377,9 @@ public final class FallSearch {
     }
   }
 
+  /** Considers a list that is no pair of lines. */
   private void considerList(Grid grid, long list) {
-    if (list == CellList.EMPTY || list == CellList.OUTSIDE) {
-      return;
-    }
-    if (CellList.isPairOfLines(list) || CellList.areOthers(list)) {
+    if (CellList.areOthers(list)) {
       considerPair(list);
       return;
     }
@@ -366,7 +413,7 @@ public final class FallSearch {
 
   /**
    * Considers a line that a cell lists, as {@link #considerNear} does: there, the chord alone tells
-   * nearly all lines that are out of reach.
+   * nearly all lines that are out of reach of the path in the cell.
    */
   private void considerLine(int code) {
     if (isPassed(code)) {
@@ -378,7 +425,7 @@ public final class FallSearch {
     double ay = v[k + LineShape.AY];
     double bx = v[k + LineShape.BX];
     double by = v[k + LineShape.BY];
-    if (!isBesideChord(ax, ay, bx, by, 0)) {
+    if (!path.isBeside(ax, ay, bx, by, 0)) {
       consider(code);
     }
   }
@@ -400,57 +447,9 @@ public final class FallSearch {
     double ay = v[k + ObstacleShape.Y];
     double bx = v[end + ObstacleShape.X];
     double by = v[end + ObstacleShape.Y];
-    if (!isBesideBox(ax, ay, bx, by, radius) && !isBesideChord(ax, ay, bx, by, radius)) {
+    if (!path.isBesideBox(ax, ay, bx, by, radius) && !path.isBeside(ax, ay, bx, by, radius)) {
       consider(code);
     }
-  }
-
-  private boolean isBesideBox(double ax, double ay, double bx, double by, double radius) {
-    double reach = r * (1 + ROUNDING) + radius;
-    return Math.min(ax, bx) - right > reach
-        || left - Math.max(ax, bx) > reach
-        || Math.min(ay, by) - top > reach
-        || bottom - Math.max(ay, by) > reach;
-  }
-
-  /**
-   * Whether an obstacle from a to b is certainly out of reach of the path: both its ends lie on one
-   * side of the chord, or both ends of the chord on one side of it. The path bends from the chord
-   * by {@code g t^2 / 8} at most.
-   */
-  private boolean isBesideChord(double ax, double ay, double bx, double by, double radius) {
-    double places = Math.abs(ax) + Math.abs(ay) + Math.abs(bx) + Math.abs(by);
-    double reach = chordReach + radius + ROUNDING * places;
-    double square = reach * reach;
-    if (!(square > Double.MIN_NORMAL && square < LARGEST_SQUARE)) {
-      return false; // so small or large that squares do not tell
-    }
-    double dx = ax - chordX;
-    double dy = ay - chordY;
-    double a = alongX * dy - alongY * dx;
-    double b = alongX * (by - chordY) - alongY * (bx - chordX);
-    double wx = bx - ax;
-    double wy = by - ay;
-    double first = wy * dx - wx * dy;
-    double last = first + (wx * alongY - wy * alongX);
-    double besidePath = beyond(a, b, square * lengthSquare(alongX, alongY));
-    double besideLine = beyond(first, last, square * lengthSquare(wx, wy));
-    // One branch for both, as each alone would be unpredictable.
-    return (Double.doubleToRawLongBits(besidePath) | Double.doubleToRawLongBits(besideLine)) < 0;
-  }
-
-  /** Not less than the square of a length; the least normal number covers underflow. */
-  private static double lengthSquare(double x, double y) {
-    return x * x + y * y + Double.MIN_NORMAL;
-  }
-
-  /**
-   * Negative if two numbers have one sign, and both their squares are above a limit; branch-free.
-   * Its rounding, 4 ulps of the larger number, is far below the {@link #ROUNDING} in the reach.
-   */
-  private static double beyond(double a, double b, double limit) {
-    double twice = Math.abs(a + b) - Math.abs(a - b); // the lesser size, below 0 for two signs
-    return 4 * limit + Double.MIN_NORMAL - twice * Math.abs(twice);
   }
 
   private void considerMoving() {
@@ -463,7 +462,7 @@ public final class FallSearch {
   /** Considers an obstacle other than a wall. */
   private void consider(int code) {
     if (!isPassed(code) && !isSkipped(code) && !obstacles.isGone(code)) {
-      double middle = pieceStart + 0.5 * (to - pieceStart);
+      double middle = enter + 0.5 * (to - enter);
       offer(detector.time(code, middle, to), code);
     }
   }
@@ -504,8 +503,8 @@ public final class FallSearch {
       to = t;
       bestCode = code;
       isBestSensor = sensor;
-      if (pieceStart < NEVER) {
-        draw(pieceStart, to);
+      if (enter < NEVER) {
+        path.draw(enter, to);
       }
     }
   }

@@ -13,16 +13,24 @@ import java.util.stream.IntStream;
  * A uniform grid over the lines and pegs of a scene. Each cell lists all obstacles that a circle of
  * at most a given radius could touch while its centre is in the cell.
  *
- * <p>Lists are made for cells that are larger by a margin of 2^-8 of their size. A path of at most
- * 2^14 cells is followed with an error below 2^-11 cells. So rounding can lead to a neighbor of the
- * true cell only where both lists hold what the circle can touch.
+ * <p>Lists are made for cells that are larger by a margin. A path of at most 2^14 cells is followed
+ * with an error below 2^-10 cells. So rounding can lead to a neighbor of the true cell only where
+ * both lists hold what the circle can touch. The rest of the margin is for paths that bend: pieces
+ * that leave a straight line by no more than that count as straight.
  */
 public final class Grid {
 
   /** Cells an axis at most. */
   private static final int MOST = 1 << 13;
 
-  private static final double MARGIN = 0x1p-8;
+  /** The margin of lists, in cells. */
+  static final double MARGIN = 0x1p-8;
+
+  /** The same where circles fall: more makes pieces longer, and lists. */
+  static final double MARGIN_OF_FALLS = 0x1p-5;
+
+  /** The part of the margin that covers rounding. */
+  private static final double ROUNDING = 0x1p-10;
 
   /** The most cells a unit of time with which times and cells convert; its inverse is the least. */
   private static final double MOST_PACE = 0x1p500;
@@ -63,6 +71,14 @@ public final class Grid {
   /** 1 / {@link #cell}, which multiplies where the walk cannot afford a division. */
   final double perCell;
 
+  private final double margin;
+
+  /** A path that leaves a straight line by this much is followed along the line. */
+  final double bend;
+
+  /** No place in the grid has a larger sum of its coordinates' sizes. */
+  final double extent;
+
   private final ObstacleTable obstacles;
 
   /** The largest radius of a circle that it serves. */
@@ -72,10 +88,12 @@ public final class Grid {
    * Lists all obstacles for circles of up to the given radius.
    *
    * @param cell the size of a cell, or 0 to have it chosen
+   * @param margin of the lists, in cells
    */
-  Grid(ObstacleTable obstacles, double radius, double cell) {
+  Grid(ObstacleTable obstacles, double radius, double cell, double margin) {
     this.obstacles = obstacles;
     this.radius = radius;
+    this.margin = margin;
     double[] box = box();
     double width = box[Codes.RIGHT] - box[Codes.LEFT];
     double height = box[Codes.TOP] - box[Codes.BOTTOM];
@@ -87,6 +105,9 @@ public final class Grid {
     xmax = xmin + columns * this.cell;
     ymax = ymin + rows * this.cell;
     perCell = 1 / this.cell;
+    bend = (margin - ROUNDING) * this.cell;
+    extent =
+        Math.max(Math.abs(xmin), Math.abs(xmax)) + Math.max(Math.abs(ymin), Math.abs(ymax));
     stride = columns + 2;
     farthest = this.cell * 0x1p40 - (Math.abs(xmin) + Math.abs(ymin));
     slowest = Math.max(LEAST_SPEED, this.cell / MOST_PACE);
@@ -247,6 +268,17 @@ public final class Grid {
     return Math.abs(x) + Math.abs(y) < farthest && speed > slowest && speed < fastest;
   }
 
+  /**
+   * Whether a path that bends can be followed.
+   *
+   * @param size no coordinate is larger
+   * @param speed the largest Manhattan speed; 0 is followed, too
+   * @param pull the Manhattan size of the acceleration
+   */
+  boolean follows(double size, double speed, double pull) {
+    return size < farthest && speed < fastest && pull < fastest && (pull > slowest || pull == 0);
+  }
+
   boolean contains(double x, double y) {
     return x >= xmin && x <= xmax && y >= ymin && y <= ymax;
   }
@@ -339,7 +371,7 @@ public final class Grid {
   private void visit(
       int code, double ax, double ay, double bx, double by, double inflatedRadius, int[] counts,
       int[] listed) {
-    double grown = inflatedRadius + MARGIN * cell;
+    double grown = inflatedRadius + margin * cell;
     int left = column(columns(Math.min(ax, bx) - grown));
     int right = column(columns(Math.max(ax, bx) + grown));
     int bottom = row(rows(Math.min(ay, by) - grown));

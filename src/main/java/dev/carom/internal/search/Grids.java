@@ -29,12 +29,18 @@ public final class Grids {
   private final CodeSet loose = new CodeSet();
   private boolean isDirty;
 
+  /** The margin of their lists. */
+  private double margin = Grid.MARGIN;
+
   /** Whether some obstacle is neither in the grids nor in the list of loose ones. */
   private boolean isIncomplete;
 
   public Grids(SceneData scene, ObstacleTable obstacles, EngineOptions options) {
     this.obstacles = obstacles;
     this.options = options;
+    if (scene.hasGravity()) {
+      margin = Grid.MARGIN_OF_FALLS;
+    }
     if (wanted()) {
       largestRadii(scene).forEach(this::make);
     }
@@ -50,7 +56,7 @@ public final class Grids {
   }
 
   private void make(int exponent, double radius) {
-    byExponent.put(exponent, new Grid(obstacles, radius, options.cell()));
+    byExponent.put(exponent, new Grid(obstacles, radius, options.cell(), margin));
   }
 
   private static Map<Integer, Double> largestRadii(SceneData scene) {
@@ -115,6 +121,12 @@ public final class Grids {
    */
   private boolean areTooLoose() {
     return loose.size > FEW + Math.sqrt(obstacles.staticSize());
+  }
+
+  /** Prepares for circles that fall: drops all grids. */
+  public void beginFalls() {
+    margin = Grid.MARGIN_OF_FALLS;
+    forget();
   }
 
   /** Drops all grids: the next search needs new ones. */

@@ -54,6 +54,9 @@ public final class ObstacleIndex {
 
   private volatile int mostExponent;
 
+  /** The margin of the lists of the grids. */
+  private double margin = Grid.MARGIN;
+
   /** Whether an index may be made; if not, each obstacle is tested. */
   public final boolean wanted;
 
@@ -109,7 +112,7 @@ public final class ObstacleIndex {
   }
 
   private Grid newGrid(int exponent) {
-    return new Grid(obstacles, Math.scalb(1.0, exponent + 1), 0);
+    return new Grid(obstacles, Math.scalb(1.0, exponent + 1), 0, margin);
   }
 
   private synchronized void make() {
@@ -157,6 +160,12 @@ public final class ObstacleIndex {
         : Math.max(
             tree.side(BoxTree.RIGHT) - tree.side(BoxTree.LEFT),
             tree.side(BoxTree.TOP) - tree.side(BoxTree.BOTTOM));
+  }
+
+  /** Prepares for circles that fall. */
+  public synchronized void beginFalls() {
+    margin = Grid.MARGIN_OF_FALLS;
+    grids.clear();
   }
 
   private void forget() {

@@ -24,11 +24,12 @@ class GridTest {
         ObstacleTable.of(
             Internals.data(Scene.builder().line(0, 0, 80, 0).line(0, 40, 80, 40).build())),
         4,
-        8);
+        8,
+        Grid.MARGIN);
   }
 
   private static Grid gridOf(SceneBuilder scene) {
-    return new Grid(ObstacleTable.of(Internals.data(scene.build())), 4, 8);
+    return new Grid(ObstacleTable.of(Internals.data(scene.build())), 4, 8, Grid.MARGIN);
   }
 
   @Test
