@@ -23,14 +23,14 @@ import java.util.stream.IntStream;
  */
 public final class BroadPhase extends NarrowPhase {
 
-  /** Ticks of time in which a cell is crossed at the Manhattan speed. */
-  private static final double TICKS = 0x1p30;
+  /** Ticks in which a cell is crossed at the Manhattan speed. */
+  static final double TICKS = 0x1p30;
 
   /**
    * Each axis counts as faster by this part of the Manhattan speed, so that none rests: by 2^-16
    * cells on a path of 2^14 cells.
    */
-  private static final double DRIFT = 0x1p-30;
+  static final double DRIFT = 0x1p-30;
 
   /** The margin of the lists covers this part of a cell beyond the visited ones. */
   private static final double NEAR_CELLS = 0x1p-10;
@@ -287,9 +287,7 @@ public final class BroadPhase extends NarrowPhase {
       for (int i = 0; i < loose.size; i++) {
         consider(loose.codes[i]);
       }
-      int lookahead = body.lookahead;
-      body.lookahead = Math.min(2 * lookahead, 1 << 28);
-      return walk(grid, from, needed, ahead, lookahead);
+      return walk(grid, from, needed, ahead, body.useLookahead());
     }
     if (obstacles.size() == 0) {
       return ahead;
@@ -325,8 +323,7 @@ public final class BroadPhase extends NarrowPhase {
     manhattanSpeed = absVx + absVy;
     perVx = 1 / Math.fma(manhattanSpeed, DRIFT, absVx);
     perVy = 1 / Math.fma(manhattanSpeed, DRIFT, absVy);
-    // |v| <= large + (sqrt(2) - 1) small: a chord above a convex curve, at most 9 % too much.
-    double length = 0.5857 * Math.max(absVx, absVy) + 0.4143 * manhattanSpeed;
+    double length = UnitVectors.lengthBound(absVx, absVy);
     // cross(a - p, v) errs by at most 4 u of the terms of cross(p, v), 2 u of those of cross(a, v),
     // u = 2^-53: by 4 u |v| times the size below. Sum and difference of two, by twice that and
     // their rounding, 11 u; with 2 r |v| and its sum, 14 u more: 36 u in all, 64 are left for them.
@@ -407,8 +404,8 @@ public final class BroadPhase extends NarrowPhase {
     // Ticks until the next column and the next row, and ticks from each to the one after it.
     double columnTicks = ticks * perVx;
     double rowTicks = ticks * perVy;
-    long nextX = (long) (toEdge(x - column, vx) * columnTicks);
-    long nextY = (long) (toEdge(y - row, vy) * rowTicks);
+    long nextX = (long) (Grid.toEdge(x - column, vx) * columnTicks);
+    long nextY = (long) (Grid.toEdge(y - row, vy) * rowTicks);
     long perX = (long) columnTicks;
     long perY = (long) rowTicks;
     int nextRow = UnitVectors.sign(vy) * grid.stride;
@@ -450,11 +447,6 @@ public final class BroadPhase extends NarrowPhase {
         near = near(list);
       } while (near == 0);
     }
-  }
-
-  /** The distance of a place in a cell of size 1 from the edge through which v leaves the cell. */
-  private static double toEdge(double place, double v) {
-    return Math.abs(place - 0.5 - Math.copySign(0.5, v));
   }
 
   /**

@@ -240,29 +240,18 @@ final class FallNarrowPhase {
    * that it overlaps by d, it may return to the side earlier, by {@code d / v.n}.
    */
   double earliestReturn() {
-    int code = body.last;
-    if (code < 0 || Codes.isCircle(code) || Codes.isWall(code)) {
-      return 0; // that to a wall is computed as fast
-    }
-    if (obstacles.moves(code) || obstacles.isGone(code)) {
+    if (!isLastFixed()) {
       return 0;
     }
-    take(code);
-    double wx = bx - ax;
-    double wy = by - ay;
-    double ww = wx * wx + wy * wy;
-    if (ww == NEVER) {
-      return 0;
-    }
-    double s = ww > 0 ? ((px - ax) * wx + (py - ay) * wy) / ww : 0;
-    s = Math.max(0, Math.min(1, s));
-    double nx = px - (ax + s * wx);
-    double ny = py - (ay + s * wy);
+    take(body.last);
+    double part = nearestPart();
+    double nx = px - (ax + part * (bx - ax));
+    double ny = py - (ay + part * (by - ay));
     double nn = nx * nx + ny * ny;
     double sum = r + radius;
     double reach = EARLIER * sum;
     if (!(nn > reach * reach)) {
-      return 0; // it overlaps that, and may come deeper
+      return 0; // it overlaps that, and may come deeper; or n is NaN
     }
     // The normal errs by this, so speeds along it by that times theirs.
     double places = Math.abs(px) + Math.abs(py) + Math.abs(ax) + Math.abs(ay);
@@ -273,19 +262,40 @@ final class FallNarrowPhase {
     if (!(away > 0x1p-24 * terms + 0x1p24 * termsOfError)) {
       return 0; // the relative error of that may exceed the margin
     }
-    double lift = gx * nx + gy * ny;
     double pull =
         ROUNDING * (Math.abs(gx * nx) + Math.abs(gy * ny))
             + error * (Math.abs(gx) + Math.abs(gy))
-            - lift;
+            - (gx * nx + gy * ny);
     // At least 2 (sum - |n|) |n|. The return to the side beside an end is earlier by a quarter of
     // overlap pull / away^2, in proportion: far less than the margin.
     double overlap = Math.max(0, sum * sum - nn) + 4 * error * sum;
-    boolean isAtEnd = ww > 0 && (s == 0 || s == 1);
+    boolean isAtEnd = part == 0 || part == 1;
     if (isAtEnd && !(overlap * pull <= 0x1p-22 * (away * away))) {
       return 0;
     }
     return pull > 0 ? EARLIER * (2 * away / pull) : NEVER;
+  }
+
+  /** Whether a line or a peg at rest was hit last. The return to a wall is computed as fast. */
+  private boolean isLastFixed() {
+    int code = body.last;
+    return code >= 0
+        && !Codes.isCircle(code)
+        && !Codes.isWall(code)
+        && !obstacles.moves(code)
+        && !obstacles.isGone(code);
+  }
+
+  /** The part of the way along the spine to its point nearest to the centre; NaN if too long. */
+  private double nearestPart() {
+    double wx = bx - ax;
+    double wy = by - ay;
+    double square = wx * wx + wy * wy;
+    if (square == 0) {
+      return 0;
+    }
+    double part = ((px - ax) * wx + (py - ay) * wy) / square;
+    return square < NEVER ? Math.max(0, Math.min(1, part)) : Double.NaN;
   }
 
   // Slides.

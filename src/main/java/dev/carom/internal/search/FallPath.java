@@ -4,11 +4,11 @@ package dev.carom.internal.search;
 import dev.carom.internal.state.MovingCircle;
 
 /**
- * The path of a circle that falls or slides, and a straight line near a piece of it. What is out of
- * reach of that line is not hit in the piece.
+ * The path of a circle that falls or slides, and a straight band that the circle does not leave in
+ * a piece of it. An obstacle outside of the band is not hit in the piece.
  *
- * <p>From its chord, a piece of length t bends by at most {@code g t^2 / 8}, all to one side. From
- * the line halfway between it bends by {@code g t^2 / 16} to either side.
+ * <p>A piece of duration t bends away from its chord by at most {@code g t^2 / 8}, all to one side.
+ * So it leaves the parallel halfway by at most {@code g t^2 / 16}, to either side.
  */
 final class FallPath {
 
@@ -17,10 +17,16 @@ final class FallPath {
   /** In units of the terms of a place: far more than its rounding. */
   private static final double ROUNDING = 0x1p-40;
 
-  /** If the square of a reach, which covers rounding, is below this, no product overflows. */
+  /**
+   * While the square of a reach is below this, no product overflows: a reach is at least 2^-40 of
+   * each coordinate.
+   */
   private static final double LARGEST_SQUARE = 0x1p200;
 
-  /** In cells and their inverse: squares of speeds and accelerations between do not overflow. */
+  /**
+   * In cells: squares of speeds and accelerations below this do not overflow, and above its inverse
+   * do not underflow.
+   */
   private static final double FASTEST = 0x1p300;
 
   /** In cells: a place that is outside of the grid by less counts as inside. */
@@ -29,6 +35,7 @@ final class FallPath {
   /** The most cells that a piece may take, by its speed at the start. */
   private static final double MOST_CELLS = 0x1p14;
 
+  /** The longest piece without acceleration: finite, so that its bend is 0 and not NaN. */
   private static final double LONGEST = 0x1p1000;
 
   // The path.
@@ -40,14 +47,14 @@ final class FallPath {
   private double gy;
   private double r;
 
-  // What bounds a coordinate: size + speed t + pull t^2.
+  // The sizes of the coordinates and of the circle sum up to at most size + speed t + pull t^2.
   private double size;
   private double speed;
   private double pull;
 
-  // The line: its start, the way along it, and how far the circle reaches from it in the piece.
-  double lineX;
-  double lineY;
+  // The band: the start of its middle line, the way along that, and half its width.
+  double bandX;
+  double bandY;
   double alongX;
   double alongY;
   double reach;
@@ -58,7 +65,7 @@ final class FallPath {
   double bottom;
   double top;
 
-  // The longest piece that counts as straight, for the last acceleration and grid asked about.
+  // The longest straight piece, kept, as nearly all circles have the same acceleration and grid.
   private double lastPull = Double.NaN;
   private double lastBend;
   private double longest;
@@ -77,7 +84,7 @@ final class FallPath {
     pull = Math.abs(gx) + Math.abs(gy);
   }
 
-  boolean isInRange() {
+  boolean isFinite() {
     return Math.abs(px) <= Double.MAX_VALUE && Math.abs(py) <= Double.MAX_VALUE;
   }
 
@@ -87,13 +94,13 @@ final class FallPath {
 
   // Where it is in a grid.
 
-  /** Whether the cell is known at a time. */
+  /** Whether a grid resolves the path at a time. */
   boolean isResolved(Grid grid, double t) {
     double fastest = speed + pull * t;
-    return grid.follows(size + fastest * t, fastest, pull);
+    return grid.resolvesFall(size + fastest * t, fastest, pull);
   }
 
-  /** Whether the centre is inside of a grid at a time, or almost. */
+  /** Whether the centre is inside of a grid at a time, or outside by less than {@link #NEAR}. */
   boolean isInside(Grid grid, double t) {
     double column = grid.columns(place(px, vx, gx, t));
     double row = grid.rows(place(py, vy, gy, t));
@@ -101,13 +108,14 @@ final class FallPath {
   }
 
   /**
-   * The next time after another, at which the centre is outside of a grid, when it comes in, or is
-   * where that is not known any more; NaN if speeds are so large or small that this does not tell.
+   * The first time after another one, at which the centre is outside of a grid, when it crosses the
+   * line of an edge and is then inside, or where its place is not resolved. Infinite if there is
+   * none; NaN if a speed or an acceleration is so large or small that squares do not tell.
    */
   double entry(Grid grid, double after) {
     double scale = grid.perCell;
-    if (!(isInRange(vx * scale) && isInRange(vy * scale))
-        || !(isInRange(gx * scale) && isInRange(gy * scale))) {
+    if (!(isSquarable(vx * scale) && isSquarable(vy * scale))
+        || !(isSquarable(gx * scale) && isSquarable(gy * scale))) {
       return Double.NaN;
     }
     double column = grid.columns(px);
@@ -119,12 +127,15 @@ final class FallPath {
     return entry(grid, grid.rows - row, vy * scale, gy * scale, after, first);
   }
 
-  private static boolean isInRange(double speed) {
+  private static boolean isSquarable(double speed) {
     double size = Math.abs(speed);
     return size == 0 || (size < FASTEST && size > 1 / FASTEST);
   }
 
-  /** The same over an edge of the grid, d away on an axis, unless another entry is before it. */
+  /**
+   * The same for the line of one edge, d away on an axis; {@code first} if that is earlier. The
+   * roots of {@code d = v t + g t^2 / 2} are {@code 2 d / q} and {@code -q / g}.
+   */
   private double entry(Grid grid, double d, double v, double g, double after, double first) {
     double q = v + Math.copySign(Math.sqrt(v * v + 2 * g * d), v);
     double entry = isEntry(grid, 2 * d / q, after, first) ? 2 * d / q : first;
@@ -135,33 +146,34 @@ final class FallPath {
     return t > after && t < first && (isInside(grid, t) || !isResolved(grid, t));
   }
 
-  // Pieces and the lines near them.
+  // Pieces and their bands.
 
   /**
-   * Takes a piece that counts as straight in a grid, and the line halfway between it and its chord.
+   * Takes a piece that counts as straight in a grid, and its band. The piece lasts as long as is
+   * wanted, but ends before it bends too much or takes more than {@link #MOST_CELLS}.
    *
-   * @param needed the length of the piece that is wanted in any case
-   * @param cells the number of cells that are wanted in any case
-   * @return the length of the piece
+   * @param wanted the duration that is wanted
+   * @param cells the cells that are wanted, by the speed at the start, if that takes longer
+   * @return the duration of the piece
    */
-  double straighten(Grid grid, double from, double needed, int cells) {
+  double straighten(Grid grid, double from, double wanted, int cells) {
     double startVx = vx + gx * from;
     double startVy = vy + gy * from;
-    double perCell = grid.cell / (Math.abs(startVx) + Math.abs(startVy));
-    double wanted = Math.max(needed, cells * perCell);
-    double length = Math.min(longest(grid), Math.min(wanted, MOST_CELLS * perCell));
-    double part = length / 16;
-    double end = from + length;
-    alongX = (startVx + 0.5 * gx * length) * length;
-    alongY = (startVy + 0.5 * gy * length) * length;
-    lineX = place(px, vx, gx, from) - gx * length * part;
-    lineY = place(py, vy, gy, from) - gy * length * part;
-    reach = reach(pull * length * part, end, grid.extent);
-    box(lineX + alongX, lineY + alongY, reach, reach);
-    return length;
+    double timePerCell = grid.cell / (Math.abs(startVx) + Math.abs(startVy));
+    double enough = Math.max(wanted, cells * timePerCell);
+    double duration = Math.min(longest(grid), Math.min(enough, MOST_CELLS * timePerCell));
+    double part = duration / 16;
+    double end = from + duration;
+    alongX = (startVx + 0.5 * gx * duration) * duration;
+    alongY = (startVy + 0.5 * gy * duration) * duration;
+    bandX = place(px, vx, gx, from) - gx * duration * part;
+    bandY = place(py, vy, gy, from) - gy * duration * part;
+    reach = reach(pull * duration * part, end, grid.largestSum);
+    box(bandX + alongX, bandY + alongY, reach, reach);
+    return duration;
   }
 
-  /** The length of a piece that bends as much as a grid allows. */
+  /** How long a piece lasts that bends as much as a grid allows. */
   private double longest(Grid grid) {
     if (pull != lastPull || grid.bend != lastBend) {
       lastPull = pull;
@@ -171,32 +183,32 @@ final class FallPath {
     return longest;
   }
 
-  /** How far the circle reaches from a line, from which its path up to a time bends. */
+  /** Half the width of a band, from whose middle line the path up to a time bends by so much. */
   private double reach(double bend, double end, double places) {
     return (r + bend) * (1 + ROUNDING)
         + 4 * ROUNDING * (size + (speed + pull * end) * end + places);
   }
 
-  /** Takes a piece and its chord. */
-  void draw(double from, double end) {
-    double length = end - from;
-    lineX = place(px, vx, gx, from);
-    lineY = place(py, vy, gy, from);
-    alongX = place(px, vx, gx, end) - lineX;
-    alongY = place(py, vy, gy, end) - lineY;
-    reach = reach(pull * (length * length) / 8, end, 0);
+  /** Takes a piece, with its chord as the middle of the band. */
+  void takeChord(double from, double end) {
+    double duration = end - from;
+    bandX = place(px, vx, gx, from);
+    bandY = place(py, vy, gy, from);
+    alongX = place(px, vx, gx, end) - bandX;
+    alongY = place(py, vy, gy, end) - bandY;
+    reach = reach(pull * (duration * duration) / 8, end, 0);
   }
 
   private void box(double endX, double endY, double marginX, double marginY) {
-    left = Math.min(lineX, endX) - marginX;
-    right = Math.max(lineX, endX) + marginX;
-    bottom = Math.min(lineY, endY) - marginY;
-    top = Math.max(lineY, endY) + marginY;
+    left = Math.min(bandX, endX) - marginX;
+    right = Math.max(bandX, endX) + marginX;
+    bottom = Math.min(bandY, endY) - marginY;
+    top = Math.max(bandY, endY) + marginY;
   }
 
-  /** Takes a piece, its chord and its box. */
-  void enclose(double from, double end) {
-    draw(from, end);
+  /** The same, and the box of the piece. */
+  void takeChordAndBox(double from, double end) {
+    takeChord(from, end);
     double turnsX = -vx / gx;
     double turnsY = -vy / gy;
     double marginX = margin(px, vx, gx, end < NEVER ? end : lastTurn(turnsX, from));
@@ -251,8 +263,8 @@ final class FallPath {
   }
 
   /**
-   * Whether an obstacle from a to b is certainly out of reach: both its ends lie on one side of the
-   * line near the piece, or both ends of that on one side of it.
+   * Whether an obstacle from a to b is certainly outside of the band: both its ends lie on one side
+   * of the band, or both ends of the band on one side of it.
    */
   boolean isBeside(double ax, double ay, double bx, double by, double radius) {
     double places = Math.abs(ax) + Math.abs(ay) + Math.abs(bx) + Math.abs(by);
@@ -261,18 +273,18 @@ final class FallPath {
     if (!(square > Double.MIN_NORMAL && square < LARGEST_SQUARE)) {
       return false; // so small or large that squares do not tell
     }
-    double dx = ax - lineX;
-    double dy = ay - lineY;
+    double dx = ax - bandX;
+    double dy = ay - bandY;
     double a = alongX * dy - alongY * dx;
-    double b = alongX * (by - lineY) - alongY * (bx - lineX);
+    double b = alongX * (by - bandY) - alongY * (bx - bandX);
     double wx = bx - ax;
     double wy = by - ay;
     double first = wy * dx - wx * dy;
     double last = first + (wx * alongY - wy * alongX);
-    double besidePath = beyond(a, b, square * lengthSquare(alongX, alongY));
+    double besideBand = beyond(a, b, square * lengthSquare(alongX, alongY));
     double besideObstacle = beyond(first, last, square * lengthSquare(wx, wy));
     // One branch for both, as each alone would be unpredictable.
-    return (Double.doubleToRawLongBits(besidePath) | Double.doubleToRawLongBits(besideObstacle))
+    return (Double.doubleToRawLongBits(besideBand) | Double.doubleToRawLongBits(besideObstacle))
         < 0;
   }
 
@@ -286,7 +298,8 @@ final class FallPath {
    * Its rounding, 4 ulps of the larger number, is far below the {@link #ROUNDING} in the reach.
    */
   private static double beyond(double a, double b, double limit) {
-    double twice = Math.abs(a + b) - Math.abs(a - b); // the lesser size, below 0 for two signs
+    double twice =
+        Math.abs(a + b) - Math.abs(a - b); // twice the lesser size; below 0 if the signs differ
     return 4 * limit + Double.MIN_NORMAL - twice * Math.abs(twice);
   }
 }

@@ -17,9 +17,9 @@ import dev.carom.internal.sweep.UnitVectors;
  * Finds the next impact of a circle that falls or slides: the search of {@link BroadPhase} for
  * paths that are parabolas.
  *
- * <p>The path is searched piece after piece. Each piece is so short that it counts as straight, so
- * its cells are those along a line. The lines that a cell lists are considered if they are near
- * that line, and then if they are near the part of the path in the cell. The {@link
+ * <p>The path is searched piece after piece, each so short that it counts as straight: a band
+ * covers the circle, and the cells are those along its middle. The lines in a cell are tested first
+ * against that band, then against the narrower band of the part of the path in the cell. The {@link
  * FallNarrowPhase} tells the time of impact.
  */
 public final class FallSearch {
@@ -29,14 +29,11 @@ public final class FallSearch {
   /** Far more than the rounding of a radius, in units of it. */
   private static final double ROUNDING = 0x1p-40;
 
-  /** Ticks in which a path along an axis crosses a cell. */
-  private static final double TICKS = 0x1p30;
-
-  /** As in {@link BroadPhase}: each axis counts as faster by this part, so that none rests. */
-  private static final double DRIFT = 0x1p-30;
-
-  /** In cells: a piece counts as longer by this, so that it has a length. */
+  /** In cells: added to the Manhattan length of a way, so that one of length 0 has ticks, too. */
   private static final double LEAST_WAY = 0x1p-20;
+
+  /** Both lines of a pair, see {@link #near}. */
+  private static final int BOTH = 3;
 
   /** {@link MovingCircle#lookahead} counts halves of cells; a fall searches whole ones. */
   private static final int HALVES = 2;
@@ -55,13 +52,13 @@ public final class FallSearch {
   private boolean filtered;
   private boolean bounded;
 
-  /** Before this time of the flight it cannot return to what was hit last. */
+  /** The circle does not return to what it hit last before this time; 0 if that is not known. */
   private double returns;
 
-  /** The start of the part of the path in a cell; NEVER for questions about longer parts. */
+  /** When the path enters the visited cell; NEVER outside of {@link #visit}. */
   private double enter;
 
-  /** The time up to which impacts are asked for: the end of that part, or the best one so far. */
+  /** Impacts after this do not count: the end of the part searched, or the best one so far. */
   private double to;
 
   /** The number of cells that the search has visited. */
@@ -86,16 +83,15 @@ public final class FallSearch {
    */
   public void extend(MovingCircle m, Grid grid, double needed) {
     start(m);
-    int cells = m.lookahead / HALVES;
-    m.lookahead = Math.min(2 * m.lookahead, 1 << 28);
-    double known = path.isInRange() ? search(grid, m.cleared, needed, cells) : NEVER;
+    int cells = m.useLookahead() / HALVES;
+    double known = path.isFinite() ? search(grid, m.cleared, needed, cells) : NEVER;
     if (best <= known && best != NEVER) {
       m.next = bestCode;
       m.contact = detector.contact(bestCode, best);
       known = best;
     } else {
       m.next = MovingCircle.NOTHING;
-      m.contact = known == m.cleared ? m.contact : 0; // a sensor met there stays reported
+      m.contact = 0;
     }
     m.cleared = known;
   }
@@ -138,7 +134,6 @@ public final class FallSearch {
     double known = path.isAtRest() ? NEVER : from;
     visited = 0;
     while (known < NEVER && best > known && (visited <= cells || known <= needed)) {
-      enter = NEVER;
       if (grid == null || !path.isResolved(grid, known)) {
         known = searchAll(known);
       } else if (path.isInside(grid, known)) {
@@ -147,7 +142,6 @@ public final class FallSearch {
         known = searchOutside(grid, known);
       }
     }
-    enter = NEVER;
     to = Math.min(known, best);
     considerMoving();
     considerEndOfSlide();
@@ -157,7 +151,7 @@ public final class FallSearch {
   /** Searches all the path from a time on. */
   private double searchAll(double from) {
     to = NEVER;
-    path.enclose(from, NEVER);
+    path.takeChordAndBox(from, NEVER);
     considerWalls();
     considerEach();
     return NEVER;
@@ -170,54 +164,54 @@ public final class FallSearch {
       return searchAll(from);
     }
     to = end;
-    path.enclose(from, end);
+    path.takeChordAndBox(from, end);
     considerWalls();
     considerLoose();
     return end;
   }
 
   /** Searches a piece that begins inside the grid. Returns its end. */
-  private double searchInside(Grid grid, double from, double needed, int cells) {
-    double length = path.straighten(grid, from, needed, cells);
-    double end = from + length;
+  private double searchInside(Grid grid, double from, double wanted, int cells) {
+    double duration = path.straighten(grid, from, wanted, cells);
+    double end = from + duration;
     to = end;
     considerWalls();
     considerLoose();
-    walk(grid, from, length, returns > end ? body.last : MovingCircle.NOTHING);
+    visited += walk(grid, from, duration, returns > end ? body.last : MovingCircle.NOTHING);
+    enter = NEVER;
     return end;
   }
 
   /**
-   * Visits the cells along the line near a piece, up to the best impact found. Times are whole
+   * Visits the cells along the middle of a band, up to the best impact found. Times are whole
    * ticks, and a mask chooses the next cell, as in {@link BroadPhase}. Unlike there, a branch skips
    * the empty cells.
    *
-   * @param passed the code of a line that is not hit in the piece
+   * @param spared an obstacle that is not hit in the piece, or NOTHING
+   * @return the number of cells
    */
-  private void walk(Grid grid, double from, double length, int passed) {
+  private int walk(Grid grid, double from, double duration, int spared) {
+    // Copies: a visit replaces the band by that of a part.
     double alongX = path.alongX;
     double alongY = path.alongY;
-    double x = grid.columns(path.lineX);
-    double y = grid.rows(path.lineY);
+    double x = grid.columns(path.bandX);
+    double y = grid.rows(path.bandY);
     int column = grid.column(x);
     int row = grid.row(y);
     double absX = Math.abs(alongX);
     double absY = Math.abs(alongY);
-    double manhattan = absX + absY;
-    double way = manhattan + LEAST_WAY * grid.cell;
-    double columnTicks = TICKS * way / Math.fma(way, DRIFT, absX);
-    double rowTicks = TICKS * way / Math.fma(way, DRIFT, absY);
-    double ticks = TICKS * way * grid.perCell;
-    double perTick = length / ticks;
-    // cross(p - line, along) is p.x crossX + p.y crossY + crossOfOrigin
+    double way = absX + absY + LEAST_WAY * grid.cell;
+    double columnTicks = BroadPhase.TICKS * way / Math.fma(way, BroadPhase.DRIFT, absX);
+    double rowTicks = BroadPhase.TICKS * way / Math.fma(way, BroadPhase.DRIFT, absY);
+    double ticks = BroadPhase.TICKS * way * grid.perCell;
+    double perTick = duration / ticks;
+    // cross(p - band, along) is p.x crossX + p.y crossY + crossOfOrigin
     double crossX = alongY;
     double crossY = 0 - alongX;
-    double crossOfOrigin = path.lineY * alongX - path.lineX * alongY;
-    // |along| <= large + (sqrt(2) - 1) small
-    double least = 0.5857 * Math.max(absX, absY) + 0.4143 * manhattan;
-    double clear = 2 * least * path.reach + Double.MIN_NORMAL;
-    long nextX = (long) (toEdge(x - column, alongX) * columnTicks);
-    long nextY = (long) (toEdge(y - row, alongY) * rowTicks);
+    double crossOfOrigin = path.bandY * alongX - path.bandX * alongY;
+    double clear = 2 * UnitVectors.lengthBound(absX, absY) * path.reach + Double.MIN_NORMAL;
+    long nextX = (long) (Grid.toEdge(x - column, alongX) * columnTicks);
+    long nextY = (long) (Grid.toEdge(y - row, alongY) * rowTicks);
     long perX = (long) columnTicks;
     long perY = (long) rowTicks;
     int nextRow = UnitVectors.sign(alongY) * grid.stride;
@@ -225,29 +219,30 @@ public final class FallSearch {
     int cell = grid.number(column, row);
     long[] lists = grid.lists;
     double[] lines = obstacles.lines.values;
-    double end = from + length;
+    double end = from + duration;
     long lead = nextX - nextY;
     long perBoth = perX + perY;
-    long last = (long) (part(from, length) * ticks) + 2;
+    long lastTick = lastTick(from, duration, ticks);
     long entered = 0;
+    int cells = 1;
     while (true) {
       long list = lists[cell];
       long isColumn = lead >> 63;
       long left = nextY + (lead & isColumn);
-      visited++;
       if (list != CellList.EMPTY) {
         if (list == CellList.OUTSIDE) {
-          return;
+          return cells;
         }
-        int near = near(list, lines, crossX, crossY, crossOfOrigin, clear, passed);
+        int near = near(list, lines, crossX, crossY, crossOfOrigin, clear, spared);
         if (near != 0) {
           visit(grid, list, near, from + entered * perTick, Math.min(end, from + left * perTick));
-          last = (long) (part(from, length) * ticks) + 2;
+          lastTick = lastTick(from, duration, ticks);
         }
       }
-      if (last <= left) {
-        return;
+      if (lastTick <= left) {
+        return cells;
       }
+      cells++;
       entered = left;
       nextY += perY & ~isColumn;
       lead += (perBoth & isColumn) - perY;
@@ -255,18 +250,15 @@ public final class FallSearch {
     }
   }
 
-  /** The part of a piece that is before the best impact so far. */
-  private double part(double from, double length) {
-    return best < from + length ? (best - from) / length : 1;
-  }
-
-  /** The distance of a place in a cell of size 1 from the edge through which v leaves the cell. */
-  private static double toEdge(double place, double v) {
-    return Math.abs(place - 0.5 - Math.copySign(0.5, v));
+  /** The last tick before the best impact so far, and two: one may be lost where ticks are cut. */
+  private long lastTick(double from, double duration, double ticks) {
+    double part = best < from + duration ? (best - from) / duration : 1;
+    return (long) (part * ticks) + 2;
   }
 
   /**
-   * Which lines of a pair may be hit: bit 0 for the first one, bit 1 for the second; -1 for others.
+   * Which lines of a pair may be hit: bit 0 for the first one, bit 1 for the second; -1 for a list
+   * that is no pair of lines.
    */
   private static int near(
       long list,
@@ -275,19 +267,19 @@ public final class FallSearch {
       double crossY,
       double crossOfOrigin,
       double clear,
-      int passed) {
+      int spared) {
     if (!CellList.isPairOfLines(list)) {
       return -1;
     }
     int first = CellList.first(list);
     int second = CellList.second(list);
-    return isNear(first, lines, crossX, crossY, crossOfOrigin, clear, passed)
-        | (isNear(second, lines, crossX, crossY, crossOfOrigin, clear, passed) << 1);
+    return isNear(first, lines, crossX, crossY, crossOfOrigin, clear, spared)
+        | (isNear(second, lines, crossX, crossY, crossOfOrigin, clear, spared) << 1);
   }
 
   /**
-   * 0 if both ends of a line lie on the same side of the path and out of its reach, or if the line
-   * is passed; else 1. Branch-free.
+   * 0 if both ends of a line lie on the same side of the band, or if the line is spared; else 1.
+   * Branch-free.
    */
   private static int isNear(
       int code,
@@ -296,8 +288,9 @@ public final class FallSearch {
       double crossY,
       double crossOfOrigin,
       double clear,
-      int passed) {
+      int spared) {
     int k = code * LineShape.ROW;
+    // As in BroadPhase: the first and the last number first, which spares range checks.
     double ax = lines[k + LineShape.AX];
     double by = lines[k + LineShape.BY];
     double ay = lines[k + LineShape.AY];
@@ -306,30 +299,20 @@ public final class FallSearch {
     double b = Math.fma(by, crossY, Math.fma(bx, crossX, crossOfOrigin));
     // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
     double beyond = Math.abs(a + b) - (Math.abs(a - b) + clear);
-    int other = code ^ passed; // 0 if the line is passed
-    int isPassed = ((other - 1) & ~other) >>> 31;
-    return (int) (Double.doubleToRawLongBits(beyond) >>> 63) & ~isPassed;
+    int other = code ^ spared; // 0 if the line is spared
+    int isSpared = ((other - 1) & ~other) >>> 31;
+    return (int) (Double.doubleToRawLongBits(beyond) >>> 63) & ~isSpared;
   }
 
-  /**
-   * Considers the obstacles that a cell lists, in a part of the path; of a pair those that are
-   * near.
-   */
+  /** Considers what a cell lists, in a part of the path; of a pair of lines those that are near. */
   private void visit(Grid grid, long list, int near, double from, double end) {
     enter = from;
     to = Math.min(best, end);
-    path.draw(from, to);
+    path.takeChord(from, to);
     if (near < 0) {
       considerList(grid, list);
-      return;
-    }
-    int first = CellList.first(list);
-    int second = CellList.second(list);
-    if ((near & 1) != 0) {
-      considerLine(first);
-    }
-    if (near > 1 && second != first) {
-      considerLine(second);
+    } else {
+      considerLines(list, near);
     }
   }
 
@@ -391,7 +374,7 @@ public final class FallSearch {
 
   private void considerPair(long pair) {
     if (!CellList.areOthers(pair)) {
-      considerLines(pair);
+      considerLines(pair, BOTH);
       return;
     }
     int first = CellList.first(pair);
@@ -402,21 +385,24 @@ public final class FallSearch {
     }
   }
 
-  private void considerLines(long pair) {
+  /** Considers the lines of a pair that are near: bits as in {@link #near}. */
+  private void considerLines(long pair, int near) {
     int first = CellList.first(pair);
     int second = CellList.second(pair);
-    considerLine(first);
-    if (second != first) {
+    if ((near & 1) != 0) {
+      considerLine(first);
+    }
+    if (near > 1 && second != first) {
       considerLine(second);
     }
   }
 
   /**
-   * Considers a line that a cell lists, as {@link #considerNear} does: there, the chord alone tells
-   * nearly all lines that are out of reach of the path in the cell.
+   * Considers a line that a cell lists. Without the test of the box: in a cell the chord rejects
+   * nearly all lines that are out of reach.
    */
   private void considerLine(int code) {
-    if (isPassed(code)) {
+    if (isDecided(code)) {
       return;
     }
     int k = obstacles.lines.offset(code);
@@ -431,13 +417,10 @@ public final class FallSearch {
   }
 
   /**
-   * Considers an obstacle at rest unless it is out of reach of the piece. A list may also name one
-   * that was moved or removed: the row of that has NaN, for which no test of its reach is true.
+   * Considers an obstacle unless its row is out of reach of the piece. A list may still name a
+   * removed one: its row is NaN, which no test rejects, and {@link #consider} leaves it out.
    */
   private void considerNear(int code) {
-    if (Codes.isWall(code)) {
-      return;
-    }
     ObstacleRows rows = obstacles.of(code);
     int k = rows.offset(code);
     int end = k + rows.shape.toEnd;
@@ -461,14 +444,17 @@ public final class FallSearch {
 
   /** Considers an obstacle other than a wall. */
   private void consider(int code) {
-    if (!isPassed(code) && !isSkipped(code) && !obstacles.isGone(code)) {
-      double middle = enter + 0.5 * (to - enter);
+    if (!isDecided(code) && !isSkipped(code) && !obstacles.isGone(code)) {
+      double middle = enter + 0.5 * (to - enter); // NaN outside of a visit: no time is expected
       offer(detector.time(code, middle, to), code);
     }
   }
 
-  /** Whether an obstacle is not to be asked again, or not yet. */
-  private boolean isPassed(int code) {
+  /**
+   * Whether no question is needed: it is the best so far, or was hit last and cannot be hit again
+   * in time.
+   */
+  private boolean isDecided(int code) {
     return code == bestCode || (code == body.last && returns > to);
   }
 
@@ -503,8 +489,8 @@ public final class FallSearch {
       to = t;
       bestCode = code;
       isBestSensor = sensor;
-      if (enter < NEVER) {
-        path.draw(enter, to);
+      if (enter < NEVER) { // the rest of the cell is shorter: a narrower band
+        path.takeChord(enter, to);
       }
     }
   }

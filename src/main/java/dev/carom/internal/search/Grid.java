@@ -15,21 +15,21 @@ import java.util.stream.IntStream;
  *
  * <p>Lists are made for cells that are larger by a margin. A path of at most 2^14 cells is followed
  * with an error below 2^-10 cells. So rounding can lead to a neighbor of the true cell only where
- * both lists hold what the circle can touch. The rest of the margin is for paths that bend: pieces
- * that leave a straight line by no more than that count as straight.
+ * both lists hold what the circle can touch. The rest of the margin is for paths that bend: a piece
+ * that leaves a straight line by no more than this rest counts as straight.
  */
 public final class Grid {
 
   /** Cells an axis at most. */
   private static final int MOST = 1 << 13;
 
-  /** The margin of lists, in cells. */
+  /** The margin of lists where circles fly straight, in cells. */
   static final double MARGIN = 0x1p-8;
 
-  /** The same where circles fall: more makes pieces longer, and lists. */
+  /** The margin where circles fall. More makes the straight pieces longer, but also the lists. */
   static final double MARGIN_OF_FALLS = 0x1p-5;
 
-  /** The part of the margin that covers rounding. */
+  /** The part of the margin that covers rounding, in cells. */
   private static final double ROUNDING = 0x1p-10;
 
   /** The most cells a unit of time with which times and cells convert; its inverse is the least. */
@@ -57,7 +57,10 @@ public final class Grid {
   /** The pairs of longer lists, see {@link CellList}. */
   final long[] pairs;
 
-  /** Places so far from the origin are not resolved, nor speeds outside of this range. */
+  /**
+   * Places so far from the origin are not resolved, nor speeds and accelerations outside of this
+   * range.
+   */
   private final double farthest;
 
   private final double slowest;
@@ -73,11 +76,11 @@ public final class Grid {
 
   private final double margin;
 
-  /** A path that leaves a straight line by this much is followed along the line. */
+  /** A path that leaves a straight line by no more than this counts as straight. */
   final double bend;
 
-  /** No place in the grid has a larger sum of its coordinates' sizes. */
-  final double extent;
+  /** The largest |x| + |y| of a place in the grid. */
+  final double largestSum;
 
   private final ObstacleTable obstacles;
 
@@ -106,7 +109,7 @@ public final class Grid {
     ymax = ymin + rows * this.cell;
     perCell = 1 / this.cell;
     bend = (margin - ROUNDING) * this.cell;
-    extent =
+    largestSum =
         Math.max(Math.abs(xmin), Math.abs(xmax)) + Math.max(Math.abs(ymin), Math.abs(ymax));
     stride = columns + 2;
     farthest = this.cell * 0x1p40 - (Math.abs(xmin) + Math.abs(ymin));
@@ -269,13 +272,13 @@ public final class Grid {
   }
 
   /**
-   * Whether a path that bends can be followed.
+   * The same as {@link #resolves}, for a path with an acceleration.
    *
-   * @param size no coordinate is larger
-   * @param speed the largest Manhattan speed; 0 is followed, too
-   * @param pull the Manhattan size of the acceleration
+   * @param size |x| + |y| is at most this
+   * @param speed the Manhattan speed is at most this; it may be 0
+   * @param pull the Manhattan size of the acceleration; it may be 0
    */
-  boolean follows(double size, double speed, double pull) {
+  boolean resolvesFall(double size, double speed, double pull) {
     return size < farthest && speed < fastest && pull < fastest && (pull > slowest || pull == 0);
   }
 
@@ -325,6 +328,11 @@ public final class Grid {
 
   int row(double rowsBefore) {
     return Math.max(0, Math.min(rows - 1, (int) rowsBefore));
+  }
+
+  /** The distance of a place in a cell of size 1 from the edge through which v leaves the cell. */
+  static double toEdge(double place, double v) {
+    return Math.abs(place - 0.5 - Math.copySign(0.5, v));
   }
 
   /** Lists the codes of each cell, in two passes over the obstacles: counts, then fills. */

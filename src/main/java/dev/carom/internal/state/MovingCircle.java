@@ -38,6 +38,9 @@ public final class MovingCircle {
    */
   public static final int EDITED_LOOKAHEAD = 1;
 
+  /** From this on, the lookahead is not doubled any more. */
+  private static final int MOST_LOOKAHEAD = 1 << 28;
+
   /**
    * The flight: the position at its start, its velocity, and the time of its start as head and
    * tail.
@@ -186,6 +189,13 @@ public final class MovingCircle {
     gx = gravityX;
     gy = gravityY;
     support = NOTHING;
+  }
+
+  /** How far a search that begins now looks ahead; the next one looks twice as far. */
+  public int useLookahead() {
+    int now = lookahead;
+    lookahead = Math.min(2 * now, MOST_LOOKAHEAD);
+    return now;
   }
 
   /** Whether the circle slides or rests on something. */

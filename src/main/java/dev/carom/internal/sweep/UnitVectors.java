@@ -4,7 +4,7 @@ package dev.carom.internal.sweep;
 import dev.carom.internal.exact.Exact;
 import dev.carom.internal.exact.UnitVector;
 
-/** Signs, and unit vectors, each component within 1e-15 of the true one. */
+/** Signs, bounds of lengths, and unit vectors, each component within 1e-15 of the true one. */
 public final class UnitVectors {
 
   /** Range of components whose squares neither underflow nor overflow. */
@@ -17,6 +17,12 @@ public final class UnitVectors {
   /** +1 or -1 by the sign bit, which 0 has, too. Branch-free, as the sign is unpredictable. */
   public static int sign(double value) {
     return (int) (Double.doubleToRawLongBits(value) >> 63) | 1;
+  }
+
+  /** A length of at least |(x, y)|, and at most 9 % more, from |x| and |y|. */
+  public static double lengthBound(double absX, double absY) {
+    // |v| <= large + (sqrt(2) - 1) small: a chord above a convex curve.
+    return 0.5857 * Math.max(absX, absY) + 0.4143 * (absX + absY);
   }
 
   /** (a - b) / |a - b| for two different points. */
