@@ -145,11 +145,11 @@ final class StepWatch {
       keepLimits();
       energy.end();
       jam.check(world, timeline, dt > 0);
+      deep.read(world, timeline);
       checkFlights(start, timeline);
       if (isWithinClock() && steps % EACH == 0) {
         ways.check(before, world);
       }
-      deep.read(world, timeline);
     } else {
       deep.assumeOf(world);
     }

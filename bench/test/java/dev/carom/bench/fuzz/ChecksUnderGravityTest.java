@@ -142,7 +142,7 @@ class ChecksUnderGravityTest {
   void whoHitSomethingDeepInsideIsKnown() {
     World world = world();
     DeepHits deep = new DeepHits();
-    for (double y : new double[] {23, 27}) {
+    for (double y : new double[] {27, 23}) {
       world.setPosition(0, 50, y);
       world.setVelocity(0, 0, -1);
       Timeline timeline = world.record(10);
@@ -151,6 +151,23 @@ class ChecksUnderGravityTest {
       assertThat(world.impacts().size()).isPositive();
       assertThat(deep.isDeep(0)).isEqualTo(y == 23);
     }
+  }
+
+  /** It goes on sliding in the line after it has met a light circle. */
+  @Test
+  void aCollisionDoesNotEndADeepSlide() {
+    SceneBuilder scene = Scene.builder().gravity(0, -8).collide(true).line(0, 20, 100, 20);
+    scene.circle(20, 23, 5, 4, -1).restitution(0);
+    World world = new World(scene.circle(40, 24, 4, 0, 0).restitution(0).mass(1e-9).build());
+    DeepHits deep = new DeepHits();
+    Timeline timeline = world.record(10);
+    world.step(3);
+    deep.read(world, timeline);
+    assertThat(world.impacts().kind(2)).isEqualTo(ObstacleKind.CIRCLE);
+    assertThat(deep.isDeep(0)).isTrue();
+    deep.read(world, timeline);
+    assertThat(deep.isDeep(0)).isTrue();
+    assertThat(deep.isDeep(1)).isFalse();
   }
 
   @Test
