@@ -32,6 +32,9 @@ final class JamCheck {
     double x = Double.NaN;
     double y;
     int rows;
+
+    /** When the circle was jammed last. */
+    double jammed = Double.NaN;
   }
 
   private final Set<Integer> trapped;
@@ -64,7 +67,12 @@ final class JamCheck {
         if (jammed.contains(i) && log.approachSpeed(row) > faint) {
           throw new FindingException("circle %d was jammed, and makes another row".formatted(i));
         }
-        count(i, timeline.x(i, log.time(row)), timeline.y(i, log.time(row)), world.radius(i));
+        double t = log.time(row);
+        Run run = runs.computeIfAbsent(i, k -> new Run());
+        count(run, i, t, timeline.x(i, t), timeline.y(i, t), world.radius(i));
+        if (log.outcome(row) == Outcome.JAMMED) {
+          run.jammed = t;
+        }
       }
     }
     if (complete) {
@@ -81,11 +89,13 @@ final class JamCheck {
     return Math.hypot(world.vx(i), world.vy(i)) <= faint;
   }
 
-  private void count(int i, double x, double y, double r) throws FindingException {
-    Run run = runs.computeIfAbsent(i, k -> new Run());
+  /** Counts the rows at one place. Who makes one after it was jammed was freed by what moves. */
+  private void count(Run run, int i, double t, double x, double y, double r)
+      throws FindingException {
     double size = Math.max(r, Math.max(Math.abs(x), Math.abs(y)));
     boolean moved = !(Math.hypot(x - run.x, y - run.y) <= PLACE * size);
-    run.rows = moved && !trapped.contains(i) ? 1 : run.rows + 1;
+    boolean begins = moved || t > run.jammed;
+    run.rows = begins && !trapped.contains(i) ? 1 : run.rows + 1;
     run.x = x;
     run.y = y;
     if (run.rows > MOST) {

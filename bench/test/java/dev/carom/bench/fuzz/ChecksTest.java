@@ -315,6 +315,19 @@ class ChecksTest {
         .hasMessageContaining("circle 0 made 2001 rows at one place");
   }
 
+  /** As if something had hit it, that moves. */
+  @Test
+  void whoIsFreedMayBeJammedAgain() throws FindingException {
+    World world = trapped();
+    Timeline timeline = world.record(10_000);
+    JamCheck jam = new JamCheck(Set.of(), 1);
+    for (int i = 0; i < 3; i++) {
+      world.step(1);
+      jam.check(world, timeline, true);
+      world.setVelocity(0, 1, 2);
+    }
+  }
+
   @Test
   void whatDependsOnHowItIsPlayedIsFound() throws FindingException {
     World world = new World(box().circle(20, 50, 5, -9, 3).circle(60, 50, 5, 2, 3).build());
