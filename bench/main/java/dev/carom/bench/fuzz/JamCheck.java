@@ -89,7 +89,7 @@ final class JamCheck {
     return Math.hypot(world.vx(i), world.vy(i)) <= faint;
   }
 
-  /** Counts the rows at one place. Who makes one after it was jammed was freed by what moves. */
+  /** Counts the rows at one place. A jammed circle makes another row only if something frees it. */
   private void count(Run run, int i, double t, double x, double y, double r)
       throws FindingException {
     double size = Math.max(r, Math.max(Math.abs(x), Math.abs(y)));

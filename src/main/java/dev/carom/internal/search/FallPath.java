@@ -100,7 +100,7 @@ final class FallPath {
     return grid.resolvesFall(size + fastest * t, fastest, pull);
   }
 
-  /** Whether the centre is inside of a grid at a time, or outside by less than {@link #NEAR}. */
+  /** Whether the centre is in a grid at a time. Up to {@link #NEAR} outside counts as inside. */
   boolean isInside(Grid grid, double t) {
     double column = grid.columns(place(px, vx, gx, t));
     double row = grid.rows(place(py, vy, gy, t));
@@ -263,8 +263,8 @@ final class FallPath {
   }
 
   /**
-   * Whether an obstacle from a to b is certainly outside of the band: both its ends lie on one side
-   * of the band, or both ends of the band on one side of it.
+   * Whether an obstacle from a to b is certainly outside of the band. Either both its ends are on
+   * one side of the band, or both ends of the band are on one side of the obstacle.
    */
   boolean isBeside(double ax, double ay, double bx, double by, double radius) {
     double places = Math.abs(ax) + Math.abs(ay) + Math.abs(bx) + Math.abs(by);

@@ -450,10 +450,7 @@ public final class FallSearch {
     }
   }
 
-  /**
-   * Whether no question is needed: it is the best so far, or was hit last and cannot be hit again
-   * in time.
-   */
+  /** Whether an obstacle was hit last and cannot be hit again in time, or is the best so far. */
   private boolean isDecided(int code) {
     return code == bestCode || (code == body.last && returns > to);
   }
