@@ -451,23 +451,53 @@ public final class BroadPhase extends NarrowPhase {
 
   /**
    * Which lines of a pair may be hit: bit 0 for the first one, bit 1 for the second; -1 for other
-   * lists. This has one branch only: one for empty cells or for rejected lines would be
-   * unpredictable.
+   * lists. This has one branch only, as one for rejected lines would be unpredictable.
+   *
+   * @param crossX with crossY and crossOfOrigin the coefficients of the distance from the middle of
+   *     the path, times a length
+   * @param clear twice the distance beyond which a line is missed, times that length
+   * @param spared the code of an obstacle that is not hit, or NOTHING
    */
-  private int near(long list) {
+  static int near(
+      long list,
+      double[] lines,
+      double crossX,
+      double crossY,
+      double crossOfOrigin,
+      double clear,
+      int spared) {
     if (!CellList.isPairOfLines(list)) {
       return -1;
     }
-    count(list);
-    return isNear(CellList.first(list)) | (isNear(CellList.second(list)) << 1);
+    int first = CellList.first(list);
+    int second = CellList.second(list);
+    return isNear(first, lines, crossX, crossY, crossOfOrigin, clear, spared)
+        | (isNear(second, lines, crossX, crossY, crossOfOrigin, clear, spared) << 1);
+  }
+
+  /**
+   * The same for the flight under search. An empty list has no branch of its own, as that would be
+   * unpredictable.
+   */
+  private int near(long list) {
+    if (CellList.isPairOfLines(list)) {
+      count(list);
+    }
+    return near(list, lines, crossX, crossY, crossOfOrigin, clear, last);
   }
 
   /**
    * 0 if both ends of a line lie on the same side of the path, further from it than the radius, or
-   * if the line was hit last; else 1. For the row of a wall the result may be either.
+   * if the line is spared; else 1. For the row of a wall the result may be either.
    */
-  private int isNear(int code) {
-    double[] lines = this.lines;
+  private static int isNear(
+      int code,
+      double[] lines,
+      double crossX,
+      double crossY,
+      double crossOfOrigin,
+      double clear,
+      int spared) {
     // Reads of the first and the last number first spare the range checks of those between.
     int k = code * LineShape.ROW;
     double ax = lines[k + LineShape.AX];
@@ -478,9 +508,9 @@ public final class BroadPhase extends NarrowPhase {
     double b = Math.fma(by, crossY, Math.fma(bx, crossX, crossOfOrigin));
     // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
     double beyond = Math.abs(a + b) - (Math.abs(a - b) + clear);
-    int other = code ^ last; // 0 if the line was hit last
-    int isLast = ((other - 1) & ~other) >>> 31;
-    return (int) (Double.doubleToRawLongBits(beyond) >>> 63) & ~isLast;
+    int other = code ^ spared; // 0 if the line is spared
+    int isSpared = ((other - 1) & ~other) >>> 31;
+    return (int) (Double.doubleToRawLongBits(beyond) >>> 63) & ~isSpared;
   }
 
   /** Tests the obstacles that a cell lists; in a pair of lines only those that are near. */

@@ -32,7 +32,7 @@ public final class FallSearch {
   /** In cells: added to the Manhattan length of a way, so that one of length 0 has ticks, too. */
   private static final double LEAST_WAY = 0x1p-20;
 
-  /** Both lines of a pair, see {@link #near}. */
+  /** Both lines of a pair, see {@link BroadPhase#near}. */
   private static final int BOTH = 3;
 
   /** {@link MovingCircle#lookahead} counts halves of cells; a fall searches whole ones. */
@@ -233,7 +233,7 @@ public final class FallSearch {
         if (list == CellList.OUTSIDE) {
           return cells;
         }
-        int near = near(list, lines, crossX, crossY, crossOfOrigin, clear, spared);
+        int near = BroadPhase.near(list, lines, crossX, crossY, crossOfOrigin, clear, spared);
         if (near != 0) {
           visit(grid, list, near, from + entered * perTick, Math.min(end, from + left * perTick));
           lastTick = lastTick(from, duration, ticks);
@@ -254,54 +254,6 @@ public final class FallSearch {
   private long lastTick(double from, double duration, double ticks) {
     double part = best < from + duration ? (best - from) / duration : 1;
     return (long) (part * ticks) + 2;
-  }
-
-  /**
-   * Which lines of a pair may be hit: bit 0 for the first one, bit 1 for the second; -1 for a list
-   * that is no pair of lines.
-   */
-  private static int near(
-      long list,
-      double[] lines,
-      double crossX,
-      double crossY,
-      double crossOfOrigin,
-      double clear,
-      int spared) {
-    if (!CellList.isPairOfLines(list)) {
-      return -1;
-    }
-    int first = CellList.first(list);
-    int second = CellList.second(list);
-    return isNear(first, lines, crossX, crossY, crossOfOrigin, clear, spared)
-        | (isNear(second, lines, crossX, crossY, crossOfOrigin, clear, spared) << 1);
-  }
-
-  /**
-   * 0 if both ends of a line lie on the same side of the band, or if the line is spared; else 1.
-   * Branch-free.
-   */
-  private static int isNear(
-      int code,
-      double[] lines,
-      double crossX,
-      double crossY,
-      double crossOfOrigin,
-      double clear,
-      int spared) {
-    int k = code * LineShape.ROW;
-    // As in BroadPhase: the first and the last number first, which spares range checks.
-    double ax = lines[k + LineShape.AX];
-    double by = lines[k + LineShape.BY];
-    double ay = lines[k + LineShape.AY];
-    double bx = lines[k + LineShape.BX];
-    double a = Math.fma(ay, crossY, Math.fma(ax, crossX, crossOfOrigin));
-    double b = Math.fma(by, crossY, Math.fma(bx, crossX, crossOfOrigin));
-    // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
-    double beyond = Math.abs(a + b) - (Math.abs(a - b) + clear);
-    int other = code ^ spared; // 0 if the line is spared
-    int isSpared = ((other - 1) & ~other) >>> 31;
-    return (int) (Double.doubleToRawLongBits(beyond) >>> 63) & ~isSpared;
   }
 
   /** Considers what a cell lists, in a part of the path; of a pair of lines those that are near. */
@@ -385,7 +337,7 @@ public final class FallSearch {
     }
   }
 
-  /** Considers the lines of a pair that are near: bits as in {@link #near}. */
+  /** Considers the lines of a pair that are near: bits as in {@link BroadPhase#near}. */
   private void considerLines(long pair, int near) {
     int first = CellList.first(pair);
     int second = CellList.second(pair);
