@@ -329,8 +329,8 @@ public final class CollidingEngine extends Engine {
     double ofA = CollisionPredictor.positive(later);
     double ofB = ofA - later;
     boolean standsStill = later > 0 ? b.isAt(head, tail) : a.isAt(head, tail);
-    a.advance(ofA, tau, head, tail, standsStill, obstacles.wallsFor(a.filter));
-    b.advance(ofB, tau, head, tail, standsStill, obstacles.wallsFor(b.filter));
+    a.advance(ofA, tau, head, tail, standsStill, obstacles);
+    b.advance(ofB, tau, head, tail, standsStill, obstacles);
   }
 
   /** Starts a new flight of a circle. */

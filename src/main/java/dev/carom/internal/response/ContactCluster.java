@@ -180,8 +180,7 @@ public final class ContactCluster {
   /** Advances a circle to the time of another one. */
   private MovingCircle broughtTo(MovingCircle time, MovingCircle m) {
     double dt = (time.t - m.t) + (time.tl - m.tl);
-    double[] walls = obstacles.wallsFor(registry.filter(m.id));
-    m.advance(dt, 0, time.t, time.tl, dt == 0, walls);
+    m.advance(dt, 0, time.t, time.tl, dt == 0, obstacles);
     m.newFlight();
     return m;
   }

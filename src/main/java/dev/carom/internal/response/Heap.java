@@ -299,7 +299,7 @@ public final class Heap {
   /** Advances a circle to the time of another one. */
   private MovingCircle bringTo(MovingCircle time, MovingCircle m) {
     double dt = (time.t - m.t) + (time.tl - m.tl);
-    m.advance(dt, 0, time.t, time.tl, dt == 0, obstacles.wallsFor(registry.filter(m.id)));
+    m.advance(dt, 0, time.t, time.tl, dt == 0, obstacles);
     m.newFlight();
     return m;
   }

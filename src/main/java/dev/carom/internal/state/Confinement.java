@@ -32,8 +32,19 @@ final class Confinement {
     return walls == null ? y : between(walls[Codes.BOTTOM], walls[Codes.TOP], start, y, r);
   }
 
+  /** Whether a circle is inside all walls, as most are: then its coordinates stay as they are. */
+  static boolean isInside(double[] walls, double x, double y, double r) {
+    return walls == null
+        || (isBetween(walls[Codes.LEFT], walls[Codes.RIGHT], x, r)
+            && isBetween(walls[Codes.BOTTOM], walls[Codes.TOP], y, r));
+  }
+
+  private static boolean isBetween(double low, double high, double p, double r) {
+    return p - r >= low && p + r <= high;
+  }
+
   private static double between(double low, double high, double start, double p, double r) {
-    if (p - r >= low && p + r <= high) {
+    if (isBetween(low, high, p, r)) {
       return p;
     }
     double rounding = ULPS * Math.ulp(Math.max(Math.max(Math.abs(low), Math.abs(high)), r));

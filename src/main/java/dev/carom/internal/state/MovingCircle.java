@@ -375,29 +375,28 @@ public final class MovingCircle {
    * Advances by one duration and then another, to the start of a new flight at a known time.
    *
    * @param standsStill whether the second duration is too short to advance the clock
-   * @param walls the walls that it does not leave, as {@link ObstacleTable#walls}
+   * @param obstacles with the walls that it does not leave
    */
   public void advance(
-      double first, double second, double head, double tail, boolean standsStill, double[] walls) {
-    if (gx == 0 && gy == 0) {
-      x = Confinement.x(walls, x, Math.fma(vx, second, Math.fma(vx, first, x)), radius);
-      y = Confinement.y(walls, y, Math.fma(vy, second, Math.fma(vy, first, y)), radius);
-    } else {
-      fallTwice(first, second, walls);
+      double first,
+      double second,
+      double head,
+      double tail,
+      boolean standsStill,
+      ObstacleTable obstacles) {
+    double startX = x;
+    double startY = y;
+    move(first);
+    move(second);
+    if (!Confinement.isInside(obstacles.walls, x, y, radius)) {
+      double[] walls = obstacles.wallsFor(filter);
+      x = Confinement.x(walls, startX, x, radius);
+      y = Confinement.y(walls, startY, y, radius);
     }
     t = head;
     tl = tail;
     flown = first + second;
     this.standsStill = standsStill && flown == second;
-  }
-
-  private void fallTwice(double first, double second, double[] walls) {
-    double startX = x;
-    double startY = y;
-    move(first);
-    move(second);
-    x = Confinement.x(walls, startX, x, radius);
-    y = Confinement.y(walls, startY, y, radius);
   }
 
   /** Advances by dt, to the start of a new flight. */
