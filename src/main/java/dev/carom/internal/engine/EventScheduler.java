@@ -199,7 +199,9 @@ final class EventScheduler {
   void cross(double[] s, int[] c, int i, int way) {
     int size = neighbors.cross(s, c, i, way, found);
     double crossing = neighbors.nextCrossing(s, c, i);
-    findNextObstacle(s, c, i);
+    if (needsObstacle(s, c, i)) { // as findNextObstacle, which compilers inline in some runs only
+      searchObstacles(i);
+    }
     if (predictor.predictEarlier(s, c, i, found, size)) {
       schedule(s, c, i, crossing);
     } else {
@@ -212,10 +214,14 @@ final class EventScheduler {
    * none.
    */
   void findNextObstacle(double[] s, int[] c, int i) {
-    boolean nothingNear = nothingInside && neighbors.isInside(s, i);
-    if (!nothingNear && !isObstacleKnown(s, c, i)) {
+    if (needsObstacle(s, c, i)) {
       searchObstacles(i);
     }
+  }
+
+  private boolean needsObstacle(double[] s, int[] c, int i) {
+    boolean nothingNear = nothingInside && neighbors.isInside(s, i);
+    return !nothingNear && !isObstacleKnown(s, c, i);
   }
 
   private void searchObstacles(int i) {
