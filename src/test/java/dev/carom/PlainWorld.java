@@ -96,7 +96,7 @@ public final class PlainWorld extends PlainEdits {
     early.standsStill &= early.flown == wait;
     cluster.noteCrushed(one);
     cluster.noteCrushed(two);
-    int result = pairs.resolve(one, two, rows);
+    int result = pairs.resolve(one, two, true, rows);
     if (result == ObstacleResponse.SENSED) {
       metPairs.put(pair(a, b), wait);
     } else {

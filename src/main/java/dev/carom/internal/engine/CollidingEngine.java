@@ -276,9 +276,10 @@ public final class CollidingEngine extends Engine {
     }
     cluster.noteCrushed(circles.body);
     cluster.noteCrushed(other);
-    boolean lowRested = gravity.acts() && circles.body.holdsOthers();
-    boolean highRested = gravity.acts() && other.holdsOthers();
-    switch (pairs.resolve(circles.body, other, log)) {
+    boolean acts = gravity.acts();
+    boolean lowRested = acts && circles.body.holdsOthers();
+    boolean highRested = acts && other.holdsOthers();
+    switch (pairs.resolve(circles.body, other, circles.allowsGravity(), log)) {
       case ObstacleResponse.SENSED -> {
         report(low, high, i);
         scheduler.predict(s, c, low, high);

@@ -128,7 +128,7 @@ public final class ContactCluster {
   public void noteCrushed(MovingCircle m) {
     m.crushed = isCrushed(m);
     if (!m.crushed) {
-      m.jam = IgnoreList.withoutCrushers(m.jam);
+      m.forgetCrushers();
     }
   }
 
@@ -327,7 +327,7 @@ public final class ContactCluster {
     }
     for (MovingCircle m : changed) {
       StuckRule.noteSpeed(m, shock.speed());
-      m.jam = IgnoreList.ofCircles(m.jam);
+      m.ignoreCirclesOnly();
     }
     for (int k = 0; k < contacts.size(); k++) {
       if (shock.isFaint(k)) {
@@ -378,7 +378,7 @@ public final class ContactCluster {
       if (mass(m) < INFINITE) {
         m.vx = held ? 0 : vx;
         m.vy = held ? 0 : vy;
-        m.jam = IgnoreList.ofCircles(m.jam);
+        m.ignoreCirclesOnly();
         m.last = MovingCircle.NOTHING;
         changed.add(m);
       }

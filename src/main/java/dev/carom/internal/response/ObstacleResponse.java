@@ -95,7 +95,7 @@ public final class ObstacleResponse {
         passOver(m, code, log);
         return NEW_FLIGHT;
       }
-      m.jam = IgnoreList.withoutCrushers(m.jam);
+      m.forgetCrushers();
     }
     if (falls) {
       bounce(m, code, vn, log);
@@ -111,7 +111,11 @@ public final class ObstacleResponse {
     m.driven |= point.ux * point.nx + point.uy * point.ny > 0;
     boolean stuck = StuckRule.isStuck(m);
     boolean faint = stuck && StuckRule.isFaint(m, approach);
-    m.jam = faint ? IgnoreList.with(m.jam, code) : IgnoreList.ofCircles(m.jam);
+    if (faint) {
+      m.jam = IgnoreList.with(m.jam, code);
+    } else {
+      m.ignoreCirclesOnly();
+    }
     if (stuck || e == 0) {
       changeWithoutBounce(m, code, vn, way, stuck, log);
     } else {
@@ -151,7 +155,7 @@ public final class ObstacleResponse {
     }
     m.last = code;
     m.newFlight();
-    m.jam = IgnoreList.ofCircles(m.jam);
+    m.ignoreCirclesOnly();
     if (StuckRule.isStuck(m)) {
       if (e < 1 && (m.driven || obstacles.areMoving()) && settling.escape.escapes(m)) {
         return;

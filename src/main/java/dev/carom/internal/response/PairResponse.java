@@ -130,9 +130,10 @@ public final class PairResponse {
    * circle acts as one of infinite mass.
    *
    * @param a the one with the lower number
+   * @param mayFall whether there was gravity at some time
    * @return what follows, as for {@link ObstacleResponse#resolve}
    */
-  public int resolve(MovingCircle a, MovingCircle b, ImpactRows log) {
+  public int resolve(MovingCircle a, MovingCircle b, boolean mayFall, ImpactRows log) {
     measure(a, b);
     boolean halt = registry.halts(a.id) || registry.halts(b.id);
     double e = halt ? 0 : a.restitution * b.restitution;
@@ -151,7 +152,7 @@ public final class PairResponse {
       log.setOutcome(ImpactRows.JAMMED);
       return ObstacleResponse.NEW_FLIGHT;
     }
-    if (a.isFalling() || b.isFalling()) {
+    if (mayFall && (a.isFalling() || b.isFalling())) {
       bounce(a, b, e, halt, log);
       return ObstacleResponse.NEW_FLIGHT;
     }
@@ -386,7 +387,7 @@ public final class PairResponse {
 
   /** Removes a circle's motion along the normal. */
   private void stop(MovingCircle m, double nx, double ny) {
-    m.jam = IgnoreList.ofCircles(m.jam);
+    m.ignoreCirclesOnly();
     impulse.of(1, m.vx, m.vy, nx, ny);
     m.vx = impulse.less(m.vx, nx);
     m.vy = impulse.less(m.vy, ny);
@@ -401,7 +402,7 @@ public final class PairResponse {
     if (own == INFINITE) {
       return;
     }
-    m.jam = IgnoreList.ofCircles(m.jam);
+    m.ignoreCirclesOnly();
     double share = 0.5;
     double tail = 0;
     if (own != other || own > LARGE) {

@@ -61,20 +61,15 @@ public final class IgnoreList {
     return new IgnoreList(more);
   }
 
-  /** Removes all obstacles but those that crushed the circle; null if nothing is left. */
-  public static IgnoreList ofCircles(IgnoreList jam) {
-    if (jam == null) {
-      return null;
-    }
-    int[] left = Arrays.stream(jam.entries).filter(IgnoreList::stays).toArray();
-    return left.length == jam.entries.length ? jam : of(left);
+  /** Without all obstacles but those that crushed the circle; null if nothing is left. */
+  IgnoreList ofCircles() {
+    int[] left = Arrays.stream(entries).filter(IgnoreList::stays).toArray();
+    return left.length == entries.length ? this : of(left);
   }
 
-  /** Removes all that crushed the circle, for none is upon it any more; null if nothing is left. */
-  public static IgnoreList withoutCrushers(IgnoreList jam) {
-    return jam == null
-        ? null
-        : of(Arrays.stream(jam.entries).filter(entry -> !crushes(entry)).toArray());
+  /** Without all that crushed the circle; null if nothing is left. */
+  IgnoreList withoutCrushers() {
+    return of(Arrays.stream(entries).filter(entry -> !crushes(entry)).toArray());
   }
 
   private static boolean stays(int entry) {

@@ -260,6 +260,20 @@ public final class MovingCircle {
     driven = false;
   }
 
+  /** Lets the obstacles that the circle ignores act on it again, but for those that crushed it. */
+  public void ignoreCirclesOnly() {
+    if (jam != null) {
+      jam = jam.ofCircles();
+    }
+  }
+
+  /** Lets all that crushed the circle act on it again, as none is upon it any more. */
+  public void forgetCrushers() {
+    if (jam != null) {
+      jam = jam.withoutCrushers();
+    }
+  }
+
   /** Whether a number is a valid weight of impacts at one place. */
   public static boolean isStuckWeight(int weight) {
     return weight >= 0 && weight <= STUCK_LIMIT + 1;

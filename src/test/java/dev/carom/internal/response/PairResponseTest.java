@@ -51,7 +51,7 @@ class PairResponseTest {
     a.start(0, 0, 0, 1, vx1, vy1, 1);
     b.start(1, 2 * Math.cos(angle), 2 * Math.sin(angle), 1, vx2, vy2, 1);
     rows.clear();
-    response.resolve(a, b, rows);
+    response.resolve(a, b, true, rows);
   }
 
   /** In no time, after impacts of that weight of each. */
@@ -63,7 +63,7 @@ class PairResponseTest {
       m.standsStill = true;
     }
     rows.clear();
-    return masses(1, 1).resolve(a, b, rows);
+    return masses(1, 1).resolve(a, b, true, rows);
   }
 
   @Test
@@ -107,7 +107,8 @@ class PairResponseTest {
   void infiniteMassesPassAndFlyOn() {
     a.start(0, 0, 0, 1, 1, 0, 1);
     b.start(1, 2, 0, 1, 0, 0, 1);
-    assertThat(masses(INFINITE, INFINITE).resolve(a, b, rows)).isEqualTo(ObstacleResponse.SENSED);
+    assertThat(masses(INFINITE, INFINITE).resolve(a, b, true, rows))
+        .isEqualTo(ObstacleResponse.SENSED);
     assertThat(log.outcome(0)).isEqualTo(Outcome.PASSED);
     assertThat(a.last).isEqualTo(MovingCircle.NOTHING);
   }
@@ -118,7 +119,7 @@ class PairResponseTest {
     a.start(0, 0, 0, 1, 1, 0, 1);
     b.start(1, 2, 0, 1, 0, 0, 1);
     b.crushed = true;
-    masses(1, 1).resolve(a, b, rows);
+    masses(1, 1).resolve(a, b, true, rows);
     assertThat(a.vx).isEqualTo(-1);
     assertThat(b.vx).isZero();
   }
@@ -129,7 +130,7 @@ class PairResponseTest {
   void whoIsDrivenIsNoted(double v, boolean driven) {
     a.start(0, 0, 0, 1, 1, 0, 1);
     b.start(1, 2, 0, 1, v, 0, 1);
-    masses(1, INFINITE).resolve(a, b, rows);
+    masses(1, INFINITE).resolve(a, b, true, rows);
     assertThat(a.driven).isEqualTo(driven);
     assertThat(b.driven).isFalse();
   }
@@ -141,7 +142,7 @@ class PairResponseTest {
     a.stuck = 5;
     b.stuck = 5;
     b.flown = 1;
-    masses(1, 1).resolve(a, b, rows);
+    masses(1, 1).resolve(a, b, true, rows);
     assertThat(a.stuck).isEqualTo(5 + StuckRule.ELASTIC_PAIR);
     assertThat(b.stuck).isZero();
   }
@@ -226,7 +227,7 @@ class PairResponseTest {
     a.start(0, 0, 0, 1, 2, 1, e1);
     b.start(1, 1.2, 1.6, 1, -1, 0.5, e2);
     double before = (a.vx - b.vx) * 0.6 + (a.vy - b.vy) * 0.8;
-    response.resolve(a, b, rows);
+    response.resolve(a, b, true, rows);
     double after = (a.vx - b.vx) * 0.6 + (a.vy - b.vy) * 0.8;
     assertThat(after).isCloseTo(-e1 * e2 * before, within(1e-15));
     assertThat(2 * a.vx + 3 * b.vx).isCloseTo(2 * 2 - 3, within(4e-15));
@@ -280,7 +281,7 @@ class PairResponseTest {
       a.start(i, towards ? nx : -nx, towards ? ny : -ny, 1, vx[i], vy[i], 1);
       b.start(j, 0, 0, 1, vx[j], vy[j], 1);
       rows.clear();
-      response.resolve(a, b, rows);
+      response.resolve(a, b, true, rows);
       vx[i] = a.vx;
       vy[i] = a.vy;
       vx[j] = b.vx;
