@@ -100,8 +100,22 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
     if (Double.isNaN(s)) {
       return new Vec2(ax, ay);
     }
-    double x = Coordinates.between(s, ax, bx);
-    double y = Coordinates.between(s, ay, by);
+    return Double.isInfinite(s)
+        ? footFarAway(p)
+        : foot(p, Coordinates.between(s, ax, bx), Coordinates.between(s, ay, by));
+  }
+
+  /** The foot where it is more than so many lengths of this line away as a double can count. */
+  private Vec2 footFarAway(Vec2 p) {
+    // Scaled, as the line is tiny; halved, as p may be so far from it that the offset overflows.
+    double wx = (bx - ax) * 0x1p600;
+    double wy = (by - ay) * 0x1p600;
+    double length = StrictMath.hypot(wx, wy);
+    double half = (p.x() / 2 - ax / 2) * (wx / length) + (p.y() / 2 - ay / 2) * (wy / length);
+    return foot(p, Math.fma(half, 2 * (wx / length), ax), Math.fma(half, 2 * (wy / length), ay));
+  }
+
+  private static Vec2 foot(Vec2 p, double x, double y) {
     if (!(Math.abs(x) <= Double.MAX_VALUE && Math.abs(y) <= Double.MAX_VALUE)) {
       throw Check.refused("p", p, "a point whose foot on the line is within the range of doubles");
     }

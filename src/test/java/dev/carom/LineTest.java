@@ -92,6 +92,20 @@ class LineTest {
         .hasMessageStartingWith("p is Vec2[");
   }
 
+  /** The foot is 1e320 lengths of the line away: no double counts them. */
+  @Test
+  void theFootMayBeFarFromATinyLine() {
+    Line level = new Line(0, 0, 1e-310, 0);
+    assertThat(level.closestPointInfinite(new Vec2(1e10, 5))).isEqualTo(new Vec2(1e10, 0));
+    Line diagonal = new Line(1, 1, 1 + 0x1p-52, 1 + 0x1p-52);
+    assertThat(diagonal.closestPointInfinite(new Vec2(1e300, 0)).x())
+        .isCloseTo(5e299, within(1e285));
+    Line tiny = new Line(0, 0, 3e-310, 4e-310);
+    Vec2 foot = tiny.closestPointInfinite(new Vec2(3e100, 4e100));
+    assertThat(foot.x()).isCloseTo(3e100, within(1e86));
+    assertThat(foot.y()).isCloseTo(4e100, within(1e86));
+  }
+
   /** The difference of the point and the start overflows; that of the ends does not. */
   @Test
   void aPointMayBeFurtherFromTheStartThanDoublesReach() {
