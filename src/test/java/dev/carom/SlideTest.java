@@ -145,6 +145,19 @@ class SlideTest {
     return sum;
   }
 
+  /** The end of a slide does not count as a bounce, nor end the path after the last one. */
+  @Test
+  void theEndOfASlideDoesNotEndAPath() {
+    Resolver resolver = Scene.builder().gravity(0, -10).line(0, 0, 10, -1).build().resolver();
+    for (int bounces : new int[] {1, 2}) {
+      Trajectory path = resolver.trace(new Circle(1, 3, 1), Vec2.ZERO, 0, 100, bounces);
+      assertThat(path.impacts()).hasSize(1);
+      assertThat(path.complete()).isTrue();
+      assertThat(path.duration()).isEqualTo(100);
+      assertThat(path.at(100).y()).isLessThan(-1000);
+    }
+  }
+
   /** It slides down a one-way line, over its end, and falls. */
   @Test
   void aSlideOverTheEndOfAOneWayLineEnds() {

@@ -107,7 +107,7 @@ public final class Tracer {
     long before = work.bits();
     while (next(body, duration)) {
       int count = impacts.size();
-      if (count == bounces) {
+      if (count == bounces && !endsSlide(body)) {
         return new TracedPath(flights, impacts, body.due(), true);
       }
       if (count > 0 && count + work.impactsSince(before) >= most) {
@@ -132,6 +132,11 @@ public final class Tracer {
       }
     } while (body.due() <= end && body.cleared < Double.POSITIVE_INFINITY);
     return false;
+  }
+
+  /** Whether what comes next is no impact: the circle leaves what it slides on. */
+  private static boolean endsSlide(MovingCircle body) {
+    return body.isSupported() && body.next == body.support;
   }
 
   private static void add(MovingCircle m, DoubleList flights) {
