@@ -7,7 +7,6 @@ import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.Check;
 import java.util.Arrays;
-import java.util.Objects;
 
 /**
  * {@code Casts} holds many casts and their answers: each is a circle, its velocity, and the first
@@ -107,9 +106,18 @@ public final class Casts {
    *     changes then
    */
   public void set(int i, double x, double y, double radius, double vx, double vy) {
-    Objects.checkIndex(i, size);
+    check(i);
     check(x, y, radius, vx, vy);
     put(i, x, y, radius, vx, vy);
+  }
+
+  /** Refuses a number of none of the casts; returns it otherwise. */
+  private int check(int i) {
+    if (i < 0 || i >= size) {
+      String expected = size == 0 ? "none, there are no casts" : "0 to " + (size - 1);
+      throw new IndexOutOfBoundsException("cast is " + i + ": expected " + expected);
+    }
+    return i;
   }
 
   private static void check(double x, double y, double radius, double vx, double vy) {
@@ -186,7 +194,7 @@ public final class Casts {
    * @throws IndexOutOfBoundsException if there is no such cast
    */
   public boolean hits(int i) {
-    return kinds[Objects.checkIndex(i, size)] != NONE;
+    return kinds[check(i)] != NONE;
   }
 
   /**
@@ -197,7 +205,7 @@ public final class Casts {
    * @throws IndexOutOfBoundsException if there is no such cast
    */
   public double time(int i) {
-    return times[Objects.checkIndex(i, size)];
+    return times[check(i)];
   }
 
   /**
@@ -208,7 +216,7 @@ public final class Casts {
    * @throws IndexOutOfBoundsException if there is no such cast
    */
   public ObstacleKind kind(int i) {
-    int kind = kinds[Objects.checkIndex(i, size)];
+    int kind = kinds[check(i)];
     return kind == NONE ? null : ObstacleKind.of(kind);
   }
 
@@ -220,7 +228,7 @@ public final class Casts {
    * @throws IndexOutOfBoundsException if there is no such cast
    */
   public int id(int i) {
-    return ids[Objects.checkIndex(i, size)];
+    return ids[check(i)];
   }
 
   /**
@@ -231,7 +239,7 @@ public final class Casts {
    * @throws IndexOutOfBoundsException if there is no such cast
    */
   public Feature feature(int i) {
-    int feature = features[Objects.checkIndex(i, size)];
+    int feature = features[check(i)];
     return feature == NONE ? null : Feature.of(feature);
   }
 
@@ -243,7 +251,7 @@ public final class Casts {
    * @throws IndexOutOfBoundsException if there is no such cast
    */
   public double nx(int i) {
-    return normals[2 * Objects.checkIndex(i, size) + X];
+    return normals[2 * check(i) + X];
   }
 
   /**
@@ -254,6 +262,6 @@ public final class Casts {
    * @throws IndexOutOfBoundsException if there is no such cast
    */
   public double ny(int i) {
-    return normals[2 * Objects.checkIndex(i, size) + Y];
+    return normals[2 * check(i) + Y];
   }
 }

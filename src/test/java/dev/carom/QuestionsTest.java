@@ -288,6 +288,25 @@ class QuestionsTest {
     assertThat(PrecisionCounters.COUNT.parabolas - before).isLessThan(200L * casts);
   }
 
+  @Test
+  void aCastThatIsNotThereIsNamed() {
+    Casts casts = new Casts();
+    assertThatExceptionOfType(IndexOutOfBoundsException.class)
+        .isThrownBy(() -> casts.time(0))
+        .withMessage("cast is 0: expected none, there are no casts");
+    casts.add(0, 0, 1, 1, 0);
+    casts.add(0, 0, 1, 1, 0);
+    assertThat(casts.hits(1)).isFalse();
+    for (int i : new int[] {-1, 2}) {
+      assertThatExceptionOfType(IndexOutOfBoundsException.class)
+          .isThrownBy(() -> casts.kind(i))
+          .withMessage("cast is " + i + ": expected 0 to 1");
+      assertThatExceptionOfType(IndexOutOfBoundsException.class)
+          .isThrownBy(() -> casts.set(i, 0, 0, 1, 1, 0))
+          .withMessage("cast is " + i + ": expected 0 to 1");
+    }
+  }
+
   /** Casts in bulk and one by one. */
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
