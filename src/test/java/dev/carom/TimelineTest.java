@@ -209,6 +209,27 @@ class TimelineTest {
     assertThat(timeline.end()).isEqualTo(3);
   }
 
+  /** A point particle of radius -0 is one of radius 0, also where nothing confines it. */
+  @Test
+  void minusZeroIsNoOtherRadius() {
+    World world =
+        new World(
+            Scene.builder()
+                .bounds(0, 0, 100, 100)
+                .filter(1, ~4)
+                .circle(50, 50, -0.0, 100, 0)
+                .filter(4, -1)
+                .build());
+    int added = world.addCircle(50, 50, -0.0, 0, 100);
+    world.setFilter(ObstacleKind.CIRCLE, added, 4, -1);
+    Timeline timeline = world.record(10);
+    Snapshot start = world.snapshot();
+    assertThat(world.step(1)).isTrue();
+    assertThat(timeline.x(0, 1)).isEqualTo(world.x(0)).isEqualTo(150);
+    assertThat(timeline.y(added, 1)).isEqualTo(world.y(added)).isEqualTo(150);
+    assertThat(timeline.snapshot(0)).isEqualTo(start);
+  }
+
   @Test
   void restoringBeginsAnew() {
     World world = falling();

@@ -104,7 +104,7 @@ public final class Editor {
       throw named(e, Codes.circle(slot));
     }
     MovingCircle m = restarted(slot, now);
-    m.radius = radius;
+    m.radius = radius + 0.0; // 0 for -0
     if (m.isFalling()) {
       m.last = MovingCircle.NOTHING; // the gap to that is no longer 0
     }
@@ -122,7 +122,7 @@ public final class Editor {
       throw named(e, Kind.CIRCLE, registry.idLimit());
     }
     int slot = registry.add();
-    body.start(slot, x, y, radius, vx, vy, 1);
+    body.start(slot, x, y, radius + 0.0, vx, vy, 1); // 0 for -0
     body.t = now;
     body.tl = engine.tailOfEdit(body, now);
     engine.release(body);

@@ -315,7 +315,8 @@ public final class SnapshotReader {
     expect(start >= 0 && start <= now, "a flight starts at " + start);
     double tail = n[FlightRow.TL];
     expect(Math.abs(tail) <= Math.ulp(start), "the tail of a time is " + tail);
-    double radius = n[FlightRow.RADIUS];
+    double radius = n[FlightRow.RADIUS] + 0.0; // 0 for -0
+    n[FlightRow.RADIUS] = radius;
     Check.notNegative("radius", radius);
     expect(radius > 0 || !lines, "radius is " + radius + ": expected " + SizeLimits.NO_POINT);
     expect(

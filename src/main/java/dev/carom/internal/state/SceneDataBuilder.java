@@ -62,7 +62,8 @@ public final class SceneDataBuilder {
 
   /** Adds a moving circle of mass 1. */
   public void circle(double x, double y, double radius, double vx, double vy) {
-    add(circles, () -> checkCircle(x, y, radius, vx, vy), x, y, radius, vx, vy, 1);
+    double r = radius + 0.0; // 0 for -0
+    add(circles, () -> checkCircle(x, y, r, vx, vy), x, y, r, vx, vy, 1);
     masses.add(1);
   }
 
