@@ -229,6 +229,17 @@ class UncertaintyTest {
   }
 
   @Test
+  void anObstacleThatIsToldToStayIsOneAtRest() {
+    World world = new World(billiard().build());
+    Uncertainty uncertainty = new Uncertainty(world, 1);
+    world.setVelocity(ObstacleKind.PEG, 0, 0, 0);
+    uncertainty.restart(0);
+    assertThat(uncertainty.bound(0)).isFinite();
+    advance(world, uncertainty, 1);
+    assertThat(uncertainty.bound(0)).isFinite();
+  }
+
+  @Test
   void aJammedCircleIsUnknown() {
     Scene scene = Scene.builder().bounds(0, 0, 100, 4).circle(50, 2, 2, 1, 0.5).build();
     World world = new World(scene);

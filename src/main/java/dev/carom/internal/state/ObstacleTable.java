@@ -299,6 +299,8 @@ public final class ObstacleTable {
   public void setVelocity(int code, double ux, double uy, double now) {
     if (moves(code)) {
       of(code).move(code, rowAt(code, now, 0));
+    } else if (ux == 0 && uy == 0) {
+      return; // it is at rest, and never moved
     }
     motions = motions.with(code, ux, uy, now);
   }
