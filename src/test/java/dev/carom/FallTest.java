@@ -7,6 +7,8 @@ import static dev.carom.Falling.rows;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -21,6 +23,21 @@ class FallTest {
     assertThat(world.y(0)).isEqualTo(4 + 6 * 2.5 - 2.5 * 2.5);
     assertThat(world.vx(0)).isEqualTo(7.5);
     assertThat(world.vy(0)).isEqualTo(1);
+  }
+
+  /** A speed beyond the doubles is the largest one, and a world with it can be saved. */
+  @Test
+  void speedsStayWithinTheDoubles() throws Exception {
+    World world = new World(Scene.builder().circle(0, 0, 1, 0, 0).gravity(0, -1e300).build());
+    assertThat(world.step(1e10)).isTrue();
+    assertThat(world.vy(0)).isEqualTo(-Double.MAX_VALUE);
+    assertThat(world.velocity(ObstacleKind.CIRCLE, 0)).isEqualTo(new Vec2(0, -Double.MAX_VALUE));
+    world.setRadius(0, 2);
+    assertThat(world.y(0)).isEqualTo(Double.NEGATIVE_INFINITY);
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    world.snapshot().write(out);
+    assertThat(Snapshot.read(new ByteArrayInputStream(out.toByteArray())))
+        .isEqualTo(world.snapshot());
   }
 
   @Test

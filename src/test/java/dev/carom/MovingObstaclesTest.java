@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -73,6 +75,23 @@ class MovingObstaclesTest {
     finish(world, 10);
     assertThat(world.impacts().size()).isZero();
     assertThat(world.x(0)).isEqualTo(31);
+  }
+
+  /** What leaves the range of doubles is told to be at its edge. */
+  @Test
+  void anObstacleStaysWithinTheDoubles() throws Exception {
+    World world = new World(Scene.builder().line(0, 0, 1, 0).velocity(1e300, 0).build());
+    Timeline timeline = world.record(3);
+    finish(world, 1e10);
+    Line last = new Line(Double.MAX_VALUE, 0, Double.MAX_VALUE, 0);
+    assertThat(world.line(0)).isEqualTo(last);
+    assertThat(timeline.line(0, 1e10)).hasValue(last);
+    world.setVelocity(ObstacleKind.LINE, 0, 0, 1);
+    assertThat(world.line(0)).isEqualTo(last);
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    world.snapshot().write(out);
+    assertThat(Snapshot.read(new ByteArrayInputStream(out.toByteArray())))
+        .isEqualTo(world.snapshot());
   }
 
   @Test

@@ -303,8 +303,8 @@ final class CollisionPredictor {
       double dy =
           MovingCircle.place(yi, vyi, gy, ofI)
               - MovingCircle.place(s[c + FlightRow.Y], vyj, gy, ofJ);
-      double ux = MovingCircle.velocity(vxi, gx, ofI) - MovingCircle.velocity(vxj, gx, ofJ);
-      double uy = MovingCircle.velocity(vyi, gy, ofI) - MovingCircle.velocity(vyj, gy, ofJ);
+      double ux = Math.fma(gx, ofI, vxi) - Math.fma(gx, ofJ, vxj);
+      double uy = Math.fma(gy, ofI, vyi) - Math.fma(gy, ofJ, vyj);
       int other = j ^ i;
       left += (mayMeet(dx, dy, ux, uy, r) & (other | -other)) >>> 31;
     }

@@ -3,6 +3,7 @@ package dev.carom.internal.state;
 
 import dev.carom.internal.exact.DoubleDouble;
 import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.Coordinates;
 
 /**
  * One circle in flight: {@code BroadPhase} predicts its next impact, and {@code ObstacleResponse}
@@ -233,9 +234,9 @@ public final class MovingCircle {
     return Math.fma(g == 0 ? v : Math.fma(0.5 * g, dt, v), dt, p);
   }
 
-  /** The velocity after a duration, on one axis. */
+  /** The velocity after a duration, on one axis; the largest double where it would be infinite. */
   public static double velocity(double v, double g, double dt) {
-    return g == 0 ? v : Math.fma(g, dt, v);
+    return g == 0 ? v : Coordinates.within(Math.fma(g, dt, v));
   }
 
   /** Takes the velocity after a duration of this flight. */

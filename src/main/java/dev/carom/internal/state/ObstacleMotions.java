@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.state;
 
+import dev.carom.internal.sweep.Coordinates;
 import java.util.Arrays;
 import java.util.SortedMap;
 
@@ -76,11 +77,14 @@ public final class ObstacleMotions {
     return rows[i * ROW + SINCE];
   }
 
-  /** Moves the coordinates of a row, which are the first so many numbers, for a time dt. */
+  /**
+   * Moves the coordinates of a row, which are the first so many numbers, for a time dt. One that
+   * would be infinite becomes the largest double.
+   */
   static void shift(double[] row, int coordinates, double ux, double uy, double dt) {
     for (int k = 0; k < coordinates; k += 2) {
-      row[k] = Math.fma(ux, dt, row[k]);
-      row[k + 1] = Math.fma(uy, dt, row[k + 1]);
+      row[k] = Coordinates.within(Math.fma(ux, dt, row[k]));
+      row[k + 1] = Coordinates.within(Math.fma(uy, dt, row[k + 1]));
     }
   }
 
