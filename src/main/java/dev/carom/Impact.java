@@ -3,7 +3,7 @@ package dev.carom;
 
 /**
  * An {@code Impact} is the first contact of a moving circle with an obstacle or with another
- * circle.
+ * circle. It is an answer: its constructor checks nothing.
  *
  * @param time the time of impact, counted from the start of the motion; at least 0
  * @param kind the kind of thing that was hit

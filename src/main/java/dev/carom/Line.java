@@ -5,8 +5,9 @@ import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.util.Check;
 
 /**
- * A {@code Line} is a static segment of finite length and zero thickness, as in {@code
- * java.awt.geom.Line2D}. It is solid from both sides. A line of zero length is a point, its start.
+ * A {@code Line} is a segment of finite length and zero thickness, as in {@code
+ * java.awt.geom.Line2D}. It is solid from both sides, unless a scene makes it {@linkplain
+ * SceneBuilder#oneWay one-way}. A line of zero length is a point, its start.
  *
  * @param ax the x coordinate of the start, finite
  * @param ay the y coordinate of the start, finite

@@ -5,7 +5,8 @@ import dev.carom.internal.util.Kind;
 
 /**
  * An {@code ObstacleKind} is the kind of thing that a circle hits, and that ids belong to. Of
- * simultaneous impacts, those of the first kind in this list come first.
+ * simultaneous impacts, those of the first kind in this list come first, after the contacts that
+ * change nothing: with sensors, and of two circles of infinite mass.
  */
 public enum ObstacleKind {
   /** A wall of the bounds: number 0 is the left one, 1 the right, 2 the bottom, 3 the top one. */

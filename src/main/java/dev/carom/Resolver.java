@@ -39,8 +39,9 @@ import java.util.function.IntFunction;
  * <p>Impacts are those of {@link SweptCircle}. Among simultaneous ones walls come first, then
  * lines, then pegs and endpoints, each in their order. {@link #cast cast} compares times exactly;
  * {@link #trace trace}, like {@link World#step World.step}, treats impacts with equal rounded times
- * as simultaneous. The thing just hit cannot be hit again before another one is. A circle that gets
- * stuck follows the <a href="doc-files/rules.html#stuck">rule for stuck circles</a>.
+ * as simultaneous. Without gravity the thing just hit cannot be hit again before another one is;
+ * with it, a circle may fall back on it. A circle that gets stuck follows the <a
+ * href="doc-files/rules.html#stuck">rule for stuck circles</a>.
  */
 public final class Resolver {
 
@@ -237,7 +238,8 @@ public final class Resolver {
 
   /**
    * Finds the obstacles that overlap a disk: they have points inside of it, not only on its rim.
-   * The answer is exact.
+   * The answer is exact. A disk of radius 0 is a point: it overlaps pegs and walls that hold it
+   * inside, and no line.
    *
    * @param disk the disk
    * @return the obstacles: the bounds once, however many walls overlap, then lines, then pegs and

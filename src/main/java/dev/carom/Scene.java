@@ -56,7 +56,7 @@ import java.util.Optional;
  *   <li>The mass of a circle is 1 if it is left out. {@code inf} or {@code Infinity} is an infinite
  *       mass. See {@link SceneBuilder#mass}.
  *   <li>{@code collide,1} makes circles collide with each other. With {@code collide,0}, or without
- *       such a row, they ignore each other.
+ *       such a row, they ignore each other. There is at most one such row.
  *   <li>{@code gravity,gx,gy} is the {@linkplain SceneBuilder#gravity gravity}. There is at most
  *       one such row. Without it, circles fly straight.
  *   <li>The row of a wall, line, peg or circle may end in {@code restitution=NUMBER}. Without it,
@@ -146,7 +146,8 @@ public final class Scene {
   }
 
   /**
-   * Writes this scene: gravity, wall, lines, pegs, circles, each kind in the order of its numbers.
+   * Writes this scene: whether circles collide, gravity, wall, lines, pegs, circles, each kind in
+   * the order of its numbers.
    *
    * @param out where to write; it is neither flushed nor closed
    * @throws IOException if writing fails
@@ -225,7 +226,7 @@ public final class Scene {
    * Returns the mass of a circle: see {@link SceneBuilder#mass}.
    *
    * @param i its number, 0..{@link #circleCount()} - 1
-   * @return greater than 0, infinite for a circle that nothing deflects
+   * @return greater than 0, infinite for a circle that no other circle deflects
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double mass(int i) {

@@ -195,7 +195,7 @@ public final class SceneBuilder {
    * Sets the mass of the circle just added; without it, it is 1. As long as circles ignore each
    * other, masses have no effect, except that {@link #gravity} spares a circle of infinite mass.
    *
-   * @param m a number from 2^-500 to 2^500, or infinity: a circle that nothing deflects
+   * @param m a number from 2^-500 to 2^500, or infinity: a circle that no other circle deflects
    * @return this builder
    * @throws IllegalArgumentException if m is NaN or out of these limits
    * @throws IllegalStateException if the thing added last is not a circle

@@ -31,16 +31,17 @@ import java.util.Optional;
  * touches its end: the normal points from the line to the centre, which lies on a capsule around
  * the line" style="max-width:100%">
  *
- * <p>An impact is the smallest t in the closed window [0, maxTime] at which the distance between the
- * two is at most the radius and falling. Falling is strict, and judged just after t at t = 0, just
- * before it later. So:
+ * <p>The <i>distance</i> is that of the circle's centre from the line, the wall or the other centre.
+ * The <i>reach</i> is the radius; for a peg or another circle it is the sum of both radii. An impact is
+ * the smallest t in the closed window [0, maxTime] at which the distance is at most the reach and is
+ * falling: at t = 0 it falls just after that moment, at a later t just before it. So:
  *
  * <ul>
  *   <li>apart and meeting within the window: an impact at the moment of first contact;
  *   <li>touching or overlapping at the start and moving inward: an impact at 0; positions are never
  *       corrected;
  *   <li>touching or overlapping at the start and moving apart, along, or not at all: none;
- *   <li>a graze, which reaches the radius with no speed along the normal: none;
+ *   <li>a graze, which comes as near as the reach with no speed along the normal: none;
  *   <li>the centre exactly on a line, on an endpoint or on a peg's centre at the start: none, since it
  *       cannot come nearer;
  *   <li>a point particle (radius 0) that reaches an obstacle later: an impact.

@@ -16,13 +16,16 @@ import java.util.Optional;
  * <pre>{@code
  * World world =
  *     new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
- * Timeline past = world.record(100);
+ * Timeline past = world.record(100); // the last 100 flights of each circle
  * System.out.println(world.step(6) + ", " + past.x(0, 2.5) + ", " + past.x(0, 5.5)); // true, 70.0, 86.0
  * }</pre>
  *
  * <p>Answers are those that the world gave at that moment, to the bit. If the world was edited at
  * that moment, they are those after the edits, and after the impacts that the edits caused at once.
  * Each change of a line or a peg is recorded, too.
+ *
+ * <p>A circle is known back to the start of the first flight that is kept of it. That flight may
+ * have begun before the recording did.
  *
  * <p>A flight takes 72 bytes, so the size follows the impacts and not the steps. The size is
  * bounded, and so is the part that is kept of removed circles: see {@link World#record

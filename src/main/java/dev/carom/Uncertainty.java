@@ -81,7 +81,7 @@ import java.util.Arrays;
  *   <li>an edit gives it another place or velocity, or adds it, or changes gravity;
  *   <li>it made an impact in a step without {@code update}, or the world was {@linkplain
  *       World#restore restored} to an earlier flight;
- *   <li>any line or peg moves.
+ *   <li>any line or peg moves, or moved before.
  * </ul>
  *
  * <p>{@link #restart} begins anew with a circle, unless it slides or rests on something.

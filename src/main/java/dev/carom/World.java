@@ -134,16 +134,17 @@ public final class World {
    * Advances the world by a time span, to the double nearest to {@code now() + dt}.
    *
    * <p>All impacts until then are resolved, and {@link #impacts} lists them. If the budget of work
-   * is spent first, the world stands at an earlier time, and no impact is dropped. Read the log,
-   * then call {@link #advanceTo advanceTo} with the time that was to be reached: see <a
-   * href="doc-files/rules.html#unfinished">unfinished steps</a>.
+   * is spent first, no impact is dropped: the world stands at an earlier time, or at that time with
+   * impacts still to come. Read the log, then call {@link #advanceTo advanceTo} with the time that
+   * was to be reached: see <a href="doc-files/rules.html#unfinished">unfinished steps</a>.
    *
    * <p>Programs that count frames call {@link #advanceTo advanceTo} instead, whose times do not
    * drift: see <a href="doc-files/recipes.html#frames">frames and netcode</a>.
    *
    * @param dt the time span. It is 0, or large enough to move the clock: more than about 1e-16
    *     times {@link #now}
-   * @return true if the world reached that time, false if its budget of work was spent before
+   * @return true if all impacts until that time are resolved, false if the budget of work was spent
+   *     before
    * @throws IllegalArgumentException if dt is NaN or negative, or the time it leads to is infinite;
    *     or if dt is more than 0 and that time is still now: a loop of such steps would never end
    */
@@ -161,12 +162,13 @@ public final class World {
    * Advances the world to a given time, exactly.
    *
    * <p>All impacts until then are resolved, and {@link #impacts} lists them. If the budget of work
-   * is spent first, the world stands at an earlier time, with nothing dropped; call again with the
-   * same time, or with a later one. See <a href="doc-files/rules.html#unfinished">unfinished
-   * steps</a>.
+   * is spent first, nothing is dropped: the world stands at an earlier time, or at that time with
+   * impacts still to come. Read the log, then call again with the same time, or with a later one.
+   * See <a href="doc-files/rules.html#unfinished">unfinished steps</a>.
    *
    * @param t the time, finite and at least {@link #now()}
-   * @return true if the world reached that time, false if its budget of work was spent before
+   * @return true if all impacts until that time are resolved, false if the budget of work was spent
+   *     before
    * @throws IllegalArgumentException if t is NaN, infinite, or earlier than now
    */
   public boolean advanceTo(double t) {
@@ -222,7 +224,9 @@ public final class World {
   }
 
   /**
-   * Returns the circle that had the most impacts in the last step, if that step was unfinished.
+   * Returns the circle that spent most of the budget of the last step, if that step was unfinished.
+   * Where circles collide, it is the one with the most impacts; where they ignore each other, each
+   * has a budget of its own, and it is the first one that spent it.
    *
    * @return its id; -1 if that step was finished
    */
@@ -292,7 +296,7 @@ public final class World {
    * Returns the x component of a circle's velocity now.
    *
    * @param id the id of the circle
-   * @return the component
+   * @return the component; the largest double if it is beyond their range
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double vx(int id) {
@@ -303,7 +307,7 @@ public final class World {
    * Returns the y component of a circle's velocity now.
    *
    * @param id the id of the circle
-   * @return the component
+   * @return the component; the largest double if it is beyond their range
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double vy(int id) {
@@ -336,7 +340,7 @@ public final class World {
    * Returns a line as it is now.
    *
    * @param id the id of the line
-   * @return the line
+   * @return the line; a coordinate that moved beyond the range of doubles is the largest one
    * @throws IndexOutOfBoundsException if there is no such line
    */
   public Line line(int id) {
@@ -347,7 +351,7 @@ public final class World {
    * Returns a peg as it is now.
    *
    * @param id the id of the peg
-   * @return the peg
+   * @return the peg; a coordinate that moved beyond the range of doubles is the largest one
    * @throws IndexOutOfBoundsException if there is no such peg
    */
   public Circle peg(int id) {
@@ -705,7 +709,8 @@ public final class World {
 
   /**
    * Finds the things of a kind that overlap a disk, whatever their categories: they have points
-   * inside of it, not only on its rim.
+   * inside of it, not only on its rim. A disk of radius 0 is a point: it overlaps pegs, circles and
+   * walls that hold it inside, and no line.
    *
    * <p>The answer is exact, for circles at the positions that {@link #x} and {@link #y} give. The
    * search uses an <a href="doc-files/rules.html#questions">index</a>.
@@ -820,7 +825,7 @@ public final class World {
    * @param y the y coordinate of the centre, finite
    * @throws IndexOutOfBoundsException if there is no such circle
    * @throws IllegalArgumentException if a coordinate is NaN or infinite, or so large that 2^10 ulps
-   *     of it exceed the smallest radius above 0 that was ever in this world
+   *     of it exceed the smallest radius above 0 that a circle of this world ever had
    */
   public void setPosition(int id, double x, double y) {
     edit().setPosition(ids.circle(id), x, y, now);
@@ -830,8 +835,8 @@ public final class World {
    * Sets the radius of a circle, from now on. Its centre stays.
    *
    * @param id the id of the circle
-   * @param radius finite, and at least 2^10 ulps of the largest coordinate that was ever in this
-   *     world; or 0, for a point particle, if this world has no lines
+   * @param radius finite, and at least 2^10 ulps of the largest coordinate that the scene or an
+   *     edit ever gave to this world; or 0, for a point particle, if this world has no lines
    * @throws IndexOutOfBoundsException if there is no such circle
    * @throws IllegalArgumentException if the radius is NaN, infinite, negative, or smaller than
    *     that; or 0 in a world with lines
@@ -956,8 +961,8 @@ public final class World {
    *
    * @param x the x coordinate of the centre, finite
    * @param y the y coordinate of the centre, finite
-   * @param radius finite, and at least 2^10 ulps of the largest coordinate that was ever in this
-   *     world; or 0, for a point particle, if this world has no lines
+   * @param radius finite, and at least 2^10 ulps of the largest coordinate that the scene or an
+   *     edit ever gave to this world; or 0, for a point particle, if this world has no lines
    * @param vx the x component of the velocity, finite
    * @param vy the y component of the velocity, finite
    * @return its id
@@ -980,8 +985,8 @@ public final class World {
    * @param by the y coordinate of the end, finite
    * @return its id
    * @throws IllegalArgumentException if a coordinate is NaN or infinite, or so large that 2^10 ulps
-   *     of it exceed the smallest radius above 0 that was ever in this world; or if there is a
-   *     circle of radius 0
+   *     of it exceed the smallest radius above 0 that a circle of this world ever had; or if there
+   *     is a circle of radius 0
    * @throws IllegalStateException if this world gave all ids of lines: 268,435,452
    */
   public int addLine(double ax, double ay, double bx, double by) {
@@ -1016,8 +1021,8 @@ public final class World {
    * @param radius finite and at least 0
    * @return its id
    * @throws IllegalArgumentException if a coordinate or the radius is NaN or infinite, the radius
-   *     negative, or a coordinate so large that 2^10 ulps of it exceed the smallest radius that was
-   *     ever in this world
+   *     negative, or a coordinate so large that 2^10 ulps of it exceed the smallest radius above 0
+   *     that a circle of this world ever had
    * @throws IllegalStateException if this world gave all ids of pegs: 268,435,456
    */
   public int addPeg(double x, double y, double radius) {

@@ -75,8 +75,8 @@
  *   <li>A step costs what happens in it: among obstacles at rest, a circle that hits nothing costs
  *       one comparison. Circles that collide also pay for the cells of a grid that they enter. A
  *       step allocates memory only while a timeline is recorded, when its log or another list
- *       grows, when exact arithmetic has to decide, when a circle jams, and after edits of
- *       obstacles.
+ *       grows, when exact arithmetic has to decide, when a circle jams, after edits, and under
+ *       gravity when circles settle, slide or lie on each other.
  *   <li>A step always ends. If its budget is spent, it returns false, and {@link
  *       dev.carom.World#advanceTo advanceTo} goes on. A circle that would bounce at one place
  *       without end stops bouncing there, and the log says so.
@@ -87,8 +87,9 @@
  * <ul>
  *   <li>Units are the caller's: any unit of length, any unit of time, and speeds in lengths per
  *       time. No rule has a fixed length, time or speed in it, so any ordinary unit will do.
- *   <li>The x axis points right. Whether y points up or down changes nothing but the names of two
- *       walls: the bottom one is that at the smaller y.
+ *   <li>The x axis points right. Whether y points up or down changes names only. The bottom wall is
+ *       the one at the smaller y. The left side of a line from a to b is where {@code cross(b - a,
+ *       p - a) > 0}; on a screen with y down it looks like the right side.
  *   <li>A normal points from the obstacle to the circle; of two circles, from the second to the
  *       first.
  *   <li>Lines are solid from both sides. The direction of a line matters for three things: which
@@ -112,7 +113,7 @@
  *   <li>A number out of its range throws an {@link java.lang.IllegalArgumentException}.
  *   <li>The id of a thing that does not exist, and the number of a row that the log does not have,
  *       throw an {@link java.lang.IndexOutOfBoundsException}. A timeline instead throws an {@link
- *       java.lang.IllegalArgumentException} for ids and times alike.
+ *       java.lang.IllegalArgumentException} for circles and times that it does not know.
  *   <li>A builder's call out of order throws an {@link java.lang.IllegalStateException}. So does
  *       adding a thing when all ids of its kind were given.
  *   <li>A null argument, or a null in a list, throws a {@link java.lang.NullPointerException}. The
@@ -153,11 +154,12 @@
  *       deflects them.
  *   <li>Without gravity, nothing comes to rest by a threshold. With it, bounces end by <a
  *       href="doc-files/rules.html#gravity">relative lengths</a>. A circle in a narrow place makes
- *       all of its bounces. Where they would never end, the world stops them by a rule and reports
- *       it.
+ *       all of its bounces, up to about 1,000 elastic ones at one place. Then the world <a
+ *       href="doc-files/rules.html#stuck">stops them</a> and reports it.
  *   <li>Every bounce off a curved obstacle magnifies the rounding errors before it.
  *   <li>A scene refuses circles so small, beside its coordinates, that rounding could carry one
- *       through a line.
+ *       through a line. A circle of radius 0, a point particle, is for scenes without lines; casts
+ *       may have radius 0 anywhere: rays.
  * </ul>
  *
  * <h2 id="glossary">Glossary</h2>
@@ -185,8 +187,8 @@
  *   <dt>normal
  *   <dd>The unit vector at a contact, from the obstacle to the circle.
  *   <dt>obstacle
- *   <dd>A line, a peg or a wall. The type {@link dev.carom.Obstacle} is all that a circle can hit,
- *       other circles too.
+ *   <dd>A line, a peg or a wall. The type {@link dev.carom.Obstacle} is the shape of all that a
+ *       circle can hit, other circles too.
  *   <dt>one-way
  *   <dd>A line that is solid for circles that come from its left, and does not exist for others.
  *   <dt>peg
@@ -203,7 +205,8 @@
  *   <dt>ulp
  *   <dd>The distance from a double to the next one, some 2^-52 of it.
  *   <dt>unfinished
- *   <dd>A step that returned false: the world stands at an earlier time than was asked for.
+ *   <dd>A step that returned false: the world stands at an earlier time than was asked for, or at
+ *       that time with impacts still to come.
  * </dl>
  */
 package dev.carom;
