@@ -123,11 +123,16 @@ final class EnergyCheck {
     return out * out < hop ? (world.scene().collide() ? mass(row) : 1) * hop : 0;
   }
 
-  /** The least finite mass that took part in a row. */
+  /** The mass that hops in a row: the lesser one, or that which is not held by things at rest. */
   private double mass(int row) {
     ImpactLog log = world.impacts();
-    double mass = world.mass(log.circle(row));
-    return log.kind(row) == ObstacleKind.CIRCLE ? Math.min(mass, world.mass(log.id(row))) : mass;
+    int i = log.circle(row);
+    if (log.kind(row) != ObstacleKind.CIRCLE) {
+      return world.mass(i);
+    }
+    int j = log.id(row);
+    boolean held = world.isResting(i) || world.isResting(j);
+    return held ? Math.max(world.mass(i), world.mass(j)) : Math.min(world.mass(i), world.mass(j));
   }
 
   private boolean mayGain(int row) {

@@ -53,6 +53,15 @@ class WorldFuzzTest {
     assertThat(fuzz.impacts()).isGreaterThan(1_000);
   }
 
+  /** A heavy circle hops off a light one that is held, and gains energy by its own mass. */
+  @Test
+  void aHopOffALightCirclePlaysWithoutAFinding() throws FindingException {
+    WorldFuzz fuzz = new WorldFuzz();
+    fuzz.play(110_175);
+
+    assertThat(fuzz.impacts()).isPositive();
+  }
+
   /** Trapped circles, a pocket, a heap, and infinite masses. */
   @ParameterizedTest
   @ValueSource(longs = {36, 40, 52, 116})
