@@ -11,9 +11,9 @@ import dev.carom.internal.util.Check;
  * Detection, 2005, 5.5).
  *
  * <p>The moved centre is rounded to doubles, so a bit more may be needed. With s the sum of the
- * largest coordinate and the radii, the length, r less a distance, errs by some ulps of s (up to 4.3
- * were measured), and rounding two coordinates takes less than 1. So the tries, by 0, 1, 2, 4 and 8
- * ulps more, end there.
+ * largest coordinate and the radii, the length, r less a distance, errs by some ulps of s (up to
+ * 4.3 were measured), and rounding two coordinates takes less than 1. So the tries, by 0, 1, 2, 4
+ * and 8 ulps more, end there.
  *
  * @param x by how much along x
  * @param y by how much along y
