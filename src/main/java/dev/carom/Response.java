@@ -21,18 +21,20 @@ public enum Response {
    * The motion along the normal stops, for both circles of a pair. The motion across it stays: the
    * circle slides along.
    *
-   * <p>A circle of infinite mass is not deflected: a circle that halts at it takes over its motion
-   * along the normal instead.
+   * <p>At a line or a peg that moves, and at a circle of infinite mass, a circle takes over its
+   * motion along the normal. Two circles of finite mass both lose theirs: momentum is not kept.
    */
   HALT,
 
   /**
    * The contact is reported in the log, and the circle flies on unchanged.
    *
-   * <p>A contact is reported when the distance falls to the radius. It is reported again only after
-   * the distance exceeded the radius. A flight that starts touching a sensor, or inside of it,
-   * counts as reported already: the circle must leave before the next report. The bounds cannot be
-   * a sensor, because they keep circles inside.
+   * <p>A contact is reported when a circle comes to touch the sensor, and again only after it was
+   * clear of it. A flight that starts touching a sensor, or inside of it, counts as reported
+   * already: the circle must leave before the next report. Leaving is not reported; {@link
+   * World#overlapping(ObstacleKind, Circle) World.overlapping} tells what overlaps a disk now.
+   * Circles sense each other only where circles collide. The bounds cannot be a sensor, because
+   * they keep circles inside.
    *
    * <p>One case is left to rounding: an edit at the very time of a report puts the circle where
    * rounding puts it. If that is outside by an ulp, the sensor is reported once more.

@@ -63,7 +63,7 @@ public final class SceneBuilder {
   }
 
   /**
-   * Adds a peg: a circle that does not move.
+   * Adds a peg: a round obstacle. It rests unless {@link #velocity velocity} is called.
    *
    * @param x the x coordinate of the centre, finite
    * @param y the y coordinate of the centre, finite

@@ -30,6 +30,9 @@ import java.security.NoSuchAlgorithmException;
  * System.out.println(world.step(6) + ", " + world.y(0)); // true, 68.0
  * }</pre>
  *
+ * <p>To load a saved game, make a world of any scene with equal bounds and the same {@link
+ * Scene#collide collide}, and restore the snapshot that {@link #read read} returns.
+ *
  * <p>A world into which a snapshot is restored goes on as the one it was taken from, bit for bit.
  * Equal snapshots mean equal futures. Two worlds with equal snapshots that get the same edits and
  * steps have equal snapshots at every moment, so a game can compare two machines.

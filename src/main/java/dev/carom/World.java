@@ -58,8 +58,8 @@ import java.util.function.IntPredicate;
  *
  * <p>See <a href="doc-files/rules.html">Rules and limits</a>: contact, edits, questions, budget,
  * stuck circles, moving obstacles, gravity, infinite mass, accuracy. <a
- * href="doc-files/recipes.html">Recipes</a>: frames and netcode, a paddle, a piston, pockets,
- * teams, an aiming line, a lidar, periodic cells, Lyapunov exponents.
+ * href="doc-files/recipes.html">Recipes</a>: frames and netcode, a paddle, a piston, pockets, balls
+ * that fall, teams, an aiming line, a lidar, periodic cells, Lyapunov exponents.
  */
 public final class World {
 
@@ -134,9 +134,10 @@ public final class World {
    * Advances the world by a time span, to the double nearest to {@code now() + dt}.
    *
    * <p>All impacts until then are resolved, and {@link #impacts} lists them. If the budget of work
-   * is spent first, no impact is dropped: the world stands at an earlier time, or at that time with
-   * impacts still to come. Read the log, then call {@link #advanceTo advanceTo} with the time that
-   * was to be reached: see <a href="doc-files/rules.html#unfinished">unfinished steps</a>.
+   * is spent first, no impact is dropped: the world stands at an earlier time, or at the requested
+   * one with impacts still to come. Read the log, then call {@link #advanceTo advanceTo} with the
+   * time that was to be reached: see <a href="doc-files/rules.html#unfinished">unfinished
+   * steps</a>.
    *
    * <p>Programs that count frames call {@link #advanceTo advanceTo} instead, whose times do not
    * drift: see <a href="doc-files/recipes.html#frames">frames and netcode</a>.
@@ -162,9 +163,9 @@ public final class World {
    * Advances the world to a given time, exactly.
    *
    * <p>All impacts until then are resolved, and {@link #impacts} lists them. If the budget of work
-   * is spent first, nothing is dropped: the world stands at an earlier time, or at that time with
-   * impacts still to come. Read the log, then call again with the same time, or with a later one.
-   * See <a href="doc-files/rules.html#unfinished">unfinished steps</a>.
+   * is spent first, nothing is dropped: the world stands at an earlier time, or at the requested
+   * one with impacts still to come. Read the log, then call again with the same time, or with a
+   * later one. See <a href="doc-files/rules.html#unfinished">unfinished steps</a>.
    *
    * @param t the time, finite and at least {@link #now()}
    * @return true if all impacts until that time are resolved, false if the budget of work was spent
@@ -800,7 +801,8 @@ public final class World {
 
   /**
    * Sets the velocity of a circle, from now on. If the circle now approaches something that it
-   * touches, it bounces at the very start of the next step.
+   * touches, it bounces at the very start of the next step. So a loop of {@link #advanceToImpact
+   * advanceToImpact} that sets such a velocity at each impact never ends.
    *
    * @param id the id of the circle
    * @param vx the x component, finite
@@ -850,7 +852,9 @@ public final class World {
    * gravity: a circle of infinite mass does not fall.
    *
    * <p>If the mass becomes infinite, or finite again, the circle begins a new flight: it can again
-   * hit the circle or obstacle that it hit last or passed through.
+   * hit the circle or obstacle that it hit last or passed through. A circle that rests in a heap or
+   * on something round begins one, too, where circles collide, and so do those that rest in contact
+   * with it.
    *
    * @param id the id of the circle
    * @param m a number from 2^-500 to 2^500, or infinity
@@ -932,8 +936,9 @@ public final class World {
    * Sets what a circle or an obstacle can meet, from now on: see {@link SceneBuilder#filter}.
    *
    * <p>A circle begins a new flight, unless nothing changes. If an obstacle is changed, the circles
-   * that can hit it now begin new flights; of the walls, also those that no longer can. Two things
-   * that overlap and now meet bounce if they approach each other, and are otherwise left alone.
+   * whose flight now meets it begin new flights; if the walls are changed, all that can meet them
+   * now or could before, but not both. Two things that overlap and now meet bounce if they approach
+   * each other, and are otherwise left alone.
    *
    * @param kind its kind; for {@link ObstacleKind#WALL} it is set for all four walls
    * @param id its id; that of any wall, 0..3, stands for all four
@@ -1093,9 +1098,9 @@ public final class World {
    * Returns this world to the moment of a snapshot.
    *
    * <p>The snapshot may come from another world and another scene, as long as the bounds are equal
-   * and circles collide in both or in neither. Circles, lines and pegs are then those of the
-   * snapshot, with its ids. The log is empty, and a recording begins anew. If the snapshot is
-   * refused, nothing changes.
+   * and circles collide in both or in neither. Circles, lines, pegs, gravity and the properties of
+   * the walls are then those of the snapshot, with its ids; {@link #scene} stays. The log is empty,
+   * and a recording begins anew. If the snapshot is refused, nothing changes.
    *
    * @param snapshot the snapshot
    * @throws IllegalArgumentException if it was taken in a world with other bounds, or if circles
@@ -1133,7 +1138,7 @@ public final class World {
    * going on stops, and its timeline stays as it is.
    *
    * <p>The flights of a removed circle are kept within a budget: all removed circles together have
-   * {@code most} flights for each circle of the largest number that existed at one time. Beyond
+   * at most {@code most} flights times the largest number of circles that existed at once. Beyond
    * that, the circles that were removed first are dropped, and {@link Timeline#start} is later.
    * Changes of removed lines and pegs have a budget by the same rule. So the memory of a recording
    * is bounded, however many things come and go.

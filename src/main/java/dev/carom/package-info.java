@@ -205,8 +205,8 @@
  *   <dt>ulp
  *   <dd>The distance from a double to the next one, some 2^-52 of it.
  *   <dt>unfinished
- *   <dd>A step that returned false: the world stands at an earlier time than was asked for, or at
- *       that time with impacts still to come.
+ *   <dd>A step that returned false: the world stands at an earlier time than was requested, or at
+ *       the requested one with impacts still to come.
  * </dl>
  */
 package dev.carom;
