@@ -77,6 +77,22 @@ class MovingObstaclesTest {
     assertThat(world.x(0)).isEqualTo(31);
   }
 
+  @Test
+  void anObstacleThatIsToldToStayKeepsTheGrid() {
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100);
+    for (int i = 0; i < 100; i++) {
+      double x = i % 10 * 10 + 3;
+      double y = i / 10 * 10 + 3;
+      scene.line(x, y, x + 2, y + 2);
+    }
+    World world = new World(scene.circle(1, 1, 1, 1, 0.3).build());
+    finish(world, 5);
+    String before = world.engineDescription();
+    assertThat(before).contains("1 grid");
+    world.setVelocity(ObstacleKind.LINE, 5, 0, 0);
+    assertThat(world.engineDescription()).isEqualTo(before);
+  }
+
   /** What leaves the range of doubles is told to be at its edge. */
   @Test
   void anObstacleStaysWithinTheDoubles() throws Exception {

@@ -58,7 +58,7 @@ class SnapshotTest {
         w -> w.setFilter(WALL, 1, 2, 3),
         w -> w.setFilter(LINE, 1, 2, 3),
         w -> w.setFilter(PEG, 0, 2, 3),
-        w -> w.setVelocity(LINE, 1, 0, 0), // listed as one that moves
+        w -> w.setVelocity(LINE, 1, 0, 1),
         w -> w.setVelocity(PEG, 0, 1, 0),
         w -> w.setOneWay(0, false),
         w -> w.setOneWay(1, true),

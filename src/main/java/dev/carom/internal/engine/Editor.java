@@ -299,7 +299,7 @@ public final class Editor {
     boolean isInGrids = !obstacles.moves(code);
     engine.forget(code); // circles that it lets go search with the grids as they are
     obstacles.setVelocity(code, vx, vy, now);
-    if (isInGrids) {
+    if (isInGrids && obstacles.moves(code)) {
       engine.staticScene.forgetGrids();
     }
     engine.appeared(code, now);

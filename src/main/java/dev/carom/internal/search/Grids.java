@@ -133,7 +133,7 @@ public final class Grids {
   public void forget() {
     byExponent.clear();
     loose.clear();
-    isIncomplete = false;
+    isIncomplete = true; // a grid that is made for a single circle does not serve the others
     isDirty = true;
   }
 

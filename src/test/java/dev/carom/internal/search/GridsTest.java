@@ -115,6 +115,15 @@ class GridsTest {
     assertThat(few.areStale()).isFalse();
   }
 
+  /** One circle got its grid at once; the others still need theirs. */
+  @Test
+  void aGridForOneCircleDoesNotMakeUpForThoseForgotten() {
+    Grids grids = grids(scene(MANY));
+    grids.forget();
+    assertThat(grids.ofNew(50)).isNotNull();
+    assertThat(grids.areStale()).isTrue();
+  }
+
   @Test
   void theyAreMadeForTheRadiiThatThereAre() {
     Scene scene = scene(MANY);
