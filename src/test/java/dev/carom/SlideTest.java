@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static org.assertj.core.api.Assertions.withinPercentage;
 
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -156,6 +157,60 @@ class SlideTest {
       assertThat(path.duration()).isEqualTo(100);
       assertThat(path.at(100).y()).isLessThan(-1000);
     }
+  }
+
+  /**
+   * Lines in one place lead a circle as one does: it slides along all of them, and off their end.
+   */
+  @Test
+  void linesInOnePlaceLeadACircleAsOneDoes() {
+    Random random = new Random(4);
+    for (int k = 0; k < 300; k++) {
+      double x = 1 + random.nextInt(20);
+      double y = -1 - random.nextInt(20);
+      double share = random.nextInt(10) / 10.0;
+      double length = Math.hypot(x, y);
+      Circle start = new Circle(0.3 * x - y / length, 0.3 * y + x / length, 0.5);
+      SceneBuilder one = Scene.builder().gravity(0, -10).line(0, 0, x, y).restitution(0);
+      SceneBuilder several = Scene.builder().gravity(0, -10).line(0, 0, x, y).restitution(0);
+      several.line(share * x, share * y, x, y).restitution(0);
+      if (random.nextBoolean()) {
+        several.line(0, 0, x, y).restitution(0);
+      }
+      World expected = new World(one.circle(start.x(), start.y(), 0.5, 0, 0).build());
+      Resolver resolver = several.build().resolver();
+      World world = new World(several.circle(start.x(), start.y(), 0.5, 0, 0).build());
+      assertThat(expected.advanceTo(20)).isTrue();
+      assertThat(world.advanceTo(20)).as("line to %s, %s, from %s", x, y, share).isTrue();
+      assertThat(world.x(0)).isCloseTo(expected.x(0), withinPercentage(0.1));
+      assertThat(world.impacts().size()).isLessThan(expected.impacts().size() + 10);
+      Trajectory path = resolver.trace(start, Vec2.ZERO, 1, 20, 100);
+      assertThat(path.complete()).isTrue();
+      assertThat(path.at(20).x()).isCloseTo(expected.x(0), withinPercentage(0.1));
+    }
+  }
+
+  /**
+   * Lines that end in one place up to rounding do not hand the circle to each other without end.
+   */
+  @Test
+  void linesThatEndInOnePlaceLetACircleGo() {
+    double x = 0.4112362163282839;
+    double y = -0.8072526941035818;
+    Resolver resolver =
+        Scene.builder()
+            .gravity(0, -10)
+            .line(-7.627487071597178, -0.6103514754229682, x, y)
+            .restitution(0)
+            .line(-5.59589146650096, -0.6601135627820988, 0.41123621632826257, -0.8072526941035814)
+            .restitution(0)
+            .line(-7.627487071597178, -0.6103514754229682, 0.4112362163282837, -0.8072526941035816)
+            .restitution(0)
+            .build()
+            .resolver();
+    Trajectory path = resolver.trace(new Circle(-1.68, 1.244, 0.5), Vec2.ZERO, 0, 100, 100);
+    assertThat(path.complete()).isTrue();
+    assertThat(path.points().size()).isLessThan(60);
   }
 
   /** It slides down a one-way line, over its end, and falls. */

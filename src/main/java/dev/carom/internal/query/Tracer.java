@@ -94,7 +94,8 @@ public final class Tracer {
   /**
    * The path until the given time, or until the impact after the last bounce that is asked for.
    *
-   * @param most how many impacts a path may have; one with more ends there, incomplete
+   * @param most how many impacts and ends of slides a path may have; one with more ends there,
+   *     incomplete
    */
   public TracedPath trace(MovingCircle body, double duration, int bounces, int most) {
     grid = index.grid(body.radius);
@@ -110,7 +111,8 @@ public final class Tracer {
       if (count == bounces && !endsSlide(body)) {
         return new TracedPath(flights, impacts, body.due(), true);
       }
-      if (count > 0 && count + work.impactsSince(before) >= most) {
+      int done = flights.size() / TracedPath.FLIGHT - 1; // impacts and ends of slides
+      if (done > 0 && done + work.impactsSince(before) >= most) {
         return new TracedPath(flights, impacts, body.t, false);
       }
       response.resolve(body, impacts);

@@ -132,6 +132,7 @@ public final class ObstacleResponse {
     int line = m.support;
     m.last = line;
     m.newFlight();
+    m.ignoreCirclesOnly();
     for (int code : near.apply(m)) {
       if (code != line && settling.slidesOnto(m, code)) {
         return;
@@ -148,6 +149,13 @@ public final class ObstacleResponse {
   private void bounce(MovingCircle m, int code, double vn, ImpactRows log) {
     double e = m.restitution * obstacles.restitution(code);
     double reach = ObstacleTable.part(code, m.contact) == Part.SIDE ? 0 : reach(m, code);
+    boolean faint = isFaint(vn);
+    if (isCarriedAlong(m, code) && (isLevel(m, vn, reach) || (faint && !isPressed(m)))) {
+      m.newFlight();
+      m.jam = IgnoreList.with(m.jam, code); // else rounding would lead it there again and again
+      return;
+    }
+    boolean again = faint && code == m.last && hasHardlyMoved(m);
     if (code == m.last) {
       m.leavePlace();
     } else {
@@ -168,6 +176,61 @@ public final class ObstacleResponse {
     }
     change(m, code, vn, e, log);
     settling.settle(m, code, point, reach, e, log);
+    if (again && !m.isSupported()) {
+      leaveByRounding(m);
+    }
+  }
+
+  /**
+   * Whether a circle slides on one thing at rest, or just came to its end, while it meets another
+   * one at rest.
+   */
+  private boolean isCarriedAlong(MovingCircle m, int code) {
+    boolean left = m.support < MovingCircle.NOTHING && hasHardlyMoved(m);
+    int carrier = left ? ~m.support : m.support;
+    return (left || m.isSupported())
+        && carrier != code
+        && !obstacles.moves(code)
+        && !obstacles.moves(carrier);
+  }
+
+  /** Whether gravity presses a sliding circle, along what it slides on, against what it meets. */
+  private boolean isPressed(MovingCircle m) {
+    double pressure = -ScaledVectors.dot(m.gx, m.gy, point.nx, point.ny);
+    double pull = Math.abs(m.gx) + Math.abs(m.gy);
+    double scale = Math.abs(point.nx) + Math.abs(point.ny);
+    return m.isSupported() && pressure > 0 && !StuckRule.isFaint(pressure / scale, pull);
+  }
+
+  /** Whether a sliding circle would rise by no more than rounding over something round. */
+  private boolean isLevel(MovingCircle m, double vn, double reach) {
+    // At most sqrt(2) times the speed, so the square of this sine is at least half of that of the
+    // turn. The bump is reach (1 - cos) high, half of reach sine^2: no more than what is compared.
+    double speed = Math.abs(sx) + Math.abs(sy);
+    double sine = vn / (StrictMath.hypot(point.nx, point.ny) * speed);
+    return reach > 0 && m.isSupported() && settling.isLevel(m, sine * sine * reach);
+  }
+
+  /** Whether a circle moved by no more than rounding since its last impact. */
+  private boolean hasHardlyMoved(MovingCircle m) {
+    return m.flown * (Math.abs(sx) + Math.abs(sy)) <= StuckRule.widthOfPlace(m);
+  }
+
+  /**
+   * Lets a circle leave by the least that is more than rounding. It met one thing again at once,
+   * and approached by so little that no response shows.
+   */
+  private void leaveByRounding(MovingCircle m) {
+    double length = StrictMath.hypot(point.nx, point.ny);
+    double least = StuckRule.ROUNDED_SPEED * (Math.abs(sx) + Math.abs(sy));
+    m.vx += least * (point.nx / length);
+    m.vy += least * (point.ny / length);
+  }
+
+  /** Whether an approach, times the length of the normal, is no more than rounding of the speed. */
+  private boolean isFaint(double vn) {
+    double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
+    return StuckRule.isFaint(approach, Math.abs(sx) + Math.abs(sy));
   }
 
   /** The distance of the centre of a circle from that of something round that it touches. */

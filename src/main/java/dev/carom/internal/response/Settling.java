@@ -306,6 +306,11 @@ public final class Settling {
     return out * out > 2 * pressure * ULPS * ulp(m);
   }
 
+  /** Whether a height is none at a joint. */
+  boolean isLevel(MovingCircle m, double height) {
+    return height <= JOINT_ULPS * ulp(m);
+  }
+
   private static double ulp(MovingCircle m) {
     return Math.ulp(Math.max(Math.max(Math.abs(m.x), Math.abs(m.y)), m.radius));
   }
@@ -337,9 +342,13 @@ public final class Settling {
     double out = side * (wx * (m.vy - uy) - wy * (m.vx - ux)) / length;
     double pressure = -side * (wx * gravity.y - wy * gravity.x) / length;
     double near = JOINT_ULPS * ulp(m);
+    // Two lines that end here, up to rounding, would hand the circle to each other without end.
+    double end = near + JOINT_ULPS * Math.ulp(length + Math.abs(m.x) + Math.abs(m.y));
     boolean carries =
         Math.abs(side * height - m.radius) <= near
-            && (along > 0 ? from >= -near && from < length : from > 0 && from <= length + near)
+            && (along > 0
+                ? from >= -near && from < length - end
+                : from > end && from <= length + near)
             && along != 0
             && pressure > 0
             && out * out <= 2 * pressure * near

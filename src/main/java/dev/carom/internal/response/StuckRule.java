@@ -76,7 +76,7 @@ public final class StuckRule {
   private static final double ROUNDED = 0x1p-51;
 
   /** An approach up to this part of the speed is rounding: some ulps of the velocity. */
-  private static final double ROUNDED_SPEED = 0x1p-48;
+  static final double ROUNDED_SPEED = 0x1p-48;
 
   private StuckRule() {}
 
@@ -190,6 +190,11 @@ public final class StuckRule {
   /** Whether an approach is no more than rounding of the speeds that a circle met at its place. */
   static boolean isFaint(MovingCircle m, double approach) {
     return isFaint(approach, m.speedExponent);
+  }
+
+  /** Whether an approach is no more than rounding of a speed. */
+  static boolean isFaint(double approach, double speed) {
+    return isFaint(approach, exponent(speed));
   }
 
   private static boolean isFaint(double approach, int exponent) {
