@@ -149,13 +149,12 @@ public final class ObstacleResponse {
   private void bounce(MovingCircle m, int code, double vn, ImpactRows log) {
     double e = m.restitution * obstacles.restitution(code);
     double reach = ObstacleTable.part(code, m.contact) == Part.SIDE ? 0 : reach(m, code);
-    boolean faint = isFaint(vn);
-    if (isCarriedAlong(m, code) && (isLevel(m, vn, reach) || (faint && !isPressed(m)))) {
+    if (slidesPast(m, code, vn, reach)) {
       m.newFlight();
       m.jam = IgnoreList.with(m.jam, code); // else rounding would lead it there again and again
       return;
     }
-    boolean again = faint && code == m.last && hasHardlyMoved(m);
+    boolean again = code == m.last && isFaint(vn) && hasHardlyMoved(m);
     if (code == m.last) {
       m.leavePlace();
     } else {
@@ -179,6 +178,11 @@ public final class ObstacleResponse {
     if (again && !m.isSupported()) {
       leaveByRounding(m);
     }
+  }
+
+  /** Whether a sliding circle goes on as it is: what it meets is level with what it slides on. */
+  private boolean slidesPast(MovingCircle m, int code, double vn, double reach) {
+    return isCarriedAlong(m, code) && (isLevel(m, vn, reach) || (isFaint(vn) && !isPressed(m)));
   }
 
   /**
