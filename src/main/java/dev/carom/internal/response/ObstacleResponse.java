@@ -180,22 +180,25 @@ public final class ObstacleResponse {
     }
   }
 
-  /** Whether a sliding circle goes on as it is: what it meets is level with what it slides on. */
-  private boolean slidesPast(MovingCircle m, int code, double vn, double reach) {
-    return isCarriedAlong(m, code) && (isLevel(m, vn, reach) || (isFaint(vn) && !isPressed(m)));
-  }
-
   /**
-   * Whether a circle slides on one thing at rest, or just came to its end, while it meets another
-   * one at rest.
+   * Whether a circle goes on as it is while it meets something at rest: that is level with what it
+   * slides on; or it just came to the end of a line, and what it meets is another line's side that
+   * ends there, too.
    */
-  private boolean isCarriedAlong(MovingCircle m, int code) {
-    boolean left = m.support < MovingCircle.NOTHING && hasHardlyMoved(m);
-    int carrier = left ? ~m.support : m.support;
-    return (left || m.isSupported())
-        && carrier != code
-        && !obstacles.moves(code)
-        && !obstacles.moves(carrier);
+  private boolean slidesPast(MovingCircle m, int code, double vn, double reach) {
+    if (obstacles.moves(code)) {
+      return false;
+    }
+    if (m.isSupported()) {
+      return m.support != code
+          && !obstacles.moves(m.support)
+          && (isLevel(m, vn, reach) || (isFaint(vn) && !isPressed(m)));
+    }
+    return m.support < MovingCircle.NOTHING
+        && ~m.support != code
+        && isFaint(vn)
+        && hasHardlyMoved(m)
+        && settling.endsHere(m, code);
   }
 
   /** Whether gravity presses a sliding circle, along what it slides on, against what it meets. */
@@ -203,7 +206,7 @@ public final class ObstacleResponse {
     double pressure = -ScaledVectors.dot(m.gx, m.gy, point.nx, point.ny);
     double pull = Math.abs(m.gx) + Math.abs(m.gy);
     double scale = Math.abs(point.nx) + Math.abs(point.ny);
-    return m.isSupported() && pressure > 0 && !StuckRule.isFaint(pressure / scale, pull);
+    return pressure > 0 && !StuckRule.isFaint(pressure / scale, pull);
   }
 
   /** Whether a sliding circle would rise by no more than rounding over something round. */
@@ -212,7 +215,7 @@ public final class ObstacleResponse {
     // turn. The bump is reach (1 - cos) high, half of reach sine^2: no more than what is compared.
     double speed = Math.abs(sx) + Math.abs(sy);
     double sine = vn / (StrictMath.hypot(point.nx, point.ny) * speed);
-    return reach > 0 && m.isSupported() && settling.isLevel(m, sine * sine * reach);
+    return reach > 0 && settling.isLevel(m, sine * sine * reach);
   }
 
   /** Whether a circle moved by no more than rounding since its last impact. */

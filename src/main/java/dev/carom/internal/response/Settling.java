@@ -342,13 +342,11 @@ public final class Settling {
     double out = side * (wx * (m.vy - uy) - wy * (m.vx - ux)) / length;
     double pressure = -side * (wx * gravity.y - wy * gravity.x) / length;
     double near = JOINT_ULPS * ulp(m);
-    // Two lines that end here, up to rounding, would hand the circle to each other without end.
-    double end = near + JOINT_ULPS * Math.ulp(length + Math.abs(m.x) + Math.abs(m.y));
+    double behind = along > 0 ? from : length - from;
     boolean carries =
         Math.abs(side * height - m.radius) <= near
-            && (along > 0
-                ? from >= -near && from < length - end
-                : from > end && from <= length + near)
+            && behind >= -near
+            && length - behind > end(m, length)
             && along != 0
             && pressure > 0
             && out * out <= 2 * pressure * near
@@ -360,6 +358,31 @@ public final class Settling {
       m.last = code;
     }
     return carries;
+  }
+
+  /** Whether what a circle meets is a line at rest that ends there, in the way that it moves. */
+  boolean endsHere(MovingCircle m, int code) {
+    if (!Codes.isLine(code)) {
+      return false;
+    }
+    double[] row = obstacles.lines.values;
+    int k = obstacles.lines.offset(code);
+    double wx = row[k + LineShape.BX] - row[k + LineShape.AX];
+    double wy = row[k + LineShape.BY] - row[k + LineShape.AY];
+    boolean forward = wx * m.vx + wy * m.vy > 0;
+    double x = row[k + (forward ? LineShape.BX : LineShape.AX)] - m.x;
+    double y = row[k + (forward ? LineShape.BY : LineShape.AY)] - m.y;
+    double length = Math.sqrt(wx * wx + wy * wy);
+    double ahead = (forward ? wx * x + wy * y : -wx * x - wy * y) / length;
+    return ahead <= end(m, length);
+  }
+
+  /**
+   * So near to its end a line carries no circle: lines that end in one place, up to rounding, would
+   * hand it to each other.
+   */
+  private static double end(MovingCircle m, double length) {
+    return JOINT_ULPS * (ulp(m) + Math.ulp(length + Math.abs(m.x) + Math.abs(m.y)));
   }
 
   /** Lets a circle that is pressed against something round leave it by the least speed. */
