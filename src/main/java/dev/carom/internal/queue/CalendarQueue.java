@@ -16,8 +16,8 @@ import java.util.Arrays;
  * <p>Later events wait in overflow lists, one per span. These lists are append-only: a rescheduled
  * event leaves its old entry behind. Stale entries are skipped when their list is distributed into
  * the consumed half of the ring. One more list holds the events beyond the last span. When all
- * spans are consumed, or the heap is crowded, a new round begins, with a bucket width that suits
- * the waiting events.
+ * spans are consumed, or the heap or the lists are crowded, a new round begins, with a bucket width
+ * that suits the waiting events.
  *
  * <p>Source of the calendar: G. Paul, A Complexity O(1) priority queue for event driven molecular
  * dynamics simulations, Journal of Computational Physics 221 (2007).
@@ -76,6 +76,12 @@ public final class CalendarQueue {
   /** With more events in the heap than this a new round begins, unless it just did. */
   private static final int HEAP_CROWDED = 32;
 
+  /**
+   * The same with lists so many times longer than they are made for. Where time hardly goes on, as
+   * among circles that are squeezed, stale entries would else pile up without end.
+   */
+  private static final int LISTS_CROWDED = 8;
+
   /** Scales waiting times so that their sum does not overflow. */
   private static final double WAIT_SCALE = 0x1p-32;
 
@@ -110,6 +116,8 @@ public final class CalendarQueue {
 
   /** One list for each span, then one for the events beyond the last span. */
   private final OverflowLists lists;
+
+  private final int mostChunks;
 
   // The start time of the round, buckets per unit of time, the current bucket, and the first bucket
   // that is not on the ring yet.
@@ -155,7 +163,9 @@ public final class CalendarQueue {
     span = 1 << inSpan;
     spans = Math.max(SPANS, (int) (round >> inSpan));
     ring = new BucketRing(2 * span, count);
-    lists = new OverflowLists(spans + 1, spans + 2 + count / 8);
+    int chunks = spans + 2 + count / 8;
+    lists = new OverflowLists(spans + 1, chunks);
+    mostChunks = LISTS_CROWDED * chunks;
     end = spans << inSpan; // before the first round every event is beyond the last span
     times = new double[count];
     Arrays.fill(times, NEVER);
@@ -282,6 +292,11 @@ public final class CalendarQueue {
     ring.mark(i, IN_OVERFLOW);
   }
 
+  /** How long the overflow lists are, in chunks. */
+  int overflow() {
+    return lists.used();
+  }
+
   /** Whether an entry of an overflow list is not stale. */
   private boolean isCurrent(int i, double time) {
     return times[i] == time && ring.next(i) == IN_OVERFLOW;
@@ -406,12 +421,12 @@ public final class CalendarQueue {
   }
 
   /**
-   * Begins a new round if the heap is crowded and more events were polled since the last round
-   * began than it began with. Events at exactly one time stay crowded, so this must not be tried
-   * each time.
+   * Begins a new round if the heap or the lists are crowded and more events were polled since the
+   * last round began than it began with. Events at exactly one time stay crowded, so this must not
+   * be tried each time.
    */
   private void spread() {
-    if (heap.size() > HEAP_CROWDED && polled > atFirst) {
+    if ((heap.size() > HEAP_CROWDED || overflow() > mostChunks) && polled > atFirst) {
       gather();
       begin();
     }

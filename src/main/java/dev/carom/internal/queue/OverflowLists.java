@@ -36,6 +36,9 @@ final class OverflowLists {
   /** The first free chunk, named as if it were full. */
   private int free;
 
+  /** The number of chunks in use. */
+  private int used;
+
   OverflowLists(int lists, int chunks) {
     ends = new int[lists];
     entries = new double[chunks * CHUNK * 2];
@@ -71,6 +74,7 @@ final class OverflowLists {
     int start = start(free);
     free = next[start >> SHIFT];
     next[start >> SHIFT] = end;
+    used++;
     return start;
   }
 
@@ -108,6 +112,12 @@ final class OverflowLists {
     int following = next[c];
     next[c] = free;
     free = (c + 1) << SHIFT;
+    used--;
     return following;
+  }
+
+  /** The number of chunks in use. */
+  int used() {
+    return used;
   }
 }

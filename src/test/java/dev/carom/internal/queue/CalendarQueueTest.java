@@ -249,4 +249,24 @@ class CalendarQueueTest {
     twin.set(0, 1, 0, 10);
     assertThat(twin.first()).isEqualTo(1);
   }
+
+  /**
+   * Where time hardly goes on, events far ahead are set again and again: stale ones must not stay.
+   */
+  @Test
+  void theListsStayShortWhereTimeHardlyGoesOn() {
+    Twin twin = new Twin(30);
+    for (int i = 0; i < 30; i++) {
+      twin.set(i, i == 0 ? 0 : 1 + i, 0, i);
+    }
+    int longest = 0;
+    for (int step = 1; step <= 20_000; step++) {
+      twin.poll(twin.first());
+      twin.set(0, step * 1e-12, 0, 0);
+      int other = 1 + step % 29;
+      twin.set(other, 1e3 + step, 0, other);
+      longest = Math.max(longest, twin.queue.overflow());
+    }
+    assertThat(longest).isLessThan(300);
+  }
 }
