@@ -190,6 +190,25 @@ class SlideTest {
     }
   }
 
+  /** Above an end, too fast to roll round it: it flies off, and does not meet the end for ever. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1, 2.2, 2.3, 5})
+  void aFastCircleFliesOffTheEndThatItStandsOn(double speed) {
+    for (double e : new double[] {0, 0.5, 1}) {
+      World world =
+          new World(
+              Scene.builder()
+                  .gravity(0, -10)
+                  .line(0, 0, 2, 0)
+                  .line(2, 0, 4, 0)
+                  .circle(2, 0.5, 0.5, -speed, 0)
+                  .restitution(e)
+                  .build());
+      assertThat(world.advanceTo(1)).isTrue();
+      assertThat(world.x(0)).isLessThan(2 - 0.9 * speed);
+    }
+  }
+
   /**
    * Lines that end in one place up to rounding do not hand the circle to each other without end.
    */
