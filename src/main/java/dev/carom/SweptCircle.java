@@ -33,8 +33,8 @@ import java.util.Optional;
  *
  * <p>The <i>distance</i> is that of the circle's centre from the line, the wall or the other centre.
  * The <i>reach</i> is the radius; for a peg or another circle it is the sum of both radii. An impact is
- * the smallest t in the closed window [0, maxTime] at which the distance is at most the reach and is
- * falling: at t = 0 it falls just after that moment, at a later t just before it. So:
+ * the smallest t in the closed window [0, maxTime] at which the distance is at most the reach and
+ * falls. If t = 0, it must fall just after that moment; else just before it. So:
  *
  * <ul>
  *   <li>apart and meeting within the window: an impact at the moment of first contact;

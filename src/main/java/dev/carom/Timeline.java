@@ -24,9 +24,9 @@ import java.util.Optional;
  * that moment, they are those after the edits, and after the impacts that the edits caused at once.
  * Each change of a line or a peg is recorded, too.
  *
- * <p>The place, the velocity and the radius of a circle are known back to the start of the oldest
- * flight that is kept of it, which may have begun before the recording did: ask {@link #contains
- * contains}. All else is known from {@link #start} on.
+ * <p>Place, velocity and radius of a circle are known from the start of its oldest flight that is
+ * kept. That may be before the recording began: ask {@link #contains contains}. All else is known
+ * from {@link #start} on.
  *
  * <p>A flight takes 72 bytes, so the size follows the impacts and not the steps. The size is
  * bounded, and so is the part that is kept of removed circles: see {@link World#record

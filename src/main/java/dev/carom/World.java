@@ -46,7 +46,8 @@ import java.util.function.IntPredicate;
  *       same bits. The same run gives the same bits on every Java virtual machine.
  *   <li><b>Every call returns.</b> A step returns false if its budget of work is spent, and the
  *       next one goes on. A circle that would bounce at one place without end stops bouncing there,
- *       and the log says {@link Outcome#JAMMED}.
+ *       and the log says {@link Outcome#JAMMED}. What to do in the rare scenes that still do not
+ *       get on: see <a href="doc-files/rules.html#unfinished">unfinished steps</a>.
  * </ol>
  *
  * <p>A step goes on for a time span ({@link #step step}), to a time ({@link #advanceTo advanceTo})
@@ -613,9 +614,10 @@ public final class World {
    * category 1 and mask -1. It passes through sensors, and through all circles of this world: for
    * an aiming line that ends at the first ball in the way, see <a
    * href="doc-files/recipes.html#aiming">an aiming line that sees balls</a>. Lines and pegs go on
-   * with their present velocities. A path has at most 100,000 impacts; one that would go on is not
-   * {@linkplain Trajectory#complete complete}. Places may differ from those of a circle that the
-   * world moves in the last digits, as times count from now.
+   * with their present velocities. A path has at most 100,000 impacts, and exact arithmetic counts
+   * as in the <a href="doc-files/rules.html#unfinished">budget of a step</a>. One that would go on
+   * is not {@linkplain Trajectory#complete complete}. Places may differ from those of a circle that
+   * the world moves in the last digits, as times count from now.
    *
    * @param circle the circle at the start; its radius may be 0
    * @param velocity its velocity at the start
@@ -837,8 +839,8 @@ public final class World {
    * Sets the radius of a circle, from now on. Its centre stays.
    *
    * @param id the id of the circle
-   * @param radius finite, and at least 2^10 ulps of the largest coordinate that the scene or an
-   *     edit ever gave to this world; or 0, for a point particle, if this world has no lines
+   * @param radius finite, and at least 2^10 ulps of the largest coordinate that a scene or an edit
+   *     gave to this world. 0, a point particle, is allowed if this world has no lines
    * @throws IndexOutOfBoundsException if there is no such circle
    * @throws IllegalArgumentException if the radius is NaN, infinite, negative, or smaller than
    *     that; or 0 in a world with lines
@@ -966,8 +968,8 @@ public final class World {
    *
    * @param x the x coordinate of the centre, finite
    * @param y the y coordinate of the centre, finite
-   * @param radius finite, and at least 2^10 ulps of the largest coordinate that the scene or an
-   *     edit ever gave to this world; or 0, for a point particle, if this world has no lines
+   * @param radius finite, and at least 2^10 ulps of the largest coordinate that a scene or an edit
+   *     gave to this world. 0, a point particle, is allowed if this world has no lines
    * @param vx the x component of the velocity, finite
    * @param vy the y component of the velocity, finite
    * @return its id

@@ -54,8 +54,8 @@ class WorldFuzzTest {
   }
 
   /**
-   * What fuzzing found once: a heavy circle hops off a light one that is held, and gains energy by
-   * its own mass; a circle that stands in a wall slides off a line in it.
+   * What fuzzing found once. In the first session a heavy circle hops off a light one that is held.
+   * In the second a circle that overlaps a wall slides off a line there.
    */
   @ParameterizedTest
   @ValueSource(longs = {110_175, 120_123})

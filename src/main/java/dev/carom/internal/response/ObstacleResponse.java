@@ -181,9 +181,9 @@ public final class ObstacleResponse {
   }
 
   /**
-   * Whether a circle goes on as it is while it meets something at rest: that is level with what it
-   * slides on; or it just came to the end of a line, and what it meets is another line's side that
-   * ends there, too.
+   * Whether a circle goes on as if something at rest, which it meets, were not there. Either that
+   * is level with what the circle slides on. Or the circle just slid off the end of a line, and
+   * meets another line that ends there.
    */
   private boolean slidesPast(MovingCircle m, int code, double vn, double reach) {
     if (obstacles.moves(code)) {

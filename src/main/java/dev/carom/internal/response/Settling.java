@@ -360,7 +360,7 @@ public final class Settling {
     return carries;
   }
 
-  /** Whether what a circle meets is a line at rest that ends there, in the way that it moves. */
+  /** Whether something at rest is a line, and a circle that moves along it is at its end. */
   boolean endsHere(MovingCircle m, int code) {
     if (!Codes.isLine(code)) {
       return false;

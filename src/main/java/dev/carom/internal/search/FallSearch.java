@@ -402,7 +402,7 @@ public final class FallSearch {
     }
   }
 
-  /** Whether an obstacle was hit last and cannot be hit again in time, or is the best so far. */
+  /** Whether the answer for an obstacle is known: it is the best so far, or is not hit in time. */
   private boolean isDecided(int code) {
     return code == bestCode || (code == body.last && returns > to);
   }
