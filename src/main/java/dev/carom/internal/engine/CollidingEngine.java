@@ -22,6 +22,7 @@ import dev.carom.internal.util.Index;
 import dev.carom.internal.util.Kind;
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.List;
 
 /**
  * The engine for circles that collide: it handles event after event, in order of time.
@@ -244,6 +245,18 @@ public final class CollidingEngine extends Engine {
     if (rested) {
       freeThoseOn(i);
     }
+    if (gravity.acts()) {
+      beginYielded();
+    }
+  }
+
+  /** Begins the flights of circles that gave way in an impact, and frees what they held. */
+  private void beginYielded() {
+    List<MovingCircle> yielded = response.takeYielded();
+    if (!yielded.isEmpty()) {
+      begin(yielded);
+      yielded.forEach(m -> freeThoseOn(m.id));
+    }
   }
 
   /**
@@ -299,6 +312,9 @@ public final class CollidingEngine extends Engine {
         scheduler.predict(s, c, low, high);
         if (lowRested || highRested) {
           freeThoseOn(lowRested ? low : high);
+        }
+        if (acts) {
+          beginYielded();
         }
         if (tries) {
           begin(heap.rest(log, copy(low), copy(high)));

@@ -173,7 +173,7 @@ public final class ContactCluster {
     return isObstacle(m) || registry.mass(m.id) == INFINITE;
   }
 
-  private double mass(MovingCircle m) {
+  double mass(MovingCircle m) {
     return isObstacle(m) ? INFINITE : pairs.mass(m);
   }
 

@@ -6,31 +6,46 @@ import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 
 /**
  * Lets a circle that falls, and is stuck between things of which one moves, leave each of them by
- * the {@linkplain Settling#LEAST_HOP least speed}. If no velocity does that, they squeeze it.
+ * the {@linkplain Settling#LEAST_HOP least speed}. Circles of finite mass that it touches give way,
+ * and those that they touch, and so on. If no velocities do that, the circle is squeezed.
  */
 final class Escape {
 
   /** How far from a circle things may be to count, in radii; the places of its impacts are less. */
   private static final double REACH = 2 * StuckRule.FALLING_PLACE;
 
+  /** So many circles give way at most. */
+  private static final int MOST = 200;
+
+  /** No circle gets more than so many times the largest speed before. */
+  private static final double MOST_GAIN = 8;
+
+  /** Beside what presses on it, a circle takes no more than so many least speeds. */
+  private static final double MOST_LEAST = 4;
+
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
-  /**
-   * What a circle touches.
-   *
-   * @param ux,uy its velocity
-   * @param least the least speed at which the circle leaves it
-   * @param isInfinite whether it keeps its velocity
-   */
-  private record Contact(Touch touch, double ux, double uy, double least, boolean isInfinite) {
+  /** Stands for something that keeps its velocity in place of the second circle of a contact. */
+  private static final int FIXED = -1;
 
-    boolean isAtRest() {
-      return ux == 0 && uy == 0;
+  /**
+   * A touch of member a, with member b or something FIXED.
+   *
+   * @param ux,uy the velocity of what is fixed
+   * @param least the least speed at which the two leave each other
+   */
+  private record Contact(int a, int b, Touch touch, double ux, double uy, double least) {
+
+    boolean isWithMoving() {
+      return b == FIXED && (ux != 0 || uy != 0);
     }
   }
 
@@ -43,6 +58,17 @@ final class Escape {
 
   /** The codes of obstacles that a circle may touch, ascending. */
   private final Function<MovingCircle, int[]> near;
+
+  /** The circles of finite mass that touch each other; first those that hit something. */
+  private final List<MovingCircle> members = new ArrayList<>();
+
+  /** The number of each member, by the circle. */
+  private final Map<Integer, Integer> numbers = new HashMap<>();
+
+  private final List<Contact> contacts = new ArrayList<>();
+
+  /** The circles that gave way, at the start of their new flights. */
+  private List<MovingCircle> yielded = List.of();
 
   Escape(
       ObstacleTable obstacles,
@@ -60,70 +86,195 @@ final class Escape {
     circles = cluster;
   }
 
+  /** The circles that gave way since the last call, other than those that hit something. */
+  List<MovingCircle> takeYielded() {
+    List<MovingCircle> taken = yielded;
+    yielded = List.of();
+    return taken;
+  }
+
   /**
-   * Gives a circle the velocity nearest to its own with which it leaves all that it touches.
+   * Gives a circle, and those that give way to it, the velocities nearest to their own with which
+   * they leave all that they touch.
    *
-   * @return false, and then nothing has changed, if there is no such velocity; if a least speed is
-   *     mere rounding; if nothing that it touches moves; or if it touches a circle of finite mass
+   * @param hit the circle that is stuck, and another one if the two have just hit each other; both
+   *     at the start of new flights
+   * @return false, and then nothing has changed, if there are no such velocities; if a least speed
+   *     is mere rounding; or if nothing that they touch moves on as it is
    */
-  boolean escapes(MovingCircle m) {
-    List<Contact> contacts = new ArrayList<>();
-    addObstacles(m, contacts);
-    addCircles(m, contacts);
-    if (contacts.stream().allMatch(Contact::isAtRest)
-        || !contacts.stream().allMatch(c -> c.isInfinite && c.least > rounding(m, c))) {
+  boolean escapes(MovingCircle... hit) {
+    gather(hit);
+    return members.size() <= MOST
+        && contacts.stream().anyMatch(Contact::isWithMoving)
+        && escape(hit);
+  }
+
+  /** Gives the members their new velocities; false if there are none. */
+  private boolean escape(MovingCircle... hit) {
+    boolean[] acts = new boolean[contacts.size()];
+    InelasticShock pressing = shock(acts);
+    if (!pressing.resolve() || squeezesOut(pressing)) {
       return false;
     }
-    InelasticShock shock = new InelasticShock(1 + contacts.size(), contacts.size());
-    shock.setCircle(0, m.vx, m.vy, 1);
-    for (int k = 0; k < contacts.size(); k++) {
-      Contact c = contacts.get(k);
-      double nx = c.touch.nx();
-      double ny = c.touch.ny();
-      shock.setCircle(k + 1, c.ux + c.least * nx, c.uy + c.least * ny, INFINITE);
-      shock.addContact(0, k + 1, nx, ny);
+    for (int k = 0; k < acts.length; k++) {
+      acts[k] = pressing.acted(k);
     }
-    if (!shock.resolve()) {
+    InelasticShock leaving = shock(acts);
+    double share = leaving.resolve() ? share(pressing, leaving) : 0;
+    if (!contacts.stream().allMatch(c -> share * c.least > rounding(c))) {
       return false;
     }
-    m.vx = shock.vx(0);
-    m.vy = shock.vy(0);
-    m.leavePlace();
-    settling.fall(m);
+    yielded = new ArrayList<>();
+    for (int i = 0; i < members.size(); i++) {
+      double vx = between(pressing.vx(i), leaving.vx(i), share);
+      double vy = between(pressing.vy(i), leaving.vy(i), share);
+      leave(members.get(i), vx, vy, hit);
+    }
     return true;
   }
 
-  /** The rounding of the velocities of a circle and of what it touches. */
-  private static double rounding(MovingCircle m, Contact c) {
-    double speeds = Math.abs(m.vx) + Math.abs(m.vy) + Math.abs(c.ux) + Math.abs(c.uy);
+  /** Gives a member its new velocity. One that keeps its velocity goes on as before. */
+  private void leave(MovingCircle m, double vx, double vy, MovingCircle... hit) {
+    boolean changes = m.vx != vx || m.vy != vy;
+    if (changes || m == hit[0]) {
+      m.vx = vx;
+      m.vy = vy;
+      m.leavePlace();
+      m.calm = 0;
+      settling.fall(m);
+    }
+    if (changes && !List.of(hit).contains(m)) {
+      m.last = MovingCircle.NOTHING; // it may meet again what it hit before
+      yielded.add(m);
+    }
+  }
+
+  /** Whether a circle would leave sideways, much faster than anything that presses on it. */
+  private boolean squeezesOut(InelasticShock pressing) {
+    double most = MOST_GAIN * pressing.speed();
+    return IntStream.range(0, members.size())
+        .anyMatch(i -> Math.abs(pressing.vx(i)) > most || Math.abs(pressing.vy(i)) > most);
+  }
+
+  /**
+   * How much of the least speeds the circles take: less than 1 if no circle could take all of it
+   * without {@link #MOST_LEAST}. Any mean of both velocities leaves no contact approaching.
+   */
+  private double share(InelasticShock pressing, InelasticShock leaving) {
+    double most = 0;
+    for (int i = 0; i < members.size(); i++) {
+      double x = leaving.vx(i) - pressing.vx(i);
+      double y = leaving.vy(i) - pressing.vy(i);
+      most = Math.max(most, StrictMath.hypot(x, y) / least(2 * members.get(i).radius));
+    }
+    return most <= MOST_LEAST ? 1 : MOST_LEAST / most;
+  }
+
+  private static double between(double from, double to, double share) {
+    return share == 1 ? to : Math.fma(share, to - from, from);
+  }
+
+  /** The shock after which circles leave some of what they touch by the least speed. */
+  private InelasticShock shock(boolean... leaves) {
+    InelasticShock shock = new InelasticShock(members.size() + contacts.size(), contacts.size());
+    for (int i = 0; i < members.size(); i++) {
+      MovingCircle m = members.get(i);
+      shock.setCircle(i, m.vx, m.vy, circles == null ? 1 : circles.mass(m));
+    }
+    for (int k = 0; k < contacts.size(); k++) {
+      Contact c = contacts.get(k);
+      int b = c.b == FIXED ? members.size() + k : c.b;
+      if (c.b == FIXED) {
+        shock.setCircle(b, c.ux, c.uy, INFINITE);
+      }
+      shock.addContact(c.a, b, c.touch.nx(), c.touch.ny(), leaves[k] ? c.least : 0);
+    }
+    return shock;
+  }
+
+  /** The rounding of the velocities in a contact. */
+  private double rounding(Contact c) {
+    MovingCircle a = members.get(c.a);
+    double ux = c.b == FIXED ? c.ux : members.get(c.b).vx;
+    double uy = c.b == FIXED ? c.uy : members.get(c.b).vy;
+    double speeds = Math.abs(a.vx) + Math.abs(a.vy) + Math.abs(ux) + Math.abs(uy);
     return Settling.ROUNDING * speeds;
   }
 
-  private void addObstacles(MovingCircle m, List<Contact> contacts) {
+  private void gather(MovingCircle... hit) {
+    members.clear();
+    numbers.clear();
+    contacts.clear();
+    for (MovingCircle m : hit) {
+      if (givesWay(m)) {
+        add(m);
+      }
+    }
+    for (int k = 0; k < members.size() && members.size() <= MOST; k++) { // the list grows
+      addObstacles(k);
+      addCircles(k, hit);
+    }
+  }
+
+  private int add(MovingCircle m) {
+    numbers.put(m.id, members.size());
+    members.add(m);
+    return members.size() - 1;
+  }
+
+  private boolean givesWay(MovingCircle m) {
+    return !m.crushed && (circles == null || !circles.isInfinite(m));
+  }
+
+  private void addObstacles(int k) {
+    MovingCircle m = members.get(k);
     for (int code : near.apply(m)) {
-      if (settling.isSolid(m, code)) {
-        double radius = Codes.isWall(code) ? 0 : obstacles.radius(code);
-        Touch touch = Touch.of(m, obstacles, code, REACH * m.radius);
-        add(contacts, touch, obstacles.ux(code), obstacles.uy(code), m.radius + radius, true);
+      boolean isSolid = settling.isSolid(m, code);
+      Touch touch = isSolid ? Touch.of(m, obstacles, code, REACH * m.radius) : null;
+      if (touch != null) {
+        double least = least(m.radius + (Codes.isWall(code) ? 0 : obstacles.radius(code)));
+        double ux = obstacles.ux(code);
+        contacts.add(new Contact(k, FIXED, touch, ux, obstacles.uy(code), least));
       }
     }
   }
 
-  private void addCircles(MovingCircle m, List<Contact> contacts) {
+  private void addCircles(int k, MovingCircle... hit) {
     if (circles != null) {
-      for (MovingCircle other : circles.circlesNear(m)) {
-        Touch touch = Touch.of(m, other, REACH * m.radius);
-        double reach = m.radius + other.radius;
-        add(contacts, touch, other.vx, other.vy, reach, circles.isInfinite(other));
+      for (MovingCircle copy : circles.circlesNear(members.get(k))) {
+        addCircle(k, copy, hit);
       }
     }
   }
 
-  private void add(
-      List<Contact> contacts, Touch touch, double ux, double uy, double reach, boolean isInfinite) {
-    if (touch != null) {
-      double least = Math.sqrt(2 * gravity.size() * Settling.LEAST_HOP * reach);
-      contacts.add(new Contact(touch, ux, uy, least, isInfinite));
+  private void addCircle(int k, MovingCircle copy, MovingCircle... hit) {
+    MovingCircle m = members.get(k);
+    Integer known = numbers.get(copy.id);
+    if (known != null && known < k) {
+      return; // its own search added this contact
     }
+    MovingCircle other = known != null ? members.get(known) : currentOf(copy, hit);
+    Touch touch = Touch.of(m, other, REACH * Math.max(m.radius, other.radius));
+    if (touch != null) {
+      double least = least(m.radius + other.radius);
+      boolean isFixed = known == null && !givesWay(other);
+      int b = isFixed ? FIXED : known != null ? known : add(other);
+      contacts.add(new Contact(k, b, touch, other.vx, other.vy, least));
+    }
+  }
+
+  /** A circle that was hit, if a copy is of that; else the copy. */
+  private MovingCircle currentOf(MovingCircle copy, MovingCircle... hit) {
+    for (MovingCircle m : hit) {
+      if (m.id == copy.id) {
+        return m;
+      }
+    }
+    circles.noteCrushed(copy);
+    return copy;
+  }
+
+  private double least(double reach) {
+    return Math.sqrt(2 * gravity.size() * Settling.LEAST_HOP * reach);
   }
 }

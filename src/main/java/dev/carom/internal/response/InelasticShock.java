@@ -54,6 +54,9 @@ public final class InelasticShock {
   private final double[] nx;
   private final double[] ny;
 
+  /** The least speed at which the two sides of each contact part. */
+  private final double[] least;
+
   /** The root of 1/m1 + 1/m2 for each contact, and the impulse times this root. */
   private final double[] scale;
 
@@ -83,6 +86,7 @@ public final class InelasticShock {
     second = new int[mostContacts];
     nx = new double[mostContacts];
     ny = new double[mostContacts];
+    least = new double[mostContacts];
     impulse = new double[mostContacts];
     scale = new double[mostContacts];
     gradient = new double[mostContacts];
@@ -106,10 +110,20 @@ public final class InelasticShock {
    * @param ny the y component of the unit normal
    */
   void addContact(int a, int b, double nx, double ny) {
+    addContact(a, b, nx, ny, 0);
+  }
+
+  /**
+   * The same for a contact whose sides part by a least speed.
+   *
+   * @param least that speed
+   */
+  void addContact(int a, int b, double nx, double ny, double least) {
     first[contacts] = a;
     second[contacts] = b;
     this.nx[contacts] = nx;
     this.ny[contacts] = ny;
+    this.least[contacts] = least;
     contacts++;
   }
 
@@ -340,10 +354,16 @@ public final class InelasticShock {
     for (int i = 0; i < vx.length; i++) {
       largest = Math.max(largest, Math.max(Math.abs(vx[i]), Math.abs(vy[i])));
     }
+    for (int k = 0; k < contacts; k++) {
+      largest = Math.max(largest, least[k]);
+    }
     exponent = largest == 0 ? 0 : Math.getExponent(largest);
     for (int i = 0; i < vx.length; i++) {
       vx[i] = Math.scalb(vx[i], -exponent);
       vy[i] = Math.scalb(vy[i], -exponent);
+    }
+    for (int k = 0; k < contacts; k++) {
+      least[k] = Math.scalb(least[k], -exponent);
     }
   }
 
@@ -363,13 +383,13 @@ public final class InelasticShock {
     }
   }
 
-  /** The speed at which the two sides of a contact part, in units of 2^exponent. */
+  /** The speed at which the two sides of a contact part, less the least, in units of 2^exponent. */
   private double separation(int k) {
     int a = first[k];
     int b = second[k];
     double ux = vx[a] - (b == OBSTACLE ? 0 : vx[b]);
     double uy = vy[a] - (b == OBSTACLE ? 0 : vy[b]);
-    return ux * nx[k] + uy * ny[k];
+    return ux * nx[k] + uy * ny[k] - least[k];
   }
 
   /** Sets velocities to 0 that are mere rounding beside the largest one. */

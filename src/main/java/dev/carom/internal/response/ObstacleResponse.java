@@ -8,6 +8,7 @@ import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Part;
+import java.util.List;
 import java.util.function.Function;
 import java.util.function.Predicate;
 
@@ -68,6 +69,14 @@ public final class ObstacleResponse {
   public void ask(ContactCluster cluster) {
     isCrushed = cluster::isCrushed;
     settling.escape.ask(cluster);
+  }
+
+  /**
+   * The circles that gave way since the last call to one that something drives, at the start of
+   * their new flights.
+   */
+  public List<MovingCircle> takeYielded() {
+    return settling.escape.takeYielded();
   }
 
   /**

@@ -278,7 +278,7 @@ public final class PairResponse {
     if (!isStuck(m) || !m.isFalling() || mass(other) < INFINITE) {
       return false;
     }
-    if (e < 1 && settling.escape.escapes(m)) {
+    if (e < 1 && settling.escape.escapes(m, other)) {
       return false;
     }
     if (!other.firm) {

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Random;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Balls that lie on each other give way together to what moves. */
+class LiftTest {
+
+  private static final double INFINITE = Double.POSITIVE_INFINITY;
+
+  /** A stack of balls of radius 0.5 above x = 2; the lowest one touches y = 0. */
+  private static SceneBuilder stack(SceneBuilder scene, int balls, double e) {
+    for (int i = 0; i < balls; i++) {
+      scene.circle(2, 0.5 + i, 0.5, 0, 0).restitution(e);
+    }
+    return scene;
+  }
+
+  private static void play(World world, double end) {
+    for (double t = world.now(); t < end; t += 0.25) {
+      assertThat(world.advanceTo(Math.min(end, t + 0.25))).as("at %s", t).isTrue();
+    }
+  }
+
+  /** Each ball is above the lift, and above the ball below. */
+  private static void assertStacked(World world, int balls, double floor) {
+    double below = floor - 0.5;
+    for (int i = 0; i < balls; i++) {
+      assertThat(world.y(i)).as("ball %s at %s", i, world.now()).isGreaterThan(below + 0.999);
+      below = world.y(i);
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "2, 0, 1",
+    "2, 0.3, 1",
+    "2, 0.8, 1",
+    "3, 0, 2",
+    "3, 0.5, 0.1",
+    "5, 0, 1",
+    "5, 0.3, 3"
+  })
+  void aLiftTakesAStackAlong(int balls, double e, double speed) {
+    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true).line(0, 0, 4, 0);
+    World world = new World(stack(scene.bounds(1.5, -10, 2.5, 100), balls, e).build());
+    play(world, 1);
+    world.setVelocity(ObstacleKind.LINE, 0, 0, speed);
+    play(world, 4);
+    assertStacked(world, balls, 3 * speed);
+    world.setVelocity(ObstacleKind.LINE, 0, 0, 0);
+    play(world, 6);
+    assertStacked(world, balls, 3 * speed);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"2, 0", "2, 0.3", "3, 0.5"})
+  void aCircleOfInfiniteMassLiftsAStack(int balls, double e) {
+    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true).bounds(1.5, -10, 2.5, 100);
+    stack(scene, balls, e).circle(2, -5, 5, 0, 1).mass(INFINITE).restitution(e);
+    World world = new World(scene.build());
+    play(world, 3);
+    assertStacked(world, balls, 3);
+  }
+
+  /** A piston sweeps a row of balls along a floor. */
+  @ParameterizedTest
+  @CsvSource({"2, 0, 1", "3, 0.3, 1", "5, 0.6, 2"})
+  void aPistonPushesARow(int balls, double e, double speed) {
+    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true);
+    scene.bounds(0, 0, 100, 100).restitution(e).line(0, 0, 0, 3).restitution(e).velocity(speed, 0);
+    for (int i = 0; i < balls; i++) {
+      scene.circle(2 + i, 0.5, 0.5, 0, 0).restitution(e);
+    }
+    World world = new World(scene.build());
+    play(world, 10);
+    for (int i = 0; i < balls; i++) {
+      assertThat(world.x(i)).as("ball %s", i).isGreaterThan(10 * speed + 0.499);
+    }
+  }
+
+  /** A heap of balls in a box that rises. */
+  @ParameterizedTest
+  @CsvSource({"1, 0", "2, 0.3", "3, 0.5"})
+  void aBoxTakesAHeapAlong(int seed, double e) {
+    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true);
+    scene.line(0, 10, 0, 0).velocity(0, 1).line(0, 0, 4.3, 0).velocity(0, 1);
+    scene.line(4.3, 0, 4.3, 10).velocity(0, 1);
+    Random random = new Random(seed);
+    for (int i = 0; i < 12; i++) {
+      double x = 0.6 + i % 4 * 0.92;
+      scene.circle(x + 0.01 * random.nextDouble(), 1 + i / 4, 0.4, 0, 0).restitution(e);
+    }
+    World world = new World(scene.build());
+    play(world, 8);
+    for (int i = 0; i < 12; i++) {
+      assertThat(world.y(i)).as("ball %s", i).isBetween(8 + 0.399, 14.0);
+      assertThat(world.x(i)).as("ball %s", i).isBetween(0.399, 3.901);
+    }
+  }
+
+  /** Without room above, the stack is squeezed. */
+  @ParameterizedTest
+  @CsvSource({"0", "0.5"})
+  void aLiftThatPressesAStackAgainstTheCeilingGoesThrough(double e) {
+    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true).bounds(1.5, -10, 2.5, 5);
+    scene.line(0, 0, 4.3, 0).velocity(0, 1);
+    World world = new World(stack(scene, 3, e).build());
+    play(world, 6);
+    assertThat(world.line(0).start().y()).isEqualTo(6);
+    for (int i = 0; i < 3; i++) {
+      assertThat(world.y(i)).isLessThan(4.6);
+    }
+  }
+}
