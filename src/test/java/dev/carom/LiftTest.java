@@ -3,7 +3,10 @@ package dev.carom;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.HashSet;
 import java.util.Random;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -55,6 +58,26 @@ class LiftTest {
     world.setVelocity(ObstacleKind.LINE, 0, 0, 0);
     play(world, 6);
     assertStacked(world, balls, 3 * speed);
+  }
+
+  /** The log tells of each ball that gave way. */
+  @Test
+  void eachBallOfAStackHasARow() {
+    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true).line(0, 0, 4, 0);
+    World world = new World(stack(scene.velocity(0, 1), 4, 0).build());
+    assertThat(world.advanceTo(0)).isTrue();
+    ImpactLog log = world.impacts();
+    Set<Integer> hit = new HashSet<>();
+    for (int row = 0; row < log.size(); row++) {
+      hit.add(log.circle(row));
+      if (log.kind(row) == ObstacleKind.CIRCLE) {
+        hit.add(log.id(row));
+      }
+    }
+    assertThat(hit).containsExactlyInAnyOrder(0, 1, 2, 3);
+    for (int ball = 0; ball < 4; ball++) {
+      assertThat(world.vy(ball)).as("ball %s", ball).isGreaterThan(0.99);
+    }
   }
 
   @ParameterizedTest

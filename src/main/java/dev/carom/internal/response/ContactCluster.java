@@ -304,14 +304,18 @@ public final class ContactCluster {
   }
 
   private void report(Contact c, ImpactRows log) {
-    MovingCircle a = members.get(c.a);
-    if (!Codes.isCircle(c.touch.code())) {
-      response.report(a, c.touch, log);
+    boolean isWithCircle = Codes.isCircle(c.touch.code());
+    report(members.get(c.a), c.touch, isWithCircle ? members.get(c.b) : null, log);
+    log.setOutcome(ImpactRows.JAMMED);
+  }
+
+  /** Writes a row for a touch of circle a with circle b, or with an obstacle if b is null. */
+  void report(MovingCircle a, Touch touch, MovingCircle b, ImpactRows log) {
+    if (b == null) {
+      response.report(a, touch, log);
     } else {
-      MovingCircle b = members.get(c.b);
       pairs.report(a.id < b.id ? a : b, a.id < b.id ? b : a, log);
     }
-    log.setOutcome(ImpactRows.JAMMED);
   }
 
   private void change(InelasticShock shock, Set<MovingCircle> changed) {

@@ -3,6 +3,7 @@ package dev.carom.internal.response;
 
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.Gravity;
+import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import java.util.ArrayList;
@@ -39,10 +40,12 @@ final class Escape {
   /**
    * A touch of member a, with member b or something FIXED.
    *
+   * @param other the circle that it touches; null for an obstacle
    * @param ux,uy the velocity of what is fixed
    * @param least the least speed at which the two leave each other
    */
-  private record Contact(int a, int b, Touch touch, double ux, double uy, double least) {
+  private record Contact(
+      int a, int b, Touch touch, MovingCircle other, double ux, double uy, double least) {
 
     boolean isWithMoving() {
       return b == FIXED && (ux != 0 || uy != 0);
@@ -95,22 +98,22 @@ final class Escape {
 
   /**
    * Gives a circle, and those that give way to it, the velocities nearest to their own with which
-   * they leave all that they touch.
+   * they leave all that they touch. Contacts that make others give way get rows in the log.
    *
    * @param hit the circle that is stuck, and another one if the two have just hit each other; both
    *     at the start of new flights
    * @return false, and then nothing has changed, if there are no such velocities; if a least speed
    *     is mere rounding; or if nothing that they touch moves on as it is
    */
-  boolean escapes(MovingCircle... hit) {
+  boolean escapes(ImpactRows log, MovingCircle... hit) {
     gather(hit);
     return members.size() <= MOST
         && contacts.stream().anyMatch(Contact::isWithMoving)
-        && escape(hit);
+        && escape(log, hit);
   }
 
   /** Gives the members their new velocities; false if there are none. */
-  private boolean escape(MovingCircle... hit) {
+  private boolean escape(ImpactRows log, MovingCircle... hit) {
     boolean[] acts = new boolean[contacts.size()];
     InelasticShock pressing = shock(acts);
     if (!pressing.resolve() || squeezesOut(pressing)) {
@@ -124,6 +127,11 @@ final class Escape {
     if (!contacts.stream().allMatch(c -> share * c.least > rounding(c))) {
       return false;
     }
+    for (int k = 0; k < acts.length; k++) {
+      if (acts[k]) {
+        report(contacts.get(k), log, hit);
+      }
+    }
     yielded = new ArrayList<>();
     for (int i = 0; i < members.size(); i++) {
       double vx = between(pressing.vx(i), leaving.vx(i), share);
@@ -131,6 +139,15 @@ final class Escape {
       leave(members.get(i), vx, vy, hit);
     }
     return true;
+  }
+
+  /** Writes a contact that acted, unless the log has a row for the impact of its circle. */
+  private void report(Contact c, ImpactRows log, MovingCircle... hit) {
+    List<MovingCircle> known = List.of(hit);
+    MovingCircle a = members.get(c.a);
+    if (!known.contains(a) || (c.b != FIXED && !known.contains(c.other))) {
+      circles.report(a, c.touch, c.other, log);
+    }
   }
 
   /** Gives a member its new velocity. One that keeps its velocity goes on as before. */
@@ -234,7 +251,7 @@ final class Escape {
       if (touch != null) {
         double least = least(m.radius + (Codes.isWall(code) ? 0 : obstacles.radius(code)));
         double ux = obstacles.ux(code);
-        contacts.add(new Contact(k, FIXED, touch, ux, obstacles.uy(code), least));
+        contacts.add(new Contact(k, FIXED, touch, null, ux, obstacles.uy(code), least));
       }
     }
   }
@@ -259,7 +276,7 @@ final class Escape {
       double least = least(m.radius + other.radius);
       boolean isFixed = known == null && !givesWay(other);
       int b = isFixed ? FIXED : known != null ? known : add(other);
-      contacts.add(new Contact(k, b, touch, other.vx, other.vy, least));
+      contacts.add(new Contact(k, b, touch, other, other.vx, other.vy, least));
     }
   }
 

@@ -173,7 +173,7 @@ public final class ObstacleResponse {
     m.newFlight();
     m.ignoreCirclesOnly();
     if (StuckRule.isStuck(m)) {
-      if (e < 1 && (m.driven || obstacles.areMoving()) && settling.escape.escapes(m)) {
+      if (e < 1 && (m.driven || obstacles.areMoving()) && settling.escape.escapes(log, m)) {
         return;
       }
       boolean pushes = point.ux != 0 || point.uy != 0;

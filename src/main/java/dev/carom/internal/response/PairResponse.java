@@ -205,8 +205,8 @@ public final class PairResponse {
     }
     beginFlight(a, b);
     beginFlight(b, a);
-    boolean aJammed = crush(a, b, e);
-    boolean bJammed = crush(b, a, e);
+    boolean aJammed = crush(a, b, e, log);
+    boolean bJammed = crush(b, a, e, log);
     if (aJammed || bJammed) {
       log.setOutcome(ImpactRows.JAMMED);
     }
@@ -274,14 +274,14 @@ public final class PairResponse {
    * Stops a circle that is stuck between things which do not give way, and cannot escape them.
    * Returns whether it did.
    */
-  private boolean crush(MovingCircle m, MovingCircle other, double e) {
+  private boolean crush(MovingCircle m, MovingCircle other, double e, ImpactRows log) {
     if (!isStuck(m) || !m.isFalling() || mass(other) < INFINITE) {
       return false;
     }
-    if (e < 1 && settling.escape.escapes(m, other)) {
+    if (e < 1 && settling.escape.escapes(log, m, other)) {
       return false;
     }
-    if (!other.firm) {
+    if (registry.mass(other.id) == INFINITE) {
       m.jam = IgnoreList.crushedBy(m.jam, Codes.circle(other.id));
     }
     Settling.hold(m);
