@@ -261,10 +261,12 @@ public final class CollidingEngine extends Engine {
 
   /**
    * Lets the circles fall that a circle held which rested before an impact, unless it still does.
+   * Those that it crushed collide with it again.
    */
   private void freeThoseOn(int i) {
     MovingCircle m = copy(i);
     if (!m.holdsOthers()) {
+      leaveJams(i, m.t);
       begin(heap.free(m));
     }
   }
@@ -459,6 +461,7 @@ public final class CollidingEngine extends Engine {
     }
     MovingCircle m = copy(i);
     if (m.holdsOthers()) {
+      leaveJams(i, now);
       m.t = now;
       m.tl = tailOfEdit(m, now);
       heap.free(m).forEach(this::beginFlight);
@@ -528,8 +531,15 @@ public final class CollidingEngine extends Engine {
    * impact that is all rounding may leave the velocity as it was; then nothing is new for them.
    */
   private void leaveJamsOfInfinite(int i, boolean turned) {
-    if (turned && circles.jams != null && registry.mass(i) == Double.POSITIVE_INFINITY) {
-      leaveJams(Codes.circle(i), circles.state[circles.at(i) + FlightRow.T], false);
+    if (turned && registry.mass(i) == Double.POSITIVE_INFINITY) {
+      leaveJams(i, circles.state[circles.at(i) + FlightRow.T]);
+    }
+  }
+
+  /** Lets circles that ignore circle i collide with it again, as it moves otherwise. */
+  private void leaveJams(int i, double time) {
+    if (circles.jams != null) {
+      leaveJams(Codes.circle(i), time, false);
     }
   }
 

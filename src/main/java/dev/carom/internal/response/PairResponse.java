@@ -281,7 +281,7 @@ public final class PairResponse {
     if (e < 1 && settling.escape.escapes(log, m, other)) {
       return false;
     }
-    if (registry.mass(other.id) == INFINITE) {
+    if (!other.firm) {
       m.jam = IgnoreList.crushedBy(m.jam, Codes.circle(other.id));
     }
     Settling.hold(m);

@@ -125,26 +125,6 @@ class PairResponseTest {
   }
 
   /** By an infinite mass that moves towards it, not by one that it runs into. */
-  /**
-   * A ball that falls is squeezed between something that drives it and another ball, which is
-   * crushed. Only an infinite mass then passes over it.
-   */
-  @ParameterizedTest
-  @CsvSource({"1, false", "Infinity, true"})
-  void aCrushedBallDoesNotPassOverWhatItHolds(double mass, boolean passes) {
-    a.start(0, 0, 0, 1, 0, -1, 0);
-    a.fall(0, -1);
-    a.stuck = StuckRule.LIMIT;
-    a.standsStill = true;
-    a.driven = true;
-    b.start(1, 0, -2, 1, 0, 0, 1);
-    b.crushed = mass < INFINITE;
-    masses(1, mass).resolve(a, b, true, rows);
-    assertThat(log.outcome(0)).isEqualTo(Outcome.JAMMED);
-    assertThat(a.support).isEqualTo(MovingCircle.HELD);
-    assertThat(a.jam != null).isEqualTo(passes);
-  }
-
   @ParameterizedTest
   @CsvSource({"-0.5, true", "0, false", "0.5, false"})
   void whoIsDrivenIsNoted(double v, boolean driven) {
