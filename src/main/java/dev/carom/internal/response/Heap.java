@@ -222,7 +222,9 @@ public final class Heap {
     all.remove(0);
     for (MovingCircle m : all) {
       response.settling.fall(m);
-      m.leavePlace();
+      if (!m.standsStill) { // two that jam each other at one time must not do so for ever
+        m.leavePlace();
+      }
       m.calm = 0;
       m.last = MovingCircle.NOTHING;
     }

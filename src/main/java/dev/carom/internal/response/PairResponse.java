@@ -183,22 +183,30 @@ public final class PairResponse {
 
   /**
    * Changes the velocities of two circles of which one falls, slides or rests. They leave each
-   * other by a least speed; so only an infinite mass that crushes a circle can make it stuck. A
-   * circle that is held is a peg for what comes slowly; what comes faster frees it.
+   * other by a least speed; so only what does not give way can make one of them stuck. A circle
+   * that is held is a peg for what comes slowly; what comes faster frees it. Between elastic
+   * circles only a jammed one is a peg: each blow would else begin its impacts anew.
    */
   private void bounce(MovingCircle a, MovingCircle b, double e, boolean halt, ImpactRows log) {
     double approach = un / (Math.abs(nx) + Math.abs(ny));
-    boolean calm = e < 1 && settling.isCalm(a, b, -un / length());
+    boolean mayEnd = e < 1 || isJammed(a) || isJammed(b);
+    boolean calm = mayEnd && settling.isCalm(a, b, -un / length());
     a.firm = calm && a.isHeld() && mass(b) < INFINITE;
     b.firm = calm && b.isHeld() && mass(a) < INFINITE && !a.firm;
-    countDriven(a, b, e, approach, 1);
-    countDriven(b, a, e, approach, -1);
+    countFalling(a, b, e, approach, 1);
+    countFalling(b, a, e, approach, -1);
     if (un < 0) {
       // Between two things that are held, a faint bounce would be followed by others without end.
-      if (calm && -un <= Settling.ROUNDING * speeds(a, b) * length()) {
+      // So would a faint halt at one time, which stops the motion that both share.
+      boolean faint = calm && -un <= Settling.ROUNDING * speeds(a, b) * length();
+      if (faint) {
         impulse.of(1, ux, uy, nx, ny);
       }
-      change(a, mass(a), b, mass(b), halt, log);
+      boolean again = faint && a.standsStill && b.standsStill;
+      change(a, mass(a), b, mass(b), halt && !again, log);
+      if (halt && again) {
+        log.setOutcome(ImpactRows.HALTED);
+      }
     }
     if (a.firm || b.firm || !leavesFast(a, b)) {
       leaveAtLeast(a, b, nx / length(), ny / length(), e);
@@ -212,6 +220,11 @@ public final class PairResponse {
     }
     goOn(a, aJammed, calm);
     goOn(b, bJammed, calm);
+  }
+
+  /** Whether a circle is held where it was stuck. */
+  private static boolean isJammed(MovingCircle m) {
+    return isStuck(m) && m.isHeld();
   }
 
   /** The length of the normal. */
@@ -254,19 +267,18 @@ public final class PairResponse {
     m.firm = false;
   }
 
-  /** Counts an impact of a circle that an infinite mass drives, or with one that is held. */
-  private void countDriven(
+  /** Counts an impact of a circle that falls. A jammed one that acts as a peg stays stuck. */
+  private void countFalling(
       MovingCircle m, MovingCircle other, double e, double approach, int sign) {
-    if (m.crushed || !m.isFalling()) {
+    if (m.crushed || !m.isFalling() || (m.firm && isJammed(m))) {
       return;
     }
+    double way = m.flown * (Math.abs(m.vx - other.vx) + Math.abs(m.vy - other.vy));
     if (mass(other) == INFINITE || m.driven || other.driven) {
-      double speed = Math.abs(m.vx - other.vx) + Math.abs(m.vy - other.vy);
-      StuckRule.countFalling(
-          m, m.flown * speed, speeds(m, other), approach, e, StuckRule.DRIVEN_PLACE);
+      StuckRule.countFalling(m, way, speeds(m, other), approach, e, StuckRule.DRIVEN_PLACE);
       m.driven |= sign * (other.vx * nx + other.vy * ny) > 0;
     } else {
-      m.leavePlace();
+      StuckRule.countFallingPair(m, way, speeds(m, other));
     }
   }
 

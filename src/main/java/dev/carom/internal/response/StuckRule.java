@@ -25,6 +25,9 @@ import dev.carom.internal.state.MovingCircle;
  *       another thing leaves it less room with each impact: infinitely many impacts, even at
  *       restitution 1. For such a circle 2^-10 of the radius is one place, or 2^-6 in scenes with
  *       moving obstacles; 2^-14 if it falls, for impacts with obstacles that are not elastic.
+ *   <li><b>Falling circles.</b> An impact with a circle of finite mass ends a round: the weight of
+ *       impacts with obstacles starts anew. But after 1,024 rounds at one place, or 16,384 impacts
+ *       with circles only, the circle is stuck, too.
  * </ul>
  */
 public final class StuckRule {
@@ -46,6 +49,12 @@ public final class StuckRule {
 
   /** The weight of an impact that approaches by no more than rounding. */
   private static final int FAINT = LIMIT / 32;
+
+  /** The weight of a round of a falling circle. It is stuck when all reach {@link #ELASTIC}. */
+  private static final int ROUND = ELASTIC / 1024;
+
+  /** The same for an impact with a circle that follows one with a circle. */
+  private static final int PAIR_ONLY = ELASTIC / 16_384;
 
   private static final double LN_2 = 0.6931471805599453;
 
@@ -122,14 +131,42 @@ public final class StuckRule {
   static void countFalling(
       MovingCircle m, double way, double speed, double approach, double e, double driven) {
     int exponent = exponent(speed);
-    boolean isHere = m.standsStill || way <= place(m, 1);
+    boolean isHere = isHere(m, way);
     if (isHere || (m.driven && way <= driven * m.radius)) {
       m.speedExponent = Math.max(m.speedExponent, exponent);
-      add(m, isHere && isFaint(m, approach) ? FAINT : weight(e, ELASTIC));
+      add(m, wholeRounds(isHere && isFaint(m, approach) ? FAINT : weight(e, ELASTIC)));
     } else {
       m.leavePlace();
       m.speedExponent = exponent;
     }
+  }
+
+  /**
+   * Counts an impact of a circle that falls with another one of finite mass. That one gives way, so
+   * the weight of the impacts with obstacles before it starts anew: in a corner each blow of a ball
+   * leads to some. But the <i>rounds</i> of impacts with obstacles and a circle are counted, in the
+   * part of the weight below that of an elastic impact.
+   */
+  static void countFallingPair(MovingCircle m, double way, double speed) {
+    int exponent = exponent(speed);
+    if (isHere(m, way)) {
+      m.speedExponent = Math.max(m.speedExponent, exponent);
+      int rounds = m.stuck % ELASTIC + (m.stuck < ELASTIC ? PAIR_ONLY : ROUND);
+      m.stuck = isStuck(m) || rounds >= ELASTIC ? LIMIT + 1 : rounds;
+    } else {
+      m.leavePlace();
+      m.speedExponent = exponent;
+    }
+  }
+
+  /** Rounds a weight to a multiple of that of an elastic impact; the rest counts rounds. */
+  private static int wholeRounds(int weight) {
+    return (weight + ELASTIC / 2) / ELASTIC * ELASTIC;
+  }
+
+  /** Whether a circle that falls is at the place of its last impact, up to rounding. */
+  private static boolean isHere(MovingCircle m, double way) {
+    return m.standsStill || way <= place(m, 1);
   }
 
   /** The width of a place for a driven circle, in radii, by whether any obstacle moves. */
