@@ -126,6 +126,25 @@ class LiftTest {
     }
   }
 
+  /** So many balls hop for ever; each is above the lift. */
+  @Test
+  void aLiftTakesALargeHeapAlong() {
+    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true);
+    scene.line(0, 50, 0, 0).velocity(0, 1).line(0, 0, 10.7, 0).velocity(0, 1);
+    scene.line(10.7, 0, 10.7, 50).velocity(0, 1);
+    Random random = new Random(1);
+    for (int i = 0; i < 240; i++) {
+      double x = 0.5 + i % 12 * 0.88;
+      scene.circle(x + 0.02 * random.nextDouble(), 0.5 + i / 12 * 0.81, 0.4, 0, 0);
+      scene.restitution(0.3);
+    }
+    World world = new World(scene.build());
+    play(world, 1.5);
+    for (int i = 0; i < 240; i++) {
+      assertThat(world.y(i)).as("ball %s", i).isGreaterThan(1.5 + 0.399);
+    }
+  }
+
   /** Without room above, the stack is squeezed. */
   @ParameterizedTest
   @CsvSource({"0", "0.5"})

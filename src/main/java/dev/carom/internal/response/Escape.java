@@ -24,7 +24,7 @@ final class Escape {
   private static final double REACH = 2 * StuckRule.FALLING_PLACE;
 
   /** So many circles give way at most. */
-  private static final int MOST = 200;
+  private static final int MOST = 1000;
 
   /** No circle gets more than so many times the largest speed before. */
   private static final double MOST_GAIN = 8;
@@ -116,14 +116,15 @@ final class Escape {
   private boolean escape(ImpactRows log, MovingCircle... hit) {
     boolean[] acts = new boolean[contacts.size()];
     InelasticShock pressing = shock(acts);
-    if (!pressing.resolve() || squeezesOut(pressing)) {
+    double faint = faintApproach();
+    if (!pressing.resolve(faint) || squeezesOut(pressing)) {
       return false;
     }
     for (int k = 0; k < acts.length; k++) {
       acts[k] = pressing.acted(k);
     }
     InelasticShock leaving = shock(acts);
-    double share = leaving.resolve() ? share(pressing, leaving) : 0;
+    double share = leaving.resolve(faint) ? share(pressing, leaving) : 0;
     if (!contacts.stream().allMatch(c -> share * c.least > rounding(c))) {
       return false;
     }
@@ -164,6 +165,11 @@ final class Escape {
       m.last = MovingCircle.NOTHING; // it may meet again what it hit before
       yielded.add(m);
     }
+  }
+
+  /** An approach that is small beside each of the least speeds. */
+  private double faintApproach() {
+    return contacts.stream().mapToDouble(Contact::least).min().orElse(0) / 64;
   }
 
   /** Whether a circle would leave sideways, much faster than anything that presses on it. */

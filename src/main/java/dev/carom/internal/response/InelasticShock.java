@@ -133,21 +133,31 @@ public final class InelasticShock {
    * @return false if some contact still approaches after the allowed steps
    */
   boolean resolve() {
+    return resolve(0);
+  }
+
+  /**
+   * The same where some approach is of no account.
+   *
+   * @param most the largest approach in the result, if it is more than rounding
+   */
+  boolean resolve(double most) {
     scale();
+    double tolerance = Math.max(TOLERANCE, Math.scalb(most, -exponent));
     double shortStep = 1 / bound();
     boolean resolved = false;
-    int most = STEPS + STEPS_EACH * contacts;
+    int steps = STEPS + STEPS_EACH * contacts;
     double residual = differentiate();
     follow();
-    for (int step = 0; step < most && residual > LEAST && !unbounded; step++) {
-      if (residual <= TOLERANCE && !resolved) {
+    for (int step = 0; step < steps && residual > LEAST && !unbounded; step++) {
+      if (residual <= tolerance && !resolved) {
         resolved = true;
-        most = step + step / 4 + 4; // what comes to rest, does so to the last place
+        steps = step + step / 4 + 4; // what comes to rest, does so to the last place
       }
       residual = relax(shortStep);
     }
     dropNoise();
-    return resolved || residual <= TOLERANCE;
+    return resolved || residual <= tolerance;
   }
 
   /**
