@@ -129,7 +129,7 @@ final class Escape {
       return false;
     }
     for (int k = 0; k < acts.length; k++) {
-      if (acts[k]) {
+      if (acts[k] || leaving.acted(k)) {
         report(contacts.get(k), log, hit);
       }
     }
