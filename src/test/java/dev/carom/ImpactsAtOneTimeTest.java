@@ -75,6 +75,19 @@ class ImpactsAtOneTimeTest {
     }
   }
 
+  /** The light ball makes some 2,500 impacts with each of them at one time. */
+  @Test
+  void heavyBallsRollOnWithALightOneBetweenThem() {
+    SceneBuilder scene = Scene.builder().collide(true).gravity(0, -10).bounds(0, 0, 8, 30);
+    scene.restitution(0.5).circle(2, 0.3, 0.3, 1, 0).restitution(0).mass(1000);
+    scene.circle(2.601, 0.3, 0.3, 0, 0).restitution(0).mass(0.1);
+    World world = new World(scene.circle(3.2, 0.28, 0.28, 0, 0).restitution(0).mass(100).build());
+    assertThat(world.advanceTo(1)).isTrue();
+    assertThat(world.impacts().size()).isGreaterThan(5_000);
+    assertThat(world.vx(0)).isGreaterThan(0.8);
+    assertThat(world.vx(2)).isGreaterThan(0.8);
+  }
+
   private static void assertReaches(World world, double time) {
     boolean reached = false;
     for (int call = 0; call < 5 && !reached; call++) {

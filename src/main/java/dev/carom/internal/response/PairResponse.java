@@ -278,7 +278,7 @@ public final class PairResponse {
       StuckRule.countFalling(m, way, speeds(m, other), approach, e, StuckRule.DRIVEN_PLACE);
       m.driven |= sign * (other.vx * nx + other.vy * ny) > 0;
     } else {
-      StuckRule.countFallingPair(m, way, speeds(m, other));
+      StuckRule.countFallingPair(m, way, speeds(m, other), e);
     }
   }
 

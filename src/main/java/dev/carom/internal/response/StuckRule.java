@@ -26,8 +26,8 @@ import dev.carom.internal.state.MovingCircle;
  *       restitution 1. For such a circle 2^-10 of the radius is one place, or 2^-6 in scenes with
  *       moving obstacles; 2^-14 if it falls, for impacts with obstacles that are not elastic.
  *   <li><b>Falling circles.</b> An impact with a circle of finite mass ends a round: the weight of
- *       impacts with obstacles starts anew. But after 1,024 rounds at one place, or 16,384 impacts
- *       with circles only, the circle is stuck, too.
+ *       impacts with obstacles starts anew. But after 16,384 rounds or impacts with circles at one
+ *       place, or 1,024 elastic rounds, the circle is stuck, too.
  * </ul>
  */
 public final class StuckRule {
@@ -50,11 +50,15 @@ public final class StuckRule {
   /** The weight of an impact that approaches by no more than rounding. */
   private static final int FAINT = LIMIT / 32;
 
-  /** The weight of a round of a falling circle. It is stuck when all reach {@link #ELASTIC}. */
-  private static final int ROUND = ELASTIC / 1024;
+  /**
+   * The weight of a round of a falling circle, or of an impact with a circle that follows one with
+   * a circle. It is stuck when all reach {@link #ELASTIC}. A light ball between heavy ones makes
+   * thousands until they move alike.
+   */
+  private static final int ROUND = ELASTIC / 16_384;
 
-  /** The same for an impact with a circle that follows one with a circle. */
-  private static final int PAIR_ONLY = ELASTIC / 16_384;
+  /** The same for a round that ends with an elastic impact, of which few are needed. */
+  private static final int ELASTIC_ROUND = ELASTIC / 1024;
 
   private static final double LN_2 = 0.6931471805599453;
 
@@ -147,11 +151,11 @@ public final class StuckRule {
    * leads to some. But the <i>rounds</i> of impacts with obstacles and a circle are counted, in the
    * part of the weight below that of an elastic impact.
    */
-  static void countFallingPair(MovingCircle m, double way, double speed) {
+  static void countFallingPair(MovingCircle m, double way, double speed, double e) {
     int exponent = exponent(speed);
     if (isHere(m, way)) {
       m.speedExponent = Math.max(m.speedExponent, exponent);
-      int rounds = m.stuck % ELASTIC + (m.stuck < ELASTIC ? PAIR_ONLY : ROUND);
+      int rounds = m.stuck % ELASTIC + (m.stuck >= ELASTIC && e == 1 ? ELASTIC_ROUND : ROUND);
       m.stuck = isStuck(m) || rounds >= ELASTIC ? LIMIT + 1 : rounds;
     } else {
       m.leavePlace();
