@@ -170,6 +170,28 @@ class LiftTest {
     }
   }
 
+  /** A press stops upon the first of three balls, which have crushed each other. */
+  @Test
+  void ballsThatAPressCrushedCollideAgainWhenItStops() {
+    SceneBuilder scene = Scene.builder().gravity(0, -10).collide(true).bounds(0, 0, 2.8, 30);
+    scene.line(0.01, -1, 0.01, 31).restitution(0.5).velocity(1, 0);
+    double[] radii = {0.26838199107459054, 0.29425024364785923, 0.2857621593882945};
+    double[] places = {0.46838199107459055, 1.0510142257970405, 1.6510266288331943};
+    for (int i = 0; i < 3; i++) {
+      scene.circle(places[i], radii[i], radii[i], 0, 0).restitution(0.5);
+    }
+    World world = new World(scene.build());
+    assertThat(world.advanceTo(1.3799787973590059)).isTrue();
+    world.setVelocity(ObstacleKind.LINE, 0, 0, 0);
+    for (int frame = 0; frame < 60; frame++) {
+      assertThat(world.step(1.0 / 60)).isTrue();
+      for (int i = 1; i < 3; i++) {
+        double distance = Math.hypot(world.x(i) - world.x(i - 1), world.y(i) - world.y(i - 1));
+        assertThat(distance).isGreaterThan(radii[i] + radii[i - 1] - 1e-12);
+      }
+    }
+  }
+
   /** Without room above, the stack is squeezed. */
   @ParameterizedTest
   @CsvSource({"0", "0.5"})

@@ -266,9 +266,16 @@ public final class CollidingEngine extends Engine {
   private void freeThoseOn(int i) {
     MovingCircle m = copy(i);
     if (!m.holdsOthers()) {
-      leaveJams(i, m.t);
-      begin(heap.free(m));
+      Collection<MovingCircle> freed = heap.free(m);
+      begin(freed);
+      leaveJams(m, freed);
     }
+  }
+
+  /** Lets all circles collide again with one that begins to move, and with those that it freed. */
+  private void leaveJams(MovingCircle m, Collection<MovingCircle> freed) {
+    leaveJams(m.id, m.t);
+    freed.forEach(other -> leaveJams(other.id, m.t));
   }
 
   /** Resolves the collision predicted of circle i, if it comes before all other events. */
@@ -461,10 +468,11 @@ public final class CollidingEngine extends Engine {
     }
     MovingCircle m = copy(i);
     if (m.holdsOthers()) {
-      leaveJams(i, now);
       m.t = now;
       m.tl = tailOfEdit(m, now);
-      heap.free(m).forEach(this::beginFlight);
+      Collection<MovingCircle> freed = heap.free(m);
+      freed.forEach(this::beginFlight);
+      leaveJams(m, freed);
     }
   }
 

@@ -2,6 +2,7 @@
 package dev.carom.internal.response;
 
 import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
@@ -213,7 +214,7 @@ public final class Heap {
       MovingCircle m = all.get(k);
       for (int id : circlesNear(m)) {
         MovingCircle other = known.containsKey(id) ? null : vicinity.copyOf(id);
-        if (other != null && other.isHeld() && Settling.touchInHeap(m, other) != null) {
+        if (other != null && isHeldBy(m, other) && Settling.touchInHeap(m, other) != null) {
           known.put(id, other);
           all.add(bringTo(first, other));
         }
@@ -229,6 +230,12 @@ public final class Heap {
       m.last = MovingCircle.NOTHING;
     }
     return all;
+  }
+
+  /** Whether a circle may be held by another one: it is held, and not by what crushed it. */
+  private static boolean isHeldBy(MovingCircle m, MovingCircle other) {
+    boolean isJammedByIt = other.jam != null && other.jam.without(Codes.circle(m.id)) == null;
+    return other.isHeld() || (isJammedByIt && other.support == MovingCircle.HELD);
   }
 
   private void gather(MovingCircle... hit) {
