@@ -32,6 +32,11 @@ final class Escape {
   /** Beside what presses on it, a circle takes no more than so many least speeds. */
   private static final double MOST_LEAST = 4;
 
+  /**
+   * Less of it lets nobody out: the hops would be 2^-10 as high, and things that press come nearer.
+   */
+  private static final double LEAST_SHARE = 0x1p-5;
+
   private static final double INFINITE = Double.POSITIVE_INFINITY;
 
   /** Stands for something that keeps its velocity in place of the second circle of a contact. */
@@ -102,8 +107,9 @@ final class Escape {
    *
    * @param hit the circle that is stuck, and another one if the two have just hit each other; both
    *     at the start of new flights
-   * @return false, and then nothing has changed, if there are no such velocities; if a least speed
-   *     is mere rounding; or if nothing that they touch moves on as it is
+   * @return false, and then nothing has changed, if there are no such velocities, or too large or
+   *     too small ones; if a least speed is mere rounding; or if nothing that they touch moves on
+   *     as it is
    */
   boolean escapes(ImpactRows log, MovingCircle... hit) {
     gather(hit);
@@ -120,26 +126,38 @@ final class Escape {
     if (!pressing.resolve(faint) || squeezesOut(pressing)) {
       return false;
     }
-    for (int k = 0; k < acts.length; k++) {
-      acts[k] = pressing.acted(k);
-    }
+    setActing(acts, pressing);
     InelasticShock leaving = shock(acts);
     double share = leaving.resolve(faint) ? share(pressing, leaving) : 0;
-    if (!contacts.stream().allMatch(c -> share * c.least > rounding(c))) {
+    if (share < LEAST_SHARE || !contacts.stream().allMatch(c -> share * c.least > rounding(c))) {
       return false;
     }
+    setActing(acts, leaving);
     for (int k = 0; k < acts.length; k++) {
-      if (acts[k] || leaving.acted(k)) {
+      if (acts[k]) {
         report(contacts.get(k), log, hit);
       }
     }
+    leave(pressing, leaving, share, hit);
+    return true;
+  }
+
+  /** Marks the contacts that gave an impulse in a shock. */
+  private static void setActing(boolean[] acts, InelasticShock shock) {
+    for (int k = 0; k < acts.length; k++) {
+      acts[k] |= shock.acted(k);
+    }
+  }
+
+  /** Gives all members a mean of their velocities after two shocks. */
+  private void leave(
+      InelasticShock pressing, InelasticShock leaving, double share, MovingCircle... hit) {
     yielded = new ArrayList<>();
     for (int i = 0; i < members.size(); i++) {
       double vx = between(pressing.vx(i), leaving.vx(i), share);
       double vy = between(pressing.vy(i), leaving.vy(i), share);
       leave(members.get(i), vx, vy, hit);
     }
-    return true;
   }
 
   /** Writes a contact that acted, unless the log has a row for the impact of its circle. */
