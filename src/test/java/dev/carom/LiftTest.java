@@ -140,8 +140,9 @@ class LiftTest {
     scene.line(4.3, 0, 4.3, 10).velocity(0, 1);
     Random random = new Random(seed);
     for (int i = 0; i < 12; i++) {
+      int row = i / 4;
       double x = 0.6 + i % 4 * 0.92;
-      scene.circle(x + 0.01 * random.nextDouble(), 1 + i / 4, 0.4, 0, 0).restitution(e);
+      scene.circle(x + 0.01 * random.nextDouble(), 1 + row, 0.4, 0, 0).restitution(e);
     }
     World world = new World(scene.build());
     play(world, 8);
@@ -159,8 +160,9 @@ class LiftTest {
     scene.line(10.7, 0, 10.7, 50).velocity(0, 1);
     Random random = new Random(1);
     for (int i = 0; i < 240; i++) {
+      int row = i / 12;
       double x = 0.5 + i % 12 * 0.88;
-      scene.circle(x + 0.02 * random.nextDouble(), 0.5 + i / 12 * 0.81, 0.4, 0, 0);
+      scene.circle(x + 0.02 * random.nextDouble(), 0.5 + row * 0.81, 0.4, 0, 0);
       scene.restitution(0.3);
     }
     World world = new World(scene.build());

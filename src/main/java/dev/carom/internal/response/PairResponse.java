@@ -196,17 +196,7 @@ public final class PairResponse {
     countFalling(a, b, e, approach, 1);
     countFalling(b, a, e, approach, -1);
     if (un < 0) {
-      // Between two things that are held, a faint bounce would be followed by others without end.
-      // So would a faint halt at one time, which stops the motion that both share.
-      boolean faint = calm && -un <= Settling.ROUNDING * speeds(a, b) * length();
-      if (faint) {
-        impulse.of(1, ux, uy, nx, ny);
-      }
-      boolean again = faint && a.standsStill && b.standsStill;
-      change(a, mass(a), b, mass(b), halt && !again, log);
-      if (halt && again) {
-        log.setOutcome(ImpactRows.HALTED);
-      }
+      changeFalling(a, b, calm, halt, log);
     }
     if (a.firm || b.firm || !leavesFast(a, b)) {
       leaveAtLeast(a, b, nx / length(), ny / length(), e);
@@ -220,6 +210,24 @@ public final class PairResponse {
     }
     goOn(a, aJammed, calm);
     goOn(b, bJammed, calm);
+  }
+
+  /**
+   * Changes the velocities of two circles that approach. Between two things that are held, a faint
+   * bounce would be followed by others without end. So would a faint halt at one time, which stops
+   * the motion that both share.
+   */
+  private void changeFalling(
+      MovingCircle a, MovingCircle b, boolean calm, boolean halt, ImpactRows log) {
+    boolean faint = calm && -un <= Settling.ROUNDING * speeds(a, b) * length();
+    if (faint) {
+      impulse.of(1, ux, uy, nx, ny);
+    }
+    boolean again = faint && a.standsStill && b.standsStill;
+    change(a, mass(a), b, mass(b), halt && !again, log);
+    if (halt && again) {
+      log.setOutcome(ImpactRows.HALTED);
+    }
   }
 
   /** Whether a circle is held where it was stuck. */
