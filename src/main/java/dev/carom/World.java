@@ -46,8 +46,8 @@ import java.util.function.IntPredicate;
  *       same bits. The same run gives the same bits on every Java virtual machine.
  *   <li><b>Every call returns.</b> A step returns false if its budget of work is spent, and the
  *       next one goes on. A circle that would bounce at one place without end stops bouncing there,
- *       and the log says {@link Outcome#JAMMED}. What to do in the rare scenes that still do not
- *       get on: see <a href="doc-files/rules.html#unfinished">unfinished steps</a>.
+ *       and the log says {@link Outcome#JAMMED}. Some rare scenes still do not get on: <a
+ *       href="doc-files/rules.html#unfinished">what to do</a>.
  * </ol>
  *
  * <p>A step goes on for a time span ({@link #step step}), to a time ({@link #advanceTo advanceTo})

@@ -268,14 +268,14 @@ public final class CollidingEngine extends Engine {
     if (!m.holdsOthers()) {
       Collection<MovingCircle> freed = heap.free(m);
       begin(freed);
-      leaveJams(m, freed);
+      collideAgain(m, freed);
     }
   }
 
   /** Lets all circles collide again with one that begins to move, and with those that it freed. */
-  private void leaveJams(MovingCircle m, Collection<MovingCircle> freed) {
-    leaveJams(m.id, m.t);
-    freed.forEach(other -> leaveJams(other.id, m.t));
+  private void collideAgain(MovingCircle m, Collection<MovingCircle> freed) {
+    collideAgain(m.id, m.t);
+    freed.forEach(other -> collideAgain(other.id, m.t));
   }
 
   /** Resolves the collision predicted of circle i, if it comes before all other events. */
@@ -472,7 +472,7 @@ public final class CollidingEngine extends Engine {
       m.tl = tailOfEdit(m, now);
       Collection<MovingCircle> freed = heap.free(m);
       freed.forEach(this::beginFlight);
-      leaveJams(m, freed);
+      collideAgain(m, freed);
     }
   }
 
@@ -540,12 +540,12 @@ public final class CollidingEngine extends Engine {
    */
   private void leaveJamsOfInfinite(int i, boolean turned) {
     if (turned && registry.mass(i) == Double.POSITIVE_INFINITY) {
-      leaveJams(i, circles.state[circles.at(i) + FlightRow.T]);
+      collideAgain(i, circles.state[circles.at(i) + FlightRow.T]);
     }
   }
 
   /** Lets circles that ignore circle i collide with it again, as it moves otherwise. */
-  private void leaveJams(int i, double time) {
+  private void collideAgain(int i, double time) {
     if (circles.jams != null) {
       leaveJams(Codes.circle(i), time, false);
     }

@@ -173,7 +173,12 @@ public final class ContactCluster {
     return isObstacle(m) || registry.mass(m.id) == INFINITE;
   }
 
-  double mass(MovingCircle m) {
+  /** The mass of a circle, also of one that is held. */
+  double ownMass(MovingCircle m) {
+    return registry.mass(m.id);
+  }
+
+  private double mass(MovingCircle m) {
     return isObstacle(m) ? INFINITE : pairs.mass(m);
   }
 

@@ -2,7 +2,6 @@
 package dev.carom.internal.response;
 
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -20,7 +19,7 @@ import java.util.stream.IntStream;
  */
 final class Escape {
 
-  /** How far from a circle things may be to count, in radii; the places of its impacts are less. */
+  /** How far from a circle things may be to count, in radii: twice a place of its impacts. */
   private static final double REACH = 2 * StuckRule.FALLING_PLACE;
 
   /** So many circles give way at most. */
@@ -58,7 +57,6 @@ final class Escape {
   }
 
   private final ObstacleTable obstacles;
-  private final Gravity gravity;
   private final Settling settling;
 
   /** Knows the circles near one; null as long as no circles meet. */
@@ -78,13 +76,8 @@ final class Escape {
   /** The circles that gave way, at the start of their new flights. */
   private List<MovingCircle> yielded = List.of();
 
-  Escape(
-      ObstacleTable obstacles,
-      Gravity gravity,
-      Settling settling,
-      Function<MovingCircle, int[]> near) {
+  Escape(ObstacleTable obstacles, Settling settling, Function<MovingCircle, int[]> near) {
     this.obstacles = obstacles;
-    this.gravity = gravity;
     this.settling = settling;
     this.near = near;
   }
@@ -105,11 +98,10 @@ final class Escape {
    * Gives a circle, and those that give way to it, the velocities nearest to their own with which
    * they leave all that they touch. Contacts that make others give way get rows in the log.
    *
-   * @param hit the circle that is stuck, and another one if the two have just hit each other; both
-   *     at the start of new flights
-   * @return false, and then nothing has changed, if there are no such velocities, or too large or
-   *     too small ones; if a least speed is mere rounding; or if nothing that they touch moves on
-   *     as it is
+   * @param hit the circle that is stuck, at the start of a new flight; then the circle that it hit,
+   *     if it hit one
+   * @return whether there is a way out. If not, nothing has changed. There is none if nothing that
+   *     they touch moves, or if the velocities are too large, or differ from 0 by rounding only
    */
   boolean escapes(ImpactRows log, MovingCircle... hit) {
     gather(hit);
@@ -206,7 +198,8 @@ final class Escape {
     for (int i = 0; i < members.size(); i++) {
       double x = leaving.vx(i) - pressing.vx(i);
       double y = leaving.vy(i) - pressing.vy(i);
-      most = Math.max(most, StrictMath.hypot(x, y) / least(2 * members.get(i).radius));
+      most =
+          Math.max(most, StrictMath.hypot(x, y) / settling.leastSpeed(2 * members.get(i).radius));
     }
     return most <= MOST_LEAST ? 1 : MOST_LEAST / most;
   }
@@ -220,7 +213,7 @@ final class Escape {
     InelasticShock shock = new InelasticShock(members.size() + contacts.size(), contacts.size());
     for (int i = 0; i < members.size(); i++) {
       MovingCircle m = members.get(i);
-      shock.setCircle(i, m.vx, m.vy, circles == null ? 1 : circles.mass(m));
+      shock.setCircle(i, m.vx, m.vy, circles == null ? 1 : circles.ownMass(m));
     }
     for (int k = 0; k < contacts.size(); k++) {
       Contact c = contacts.get(k);
@@ -273,7 +266,8 @@ final class Escape {
       boolean isSolid = settling.isSolid(m, code);
       Touch touch = isSolid ? Touch.of(m, obstacles, code, REACH * m.radius) : null;
       if (touch != null) {
-        double least = least(m.radius + (Codes.isWall(code) ? 0 : obstacles.radius(code)));
+        double least =
+            settling.leastSpeed(m.radius + (Codes.isWall(code) ? 0 : obstacles.radius(code)));
         double ux = obstacles.ux(code);
         contacts.add(new Contact(k, FIXED, touch, null, ux, obstacles.uy(code), least));
       }
@@ -297,14 +291,21 @@ final class Escape {
     MovingCircle other = known != null ? members.get(known) : currentOf(copy, hit);
     Touch touch = Touch.of(m, other, REACH * Math.max(m.radius, other.radius));
     if (touch != null) {
-      double least = least(m.radius + other.radius);
-      boolean isFixed = known == null && !givesWay(other);
-      int b = isFixed ? FIXED : known != null ? known : add(other);
-      contacts.add(new Contact(k, b, touch, other, other.vx, other.vy, least));
+      double least = settling.leastSpeed(m.radius + other.radius);
+      contacts.add(new Contact(k, number(other), touch, other, other.vx, other.vy, least));
     }
   }
 
-  /** A circle that was hit, if a copy is of that; else the copy. */
+  /** The number of a circle among the members, which it joins if it gives way; or FIXED. */
+  private int number(MovingCircle other) {
+    Integer known = numbers.get(other.id);
+    if (known != null) {
+      return known;
+    }
+    return givesWay(other) ? add(other) : FIXED;
+  }
+
+  /** One of those that hit each other, if a copy is of that one; else the copy. */
   private MovingCircle currentOf(MovingCircle copy, MovingCircle... hit) {
     for (MovingCircle m : hit) {
       if (m.id == copy.id) {
@@ -313,9 +314,5 @@ final class Escape {
     }
     circles.noteCrushed(copy);
     return copy;
-  }
-
-  private double least(double reach) {
-    return Math.sqrt(2 * gravity.size() * Settling.LEAST_HOP * reach);
   }
 }

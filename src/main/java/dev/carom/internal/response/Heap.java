@@ -214,7 +214,7 @@ public final class Heap {
       MovingCircle m = all.get(k);
       for (int id : circlesNear(m)) {
         MovingCircle other = known.containsKey(id) ? null : vicinity.copyOf(id);
-        if (other != null && isHeldBy(m, other) && Settling.touchInHeap(m, other) != null) {
+        if (other != null && mayBeHeldBy(m, other) && Settling.touchInHeap(m, other) != null) {
           known.put(id, other);
           all.add(bringTo(first, other));
         }
@@ -232,10 +232,10 @@ public final class Heap {
     return all;
   }
 
-  /** Whether a circle may be held by another one: it is held, and not by what crushed it. */
-  private static boolean isHeldBy(MovingCircle m, MovingCircle other) {
-    boolean isJammedByIt = other.jam != null && other.jam.without(Codes.circle(m.id)) == null;
-    return other.isHeld() || (isJammedByIt && other.support == MovingCircle.HELD);
+  /** Whether a circle is held, and nothing else crushed it but circle m. */
+  private static boolean mayBeHeldBy(MovingCircle m, MovingCircle other) {
+    boolean isFree = other.jam == null || other.jam.without(Codes.circle(m.id)) == null;
+    return other.support == MovingCircle.HELD && isFree;
   }
 
   private void gather(MovingCircle... hit) {

@@ -190,9 +190,9 @@ public final class ObstacleResponse {
   }
 
   /**
-   * Whether a circle goes on as if something at rest, which it meets, were not there. Either that
-   * is level with what the circle slides on. Or the circle just slid off the end of a line, and
-   * meets another line that ends there.
+   * Whether a circle passes something at rest as if that were not there. Either it is level with
+   * what the circle slides on. Or the circle just slid off the end of a line, and meets another
+   * line that ends there.
    */
   private boolean slidesPast(MovingCircle m, int code, double vn, double reach) {
     if (obstacles.moves(code)) {
@@ -210,7 +210,7 @@ public final class ObstacleResponse {
         && settling.endsHere(m, code);
   }
 
-  /** Whether gravity presses a sliding circle, along what it slides on, against what it meets. */
+  /** Whether gravity drives a sliding circle against what it meets. */
   private boolean isPressed(MovingCircle m) {
     double pressure = -ScaledVectors.dot(m.gx, m.gy, point.nx, point.ny);
     double pull = Math.abs(m.gx) + Math.abs(m.gy);
@@ -243,7 +243,7 @@ public final class ObstacleResponse {
     m.vy += least * (point.ny / length);
   }
 
-  /** Whether an approach, times the length of the normal, is no more than rounding of the speed. */
+  /** Whether an approach is no more than the rounding of the speed; vn is its product with n. */
   private boolean isFaint(double vn) {
     double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
     return StuckRule.isFaint(approach, Math.abs(sx) + Math.abs(sy));

@@ -87,7 +87,7 @@ public final class Settling {
     this.obstacles = obstacles;
     this.gravity = gravity;
     this.near = near;
-    escape = new Escape(obstacles, gravity, this, near);
+    escape = new Escape(obstacles, this, near);
   }
 
   /**
@@ -173,6 +173,11 @@ public final class Settling {
     m.fall(gravity.x, gravity.y);
   }
 
+  /** The speed of the least hop from what is round, for the sum of the radii. */
+  double leastSpeed(double reach) {
+    return Math.sqrt(2 * gravity.size() * LEAST_HOP * reach);
+  }
+
   /**
    * The least speed at which two circles leave each other.
    *
@@ -180,9 +185,8 @@ public final class Settling {
    * @param e the restitution
    */
   double leastSpeed(MovingCircle a, MovingCircle b, double out, double e) {
-    double g = gravity.size();
-    double least = Math.sqrt(2 * g * LEAST_HOP * (a.radius + b.radius));
-    return out < least && (e < 1 || !isHop(a, out, g)) ? least : out;
+    double least = leastSpeed(a.radius + b.radius);
+    return out < least && (e < 1 || !isHop(a, out, gravity.size())) ? least : out;
   }
 
   /**
@@ -360,7 +364,7 @@ public final class Settling {
     return carries;
   }
 
-  /** Whether something at rest is a line, and a circle that moves along it is at its end. */
+  /** Whether an obstacle at rest is a line of which a circle has come to the end. */
   boolean endsHere(MovingCircle m, int code) {
     if (!Codes.isLine(code)) {
       return false;

@@ -52,8 +52,8 @@ public final class StuckRule {
 
   /**
    * The weight of a round of a falling circle, or of an impact with a circle that follows one with
-   * a circle. It is stuck when all reach {@link #ELASTIC}. A light ball between heavy ones makes
-   * thousands until they move alike.
+   * a circle. The circle is stuck when these weights add up to {@link #ELASTIC}. A light ball
+   * between heavy ones makes thousands of rounds until they move alike.
    */
   private static final int ROUND = ELASTIC / 16_384;
 
@@ -138,7 +138,7 @@ public final class StuckRule {
     boolean isHere = isHere(m, way);
     if (isHere || (m.driven && way <= driven * m.radius)) {
       m.speedExponent = Math.max(m.speedExponent, exponent);
-      add(m, wholeRounds(isHere && isFaint(m, approach) ? FAINT : weight(e, ELASTIC)));
+      add(m, withoutRounds(isHere && isFaint(m, approach) ? FAINT : weight(e, ELASTIC)));
     } else {
       m.leavePlace();
       m.speedExponent = exponent;
@@ -146,10 +146,10 @@ public final class StuckRule {
   }
 
   /**
-   * Counts an impact of a circle that falls with another one of finite mass. That one gives way, so
-   * the weight of the impacts with obstacles before it starts anew: in a corner each blow of a ball
-   * leads to some. But the <i>rounds</i> of impacts with obstacles and a circle are counted, in the
-   * part of the weight below that of an elastic impact.
+   * Counts an impact of a falling circle with a circle of finite mass, which gives way. So the
+   * weight of the impacts with obstacles before it starts anew: in a corner each blow of a ball
+   * leads to some. But it ends a <i>round</i>, and rounds are counted: in the part of the weight
+   * below that of an elastic impact.
    */
   static void countFallingPair(MovingCircle m, double way, double speed, double e) {
     int exponent = exponent(speed);
@@ -163,12 +163,12 @@ public final class StuckRule {
     }
   }
 
-  /** Rounds a weight to a multiple of that of an elastic impact; the rest counts rounds. */
-  private static int wholeRounds(int weight) {
+  /** The nearest multiple of the weight of an elastic impact, as the part below counts rounds. */
+  private static int withoutRounds(int weight) {
     return (weight + ELASTIC / 2) / ELASTIC * ELASTIC;
   }
 
-  /** Whether a circle that falls is at the place of its last impact, up to rounding. */
+  /** Whether a falling circle is where its last impact was, up to rounding. */
   private static boolean isHere(MovingCircle m, double way) {
     return m.standsStill || way <= place(m, 1);
   }

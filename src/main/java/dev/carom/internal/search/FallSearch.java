@@ -402,7 +402,7 @@ public final class FallSearch {
     }
   }
 
-  /** Whether the answer for an obstacle is known: it is the best so far, or is not hit in time. */
+  /** Whether an obstacle needs no test: it is the best so far, or cannot be hit again in time. */
   private boolean isDecided(int code) {
     return code == bestCode || (code == body.last && returns > to);
   }
