@@ -90,8 +90,6 @@ public final class BroadPhase extends NarrowPhase {
   /** The obstacles that move, indexed over a window of time. */
   private final MotionWindow window = new MotionWindow();
 
-  private boolean isWindowStale = true;
-
   /** Searches among obstacles; those in the given list are in no grid. */
   public BroadPhase(ObstacleTable obstacles, CodeSet loose) {
     super(obstacles);
@@ -118,7 +116,7 @@ public final class BroadPhase extends NarrowPhase {
 
   /** Notes that a line or a peg was added, moved or removed. */
   public void lookAgain(int code) {
-    isWindowStale = true;
+    window.changed(obstacles.motions(), code);
     extent = Math.max(extent, obstacles.extent(code));
     readAgain();
   }
@@ -130,7 +128,7 @@ public final class BroadPhase extends NarrowPhase {
             ? 0
             : Math.max(Math.abs(middleX) + halfWidth, Math.abs(middleY) + halfHeight);
     extent = Math.max(obstacles.extent(), ofBounds);
-    isWindowStale = true;
+    window.changedAll();
     readAgain();
   }
 
@@ -147,9 +145,7 @@ public final class BroadPhase extends NarrowPhase {
     }
     double from = body.cleared;
     double end = window.end - obstacles.epoch() - body.t - body.tl;
-    boolean inWindow =
-        !isWindowStale && obstacles.epoch() + body.t + from >= window.begin && from < end;
-    if (inWindow) {
+    if (obstacles.epoch() + body.t + from >= window.begin && from < end) { // in the window
       body.lookahead = MovingCircle.EDITED_LOOKAHEAD; // no further than the window
       extendAmongStatic(body, grid, Math.max(needed, end));
       extendAmongMoving(body, from, end);
@@ -192,6 +188,7 @@ public final class BroadPhase extends NarrowPhase {
   private void extendAmongMoving(MovingCircle body, double from, double end) {
     double known = Math.min(body.cleared, end);
     window.find(
+        obstacles,
         Math.fma(vx, from, px),
         Math.fma(vy, from, py),
         Math.fma(vx, known, px),
@@ -234,10 +231,9 @@ public final class BroadPhase extends NarrowPhase {
    * for more such steps.
    */
   public void beginStep(double now, double end) {
-    if (moving && (isWindowStale || !(now >= window.begin && end < window.end))) {
+    if (moving && !(now >= window.begin && end < window.end)) {
       double length = Math.max(end - now, Math.ulp(end));
-      window.index(obstacles, now, end + STEPS_OF_WINDOW * length);
-      isWindowStale = false;
+      window.open(now, end + STEPS_OF_WINDOW * length);
     }
   }
 

@@ -12,22 +12,38 @@ import java.util.Arrays;
  * it sweeps in the window. The plane is cut into strips along each axis. For each strip, one set of
  * bits holds the boxes that begin at or before it, and one those that end at or after it. So four
  * sets give the boxes that overlap a box, some others included.
+ *
+ * <p>The index is made when a search first needs it. An obstacle that changes later is
+ * <i>loose</i>: each search finds it, until so many are loose that a new index pays.
  */
 final class MotionWindow {
 
   /** Strips along an axis. */
   private static final int STRIPS = 64;
 
+  /**
+   * So many obstacles may be loose before a new index is made, besides the root of their number.
+   */
+  private static final int FEW = 8;
+
   /** Far more than the rounding of a place, in proportion to the coordinates. */
   private static final double ROUNDING = 0x1p-40;
 
-  /** The time at which the window begins, and that at which it ends. */
+  /** The time at which the window begins, and that at which it ends; it is empty at first. */
   double begin;
 
   double end;
 
   /** The boxes that a search found: bits by the numbers of {@link ObstacleMotions}. */
   long[] found = new long[0];
+
+  /** The loose obstacles, as such bits, and their number. */
+  private long[] loose = found;
+
+  private int looseCount;
+
+  /** Whether the next search has to make the index anew. */
+  private boolean isStale = true;
 
   private final Axis x = new Axis();
   private final Axis y = new Axis();
@@ -97,22 +113,46 @@ final class MotionWindow {
     }
   }
 
-  /** Indexes the obstacles that move, for a window of time. */
-  void index(ObstacleTable obstacles, double from, double to) {
+  /** Opens a window of time; the index of the one before is dropped. */
+  void open(double from, double to) {
     begin = from;
     end = to;
-    ObstacleMotions motions = obstacles.motions();
-    x.clear(motions.count());
-    y.clear(motions.count());
-    for (int i = 0; i < motions.count(); i++) {
-      include(obstacles, i, from);
-      include(obstacles, i, to);
+    isStale = true;
+  }
+
+  /** Notes that all obstacles may be others. */
+  void changedAll() {
+    isStale = true;
+  }
+
+  /** Notes that an obstacle is new, moves otherwise, or is gone. */
+  void changed(ObstacleMotions motions, int code) {
+    int i = motions.indexOf(code);
+    isStale |= motions.count() != x.low.length; // other obstacles have these numbers now
+    if (i >= 0 && !isStale && (loose[i / Long.SIZE] >>> i & 1) == 0) {
+      loose[i / Long.SIZE] |= 1L << i;
+      looseCount++;
+      isStale = looseCount > FEW + Math.sqrt(motions.count());
+    }
+  }
+
+  private void index(ObstacleTable obstacles) {
+    int count = obstacles.motions().count();
+    x.clear(count);
+    y.clear(count);
+    for (int i = 0; i < count; i++) {
+      include(obstacles, i, begin);
+      include(obstacles, i, end);
     }
     x.index();
     y.index();
-    if (found.length != words(motions.count())) {
-      found = new long[words(motions.count())];
+    if (found.length != words(count)) {
+      found = new long[words(count)];
+      loose = new long[words(count)];
     }
+    Arrays.fill(loose, 0);
+    looseCount = 0;
+    isStale = false;
   }
 
   /** How many longs hold so many bits. */
@@ -135,7 +175,10 @@ final class MotionWindow {
    * Finds the obstacles whose boxes overlap that of a disk which moves from one point to another in
    * the window, and maybe others. {@link #found} receives them.
    */
-  void find(double fromX, double fromY, double toX, double toY, double r) {
+  void find(ObstacleTable obstacles, double fromX, double fromY, double toX, double toY, double r) {
+    if (isStale) {
+      index(obstacles);
+    }
     double marginX = r + ROUNDING * (Math.abs(fromX) + Math.abs(toX) + r);
     double marginY = r + ROUNDING * (Math.abs(fromY) + Math.abs(toY) + r);
     if (!(marginX + marginY < Double.POSITIVE_INFINITY)) {
@@ -147,7 +190,7 @@ final class MotionWindow {
     long[] begunY = y.begun[y.strip(Math.max(fromY, toY) + marginY)];
     long[] openY = y.open[y.strip(Math.min(fromY, toY) - marginY)];
     for (int word = 0; word < found.length; word++) {
-      found[word] = begunX[word] & openX[word] & begunY[word] & openY[word];
+      found[word] = begunX[word] & openX[word] & begunY[word] & openY[word] | loose[word];
     }
   }
 }
