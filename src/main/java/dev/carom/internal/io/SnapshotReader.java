@@ -171,7 +171,7 @@ public final class SnapshotReader {
   private void motions(double now, ObstacleTable obstacles) throws IOException {
     int count = count(obstacles.size());
     IntStream.Builder codes = IntStream.builder();
-    DoubleList rows = new DoubleList();
+    DoubleList motions = new DoubleList();
     int least = Codes.line(0);
     for (int i = 0; i < count; i++) {
       int code = in.readInt();
@@ -186,9 +186,9 @@ public final class SnapshotReader {
       double since = in.readDouble();
       expect(since >= 0 && since <= now, "an obstacle moves since " + since);
       codes.add(code);
-      rows.add(ux, uy, since);
+      motions.add(ObstacleMotions.motion(ux, uy, since));
     }
-    obstacles.setMotions(ObstacleMotions.of(codes.build().toArray(), rows.toArray()));
+    obstacles.setMotions(ObstacleMotions.of(codes.build().toArray(), motions.toArray()));
     for (int code : codesThatCrush.build().toArray()) {
       expectCode(obstacles.moves(code), code);
     }

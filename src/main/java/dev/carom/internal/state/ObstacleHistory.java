@@ -16,36 +16,30 @@ final class ObstacleHistory {
   /** An obstacle from a time on. */
   private static final class State {
 
-    /** Where it was at the time {@link #since}; null once it is removed. */
+    /** Where it was at a time that its motion knows; null once it is removed. */
     final double[] row;
 
     final int traits;
     final long filter;
 
-    /** Whether it moves, or moved before. */
-    final boolean moves;
-
-    final double ux;
-    final double uy;
-    final double since;
+    /** Its motion; null if it never moved. */
+    final double[] motion;
 
     State(ObstacleTable here, int code) {
       boolean gone = here.isGone(code);
       row = gone ? null : here.row(code);
       traits = gone ? 0 : here.traits(code);
       filter = gone ? Filter.DEFAULT : here.filter(code);
-      moves = !gone && here.moves(code);
-      ux = here.ux(code);
-      uy = here.uy(code);
-      since = moves ? here.motions().since(here.motions().indexOf(code)) : 0;
+      boolean moves = !gone && here.moves(code);
+      motion = moves ? here.motions().motion(here.motions().indexOf(code)) : null;
     }
 
     double[] at(double t, int coordinates) {
-      if (row == null || !moves) {
+      if (row == null || motion == null) {
         return row;
       }
       double[] placed = row.clone();
-      ObstacleMotions.shift(placed, coordinates, ux, uy, t - since);
+      ObstacleMotions.place(motion, 0, placed, coordinates, t, 0);
       return placed;
     }
   }
@@ -196,18 +190,18 @@ final class ObstacleHistory {
 
   private ObstacleMotions motionsAt(double t) {
     IntStream.Builder codes = IntStream.builder();
-    DoubleList rows = new DoubleList();
+    DoubleList motions = new DoubleList();
     for (ObstacleRows ofKind : first.kinds) {
       int end = endAt(Codes.kind(ofKind.first()), t);
       for (int code = ofKind.first(); code < end; code++) {
         State its = state(code, t);
-        if (its != null && its.moves) {
+        if (its != null && its.motion != null) {
           codes.add(code);
-          rows.add(its.ux, its.uy, its.since);
+          motions.add(its.motion);
         }
       }
     }
-    return ObstacleMotions.of(codes.build().toArray(), rows.toArray());
+    return ObstacleMotions.of(codes.build().toArray(), motions.toArray());
   }
 
   /** Whether an obstacle existed when the recording began. */

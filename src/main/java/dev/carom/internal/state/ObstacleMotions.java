@@ -2,53 +2,72 @@
 package dev.carom.internal.state;
 
 import dev.carom.internal.sweep.Coordinates;
+import dev.carom.internal.sweep.LineShape;
+import dev.carom.internal.sweep.ObstacleShape;
+import dev.carom.internal.util.DoubleList;
 import java.util.Arrays;
 import java.util.SortedMap;
 
 /**
- * The obstacles that move with a constant velocity, in the order of their codes: the velocity of
- * each, and the time at which it was where its row says. An obstacle that once moved stays listed
- * while it rests. Immutable.
+ * The motions of obstacles, in the order of their codes: the velocity of each coordinate, and when
+ * the motion starts and ends. The row of the obstacle says where it is at the start of a motion
+ * that never ends, and else at its end: so it arrives there to the bit, and rests. An obstacle that
+ * once moved stays listed.
+ *
+ * <p>Objects that share motions do not see each other's changes: see {@link #shared}.
  */
 public final class ObstacleMotions {
 
   /** No obstacle moves. */
-  public static final ObstacleMotions NONE = new ObstacleMotions(new int[0], new double[0]);
+  public static final ObstacleMotions NONE =
+      new ObstacleMotions(new int[0], new double[0]).shared();
 
-  // The columns of a row.
-  private static final int UX = 0;
-  private static final int UY = 1;
-  private static final int SINCE = 2;
-  private static final int ROW = 3;
+  // The columns of a motion; that of a coordinate's velocity is its number in the obstacle's row.
+  private static final int SINCE = 4;
+  private static final int UNTIL = 5;
+  private static final int SIZE = 6;
 
-  private final int[] codes;
-  private final double[] rows;
+  private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  private ObstacleMotions(int[] codes, double[] rows) {
+  private int[] codes;
+  private double[] motions;
+
+  /** Whether another object may use these motions. */
+  private boolean isShared;
+
+  private ObstacleMotions(int[] codes, double[] motions) {
     this.codes = codes;
-    this.rows = rows;
+    this.motions = motions;
   }
 
   /** The obstacles with these velocities from time 0 on, by their codes. */
   static ObstacleMotions of(SortedMap<Integer, double[]> velocities) {
-    double[] rows = new double[velocities.size() * ROW];
-    int k = 0;
-    for (double[] velocity : velocities.values()) {
-      rows[k + UX] = velocity[0];
-      rows[k + UY] = velocity[1];
-      k += ROW;
-    }
+    DoubleList motions = new DoubleList();
+    velocities.values().forEach(u -> motions.add(motion(u[0], u[1], 0)));
     int[] codes = velocities.keySet().stream().mapToInt(code -> code).toArray();
-    return of(codes, rows);
+    return of(codes, motions.toArray());
   }
 
-  /**
-   * Obstacles of ascending codes.
-   *
-   * @param rows of each obstacle its velocity and the time at which it was where its row says
-   */
-  public static ObstacleMotions of(int[] codes, double[] rows) {
-    return codes.length == 0 ? NONE : new ObstacleMotions(codes, rows);
+  /** The motions of obstacles of ascending codes, one after the other. */
+  public static ObstacleMotions of(int[] codes, double[] motions) {
+    return codes.length == 0 ? NONE : new ObstacleMotions(codes, motions);
+  }
+
+  /** A motion of all coordinates with one velocity, which never ends. */
+  public static double[] motion(double ux, double uy, double since) {
+    return new double[] {ux, uy, ux, uy, since, NEVER};
+  }
+
+  /** The same, for one more object to use: whichever is to be changed is copied first. */
+  ObstacleMotions shared() {
+    if (!isShared) {
+      isShared = true; // written only if need be: a scene is used by many threads
+    }
+    return this;
+  }
+
+  private ObstacleMotions own() {
+    return isShared ? new ObstacleMotions(codes.clone(), motions.clone()) : this;
   }
 
   public int count() {
@@ -65,76 +84,95 @@ public final class ObstacleMotions {
   }
 
   public double ux(int i) {
-    return rows[i * ROW + UX];
+    return motions[i * SIZE + ObstacleShape.X];
   }
 
   public double uy(int i) {
-    return rows[i * ROW + UY];
+    return motions[i * SIZE + ObstacleShape.Y];
   }
 
-  /** The time at which obstacle i was where its row says. */
+  /** The start of motion i. */
   public double since(int i) {
-    return rows[i * ROW + SINCE];
+    return motions[i * SIZE + SINCE];
+  }
+
+  /** A copy of motion i. */
+  double[] motion(int i) {
+    return Arrays.copyOfRange(motions, i * SIZE, (i + 1) * SIZE);
   }
 
   /**
-   * Moves the coordinates of a row, which are the first so many numbers, for a time dt. One that
-   * would be infinite becomes the largest double.
+   * Moves the coordinates of an obstacle's row, which are the first so many numbers, from where the
+   * row says to where they are at a time, given as head and tail.
    */
-  static void shift(double[] row, int coordinates, double ux, double uy, double dt) {
-    for (int k = 0; k < coordinates; k += 2) {
-      row[k] = Coordinates.within(Math.fma(ux, dt, row[k]));
-      row[k + 1] = Coordinates.within(Math.fma(uy, dt, row[k + 1]));
+  void place(int i, double[] row, int coordinates, double head, double tail) {
+    place(motions, i * SIZE, row, coordinates, head, tail);
+  }
+
+  /** The same for a motion at k. A coordinate that would be infinite becomes the largest double. */
+  static void place(
+      double[] motions, int k, double[] row, int coordinates, double head, double tail) {
+    double until = motions[k + UNTIL];
+    double dt =
+        until == NEVER ? (head - motions[k + SINCE]) + tail : Math.min(0, (head - until) + tail);
+    for (int c = 0; c < coordinates; c++) {
+      row[c] = Coordinates.within(Math.fma(motions[k + c], dt, row[c]));
     }
   }
 
-  /** A copy in which an obstacle has this velocity, and is where its row says at a given time. */
-  public ObstacleMotions with(int code, double ux, double uy, double since) {
-    int known = indexOf(code);
-    int i = known < 0 ? -1 - known : known;
-    int[] newCodes = known < 0 ? grown(codes, i) : codes.clone();
-    double[] newRows = known < 0 ? grown(rows, i * ROW) : rows.clone();
-    newCodes[i] = code;
-    newRows[i * ROW + UX] = ux;
-    newRows[i * ROW + UY] = uy;
-    newRows[i * ROW + SINCE] = since;
-    return new ObstacleMotions(newCodes, newRows);
+  /** These motions, of which that of an obstacle never ends and has this velocity. */
+  ObstacleMotions with(int code, double ux, double uy, double since) {
+    ObstacleMotions all = own();
+    int i = indexOf(code);
+    if (i < 0) {
+      i = -1 - i;
+      all.makeRoom(i);
+      all.codes[i] = code;
+    }
+    double[] its = all.motions;
+    int k = i * SIZE;
+    its[k + LineShape.AX] = ux;
+    its[k + LineShape.AY] = uy;
+    its[k + LineShape.BX] = ux;
+    its[k + LineShape.BY] = uy;
+    its[k + SINCE] = since;
+    its[k + UNTIL] = NEVER;
+    return all;
   }
 
-  private static int[] grown(int[] codes, int at) {
-    int[] grown = Arrays.copyOf(codes, codes.length + 1);
-    System.arraycopy(codes, at, grown, at + 1, codes.length - at);
-    return grown;
+  private void makeRoom(int i) {
+    int after = codes.length - i;
+    int[] moreCodes = Arrays.copyOf(codes, codes.length + 1);
+    double[] more = Arrays.copyOf(motions, motions.length + SIZE);
+    System.arraycopy(codes, i, moreCodes, i + 1, after);
+    System.arraycopy(motions, i * SIZE, more, (i + 1) * SIZE, after * SIZE);
+    codes = moreCodes;
+    motions = more;
   }
 
-  private static double[] grown(double[] rows, int at) {
-    double[] grown = Arrays.copyOf(rows, rows.length + ROW);
-    System.arraycopy(rows, at, grown, at + ROW, rows.length - at);
-    return grown;
-  }
-
-  /** A copy without one obstacle. */
-  public ObstacleMotions without(int code) {
-    int at = indexOf(code);
-    if (at < 0) {
+  /** These motions without that of an obstacle. */
+  ObstacleMotions without(int code) {
+    int i = indexOf(code);
+    if (i < 0) {
       return this;
     }
+    int after = codes.length - i - 1;
     int[] fewerCodes = Arrays.copyOf(codes, codes.length - 1);
-    double[] fewerRows = Arrays.copyOf(rows, rows.length - ROW);
-    System.arraycopy(codes, at + 1, fewerCodes, at, fewerCodes.length - at);
-    System.arraycopy(rows, (at + 1) * ROW, fewerRows, at * ROW, fewerRows.length - at * ROW);
-    return fewerCodes.length == 0 ? NONE : new ObstacleMotions(fewerCodes, fewerRows);
+    double[] fewer = Arrays.copyOf(motions, motions.length - SIZE);
+    System.arraycopy(codes, i + 1, fewerCodes, i, after);
+    System.arraycopy(motions, (i + 1) * SIZE, fewer, i * SIZE, after * SIZE);
+    return of(fewerCodes, fewer);
   }
 
   @Override
   public boolean equals(Object other) {
     return other instanceof ObstacleMotions that
         && Arrays.equals(codes, that.codes)
-        && Arrays.equals(rows, that.rows);
+        && Arrays.equals(motions, that.motions);
   }
 
   @Override
   public int hashCode() {
-    return 31 * Arrays.hashCode(codes) + Arrays.hashCode(rows);
+    return 31 * Arrays.hashCode(codes) + Arrays.hashCode(motions);
   }
 }

@@ -54,6 +54,9 @@ public final class ObstacleTable {
   /** The obstacles that move, or moved before; never null. */
   private ObstacleMotions motions = ObstacleMotions.NONE;
 
+  /** Where an obstacle is at an edit. */
+  private final double[] placed = new double[MOST_NUMBERS + 1];
+
   /** The time of the world that a question counts as 0, see {@link #setEpoch}. */
   private double epoch;
 
@@ -130,7 +133,7 @@ public final class ObstacleTable {
   public ObstacleTable copy() {
     ObstacleRows[] rows = kinds.stream().map(ObstacleRows::copy).toArray(ObstacleRows[]::new);
     ObstacleTable copy = of(walls, boundsRestitution, boundsTraits, boundsFilter, rows);
-    copy.motions = motions;
+    copy.motions = motions.shared();
     return copy;
   }
 
@@ -149,7 +152,7 @@ public final class ObstacleTable {
     boundsRestitution = other.boundsRestitution;
     boundsTraits = other.boundsTraits;
     boundsFilter = other.boundsFilter;
-    motions = other.motions;
+    motions = other.motions.shared();
     for (int i = 0; i < kinds.size(); i++) {
       kinds.get(i).set(other.kinds.get(i));
     }
@@ -279,8 +282,7 @@ public final class ObstacleTable {
     int code = motions.code(i);
     ObstacleRows rows = of(code);
     System.arraycopy(rows.values, rows.offset(code), row, 0, rows.shape.row);
-    double dt = (epoch + head - motions.since(i)) + tail;
-    ObstacleMotions.shift(row, rows.shape.coordinates, motions.ux(i), motions.uy(i), dt);
+    motions.place(i, row, rows.shape.coordinates, epoch + head, tail);
   }
 
   public double epoch() {
@@ -298,7 +300,8 @@ public final class ObstacleTable {
   /** Gives an obstacle a velocity, from where it is at a given time. */
   public void setVelocity(int code, double ux, double uy, double now) {
     if (moves(code)) {
-      of(code).move(code, rowAt(code, now, 0));
+      place(motions.indexOf(code), now, 0, placed);
+      of(code).move(code, placed);
     } else if (ux == 0 && uy == 0) {
       return; // it is at rest, and never moved
     }
