@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.util.Check;
 
@@ -113,7 +115,7 @@ public record Line(double ax, double ay, double bx, double by) implements Obstac
     double wy = (by - ay) * 0x1p600;
     double length = StrictMath.hypot(wx, wy);
     double half = (p.x() / 2 - ax / 2) * (wx / length) + (p.y() / 2 - ay / 2) * (wy / length);
-    return foot(p, Math.fma(half, 2 * (wx / length), ax), Math.fma(half, 2 * (wy / length), ay));
+    return foot(p, fma(half, 2 * (wx / length), ax), fma(half, 2 * (wy / length), ay));
   }
 
   private static Vec2 foot(Vec2 p, double x, double y) {

@@ -165,6 +165,19 @@ class ArchitectureTest {
         .hasMessage("text:1:9: radius is -1.0: expected a finite number, at least 0");
   }
 
+  /** {@link Math#fma} is slow where the processor has no instruction for it. */
+  @Test
+  void onlyFmaCallsThatOfMath() {
+    for (Class<?> type : List.of(double.class, float.class)) {
+      noClasses()
+          .that()
+          .doNotHaveFullyQualifiedName(INTERNAL + "exact.Fma")
+          .should()
+          .callMethod(Math.class, "fma", type, type, type)
+          .check(CLASSES);
+    }
+  }
+
   @Test
   void theLibraryNeedsNothingButJava() {
     classes()

@@ -2,6 +2,7 @@
 package dev.carom.internal.engine;
 
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
+import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleTable;
@@ -252,8 +253,8 @@ final class CollisionPredictor {
       double later = (s[c + FlightRow.T] - ti) + (s[c + FlightRow.TL] - tli);
       double ofI = positive(later);
       double ofJ = ofI - later;
-      double dx = Math.fma(vxi, ofI, xi) - Math.fma(vxj, ofJ, xj);
-      double dy = Math.fma(vyi, ofI, yi) - Math.fma(vyj, ofJ, s[c + FlightRow.Y]);
+      double dx = fma(vxi, ofI, xi) - fma(vxj, ofJ, xj);
+      double dy = fma(vyi, ofI, yi) - fma(vyj, ofJ, s[c + FlightRow.Y]);
       double ux = vxi - vxj;
       double uy = vyi - vyj;
       found[left] = j;
@@ -303,8 +304,8 @@ final class CollisionPredictor {
       double dy =
           MovingCircle.place(yi, vyi, gy, ofI)
               - MovingCircle.place(s[c + FlightRow.Y], vyj, gy, ofJ);
-      double ux = Math.fma(gx, ofI, vxi) - Math.fma(gx, ofJ, vxj);
-      double uy = Math.fma(gy, ofI, vyi) - Math.fma(gy, ofJ, vyj);
+      double ux = fma(gx, ofI, vxi) - fma(gx, ofJ, vxj);
+      double uy = fma(gy, ofI, vyi) - fma(gy, ofJ, vyj);
       int other = j ^ i;
       left += (mayMeet(dx, dy, ux, uy, r) & (other | -other)) >>> 31;
     }
@@ -320,16 +321,15 @@ final class CollisionPredictor {
    */
   private static int mayMeet(double dx, double dy, double ux, double uy, double r) {
     double by = uy * dy;
-    double b = Math.fma(ux, dx, by);
-    double toward = Math.fma(APART_BOUND, Math.abs(by), TimeOfImpact.TINY) - b;
-    double arr = Math.fma(ux, ux, Math.fma(uy, uy, SMALL)) * Math.fma(r, r, SMALL);
+    double b = fma(ux, dx, by);
+    double toward = fma(APART_BOUND, Math.abs(by), TimeOfImpact.TINY) - b;
+    double arr = fma(ux, ux, fma(uy, uy, SMALL)) * fma(r, r, SMALL);
     double ky = uy * dx;
-    double cross = Math.fma(ux, dy, -ky);
+    double cross = fma(ux, dy, -ky);
     // No less than |ux dy| + |uy dx|. The loss by underflow times m is below TINY + its bound.
-    double m = Math.fma(2, Math.abs(ky), Math.abs(cross));
+    double m = fma(2, Math.abs(ky), Math.abs(cross));
     double near =
-        Math.fma(-cross, cross, arr)
-            + Math.fma(DISCRIMINANT_BOUND, Math.fma(m, m, arr), TimeOfImpact.TINY);
+        fma(-cross, cross, arr) + fma(DISCRIMINANT_BOUND, fma(m, m, arr), TimeOfImpact.TINY);
     return ~(int) ((below(toward) | below(near)) >> 32);
   }
 
@@ -373,8 +373,8 @@ final class CollisionPredictor {
     double vyi = s[a + FlightRow.VY];
     double vxj = s[c + FlightRow.VX];
     double vyj = s[c + FlightRow.VY];
-    double dx = Math.fma(vxi, ofI, xi) - Math.fma(vxj, ofJ, xj);
-    double dy = Math.fma(vyi, ofI, s[a + FlightRow.Y]) - Math.fma(vyj, ofJ, s[c + FlightRow.Y]);
+    double dx = fma(vxi, ofI, xi) - fma(vxj, ofJ, xj);
+    double dy = fma(vyi, ofI, s[a + FlightRow.Y]) - fma(vyj, ofJ, s[c + FlightRow.Y]);
     double ux = vxi - vxj;
     double uy = vyi - vyj;
     double bx = ux * dx;
@@ -392,13 +392,12 @@ final class CollisionPredictor {
     double g = dd - rr;
     boolean silent = pairs.haveSilent() && pairs.isSilent(i, j);
     if (!silent
-        && b < -Math.fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), TimeOfImpact.TINY)
-        && discriminant
-            > Math.fma(WELL_CONDITIONED, arr + m * m, TimeOfImpact.TINY * (u2 + rr + m + 1))
-        && g > Math.fma(WELL_CONDITIONED, dd + rr, TimeOfImpact.TINY)) {
+        && b < -fma(DOT_BOUND, Math.abs(bx) + Math.abs(by), TimeOfImpact.TINY)
+        && discriminant > fma(WELL_CONDITIONED, arr + m * m, TimeOfImpact.TINY * (u2 + rr + m + 1))
+        && g > fma(WELL_CONDITIONED, dd + rr, TimeOfImpact.TINY)) {
       double t = g / (Math.sqrt(discriminant) - b);
       double time = from + t;
-      double error = Math.fma(t, TIME_BOUND, time * SUM_BOUND);
+      double error = fma(t, TIME_BOUND, time * SUM_BOUND);
       if (time - error > high) {
         return true;
       }
@@ -423,7 +422,7 @@ final class CollisionPredictor {
     }
     int a = CircleTable.collidingAt(i);
     double time = Math.max(s[a + FlightRow.T], s[CircleTable.collidingAt(j) + FlightRow.T]) + t;
-    double error = Math.fma(t, TIME_BOUND, time * SUM_BOUND);
+    double error = fma(t, TIME_BOUND, time * SUM_BOUND);
     if (time - error > high) {
       return true;
     }
@@ -536,10 +535,10 @@ final class CollisionPredictor {
     double of1 = positive(later);
     double of2 = positive(earlier);
     int late = a + ((b - a) & (int) (Double.doubleToRawLongBits(earlier) >> 63));
-    x1 = Math.fma(vx1, of1, x1);
-    double y1 = Math.fma(vy1, of1, s[a + FlightRow.Y]);
-    x2 = Math.fma(vx2, of2, x2);
-    double y2 = Math.fma(vy2, of2, s[b + FlightRow.Y]);
+    x1 = fma(vx1, of1, x1);
+    double y1 = fma(vy1, of1, s[a + FlightRow.Y]);
+    x2 = fma(vx2, of2, x2);
+    double y2 = fma(vy2, of2, s[b + FlightRow.Y]);
     if (!(Math.abs(x1 - x2) + Math.abs(y1 - y2) < NEVER) || r1 + r2 == 0) {
       found.tau = NEVER; // a position is beyond the range of doubles, or both are points
       return;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.engine;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
@@ -111,8 +113,8 @@ public final class DuePrefetcher {
     int k = circles.at(i);
     double[] state = circles.state;
     double dt = state[k + CircleTable.CLEARED];
-    double x = Math.fma(state[k + FlightRow.VX], dt, state[k + FlightRow.X]);
-    double y = Math.fma(state[k + FlightRow.VY], dt, state[k + FlightRow.Y]);
+    double x = fma(state[k + FlightRow.VX], dt, state[k + FlightRow.X]);
+    double y = fma(state[k + FlightRow.VY], dt, state[k + FlightRow.Y]);
     Grid grid = staticScene.grid(i);
     return line(circles.codes[circles.codesAt(i) + CircleTable.NEXT])
         + (grid == null ? 0 : grid.around(x, y));

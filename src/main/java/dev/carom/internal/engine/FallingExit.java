@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.engine;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 /**
  * Where a circle that falls leaves a cell, on one axis. It may turn back once: until then it moves
  * against gravity, from then on along it. An edge is passed once in each direction.
@@ -34,7 +36,7 @@ final class FallingExit {
     double square = v * v + 2 * g * way;
     // The least normal number covers underflow of -v / g.
     boolean isAhead =
-        Math.fma(g, since + Double.MIN_NORMAL, v) * v > GOING_ON * (v * v)
+        fma(g, since + Double.MIN_NORMAL, v) * v > GOING_ON * (v * v)
             && square >= 0
             && Math.abs(cell) < CellExit.FARTHEST;
     return isAhead ? 2 * way / (v + Math.copySign(Math.sqrt(square), v)) : Double.NaN;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.exact;
 
+import static dev.carom.internal.exact.Fma.fma;
 
 /**
  * Double-double arithmetic: the rounding errors of operations on doubles. A value of about 106 bits
@@ -31,7 +32,7 @@ public final class DoubleDouble {
 
   /** a b - p exactly, for p = fl(a b). */
   public static double productTail(double a, double b, double p) {
-    return Math.fma(a, b, -p);
+    return fma(a, b, -p);
   }
 
   /**
@@ -39,7 +40,7 @@ public final class DoubleDouble {
    * omitted al bl and the rounding of the result are below 16 u^2 |a b|.
    */
   public static double productTail(double a, double al, double b, double bl, double p) {
-    return Math.fma(a, b, -p) + (a * bl + al * b);
+    return fma(a, b, -p) + (a * bl + al * b);
   }
 
   /**

@@ -3,6 +3,7 @@ package dev.carom.internal.exact;
 
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
+import static dev.carom.internal.exact.Fma.fma;
 
 /**
  * A number of about 106 bits: the head is the double nearest to it, the tail the rest.
@@ -37,7 +38,7 @@ public record DoubleDoubleNumber(double head, double tail) {
   /** The product: 5. */
   public DoubleDoubleNumber times(DoubleDoubleNumber that) {
     double product = head * that.head;
-    double crossed = Math.fma(head, that.tail, tail * that.head);
+    double crossed = fma(head, that.tail, tail * that.head);
     return of(product, productTail(head, that.head, product) + crossed);
   }
 
@@ -52,6 +53,6 @@ public record DoubleDoubleNumber(double head, double tail) {
   /** The root of a positive number: 4. */
   public DoubleDoubleNumber root() {
     double root = Math.sqrt(head);
-    return of(root, (Math.fma(-root, root, head) + tail) / (2 * root));
+    return of(root, (fma(-root, root, head) + tail) / (2 * root));
   }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.response;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.UnitVector;
 import dev.carom.internal.state.Codes;
@@ -219,10 +221,10 @@ final class ContactPoint {
     double ay = row[LineShape.AY];
     double bx = row[LineShape.BX];
     double by = row[LineShape.BY];
-    double fromX = Math.fma(ux, m.cleared, ax);
-    double fromY = Math.fma(uy, m.cleared, ay);
-    double toX = Math.fma(ux, m.cleared, bx);
-    double toY = Math.fma(uy, m.cleared, by);
+    double fromX = fma(ux, m.cleared, ax);
+    double fromY = fma(uy, m.cleared, ay);
+    double toX = fma(ux, m.cleared, bx);
+    double toY = fma(uy, m.cleared, by);
     if (left) {
       locateOnSide(m, fromX, fromY, toX, toY, ay, bx, by, ax);
     } else {
@@ -247,8 +249,8 @@ final class ContactPoint {
   private void locateOnMovingDisk(MovingCircle m, double cx, double cy, double radius) {
     double t = m.cleared;
     double share = Coordinates.share(radius, m.radius);
-    x = Coordinates.between(share, Math.fma(ux, t, cx), Coordinates.within(m.x));
-    y = Coordinates.between(share, Math.fma(uy, t, cy), Coordinates.within(m.y));
+    x = Coordinates.between(share, fma(ux, t, cx), Coordinates.within(m.x));
+    y = Coordinates.between(share, fma(uy, t, cy), Coordinates.within(m.y));
     if (gx != 0 || gy != 0) {
       locateFallen(m, cx, cy, radius);
       return;

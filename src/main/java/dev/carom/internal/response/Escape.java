@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.response;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
@@ -205,7 +207,7 @@ final class Escape {
   }
 
   private static double between(double from, double to, double share) {
-    return share == 1 ? to : Math.fma(share, to - from, from);
+    return share == 1 ? to : fma(share, to - from, from);
   }
 
   /** The shock after which circles leave some of what they touch by the least speed. */

@@ -3,6 +3,7 @@ package dev.carom.internal.response;
 
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
+import static dev.carom.internal.exact.Fma.fma;
 
 /**
  * The impulse j n of an impact, {@code j = f (v.n) / (n.n)}. As j is kept as head and tail, the new
@@ -58,7 +59,7 @@ public final class Impulse {
     double fvn = f * vn;
     j = fvn / nn;
     // rest = f v.n - j n.n
-    double rest = Math.fma(-j, nn, fvn) + productTail(f, vn, fvn);
+    double rest = fma(-j, nn, fvn) + productTail(f, vn, fvn);
     // A multiplication by 1 / n.n would be faster, but leave 2^-107 of a velocity that should halt.
     tail = (rest + (f * vnl - j * nnl)) / nn;
   }

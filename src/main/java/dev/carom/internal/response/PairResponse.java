@@ -2,6 +2,7 @@
 package dev.carom.internal.response;
 
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
+import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
@@ -84,8 +85,8 @@ public final class PairResponse {
    */
   public boolean part(MovingCircle m, MovingCircle other) {
     double later = (m.t - other.t) + (m.tl - other.tl);
-    double nx = m.x - Math.fma(other.vx, later, other.x);
-    double ny = m.y - Math.fma(other.vy, later, other.y);
+    double nx = m.x - fma(other.vx, later, other.x);
+    double ny = m.y - fma(other.vy, later, other.y);
     double un = (m.vx - other.vx) * nx + (m.vy - other.vy) * ny;
     double approach = un / (Math.abs(nx) + Math.abs(ny));
     return !StuckRule.isFaint(m, approach) && !StuckRule.isFaint(other, approach);
@@ -429,7 +430,7 @@ public final class PairResponse {
       boolean all = other == INFINITE;
       double sum = other + own;
       share = all ? 1 : other / sum;
-      double rest = Math.fma(-share, sum, other) - share * sumTail(other, own, sum);
+      double rest = fma(-share, sum, other) - share * sumTail(other, own, sum);
       tail = all ? 0 : rest / sum;
     }
     m.vx = impulse.change(m.vx, sign * share, sign * tail, nx);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.response;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.sweep.Coordinates;
 
 /**
@@ -53,6 +55,6 @@ public final class ScaledVectors {
   /** a.b to within two ulps, even under cancellation (W. Kahan's difference of products). */
   public static double dot(double ax, double ay, double bx, double by) {
     double p = ay * by;
-    return Math.fma(ax, bx, p) + Math.fma(ay, by, -p);
+    return fma(ax, bx, p) + fma(ay, by, -p);
   }
 }

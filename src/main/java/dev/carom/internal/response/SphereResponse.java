@@ -3,6 +3,7 @@ package dev.carom.internal.response;
 
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
+import static dev.carom.internal.exact.Fma.fma;
 
 /**
  * The velocities of two spheres, or of two circles, after an impact without a world. With {@code n
@@ -55,7 +56,7 @@ public final class SphereResponse {
     double un = dot(ux, uy, uz, nx, ny, nz);
     double gun = g * un;
     double j = gun / nn;
-    double rest = Math.fma(-j, nn, gun) + productTail(g, un, gun);
+    double rest = fma(-j, nn, gun) + productTail(g, un, gun);
     double nnl = dotTail(nx, ny, nz, nx, ny, nz);
     double tail = (rest + (g * dotTail(ux, uy, uz, nx, ny, nz) - j * nnl)) / nn;
     push(v, 0, -1, m2, m1, j, tail, ofU + ofF, nx, ny, nz);
@@ -94,7 +95,7 @@ public final class SphereResponse {
     boolean all = other == Double.POSITIVE_INFINITY;
     double sum = other + own;
     double share = all ? 1 : other / sum;
-    double rest = Math.fma(-share, sum, other) - share * sumTail(other, own, sum);
+    double rest = fma(-share, sum, other) - share * sumTail(other, own, sum);
     double shareTail = all ? 0 : rest / sum;
     double s = sign * share;
     double sl = sign * shareTail;

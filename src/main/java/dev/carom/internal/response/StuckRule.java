@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.response;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.state.MovingCircle;
 
 /**
@@ -189,7 +191,7 @@ public final class StuckRule {
    * wide. Most circles did, and the width of their own place need not be known.
    */
   private static boolean hasLeft(MovingCircle m, double way) {
-    double widest = Math.fma(PLACE, Math.abs(m.x) + Math.abs(m.y), PUSHED_PLACE * m.radius);
+    double widest = fma(PLACE, Math.abs(m.x) + Math.abs(m.y), PUSHED_PLACE * m.radius);
     return way > widest && !m.standsStill;
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.search;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
@@ -188,12 +190,7 @@ public final class BroadPhase extends NarrowPhase {
   private void extendAmongMoving(MovingCircle body, double from, double end) {
     double known = Math.min(body.cleared, end);
     window.find(
-        obstacles,
-        Math.fma(vx, from, px),
-        Math.fma(vy, from, py),
-        Math.fma(vx, known, px),
-        Math.fma(vy, known, py),
-        r);
+        obstacles, fma(vx, from, px), fma(vy, from, py), fma(vx, known, px), fma(vy, known, py), r);
     considerFound(known);
     keep(body, known);
   }
@@ -317,8 +314,8 @@ public final class BroadPhase extends NarrowPhase {
     double absVx = Math.abs(vx);
     double absVy = Math.abs(vy);
     manhattanSpeed = absVx + absVy;
-    perVx = 1 / Math.fma(manhattanSpeed, DRIFT, absVx);
-    perVy = 1 / Math.fma(manhattanSpeed, DRIFT, absVy);
+    perVx = 1 / fma(manhattanSpeed, DRIFT, absVx);
+    perVy = 1 / fma(manhattanSpeed, DRIFT, absVy);
     double length = UnitVectors.lengthBound(absVx, absVy);
     // cross(a - p, v) errs by at most 4 u of the terms of cross(p, v), 2 u of those of cross(a, v),
     // u = 2^-53: by 4 u |v| times the size below. Sum and difference of two, by twice that and
@@ -326,7 +323,7 @@ public final class BroadPhase extends NarrowPhase {
     double size = Math.abs(px) + Math.abs(py) + extent + r;
     double scale = length * size;
     boolean ordinary = manhattanSpeed > LEAST_SAFE && scale > LEAST_SAFE && scale < MOST_SAFE;
-    inset = ordinary ? r + Math.fma(0x1p-48, size, Double.MIN_NORMAL) : NEVER;
+    inset = ordinary ? r + fma(0x1p-48, size, Double.MIN_NORMAL) : NEVER;
     clear = ordinary ? 2 * length * inset : NEVER;
     crossX = ordinary ? vy : 0;
     crossY = ordinary ? 0 - vx : 0;
@@ -390,8 +387,8 @@ public final class BroadPhase extends NarrowPhase {
     double x = grid.columns(px);
     double y = grid.rows(py);
     if (start != 0) { // else the first cell is known before v is
-      x = grid.columns(Math.fma(vx, start, px));
-      y = grid.rows(Math.fma(vy, start, py));
+      x = grid.columns(fma(vx, start, px));
+      y = grid.rows(fma(vy, start, py));
     }
     int column = grid.column(x);
     int row = grid.row(y);
@@ -500,8 +497,8 @@ public final class BroadPhase extends NarrowPhase {
     double by = lines[k + LineShape.BY];
     double ay = lines[k + LineShape.AY];
     double bx = lines[k + LineShape.BX];
-    double a = Math.fma(ay, crossY, Math.fma(ax, crossX, crossOfOrigin));
-    double b = Math.fma(by, crossY, Math.fma(bx, crossX, crossOfOrigin));
+    double a = fma(ay, crossY, fma(ax, crossX, crossOfOrigin));
+    double b = fma(by, crossY, fma(bx, crossX, crossOfOrigin));
     // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
     double beyond = Math.abs(a + b) - (Math.abs(a - b) + clear);
     int other = code ^ spared; // 0 if the line is spared

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.search;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.Filter;
@@ -201,8 +203,8 @@ public final class FallSearch {
     double absX = Math.abs(alongX);
     double absY = Math.abs(alongY);
     double way = absX + absY + LEAST_WAY * grid.cell;
-    double columnTicks = BroadPhase.TICKS * way / Math.fma(way, BroadPhase.DRIFT, absX);
-    double rowTicks = BroadPhase.TICKS * way / Math.fma(way, BroadPhase.DRIFT, absY);
+    double columnTicks = BroadPhase.TICKS * way / fma(way, BroadPhase.DRIFT, absX);
+    double rowTicks = BroadPhase.TICKS * way / fma(way, BroadPhase.DRIFT, absY);
     double ticks = BroadPhase.TICKS * way * grid.perCell;
     double perTick = duration / ticks;
     // cross(p - band, along) is p.x crossX + p.y crossY + crossOfOrigin

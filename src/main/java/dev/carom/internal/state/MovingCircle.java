@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.state;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.exact.DoubleDouble;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Coordinates;
@@ -231,12 +233,12 @@ public final class MovingCircle {
 
   /** p + v dt + g dt^2 / 2. */
   public static double place(double p, double v, double g, double dt) {
-    return Math.fma(g == 0 ? v : Math.fma(0.5 * g, dt, v), dt, p);
+    return fma(g == 0 ? v : fma(0.5 * g, dt, v), dt, p);
   }
 
   /** The velocity after a duration, on one axis; the largest double where it would be infinite. */
   public static double velocity(double v, double g, double dt) {
-    return g == 0 ? v : Coordinates.within(Math.fma(g, dt, v));
+    return g == 0 ? v : Coordinates.within(fma(g, dt, v));
   }
 
   /** Takes the velocity after a duration of this flight. */
@@ -378,7 +380,7 @@ public final class MovingCircle {
   /** from + v dt - to, for to = fl(from + v dt): the rounding error of a position. */
   public static double lack(double from, double v, double dt, double to) {
     double d = from - to;
-    return Math.fma(v, dt, d) + DoubleDouble.differenceTail(from, to, d);
+    return fma(v, dt, d) + DoubleDouble.differenceTail(from, to, d);
   }
 
   /** Whether the flight started at exactly that time of the clock. */
@@ -428,8 +430,8 @@ public final class MovingCircle {
   /** Moves the centre, and takes the velocity, to those after a duration; time stays. */
   public void move(double dt) {
     if (gx == 0 && gy == 0) {
-      x = Math.fma(vx, dt, x);
-      y = Math.fma(vy, dt, y);
+      x = fma(vx, dt, x);
+      y = fma(vy, dt, y);
     } else {
       x = xAfter(dt);
       y = yAfter(dt);

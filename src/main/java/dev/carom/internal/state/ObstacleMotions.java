@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.state;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.ObstacleShape;
@@ -116,7 +118,7 @@ public final class ObstacleMotions {
     double dt =
         until == NEVER ? (head - motions[k + SINCE]) + tail : Math.min(0, (head - until) + tail);
     for (int c = 0; c < coordinates; c++) {
-      row[c] = Coordinates.within(Math.fma(motions[k + c], dt, row[c]));
+      row[c] = Coordinates.within(fma(motions[k + c], dt, row[c]));
     }
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 /** Arithmetic on coordinates, also where their differences overflow. */
 public final class Coordinates {
 
@@ -22,7 +24,7 @@ public final class Coordinates {
   /** a + s (b - a), also where b - a overflows. */
   public static double between(double s, double a, double b) {
     double w = b - a;
-    return Double.isInfinite(w) ? (1 - s) * a + s * b : Math.fma(s, w, a);
+    return Double.isInfinite(w) ? (1 - s) * a + s * b : fma(s, w, a);
   }
 
   /** The same with s clamped to 0..1: exactly a or b beyond an end, and a if s is NaN. */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 /**
  * The first hit of a disk with a constant acceleration on a line, where a normal shows that none
  * comes before it. Nearly all questions of a search are answered here.
@@ -143,7 +145,7 @@ final class DirectHit {
     double sizeX = Math.abs(nx);
     double sizeY = Math.abs(ny);
     double terms = sizeX * Offset.size(dx, sx, gx, t) + sizeY * Offset.size(dy, sy, gy, t);
-    return height > Math.fma(ROUGH_BOUND, terms, TINY) && t < MOST && sizeX + sizeY < MOST;
+    return height > fma(ROUGH_BOUND, terms, TINY) && t < MOST && sizeX + sizeY < MOST;
   }
 
   /**
@@ -159,7 +161,7 @@ final class DirectHit {
     double last = nx * (sx + gx * t) + ny * (sy + gy * t);
     double speedX = Math.abs(sx) + Math.abs(gx) * t;
     double speedY = Math.abs(sy) + Math.abs(gy) * t;
-    double bound = Math.fma(ROUGH_BOUND, sizeX * speedX + sizeY * speedY, TINY);
+    double bound = fma(ROUGH_BOUND, sizeX * speedX + sizeY * speedY, TINY);
     return mean < -bound && last < -bound && t > 0 && t < MOST && speedX + speedY < MOST;
   }
 
@@ -278,7 +280,7 @@ final class DirectHit {
     double terms =
         Math.abs(nx) * (r + Math.abs(ex) + Offset.size(dx, sx, gx, T))
             + Math.abs(ny) * (r + Math.abs(ey) + Offset.size(dy, sy, gy, T));
-    double least = reach + Math.fma(ROUNDING, terms, TINY);
+    double least = reach + fma(ROUNDING, terms, TINY);
     boolean isMissed =
         first > least
             && middle > least

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.exact.DoubleDoubleNumber;
 import dev.carom.internal.exact.Expansion;
 
@@ -143,7 +145,7 @@ final class DiskGap {
       terms = terms * t + Math.abs(c[i].head());
     }
     double value = at(c, DoubleDoubleNumber.of(t, rest)).head();
-    boolean isCertain = Math.abs(value) > Math.fma(BOUND, terms, TINY) && terms < MOST;
+    boolean isCertain = Math.abs(value) > fma(BOUND, terms, TINY) && terms < MOST;
     return isCertain ? UnitVectors.sign(value) : 0;
   }
 

@@ -4,6 +4,7 @@ package dev.carom.internal.sweep;
 import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
+import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.exact.Exact;
 import dev.carom.internal.exact.ExactTime;
@@ -208,7 +209,7 @@ public final class DiskSweep {
     double d = x1 - x2;
     double u = v1 - v2;
     double m = u * t;
-    double ml = Math.fma(differenceTail(v1, v2, u), t, productTail(u, t, m));
+    double ml = fma(differenceTail(v1, v2, u), t, productTail(u, t, m));
     return sumTail(d, m, d + m) + (differenceTail(x1, x2, d) + ml);
   }
 

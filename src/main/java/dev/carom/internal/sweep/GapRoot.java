@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 /**
  * The time at which the gap f of an accelerated disk first falls to 0. The gap is the square of a
  * distance less that of a radius, a polynomial of degree 4 in time.
@@ -126,7 +128,7 @@ final class GapRoot {
 
   /** A bound of the error of a coefficient of f at time 0, of a given size. */
   static double error(double size) {
-    return Math.fma(BERNSTEIN_BOUND, size, TINY);
+    return fma(BERNSTEIN_BOUND, size, TINY);
   }
 
   /**
@@ -144,7 +146,7 @@ final class GapRoot {
 
   /** The sign of a coefficient of f at time 0, of a given size; 0 in doubt. */
   static int sign(double value, double size) {
-    double bound = Math.fma(BERNSTEIN_BOUND, size, TINY);
+    double bound = fma(BERNSTEIN_BOUND, size, TINY);
     return value > bound ? 1 : value < -bound ? -1 : 0;
   }
 
@@ -191,7 +193,7 @@ final class GapRoot {
       double high = Math.min(low + width, T);
       double w = high - low;
       double m = m0 + (m1 + m2 * high) * high;
-      double bound = Math.fma(BERNSTEIN_BOUND, m * m, TINY);
+      double bound = fma(BERNSTEIN_BOUND, m * m, TINY);
       // f(low + w x) = a0 + a1 x + ... + a4 x^4
       double s = c3 + c4 * low;
       double s2 = s + c4 * low;
@@ -302,7 +304,7 @@ final class GapRoot {
   static boolean rises(
       double c1, double c2, double c3, double c4, double m0, double m1, double m2, double t) {
     double m = m0 + (m1 + m2 * t) * t;
-    double bound = Math.fma(BERNSTEIN_BOUND, 2 * m * (m1 + 2 * m2 * t), TINY);
+    double bound = fma(BERNSTEIN_BOUND, 2 * m * (m1 + 2 * m2 * t), TINY);
     double d1 = c1 + 2 * c2 / 3 * t;
     double d2 = c1 + (4 * c2 / 3 + c3 * t) * t;
     double d3 = c1 + (2 * c2 + (3 * c3 + 4 * c4 * t) * t) * t;
@@ -348,8 +350,8 @@ final class GapRoot {
     double after = high;
     double t = start;
     for (int i = 0; i < STEPS; i++) {
-      double f = Math.fma(Math.fma(Math.fma(Math.fma(c4, t, c3), t, c2), t, c1), t, c0);
-      double slope = Math.fma(Math.fma(Math.fma(4 * c4, t, 3 * c3), t, 2 * c2), t, c1);
+      double f = fma(fma(fma(fma(c4, t, c3), t, c2), t, c1), t, c0);
+      double slope = fma(fma(fma(4 * c4, t, 3 * c3), t, 2 * c2), t, c1);
       if (f > 0) {
         before = t;
       } else {
@@ -411,7 +413,7 @@ final class GapRoot {
     double x = step / t;
     double scale = size * size;
     return scale < MOST && t > EARLIEST && t < LATEST
-        ? Math.fma(scale, STEP_BOUND * (x * x), RESIDUE_TINY)
+        ? fma(scale, STEP_BOUND * (x * x), RESIDUE_TINY)
         : Double.POSITIVE_INFINITY;
   }
 

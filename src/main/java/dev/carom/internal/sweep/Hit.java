@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.UnitVector;
 
@@ -127,8 +129,8 @@ public final class Hit {
       x = Coordinates.between(share, x2, x1);
       y = Coordinates.between(share, y2, y1);
     } else {
-      x = Coordinates.within(Math.fma(r2, n.x(), place(x2, vx2, t)));
-      y = Coordinates.within(Math.fma(r2, n.y(), place(y2, vy2, t)));
+      x = Coordinates.within(fma(r2, n.x(), place(x2, vx2, t)));
+      y = Coordinates.within(fma(r2, n.y(), place(y2, vy2, t)));
     }
     return of(x, y, vx1, vy1, vx2, vy2);
   }
@@ -159,7 +161,7 @@ public final class Hit {
   }
 
   private static double place(double p, double v, double t) {
-    return Coordinates.within(Math.fma(v, t, p));
+    return Coordinates.within(fma(v, t, p));
   }
 
   /** The speed along the normal at which the distance falls: -(v1 - v2).n; it may be infinite. */

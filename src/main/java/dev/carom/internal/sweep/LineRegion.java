@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 /**
  * Where the centre of a disk with a constant acceleration is beside a line that moves with the
  * velocity u: before its start, beside it, or beyond its end.
@@ -72,7 +74,7 @@ final class LineRegion {
     double sizeY = Offset.size(py - qy, vy - uy, gy, late);
     double value = wx * x + wy * y;
     double terms = Math.abs(wx) * sizeX + Math.abs(wy) * sizeY;
-    double bound = Math.fma(PLACE_BOUND, terms, TINY);
+    double bound = fma(PLACE_BOUND, terms, TINY);
     boolean isCertain = Math.abs(value) > bound && t < MOST && Math.abs(wx) + Math.abs(wy) < MOST;
     return isCertain ? UnitVectors.sign(value) : 0;
   }

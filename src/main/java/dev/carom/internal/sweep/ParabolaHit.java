@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.exact.RealRoot;
@@ -91,16 +93,16 @@ public final class ParabolaHit {
       double y = Coordinates.between(share, y2, y1);
       return new Hit().of(x, y, n, ux, uy, vx2, vy2);
     }
-    double x = Coordinates.within(Math.fma(r2, n.x(), place(x2, vx2, 0, t)));
-    double y = Coordinates.within(Math.fma(r2, n.y(), place(y2, vy2, 0, t)));
+    double x = Coordinates.within(fma(r2, n.x(), place(x2, vx2, 0, t)));
+    double y = Coordinates.within(fma(r2, n.y(), place(y2, vy2, 0, t)));
     return new Hit().of(x, y, n, ux, uy, vx2, vy2);
   }
 
   private static double place(double p, double v, double g, double t) {
-    return Coordinates.within(Math.fma(Math.fma(0.5 * g, t, v), t, p));
+    return Coordinates.within(fma(fma(0.5 * g, t, v), t, p));
   }
 
   private static double velocity(double v, double g, double t) {
-    return Coordinates.within(Math.fma(g, t, v));
+    return Coordinates.within(fma(g, t, v));
   }
 }

@@ -5,6 +5,7 @@ import static dev.carom.internal.exact.DoubleDouble.crossTail;
 import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
+import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.exact.ExactReturn;
 import dev.carom.internal.exact.PrecisionCounters;
@@ -103,7 +104,7 @@ public final class ParabolaReturn {
     double dl = -crossTail(wx, wxl, wy, wyl, gx, 0, gy, 0, -d);
     double t = n / d;
     double divisor = d + dl;
-    double step = (Math.fma(-t, d, n) + (nl - t * dl)) / divisor;
+    double step = (fma(-t, d, n) + (nl - t * dl)) / divisor;
     double terms =
         2 * (Math.abs(wx * sy) + Math.abs(wy * sx))
             + t * (Math.abs(wx * gy) + Math.abs(wy * gx));

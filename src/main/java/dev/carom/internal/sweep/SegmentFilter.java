@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 /**
  * A filter in plain doubles for a disk that moves against a resting line. It finds most contacts of
  * a {@link SegmentSweep}, and approximately when they come. Its answers are certain; whatever is
@@ -104,8 +106,8 @@ public final class SegmentFilter {
     double b = (px - bx) * vy - (py - by) * vx;
     // The side is known late, so it is multiplied in last.
     double scale = side * ww;
-    double beyondStart = Math.fma(a * Math.abs(a), scale, yy);
-    double beyondEnd = Math.fma(b * Math.abs(b), scale, yy);
+    double beyondStart = fma(a * Math.abs(a), scale, yy);
+    double beyondEnd = fma(b * Math.abs(b), scale, yy);
     if (!(Math.abs(beyondStart) > doubt && Math.abs(beyondEnd) > doubt)) {
       return Contact.DOUBT;
     }

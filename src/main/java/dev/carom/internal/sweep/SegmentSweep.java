@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.exact.Exact;
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.Predicates;
@@ -81,7 +83,7 @@ public final class SegmentSweep {
     double rr = r * r;
     double scaledSquare = rr * ww;
     double strip = c * c - scaledSquare;
-    double bound = Math.fma(STRIP_BOUND, m * m + scaledSquare, TINY * (m + rr + ww + 1));
+    double bound = fma(STRIP_BOUND, m * m + scaledSquare, TINY * (m + rr + ww + 1));
     if (strip > bound) {
       return outside(UnitVectors.sign(c), px, py, r, vx, vy, ax, ay, bx, by, ux, uy);
     }
@@ -208,7 +210,7 @@ public final class SegmentSweep {
     double c0 = (bx - ax) * (vy - uy);
     double c1 = (by - ay) * (vx - ux);
     double c = c0 - c1;
-    double bound = Math.fma(SPEED_BOUND, Math.abs(c0) + Math.abs(c1), TINY);
+    double bound = fma(SPEED_BOUND, Math.abs(c0) + Math.abs(c1), TINY);
     if (Math.abs(c) > bound) {
       return UnitVectors.sign(c);
     }
@@ -221,7 +223,7 @@ public final class SegmentSweep {
     double c0 = (px - qx) * (bx - ax);
     double c1 = (py - qy) * (by - ay);
     double c = c0 + c1;
-    double bound = Math.fma(PLACE_BOUND, Math.abs(c0) + Math.abs(c1), TINY);
+    double bound = fma(PLACE_BOUND, Math.abs(c0) + Math.abs(c1), TINY);
     if (Math.abs(c) > bound) {
       return UnitVectors.sign(c);
     }
@@ -248,7 +250,7 @@ public final class SegmentSweep {
     double ww = wx * wx + wy * wy;
     double s = x * Math.abs(x) * ww - y * Math.abs(y);
     double bound =
-        Math.fma(
+        fma(
             CORNER_BOUND,
             mx * mx * ww + my * my,
             TINY * ((1 + mx) * (1 + mx + ww) + (1 + r) * (1 + my)));

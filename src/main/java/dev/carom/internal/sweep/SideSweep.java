@@ -5,6 +5,7 @@ import static dev.carom.internal.exact.DoubleDouble.crossTail;
 import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
+import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.Exact;
@@ -247,7 +248,7 @@ public final class SideSweep {
     double ww = wx * wx + wy * wy;
     double s = c * Math.abs(c) - rr * ww;
     double bound =
-        Math.fma(WINDOW_BOUND, m * m + rr * ww, 0x1p-1000 * ((1 + m) * (1 + T) + rr + ww));
+        fma(WINDOW_BOUND, m * m + rr * ww, 0x1p-1000 * ((1 + m) * (1 + T) + rr + ww));
     return s > bound ? 1 : s < -bound ? -1 : 0;
   }
 }

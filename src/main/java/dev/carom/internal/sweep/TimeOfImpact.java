@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.exact.Predicates;
 
 /**
@@ -71,16 +73,16 @@ public final class TimeOfImpact {
   private TimeOfImpact() {}
 
   static double dotBound(double terms) {
-    return Math.fma(DOT_BOUND, terms, TINY);
+    return fma(DOT_BOUND, terms, TINY);
   }
 
   /** The error bound of g, from w = d.d + r^2. */
   static double gapBound(double w) {
-    return Math.fma(GAP_BOUND, w, TINY);
+    return fma(GAP_BOUND, w, TINY);
   }
 
   static double discriminantBound(double a, double w) {
-    return Math.fma(DISCRIMINANT_BOUND, a * w, TINY * (a + w + 1));
+    return fma(DISCRIMINANT_BOUND, a * w, TINY * (a + w + 1));
   }
 
   /**
@@ -95,11 +97,11 @@ public final class TimeOfImpact {
    * @param size the sum of the components' |d| + |u T|
    */
   static int order(double ue, double leans, double f, double terms, double size, double T) {
-    double lean = Math.fma(WINDOW_BOUND, leans, TINY * (1 + T));
+    double lean = fma(WINDOW_BOUND, leans, TINY * (1 + T));
     if (ue > lean) {
       return -1;
     }
-    double bound = Math.fma(WINDOW_BOUND, terms, TINY * ((1 + size) * (1 + T)));
+    double bound = fma(WINDOW_BOUND, terms, TINY * ((1 + size) * (1 + T)));
     return f < -bound ? -1 : f > bound && ue < -lean ? 1 : 0;
   }
 
@@ -153,7 +155,7 @@ public final class TimeOfImpact {
     if (!(turn < 0.25)) {
       return Double.NaN;
     }
-    return Math.fma(size, turn, Math.fma(Math.fma(PLACE_BOUND, w, TINY), half, TINY));
+    return fma(size, turn, fma(fma(PLACE_BOUND, w, TINY), half, TINY));
   }
 
   /** t + c to the nearest double, NaN if the error of c leaves that open. */

@@ -2,6 +2,7 @@
 package dev.carom.internal.sweep;
 
 import static dev.carom.internal.exact.DoubleDouble.differenceTail;
+import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.exact.Dyadic;
 import dev.carom.internal.exact.Exact;
@@ -56,7 +57,7 @@ public final class WallSweep {
     double t = gap / speed;
     // The quotient's remainder is exact; gl is rounded, by u^2 of h at most. Multiplying by the
     // reciprocal shortens the latency: a division would have to wait for the remainder.
-    double rest = (Math.fma(-t, speed, g) + gl) * (1 / speed);
+    double rest = (fma(-t, speed, g) + gl) * (1 / speed);
     double error = 0x1p-50 * Math.abs(rest) + 0x1p-104 * (h / speed);
     double low = t + (rest - error);
     if (low == t + (rest + error)
