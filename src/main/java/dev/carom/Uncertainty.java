@@ -153,7 +153,7 @@ public final class Uncertainty {
             world.circles.gy(slot),
             world.now(),
             length);
-    if (world.circles.support(slot) > MovingCircle.NOTHING) {
+    if (world.circles.isSupported(slot)) {
       paths[id].lose(); // it slides or rests
     }
   }

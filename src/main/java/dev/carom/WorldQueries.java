@@ -169,13 +169,12 @@ final class WorldQueries {
 
   /** Tells whether a circle is carried, and moves as what carries it. */
   boolean isResting(int slot, double now) {
-    int support = circles.support(slot);
-    if (support <= MovingCircle.NOTHING || circles.gx(slot) != 0 || circles.gy(slot) != 0) {
+    if (!circles.isSupported(slot) || circles.gx(slot) != 0 || circles.gy(slot) != 0) {
       return false;
     }
-    boolean held = support == MovingCircle.HELD || Codes.isWall(support);
-    double ux = held ? 0 : obstacles.ux(support);
-    double uy = held ? 0 : obstacles.uy(support);
+    int support = circles.support(slot);
+    double ux = obstacles.ux(support);
+    double uy = obstacles.uy(support);
     return circles.vx(slot, now) == ux && circles.vy(slot, now) == uy;
   }
 

@@ -44,7 +44,7 @@ abstract class PlainEdits extends PlainSearch {
   /** Circles fall that lay on one which is about to change, if that rested. */
   private void freeHeap(int id) {
     MovingCircle m = copy(bodies.get(id));
-    if (m.holdsOthers()) {
+    if (m.isGround()) {
       m.tl = tailOfEdit(m);
       m.t = now;
       for (MovingCircle other : heap.free(m)) {
@@ -76,7 +76,7 @@ abstract class PlainEdits extends PlainSearch {
     for (MovingCircle m : bodies) {
       boolean rests = m.isSupported() && m.gx == 0 && m.gy == 0;
       boolean isCarried =
-          m.support == code || m.support == ~code || (rests && response.settling.touches(m, code));
+          m.support == code || m.leftLine == code || (rests && response.settling.touches(m, code));
       if (registry.contains(m.id) && isCarried) {
         restarted(m.id).forget(code, 0);
       }
@@ -100,7 +100,7 @@ abstract class PlainEdits extends PlainSearch {
     int code = Codes.circle(id);
     for (MovingCircle m : bodies) {
       boolean isPressed = m.jam != null && m.jam.isCrushedBy(code);
-      if (registry.contains(m.id) && isPressed && m.support == MovingCircle.HELD) {
+      if (registry.contains(m.id) && isPressed && m.pinned) {
         restarted(m.id).forget(code, 0);
       }
     }
@@ -122,7 +122,7 @@ abstract class PlainEdits extends PlainSearch {
     if (passes) {
       leaveJamsOf(id);
     }
-    boolean held = collide && bodies.get(id).isHeld();
+    boolean held = collide && bodies.get(id).isFrozen();
     if (held || (passes && (collide || gravity.acts()))) {
       restarted(id).forget();
     }

@@ -95,7 +95,7 @@ final class PlainFall {
   /** The return to what was hit last, or to the ends of a line from which the circle slid. */
   private double again(MovingCircle m, int code) {
     double[] n = row(m, code);
-    if (m.support == ~code) {
+    if (m.leftLine == code) {
       int near = nearEnd(m, n);
       double far = disk(m, code, n[2 - near], n[3 - near], 0);
       return Math.min(far, backToDisk(m, code, n[near], n[near + 1]));
@@ -159,7 +159,7 @@ final class PlainFall {
       return 0;
     }
     double[] n = row(m, code);
-    if (m.support == ~code && t == 0) {
+    if (m.leftLine == code && t == 0) {
       return (nearEnd(m, n) == 0 ? Contact.START : Contact.END) | Contact.NOW;
     }
     boolean isReturn =

@@ -139,8 +139,6 @@ abstract class PlainState {
     one.get(0, copy);
     copy.id = m.id;
     copy.filter = m.filter;
-    copy.flown = m.flown;
-    copy.standsStill = m.standsStill;
     return copy;
   }
 
@@ -148,7 +146,7 @@ abstract class PlainState {
     if (m.isSupported() && Codes.isCircle(m.last)) {
       m.last = MovingCircle.NOTHING;
     }
-    boolean isHeld = m.support == MovingCircle.HELD;
+    boolean isHeld = m.pinned;
     if (m.isSupported()) {
       m.leavePlace();
     }
@@ -188,7 +186,6 @@ abstract class PlainState {
     MovingCircle early = later > 0 ? a : b;
     MovingCircle late = later > 0 ? b : a;
     early.move(Math.abs(later));
-    early.flown += Math.abs(later);
     early.t = late.t;
     early.tl = late.tl;
     return early;

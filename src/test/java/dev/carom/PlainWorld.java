@@ -60,7 +60,7 @@ public final class PlainWorld extends PlainEdits {
       int code = m.next;
       double vx = m.vx;
       double vy = m.vy;
-      boolean rested = m.holdsOthers();
+      boolean rested = m.isGround();
       int result = response.resolve(m, rows);
       if (result == ObstacleResponse.SENSED) {
         met.get(low).put(code, m.cleared);
@@ -86,17 +86,13 @@ public final class PlainWorld extends PlainEdits {
   private void meet(MovingCircle a, MovingCircle b) {
     MovingCircle one = copy(a);
     MovingCircle two = copy(b);
-    one.flown = a.flown;
-    two.flown = b.flown;
-    MovingCircle early = bringTogether(one, two);
-    double before = early.flown;
-    one.advance(wait);
-    two.advance(wait);
-    early.flown += before;
-    early.standsStill &= early.flown == wait;
-    cluster.noteCrushed(one);
-    cluster.noteCrushed(two);
-    int result = pairs.resolve(one, two, true, rows);
+    double later = later(one, two);
+    bringTogether(one, two);
+    double ofOne = flown(Math.max(0, later), one.advance(wait));
+    double ofTwo = flown(Math.max(0, -later), two.advance(wait));
+    cluster.forgetCrushersOf(one);
+    cluster.forgetCrushersOf(two);
+    int result = pairs.resolve(one, ofOne, two, ofTwo, true, rows);
     if (result == ObstacleResponse.SENSED) {
       metPairs.put(pair(a, b), wait);
     } else {
@@ -105,20 +101,25 @@ public final class PlainWorld extends PlainEdits {
       begin(one);
       begin(two);
       settle(result, one, two);
-      if (a.holdsOthers()) {
+      if (a.isGround()) {
         freeThoseOn(one);
-      } else if (b.holdsOthers()) {
+      } else if (b.isGround()) {
         freeThoseOn(two);
       }
-      if (one.calm >= Heap.TRIAL || two.calm >= Heap.TRIAL) {
+      if (one.slowContacts >= Heap.TRIAL || two.slowContacts >= Heap.TRIAL) {
         change(heap.rest(rows, copy(one), copy(two)));
       }
     }
   }
 
+  /** How long a flight lasted that was known before the wait, which alone lasted so long. */
+  private double flown(double before, double waited) {
+    return before + wait == wait ? waited : before + wait;
+  }
+
   /** Lets the circles fall that one held which rested, unless it still does. */
   private void freeThoseOn(MovingCircle m) {
-    if (gravity.acts() && collide && !m.holdsOthers()) {
+    if (gravity.acts() && collide && !m.isGround()) {
       change(heap.free(copy(m)));
     }
   }

@@ -220,7 +220,7 @@ public final class CollidingEngine extends Engine {
     }
     double vx = m.vx;
     double vy = m.vy;
-    boolean rested = gravity.acts() && m.holdsOthers();
+    boolean rested = gravity.acts() && m.isGround();
     int result = response.resolve(m, log);
     boolean turned = m.vx != vx || m.vy != vy;
     switch (result) {
@@ -265,7 +265,7 @@ public final class CollidingEngine extends Engine {
    */
   private void freeThoseOn(int i) {
     MovingCircle m = copy(i);
-    if (!m.holdsOthers()) {
+    if (!m.isGround()) {
       Collection<MovingCircle> freed = heap.free(m);
       begin(freed);
       collideAgain(m, freed);
@@ -292,16 +292,13 @@ public final class CollidingEngine extends Engine {
     int high = Math.max(i, j);
     circles.loadForMeeting(s, c, low, circles.body);
     circles.loadForMeeting(s, c, high, other);
-    advanceToMeeting(s, circles.body, other, i);
     if (stopsAtImpact) {
       stopAt(CollisionPredictor.time(s, i), CollisionPredictor.tail(s, i));
     }
-    cluster.noteCrushed(circles.body);
-    cluster.noteCrushed(other);
     boolean acts = gravity.acts();
-    boolean lowRested = acts && circles.body.holdsOthers();
-    boolean highRested = acts && other.holdsOthers();
-    switch (pairs.resolve(circles.body, other, circles.allowsGravity(), log)) {
+    boolean lowRested = acts && circles.body.isGround();
+    boolean highRested = acts && other.isGround();
+    switch (resolveMeeting(s, circles.body, other, i)) {
       case ObstacleResponse.SENSED -> {
         report(low, high, i);
         scheduler.predict(s, c, low, high);
@@ -313,7 +310,7 @@ public final class CollidingEngine extends Engine {
       }
       default -> {
         noteEvent(other.t, other.tl); // for both
-        boolean tries = circles.body.calm >= Heap.TRIAL || other.calm >= Heap.TRIAL;
+        boolean tries = circles.body.slowContacts >= Heap.TRIAL || other.slowContacts >= Heap.TRIAL;
         startFlight(s, c, low, circles.body);
         startFlight(s, c, high, other);
         reactivate(low);
@@ -345,8 +342,8 @@ public final class CollidingEngine extends Engine {
     }
   }
 
-  /** Advances two circles to the collision predicted of circle i. */
-  private void advanceToMeeting(double[] s, MovingCircle a, MovingCircle b, int i) {
+  /** Advances two circles to the collision predicted of circle i, and resolves it. */
+  private int resolveMeeting(double[] s, MovingCircle a, MovingCircle b, int i) {
     ObstacleTable obstacles = staticScene.obstacles;
     double tau = CollisionPredictor.tau(s, i);
     double head = CollisionPredictor.time(s, i);
@@ -355,8 +352,11 @@ public final class CollidingEngine extends Engine {
     double ofA = CollisionPredictor.positive(later);
     double ofB = ofA - later;
     boolean standsStill = later > 0 ? b.isAt(head, tail) : a.isAt(head, tail);
-    a.advance(ofA, tau, head, tail, standsStill, obstacles);
-    b.advance(ofB, tau, head, tail, standsStill, obstacles);
+    double flownA = a.advance(ofA, tau, head, tail, standsStill, obstacles);
+    double flownB = b.advance(ofB, tau, head, tail, standsStill, obstacles);
+    cluster.forgetCrushersOf(a);
+    cluster.forgetCrushersOf(b);
+    return pairs.resolve(a, flownA, b, flownB, circles.allowsGravity(), log);
   }
 
   /** Starts a new flight of a circle. */
@@ -467,7 +467,7 @@ public final class CollidingEngine extends Engine {
       return;
     }
     MovingCircle m = copy(i);
-    if (m.holdsOthers()) {
+    if (m.isGround()) {
       m.t = now;
       m.tl = tailOfEdit(m, now);
       Collection<MovingCircle> freed = heap.free(m);
@@ -562,7 +562,7 @@ public final class CollidingEngine extends Engine {
       IgnoreList jam = circles.jam(i);
       if (registry.contains(i) && jam != null && jam.concerns(code)) {
         circles.load(i);
-        if (isEdit && jam.isCrushedBy(code) && circles.body.support == MovingCircle.HELD) {
+        if (isEdit && jam.isCrushedBy(code) && circles.body.pinned) {
           letGo(circles.body, code);
         } else {
           circles.body.forget(code, 0);

@@ -145,7 +145,7 @@ public final class Editor {
       engine.leaveJamsOf(slot);
     }
     circles.load(slot, body);
-    boolean held = collide && body.isHeld(); // maybe by what fell just now
+    boolean held = collide && body.isFrozen(); // maybe by what fell just now
     if (held || (passes && (collide || engine.gravity.acts()))) {
       restarted(slot, now).forget();
       engine.beginFlight(body);

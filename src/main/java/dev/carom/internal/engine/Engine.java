@@ -67,7 +67,7 @@ public abstract class Engine {
     if (m.isSupported()) {
       m.leavePlace(); // what it ignored while it was jammed may be in the way of its fall
     }
-    if (m.support == MovingCircle.HELD && hitWhatMoves(m)) {
+    if (m.pinned && hitWhatMoves(m)) {
       m.last = MovingCircle.NOTHING; // it may have left the circle since
     }
     if (registry.mass(m.id) < Double.POSITIVE_INFINITY) {
@@ -182,7 +182,7 @@ public abstract class Engine {
   /** Whether a circle slides or rests on an obstacle, or rests between it and another one. */
   private boolean isCarriedBy(MovingCircle m, int code) {
     return m.support == code
-        || m.support == ~code
+        || m.leftLine == code
         || (m.isSupported() && m.gx == 0 && m.gy == 0 && response.settling.touches(m, code));
   }
 

@@ -108,18 +108,25 @@ public final class SnapshotReader {
       Check.finite("gx", gx);
       Check.finite("gy", gy);
       m.fall(gx, gy);
-      m.support = in.readInt();
-      if (m.support != MovingCircle.NOTHING && m.support != MovingCircle.HELD) {
-        int code = m.support < 0 ? ~m.support : m.support;
-        expectCode(!Codes.isCircle(code) && (m.support >= 0 || Codes.isLine(code)), code);
-        checkCode(code);
-        expectCode(Codes.isWall(code) ? obstacles.walls != null : !obstacles.isGone(code), code);
-      }
-      m.calm = in.readInt();
-      expect(m.calm <= MovingCircle.CALM_LIMIT, "the calm contacts of a circle are " + m.calm);
+      m.setSupport(in.readInt());
+      expectObstacle(m.support, obstacles);
+      expectObstacle(m.leftLine, obstacles);
+      expectCode(m.leftLine == MovingCircle.NOTHING || Codes.isLine(m.leftLine), m.leftLine);
+      m.slowContacts = in.readInt();
+      expect(
+          m.slowContacts <= MovingCircle.SLOW_LIMIT,
+          "the slow contacts of a circle are " + m.slowContacts);
       if (m.isFalling()) {
         flights.putAcceleration(i, m);
       }
+    }
+  }
+
+  private void expectObstacle(int code, ObstacleTable obstacles) throws IOException {
+    if (code != MovingCircle.NOTHING) {
+      expectCode(!Codes.isCircle(code), code);
+      checkCode(code);
+      expectCode(Codes.isWall(code) ? obstacles.walls != null : !obstacles.isGone(code), code);
     }
   }
 

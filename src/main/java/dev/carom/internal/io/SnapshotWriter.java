@@ -99,8 +99,8 @@ public final class SnapshotWriter {
     for (int i = 0; s.flights().haveAccelerations() && i < s.flights().count(); i++) {
       s.flights().get(i, m);
       numbers(m.gx, m.gy);
-      out.writeInt(m.support);
-      out.writeInt(m.calm);
+      out.writeInt(m.supportWord());
+      out.writeInt(m.slowContacts);
     }
   }
 

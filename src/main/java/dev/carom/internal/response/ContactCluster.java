@@ -122,12 +122,9 @@ public final class ContactCluster {
     return changed;
   }
 
-  /**
-   * Notes whether a circle is crushed. If not, what crushed it has left it, and can be met again.
-   */
-  public void noteCrushed(MovingCircle m) {
-    m.crushed = isCrushed(m);
-    if (!m.crushed) {
+  /** Lets a circle meet again what crushed it, once all that did has left it. */
+  public void forgetCrushersOf(MovingCircle m) {
+    if (!isCrushed(m)) {
       m.forgetCrushers();
     }
   }
@@ -195,7 +192,7 @@ public final class ContactCluster {
     contacts.clear();
     Map<Integer, Integer> numbers = new HashMap<>();
     for (MovingCircle m : hit) {
-      noteCrushed(m);
+      forgetCrushersOf(m);
       numbers.put(m.id, members.size());
       members.add(m);
     }
@@ -248,7 +245,7 @@ public final class ContactCluster {
     Integer known = numbers.get(id);
     MovingCircle other = known != null ? members.get(known) : broughtTo(m, vicinity.copyOf(id));
     if (known == null) {
-      noteCrushed(other);
+      forgetCrushersOf(other);
     } else if (known < k && mass(other) < INFINITE) {
       return; // its own search added this contact
     }
@@ -299,7 +296,6 @@ public final class ContactCluster {
     m.vy = 0;
     m.last = MovingCircle.NOTHING;
     m.jam = IgnoreList.crushedBy(m.jam, code);
-    m.crushed = true;
   }
 
   /** Whether a contact is the impact under resolution, which has its row in the log already. */

@@ -170,7 +170,7 @@ final class Escape {
       m.vx = vx;
       m.vy = vy;
       m.leavePlace();
-      m.calm = 0;
+      m.slowContacts = 0;
       settling.fall(m);
     }
     if (changes && !List.of(hit).contains(m)) {
@@ -259,7 +259,7 @@ final class Escape {
   }
 
   private boolean givesWay(MovingCircle m) {
-    return !m.crushed && (circles == null || !circles.isInfinite(m));
+    return !m.isCrushed() && (circles == null || !circles.isInfinite(m));
   }
 
   private void addObstacles(int k) {
@@ -314,7 +314,7 @@ final class Escape {
         return m;
       }
     }
-    circles.noteCrushed(copy);
+    circles.forgetCrushersOf(copy);
     return copy;
   }
 }

@@ -18,7 +18,7 @@ import java.util.stream.IntStream;
 
 /**
  * Circles that lie on each other under gravity. By the rules of {@link Settling} they would hop for
- * ever. A circle that made {@link #TRIAL} calm contacts with other circles tries to rest, together
+ * ever. A circle that made {@link #TRIAL} slow contacts with other circles tries to rest, together
  * with all slow circles that it touches, that those touch, and so on.
  *
  * <p>They rest if their contacts can hold them: if pushes along the normals leave each with an
@@ -32,8 +32,8 @@ import java.util.stream.IntStream;
  */
 public final class Heap {
 
-  /** The number of calm contacts after which a circle tries to rest. */
-  public static final int TRIAL = MovingCircle.CALM_LIMIT;
+  /** The number of slow contacts after which a circle tries to rest. */
+  public static final int TRIAL = MovingCircle.SLOW_LIMIT;
 
   /**
    * After a trial the circles that do not rest wait for one more contact for so many circles in it.
@@ -105,19 +105,19 @@ public final class Heap {
     List<MovingCircle> changed = new ArrayList<>();
     for (int i = 0; i < rests.length; i++) {
       MovingCircle m = members.get(i);
-      comes[i] = rests[i] && !m.isHeld();
-      if (rests[i] != m.isHeld() || m.calm > 0) {
+      comes[i] = rests[i] && !m.isFrozen();
+      if (rests[i] != m.isFrozen() || m.slowContacts > 0) {
         changed.add(m);
       }
     }
     for (int i = 0; i < rests.length; i++) {
       MovingCircle m = members.get(i);
       if (comes[i]) {
-        Settling.hold(m);
-      } else if (m.isHeld() && !rests[i]) {
+        Settling.pin(m);
+      } else if (m.isFrozen() && !rests[i]) {
         response.settling.fall(m);
       }
-      m.calm = rests[i] ? 0 : delay();
+      m.slowContacts = rests[i] ? 0 : delay();
       m.last = MovingCircle.NOTHING;
     }
     report(comes, log, hit);
@@ -128,8 +128,8 @@ public final class Heap {
   private Collection<MovingCircle> delayed() {
     List<MovingCircle> waiting = new ArrayList<>();
     for (MovingCircle m : members) {
-      if (m.calm > 0) {
-        m.calm = delay();
+      if (m.slowContacts > 0) {
+        m.slowContacts = delay();
         m.last = MovingCircle.NOTHING;
         waiting.add(m);
       }
@@ -216,6 +216,9 @@ public final class Heap {
         MovingCircle other = known.containsKey(id) ? null : vicinity.copyOf(id);
         if (other != null && mayBeHeldBy(m, other) && Settling.touchInHeap(m, other) != null) {
           known.put(id, other);
+          if (!other.isAt(first.t, first.tl)) { // else two could jam each other for ever
+            other.leavePlace();
+          }
           all.add(bringTo(first, other));
         }
       }
@@ -223,10 +226,7 @@ public final class Heap {
     all.remove(0);
     for (MovingCircle m : all) {
       response.settling.fall(m);
-      if (!m.standsStill) { // two that jam each other at one time must not do so for ever
-        m.leavePlace();
-      }
-      m.calm = 0;
+      m.slowContacts = 0;
       m.last = MovingCircle.NOTHING;
     }
     return all;
@@ -235,7 +235,7 @@ public final class Heap {
   /** Whether a circle is held, and nothing else crushed it but circle m. */
   private static boolean mayBeHeldBy(MovingCircle m, MovingCircle other) {
     boolean isFree = other.jam == null || other.jam.without(Codes.circle(m.id)) == null;
-    return other.support == MovingCircle.HELD && isFree;
+    return other.pinned && isFree;
   }
 
   private void gather(MovingCircle... hit) {
@@ -291,7 +291,7 @@ public final class Heap {
     }
     if (known != null || mayRest(other)) {
       contacts.add(new Contact(k, known != null ? known : add(other), touch, other));
-    } else if (other.holdsOthers()) {
+    } else if (other.isGround()) {
       contacts.add(new Contact(k, InelasticShock.OBSTACLE, touch, other));
     }
   }

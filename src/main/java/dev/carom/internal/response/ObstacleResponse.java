@@ -48,6 +48,9 @@ public final class ObstacleResponse {
 
   private double sy;
 
+  /** How long the flight lasted that ends in it; 0 if too short to advance the clock. */
+  private double flown;
+
   /** Tells of a jammed circle whether something that crushed it is still upon it. */
   private Predicate<MovingCircle> isCrushed;
 
@@ -72,7 +75,7 @@ public final class ObstacleResponse {
   }
 
   /**
-   * The circles that gave way since the last call to one that something drives, at the start of
+   * The circles that gave way since the last call to one that something pushes, at the start of
    * their new flights.
    */
   public List<MovingCircle> takeYielded() {
@@ -93,7 +96,7 @@ public final class ObstacleResponse {
     }
     boolean falls = m.isFalling();
     point.startAt(m);
-    m.advance(m.cleared);
+    flown = m.advance(m.cleared);
     if (falls && code == m.support) {
       slideOff(m);
       return NEW_FLIGHT;
@@ -112,12 +115,11 @@ public final class ObstacleResponse {
     }
     double e = m.restitution * obstacles.restitution(code);
     double speed = Math.abs(sx) + Math.abs(sy);
-    double way = m.flown * speed;
     double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
     double speeds = Math.abs(m.vx) + Math.abs(m.vy) + Math.abs(point.ux) + Math.abs(point.uy);
-    double driven = StuckRule.drivenPlace(obstacles.areMoving());
-    StuckRule.count(m, way, speeds, approach, e, StuckRule.ELASTIC, driven);
-    m.driven |= point.ux * point.nx + point.uy * point.ny > 0;
+    double pushed = StuckRule.pushedPlace(obstacles.areMoving());
+    StuckRule.count(m, flown, speed, speeds, approach, e, StuckRule.ELASTIC, pushed);
+    m.pushed |= point.ux * point.nx + point.uy * point.ny > 0;
     boolean stuck = StuckRule.isStuck(m);
     boolean faint = stuck && StuckRule.isFaint(m, approach);
     if (faint) {
@@ -126,7 +128,7 @@ public final class ObstacleResponse {
       m.ignoreCirclesOnly();
     }
     if (stuck || e == 0) {
-      changeWithoutBounce(m, code, vn, way, stuck, log);
+      changeWithoutBounce(m, code, vn, stuck, log);
     } else {
       m.turn = 0;
       change(m, code, vn, e, log);
@@ -148,7 +150,7 @@ public final class ObstacleResponse {
       }
     }
     settling.fall(m);
-    m.support = ~line;
+    m.leftLine = line;
   }
 
   /**
@@ -173,12 +175,12 @@ public final class ObstacleResponse {
     m.newFlight();
     m.ignoreCirclesOnly();
     if (StuckRule.isStuck(m)) {
-      if (e < 1 && (m.driven || obstacles.areMoving()) && settling.escape.escapes(log, m)) {
+      if (e < 1 && (m.pushed || obstacles.areMoving()) && settling.escape.escapes(log, m)) {
         return;
       }
       boolean pushes = point.ux != 0 || point.uy != 0;
       m.jam = pushes ? IgnoreList.crushedBy(m.jam, code) : m.jam;
-      Settling.hold(m);
+      Settling.pin(m);
       log.setOutcome(ImpactRows.JAMMED);
       return;
     }
@@ -203,14 +205,14 @@ public final class ObstacleResponse {
           && !obstacles.moves(m.support)
           && (isLevel(m, vn, reach) || (isFaint(vn) && !isPressed(m)));
     }
-    return m.support < MovingCircle.NOTHING
-        && ~m.support != code
+    return m.leftLine != MovingCircle.NOTHING
+        && m.leftLine != code
         && isFaint(vn)
         && hasHardlyMoved(m)
         && settling.endsHere(m, code);
   }
 
-  /** Whether gravity drives a sliding circle against what it meets. */
+  /** Whether gravity presses a sliding circle against what it meets. */
   private boolean isPressed(MovingCircle m) {
     double pressure = -ScaledVectors.dot(m.gx, m.gy, point.nx, point.ny);
     double pull = Math.abs(m.gx) + Math.abs(m.gy);
@@ -229,7 +231,7 @@ public final class ObstacleResponse {
 
   /** Whether a circle moved by no more than rounding since its last impact. */
   private boolean hasHardlyMoved(MovingCircle m) {
-    return m.flown * (Math.abs(sx) + Math.abs(sy)) <= StuckRule.widthOfPlace(m);
+    return flown * (Math.abs(sx) + Math.abs(sy)) <= StuckRule.widthOfPlace(m);
   }
 
   /**
@@ -259,9 +261,9 @@ public final class ObstacleResponse {
     double speed = Math.abs(sx) + Math.abs(sy);
     double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
     double speeds = Math.abs(m.vx) + Math.abs(m.vy) + Math.abs(point.ux) + Math.abs(point.uy);
-    double driven = e < 1 ? StuckRule.FALLING_PLACE : StuckRule.drivenPlace(obstacles.areMoving());
-    StuckRule.countFalling(m, m.flown * speed, speeds, approach, e, driven);
-    m.driven |= point.ux * point.nx + point.uy * point.ny > 0;
+    double pushed = e < 1 ? StuckRule.FALLING_PLACE : StuckRule.pushedPlace(obstacles.areMoving());
+    StuckRule.countFalling(m, flown * speed, speeds, approach, e, pushed);
+    m.pushed |= point.ux * point.nx + point.uy * point.ny > 0;
   }
 
   /**
@@ -269,10 +271,11 @@ public final class ObstacleResponse {
    * is at rest.
    */
   private void changeWithoutBounce(
-      MovingCircle m, int code, double vn, double way, boolean stuck, ImpactRows log) {
+      MovingCircle m, int code, double vn, boolean stuck, ImpactRows log) {
     double approach = vn / (Math.abs(point.nx) + Math.abs(point.ny));
     boolean pushes = point.ux != 0 || point.uy != 0;
     m.turn = pushes ? 0 : m.turn;
+    double way = flown * (Math.abs(sx) + Math.abs(sy));
     boolean back = !pushes && StopRule.turnsBack(m, point.nx, point.ny, way, approach);
     change(m, code, vn, 0, log);
     boolean stops = back || (stuck && !pushes && StopRule.isSpent(m));
@@ -317,8 +320,8 @@ public final class ObstacleResponse {
     m.y = startY;
     m.vx = startVx;
     m.vy = startVy;
-    m.next = MovingCircle.NOTHING;
-    m.contact = code;
+    m.clearUpTo(m.cleared);
+    m.sensedCode = code;
   }
 
   /** Writes a contact of a circle with an obstacle. */

@@ -43,6 +43,13 @@ public final class PairResponse {
   private double ny;
   private double un;
 
+  // How long the flights lasted that end in it; 0 if too short to advance the clock.
+  private double flownA;
+  private double flownB;
+
+  /** The frozen one of the two, if what hits it is too slow to free it; else null. */
+  private MovingCircle peg;
+
   public PairResponse(CircleRegistry registry, Settling settling) {
     this.registry = registry;
     this.settling = settling;
@@ -127,14 +134,25 @@ public final class PairResponse {
 
   /**
    * Changes the velocities of two circles in contact, and writes the log. If one is a sensor, or
-   * both have infinite mass, only the log changes. A {@linkplain MovingCircle#crushed crushed}
+   * both have infinite mass, only the log changes. A {@linkplain MovingCircle#isCrushed crushed}
    * circle acts as one of infinite mass.
    *
    * @param a the one with the lower number
+   * @param flownA how long its flight lasted that ends here; 0 if too short to advance the clock
+   * @param flownB the same of the other one
    * @param mayFall whether there was gravity at some time
    * @return what follows, as for {@link ObstacleResponse#resolve}
    */
-  public int resolve(MovingCircle a, MovingCircle b, boolean mayFall, ImpactRows log) {
+  public int resolve(
+      MovingCircle a,
+      double flownA,
+      MovingCircle b,
+      double flownB,
+      boolean mayFall,
+      ImpactRows log) {
+    this.flownA = flownA;
+    this.flownB = flownB;
+    peg = null;
     measure(a, b);
     boolean halt = registry.halts(a.id) || registry.halts(b.id);
     double e = halt ? 0 : a.restitution * b.restitution;
@@ -158,10 +176,10 @@ public final class PairResponse {
       return ObstacleResponse.NEW_FLIGHT;
     }
     double approach = un / (Math.abs(nx) + Math.abs(ny));
-    count(a, b, massB, e, approach);
-    count(b, a, massA, e, approach);
-    a.driven |= massB == INFINITE && b.vx * nx + b.vy * ny > 0;
-    b.driven |= massA == INFINITE && a.vx * nx + a.vy * ny < 0;
+    count(a, flownA, b, massB, e, approach);
+    count(b, flownB, a, massA, e, approach);
+    a.pushed |= massB == INFINITE && b.vx * nx + b.vy * ny > 0;
+    b.pushed |= massA == INFINITE && a.vx * nx + a.vy * ny < 0;
     boolean stuck = isStuck(a) || isStuck(b);
     boolean faint = stuck && (isFaint(a, approach) || isFaint(b, approach));
     if (un < 0) {
@@ -185,21 +203,22 @@ public final class PairResponse {
   /**
    * Changes the velocities of two circles of which one falls, slides or rests. They leave each
    * other by a least speed; so only what does not give way can make one of them stuck. A circle
-   * that is held is a peg for what comes slowly; what comes faster frees it. Between elastic
+   * that is frozen is a peg for what comes slowly; what comes faster frees it. Between elastic
    * circles only a jammed one is a peg: each blow would else begin its impacts anew.
    */
   private void bounce(MovingCircle a, MovingCircle b, double e, boolean halt, ImpactRows log) {
     double approach = un / (Math.abs(nx) + Math.abs(ny));
     boolean mayEnd = e < 1 || isJammed(a) || isJammed(b);
-    boolean calm = mayEnd && settling.isCalm(a, b, -un / length());
-    a.firm = calm && a.isHeld() && mass(b) < INFINITE;
-    b.firm = calm && b.isHeld() && mass(a) < INFINITE && !a.firm;
-    countFalling(a, b, e, approach, 1);
-    countFalling(b, a, e, approach, -1);
-    if (un < 0) {
-      changeFalling(a, b, calm, halt, log);
+    boolean slow = mayEnd && settling.isSlow(a, b, -un / length());
+    if (slow) {
+      peg = isPeg(a, b) ? a : isPeg(b, a) ? b : null;
     }
-    if (a.firm || b.firm || !leavesFast(a, b)) {
+    countFalling(a, flownA, b, e, approach, 1);
+    countFalling(b, flownB, a, e, approach, -1);
+    if (un < 0) {
+      changeFalling(a, b, slow, halt, log);
+    }
+    if (peg != null || !leavesFast(a, b)) {
       leaveAtLeast(a, b, nx / length(), ny / length(), e);
     }
     beginFlight(a, b);
@@ -209,31 +228,35 @@ public final class PairResponse {
     if (aJammed || bJammed) {
       log.setOutcome(ImpactRows.JAMMED);
     }
-    goOn(a, aJammed, calm);
-    goOn(b, bJammed, calm);
+    goOn(a, aJammed, slow);
+    goOn(b, bJammed, slow);
+  }
+
+  private boolean isPeg(MovingCircle m, MovingCircle other) {
+    return m.isFrozen() && mass(other) < INFINITE;
   }
 
   /**
-   * Changes the velocities of two circles that approach. Between two things that are held, a faint
-   * bounce would be followed by others without end. So would a faint halt at one time, which stops
-   * the motion that both share.
+   * Changes the velocities of two circles that approach. Between two things that are frozen, a
+   * faint bounce would be followed by others without end. So would a faint halt at one time, which
+   * stops the motion that both share.
    */
   private void changeFalling(
-      MovingCircle a, MovingCircle b, boolean calm, boolean halt, ImpactRows log) {
-    boolean faint = calm && -un <= Settling.ROUNDING * speeds(a, b) * length();
+      MovingCircle a, MovingCircle b, boolean slow, boolean halt, ImpactRows log) {
+    boolean faint = slow && -un <= Settling.ROUNDING * speeds(a, b) * length();
     if (faint) {
       impulse.of(1, ux, uy, nx, ny);
     }
-    boolean again = faint && a.standsStill && b.standsStill;
+    boolean again = faint && flownA == 0 && flownB == 0;
     change(a, mass(a), b, mass(b), halt && !again, log);
     if (halt && again) {
       log.setOutcome(ImpactRows.HALTED);
     }
   }
 
-  /** Whether a circle is held where it was stuck. */
+  /** Whether a circle is frozen where it was stuck. */
   private static boolean isJammed(MovingCircle m) {
-    return isStuck(m) && m.isHeld();
+    return isStuck(m) && m.isFrozen();
   }
 
   /** The length of the normal. */
@@ -253,9 +276,9 @@ public final class PairResponse {
     double out = (a.vx - b.vx) * kx + (a.vy - b.vy) * ky;
     double reach = a.radius + b.radius;
     double least;
-    if (a.firm) {
+    if (peg == a) {
       least = settling.leastSpeed(b, -kx, -ky, reach, out, e);
-    } else if (b.firm) {
+    } else if (peg == b) {
       least = settling.leastSpeed(a, kx, ky, reach, out, e);
     } else {
       least = settling.leastSpeed(a, b, out, e);
@@ -267,25 +290,25 @@ public final class PairResponse {
     }
   }
 
-  /** Decides how a circle goes on after a collision, and counts a calm one. */
-  private void goOn(MovingCircle m, boolean jammed, boolean calm) {
-    if (!m.firm && !jammed) {
+  /** Decides how a circle goes on after a collision, and counts a slow one. */
+  private void goOn(MovingCircle m, boolean jammed, boolean slow) {
+    if (m != peg && !jammed) {
       settling.afterPair(m);
-      m.calm = settling.mayRest(m) ? m.calm + (calm ? 1 : 0) : Math.min(m.calm, 0);
+      m.slowContacts =
+          settling.mayRest(m) ? m.slowContacts + (slow ? 1 : 0) : Math.min(m.slowContacts, 0);
     }
-    m.firm = false;
   }
 
   /** Counts an impact of a circle that falls. A jammed one that acts as a peg stays stuck. */
   private void countFalling(
-      MovingCircle m, MovingCircle other, double e, double approach, int sign) {
-    if (m.crushed || !m.isFalling() || (m.firm && isJammed(m))) {
+      MovingCircle m, double flown, MovingCircle other, double e, double approach, int sign) {
+    if (m.isCrushed() || !m.isFalling() || (m == peg && isJammed(m))) {
       return;
     }
-    double way = m.flown * (Math.abs(m.vx - other.vx) + Math.abs(m.vy - other.vy));
-    if (mass(other) == INFINITE || m.driven || other.driven) {
-      StuckRule.countFalling(m, way, speeds(m, other), approach, e, StuckRule.DRIVEN_PLACE);
-      m.driven |= sign * (other.vx * nx + other.vy * ny) > 0;
+    double way = flown * (Math.abs(m.vx - other.vx) + Math.abs(m.vy - other.vy));
+    if (mass(other) == INFINITE || m.pushed || other.pushed) {
+      StuckRule.countFalling(m, way, speeds(m, other), approach, e, StuckRule.PUSHED_PLACE);
+      m.pushed |= sign * (other.vx * nx + other.vy * ny) > 0;
     } else {
       StuckRule.countFallingPair(m, way, speeds(m, other), e);
     }
@@ -302,41 +325,46 @@ public final class PairResponse {
     if (e < 1 && settling.escape.escapes(log, m, other)) {
       return false;
     }
-    if (!other.firm) {
+    if (other != peg) {
       m.jam = IgnoreList.crushedBy(m.jam, Codes.circle(other.id));
     }
-    Settling.hold(m);
+    Settling.pin(m);
     return true;
   }
 
   /** Begins a flight after a crushed circle met another infinite mass: they ignore each other. */
   private static void passOverCrushed(MovingCircle m, MovingCircle other) {
-    if (m.crushed) {
+    if (m.isCrushed()) {
       m.jam = IgnoreList.crushedBy(m.jam, Codes.circle(other.id));
     }
     beginFlight(m, other);
   }
 
-  /** The mass of a circle in a collision: infinite if it is crushed or firm. */
+  /** The mass of a circle in a collision: infinite if it is crushed, or the peg. */
   double mass(MovingCircle m) {
-    return m.crushed || m.firm ? INFINITE : registry.mass(m.id);
+    return m.isCrushed() || m == peg ? INFINITE : registry.mass(m.id);
   }
 
   private static boolean isStuck(MovingCircle m) {
-    return !m.crushed && StuckRule.isStuck(m);
+    return !m.isCrushed() && StuckRule.isStuck(m);
   }
 
   private static boolean isFaint(MovingCircle m, double approach) {
-    return !m.crushed && StuckRule.isFaint(m, approach);
+    return !m.isCrushed() && StuckRule.isFaint(m, approach);
   }
 
   private void count(
-      MovingCircle m, MovingCircle other, double massOfOther, double e, double approach) {
-    if (!m.crushed) {
+      MovingCircle m,
+      double flown,
+      MovingCircle other,
+      double massOfOther,
+      double e,
+      double approach) {
+    if (!m.isCrushed()) {
       double speed = scaled(Math.abs(ux) + Math.abs(uy), fast);
       int elastic = massOfOther == INFINITE ? StuckRule.ELASTIC : StuckRule.ELASTIC_PAIR;
       StuckRule.count(
-          m, m.flown * speed, speeds(m, other), approach, e, elastic, StuckRule.DRIVEN_PLACE);
+          m, flown, speed, speeds(m, other), approach, e, elastic, StuckRule.PUSHED_PLACE);
     }
   }
 

@@ -41,8 +41,8 @@ public final class Settling {
   /** Nor in radii of the circle: the cells of the grid list what is within 2^-8 of a radius. */
   private static final double MOST_HOLD = 0x1p-8 - 0x1p-18;
 
-  /** A contact of two circles is calm if they approach by no more than so many least speeds. */
-  private static final double CALM_APPROACH = 3;
+  /** A contact of two circles is slow if they approach by no more than so many least speeds. */
+  private static final double SLOW_APPROACH = 3;
 
   /** A circle whose motion could lift it by no more than so many least hops may lie in a heap. */
   private static final double SLOW_HOPS = 64;
@@ -108,7 +108,7 @@ public final class Settling {
     nx = point.nx / length;
     ny = point.ny / length;
     double bounce = (m.vx - point.ux) * nx + (m.vy - point.uy) * ny;
-    boolean carried = m.isSupported() && m.support != code && staysOn(m);
+    boolean carried = m.isCarried() && m.support != code && staysOn(m);
     if (!carried) {
       m.fall(gravity.x, gravity.y);
     }
@@ -123,7 +123,7 @@ public final class Settling {
     if (reach > 0 && !carried) {
       hop(m, out, pressure - along * along / reach, reach, e);
       if (e < 1 && isCalm(m, reach) && isHeld(m, code)) {
-        hold(m);
+        pin(m);
         log.setOutcome(ImpactRows.SETTLED);
       }
     } else if (pressure > 0 && !isHop(m, out, pressure)) {
@@ -217,9 +217,9 @@ public final class Settling {
   }
 
   /** Whether two circles approach each other by no more than some least speeds. */
-  boolean isCalm(MovingCircle a, MovingCircle b, double approach) {
+  boolean isSlow(MovingCircle a, MovingCircle b, double approach) {
     double hop = LEAST_HOP * (a.radius + b.radius);
-    return approach * approach <= CALM_APPROACH * CALM_APPROACH * 2 * gravity.size() * hop;
+    return approach * approach <= SLOW_APPROACH * SLOW_APPROACH * 2 * gravity.size() * hop;
   }
 
   /** Whether a circle of finite mass is so slow that it may rest in a heap. */
@@ -239,7 +239,7 @@ public final class Settling {
     }
     double vx = m.vx;
     double vy = m.vy;
-    if (!m.isSupported() || !staysOn(m)) {
+    if (!m.isCarried() || !staysOn(m)) {
       m.fall(gravity.x, gravity.y);
     } else if (m.vx != vx || m.vy != vy) {
       m.last = MovingCircle.NOTHING;
@@ -247,10 +247,10 @@ public final class Settling {
   }
 
   /** Stops a circle where it is: it rests there, as a jammed one. */
-  static void hold(MovingCircle m) {
+  static void pin(MovingCircle m) {
     StopRule.stop(m);
     m.fall(0, 0);
-    m.support = MovingCircle.HELD;
+    m.pinned = true;
   }
 
   /**

@@ -23,7 +23,7 @@ import dev.carom.internal.state.MovingCircle;
  *       of the motion, or made nearly all of it.
  *   <li><b>Faint impacts</b> weigh 1/32 of the limit. Their approach is no more than the rounding
  *       of the speeds met at that place.
- *   <li><b>Driven circles.</b> An infinite mass or a moving obstacle that drives a circle against
+ *   <li><b>Pushed circles.</b> An infinite mass or a moving obstacle that pushes a circle against
  *       another thing leaves it less room with each impact: infinitely many impacts, even at
  *       restitution 1. For such a circle 2^-10 of the radius is one place, or 2^-6 in scenes with
  *       moving obstacles; 2^-14 if it falls, for impacts with obstacles that are not elastic.
@@ -70,19 +70,19 @@ public final class StuckRule {
   /** The least width of a place where impacts are not elastic, as a part of the radius. */
   static final double INELASTIC_PLACE = 0x1p-16;
 
-  /** The width of a place for a circle that an infinite mass drives, in radii. */
-  static final double DRIVEN_PLACE = 0x1p-10;
+  /** The width of a place for a circle that an infinite mass pushes, in radii. */
+  static final double PUSHED_PLACE = 0x1p-10;
 
   /**
-   * The same for a circle that a moving obstacle drives. An elastic circle of speed v between an
+   * The same for a circle that a moving obstacle pushes. An elastic circle of speed v between an
    * obstacle of speed u and something at rest makes some {@code v / u} impacts while the gap
    * halves, and twice as many with each further half.
    */
-  private static final double PUSHED_PLACE = 0x1p-6;
+  private static final double MOVED_PLACE = 0x1p-6;
 
   /**
    * The same for a circle that falls, where its impacts with obstacles are not elastic: less than
-   * its hops, which leave it room. It soon is as slow as what drives it, so it makes few impacts
+   * its hops, which leave it room. It soon is as slow as what pushes it, so it makes few impacts
    * until there is no room.
    */
   static final double FALLING_PLACE = 0x1p-14;
@@ -98,30 +98,33 @@ public final class StuckRule {
   /**
    * Counts an impact.
    *
-   * @param way the distance that circle and partner moved relative to each other since the last
-   *     impact of the circle
-   * @param speed the sum of the absolute components of the relative velocity
+   * @param flown how long the circle flew since its last impact; 0 if too short to advance the
+   *     clock
+   * @param relative the sum of the absolute components of its velocity relative to its partner
+   * @param speed the same sum of both velocities, or more
    * @param approach the speed along the normal
    * @param e the restitution
    * @param elastic the weight of an impact of restitution 1
-   * @param driven the width of a place for a driven circle, in radii
+   * @param pushed the width of a place for a pushed circle, in radii
    */
   static void count(
       MovingCircle m,
-      double way,
+      double flown,
+      double relative,
       double speed,
       double approach,
       double e,
       int elastic,
-      double driven) {
+      double pushed) {
+    double way = flown * relative;
     int exponent = exponent(speed);
     if (hasLeft(m, way) && !isFaint(approach, exponent)) { // the usual case
       m.leavePlace();
       m.speedExponent = exponent;
-    } else if (m.standsStill || way <= place(m, e) || slides(m, approach, exponent)) {
+    } else if (way <= place(m, e) || slides(m, flown, approach, exponent)) {
       m.speedExponent = Math.max(m.speedExponent, exponent);
       add(m, isFaint(m, approach) ? FAINT : weight(e, elastic));
-    } else if (m.driven && way <= driven * m.radius) {
+    } else if (m.pushed && way <= pushed * m.radius) {
       m.speedExponent = Math.max(m.speedExponent, exponent);
       add(m, weight(e, elastic));
     } else {
@@ -135,10 +138,10 @@ public final class StuckRule {
    * gravity would bring it somewhere else.
    */
   static void countFalling(
-      MovingCircle m, double way, double speed, double approach, double e, double driven) {
+      MovingCircle m, double way, double speed, double approach, double e, double pushed) {
     int exponent = exponent(speed);
     boolean isHere = isHere(m, way);
-    if (isHere || (m.driven && way <= driven * m.radius)) {
+    if (isHere || (m.pushed && way <= pushed * m.radius)) {
       m.speedExponent = Math.max(m.speedExponent, exponent);
       add(m, withoutRounds(isHere && isFaint(m, approach) ? FAINT : weight(e, ELASTIC)));
     } else {
@@ -172,18 +175,18 @@ public final class StuckRule {
 
   /** Whether a falling circle is where its last impact was, up to rounding. */
   private static boolean isHere(MovingCircle m, double way) {
-    return m.standsStill || way <= place(m, 1);
+    return way <= place(m, 1);
   }
 
-  /** The width of a place for a driven circle, in radii, by whether any obstacle moves. */
-  static double drivenPlace(boolean isAnyMoving) {
-    return isAnyMoving ? PUSHED_PLACE : DRIVEN_PLACE;
+  /** The width of a place for a pushed circle, in radii, by whether any obstacle moves. */
+  static double pushedPlace(boolean isAnyMoving) {
+    return isAnyMoving ? MOVED_PLACE : PUSHED_PLACE;
   }
 
   /** Whether a circle slid along its partner: they came nearer by no more than rounding. */
-  private static boolean slides(MovingCircle m, double approach, int exponent) {
+  private static boolean slides(MovingCircle m, double flown, double approach, int exponent) {
     return isFaint(approach, exponent)
-        && (isStuck(m) || m.flown * Math.abs(approach) <= ROUNDED * size(m));
+        && (isStuck(m) || flown * Math.abs(approach) <= ROUNDED * size(m));
   }
 
   /**
@@ -191,8 +194,8 @@ public final class StuckRule {
    * wide. Most circles did, and the width of their own place need not be known.
    */
   private static boolean hasLeft(MovingCircle m, double way) {
-    double widest = fma(PLACE, Math.abs(m.x) + Math.abs(m.y), PUSHED_PLACE * m.radius);
-    return way > widest && !m.standsStill;
+    double widest = fma(PLACE, Math.abs(m.x) + Math.abs(m.y), MOVED_PLACE * m.radius);
+    return way > widest;
   }
 
   private static void add(MovingCircle m, int weight) {

@@ -177,10 +177,11 @@ public final class BroadPhase extends NarrowPhase {
         known = explore(body, grid, Math.max(body.cleared, ahead), needed, best);
       }
     }
-    body.cleared = known;
-    boolean hits = known == best && known != NEVER;
-    body.next = hits ? bestCode : MovingCircle.NOTHING;
-    body.contact = hits ? bestContact : 0;
+    if (known == best && known != NEVER) {
+      body.predict(best, bestCode, bestContact);
+    } else {
+      body.clearUpTo(known);
+    }
   }
 
   /**
@@ -198,13 +199,9 @@ public final class BroadPhase extends NarrowPhase {
   /** Stores the first impact up to a time; without one, that the path is known free up to there. */
   private void keep(MovingCircle body, double known) {
     if (best <= known && best != NEVER) {
-      body.cleared = best;
-      body.next = bestCode;
-      body.contact = bestContact;
+      body.predict(best, bestCode, bestContact);
     } else if (known < body.cleared) {
-      body.cleared = known;
-      body.next = MovingCircle.NOTHING;
-      body.contact = 0;
+      body.clearUpTo(known);
     }
   }
 

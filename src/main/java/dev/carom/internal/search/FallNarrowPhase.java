@@ -83,7 +83,7 @@ final class FallNarrowPhase {
     gx = m.gx;
     gy = m.gy;
     sensed = m.cleared;
-    sensedCode = m.contact;
+    sensedCode = m.sensedCode;
   }
 
   /** Forgets which contacts with sensors were reported. */
@@ -151,7 +151,7 @@ final class FallNarrowPhase {
   }
 
   private double timeOfReturn(int code, double to) {
-    if (code == ~body.support) {
+    if (code == body.leftLine) {
       return timeAtEnds(to);
     }
     return Codes.isLine(code)
@@ -339,7 +339,7 @@ final class FallNarrowPhase {
       return t == 0 ? Contact.NOW : Contact.LATER;
     }
     take(code);
-    if (code == ~body.support && t == 0) {
+    if (code == body.leftLine && t == 0) {
       return (isNearerToStart() ? Contact.START : Contact.END) | Contact.NOW;
     }
     return isReturn(code, t)

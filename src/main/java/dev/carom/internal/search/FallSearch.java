@@ -88,14 +88,10 @@ public final class FallSearch {
     int cells = m.useLookahead() / HALVES;
     double known = path.isFinite() ? search(grid, m.cleared, needed, cells) : NEVER;
     if (best <= known && best != NEVER) {
-      m.next = bestCode;
-      m.contact = detector.contact(bestCode, best);
-      known = best;
+      m.predict(best, bestCode, detector.contact(bestCode, best));
     } else {
-      m.next = MovingCircle.NOTHING;
-      m.contact = 0;
+      m.clearUpTo(known);
     }
-    m.cleared = known;
   }
 
   /** The same, without sensors. */

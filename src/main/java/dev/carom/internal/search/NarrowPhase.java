@@ -149,7 +149,7 @@ abstract class NarrowPhase {
     filtered = obstacles.areFiltered() || filter != Filter.DEFAULT;
     bounded = filtered ? obstacles.wallsFor(filter) != null : obstacles.walls != null;
     sensed = body.cleared;
-    sensedCode = body.contact;
+    sensedCode = body.sensedCode;
     best = NEVER;
     latest = NEVER;
     isRough = false;

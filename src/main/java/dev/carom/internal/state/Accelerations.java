@@ -33,15 +33,15 @@ final class Accelerations {
   void put(int i, MovingCircle m) {
     values[2 * i] = m.gx;
     values[2 * i + 1] = m.gy;
-    supports[i] = m.support;
-    calms[i] = m.calm;
+    supports[i] = m.supportWord();
+    calms[i] = m.slowContacts;
   }
 
   void get(int i, MovingCircle m) {
     m.gx = values[2 * i];
     m.gy = values[2 * i + 1];
-    m.support = supports[i];
-    m.calm = calms[i];
+    m.setSupport(supports[i]);
+    m.slowContacts = calms[i];
   }
 
   /** Copies a row of another table to row i. */

@@ -267,9 +267,21 @@ public final class CircleTable {
     return accelerations == null ? 0 : accelerations.y(i);
   }
 
-  /** The side or wall on which a circle slides or rests, or NOTHING. */
-  public int support(int i) {
+  /** The {@link MovingCircle#supportWord} of a circle. */
+  private int supportWord(int i) {
     return accelerations == null ? MovingCircle.NOTHING : accelerations.support(i);
+  }
+
+  /** Whether a circle slides or rests on something. */
+  public boolean isSupported(int i) {
+    return supportWord(i) > MovingCircle.NOTHING;
+  }
+
+  /** The line or wall on which a circle slides or rests; NOTHING if on none, or on several. */
+  public int support(int i) {
+    return isSupported(i) && supportWord(i) < MovingCircle.PINNED
+        ? supportWord(i)
+        : MovingCircle.NOTHING;
   }
 
   public double radius(int i) {
@@ -294,7 +306,6 @@ public final class CircleTable {
 
   public void load(int i, MovingCircle m) {
     m.id = i;
-    m.flown = 0;
     get(m, state, at(i), codes, codesAt(i));
     m.filter = filter(i);
     m.jam = jam(i);
@@ -323,28 +334,23 @@ public final class CircleTable {
     m.lookahead = codes[c + LOOKAHEAD];
     int word = codes[c + CONTACT];
     ContactWord.recall(word, m);
-    // Without a next impact this column holds the code of the sensor met last.
+    // Without a next impact this column holds the code of the sensor that was reported last.
     int next = codes[c + NEXT];
     m.next = Math.max(next, MovingCircle.NOTHING);
-    m.contact = next < 0 ? MovingCircle.NOTHING - next : ContactWord.contact(word);
+    m.contact = ContactWord.contact(word);
+    m.sensedCode = next < 0 ? MovingCircle.NOTHING - next : 0;
   }
 
   /** Writes a circle to its row of doubles at k and its row of ints at c. */
   static void put(MovingCircle m, double[] state, int k, int[] codes, int c) {
-    int next = m.next;
-    int contact = m.contact;
-    if (next == MovingCircle.NOTHING) {
-      next -= contact;
-      contact = 0;
-    }
     FlightRow.put(m, state, k);
     state[k + CLEARED] = m.cleared;
     state[k + RESTITUTION] = m.restitution;
     // The first and the last column first: then compilers check the range of the others with them.
     codes[c + LAST] = m.last;
     codes[c + STUCK] = m.stuck;
-    codes[c + NEXT] = next;
-    codes[c + CONTACT] = ContactWord.of(m, contact);
+    codes[c + NEXT] = m.next == MovingCircle.NOTHING ? m.next - m.sensedCode : m.next;
+    codes[c + CONTACT] = ContactWord.of(m, m.contact);
     codes[c + LOOKAHEAD] = m.lookahead;
   }
 

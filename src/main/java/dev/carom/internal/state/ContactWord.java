@@ -6,7 +6,7 @@ import dev.carom.internal.sweep.Contact;
 /**
  * One int for the contact of a circle's next impact and the history of its impacts at one place.
  * From the lowest bit on: the {@link Contact} (4 bits), the turn of the last impact plus 1 (2
- * bits), whether the circle is driven (1 bit), unused (1 bit), and the exponent of the largest
+ * bits), whether the circle is pushed (1 bit), unused (1 bit), and the exponent of the largest
  * speed (24 bits).
  */
 public final class ContactWord {
@@ -14,15 +14,15 @@ public final class ContactWord {
   private static final int CONTACT = 15;
   private static final int TURN_SHIFT = 4;
   private static final int TURN = 3;
-  private static final int DRIVEN = 1 << 6;
+  private static final int PUSHED = 1 << 6;
   private static final int EXPONENT_SHIFT = 8;
 
   private ContactWord() {}
 
   /** Encodes a circle's history of impacts with a contact, 0 for none. */
   static int of(MovingCircle m, int contact) {
-    int driven = m.driven ? DRIVEN : 0;
-    return m.speedExponent << EXPONENT_SHIFT | driven | (m.turn + 1) << TURN_SHIFT | contact;
+    int pushed = m.pushed ? PUSHED : 0;
+    return m.speedExponent << EXPONENT_SHIFT | pushed | (m.turn + 1) << TURN_SHIFT | contact;
   }
 
   static int contact(int word) {
@@ -32,7 +32,7 @@ public final class ContactWord {
   /** Decodes the history of impacts into a circle, without the contact. */
   static void recall(int word, MovingCircle m) {
     m.speedExponent = word >> EXPONENT_SHIFT;
-    m.driven = (word & DRIVEN) != 0;
+    m.pushed = (word & PUSHED) != 0;
     m.turn = (word >> TURN_SHIFT & TURN) - 1;
   }
 

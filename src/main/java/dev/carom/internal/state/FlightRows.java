@@ -99,6 +99,7 @@ final class FlightRows {
     ContactWord.recall((int) memory(i), m);
     m.jam = jam(i);
     m.fall(0, 0);
+    m.slowContacts = 0;
     if (accelerations != null) {
       accelerations.get(i, m);
     }

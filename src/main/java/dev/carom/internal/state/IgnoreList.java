@@ -35,6 +35,16 @@ public final class IgnoreList {
     return entry < 0;
   }
 
+  /** Whether anything in the list crushed the circle. */
+  boolean hasCrushers() {
+    for (int entry : entries) {
+      if (crushes(entry)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /** Adds a code to a list, which may be null. */
   public static IgnoreList with(IgnoreList jam, int code) {
     return withEntry(jam, code);

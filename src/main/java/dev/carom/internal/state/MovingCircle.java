@@ -21,14 +21,14 @@ public final class MovingCircle {
   /** The sum of weights of impacts at one place beyond which a circle is stuck. */
   public static final int STUCK_LIMIT = 1 << 24;
 
-  /** The number of calm contacts after which a circle tries to rest. */
-  public static final int CALM_LIMIT = 32;
+  /** The number of slow contacts after which a circle tries to rest. */
+  public static final int SLOW_LIMIT = 32;
 
   /** No obstacle or circle: nothing was hit yet, or nothing since the last edit. */
   public static final int NOTHING = -1;
 
-  /** The support of a circle that several things hold, or a jammed one: it stays where it is. */
-  public static final int HELD = Integer.MAX_VALUE;
+  /** The word of a {@link #pinned} circle. */
+  static final int PINNED = Integer.MAX_VALUE;
 
   /**
    * How far the first search of a flight looks ahead where less is needed, in halves of a cell at
@@ -61,11 +61,14 @@ public final class MovingCircle {
 
   public double gy;
 
-  /**
-   * The code of the line or wall on which it slides or rests; ~code of a line from whose side it
-   * has just slid; else NOTHING.
-   */
+  /** The code of the line or wall on which it slides or rests; else NOTHING. */
   public int support = NOTHING;
+
+  /** The code of the line from whose side it slid at the start of this flight; else NOTHING. */
+  public int leftLine = NOTHING;
+
+  /** Whether it stays where it is: several things hold it, or it is jammed. */
+  public boolean pinned;
 
   public int id;
   public double radius;
@@ -73,12 +76,6 @@ public final class MovingCircle {
 
   /** Its {@link Filter}, which the registry of the circles keeps. */
   public long filter = Filter.DEFAULT;
-
-  /** How long the previous flight lasted. */
-  public double flown;
-
-  /** Whether the previous flight was too short to advance the clock. */
-  public boolean standsStill;
 
   /** The code of the obstacle or circle hit last, which this flight cannot hit again. */
   public int last;
@@ -97,11 +94,14 @@ public final class MovingCircle {
    */
   public int next;
 
-  /**
-   * The contact of the next impact, see {@link Contact}. Without a next impact, the code of the
-   * sensor met at {@link #cleared}, or 0.
-   */
+  /** The contact of the next impact, see {@link Contact}; 0 without one. */
   public int contact;
+
+  /**
+   * Without a next impact, the largest code of the sensors that were reported at exactly {@link
+   * #cleared}; else 0.
+   */
+  public int sensedCode;
 
   /** How far the next search looks ahead where less is needed, see {@link #FIRST_LOOKAHEAD}. */
   public int lookahead;
@@ -119,25 +119,13 @@ public final class MovingCircle {
   public int turn;
 
   /** Whether one of them was with an infinite mass that moved towards the circle. */
-  public boolean driven;
+  public boolean pushed;
 
   /**
-   * The number of its calm contacts with circles, see {@code Heap}; below 0 after a trial that
+   * The number of its slow contacts with circles, see {@code Heap}; below 0 after a trial that
    * failed. 0 without gravity.
    */
-  public int calm;
-
-  /**
-   * Whether infinite masses that crushed this circle still overlap it. Set only while a collision
-   * is resolved.
-   */
-  public boolean crushed;
-
-  /**
-   * Whether the circle is held, and what hits it is too slow to free it. Set only while a collision
-   * is resolved.
-   */
-  public boolean firm;
+  public int slowContacts;
 
   /** Starts the first flight of a circle, at time 0. */
   public void start(
@@ -170,7 +158,7 @@ public final class MovingCircle {
     y = Confinement.y(walls, y, yAfter(dt), radius);
     if (dt != 0 && isFalling() && !staysInContact()) {
       last = NOTHING;
-      support = isSupported() ? support : NOTHING;
+      leftLine = NOTHING;
     }
     accelerate(dt);
     t = now;
@@ -184,7 +172,7 @@ public final class MovingCircle {
    * is computed from a gap of 0 at the start of the flight.
    */
   private boolean staysInContact() {
-    return last == support || (vx == 0 && vy == 0 && gx == 0 && gy == 0);
+    return (isCarried() && last == support) || (vx == 0 && vy == 0 && gx == 0 && gy == 0);
   }
 
   /** Lets the circle fly freely, with a given acceleration. */
@@ -192,6 +180,8 @@ public final class MovingCircle {
     gx = gravityX;
     gy = gravityY;
     support = NOTHING;
+    leftLine = NOTHING;
+    pinned = false;
   }
 
   /** How far a search that begins now looks ahead; the next one looks twice as far. */
@@ -201,25 +191,47 @@ public final class MovingCircle {
     return now;
   }
 
+  /** {@link #support}, {@link #leftLine} and {@link #pinned} in one int; NOTHING for none. */
+  public int supportWord() {
+    return pinned ? PINNED : leftLine != NOTHING ? ~leftLine : support;
+  }
+
+  /** The inverse of {@link #supportWord}. */
+  public void setSupport(int word) {
+    pinned = word == PINNED;
+    leftLine = word < NOTHING ? ~word : NOTHING;
+    support = pinned || word < NOTHING ? NOTHING : word;
+  }
+
+  /** Whether the circle slides or rests on a line or a wall. */
+  public boolean isCarried() {
+    return support != NOTHING;
+  }
+
   /** Whether the circle slides or rests on something. */
   public boolean isSupported() {
-    return support > NOTHING;
+    return pinned || isCarried();
   }
 
   /** Whether things at rest hold the circle where it is. */
-  public boolean isHeld() {
-    return support == HELD && jam == null;
+  public boolean isFrozen() {
+    return pinned && jam == null;
   }
 
-  /** Whether other circles may lie on this one: it is held, or stands still by its mass. */
-  public boolean holdsOthers() {
+  /** Whether other circles may lie on this one: it is pinned, or stands still by its mass. */
+  public boolean isGround() {
     boolean stands = vx == 0 && vy == 0 && gx == 0 && gy == 0;
-    return stands && (support == HELD || support == NOTHING);
+    return stands && !isCarried() && leftLine == NOTHING;
   }
 
-  /** Whether the circle has an acceleration, or slides or rests on something. */
+  /** Whether a massive object that crushed the circle still overlaps it. */
+  public boolean isCrushed() {
+    return jam != null && jam.hasCrushers();
+  }
+
+  /** Whether the circle has an acceleration, slides or rests. */
   public boolean isFalling() {
-    return gx != 0 || gy != 0 || support != NOTHING;
+    return gx != 0 || gy != 0 || isSupported() || leftLine != NOTHING;
   }
 
   /** Where the centre is after a duration of this flight, on one axis. */
@@ -250,7 +262,7 @@ public final class MovingCircle {
   /** Forgets what was hit last, so that the next impact may be with anything. */
   public void forget() {
     last = NOTHING;
-    calm = 0;
+    slowContacts = 0;
     leavePlace();
     speedExponent = Double.MIN_EXPONENT;
   }
@@ -260,7 +272,7 @@ public final class MovingCircle {
     jam = null;
     stuck = 0;
     turn = 0;
-    driven = false;
+    pushed = false;
   }
 
   /** Lets the obstacles that the circle ignores act on it again, but for those that crushed it. */
@@ -296,8 +308,8 @@ public final class MovingCircle {
       stuck = isFalling() && jam == null ? 0 : stuck; // bounces on one thing are not counted
     }
     if (next == code) {
-      next = NOTHING;
-      contact = sensedCode;
+      clearUpTo(cleared);
+      this.sensedCode = sensedCode;
     }
     if (jam != null && jam.concerns(code)) {
       // The rest stays ignored: it would be hit at the start of the flight, before the edit.
@@ -309,11 +321,21 @@ public final class MovingCircle {
 
   /** Forgets the prediction, for a new flight. */
   public void newFlight() {
-    flown = 0;
-    cleared = 0;
-    next = NOTHING;
-    contact = 0;
+    clearUpTo(0);
     lookahead = FIRST_LOOKAHEAD;
+  }
+
+  /** Predicts the next impact, a duration after the start of the flight. */
+  public void predict(double duration, int code, int itsContact) {
+    cleared = duration;
+    next = code;
+    contact = itsContact;
+    sensedCode = 0;
+  }
+
+  /** Predicts that no impact comes until a duration after the start of the flight. */
+  public void clearUpTo(double duration) {
+    predict(duration, NOTHING, 0);
   }
 
   /**
@@ -393,8 +415,9 @@ public final class MovingCircle {
    *
    * @param standsStill whether the second duration is too short to advance the clock
    * @param obstacles with the walls that it does not leave
+   * @return how long the flight lasted that ends here; 0 if too short to advance the clock
    */
-  public void advance(
+  public double advance(
       double first,
       double second,
       double head,
@@ -412,19 +435,23 @@ public final class MovingCircle {
     }
     t = head;
     tl = tail;
-    flown = first + second;
-    this.standsStill = standsStill && flown == second;
+    double flown = first + second;
+    return standsStill && flown == second ? 0 : flown;
   }
 
-  /** Advances by dt, to the start of a new flight. */
-  public void advance(double dt) {
+  /**
+   * Advances by dt, to the start of a new flight.
+   *
+   * @return dt; 0 if too short to advance the clock
+   */
+  public double advance(double dt) {
     move(dt);
     double head = after(dt);
     double tail = afterTail(dt, head);
-    standsStill = isAt(head, tail);
+    boolean standsStill = isAt(head, tail);
     t = head;
     tl = tail;
-    flown = dt;
+    return standsStill ? 0 : dt;
   }
 
   /** Moves the centre, and takes the velocity, to those after a duration; time stays. */

@@ -143,10 +143,11 @@ public final class SavedFlights {
     m.cleared = numbers[k + SENSED];
     m.last = codes[c + LAST];
     m.stuck = codes[c + STUCK];
-    m.contact = codes[c + SENSED_CODE];
+    m.sensedCode = codes[c + SENSED_CODE];
     ContactWord.recall(codes[c + MEMORY], m);
     m.jam = jams == null ? null : jams[i];
     m.fall(0, 0);
+    m.slowContacts = 0;
     if (accelerations != null) {
       accelerations.get(i, m);
     }

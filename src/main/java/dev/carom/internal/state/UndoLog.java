@@ -68,6 +68,8 @@ public final class UndoLog {
     for (int row = 0; row < size; row++) {
       CircleTable.get(m, state, row * CircleTable.STATE, codes, row * CircleTable.CODES);
       m.jam = jams == null ? null : jams[row];
+      m.fall(0, 0);
+      m.slowContacts = 0;
       if (accelerations != null) {
         accelerations.get(row, m);
       }

@@ -165,12 +165,12 @@ class StaticSceneTest {
     return states;
   }
 
-  private static MovingCircle sensing(int next, int contact) {
+  private static MovingCircle sensing(int next, int sensedCode) {
     MovingCircle m = new MovingCircle();
     m.start(0, 0, 0, 1, 1, 0, 1);
     m.cleared = 4;
     m.next = next;
-    m.contact = contact;
+    m.sensedCode = sensedCode;
     return m;
   }
 

@@ -29,7 +29,7 @@ class StuckRuleTest {
 
   private boolean counts(double way, double e) {
     start(0);
-    StuckRule.count(m, way, 1, PLAIN, e, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
+    StuckRule.count(m, way, 1, 1, PLAIN, e, StuckRule.ELASTIC, StuckRule.PUSHED_PLACE);
     return m.stuck > 0;
   }
 
@@ -37,7 +37,7 @@ class StuckRuleTest {
     start(0);
     int impacts = 0;
     while (!StuckRule.isStuck(m)) {
-      StuckRule.count(m, 0, 1, PLAIN, e, elastic, StuckRule.DRIVEN_PLACE);
+      StuckRule.count(m, 0, 1, 1, PLAIN, e, elastic, StuckRule.PUSHED_PLACE);
       impacts++;
     }
     return impacts;
@@ -85,10 +85,10 @@ class StuckRuleTest {
   void faintImpactsWeighA32nd() {
     start(0);
     for (int impact = 0; impact < 32; impact++) {
-      StuckRule.count(m, 0, 1, -FAINT, 1, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
+      StuckRule.count(m, 0, 1, 1, -FAINT, 1, StuckRule.ELASTIC, StuckRule.PUSHED_PLACE);
     }
     assertThat(StuckRule.isStuck(m)).isFalse();
-    StuckRule.count(m, 0, 1, -FAINT, 1, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
+    StuckRule.count(m, 0, 1, 1, -FAINT, 1, StuckRule.ELASTIC, StuckRule.PUSHED_PLACE);
     assertThat(StuckRule.isStuck(m)).isTrue();
   }
 
@@ -97,7 +97,7 @@ class StuckRuleTest {
     start(StuckRule.LIMIT + 1);
     m.jam = IgnoreList.with(null, 7);
     m.turn = 1;
-    StuckRule.count(m, 1, 2, PLAIN, 1, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
+    StuckRule.count(m, 1, 1, 2, PLAIN, 1, StuckRule.ELASTIC, StuckRule.PUSHED_PLACE);
     assertThat(m.stuck).isZero();
     assertThat(m.jam).isNull();
     assertThat(m.turn).isZero();
@@ -107,16 +107,14 @@ class StuckRuleTest {
   @Test
   void whoseClockDoesNotMoveHasNotLeft() {
     start(0);
-    m.standsStill = true;
-    StuckRule.count(m, 1, 1, PLAIN, 1, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
+    StuckRule.count(m, 0, 1, 1, PLAIN, 1, StuckRule.ELASTIC, StuckRule.PUSHED_PLACE);
     assertThat(m.stuck).isEqualTo(StuckRule.ELASTIC);
   }
 
   /** Elsewhere: as long as it came no nearer to what it slides along than rounding is wide. */
   private boolean slides(double flown, double approach, int stuck) {
     start(stuck);
-    m.flown = flown;
-    StuckRule.count(m, 1, 1, approach, 1, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
+    StuckRule.count(m, flown, 1 / flown, 1, approach, 1, StuckRule.ELASTIC, StuckRule.PUSHED_PLACE);
     return m.stuck > 0;
   }
 
@@ -126,25 +124,25 @@ class StuckRuleTest {
     assertThat(slides(rounding / FAINT, -FAINT, 0)).isTrue();
     assertThat(slides(2 * rounding / FAINT, -FAINT / 2, 0)).isTrue();
     assertThat(slides(1.1 * rounding / FAINT, -FAINT, 0)).as("too long").isFalse();
-    assertThat(slides(0, -1.1 * FAINT, 0)).as("too fast").isFalse();
+    assertThat(slides(0x1p-60, -1.1 * FAINT, 0)).as("too fast").isFalse();
     assertThat(slides(1e9, -FAINT, StuckRule.LIMIT)).as("not stuck").isFalse();
     assertThat(slides(1e9, -FAINT, StuckRule.LIMIT + 1)).as("stuck").isTrue();
     assertThat(slides(1e9, -1.1 * FAINT, StuckRule.LIMIT + 1)).as("too fast").isFalse();
   }
 
-  /** A driven circle has more room: 2^-10 of its radius. */
+  /** A pushed circle has more room: 2^-10 of its radius. */
   @Test
-  void whoIsDrivenCountsFurtherAway() {
+  void whoIsPushedCountsFurtherAway() {
     double place = 0x1p-10;
     start(0);
-    m.driven = true;
-    StuckRule.count(m, place, 1, PLAIN, 1, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
+    m.pushed = true;
+    StuckRule.count(m, place, 1, 1, PLAIN, 1, StuckRule.ELASTIC, StuckRule.PUSHED_PLACE);
     assertThat(m.stuck).isEqualTo(StuckRule.ELASTIC);
     start(0);
-    m.driven = true;
-    StuckRule.count(m, 1.1 * place, 1, PLAIN, 1, StuckRule.ELASTIC, StuckRule.DRIVEN_PLACE);
+    m.pushed = true;
+    StuckRule.count(m, 1.1 * place, 1, 1, PLAIN, 1, StuckRule.ELASTIC, StuckRule.PUSHED_PLACE);
     assertThat(m.stuck).isZero();
-    assertThat(m.driven).isFalse();
+    assertThat(m.pushed).isFalse();
   }
 
   @Test

@@ -15,19 +15,20 @@ class CircleTableTest {
   /** The next impact and its contact; without one, the sensor met last stands in its place. */
   static Stream<Arguments> aheadAndContact() {
     return Stream.of(
-        Arguments.of(MovingCircle.NOTHING, 0),
-        Arguments.of(MovingCircle.NOTHING, Codes.peg(0)),
-        Arguments.of(Codes.LEFT, 0),
-        Arguments.of(Codes.line(0), Contact.NOW));
+        Arguments.of(MovingCircle.NOTHING, 0, 0),
+        Arguments.of(MovingCircle.NOTHING, 0, Codes.peg(0)),
+        Arguments.of(Codes.LEFT, 0, 0),
+        Arguments.of(Codes.line(0), Contact.NOW, 0));
   }
 
   @ParameterizedTest
   @MethodSource("aheadAndContact")
-  void whatIsKeptIsLoaded(int next, int contact) {
+  void whatIsKeptIsLoaded(int next, int contact, int sensedCode) {
     MovingCircle m = new MovingCircle();
     m.start(1, 3, 4, 5, 6, 7, 0.5);
     m.next = next;
     m.contact = contact;
+    m.sensedCode = sensedCode;
     m.t = 2;
     m.tl = 0x1p-60;
     m.cleared = 8;

@@ -37,7 +37,7 @@ class UndoLogTest {
     m.stuck = base + 13;
     m.speedExponent = base + 14;
     m.turn = base % 3 - 1;
-    m.driven = base % 2 == 0;
+    m.pushed = base % 2 == 0;
     m.jam = jam;
     circles.storeAndSetDue(i);
   }
