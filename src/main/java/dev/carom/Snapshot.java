@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import dev.carom.internal.io.SnapshotReader;
-import dev.carom.internal.io.SnapshotWriter;
+import dev.carom.internal.io.SnapshotFile;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Check;
 import java.io.BufferedOutputStream;
@@ -67,23 +66,23 @@ public final class Snapshot {
    *     {@link #write} in a version that this library knows; the message says what is wrong
    */
   public static Snapshot read(InputStream in) throws IOException {
-    return new Snapshot(new SnapshotReader(Check.notNull("in", in)).read());
+    return new Snapshot(SnapshotFile.read(Check.notNull("in", in)));
   }
 
   /**
    * Writes this snapshot in a format of its own, with a version and a check sum.
    *
-   * <p>It takes 125 bytes a circle, 41 a line, 33 a peg, 28 more for each line or peg that moves or
-   * moved before, 1 for each that was removed, and 143 for the rest, 111 without bounds. A circle
-   * takes 4 more for each thing that it is jammed by. With gravity, circles take 24 more. If any
-   * circle, line or peg has a {@linkplain SceneBuilder#filter filter} of its own, all of its kind
-   * take 8 more.
+   * <p>It takes 121 bytes a circle, 41 a line, 33 a peg, 28 more for each line or peg that moves or
+   * moved before, 1 for each that was removed, and 144 for the rest, 112 without bounds. If any
+   * circle is jammed, all take 4 more, and 4 for each thing that they are jammed by. With gravity,
+   * circles take 24 more. If any circle, line or peg has a {@linkplain SceneBuilder#filter filter}
+   * of its own, all of its kind take 8 more.
    *
    * @param out where to write, buffered for speed; it is neither flushed nor closed
    * @throws IOException if writing fails
    */
   public void write(OutputStream out) throws IOException {
-    new SnapshotWriter(Check.notNull("out", out)).write(state);
+    SnapshotFile.write(state, Check.notNull("out", out));
   }
 
   /**

@@ -127,6 +127,11 @@ public final class SavedFlights {
     return numbers[i * NUMBERS + MEETING_TAIL];
   }
 
+  /** The {@link ContactWord} of the i-th circle. */
+  public int memory(int i) {
+    return codes[i * CODES + MEMORY];
+  }
+
   public int sensedPartner(int i) {
     return codes[i * CODES + PARTNER];
   }

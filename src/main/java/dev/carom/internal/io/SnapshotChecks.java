@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.io;
+
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.ContactFlags;
+import dev.carom.internal.state.ContactWord;
+import dev.carom.internal.state.IgnoreList;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleMotions;
+import dev.carom.internal.state.ObstacleRows;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.SavedFlights;
+import dev.carom.internal.state.SizeLimits;
+import dev.carom.internal.state.WorldState;
+import dev.carom.internal.util.Check;
+
+/**
+ * Tests whether a world can be in the state that a snapshot gives, one number after the other. A
+ * state that it cannot be in is an {@link IllegalArgumentException}.
+ */
+final class SnapshotChecks {
+
+  private final WorldState state;
+  private final double now;
+  private final SizeLimits limits;
+  private final ObstacleTable obstacles;
+  private final CircleRegistry circles;
+
+  SnapshotChecks(WorldState state) {
+    this.state = state;
+    now = state.now();
+    limits = state.limits();
+    obstacles = state.obstacles();
+    circles = state.registry();
+  }
+
+  /** Refuses what is not good with a message that ends with a value. */
+  static void expect(boolean good, String otherwise, Object value) {
+    if (!good) {
+      throw new IllegalArgumentException(otherwise + value);
+    }
+  }
+
+  /** Refuses ids that are not ascending from 0 on, or not below the limit. */
+  static void ids(int[] ids, int limit) {
+    int least = 0;
+    for (int id : ids) {
+      if (id < least || id >= limit) {
+        throw Check.refused("circle id", id, least + " to " + (limit - 1) + ", ascending");
+      }
+      least = id + 1;
+    }
+  }
+
+  void all() {
+    Check.notNegative("now", now);
+    Check.finite("gx", state.gx());
+    Check.finite("gy", state.gy());
+    limits();
+    bounds();
+    motions(obstacles.motions());
+    obstacles.kinds.forEach(this::obstacles);
+    SavedFlights flights = state.flights();
+    double tail = flights.tailOfEdit;
+    expect(tail >= 0 && tail <= Math.ulp(now), "the tail of the time of an edit is ", tail);
+    MovingCircle m = new MovingCircle();
+    for (int i = 0; i < circles.count(); i++) {
+      traits(circles.traits(i), ContactFlags.MOST);
+      Check.mass("mass", circles.mass(i));
+      flights.get(i, m);
+      motion(m);
+      contacts(m);
+      memory(flights, i);
+    }
+  }
+
+  private void limits() {
+    double largest = limits.largest();
+    Check.notNegative("largest coordinate", largest);
+    if (!(SizeLimits.leastRadius(largest) <= limits.least())) {
+      throw Check.refused(
+          "least radius",
+          limits.least(),
+          "2^10 ulps of the largest coordinate, " + largest + ", or more");
+    }
+  }
+
+  private void bounds() {
+    double[] w = obstacles.walls;
+    if (w != null) {
+      Check.bounds(w[Codes.LEFT], w[Codes.BOTTOM], w[Codes.RIGHT], w[Codes.TOP]);
+    }
+    Check.notNegative("restitution", obstacles.boundsRestitution);
+    traits(obstacles.boundsTraits, 1);
+  }
+
+  private static void traits(int traits, int most) {
+    boolean known = traits >= 0 && traits <= most && (traits & 3) != 3;
+    expect(known, "traits are ", traits);
+  }
+
+  private void motions(ObstacleMotions motions) {
+    int least = Codes.line(0);
+    for (int i = 0; i < motions.count(); i++) {
+      int code = motions.code(i);
+      expectCode(code >= least && isThere(code), code);
+      least = code + 1;
+      Check.finite("vx", motions.ux(i));
+      Check.finite("vy", motions.uy(i));
+      double since = motions.since(i);
+      expect(since >= 0 && since <= now, "an obstacle moves since ", since);
+    }
+  }
+
+  /**
+   * Tests the traits of obstacles, and the extent of those at rest; moving ones may be anywhere.
+   */
+  private void obstacles(ObstacleRows rows) {
+    int most = rows == obstacles.lines ? ContactFlags.MOST_OF_LINES : ContactFlags.MOST;
+    for (int code = rows.first(); code < rows.end; code++) {
+      traits(rows.traits(code), most);
+      double extent = obstacles.isStatic(code) ? obstacles.extent(code) : 0;
+      if (extent > limits.largest()) {
+        throw Check.refused(
+            "coordinate", extent, "at most the stored largest coordinate, " + limits.largest());
+      }
+    }
+  }
+
+  private void motion(MovingCircle m) {
+    expect(!Double.isNaN(m.x) && !Double.isNaN(m.y), "a number of a circle is ", Double.NaN);
+    Check.finite("vx", m.vx);
+    Check.finite("vy", m.vy);
+    Check.finite("gx", m.gx);
+    Check.finite("gy", m.gy);
+    expect(m.t >= 0 && m.t <= now, "a flight starts at ", m.t);
+    expect(Math.abs(m.tl) <= Math.ulp(m.t), "the tail of a time is ", m.tl);
+    Check.finite("radius", m.radius);
+    if (Double.compare(m.radius, 0) < 0) { // -0 among them
+      throw Check.refused("radius", m.radius, "at least 0");
+    }
+    if (m.radius == 0 && obstacles.lines.present().count() > 0) {
+      throw Check.refused("radius", m.radius, SizeLimits.NO_POINT);
+    }
+    if (m.radius != 0 && m.radius < limits.least()) {
+      throw Check.refused("radius", m.radius, "at least " + limits.least());
+    }
+    Check.notNegative("restitution", m.restitution);
+    expect(m.cleared >= 0, "a flight is known for ", m.cleared);
+  }
+
+  private void contacts(MovingCircle m) {
+    if (m.last != MovingCircle.NOTHING) {
+      expectCode(isKnown(m.last), m.last);
+    }
+    for (int entry : m.jam == null ? new int[0] : m.jam.entries()) {
+      int code = IgnoreList.code(entry);
+      boolean mayCrush = Codes.isCircle(code) || obstacles.moves(code);
+      expectCode(isKnown(code) && (mayCrush || !IgnoreList.crushes(entry)), code);
+    }
+    expectCode(m.support == MovingCircle.NOTHING || isThere(m.support), m.support);
+    int left = m.leftLine;
+    expectCode(left == MovingCircle.NOTHING || (Codes.isLine(left) && isThere(left)), left);
+    int slow = m.slowContacts;
+    expect(slow <= MovingCircle.SLOW_LIMIT, "the slow contacts of a circle are ", slow);
+    expect(MovingCircle.isStuckWeight(m.stuck), "the weight of impacts at one place is ", m.stuck);
+    expect(m.sensedCode >= 0, "codes sensed end with ", m.sensedCode);
+  }
+
+  private static void memory(SavedFlights flights, int i) {
+    double head = flights.sensedHead(i);
+    double tail = flights.sensedTail(i);
+    expect(!Double.isNaN(head) && !Double.isNaN(tail), "a number of a circle is ", Double.NaN);
+    int partner = flights.sensedPartner(i);
+    expect(partner >= MovingCircle.NOTHING, "a partner is circle ", partner);
+    int marks = flights.memory(i);
+    expect(ContactWord.isValid(marks), "the marks of a circle are ", marks);
+  }
+
+  /** Whether there is a circle of a code, or was an obstacle; walls need not be there. */
+  private boolean isKnown(int code) {
+    return Codes.isCircle(code)
+        ? circles.slot(Codes.slot(code)) >= 0
+        : code >= 0 && (Codes.isWall(code) || code < obstacles.of(code).end);
+  }
+
+  /** Whether there is an obstacle of a code. */
+  private boolean isThere(int code) {
+    return !Codes.isCircle(code)
+        && isKnown(code)
+        && (Codes.isWall(code) ? obstacles.walls != null : !obstacles.isGone(code));
+  }
+
+  private static void expectCode(boolean exists, int code) {
+    if (!exists) {
+      throw new IllegalArgumentException("code " + code + " does not exist");
+    }
+  }
+}

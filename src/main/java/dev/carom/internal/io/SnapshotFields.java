@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.io;
+
+import dev.carom.internal.state.CircleRegistry;
+import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.IgnoreList;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleMotions;
+import dev.carom.internal.state.ObstacleRows;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.state.SavedFlights;
+import dev.carom.internal.state.SceneData;
+import dev.carom.internal.state.SceneDataBuilder;
+import dev.carom.internal.state.SizeLimits;
+import dev.carom.internal.state.WorldState;
+import dev.carom.internal.util.Check;
+import dev.carom.internal.util.DoubleList;
+import dev.carom.internal.util.IntList;
+import dev.carom.internal.util.Kind;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.LongStream;
+
+/**
+ * The fields of a snapshot in their order: the one list that both the writer and the reader follow.
+ * Each method takes a part of a state, passes its fields to a {@link FieldStream}, and makes the
+ * same part of the fields that the stream returns.
+ */
+final class SnapshotFields {
+
+  /** A state without anything, which gives no fields to a stream that reads. */
+  static final WorldState NONE = none();
+
+  /** Stands for the traits of a removed obstacle. Nothing else of it is in the stream. */
+  private static final int GONE = -1;
+
+  /** "CAROM" and a zero byte, which no text contains. */
+  private static final long MARK = 0x4341524F4D00L;
+
+  private static final int VERSION = 8;
+
+  private final FieldStream f;
+
+  SnapshotFields(FieldStream stream) {
+    f = stream;
+  }
+
+  private static WorldState none() {
+    SceneData scene = new SceneDataBuilder().build();
+    return new WorldState(
+        0,
+        false,
+        scene.obstacles,
+        new CircleRegistry(scene, 0),
+        new SizeLimits(),
+        new SavedFlights(new int[0]),
+        0,
+        0);
+  }
+
+  WorldState all(WorldState s) throws IOException {
+    long mark = f.bits(MARK);
+    SnapshotChecks.expect(mark == MARK, "its first 8 bytes are not those of a snapshot: ", mark);
+    int version = f.integer(VERSION);
+    if (version != VERSION) {
+      String only = VERSION + ", the only one that this library reads";
+      throw Check.refused("its format version", version, only);
+    }
+    double now = f.number(s.now());
+    boolean collide = f.flag(s.collide());
+    double largest = f.number(s.limits().largest());
+    double least = f.number(s.limits().least());
+    ObstacleTable obstacles = obstacles(s.obstacles());
+    CircleRegistry circles = circles(s.registry());
+    SavedFlights flights = flights(s.flights(), circles.ids());
+    double gx = f.number(s.gx());
+    double gy = f.number(s.gy());
+    SizeLimits limits = new SizeLimits(largest, least);
+    return new WorldState(now, collide, obstacles, circles, limits, flights, gx, gy);
+  }
+
+  private ObstacleTable obstacles(ObstacleTable given) throws IOException {
+    boolean bounded = f.flag(given.walls != null);
+    double[] walls = bounded ? f.numbers(given.walls, 1, Codes.WALLS) : null;
+    double restitution = f.number(given.boundsRestitution);
+    int traits = f.octet(given.boundsTraits);
+    long filter = f.bits(given.filter(Codes.LEFT));
+    ObstacleRows[] rows = new ObstacleRows[given.kinds.size()];
+    for (int i = 0; i < rows.length; i++) {
+      rows[i] = rows(given.kinds.get(i));
+    }
+    ObstacleTable obstacles = ObstacleTable.of(walls, restitution, traits, filter, rows);
+    obstacles.setMotions(motions(given.motions(), obstacles.size()));
+    return obstacles;
+  }
+
+  private ObstacleRows rows(ObstacleRows given) throws IOException {
+    int kind = given.kind();
+    int count = f.count(given.count(), Codes.limit(kind));
+    ByteArrayOutputStream traits = new ByteArrayOutputStream();
+    DoubleList rows = new DoubleList();
+    double[] gone = new double[ObstacleTable.width(kind)];
+    Arrays.fill(gone, Double.NaN);
+    for (int i = 0; i < count; i++) {
+      int code = given.first() + i;
+      boolean isGiven = i < given.count() && !given.isGone(code);
+      int its = f.octet(isGiven ? given.traits(code) : GONE);
+      traits.write(its == GONE ? 0 : its);
+      if (its == GONE) {
+        rows.add(gone);
+      } else {
+        double[] row = f.numbers(isGiven ? given.row(code) : gone, 1, gone.length);
+        ObstacleTable.checkRow(kind, i, row);
+        rows.add(row);
+      }
+    }
+    long[] filters = filters(given.filters(), count);
+    return ObstacleTable.rows(kind, rows.toArray(), traits.toByteArray(), filters);
+  }
+
+  private ObstacleMotions motions(ObstacleMotions given, int most) throws IOException {
+    int count = f.count(given.count(), most);
+    IntList codes = new IntList();
+    DoubleList motions = new DoubleList();
+    for (int i = 0; i < count; i++) {
+      boolean isGiven = i < given.count();
+      codes.add(f.integer(isGiven ? given.code(i) : 0));
+      double ux = f.number(isGiven ? given.ux(i) : 0);
+      double uy = f.number(isGiven ? given.uy(i) : 0);
+      motions.add(ObstacleMotions.motion(ux, uy, f.number(isGiven ? given.since(i) : 0)));
+    }
+    return ObstacleMotions.of(codes.toArray(), motions.toArray());
+  }
+
+  private CircleRegistry circles(CircleRegistry given) throws IOException {
+    int idLimit = f.count(given.idLimit(), CircleRegistry.ID_LIMIT);
+    int count = f.count(given.count(), idLimit);
+    int[] ids = f.integers(given.ids(), count, 1);
+    SnapshotChecks.ids(ids, idLimit);
+    ByteArrayOutputStream traits = new ByteArrayOutputStream();
+    DoubleList masses = new DoubleList();
+    for (int i = 0; i < count; i++) {
+      boolean isGiven = i < given.count();
+      traits.write(f.octet(isGiven ? given.traits(i) : 0));
+      masses.add(f.number(isGiven ? given.mass(i) : 0));
+    }
+    long[] filters = filters(given.filters(), count);
+    return new CircleRegistry(masses.toArray(), traits.toByteArray(), filters, ids, idLimit);
+  }
+
+  private SavedFlights flights(SavedFlights given, int[] ids) throws IOException {
+    int count = ids.length;
+    double[] numbers = f.numbers(given.numbers, count, SavedFlights.NUMBERS);
+    int[] codes = f.integers(given.codes, count, SavedFlights.CODES);
+    SavedFlights flights = new SavedFlights(ids, numbers, codes, jams(given.jams, count));
+    flights.tailOfEdit = f.number(given.tailOfEdit);
+    accelerations(given, flights);
+    return flights;
+  }
+
+  /** The ignore lists of all circles, or only that no circle is jammed. */
+  private IgnoreList[] jams(IgnoreList[] given, int count) throws IOException {
+    if (!f.flag(given != null)) {
+      return null;
+    }
+    List<IgnoreList> jams = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      int[] entries = given == null || given[i] == null ? new int[0] : given[i].entries();
+      int size = f.count(entries.length, Codes.limit(Kind.LINE));
+      jams.add(IgnoreList.of(f.integers(entries, size, 1)));
+    }
+    return jams.toArray(IgnoreList[]::new);
+  }
+
+  /** What moves each circle, or only that nothing does. */
+  private void accelerations(SavedFlights given, SavedFlights flights) throws IOException {
+    boolean falls = f.flag(given.haveAccelerations());
+    MovingCircle m = new MovingCircle();
+    for (int i = 0; falls && i < flights.count(); i++) {
+      if (i < given.count()) {
+        given.get(i, m);
+      }
+      m.gx = f.number(m.gx);
+      m.gy = f.number(m.gy);
+      m.setSupport(f.integer(m.supportWord()));
+      m.slowContacts = f.integer(m.slowContacts);
+      if (m.isFalling()) {
+        flights.putAcceleration(i, m);
+      }
+    }
+  }
+
+  /** The filters of all things of a kind, or only that each is the default. */
+  private long[] filters(long[] given, int count) throws IOException {
+    if (!f.flag(given != null)) {
+      return null;
+    }
+    LongStream.Builder filters = LongStream.builder();
+    for (int i = 0; i < count; i++) {
+      filters.add(f.bits(given == null ? 0 : given[i]));
+    }
+    return filters.build().toArray();
+  }
+}
