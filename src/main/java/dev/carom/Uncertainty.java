@@ -97,7 +97,10 @@ public final class Uncertainty {
   /** The smallest radius of a peg at the construction. */
   private double leastPeg = Double.POSITIVE_INFINITY;
 
-  /** By the id of the circle; null for one that was never begun with. */
+  /** The ids of the circles that were there at the construction or the last restart, ascending. */
+  private int[] ids;
+
+  /** The path of each of them; null for one that was never begun with. */
   private PathError[] paths;
 
   /** For questions about the paths beside that of a circle. */
@@ -121,8 +124,9 @@ public final class Uncertainty {
       throw Check.refused("length", length, "more than 0");
     }
     this.length = length;
-    paths = new PathError[world.idLimit(ObstacleKind.CIRCLE)];
-    for (int id : world.ids(ObstacleKind.CIRCLE)) {
+    ids = world.ids(ObstacleKind.CIRCLE);
+    paths = new PathError[ids.length];
+    for (int id : ids) {
       restart(id);
     }
     for (int id : world.ids(ObstacleKind.PEG)) {
@@ -139,11 +143,8 @@ public final class Uncertainty {
    */
   public void restart(int id) {
     double x = world.x(id);
-    if (id >= paths.length) {
-      paths = Arrays.copyOf(paths, world.idLimit(ObstacleKind.CIRCLE));
-    }
     int slot = world.ids.circle(id);
-    paths[id] =
+    PathError path =
         PathError.of(
             x,
             world.y(id),
@@ -154,8 +155,24 @@ public final class Uncertainty {
             world.now(),
             length);
     if (world.circles.isSupported(slot)) {
-      paths[id].lose(); // it slides or rests
+      path.lose(); // it slides or rests
     }
+    if (indexOf(id) < 0) {
+      listCircles();
+    }
+    paths[indexOf(id)] = path;
+  }
+
+  /** Makes room for circles that were added, and forgets those that were removed. */
+  private void listCircles() {
+    int[] present = world.ids(ObstacleKind.CIRCLE);
+    paths = Arrays.stream(present).mapToObj(this::path).toArray(PathError[]::new);
+    ids = present;
+  }
+
+  /** The place of a circle in the list; negative if it is not there. */
+  private int indexOf(int id) {
+    return id < ids.length && ids[id] == id ? id : Arrays.binarySearch(ids, id);
   }
 
   /**
@@ -204,7 +221,8 @@ public final class Uncertainty {
 
   /** The path of a circle; null for one that was never begun with. */
   private PathError path(int id) {
-    return id < paths.length ? paths[id] : null;
+    int k = indexOf(id);
+    return k < 0 ? null : paths[k];
   }
 
   /** The path of the circle in a slot; null if it is not followed. */

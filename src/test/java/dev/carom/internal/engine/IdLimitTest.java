@@ -13,6 +13,7 @@ import dev.carom.SceneBuilder;
 import dev.carom.Snapshot;
 import dev.carom.SnapshotBytes;
 import dev.carom.Timeline;
+import dev.carom.Uncertainty;
 import dev.carom.World;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
@@ -70,6 +71,24 @@ class IdLimitTest {
     world.remove(CIRCLE, last);
     assertThat(world.contains(CIRCLE, last)).isFalse();
     assertThat(world.ids(CIRCLE)).containsExactly(0, 7, CIRCLES - 2);
+  }
+
+  /** Paths are kept for the circles that are there: an array by ids would not fit in memory. */
+  @Test
+  void anUncertaintyOfLargeIdsTakesLittleMemory() {
+    World world = old(false, CIRCLES - 1);
+    Uncertainty uncertainty = new Uncertainty(world, 0.1);
+    int last = world.addCircle(50, 20, 3, 0, 9);
+    assertThat(uncertainty.bound(last)).isInfinite();
+    assertThat(uncertainty.lostAt(last)).isZero();
+    world.remove(CIRCLE, 7);
+    uncertainty.restart(last);
+    Run.step(world, 10);
+    assertThat(world.impacts().size()).isPositive();
+    uncertainty.update();
+    for (int id : new int[] {0, CIRCLES - 2, last}) {
+      assertThat(uncertainty.bound(id)).isPositive().isLessThan(1e-10);
+    }
   }
 
   private static ImpactLog after(World world) {
