@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.engine;
 
-import dev.carom.internal.search.BroadPhase;
-import dev.carom.internal.search.FallSearch;
+import dev.carom.internal.search.FlightSearch;
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.search.Grids;
 import dev.carom.internal.search.ObstacleIndex;
@@ -24,12 +23,9 @@ import java.util.stream.IntStream;
  */
 public final class StaticScene {
 
-  private static final double NEVER = Double.POSITIVE_INFINITY;
-
   public final ObstacleTable obstacles;
   private final Grids grids;
-  private final BroadPhase search;
-  private final FallSearch falls;
+  private final FlightSearch search;
 
   /** The index of questions; steps do not use it. */
   public final ObstacleIndex index;
@@ -46,8 +42,7 @@ public final class StaticScene {
   public StaticScene(SceneData scene, EngineOptions options) {
     obstacles = ObstacleTable.of(scene);
     grids = new Grids(scene, obstacles, options);
-    search = new BroadPhase(obstacles, grids.loose());
-    falls = new FallSearch(obstacles, grids.loose());
+    search = new FlightSearch(obstacles, grids.loose());
     index = new ObstacleIndex(obstacles, options.grid());
     if (scene.hasGravity()) {
       index.beginFalls();
@@ -86,25 +81,15 @@ public final class StaticScene {
     return grids.model(collide);
   }
 
-  /** Extends the prediction of a circle; see {@link BroadPhase#extend}. */
+  /** Extends the prediction of a circle; see {@link FlightSearch#extend}. */
   void extend(MovingCircle m, double needed) {
-    if (m.isFalling()) {
-      falls.extend(m, grid(m.id), needed);
-    } else {
-      search.extend(m, grid(m.id), needed);
-    }
+    search.extend(m, grid(m.id), needed);
   }
 
   /** Finds the first impact of a circle until a time, see {@link Engine#first}. */
   int first(MovingCircle m, double end) {
     m.lookahead = MovingCircle.EDITED_LOOKAHEAD; // no further than the end
-    do {
-      if (m.isFalling()) {
-        falls.extendPastSensors(m, grid(m.id), end);
-      } else {
-        search.extendPastSensors(m, grid(m.id), end);
-      }
-    } while (m.next == MovingCircle.NOTHING && m.cleared <= end && m.cleared < NEVER);
+    search.first(m, grid(m.id), end);
     return m.cleared <= end ? m.next : MovingCircle.NOTHING;
   }
 
@@ -115,7 +100,7 @@ public final class StaticScene {
 
   /** Whether a flight, if it never ended, would hit a line or a peg. */
   boolean meets(MovingCircle m, int code) {
-    return m.isFalling() ? falls.meets(m, code) : search.meets(m, code);
+    return search.meets(m, code);
   }
 
   /** Registers a circle's radius, which may be new. */

@@ -4,8 +4,7 @@ package dev.carom.internal.query;
 import dev.carom.internal.exact.ExactBudget;
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.response.ObstacleResponse;
-import dev.carom.internal.search.BroadPhase;
-import dev.carom.internal.search.FallSearch;
+import dev.carom.internal.search.FlightSearch;
 import dev.carom.internal.search.Grid;
 import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.Codes;
@@ -22,8 +21,7 @@ public final class Tracer {
 
   private final ObstacleTable obstacles;
   private final ObstacleIndex index;
-  private final BroadPhase search;
-  private final FallSearch falls;
+  private final FlightSearch search;
   private final Gravity gravity;
   private final Hit hit = new Hit();
 
@@ -43,7 +41,6 @@ public final class Tracer {
     this.gravity = gravity;
     obstacles = index.obstacles;
     search = index.search();
-    falls = new FallSearch(obstacles, index.loose());
   }
 
   /**
@@ -124,11 +121,7 @@ public final class Tracer {
   /** Looks for the next impact, past sensors; false if there is none until the given time. */
   private boolean next(MovingCircle body, double end) {
     do {
-      if (body.isFalling()) {
-        falls.extendPastSensors(body, grid, end - body.t);
-      } else {
-        search.extendPastSensors(body, grid, end - body.t);
-      }
+      search.extendPastSensors(body, grid, end - body.t);
       if (body.due() <= end && body.next != MovingCircle.NOTHING) {
         return true;
       }

@@ -84,10 +84,6 @@ final class FallPath {
     pull = Math.abs(gx) + Math.abs(gy);
   }
 
-  boolean isFinite() {
-    return Math.abs(px) <= Double.MAX_VALUE && Math.abs(py) <= Double.MAX_VALUE;
-  }
-
   boolean isAtRest() {
     return speed == 0 && pull == 0;
   }
@@ -156,7 +152,7 @@ final class FallPath {
    * @param cells the cells that are wanted, by the speed at the start, if that takes longer
    * @return the duration of the piece
    */
-  double straighten(Grid grid, double from, double wanted, int cells) {
+  double straighten(Grid grid, double from, double wanted, double cells) {
     double startVx = vx + gx * from;
     double startVy = vy + gy * from;
     double timePerCell = grid.cell / (Math.abs(startVx) + Math.abs(startVy));
@@ -254,7 +250,7 @@ final class FallPath {
 
   // Tests of what may be hit in the piece.
 
-  /** Whether a box is certainly out of reach. */
+  /** Whether the box around an obstacle is certainly out of reach. */
   boolean isBesideBox(double ax, double ay, double bx, double by, double radius) {
     return Math.min(ax, bx) - right > radius
         || left - Math.max(ax, bx) > radius

@@ -172,23 +172,20 @@ final class MotionWindow {
   }
 
   /**
-   * Finds the obstacles whose boxes overlap that of a disk which moves from one point to another in
-   * the window, and maybe others. {@link #found} receives them.
+   * Finds the obstacles whose boxes overlap a box, and maybe others. {@link #found} receives them.
    */
-  void find(ObstacleTable obstacles, double fromX, double fromY, double toX, double toY, double r) {
+  void find(ObstacleTable obstacles, double left, double bottom, double right, double top) {
     if (isStale) {
       index(obstacles);
     }
-    double marginX = r + ROUNDING * (Math.abs(fromX) + Math.abs(toX) + r);
-    double marginY = r + ROUNDING * (Math.abs(fromY) + Math.abs(toY) + r);
-    if (!(marginX + marginY < Double.POSITIVE_INFINITY)) {
+    if (!((right - left) + (top - bottom) < Double.POSITIVE_INFINITY)) {
       System.arraycopy(x.begun[STRIPS - 1], 0, found, 0, found.length); // all
       return;
     }
-    long[] begunX = x.begun[x.strip(Math.max(fromX, toX) + marginX)];
-    long[] openX = x.open[x.strip(Math.min(fromX, toX) - marginX)];
-    long[] begunY = y.begun[y.strip(Math.max(fromY, toY) + marginY)];
-    long[] openY = y.open[y.strip(Math.min(fromY, toY) - marginY)];
+    long[] begunX = x.begun[x.strip(right)];
+    long[] openX = x.open[x.strip(left)];
+    long[] begunY = y.begun[y.strip(top)];
+    long[] openY = y.open[y.strip(bottom)];
     for (int word = 0; word < found.length; word++) {
       found[word] = begunX[word] & openX[word] & begunY[word] & openY[word] | loose[word];
     }

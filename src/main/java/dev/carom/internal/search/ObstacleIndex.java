@@ -36,7 +36,7 @@ public final class ObstacleIndex {
   public final ObstacleTable obstacles;
 
   /** The search that is copied for each thread. It knows the extent of the obstacles. */
-  private final BroadPhase model;
+  private final FlightSearch model;
 
   /** The obstacles that changed since the index was made. */
   private final CodeSet loose = new CodeSet();
@@ -67,12 +67,12 @@ public final class ObstacleIndex {
   public ObstacleIndex(ObstacleTable obstacles, boolean wanted) {
     this.obstacles = obstacles;
     this.wanted = wanted;
-    model = new BroadPhase(obstacles, loose);
+    model = new FlightSearch(obstacles, loose);
   }
 
   /** A search for one thread; it is valid until the obstacles change. */
-  public BroadPhase search() {
-    return new BroadPhase(model);
+  public FlightSearch search() {
+    return new FlightSearch(model);
   }
 
   /** The obstacles to be tested beside the trees. */

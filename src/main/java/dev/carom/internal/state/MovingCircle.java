@@ -8,7 +8,7 @@ import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Coordinates;
 
 /**
- * One circle in flight: {@code BroadPhase} predicts its next impact, and {@code ObstacleResponse}
+ * One circle in flight: {@code FlightSearch} predicts its next impact, and {@code ObstacleResponse}
  * resolves it. A world loads a circle from its arrays into one such object, advances it, and stores
  * it again.
  *

@@ -30,7 +30,7 @@ class FallSearchTest {
 
     static Trial of(
         ObstacleTable obstacles, Grid grid, MovingCircle start, double end, int lookahead) {
-      FallSearch search = new FallSearch(obstacles, new CodeSet());
+      FlightSearch search = new FlightSearch(obstacles, new CodeSet());
       MovingCircle direct = copy(start);
       search.extend(direct, null, end);
       MovingCircle followed = copy(start);

@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The search finds the first impact and misses none, at the limits for which it was made. */
-class BroadPhaseTest {
+class StraightSearchTest {
 
   private static ImpactLog step(World world, double dt) {
     Run.step(world, dt);

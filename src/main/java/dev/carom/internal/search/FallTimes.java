@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.search;
 
-import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
@@ -14,14 +14,14 @@ import dev.carom.internal.sweep.ParabolaSegmentSweep;
 import dev.carom.internal.sweep.ParabolaWallSweep;
 
 /**
- * The narrow phase of a flight with a constant acceleration: asks the detector when a circle next
- * hits an obstacle, by what the obstacle is: the one just hit, a sensor, a one-way line, the line
- * on which it slides, or any other.
+ * When a circle with a constant acceleration next hits an obstacle: asks the detector, by the kind
+ * of obstacle: the one just hit, a sensor, a one-way line, the line on which it slides, or any
+ * other.
  *
  * <p>Every question is asked for the whole flight up to the end of a window. So the answer does not
  * depend on how the search cuts the path.
  */
-final class FallNarrowPhase {
+final class FallTimes {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -30,11 +30,6 @@ final class FallNarrowPhase {
 
   /** Far more than the rounding of a time of return. */
   private static final double EARLIER = 1 - 0x1p-20;
-
-  /**
-   * A circle that overlaps a one-way line by no more than this part of its coordinates touches it.
-   */
-  private static final double TOUCH = 0x1p-49;
 
   private final ObstacleTable obstacles;
 
@@ -53,12 +48,16 @@ final class FallNarrowPhase {
 
   private int sensedCode;
 
-  // The obstacle: its spine as it was at the start of the flight, its radius and its velocity.
+  // The obstacle: its row and its spine as they were at the start of the flight.
+  private double[] row;
+  private int k;
   private double ax;
   private double ay;
   private double bx;
   private double by;
   private double radius;
+
+  // Its velocity.
   private double ux;
   private double uy;
 
@@ -68,7 +67,7 @@ final class FallNarrowPhase {
   /** Where a moving obstacle was at the start of the flight. */
   private final double[] placed = new double[ObstacleTable.MOST_NUMBERS + 1];
 
-  FallNarrowPhase(ObstacleTable obstacles) {
+  FallTimes(ObstacleTable obstacles) {
     this.obstacles = obstacles;
   }
 
@@ -87,31 +86,50 @@ final class FallNarrowPhase {
   }
 
   /** Forgets which contacts with sensors were reported. */
-  void senseAgain() {
+  void forgetReports() {
     sensed = -1;
   }
 
-  /** Takes an obstacle other than a wall. */
-  private void take(int code) {
+  /** Takes an obstacle at rest, other than a wall. */
+  void take(int code) {
     ObstacleRows rows = obstacles.of(code);
-    double[] row = rows.values;
-    int k = rows.offset(code);
     ux = 0;
     uy = 0;
-    if (obstacles.moves(code)) {
-      int motion = obstacles.motions().indexOf(code);
-      obstacles.place(motion, body.t, body.tl, placed);
-      ux = obstacles.motions().ux(motion);
-      uy = obstacles.motions().uy(motion);
-      row = placed;
-      k = 0;
+    take(rows.shape, rows.values, rows.offset(code));
+  }
+
+  /** Takes number i of the obstacles that move. */
+  void takeMoving(int i) {
+    ObstacleMotions motions = obstacles.motions();
+    obstacles.place(i, body.t, body.tl, placed);
+    ux = motions.ux(i);
+    uy = motions.uy(i);
+    take(obstacles.of(motions.code(i)).shape, placed, 0);
+  }
+
+  private void takeAny(int code) {
+    int moving = obstacles.motions().indexOf(code);
+    if (moving < 0) {
+      take(code);
+    } else {
+      takeMoving(moving);
     }
-    int end = k + rows.shape.toEnd;
-    ax = row[k + ObstacleShape.X];
-    ay = row[k + ObstacleShape.Y];
-    bx = row[end + ObstacleShape.X];
-    by = row[end + ObstacleShape.Y];
-    radius = rows.shape.radius(row, k);
+  }
+
+  private void take(ObstacleShape shape, double[] rows, int at) {
+    row = rows;
+    k = at;
+    int end = at + shape.toEnd;
+    ax = rows[at + ObstacleShape.X];
+    ay = rows[at + ObstacleShape.Y];
+    bx = rows[end + ObstacleShape.X];
+    by = rows[end + ObstacleShape.Y];
+    radius = shape.radius(rows, at);
+  }
+
+  /** Whether the obstacle was removed: a list may still name it. */
+  boolean isGone() {
+    return Double.isNaN(ax);
   }
 
   // Times.
@@ -128,12 +146,11 @@ final class FallNarrowPhase {
   }
 
   /**
-   * The time of the next contact that counts with a line or a peg, up to the end of a window.
+   * The time of the next contact that counts with the obstacle taken, up to the end of a window.
    *
    * @param about the time near which it is expected; infinite or NaN for none
    */
   double time(int code, double about, double to) {
-    take(code);
     this.about = about;
     if (obstacles.isSensor(code)) {
       return timeOfSensor(code, to);
@@ -191,17 +208,14 @@ final class FallNarrowPhase {
     return toAx * toAx + toAy * toAy < toBx * toBx + toBy * toBy;
   }
 
-  /**
-   * The next time at which a one-way line is hit: it is touched from outside, by a circle whose
-   * centre is strictly left of it.
-   */
+  /** The next time at which a one-way line is hit, see {@link OneWay}. */
   private double timeOfOneWay(int code, double to) {
     if (code == body.last) {
       double t = timeOfReturn(code, to);
       if (t > to || t == NEVER || isLeft(t)) {
         return t;
       }
-    } else if (touches() && firstTime(code, to) == 0) {
+    } else if (OneWay.standsOn(body, row, k) && firstTime(code, to) == 0) {
       return 0;
     }
     double t = timeAfter(code, -1, to);
@@ -211,26 +225,8 @@ final class FallNarrowPhase {
     return t;
   }
 
-  /** Whether the centre is left of a one-way line at a time, by doubles; at 0, exactly. */
   private boolean isLeft(double t) {
-    if (t == 0) {
-      return Predicates.cross(bx, by, ax, ay, px, py, ax, ay) > 0;
-    }
-    double x = (px - ax) + ((vx - ux) + 0.5 * gx * t) * t;
-    double y = (py - ay) + ((vy - uy) + 0.5 * gy * t) * t;
-    return (bx - ax) * y - (by - ay) * x > 0;
-  }
-
-  /**
-   * Whether the circle starts left of a one-way line and overlaps it by no more than rounding: it
-   * stands on it, although it does not come from outside.
-   */
-  private boolean touches() {
-    double wx = bx - ax;
-    double wy = by - ay;
-    double height = wx * (py - ay) - wy * (px - ax);
-    double size = Math.abs(px) + Math.abs(py) + r;
-    return height > 0 && height >= (r - TOUCH * size) * Math.sqrt(wx * wx + wy * wy);
+    return OneWay.isLeft(body, row, k, ux, uy, t);
   }
 
   /**
@@ -306,7 +302,7 @@ final class FallNarrowPhase {
     if (code == MovingCircle.NOTHING || Codes.isWall(code) || !Codes.isLine(code)) {
       return NEVER;
     }
-    take(code);
+    takeAny(code);
     double wx = bx - ax;
     double wy = by - ay;
     double speed = wx * (vx - ux) + wy * (vy - uy);
@@ -338,7 +334,7 @@ final class FallNarrowPhase {
     if (!Codes.isLine(code)) {
       return t == 0 ? Contact.NOW : Contact.LATER;
     }
-    take(code);
+    takeAny(code);
     if (code == body.leftLine && t == 0) {
       return (isNearerToStart() ? Contact.START : Contact.END) | Contact.NOW;
     }

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.search;
+
+import static dev.carom.internal.exact.Fma.fma;
+
+import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.state.CodeSet;
+import dev.carom.internal.state.LiveCodes;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.LineShape;
+import dev.carom.internal.sweep.UnitVectors;
+
+/**
+ * The walk of a grid along a straight line: it visits the cells one after the other, rejects the
+ * lines that are certainly missed, and shows the others to the search that extends it. It extends
+ * {@link FirstImpact}, so that all share the numbers of the flight.
+ */
+abstract class CellWalk extends FirstImpact {
+
+  /** Ticks in which a cell is crossed at the Manhattan speed. */
+  static final double TICKS = 0x1p30;
+
+  /**
+   * Each axis counts as faster by this part of the Manhattan speed, so that none rests: by 2^-16
+   * cells on a path of 2^14 cells.
+   */
+  private static final double DRIFT = 0x1p-30;
+
+  /** The obstacles at rest that are in no grid. */
+  final CodeSet loose;
+
+  /** Whether any obstacle moves, or moved before. */
+  boolean moving;
+
+  /** The rows of the lines, by their codes. */
+  double[] lines;
+
+  /** |vx| + |vy|: computed sooner than |v| or the larger of the two. */
+  double manhattanSpeed;
+
+  /** A little less than 1 / |vx| and 1 / |vy|, see {@link #DRIFT}. */
+  double perVx;
+
+  double perVy;
+
+  /**
+   * Coefficients of the cross product of (x, y) less a point of the line, and v: {@code x crossX +
+   * y crossY + crossOfOrigin}. All three are 0 where errors are not bounded; then nothing is
+   * rejected.
+   */
+  double crossX;
+
+  double crossY;
+  double crossOfOrigin;
+
+  /** A line is certainly missed if both its ends lie further than this on one side, times 2 |v|. */
+  double clear;
+
+  /** The code of a line that is not hit along the way, or NOTHING. */
+  int spared;
+
+  CellWalk(ObstacleTable obstacles, CodeSet loose) {
+    super(obstacles);
+    this.loose = loose;
+  }
+
+  @Override
+  void start(MovingCircle m) {
+    super.start(m);
+    lines = obstacles.lines.values;
+    moving = obstacles.areMoving();
+  }
+
+  // What the searches do with the obstacles.
+
+  /**
+   * Searches among the obstacles at rest.
+   *
+   * @param needed the time up to which the path must be known
+   * @return the time up to which all impacts are found
+   */
+  abstract double search(Grid grid, double needed);
+
+  /** Finds the moving obstacles that the path may meet between two times in a window. */
+  abstract void findMoving(MotionWindow window, double from, double end);
+
+  /** Considers number i of the obstacles that move, up to a time. */
+  abstract void considerMoving(int i, double end);
+
+  /** Considers an obstacle at rest, whose place no filter tells. */
+  abstract void considerOnly(int code);
+
+  /** Forgets what was hit or reported before the flight. */
+  abstract void forgetHits();
+
+  /** The contact of the best impact. */
+  abstract int contact();
+
+  /** Notes that the walk visits a cell that lists something, between two ticks. */
+  abstract void enter(long entered, long left);
+
+  /** Considers a line that a cell lists. */
+  abstract void look(int line);
+
+  /** Considers an obstacle other than a wall. */
+  abstract void consider(int code);
+
+  /** Computes the best impact exactly. */
+  abstract void settle();
+
+  /** Considers each obstacle at rest. */
+  final void considerEach() {
+    for (int kind = 0; kind < obstacles.kinds.size(); kind++) {
+      LiveCodes present = obstacles.kinds.get(kind).present();
+      for (int i = 0; i < present.size(); i++) {
+        if (!moving || !obstacles.moves(present.get(i))) {
+          consider(present.get(i));
+        }
+      }
+    }
+  }
+
+  final void considerLoose() {
+    for (int i = 0; i < loose.size; i++) {
+      consider(loose.codes[i]);
+    }
+  }
+
+  // The walk.
+
+  /** Takes the way in a unit of time, whose Manhattan length counts as not less than its own. */
+  final void head(double absX, double absY, double length) {
+    manhattanSpeed = length;
+    perVx = 1 / fma(length, DRIFT, absX);
+    perVy = 1 / fma(length, DRIFT, absY);
+  }
+
+  /** The ticks of that way. */
+  final double ticks(Grid grid) {
+    return manhattanSpeed * TICKS * grid.perCell;
+  }
+
+  /**
+   * Visits the cells along a line. It ends when the best impact or a given time lies in a visited
+   * cell, after so many ticks, or where the grid ends.
+   *
+   * <p>Times are whole ticks. So a mask, and not an unpredictable branch, chooses between the next
+   * column and the next row. A path of 2^14 cells is rounded to ticks as often: by less than 2^-15
+   * cells in all.
+   *
+   * @param x where it starts, in columns of the grid
+   * @param y the same in rows
+   * @param vx the direction
+   * @param start the time at which it is there
+   * @param rate the ticks in a unit of time
+   * @param ahead the path need not be known beyond this time
+   * @return the time until which the path is known
+   */
+  final double walk(
+      Grid grid,
+      double x,
+      double y,
+      double vx,
+      double vy,
+      double start,
+      double rate,
+      double mostTicks,
+      double ahead) {
+    int column = grid.column(x);
+    int row = grid.row(y);
+    double ticks = manhattanSpeed * TICKS;
+    // Ticks until the next column and the next row, and ticks from each to the one after it.
+    double columnTicks = ticks * perVx;
+    double rowTicks = ticks * perVy;
+    long nextX = (long) (Grid.toEdge(x - column, vx) * columnTicks);
+    long nextY = (long) (Grid.toEdge(y - row, vy) * rowTicks);
+    long perX = (long) columnTicks;
+    long perY = (long) rowTicks;
+    int nextRow = UnitVectors.sign(vy) * grid.stride;
+    int nextColumn = UnitVectors.sign(vx) - nextRow;
+    int cell = grid.number(column, row);
+    long[] lists = grid.lists;
+    double most = Math.min((ahead - start) * rate, mostTicks);
+    long end = (long) Math.min((latest - start) * rate, most);
+    // The ticks by which the next column comes after the next row, and the change by a step.
+    long lead = nextX - nextY;
+    long perBoth = perX + perY;
+    long list = lists[cell];
+    int near = near(list);
+    while (true) {
+      if (near != 0) {
+        if (list == CellList.OUTSIDE) {
+          settle();
+          return Math.min(best, ahead);
+        }
+        enter(Math.max(nextY - perY, nextY + lead - perX), nextY + (lead & (lead >> 63)));
+        visit(grid, list, near);
+        end = (long) Math.min((latest - start) * rate, most);
+      }
+      do {
+        // The lesser of the two, branch-free: Math.min compiles to a branch that is unpredictable
+        // here.
+        long isColumn = lead >> 63;
+        long left = nextY + (lead & isColumn);
+        if (end <= left) {
+          settle();
+          double first = Math.min(best, ahead);
+          return (long) ((first - start) * rate) <= left ? first : start + left / rate;
+        }
+        nextY += perY & ~isColumn;
+        lead += (perBoth & isColumn) - perY;
+        cell += nextRow + (nextColumn & (int) isColumn);
+        list = lists[cell];
+        near = near(list);
+      } while (near == 0);
+    }
+  }
+
+  /** Shows what a cell lists; of a pair of lines only those that are near. */
+  private void visit(Grid grid, long list, int near) {
+    if (near > 0) {
+      look(list, near);
+    } else if (CellList.areOthers(list)) {
+      considerOthers(list);
+    } else {
+      visitAll(grid.pairs, CellList.start(list));
+    }
+  }
+
+  private void visitAll(long[] pairs, int from) {
+    int k = from;
+    long pair;
+    do {
+      pair = pairs[k++];
+      if (CellList.areOthers(pair)) {
+        considerOthers(pair);
+      } else {
+        long pairOfLines = CellList.withoutMore(pair);
+        int near = near(pairOfLines);
+        if (near != 0) {
+          look(pairOfLines, near);
+        }
+      }
+    } while (CellList.isMore(pair));
+  }
+
+  private void considerOthers(long pair) {
+    count(pair);
+    int first = CellList.first(pair);
+    int second = CellList.second(pair);
+    consider(first);
+    if (second != first) {
+      consider(second);
+    }
+  }
+
+  private void look(long pair, int near) {
+    look(CellList.code(pair, ~near & 1));
+    if (near == 3) {
+      look(CellList.second(pair));
+    }
+  }
+
+  /**
+   * Which lines of a pair may be hit: bit 0 for the first one, bit 1 for the second; -1 for other
+   * lists. It has one branch only: one for rejected lines would be unpredictable, and so would one
+   * for empty lists.
+   */
+  final int near(long list) {
+    if (!CellList.isPairOfLines(list)) {
+      return -1;
+    }
+    count(list);
+    return isNear(CellList.first(list)) | (isNear(CellList.second(list)) << 1);
+  }
+
+  /**
+   * 0 if both ends of a line lie on the same side of the path, further from it than the radius, or
+   * if the line is spared; else 1. For the row of a wall the result may be either.
+   */
+  private int isNear(int code) {
+    // Reads of the first and the last number first spare the range checks of those between.
+    int k = code * LineShape.ROW;
+    double ax = lines[k + LineShape.AX];
+    double by = lines[k + LineShape.BY];
+    double ay = lines[k + LineShape.AY];
+    double bx = lines[k + LineShape.BX];
+    double a = fma(ay, crossY, fma(ax, crossX, crossOfOrigin));
+    double b = fma(by, crossY, fma(bx, crossX, crossOfOrigin));
+    // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
+    double beyond = Math.abs(a + b) - (Math.abs(a - b) + clear);
+    int other = code ^ spared; // 0 if the line is spared
+    int isSpared = ((other - 1) & ~other) >>> 31;
+    return (int) (Double.doubleToRawLongBits(beyond) >>> 63) & ~isSpared;
+  }
+
+  private static void count(long pair) {
+    if (PrecisionCounters.COUNT != null && pair != 0) {
+      PrecisionCounters.COUNT.pairTests += CellList.first(pair) == CellList.second(pair) ? 1 : 2;
+    }
+  }
+}

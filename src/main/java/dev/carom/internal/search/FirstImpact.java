@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.search;
+
+import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.IgnoreList;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleTable;
+
+/**
+ * The earliest impact that a search has found on a flight, and the rules that decide between
+ * impacts, for all kinds of flights:
+ *
+ * <ul>
+ *   <li>which obstacles a flight ignores: {@link #ignores};
+ *   <li>which impacts with sensors count: {@link #wasSensed};
+ *   <li>which of two impacts at one time is first: {@link #winsTie}.
+ * </ul>
+ *
+ * <p>{@link OneWay} has the rule of one-way lines. Every question is asked for the whole flight. So
+ * the answer does not depend on the order in which a search finds the candidates.
+ */
+abstract class FirstImpact {
+
+  static final double NEVER = Double.POSITIVE_INFINITY;
+
+  final ObstacleTable obstacles;
+
+  /** Whether sensors are ignored: casts and traces do so. */
+  private boolean passesSensors;
+
+  /** Whether impacts of equal rounded times are ordered by their exact times: in casts. */
+  private boolean ordersExactly;
+
+  // The flight under search.
+  MovingCircle body;
+
+  /** The obstacle that this flight cannot hit at all, or NOTHING. */
+  int unhittable;
+
+  IgnoreList jam;
+
+  /** Whether filters may let the circle pass through some obstacles. */
+  private boolean filtered;
+
+  /** Whether there are walls that the circle can meet. */
+  boolean bounded;
+
+  /** Whether any obstacle has a trait. */
+  boolean special;
+
+  /** Whether the choice of an impact depends on more than times and codes. */
+  private boolean careful;
+
+  /**
+   * Sensor contacts already reported: all before this time, and at exactly this time those with a
+   * code up to {@code sensedCode}.
+   */
+  double sensed;
+
+  int sensedCode;
+
+  /** The time of the best impact found so far. A straight search keeps a rough one at first. */
+  double best;
+
+  /** An upper bound of the exact time of the best impact. */
+  double latest;
+
+  int bestCode;
+  int bestContact;
+
+  FirstImpact(ObstacleTable obstacles) {
+    this.obstacles = obstacles;
+  }
+
+  /** Sets whether searches ignore sensors. */
+  final void setPassesSensors(boolean passes) {
+    passesSensors = passes;
+  }
+
+  /** Sets whether searches order impacts by their exact times. */
+  final void setOrdersExactly(boolean exactly) {
+    ordersExactly = exactly;
+  }
+
+  /** Begins the search of a flight: nothing is found yet. */
+  void start(MovingCircle m) {
+    body = m;
+    jam = m.jam;
+    filtered = obstacles.areFiltered() || m.filter != Filter.DEFAULT;
+    bounded = filtered ? obstacles.wallsFor(m.filter) != null : obstacles.walls != null;
+    special = obstacles.areSpecial();
+    careful = special || ordersExactly;
+    sensed = m.cleared;
+    sensedCode = m.sensedCode;
+    best = NEVER;
+    latest = NEVER;
+    bestCode = MovingCircle.NOTHING;
+    bestContact = 0;
+  }
+
+  /** Whether the flight passes an obstacle, whatever its place. */
+  final boolean ignores(int code) {
+    return code == unhittable
+        || isFiltered(code)
+        || (jam != null && (jam.makesInert(code) || jam.isCrushedBy(code)))
+        || (passesSensors && obstacles.isSensor(code));
+  }
+
+  /** Whether filters let the circle pass through an obstacle. */
+  final boolean isFiltered(int code) {
+    return filtered && !Filter.meet(body.filter, obstacles.filter(code));
+  }
+
+  /** Takes an impact if it is before the best one so far, and returns whether it is. */
+  final boolean take(double t, int code, int contact) {
+    if (!(t <= best) || t == NEVER) {
+      return false;
+    }
+    if (careful && obstacles.isSensor(code) && wasSensed(t, code)) {
+      return false;
+    }
+    if (t == best && !winsTie(code, contact)) {
+      return false;
+    }
+    best = t;
+    latest = t;
+    bestCode = code;
+    bestContact = contact;
+    return true;
+  }
+
+  /** Whether a contact with a sensor was reported before, or existed at the start of the flight. */
+  private boolean wasSensed(double t, int code) {
+    return !(t > sensed || (t == sensed && t > 0 && code > sensedCode));
+  }
+
+  /**
+   * The rule of ties: whether an impact comes before the best one, which has the same rounded time.
+   * Sensors are first, since they change nothing. A cast compares the exact times, a flight does
+   * not. Then the smaller code is first. The end of a slide comes after all impacts.
+   */
+  private boolean winsTie(int code, int contact) {
+    if (bestCode == body.support) {
+      return true;
+    }
+    boolean isSensor = obstacles.isSensor(code);
+    if (isSensor != obstacles.isSensor(bestCode)) {
+      return isSensor;
+    }
+    int order = ordersExactly ? compareExactly(code, contact) : 0;
+    return order < 0 || (order == 0 && code < bestCode);
+  }
+
+  /** The order of the exact times of an impact and of the best one. */
+  abstract int compareExactly(int code, int contact);
+}

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.search;
+
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.state.CodeSet;
+import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleMotions;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.util.Kind;
+import java.util.Arrays;
+import java.util.stream.IntStream;
+
+/**
+ * Finds the next impact of a flight with an obstacle: among those at rest by {@link StraightSearch}
+ * or {@link FallSearch}, then among those that move, which a {@link MotionWindow} indexes.
+ */
+public final class FlightSearch {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** A window lasts for so many more steps like the one at which it begins. */
+  private static final int STEPS_OF_WINDOW = 64;
+
+  private final ObstacleTable obstacles;
+  private final CodeSet loose;
+  private final StraightSearch straight;
+  private final FallSearch falls;
+  private final MotionWindow window = new MotionWindow();
+
+  /** Searches among obstacles; those in the given list are in no grid. */
+  public FlightSearch(ObstacleTable obstacles, CodeSet loose) {
+    this(obstacles, loose, obstacles.extent());
+  }
+
+  /** A search among the same obstacles as another one, in its initial state. */
+  FlightSearch(FlightSearch other) {
+    this(other.obstacles, other.loose, other.straight.extent);
+  }
+
+  private FlightSearch(ObstacleTable obstacles, CodeSet loose, double extent) {
+    this.obstacles = obstacles;
+    this.loose = loose;
+    straight = new StraightSearch(obstacles, loose);
+    falls = new FallSearch(obstacles, loose);
+    straight.extent = extent;
+  }
+
+  private CellWalk searchOf(MovingCircle m) {
+    return m.isFalling() ? falls : straight;
+  }
+
+  // Changes and steps.
+
+  /** Notes that a line or a peg was added, moved or removed. */
+  public void lookAgain(int code) {
+    window.changed(obstacles.motions(), code);
+    straight.extent = Math.max(straight.extent, obstacles.extent(code));
+  }
+
+  /** Notes that any obstacle may have changed. */
+  public void lookAgainAtAll() {
+    window.changedAll();
+    straight.extent = obstacles.extent();
+  }
+
+  /**
+   * Prepares for searches from a time on, for a step that ends at a given time. The window lasts
+   * for more such steps.
+   */
+  public void beginStep(double now, double end) {
+    if (obstacles.areMoving() && !(now >= window.begin && end < window.end)) {
+      double length = Math.max(end - now, Math.ulp(end));
+      window.open(now, end + STEPS_OF_WINDOW * length);
+    }
+  }
+
+  // Questions.
+
+  /**
+   * Searches the path of a circle further: up to its next impact, or beyond the time asked for.
+   *
+   * @param grid the grid of the obstacles, or null to test each of them
+   * @param needed the time, from the start of the flight, up to which the path must be known
+   */
+  public void extend(MovingCircle m, Grid grid, double needed) {
+    CellWalk search = searchOf(m);
+    double from = m.cleared;
+    search.start(m);
+    double known = NEVER;
+    if (isFinite(m)) {
+      known =
+          search.moving ? searchAmongAll(search, grid, from, needed) : search.search(grid, needed);
+    }
+    if (search.best <= known && search.best != NEVER) {
+      m.predict(search.best, search.bestCode, search.contact());
+    } else {
+      m.clearUpTo(known);
+    }
+  }
+
+  private static boolean isFinite(MovingCircle m) {
+    return Math.abs(m.x) <= Double.MAX_VALUE && Math.abs(m.y) <= Double.MAX_VALUE;
+  }
+
+  /**
+   * Searches among the obstacles at rest, then among the moving ones: those in the window of time
+   * that the path may meet, no further than the window goes. Outside of the window, all of them.
+   */
+  private double searchAmongAll(CellWalk search, Grid grid, double from, double needed) {
+    MovingCircle m = search.body;
+    double start = obstacles.epoch() + m.t;
+    double end = window.end - start - m.tl;
+    if (!(start + from >= window.begin && from < end)) {
+      double known = search.search(grid, needed);
+      for (int i = 0; i < obstacles.motions().count(); i++) {
+        search.considerMoving(i, known);
+      }
+      return known;
+    }
+    m.lookahead = MovingCircle.EDITED_LOOKAHEAD; // no further than the window
+    double known = Math.min(search.search(grid, Math.max(needed, end)), end);
+    search.findMoving(window, from, known);
+    for (int word = 0; word < window.found.length; word++) {
+      for (long bits = window.found[word]; bits != 0; bits &= bits - 1) {
+        search.considerMoving(word * Long.SIZE + Long.numberOfTrailingZeros(bits), known);
+      }
+    }
+    return known;
+  }
+
+  /** The same as {@link #extend}, past sensors. */
+  public void extendPastSensors(MovingCircle m, Grid grid, double needed) {
+    CellWalk search = searchOf(m);
+    search.setPassesSensors(true);
+    try {
+      extend(m, grid, needed);
+    } finally {
+      search.setPassesSensors(false);
+    }
+  }
+
+  /**
+   * Finds the first impact of a circle, sensors ignored, until a time of its flight.
+   *
+   * @param m receives the impact: {@code next}, {@code contact} and {@code cleared}; {@code next}
+   *     is NOTHING if it is later than the end by rounded times
+   */
+  public void first(MovingCircle m, Grid grid, double end) {
+    do {
+      extendPastSensors(m, grid, end);
+    } while (m.next == MovingCircle.NOTHING && m.cleared <= end && m.cleared < NEVER);
+  }
+
+  /**
+   * The same for a straight flight; impacts of equal rounded times are compared exactly. Among
+   * exactly equal times the smallest code is first.
+   */
+  public void cast(MovingCircle m, Grid grid, double end) {
+    straight.setOrdersExactly(true);
+    try {
+      first(m, grid, end);
+    } finally {
+      straight.setOrdersExactly(false);
+    }
+  }
+
+  /** The exact time of the next impact of a circle that flies straight on. */
+  public ExactTime exactTime(MovingCircle m) {
+    return straight.exactTime(m);
+  }
+
+  /** Whether a flight, followed for ever from its start, meets a line or a peg. */
+  public boolean meets(MovingCircle m, int code) {
+    CellWalk search = searchOf(m);
+    search.start(m);
+    search.forgetHits();
+    if (isFinite(m)) {
+      if (obstacles.moves(code)) {
+        search.considerMoving(obstacles.motions().indexOf(code), NEVER);
+      } else {
+        search.considerOnly(code);
+      }
+    }
+    return search.bestCode == code;
+  }
+
+  /** The codes of all obstacles that touch a circle at its place, and perhaps of others near it. */
+  public int[] near(MovingCircle m, Grid grid) {
+    if (grid == null) {
+      return obstacles.codes().toArray();
+    }
+    ObstacleMotions motions = obstacles.motions();
+    IntStream others =
+        IntStream.concat(
+            Arrays.stream(loose.codes, 0, loose.size),
+            IntStream.range(0, motions.count()).map(motions::code));
+    return IntStream.concat(
+            obstacles.codes(Kind.WALL), IntStream.concat(others, grid.listedAt(m.x, m.y)))
+        .filter(code -> Codes.isWall(code) || !obstacles.isGone(code))
+        .sorted()
+        .distinct()
+        .toArray();
+  }
+}

@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.search;
+
+import static dev.carom.internal.exact.Fma.fma;
+
+import dev.carom.internal.exact.ExactTime;
+import dev.carom.internal.state.CodeSet;
+import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.MovingCircle;
+import dev.carom.internal.state.ObstacleRows;
+import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.LineShape;
+import dev.carom.internal.sweep.ObstacleShape;
+import dev.carom.internal.sweep.PointSweep;
+import dev.carom.internal.sweep.SegmentFilter;
+import dev.carom.internal.sweep.SideSweep;
+import dev.carom.internal.sweep.UnitVectors;
+import dev.carom.internal.sweep.WallSweep;
+
+/**
+ * Finds the next impact of a circle that flies straight on. The filter in plain doubles answers
+ * most questions about lines, with a rough time. The exact time is computed for the first impact
+ * only.
+ */
+final class StraightSearch extends CellWalk {
+
+  /** The margin of the lists covers this part of a cell beyond the visited ones. */
+  private static final double NEAR_CELLS = 0x1p-10;
+
+  /** Least speed, and least speed times size, for which the bounds cover underflow. */
+  private static final double LEAST_SAFE = 0x1p-900;
+
+  /** No overflow up to this: a sum of two cross products is at most 8 times as large. */
+  private static final double MOST_SAFE = 0x1p1020;
+
+  /** In proportion to the coordinates: far more than the rounding of a place. */
+  private static final double ROUNDING = 0x1p-40;
+
+  /** The middle of the bounds, and its distances from the walls. */
+  private final double middleX;
+
+  private final double middleY;
+  private final double halfWidth;
+  private final double halfHeight;
+
+  /** The largest coordinate of the bounds, and that of the lines and pegs. */
+  private final double extentOfBounds;
+
+  double extent;
+
+  /** Where a moving obstacle was at the start of the flight. */
+  private final double[] placed = new double[ObstacleTable.MOST_NUMBERS + 1];
+
+  // The flight under search.
+  private double px;
+  private double py;
+  private double vx;
+  private double vy;
+  private double r;
+
+  /** The {@link SegmentFilter#margin} of all lines. */
+  private double margin;
+
+  /** Whether the best time is the estimate of {@link SegmentFilter}. */
+  private boolean isRough;
+
+  /** A circle whose centre is further than this from a wall certainly does not touch it. */
+  private double inset;
+
+  /**
+   * A time at or shortly before the impact with the next wall on each axis. The impact itself is
+   * computed only if nothing comes before.
+   */
+  private double aheadX;
+
+  private double aheadY;
+
+  StraightSearch(ObstacleTable obstacles, CodeSet loose) {
+    super(obstacles, loose);
+    double[] w = obstacles.walls;
+    middleX = w == null ? 0 : w[Codes.LEFT] / 2 + w[Codes.RIGHT] / 2;
+    middleY = w == null ? 0 : w[Codes.BOTTOM] / 2 + w[Codes.TOP] / 2;
+    halfWidth = w == null ? NEVER : w[Codes.RIGHT] / 2 - w[Codes.LEFT] / 2;
+    halfHeight = w == null ? NEVER : w[Codes.TOP] / 2 - w[Codes.BOTTOM] / 2;
+    extentOfBounds =
+        w == null ? 0 : Math.max(Math.abs(middleX) + halfWidth, Math.abs(middleY) + halfHeight);
+  }
+
+  @Override
+  void start(MovingCircle m) {
+    super.start(m);
+    px = m.x;
+    py = m.y;
+    vx = m.vx;
+    vy = m.vy;
+    r = m.radius;
+    unhittable = m.last; // it is convex
+    spared = m.last;
+    isRough = false;
+  }
+
+  @Override
+  void forgetHits() {
+    unhittable = MovingCircle.NOTHING;
+    jam = null;
+    sensed = -1;
+  }
+
+  private boolean isAtRest() {
+    return vx == 0 && vy == 0;
+  }
+
+  @Override
+  double search(Grid grid, double needed) {
+    if (isAtRest()) {
+      return NEVER;
+    }
+    measure();
+    double ahead = wallAhead();
+    // The last cell before the wall is visited in any case, and its list reaches up to the wall.
+    double known = explore(grid, Math.min(body.cleared, ahead), needed, ahead);
+    if (known >= ahead) {
+      considerWalls();
+      known = best;
+      if (grid != null && isFar(ahead, grid)) {
+        known = explore(grid, Math.max(body.cleared, ahead), needed, best);
+      }
+    }
+    return known;
+  }
+
+  /**
+   * Whether the first impact found is so much later than the estimated time of the wall that the
+   * walk skipped cells between. A circle that all but touches a wall and drifts towards it slowly
+   * needs this.
+   */
+  private boolean isFar(double ahead, Grid grid) {
+    return (best - ahead) * manhattanSpeed > NEAR_CELLS * grid.cell;
+  }
+
+  /**
+   * Searches lines and pegs; returns the time until which the path is known, or that of the wall
+   * ahead.
+   */
+  private double explore(Grid grid, double from, double needed, double ahead) {
+    if (grid != null && grid.resolves(px, py, manhattanSpeed)) {
+      considerLoose();
+      return walk(grid, from, needed, ahead);
+    }
+    if (obstacles.size() == 0) {
+      return ahead;
+    }
+    considerEach();
+    settle();
+    return best;
+  }
+
+  /** Walks until the path is known for some cells beyond the needed time. */
+  private double walk(Grid grid, double from, double needed, double ahead) {
+    int halvesOfCells = body.useLookahead();
+    double start = grid.contains(px, py) ? from : grid.entry(px, py, vx, vy, from);
+    // The estimated time of a wall that is all but touched is 0, but another obstacle that the
+    // circle touches may come before it.
+    if (!(start <= ahead) || start == NEVER) {
+      settle();
+      return Math.min(best, ahead);
+    }
+    double x = grid.columns(px);
+    double y = grid.rows(py);
+    if (start != 0) { // else the first cell is known before v is
+      x = grid.columns(fma(vx, start, px));
+      y = grid.rows(fma(vy, start, py));
+    }
+    double rate = ticks(grid);
+    // Two ticks beyond: one may be lost where times are cut to ticks.
+    double most = Math.max((needed - start) * rate, halvesOfCells * (TICKS / 2)) + 2;
+    return walk(grid, x, y, vx, vy, start, rate, most, ahead);
+  }
+
+  /** Computes the error bounds of the flight from its speed and size. */
+  private void measure() {
+    double absVx = Math.abs(vx);
+    double absVy = Math.abs(vy);
+    head(absVx, absVy, absVx + absVy);
+    double length = UnitVectors.lengthBound(absVx, absVy);
+    // cross(a - p, v) errs by at most 4 u of the terms of cross(p, v), 2 u of those of cross(a, v),
+    // u = 2^-53: by 4 u |v| times the size below. Sum and difference of two, by twice that and
+    // their rounding, 11 u; with 2 r |v| and its sum, 14 u more: 36 u in all, 64 are left for them.
+    double size = Math.abs(px) + Math.abs(py) + Math.max(extent, extentOfBounds) + r;
+    double scale = length * size;
+    boolean ordinary = manhattanSpeed > LEAST_SAFE && scale > LEAST_SAFE && scale < MOST_SAFE;
+    inset = ordinary ? r + fma(0x1p-48, size, Double.MIN_NORMAL) : NEVER;
+    clear = ordinary ? 2 * length * inset : NEVER;
+    crossX = ordinary ? vy : 0;
+    crossY = ordinary ? 0 - vx : 0;
+    crossOfOrigin = ordinary ? py * vx - px * vy : 0;
+    double ofAll = SegmentFilter.margin(length, size);
+    margin = special || jam != null ? ofAll + NEVER : ofAll;
+  }
+
+  /** A time at or shortly before the impact with the next wall. */
+  private double wallAhead() {
+    if (!bounded) {
+      return NEVER;
+    }
+    // Distances from the walls ahead, branch-free. They err by less
+    // than 16 u of the size, reciprocals and products included.
+    double x = halfWidth - Math.copySign(1, vx) * (px - middleX);
+    double y = halfHeight - Math.copySign(1, vy) * (py - middleY);
+    aheadX = (x - inset) * perVx;
+    aheadY = (y - inset) * perVy;
+    double t = Math.min(aheadX, aheadY);
+    return t > 0 ? t : 0; // NaN if a distance is beyond the doubles
+  }
+
+  /** Considers the two walls ahead; the one that is later by estimate only if it may come first. */
+  private void considerWalls() {
+    if (!bounded) {
+      return;
+    }
+    if (aheadX < aheadY) {
+      considerWall(px, vx, Codes.LEFT);
+      if (!(aheadY > best)) {
+        considerWall(py, vy, Codes.BOTTOM);
+      }
+    } else {
+      considerWall(py, vy, Codes.BOTTOM);
+      if (!(aheadX > best)) {
+        considerWall(px, vx, Codes.LEFT);
+      }
+    }
+  }
+
+  // Obstacles at rest.
+
+  @Override
+  void consider(int code) {
+    if (!Codes.isLine(code)) {
+      considerOnly(code);
+    } else if (near(CellList.pair(code, code)) != 0) {
+      look(code);
+    }
+  }
+
+  @Override
+  void considerOnly(int code) {
+    ObstacleRows rows = obstacles.of(code);
+    int k = rows.offset(code);
+    boolean isGone = Double.isNaN(rows.values[k]);
+    if (code != bestCode && !isGone && !isAtRest() && !ignores(code)) {
+      ask(code, rows.shape, rows.values, k, 0, 0);
+    }
+  }
+
+  private void ask(int code, ObstacleShape shape, double[] values, int k, double ux, double uy) {
+    if (special && obstacles.isOneWay(code) && !OneWay.stops(body, values, k, ux, uy)) {
+      return;
+    }
+    int contact = shape.contact(px, py, r, vx, vy, values, k, ux, uy);
+    if (contact != Contact.MISS) {
+      offer(shape.time(contact, px, py, r, vx, vy, values, k, ux, uy), code, contact);
+    }
+  }
+
+  /** Considers the wall that the circle moves towards on one axis. */
+  private void considerWall(double p, double v, int lowCode) {
+    int code = wallCode(lowCode, v);
+    double t = WallSweep.time(p, r, v, obstacles.walls[code]);
+    if (!ignores(code)) {
+      offer(t, code, 0);
+    }
+  }
+
+  /** The code of the wall that v points to, of two parallel ones; either if v is 0. */
+  private static int wallCode(int lowCode, double v) {
+    return lowCode + (UnitVectors.sign(v) + 1) / 2;
+  }
+
+  /** Considers a line; the segment filter alone decides nearly always. */
+  @Override
+  void look(int code) {
+    if (code == bestCode || isFiltered(code)) {
+      return;
+    }
+    int k = code * LineShape.ROW;
+    double ax = lines[k + LineShape.AX];
+    double ay = lines[k + LineShape.AY];
+    double bx = lines[k + LineShape.BX];
+    double by = lines[k + LineShape.BY];
+    int contact = SegmentFilter.contact(px, py, r, vx, vy, ax, ay, bx, by, margin);
+    if (contact > Contact.MISS) {
+      keepRough(SegmentFilter.time(contact, px, py, r, vx, vy, ax, ay, bx, by), code, contact);
+    } else if (contact == Contact.DOUBT) {
+      considerOnly(code);
+    }
+  }
+
+  /** Keeps a contact whose time is rough, unless an earlier impact is certain. */
+  private void keepRough(double t, int code, int contact) {
+    double after = t * (1 + SegmentFilter.TIME_ERROR);
+    if (after < best) {
+      best = t;
+      latest = after;
+      isRough = true;
+      bestCode = code;
+      bestContact = contact;
+    } else if (t * (1 - SegmentFilter.TIME_ERROR) <= latest) { // latest may be exact
+      offer(timeOf(code, contact, t), code, contact);
+    }
+  }
+
+  @Override
+  void settle() {
+    if (isRough) {
+      isRough = false;
+      best = timeOf(bestCode, bestContact, best);
+      latest = best;
+    }
+  }
+
+  /** The exact time of a contact with a line, from the rough one. */
+  private double timeOf(int line, int contact, double rough) {
+    int k = line * LineShape.ROW;
+    if (contact >= Contact.START) {
+      // A branch on the end would be unpredictable, so the index is computed without one.
+      int end = k + (contact - Contact.START) * LineShape.END;
+      double x = lines[end + LineShape.AX];
+      double y = lines[end + LineShape.AY];
+      return PointSweep.time(px, py, r, vx, vy, x, y, rough);
+    }
+    int side = contact == Contact.LEFT ? 1 : -1;
+    double ax = lines[k + LineShape.AX];
+    double ay = lines[k + LineShape.AY];
+    double bx = lines[k + LineShape.BX];
+    double by = lines[k + LineShape.BY];
+    return SideSweep.refined(side, px, py, r, vx, vy, ax, ay, bx, by, rough);
+  }
+
+  private void offer(double t, int code, int contact) {
+    if (t <= latest) {
+      settle();
+    }
+    take(t, code, contact);
+  }
+
+  @Override
+  int contact() {
+    return bestContact;
+  }
+
+  @Override
+  void enter(long entered, long left) {
+    // a straight flight needs no such times
+  }
+
+  // Moving obstacles.
+
+  @Override
+  void findMoving(MotionWindow window, double from, double end) {
+    double fromX = fma(vx, from, px);
+    double fromY = fma(vy, from, py);
+    double toX = fma(vx, end, px);
+    double toY = fma(vy, end, py);
+    double marginX = r + ROUNDING * (Math.abs(fromX) + Math.abs(toX) + r);
+    double marginY = r + ROUNDING * (Math.abs(fromY) + Math.abs(toY) + r);
+    window.find(
+        obstacles,
+        Math.min(fromX, toX) - marginX,
+        Math.min(fromY, toY) - marginY,
+        Math.max(fromX, toX) + marginX,
+        Math.max(fromY, toY) + marginY);
+  }
+
+  @Override
+  void considerMoving(int i, double end) {
+    int code = obstacles.motions().code(i);
+    if (ignores(code)) {
+      return;
+    }
+    obstacles.place(i, body.t, body.tl, placed);
+    double ux = obstacles.motions().ux(i);
+    double uy = obstacles.motions().uy(i);
+    if (!Codes.isLine(code) || mayHit(vx - ux, vy - uy, Math.min(end, latest))) {
+      ask(code, obstacles.of(code).shape, placed, 0, ux, uy);
+    }
+  }
+
+  /**
+   * Whether the moving line may be hit by a given time, by the filter for a line at rest. The
+   * relative velocity s is rounded, by 1 u of each component; twice the margin covers that.
+   */
+  private boolean mayHit(double sx, double sy, double end) {
+    double ax = placed[LineShape.AX];
+    double ay = placed[LineShape.AY];
+    double bx = placed[LineShape.BX];
+    double endY = placed[LineShape.BY];
+    double ofA = Math.max(Math.abs(ax), Math.abs(ay));
+    double ofB = Math.max(Math.abs(bx), Math.abs(endY));
+    double size = Math.abs(px) + Math.abs(py) + r + Math.max(ofA, ofB);
+    double doubt = 2 * SegmentFilter.margin(Math.abs(sx) + Math.abs(sy), size);
+    int contact = SegmentFilter.contact(px, py, r, sx, sy, ax, ay, bx, endY, doubt);
+    if (contact <= Contact.MISS) {
+      return contact == Contact.DOUBT;
+    }
+    double rough = SegmentFilter.time(contact, px, py, r, sx, sy, ax, ay, bx, endY);
+    return !(rough * (1 - SegmentFilter.TIME_ERROR) > end);
+  }
+
+  // Exact times.
+
+  @Override
+  int compareExactly(int code, int contact) {
+    return exactTime(code, contact).compare(exactTime(bestCode, bestContact));
+  }
+
+  /** The exact time of the next impact of a circle. */
+  ExactTime exactTime(MovingCircle body) {
+    start(body);
+    return exactTime(body.next, body.contact);
+  }
+
+  private ExactTime exactTime(int code, int contact) {
+    if (Codes.isWall(code)) {
+      boolean vertical = Codes.isVertical(code);
+      return WallSweep.exactTime(vertical ? px : py, r, vertical ? vx : vy, obstacles.walls[code]);
+    }
+    double[] row = obstacles.rowAt(code, body.t, body.tl);
+    ObstacleShape shape = obstacles.of(code).shape;
+    return shape.exactTime(
+        contact, px, py, r, vx, vy, row, 0, obstacles.ux(code), obstacles.uy(code));
+  }
+}
