@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.search;
 
+import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.util.IntList;
 import java.util.Arrays;
 
@@ -46,12 +47,14 @@ public final class BoxTree {
    * @param boxes {@link #BOX} numbers for each item; rounding is the caller's
    */
   public BoxTree(int[] items, double[] boxes) {
-    int[] order = order(boxes, items.length);
+    long[] keys = new long[items.length]; // each has an item in its lower half
+    Arrays.setAll(keys, k -> k);
+    divide(boxes, keys, 0, items.length);
     this.items = new int[items.length];
     this.boxes = new double[items.length * BOX];
-    for (int k = 0; k < order.length; k++) {
-      this.items[k] = items[order[k]];
-      System.arraycopy(boxes, order[k] * BOX, this.boxes, k * BOX, BOX);
+    for (int k = 0; k < items.length; k++) {
+      this.items[k] = items[(int) keys[k]];
+      System.arraycopy(boxes, (int) keys[k] * BOX, this.boxes, k * BOX, BOX);
     }
     int count = 1;
     for (int runs = (items.length + LEAF_SIZE - 1) / LEAF_SIZE; runs > 1; runs = (runs + 1) / 2) {
@@ -79,14 +82,16 @@ public final class BoxTree {
     boxes[at + TOP] = Math.nextUp(Math.max(ay, by) + radius);
   }
 
-  /** The order of the items: they are sorted as the keys, which have an item in the lower half. */
-  private static int[] order(double[] boxes, int count) {
-    long[] keys = new long[count];
-    Arrays.setAll(keys, k -> k);
-    divide(boxes, keys, 0, count);
-    int[] order = new int[count];
-    Arrays.setAll(order, k -> (int) keys[k]);
-    return order;
+  /**
+   * Puts the box around an obstacle, which is the row at a place of an array, in place of item k.
+   */
+  static void put(double[] boxes, int k, ObstacleShape shape, double[] rows, int at, double grown) {
+    int end = at + shape.toEnd;
+    double ax = rows[at + ObstacleShape.X];
+    double ay = rows[at + ObstacleShape.Y];
+    double bx = rows[end + ObstacleShape.X];
+    double by = rows[end + ObstacleShape.Y];
+    put(boxes, k, ax, ay, bx, by, shape.radius(rows, at) + grown);
   }
 
   /** Sorts a run of items across its longer side, divides it there, and goes on with each part. */
@@ -166,7 +171,7 @@ public final class BoxTree {
     include(nodes, k, nodes, (2 * node + 2) * BOX);
   }
 
-  private static void include(double[] nodes, int k, double[] from, int other) {
+  static void include(double[] nodes, int k, double[] from, int other) {
     nodes[k + LEFT] = Math.min(nodes[k + LEFT], from[other + LEFT]);
     nodes[k + BOTTOM] = Math.min(nodes[k + BOTTOM], from[other + BOTTOM]);
     nodes[k + RIGHT] = Math.max(nodes[k + RIGHT], from[other + RIGHT]);
@@ -253,7 +258,7 @@ public final class BoxTree {
     }
   }
 
-  // Items in the order of time.
+  // Items in the order of time, or of another number.
 
   /** A search for the item that comes first. */
   public interface First {
@@ -261,7 +266,7 @@ public final class BoxTree {
     /** A time before which no item of a node comes; infinite if none does, NaN if unknown. */
     double entry(int node);
 
-    /** The time after which no item is of interest; finite. */
+    /** The time after which no item is of interest; NaN for no limit. */
     double limit();
 
     /** Looks at the item at a place of the order of the tree. */
@@ -312,38 +317,25 @@ public final class BoxTree {
 
   /** Shows a search all items whose boxes are within its limit; items of nearer runs come first. */
   public void nearest(double x, double y, Nearest search) {
-    if (items.length > 0) {
-      nearest(0, 0, items.length, x, y, search);
-    }
-  }
+    first(
+        new First() {
+          @Override
+          public double entry(int node) {
+            return distance2(nodes, node * BOX, x, y);
+          }
 
-  private void nearest(int node, int from, int to, double x, double y, Nearest search) {
-    if (to - from > LEAF_SIZE) {
-      int middle = (from + to) >>> 1;
-      int lower = 2 * node + 1;
-      double ofLower = distance2(nodes, lower * BOX, x, y);
-      double ofUpper = distance2(nodes, (lower + 1) * BOX, x, y);
-      if (ofUpper < ofLower) {
-        descend(lower + 1, middle, to, ofUpper, x, y, search);
-        descend(lower, from, middle, ofLower, x, y, search);
-      } else {
-        descend(lower, from, middle, ofLower, x, y, search);
-        descend(lower + 1, middle, to, ofUpper, x, y, search);
-      }
-      return;
-    }
-    for (int i = from; i < to; i++) {
-      if (!(distance2(boxes, i * BOX, x, y) > search.limit())) {
-        search.look(items[i]);
-      }
-    }
-  }
+          @Override
+          public double limit() {
+            return search.limit();
+          }
 
-  private void descend(
-      int node, int from, int to, double distance2, double x, double y, Nearest search) {
-    if (!(distance2 > search.limit())) {
-      nearest(node, from, to, x, y, search);
-    }
+          @Override
+          public void look(int place) {
+            if (!(distance2(boxes, place * BOX, x, y) > search.limit())) {
+              search.look(items[place]);
+            }
+          }
+        });
   }
 
   /** The square of the distance of a point from a box, which errs by a few ulps of the extent. */

@@ -2,12 +2,12 @@
 package dev.carom.internal.search;
 
 import dev.carom.internal.state.Codes;
-import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.ObstacleShape;
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import java.util.stream.LongStream;
 
 /**
  * A uniform grid over the lines and pegs of a scene. Each cell lists all obstacles that a circle of
@@ -19,6 +19,8 @@ import java.util.stream.IntStream;
  * that leaves a straight line by no more than this rest counts as straight.
  */
 public final class Grid {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
 
   /** Cells an axis at most. */
   private static final int MOST = 1 << 13;
@@ -97,12 +99,16 @@ public final class Grid {
     this.obstacles = obstacles;
     this.radius = radius;
     this.margin = margin;
-    double[] box = box();
-    double width = box[Codes.RIGHT] - box[Codes.LEFT];
-    double height = box[Codes.TOP] - box[Codes.BOTTOM];
+    int[] codes =
+        obstacles.kinds.stream()
+            .flatMapToInt(kind -> kind.present().stream(code -> !obstacles.isStatic(code)))
+            .toArray();
+    double[] box = box(codes);
+    double width = box[BoxTree.RIGHT] - box[BoxTree.LEFT];
+    double height = box[BoxTree.TOP] - box[BoxTree.BOTTOM];
     this.cell = cell > 0 ? cell : chosen(width, height);
-    xmin = box[Codes.LEFT] - this.cell;
-    ymin = box[Codes.BOTTOM] - this.cell;
+    xmin = box[BoxTree.LEFT] - this.cell;
+    ymin = box[BoxTree.BOTTOM] - this.cell;
     columns = (int) Math.ceil(width / this.cell) + 2;
     rows = (int) Math.ceil(height / this.cell) + 2;
     xmax = xmin + columns * this.cell;
@@ -116,10 +122,9 @@ public final class Grid {
     slowest = Math.max(LEAST_SPEED, this.cell / MOST_PACE);
     fastest = this.cell * MOST_PACE;
     int[] starts = new int[columns * rows + 1];
-    int[] listed = list(starts);
+    int[] listed = list(codes, starts);
     lists = new long[stride * (rows + 2)];
-    pairs = new long[1 + room(starts, listed)]; // a list at 0 would be OUTSIDE
-    pack(starts, listed);
+    pairs = pack(starts, listed);
   }
 
   /** Whether a grid can be made of obstacles with this largest coordinate. */
@@ -127,24 +132,15 @@ public final class Grid {
     return extent > SMALLEST && extent < LARGEST;
   }
 
-  /** The pairs that longer lists take. */
-  private static int room(int[] starts, int[] listed) {
-    int room = 0;
-    for (int i = 1; i < starts.length; i++) {
-      int lines = firstOther(listed, starts[i - 1], starts[i]) - starts[i - 1];
-      int others = starts[i] - starts[i - 1] - lines;
-      room += isLong(lines, others) ? (lines + 1) / 2 + (others + 1) / 2 : 0;
-    }
-    return room;
-  }
-
   private static boolean isLong(int lines, int others) {
     return lines + others > 2 || (lines > 0 && others > 0);
   }
 
-  private void pack(int[] starts, int[] listed) {
+  /** Packs the lists of all cells; returns the pairs of the longer ones. */
+  private long[] pack(int[] starts, int[] listed) {
     Arrays.fill(lists, CellList.OUTSIDE);
-    int end = 1;
+    long[] room = new long[1 + listed.length];
+    int end = 1; // a list at 0 would be OUTSIDE
     for (int i = 0; i < columns * rows; i++) {
       int from = starts[i];
       int to = starts[i + 1];
@@ -152,14 +148,15 @@ public final class Grid {
       long list = CellList.EMPTY;
       if (isLong(others - from, to - others)) {
         list = CellList.startingAt(end);
-        end = packPairs(listed, from, others, end);
-        end = packPairs(listed, others, to, end);
-        pairs[end - 1] = CellList.withoutMore(pairs[end - 1]);
+        end = packPairs(listed, from, others, room, end);
+        end = packPairs(listed, others, to, room, end);
+        room[end - 1] = CellList.withoutMore(room[end - 1]);
       } else if (from < to) {
         list = CellList.ofPair(listed[from], listed[to - 1]);
       }
       lists[number(i % columns, i / columns)] = list;
     }
+    return Arrays.copyOf(room, end);
   }
 
   private static int firstOther(int[] listed, int from, int to) {
@@ -171,7 +168,7 @@ public final class Grid {
   }
 
   /** Appends codes in pairs, and returns the end. */
-  private int packPairs(int[] listed, int from, int to, int end) {
+  private static int packPairs(int[] listed, int from, int to, long[] pairs, int end) {
     int k = end;
     for (int i = from; i < to; i += 2) {
       pairs[k++] = CellList.withMore(listed[i], listed[Math.min(i + 1, to - 1)]);
@@ -195,58 +192,40 @@ public final class Grid {
   }
 
   /** The box around all obstacles, grown by the radius: outside of it none can be hit. */
-  private double[] box() {
-    double[] box = new double[Codes.WALLS];
-    Arrays.fill(box, Double.POSITIVE_INFINITY);
-    box[Codes.RIGHT] = Double.NEGATIVE_INFINITY;
-    box[Codes.TOP] = Double.NEGATIVE_INFINITY;
-    for (ObstacleRows rows : obstacles.kinds) {
-      LiveCodes present = rows.present();
-      for (int i = 0; i < present.size(); i++) {
-        if (obstacles.isStatic(present.get(i))) {
-          include(box, rows, rows.offset(present.get(i)));
-        }
+  private double[] box(int[] codes) {
+    double[] box = {NEVER, NEVER, -NEVER, -NEVER};
+    for (int code : codes) {
+      ObstacleRows rows = obstacles.of(code);
+      int k = rows.offset(code);
+      double grown = radius + rows.shape.radius(rows.values, k);
+      for (int end = k + rows.shape.coordinates; k < end; k += 2) {
+        box[BoxTree.LEFT] = Math.min(box[BoxTree.LEFT], rows.values[k] - grown);
+        box[BoxTree.BOTTOM] = Math.min(box[BoxTree.BOTTOM], rows.values[k + 1] - grown);
+        box[BoxTree.RIGHT] = Math.max(box[BoxTree.RIGHT], rows.values[k] + grown);
+        box[BoxTree.TOP] = Math.max(box[BoxTree.TOP], rows.values[k + 1] + grown);
       }
     }
     return box;
-  }
-
-  private void include(double[] box, ObstacleRows rows, int k) {
-    double[] values = rows.values;
-    double inflatedRadius = radius + rows.shape.radius(values, k);
-    int end = k + rows.shape.toEnd;
-    include(box, values[k + ObstacleShape.X], values[k + ObstacleShape.Y], inflatedRadius);
-    include(box, values[end + ObstacleShape.X], values[end + ObstacleShape.Y], inflatedRadius);
-  }
-
-  private static void include(double[] box, double x, double y, double radius) {
-    box[Codes.LEFT] = Math.min(box[Codes.LEFT], x - radius);
-    box[Codes.BOTTOM] = Math.min(box[Codes.BOTTOM], y - radius);
-    box[Codes.RIGHT] = Math.max(box[Codes.RIGHT], x + radius);
-    box[Codes.TOP] = Math.max(box[Codes.TOP], y + radius);
   }
 
   /**
    * The codes of the obstacles that a circle centred here could touch; none outside of the grid.
    */
   IntStream listedAt(double x, double y) {
-    IntStream.Builder codes = IntStream.builder();
-    if (contains(x, y)) {
-      long list = lists[number(column(columns(x)), row(rows(y)))];
-      if (CellList.isPairOfLines(list) || CellList.areOthers(list)) {
-        addPair(list, codes);
-      } else {
-        int k = CellList.start(list);
-        do {
-          addPair(pairs[k], codes);
-        } while (CellList.isMore(pairs[k++]));
-      }
+    if (!contains(x, y)) {
+      return IntStream.empty();
     }
-    return codes.build().filter(code -> !Codes.isWall(code));
-  }
-
-  private static void addPair(long pair, IntStream.Builder codes) {
-    codes.add(CellList.first(pair)).add(CellList.second(pair));
+    long list = lists[number(column(columns(x)), row(rows(y)))];
+    boolean isLong = !CellList.isPairOfLines(list) && !CellList.areOthers(list);
+    int from = isLong ? CellList.start(list) : 0;
+    int to = from;
+    while (isLong && CellList.isMore(pairs[to])) {
+      to++;
+    }
+    LongStream all = isLong ? Arrays.stream(pairs, from, to + 1) : LongStream.of(list);
+    return all.flatMap(pair -> LongStream.of(CellList.first(pair), CellList.second(pair)))
+        .mapToInt(code -> (int) code)
+        .filter(code -> !Codes.isWall(code));
   }
 
   /** Reads the lists of the cells around a place, to have them in the cache. */
@@ -298,18 +277,18 @@ public final class Grid {
   double entry(double x, double y, double vx, double vy, double from) {
     double enter = Math.max(enter(x, vx, xmin, xmax, from), enter(y, vy, ymin, ymax, from));
     double leave = Math.min(leave(x, vx, xmin, xmax), leave(y, vy, ymin, ymax));
-    return enter <= leave ? enter : Double.POSITIVE_INFINITY;
+    return enter <= leave ? enter : NEVER;
   }
 
   private static double enter(double p, double v, double low, double high, double from) {
     if (v == 0) {
-      return p >= low && p <= high ? from : Double.POSITIVE_INFINITY;
+      return p >= low && p <= high ? from : NEVER;
     }
     return Math.max(from, ((v < 0 ? high : low) - p) / v);
   }
 
   private static double leave(double p, double v, double low, double high) {
-    return v == 0 ? Double.POSITIVE_INFINITY : ((v < 0 ? low : high) - p) / v;
+    return v == 0 ? NEVER : ((v < 0 ? low : high) - p) / v;
   }
 
   /** The number of columns between the left edge of the grid and x; negative beyond it. */
@@ -336,50 +315,33 @@ public final class Grid {
   }
 
   /** Lists the codes of each cell, in two passes over the obstacles: counts, then fills. */
-  private int[] list(int[] starts) {
+  private int[] list(int[] codes, int[] starts) {
     int cells = columns * rows;
     int[] counts = new int[cells + 1];
-    visitAll(counts, null);
+    for (int code : codes) {
+      visit(code, counts, null);
+    }
     for (int i = 0; i < cells; i++) {
       starts[i + 1] = starts[i] + counts[i];
       counts[i] = starts[i];
     }
     int[] listed = new int[starts[cells]];
-    visitAll(counts, listed);
+    for (int code : codes) {
+      visit(code, counts, listed);
+    }
     return listed;
   }
 
-  private void visitAll(int[] counts, int[] listed) {
-    for (ObstacleRows rows : obstacles.kinds) {
-      LiveCodes present = rows.present();
-      for (int i = 0; i < present.size(); i++) {
-        if (obstacles.isStatic(present.get(i))) {
-          visit(present.get(i), rows, counts, listed);
-        }
-      }
-    }
-  }
-
   /** Puts a code into the list of every cell that it can reach into, or only counts it. */
-  private void visit(int code, ObstacleRows rows, int[] counts, int[] listed) {
+  private void visit(int code, int[] counts, int[] listed) {
+    ObstacleRows rows = obstacles.of(code);
     double[] values = rows.values;
     int k = rows.offset(code);
-    int end = k + rows.shape.toEnd;
-    visit(
-        code,
-        values[k + ObstacleShape.X],
-        values[k + ObstacleShape.Y],
-        values[end + ObstacleShape.X],
-        values[end + ObstacleShape.Y],
-        radius + rows.shape.radius(values, k),
-        counts,
-        listed);
-  }
-
-  private void visit(
-      int code, double ax, double ay, double bx, double by, double inflatedRadius, int[] counts,
-      int[] listed) {
-    double grown = inflatedRadius + margin * cell;
+    double ax = values[k + ObstacleShape.X];
+    double ay = values[k + ObstacleShape.Y];
+    double bx = values[k + rows.shape.toEnd + ObstacleShape.X];
+    double by = values[k + rows.shape.toEnd + ObstacleShape.Y];
+    double grown = radius + rows.shape.radius(values, k) + margin * cell;
     int left = column(columns(Math.min(ax, bx) - grown));
     int right = column(columns(Math.max(ax, bx) + grown));
     int bottom = row(rows(Math.min(ay, by) - grown));

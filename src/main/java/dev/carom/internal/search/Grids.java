@@ -120,7 +120,12 @@ public final class Grids {
    * then not listed.
    */
   private boolean areTooLoose() {
-    return loose.size > FEW + Math.sqrt(obstacles.staticSize());
+    return areTooMany(loose.size, obstacles.staticSize());
+  }
+
+  /** Whether so many loose obstacles beside an index of so many cost more than a new index. */
+  static boolean areTooMany(int loose, int indexed) {
+    return loose > FEW + Math.sqrt(indexed);
   }
 
   /** Prepares for circles that fall: drops all grids. */

@@ -2,7 +2,6 @@
 package dev.carom.internal.search;
 
 import dev.carom.internal.state.ObstacleMotions;
-import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.ObstacleShape;
 import java.util.Arrays;
@@ -13,6 +12,8 @@ import java.util.Arrays;
  * bits holds the boxes that begin at or before it, and one those that end at or after it. So four
  * sets give the boxes that overlap a box, some others included.
  *
+ * <p>{@link FlightSearch} tests the obstacles that it finds.
+ *
  * <p>The index is made when a search first needs it. An obstacle that changes later is
  * <i>loose</i>: each search finds it, until so many are loose that a new index pays.
  */
@@ -20,11 +21,6 @@ final class MotionWindow {
 
   /** Strips along an axis. */
   private static final int STRIPS = 64;
-
-  /**
-   * So many obstacles may be loose before a new index is made, besides the root of their number.
-   */
-  private static final int FEW = 8;
 
   /** Far more than the rounding of a place, in proportion to the coordinates. */
   private static final double ROUNDING = 0x1p-40;
@@ -42,18 +38,25 @@ final class MotionWindow {
 
   private int looseCount;
 
+  /** The number of obstacles in the index. */
+  private int indexed;
+
   /** Whether the next search has to make the index anew. */
   private boolean isStale = true;
 
-  private final Axis x = new Axis();
-  private final Axis y = new Axis();
+  private final Axis x = new Axis(BoxTree.LEFT);
+  private final Axis y = new Axis(BoxTree.BOTTOM);
   private final double[] row = new double[ObstacleTable.MOST_NUMBERS + 1];
 
-  /** One axis: the least and the largest coordinate of each box, and the sets of each strip. */
+  /** The boxes, as those of a {@link BoxTree}; the last one is for a place in between. */
+  private double[] boxes = new double[0];
+
+  /** One axis of the plane, which is cut into strips. */
   private static final class Axis {
 
-    private double[] low = new double[0];
-    private double[] high = low;
+    /** The column of the lower sides in {@link #boxes}; those of the upper sides follow. */
+    private final int lower;
+
     private double origin;
     private double perStrip;
 
@@ -62,49 +65,39 @@ final class MotionWindow {
 
     private long[][] open;
 
-    void clear(int count) {
-      if (count != low.length) {
-        low = new double[count];
-        high = new double[count];
-        begun = new long[STRIPS][words(count)];
-        open = new long[STRIPS][words(count)];
-      }
-      Arrays.fill(low, Double.POSITIVE_INFINITY);
-      Arrays.fill(high, Double.NEGATIVE_INFINITY);
+    Axis(int lower) {
+      this.lower = lower;
     }
 
-    void include(int i, double p, double radius) {
-      double margin = radius + ROUNDING * (Math.abs(p) + radius);
-      low[i] = Math.min(low[i], p - margin);
-      high[i] = Math.max(high[i], p + margin);
-    }
-
-    void index() {
+    void index(double[] boxes, int count) {
+      begun = cleared(begun, count);
+      open = cleared(open, count);
       origin = Double.POSITIVE_INFINITY;
       double most = Double.NEGATIVE_INFINITY;
-      for (int i = 0; i < low.length; i++) {
-        origin = Math.min(origin, low[i]);
-        most = Math.max(most, high[i]);
+      for (int k = lower; k < count * BoxTree.BOX; k += BoxTree.BOX) {
+        origin = Math.min(origin, boxes[k]);
+        most = Math.max(most, boxes[k + BoxTree.RIGHT]);
       }
       perStrip = STRIPS / (most - origin);
-      for (int s = 0; s < STRIPS; s++) {
-        Arrays.fill(begun[s], 0);
-        Arrays.fill(open[s], 0);
-      }
-      for (int i = 0; i < low.length; i++) {
-        insert(i);
+      for (int i = 0; i < count; i++) {
+        int k = i * BoxTree.BOX + lower;
+        for (int s = strip(boxes[k]); s < STRIPS; s++) {
+          begun[s][i / Long.SIZE] |= 1L << i;
+        }
+        for (int s = strip(boxes[k + BoxTree.RIGHT]); s >= 0; s--) {
+          open[s][i / Long.SIZE] |= 1L << i;
+        }
       }
     }
 
-    private void insert(int i) {
-      int word = i / Long.SIZE;
-      long bit = 1L << i;
-      for (int s = strip(low[i]); s < STRIPS; s++) {
-        begun[s][word] |= bit;
+    private static long[][] cleared(long[][] sets, int count) {
+      if (sets == null || sets[0].length != words(count)) {
+        return new long[STRIPS][words(count)];
       }
-      for (int s = strip(high[i]); s >= 0; s--) {
-        open[s][word] |= bit;
+      for (long[] set : sets) {
+        Arrays.fill(set, 0);
       }
+      return sets;
     }
 
     /** The strip of a coordinate, or the nearest one. It never falls as the coordinate grows. */
@@ -128,47 +121,47 @@ final class MotionWindow {
   /** Notes that an obstacle is new, moves otherwise, or is gone. */
   void changed(ObstacleMotions motions, int code) {
     int i = motions.indexOf(code);
-    isStale |= motions.count() != x.low.length; // other obstacles have these numbers now
+    isStale |= motions.count() != indexed; // other obstacles have these numbers now
     if (i >= 0 && !isStale && (loose[i / Long.SIZE] >>> i & 1) == 0) {
       loose[i / Long.SIZE] |= 1L << i;
       looseCount++;
-      isStale = looseCount > FEW + Math.sqrt(motions.count());
+      isStale = Grids.areTooMany(looseCount, indexed);
     }
   }
 
   private void index(ObstacleTable obstacles) {
-    int count = obstacles.motions().count();
-    x.clear(count);
-    y.clear(count);
-    for (int i = 0; i < count; i++) {
-      include(obstacles, i, begin);
-      include(obstacles, i, end);
+    indexed = obstacles.motions().count();
+    if (boxes.length != (indexed + 1) * BoxTree.BOX) {
+      boxes = new double[(indexed + 1) * BoxTree.BOX];
+      found = new long[words(indexed)];
+      loose = new long[words(indexed)];
     }
-    x.index();
-    y.index();
-    if (found.length != words(count)) {
-      found = new long[words(count)];
-      loose = new long[words(count)];
+    for (int i = 0; i < indexed; i++) {
+      put(obstacles, i, begin, i);
+      put(obstacles, i, end, indexed);
+      BoxTree.include(boxes, i * BoxTree.BOX, boxes, indexed * BoxTree.BOX);
     }
+    x.index(boxes, indexed);
+    y.index(boxes, indexed);
     Arrays.fill(loose, 0);
     looseCount = 0;
     isStale = false;
   }
 
+  /** Puts the box of an obstacle at a time in place of box k. */
+  private void put(ObstacleTable obstacles, int i, double time, int k) {
+    ObstacleShape shape = obstacles.of(obstacles.motions().code(i)).shape;
+    obstacles.place(i, time, 0, row);
+    double size = 0;
+    for (int c = 0; c < shape.restitution; c++) {
+      size += Math.abs(row[c]);
+    }
+    BoxTree.put(boxes, k, shape, row, 0, ROUNDING * size);
+  }
+
   /** How many longs hold so many bits. */
   private static int words(int bits) {
     return (bits + Long.SIZE - 1) / Long.SIZE;
-  }
-
-  private void include(ObstacleTable obstacles, int i, double time) {
-    ObstacleRows rows = obstacles.of(obstacles.motions().code(i));
-    ObstacleShape shape = rows.shape;
-    obstacles.place(i, time, 0, row);
-    double radius = shape.radius(row, 0);
-    for (int k = 0; k <= shape.toEnd; k += 2) {
-      x.include(i, row[k + ObstacleShape.X], radius);
-      y.include(i, row[k + ObstacleShape.Y], radius);
-    }
   }
 
   /**

@@ -5,7 +5,6 @@ import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
-import dev.carom.internal.sweep.ObstacleShape;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
@@ -138,17 +137,7 @@ public final class ObstacleIndex {
     int[] codes = present.stream(code -> !obstacles.isStatic(code)).toArray();
     double[] boxes = new double[codes.length * BoxTree.BOX];
     for (int i = 0; i < codes.length; i++) {
-      double[] v = rows.values;
-      int k = rows.offset(codes[i]);
-      int end = k + rows.shape.toEnd;
-      BoxTree.put(
-          boxes,
-          i,
-          v[k + ObstacleShape.X],
-          v[k + ObstacleShape.Y],
-          v[end + ObstacleShape.X],
-          v[end + ObstacleShape.Y],
-          rows.shape.radius(v, k));
+      BoxTree.put(boxes, i, rows.shape, rows.values, rows.offset(codes[i]), 0);
     }
     return new BoxTree(codes, boxes);
   }
@@ -181,7 +170,7 @@ public final class ObstacleIndex {
     model.lookAgain(code);
     if (trees != null && !obstacles.moves(code)) {
       loose.add(code);
-      if (loose.size > FEW + Math.sqrt(obstacles.staticSize())) {
+      if (Grids.areTooMany(loose.size, obstacles.staticSize())) {
         forget();
       }
     }
