@@ -94,11 +94,8 @@ abstract class CellWalk extends FirstImpact {
   /** Forgets what was hit or reported before the flight. */
   abstract void forgetHits();
 
-  /** The contact of the best impact. */
-  abstract int contact();
-
   /** Notes that the walk visits a cell that lists something, between two ticks. */
-  abstract void enter(long entered, long left);
+  void enter(long entered, long left) {}
 
   /** Considers a line that a cell lists. */
   abstract void look(int line);
@@ -106,8 +103,8 @@ abstract class CellWalk extends FirstImpact {
   /** Considers an obstacle other than a wall. */
   abstract void consider(int code);
 
-  /** Computes the best impact exactly. */
-  abstract void settle();
+  /** Computes the time of the best impact exactly, if it is rough. */
+  void settle() {}
 
   /** Considers each obstacle at rest. */
   final void considerEach() {

@@ -38,14 +38,7 @@ final class FallPath {
   /** The longest piece without acceleration: finite, so that its bend is 0 and not NaN. */
   private static final double LONGEST = 0x1p1000;
 
-  // The path.
-  private double px;
-  private double py;
-  private double vx;
-  private double vy;
-  private double gx;
-  private double gy;
-  private double r;
+  private MovingCircle m;
 
   // The sizes of the coordinates and of the circle sum up to at most size + speed t + pull t^2.
   private double size;
@@ -71,17 +64,11 @@ final class FallPath {
   private double longest;
 
   /** Takes the flight of a circle. */
-  void start(MovingCircle m) {
-    px = m.x;
-    py = m.y;
-    vx = m.vx;
-    vy = m.vy;
-    gx = m.gx;
-    gy = m.gy;
-    r = m.radius;
-    size = Math.abs(px) + Math.abs(py) + 2 * r;
-    speed = Math.abs(vx) + Math.abs(vy);
-    pull = Math.abs(gx) + Math.abs(gy);
+  void start(MovingCircle circle) {
+    m = circle;
+    size = Math.abs(m.x) + Math.abs(m.y) + 2 * m.radius;
+    speed = Math.abs(m.vx) + Math.abs(m.vy);
+    pull = Math.abs(m.gx) + Math.abs(m.gy);
   }
 
   boolean isAtRest() {
@@ -98,8 +85,8 @@ final class FallPath {
 
   /** Whether the centre is in a grid at a time. Up to {@link #NEAR} outside counts as inside. */
   boolean isInside(Grid grid, double t) {
-    double column = grid.columns(place(px, vx, gx, t));
-    double row = grid.rows(place(py, vy, gy, t));
+    double column = grid.columns(place(m.x, m.vx, m.gx, t));
+    double row = grid.rows(place(m.y, m.vy, m.gy, t));
     return column > -NEAR && column < grid.columns + NEAR && row > -NEAR && row < grid.rows + NEAR;
   }
 
@@ -110,17 +97,17 @@ final class FallPath {
    */
   double entry(Grid grid, double after) {
     double scale = grid.perCell;
-    if (!(isSquarable(vx * scale) && isSquarable(vy * scale))
-        || !(isSquarable(gx * scale) && isSquarable(gy * scale))) {
+    if (!(isSquarable(m.vx * scale) && isSquarable(m.vy * scale))
+        || !(isSquarable(m.gx * scale) && isSquarable(m.gy * scale))) {
       return Double.NaN;
     }
-    double column = grid.columns(px);
-    double row = grid.rows(py);
+    double column = grid.columns(m.x);
+    double row = grid.rows(m.y);
     double first = NEVER;
-    first = entry(grid, -column, vx * scale, gx * scale, after, first);
-    first = entry(grid, grid.columns - column, vx * scale, gx * scale, after, first);
-    first = entry(grid, -row, vy * scale, gy * scale, after, first);
-    return entry(grid, grid.rows - row, vy * scale, gy * scale, after, first);
+    first = entry(grid, -column, m.vx * scale, m.gx * scale, after, first);
+    first = entry(grid, grid.columns - column, m.vx * scale, m.gx * scale, after, first);
+    first = entry(grid, -row, m.vy * scale, m.gy * scale, after, first);
+    return entry(grid, grid.rows - row, m.vy * scale, m.gy * scale, after, first);
   }
 
   private static boolean isSquarable(double speed) {
@@ -153,17 +140,17 @@ final class FallPath {
    * @return the duration of the piece
    */
   double straighten(Grid grid, double from, double wanted, double cells) {
-    double startVx = vx + gx * from;
-    double startVy = vy + gy * from;
+    double startVx = m.vx + m.gx * from;
+    double startVy = m.vy + m.gy * from;
     double timePerCell = grid.cell / (Math.abs(startVx) + Math.abs(startVy));
     double enough = Math.max(wanted, cells * timePerCell);
     double duration = Math.min(longest(grid), Math.min(enough, MOST_CELLS * timePerCell));
     double part = duration / 16;
     double end = from + duration;
-    alongX = (startVx + 0.5 * gx * duration) * duration;
-    alongY = (startVy + 0.5 * gy * duration) * duration;
-    bandX = place(px, vx, gx, from) - gx * duration * part;
-    bandY = place(py, vy, gy, from) - gy * duration * part;
+    alongX = (startVx + 0.5 * m.gx * duration) * duration;
+    alongY = (startVy + 0.5 * m.gy * duration) * duration;
+    bandX = place(m.x, m.vx, m.gx, from) - m.gx * duration * part;
+    bandY = place(m.y, m.vy, m.gy, from) - m.gy * duration * part;
     reach = reach(pull * duration * part, end, grid.largestSum);
     box(bandX + alongX, bandY + alongY, reach, reach);
     return duration;
@@ -181,17 +168,17 @@ final class FallPath {
 
   /** Half the width of a band, from whose middle line the path up to a time bends by so much. */
   private double reach(double bend, double end, double places) {
-    return (r + bend) * (1 + ROUNDING)
+    return (m.radius + bend) * (1 + ROUNDING)
         + 4 * ROUNDING * (size + (speed + pull * end) * end + places);
   }
 
   /** Takes a piece, with its chord as the middle of the band. */
   void takeChord(double from, double end) {
     double duration = end - from;
-    bandX = place(px, vx, gx, from);
-    bandY = place(py, vy, gy, from);
-    alongX = place(px, vx, gx, end) - bandX;
-    alongY = place(py, vy, gy, end) - bandY;
+    bandX = place(m.x, m.vx, m.gx, from);
+    bandY = place(m.y, m.vy, m.gy, from);
+    alongX = place(m.x, m.vx, m.gx, end) - bandX;
+    alongY = place(m.y, m.vy, m.gy, end) - bandY;
     reach = reach(pull * (duration * duration) / 8, end, 0);
   }
 
@@ -205,28 +192,28 @@ final class FallPath {
   /** The same, and the box of the piece. */
   void takeChordAndBox(double from, double end) {
     takeChord(from, end);
-    double turnsX = -vx / gx;
-    double turnsY = -vy / gy;
-    double marginX = margin(px, vx, gx, end < NEVER ? end : lastTurn(turnsX, from));
-    double marginY = margin(py, vy, gy, end < NEVER ? end : lastTurn(turnsY, from));
-    box(place(px, vx, gx, end), place(py, vy, gy, end), marginX, marginY);
-    if (gx != 0 && turnsX == NEVER) { // it turns beyond the range of doubles
-      left = -NEVER;
-      right = NEVER;
-    }
-    if (gy != 0 && turnsY == NEVER) {
-      bottom = -NEVER;
-      top = NEVER;
-    }
+    double turnsX = -m.vx / m.gx;
+    double turnsY = -m.vy / m.gy;
+    double marginX = margin(m.x, m.vx, m.gx, end < NEVER ? end : lastTurn(turnsX, from));
+    double marginY = margin(m.y, m.vy, m.gy, end < NEVER ? end : lastTurn(turnsY, from));
+    box(place(m.x, m.vx, m.gx, end), place(m.y, m.vy, m.gy, end), marginX, marginY);
     if (turnsX > from && turnsX < end) {
-      double x = place(px, vx, gx, turnsX);
+      double x = place(m.x, m.vx, m.gx, turnsX);
       left = Math.min(left, x - marginX);
       right = Math.max(right, x + marginX);
     }
     if (turnsY > from && turnsY < end) {
-      double y = place(py, vy, gy, turnsY);
+      double y = place(m.y, m.vy, m.gy, turnsY);
       bottom = Math.min(bottom, y - marginY);
       top = Math.max(top, y + marginY);
+    }
+    if (m.gx != 0 && turnsX == NEVER) { // it turns beyond the range of doubles
+      left = -NEVER;
+      right = NEVER;
+    }
+    if (m.gy != 0 && turnsY == NEVER) {
+      bottom = -NEVER;
+      top = NEVER;
     }
   }
 
@@ -236,7 +223,7 @@ final class FallPath {
   }
 
   private double margin(double p, double v, double g, double t) {
-    return r + ROUNDING * (Math.abs(p) + 2 * r + (Math.abs(v) + Math.abs(g) * t) * t);
+    return m.radius + ROUNDING * (Math.abs(p) + 2 * m.radius + (Math.abs(v) + Math.abs(g) * t) * t);
   }
 
   /** The place on one axis, also after an infinite time. */

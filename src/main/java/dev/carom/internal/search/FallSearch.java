@@ -18,7 +18,7 @@ import dev.carom.internal.sweep.UnitVectors;
  * against that band, then against the narrower band of the part of the path in the cell. {@link
  * FallTimes} tells the time of impact.
  */
-final class FallSearch extends CellWalk {
+final class FallSearch extends FallTimes {
 
   /** Far more than the rounding of a radius, in units of it. */
   private static final double ROUNDING = 0x1p-40;
@@ -29,7 +29,6 @@ final class FallSearch extends CellWalk {
   /** {@link MovingCircle#lookahead} counts halves of cells; a fall searches whole ones. */
   private static final int HALVES = 2;
 
-  private final FallTimes times;
   private final FallPath path = new FallPath();
 
   /** The circle does not return to what it hit last before this time; 0 if that is not known. */
@@ -51,7 +50,6 @@ final class FallSearch extends CellWalk {
 
   FallSearch(ObstacleTable obstacles, CodeSet loose) {
     super(obstacles, loose);
-    times = new FallTimes(obstacles);
   }
 
   @Override
@@ -59,8 +57,7 @@ final class FallSearch extends CellWalk {
     super.start(m);
     unhittable = m.support;
     path.start(m);
-    times.start(m);
-    returns = times.earliestReturn();
+    returns = earliestReturn();
     enter = NEVER;
     to = NEVER;
   }
@@ -68,7 +65,6 @@ final class FallSearch extends CellWalk {
   @Override
   void forgetHits() {
     sensed = -1;
-    times.forgetReports();
   }
 
   // The pieces.
@@ -78,7 +74,7 @@ final class FallSearch extends CellWalk {
     int cells = body.useLookahead() / HALVES;
     visited = 0;
     double known = path.isAtRest() ? NEVER : body.cleared;
-    take(times.endOfSlide(), body.support, 0);
+    take(endOfSlide(), body.support, 0);
     while (known < NEVER && best > known && (visited <= cells || known <= needed)) {
       if (grid == null || !path.isResolved(grid, known)) {
         known = searchAll(known);
@@ -160,11 +156,6 @@ final class FallSearch extends CellWalk {
     path.takeChord(enter, to);
   }
 
-  @Override
-  void settle() {
-    // all times are exact
-  }
-
   // Moving obstacles.
 
   @Override
@@ -176,7 +167,7 @@ final class FallSearch extends CellWalk {
   @Override
   void considerMoving(int i, double end) {
     to = Math.min(best, end);
-    times.takeMoving(i);
+    chooseMoving(i);
     ask(obstacles.motions().code(i));
   }
 
@@ -203,7 +194,7 @@ final class FallSearch extends CellWalk {
 
   private void considerWall(int code) {
     if (!ignores(code)) {
-      offer(times.wallTime(code, to), code);
+      offer(wallTime(code, to), code);
     }
   }
 
@@ -244,7 +235,7 @@ final class FallSearch extends CellWalk {
 
   @Override
   void considerOnly(int code) {
-    times.take(code);
+    choose(code);
     ask(code);
   }
 
@@ -253,11 +244,11 @@ final class FallSearch extends CellWalk {
     return code == bestCode || (code == body.last && returns > to);
   }
 
-  /** Asks for the time of impact with an obstacle that was taken. */
+  /** Asks for the time of impact with an obstacle that was chosen. */
   private void ask(int code) {
-    if (!times.isGone() && !ignores(code)) {
+    if (!isGone() && !ignores(code)) {
       double middle = enter + 0.5 * (to - enter); // NaN outside of the walk: no time is expected
-      offer(times.time(code, middle, to), code);
+      offer(time(code, middle, to), code);
     }
   }
 
@@ -273,12 +264,6 @@ final class FallSearch extends CellWalk {
 
   @Override
   int contact() {
-    return times.contact(bestCode, best);
-  }
-
-  /** Only casts order impacts by their exact times, and they go straight on. */
-  @Override
-  int compareExactly(int code, int contact) {
-    return 0;
+    return contact(bestCode, best);
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.search;
 
+import dev.carom.internal.state.CodeSet;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleMotions;
@@ -21,9 +22,7 @@ import dev.carom.internal.sweep.ParabolaWallSweep;
  * <p>Every question is asked for the whole flight up to the end of a window. So the answer does not
  * depend on how the search cuts the path.
  */
-final class FallTimes {
-
-  private static final double NEVER = Double.POSITIVE_INFINITY;
+abstract class FallTimes extends CellWalk {
 
   /** In units of the terms of a place: far more than its rounding. */
   private static final double ROUNDING = 0x1p-40;
@@ -31,22 +30,8 @@ final class FallTimes {
   /** Far more than the rounding of a time of return. */
   private static final double EARLIER = 1 - 0x1p-20;
 
-  private final ObstacleTable obstacles;
-
-  // The flight.
-  private MovingCircle body;
-  private double px;
-  private double py;
-  private double r;
-  private double vx;
-  private double vy;
   private double gx;
   private double gy;
-
-  /** Sensor contacts before this time were reported, and at it those with a code up to this. */
-  private double sensed;
-
-  private int sensedCode;
 
   // The obstacle: its row and its spine as they were at the start of the flight.
   private double[] row;
@@ -64,59 +49,44 @@ final class FallTimes {
   /** The time near which a hit is expected, which saves work; infinite or NaN for none. */
   private double about;
 
-  /** Where a moving obstacle was at the start of the flight. */
-  private final double[] placed = new double[ObstacleTable.MOST_NUMBERS + 1];
-
-  FallTimes(ObstacleTable obstacles) {
-    this.obstacles = obstacles;
+  FallTimes(ObstacleTable obstacles, CodeSet loose) {
+    super(obstacles, loose);
   }
 
-  /** Takes the flight of a circle. */
+  @Override
   void start(MovingCircle m) {
-    body = m;
-    px = m.x;
-    py = m.y;
-    r = m.radius;
-    vx = m.vx;
-    vy = m.vy;
+    super.start(m);
     gx = m.gx;
     gy = m.gy;
-    sensed = m.cleared;
-    sensedCode = m.sensedCode;
   }
 
-  /** Forgets which contacts with sensors were reported. */
-  void forgetReports() {
-    sensed = -1;
-  }
-
-  /** Takes an obstacle at rest, other than a wall. */
-  void take(int code) {
+  /** Chooses an obstacle at rest, other than a wall. */
+  final void choose(int code) {
     ObstacleRows rows = obstacles.of(code);
     ux = 0;
     uy = 0;
-    take(rows.shape, rows.values, rows.offset(code));
+    choose(rows.shape, rows.values, rows.offset(code));
   }
 
-  /** Takes number i of the obstacles that move. */
-  void takeMoving(int i) {
+  /** Chooses number i of the obstacles that move. */
+  final void chooseMoving(int i) {
     ObstacleMotions motions = obstacles.motions();
     obstacles.place(i, body.t, body.tl, placed);
     ux = motions.ux(i);
     uy = motions.uy(i);
-    take(obstacles.of(motions.code(i)).shape, placed, 0);
+    choose(obstacles.of(motions.code(i)).shape, placed, 0);
   }
 
-  private void takeAny(int code) {
+  private void chooseAny(int code) {
     int moving = obstacles.motions().indexOf(code);
     if (moving < 0) {
-      take(code);
+      choose(code);
     } else {
-      takeMoving(moving);
+      chooseMoving(moving);
     }
   }
 
-  private void take(ObstacleShape shape, double[] rows, int at) {
+  private void choose(ObstacleShape shape, double[] rows, int at) {
     row = rows;
     k = at;
     int end = at + shape.toEnd;
@@ -128,14 +98,14 @@ final class FallTimes {
   }
 
   /** Whether the obstacle was removed: a list may still name it. */
-  boolean isGone() {
+  final boolean isGone() {
     return Double.isNaN(ax);
   }
 
   // Times.
 
   /** The time of the next impact with a wall up to the end of a window. */
-  double wallTime(int code, double to) {
+  final double wallTime(int code, double to) {
     boolean isVertical = Codes.isVertical(code);
     double v = isVertical ? vx : vy;
     double g = isVertical ? gx : gy;
@@ -146,11 +116,11 @@ final class FallTimes {
   }
 
   /**
-   * The time of the next contact that counts with the obstacle taken, up to the end of a window.
+   * The time of the next contact that counts with the obstacle chosen, up to the end of a window.
    *
    * @param about the time near which it is expected; infinite or NaN for none
    */
-  double time(int code, double about, double to) {
+  final double time(int code, double about, double to) {
     this.about = about;
     if (obstacles.isSensor(code)) {
       return timeOfSensor(code, to);
@@ -235,11 +205,11 @@ final class FallTimes {
    * / -g.n}. That holds unless it overlaps a line deeply, in which it may turn round. From an end
    * that it overlaps by d, it may return to the side earlier, by {@code d / v.n}.
    */
-  double earliestReturn() {
+  final double earliestReturn() {
     if (!isLastFixed()) {
       return 0;
     }
-    take(body.last);
+    choose(body.last);
     double part = nearestPart();
     double nx = px - (ax + part * (bx - ax));
     double ny = py - (ay + part * (by - ay));
@@ -297,12 +267,12 @@ final class FallTimes {
   // Slides.
 
   /** The time at which a circle that slides along a line comes to one of its ends. */
-  double endOfSlide() {
+  final double endOfSlide() {
     int code = body.support;
     if (code == MovingCircle.NOTHING || Codes.isWall(code) || !Codes.isLine(code)) {
       return NEVER;
     }
-    takeAny(code);
+    chooseAny(code);
     double wx = bx - ax;
     double wy = by - ay;
     double speed = wx * (vx - ux) + wy * (vy - uy);
@@ -327,14 +297,14 @@ final class FallTimes {
   // The contact.
 
   /** The {@link Contact} at the time of an impact. */
-  int contact(int code, double t) {
+  final int contact(int code, double t) {
     if (Codes.isWall(code) || code == body.support) {
       return 0;
     }
     if (!Codes.isLine(code)) {
       return t == 0 ? Contact.NOW : Contact.LATER;
     }
-    takeAny(code);
+    chooseAny(code);
     if (code == body.leftLine && t == 0) {
       return (isNearerToStart() ? Contact.START : Contact.END) | Contact.NOW;
     }

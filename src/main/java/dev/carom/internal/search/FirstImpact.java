@@ -25,14 +25,22 @@ abstract class FirstImpact {
 
   final ObstacleTable obstacles;
 
+  /** Where a moving obstacle was at the start of the flight. */
+  final double[] placed = new double[ObstacleTable.MOST_NUMBERS + 1];
+
   /** Whether sensors are ignored: casts and traces do so. */
-  private boolean passesSensors;
+  boolean passesSensors;
 
   /** Whether impacts of equal rounded times are ordered by their exact times: in casts. */
-  private boolean ordersExactly;
+  boolean ordersExactly;
 
   // The flight under search.
   MovingCircle body;
+  double px;
+  double py;
+  double vx;
+  double vy;
+  double r;
 
   /** The obstacle that this flight cannot hit at all, or NOTHING. */
   int unhittable;
@@ -72,19 +80,14 @@ abstract class FirstImpact {
     this.obstacles = obstacles;
   }
 
-  /** Sets whether searches ignore sensors. */
-  final void setPassesSensors(boolean passes) {
-    passesSensors = passes;
-  }
-
-  /** Sets whether searches order impacts by their exact times. */
-  final void setOrdersExactly(boolean exactly) {
-    ordersExactly = exactly;
-  }
-
   /** Begins the search of a flight: nothing is found yet. */
   void start(MovingCircle m) {
     body = m;
+    px = m.x;
+    py = m.y;
+    vx = m.vx;
+    vy = m.vy;
+    r = m.radius;
     jam = m.jam;
     filtered = obstacles.areFiltered() || m.filter != Filter.DEFAULT;
     bounded = filtered ? obstacles.wallsFor(m.filter) != null : obstacles.walls != null;
@@ -151,6 +154,13 @@ abstract class FirstImpact {
     return order < 0 || (order == 0 && code < bestCode);
   }
 
-  /** The order of the exact times of an impact and of the best one. */
-  abstract int compareExactly(int code, int contact);
+  /** The order of the exact times of an impact and of the best one; asked in casts only. */
+  int compareExactly(int code, int contact) {
+    return 0;
+  }
+
+  /** The contact of the best impact. */
+  int contact() {
+    return bestContact;
+  }
 }

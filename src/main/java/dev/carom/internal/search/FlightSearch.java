@@ -10,6 +10,7 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.util.Kind;
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * Finds the next impact of a flight with an obstacle: among those at rest by {@link StraightSearch}
@@ -84,8 +85,20 @@ public final class FlightSearch {
    * @param needed the time, from the start of the flight, up to which the path must be known
    */
   public void extend(MovingCircle m, Grid grid, double needed) {
+    extend(m, grid, needed, false, false);
+  }
+
+  /** The same, past sensors. */
+  public void extendPastSensors(MovingCircle m, Grid grid, double needed) {
+    extend(m, grid, needed, true, false);
+  }
+
+  private void extend(
+      MovingCircle m, Grid grid, double needed, boolean passesSensors, boolean ordersExactly) {
     CellWalk search = searchOf(m);
     double from = m.cleared;
+    search.passesSensors = passesSensors;
+    search.ordersExactly = ordersExactly;
     search.start(m);
     double known = NEVER;
     if (isFinite(m)) {
@@ -129,17 +142,6 @@ public final class FlightSearch {
     return known;
   }
 
-  /** The same as {@link #extend}, past sensors. */
-  public void extendPastSensors(MovingCircle m, Grid grid, double needed) {
-    CellWalk search = searchOf(m);
-    search.setPassesSensors(true);
-    try {
-      extend(m, grid, needed);
-    } finally {
-      search.setPassesSensors(false);
-    }
-  }
-
   /**
    * Finds the first impact of a circle, sensors ignored, until a time of its flight.
    *
@@ -147,9 +149,7 @@ public final class FlightSearch {
    *     is NOTHING if it is later than the end by rounded times
    */
   public void first(MovingCircle m, Grid grid, double end) {
-    do {
-      extendPastSensors(m, grid, end);
-    } while (m.next == MovingCircle.NOTHING && m.cleared <= end && m.cleared < NEVER);
+    first(m, grid, end, false);
   }
 
   /**
@@ -157,12 +157,13 @@ public final class FlightSearch {
    * exactly equal times the smallest code is first.
    */
   public void cast(MovingCircle m, Grid grid, double end) {
-    straight.setOrdersExactly(true);
-    try {
-      first(m, grid, end);
-    } finally {
-      straight.setOrdersExactly(false);
-    }
+    first(m, grid, end, true);
+  }
+
+  private void first(MovingCircle m, Grid grid, double end, boolean ordersExactly) {
+    do {
+      extend(m, grid, end, true, ordersExactly);
+    } while (m.next == MovingCircle.NOTHING && m.cleared <= end && m.cleared < NEVER);
   }
 
   /** The exact time of the next impact of a circle that flies straight on. */
@@ -173,6 +174,7 @@ public final class FlightSearch {
   /** Whether a flight, followed for ever from its start, meets a line or a peg. */
   public boolean meets(MovingCircle m, int code) {
     CellWalk search = searchOf(m);
+    search.passesSensors = false;
     search.start(m);
     search.forgetHits();
     if (isFinite(m)) {
@@ -191,12 +193,12 @@ public final class FlightSearch {
       return obstacles.codes().toArray();
     }
     ObstacleMotions motions = obstacles.motions();
-    IntStream others =
-        IntStream.concat(
+    return Stream.of(
+            obstacles.codes(Kind.WALL),
             Arrays.stream(loose.codes, 0, loose.size),
-            IntStream.range(0, motions.count()).map(motions::code));
-    return IntStream.concat(
-            obstacles.codes(Kind.WALL), IntStream.concat(others, grid.listedAt(m.x, m.y)))
+            IntStream.range(0, motions.count()).map(motions::code),
+            grid.listedAt(m.x, m.y))
+        .flatMapToInt(codes -> codes)
         .filter(code -> Codes.isWall(code) || !obstacles.isGone(code))
         .sorted()
         .distinct()

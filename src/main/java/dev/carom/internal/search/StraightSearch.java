@@ -49,16 +49,6 @@ final class StraightSearch extends CellWalk {
 
   double extent;
 
-  /** Where a moving obstacle was at the start of the flight. */
-  private final double[] placed = new double[ObstacleTable.MOST_NUMBERS + 1];
-
-  // The flight under search.
-  private double px;
-  private double py;
-  private double vx;
-  private double vy;
-  private double r;
-
   /** The {@link SegmentFilter#margin} of all lines. */
   private double margin;
 
@@ -90,11 +80,6 @@ final class StraightSearch extends CellWalk {
   @Override
   void start(MovingCircle m) {
     super.start(m);
-    px = m.x;
-    py = m.y;
-    vx = m.vx;
-    vy = m.vy;
-    r = m.radius;
     unhittable = m.last; // it is convex
     spared = m.last;
     isRough = false;
@@ -342,16 +327,6 @@ final class StraightSearch extends CellWalk {
       settle();
     }
     take(t, code, contact);
-  }
-
-  @Override
-  int contact() {
-    return bestContact;
-  }
-
-  @Override
-  void enter(long entered, long left) {
-    // a straight flight needs no such times
   }
 
   // Moving obstacles.
