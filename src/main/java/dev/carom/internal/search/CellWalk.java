@@ -283,8 +283,8 @@ abstract class CellWalk extends FirstImpact {
     double by = lines[k + LineShape.BY];
     double ay = lines[k + LineShape.AY];
     double bx = lines[k + LineShape.BX];
-    double a = fma(ay, crossY, fma(ax, crossX, crossOfOrigin));
-    double b = fma(by, crossY, fma(bx, crossX, crossOfOrigin));
+    double a = ay * crossY + (ax * crossX + crossOfOrigin);
+    double b = by * crossY + (bx * crossX + crossOfOrigin);
     // min(|a|, |b|) if they have one sign, without a branch: (|a + b| - |a - b|) / 2
     double beyond = Math.abs(a + b) - (Math.abs(a - b) + clear);
     int other = code ^ spared; // 0 if the line is spared

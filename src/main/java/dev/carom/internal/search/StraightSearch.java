@@ -169,9 +169,10 @@ final class StraightSearch extends CellWalk {
     double absVy = Math.abs(vy);
     head(absVx, absVy, absVx + absVy);
     double length = UnitVectors.lengthBound(absVx, absVy);
-    // cross(a - p, v) errs by at most 4 u of the terms of cross(p, v), 2 u of those of cross(a, v),
-    // u = 2^-53: by 4 u |v| times the size below. Sum and difference of two, by twice that and
-    // their rounding, 11 u; with 2 r |v| and its sum, 14 u more: 36 u in all, 64 are left for them.
+    // cross(a - p, v) errs by at most 4 u of the terms of cross(p, v), 3 u of |ax vy| and 2 u of
+    // |ay vx|, u = 2^-53: by 4 u |v| times the size below, as 3^2 + 2^2 < 4^2. Sum and difference
+    // of two, by twice that and their rounding, 11 u; with 2 r |v| and its sum, 14 u more: 36 u in
+    // all, 64 are left for them.
     double size = Math.abs(px) + Math.abs(py) + Math.max(extent, extentOfBounds) + r;
     double scale = length * size;
     boolean ordinary = manhattanSpeed > LEAST_SAFE && scale > LEAST_SAFE && scale < MOST_SAFE;
