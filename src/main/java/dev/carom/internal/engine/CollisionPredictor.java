@@ -329,7 +329,7 @@ final class CollisionPredictor {
     // No less than |ux dy| + |uy dx|. The loss by underflow times m is below TINY + its bound.
     double m = fma(2, Math.abs(ky), Math.abs(cross));
     double near =
-        fma(-cross, cross, arr) + fma(DISCRIMINANT_BOUND, fma(m, m, arr), TimeOfImpact.TINY);
+        fma(-cross, cross, arr) + (DISCRIMINANT_BOUND * fma(m, m, arr) + TimeOfImpact.TINY);
     return ~(int) ((below(toward) | below(near)) >> 32);
   }
 
