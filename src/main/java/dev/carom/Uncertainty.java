@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.query.ErrorSum;
 import dev.carom.internal.query.PathError;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
@@ -106,6 +107,8 @@ public final class Uncertainty {
   /** For questions about the paths beside that of a circle. */
   private final MovingCircle body = new MovingCircle();
 
+  private final ErrorSum sum = new ErrorSum();
+
   /**
    * Begins with the present state of a world, which is taken as exact.
    *
@@ -145,7 +148,8 @@ public final class Uncertainty {
     double x = world.x(id);
     int slot = world.ids.circle(id);
     PathError path =
-        PathError.of(
+        new PathError(
+            sum,
             x,
             world.y(id),
             world.vx(id),
