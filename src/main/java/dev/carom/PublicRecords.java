@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.query.Region;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.PegShape;
+import dev.carom.internal.util.Check;
 
 /** Makes public records of the rows of {@link ObstacleTable}. */
 final class PublicRecords {
@@ -37,6 +39,15 @@ final class PublicRecords {
   /** Returns the words that messages use for the bounds with these walls, which may be null. */
   static String describe(double[] walls) {
     return walls == null ? "none" : bounds(walls).toString();
+  }
+
+  static Region region(Circle disk) {
+    Check.notNull("disk", disk);
+    return Region.disk(disk.x(), disk.y(), disk.radius());
+  }
+
+  static Region region(Bounds box) {
+    return Region.box(walls(Check.notNull("box", box)));
   }
 
   /** Returns the places of the walls of bounds, by their codes. */

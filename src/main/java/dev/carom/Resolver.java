@@ -3,6 +3,7 @@ package dev.carom;
 
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.query.Proximity;
+import dev.carom.internal.query.Region;
 import dev.carom.internal.query.TracedPath;
 import dev.carom.internal.query.Tracer;
 import dev.carom.internal.response.Impulse;
@@ -232,7 +233,9 @@ public final class Resolver {
    */
   public Optional<Obstacle> nearest(Vec2 point) {
     Check.notNull("point", point);
-    int nearest = new Proximity(index, () -> 0).nearest(point.x(), point.y());
+    int nearest =
+        new Proximity(index, () -> 0)
+            .nearest(Kind.WALL, Kind.CIRCLE, point.x(), point.y(), code -> true);
     return nearest == Index.NONE ? Optional.empty() : Optional.of(records.apply(nearest));
   }
 
@@ -246,8 +249,7 @@ public final class Resolver {
    *     endpoints, each in their order, equal ones too
    */
   public List<Obstacle> overlapping(Circle disk) {
-    Check.notNull("disk", disk);
-    return things(new Proximity(index, () -> 0).overlapping(disk.x(), disk.y(), disk.radius()));
+    return overlapping(PublicRecords.region(disk));
   }
 
   /**
@@ -258,8 +260,12 @@ public final class Resolver {
    * @return the obstacles, as for a disk
    */
   public List<Obstacle> overlapping(Bounds box) {
-    Check.notNull("box", box);
-    return things(new Proximity(index, () -> 0).overlapping(PublicRecords.walls(box)));
+    return overlapping(PublicRecords.region(box));
+  }
+
+  private List<Obstacle> overlapping(Region region) {
+    return things(
+        new Proximity(index, () -> 0).overlapping(Kind.WALL, Kind.CIRCLE, region, code -> true));
   }
 
   /**

@@ -6,6 +6,7 @@ import dev.carom.internal.engine.Editor;
 import dev.carom.internal.engine.Engine;
 import dev.carom.internal.engine.Handles;
 import dev.carom.internal.engine.IndependentEngine;
+import dev.carom.internal.query.Region;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.EngineOptions;
@@ -723,7 +724,7 @@ public final class World {
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Circle disk) {
-    return overlapping(kind, disk, WorldQueries.ALL);
+    return overlapping(kind, PublicRecords.region(disk), WorldQueries.ALL);
   }
 
   /**
@@ -738,13 +739,11 @@ public final class World {
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Circle disk, int category, int mask) {
-    return overlapping(kind, disk, questions.met(category, mask));
+    return overlapping(kind, PublicRecords.region(disk), questions.met(category, mask));
   }
 
-  private int[] overlapping(ObstacleKind kind, Circle disk, IntPredicate seen) {
-    Check.notNull("kind", kind);
-    Check.notNull("disk", disk);
-    return questions.overlapping(kind, disk, now, seen);
+  private int[] overlapping(ObstacleKind kind, Region region, IntPredicate seen) {
+    return questions.overlapping(Check.notNull("kind", kind), region, now, seen);
   }
 
   /**
@@ -756,7 +755,7 @@ public final class World {
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Bounds box) {
-    return overlapping(kind, box, WorldQueries.ALL);
+    return overlapping(kind, PublicRecords.region(box), WorldQueries.ALL);
   }
 
   /**
@@ -771,13 +770,7 @@ public final class World {
    * @return the ids, ascending; a new array
    */
   public int[] overlapping(ObstacleKind kind, Bounds box, int category, int mask) {
-    return overlapping(kind, box, questions.met(category, mask));
-  }
-
-  private int[] overlapping(ObstacleKind kind, Bounds box, IntPredicate seen) {
-    Check.notNull("kind", kind);
-    Check.notNull("box", box);
-    return questions.overlapping(kind, box, now, seen);
+    return overlapping(kind, PublicRecords.region(box), questions.met(category, mask));
   }
 
   // Edits.

@@ -4,6 +4,7 @@ package dev.carom;
 import dev.carom.internal.engine.Engine;
 import dev.carom.internal.query.CircleQueries;
 import dev.carom.internal.query.Proximity;
+import dev.carom.internal.query.Region;
 import dev.carom.internal.query.TracedPath;
 import dev.carom.internal.query.Tracer;
 import dev.carom.internal.search.ObstacleIndex;
@@ -201,27 +202,17 @@ final class WorldQueries {
 
   int nearest(ObstacleKind kind, double x, double y, double now, IntPredicate seen) {
     if (kind != ObstacleKind.CIRCLE) {
-      int code = proximity.nearest(kind.ordinal(), x, y, seen);
+      int code = proximity.nearest(kind.ordinal(), kind.ordinal() + 1, x, y, seen);
       return code == Index.NONE ? -1 : Codes.index(code);
     }
     int slot = queries.nearest(x, y, now, slots(seen));
     return slot == Index.NONE ? -1 : registry.id(slot);
   }
 
-  int[] overlapping(ObstacleKind kind, Circle disk, double now, IntPredicate seen) {
-    double x = disk.x();
-    double y = disk.y();
-    double r = disk.radius();
+  int[] overlapping(ObstacleKind kind, Region region, double now, IntPredicate seen) {
     return kind == ObstacleKind.CIRCLE
-        ? circleIds(queries.overlapping(x, y, r, now, slots(seen)))
-        : ids(proximity.overlapping(kind.ordinal(), x, y, r, seen));
-  }
-
-  int[] overlapping(ObstacleKind kind, Bounds bounds, double now, IntPredicate seen) {
-    double[] box = PublicRecords.walls(bounds);
-    return kind == ObstacleKind.CIRCLE
-        ? circleIds(queries.overlapping(box, now, slots(seen)))
-        : ids(proximity.overlapping(kind.ordinal(), box, seen));
+        ? circleIds(queries.overlapping(region, now, slots(seen)))
+        : ids(proximity.overlapping(kind.ordinal(), kind.ordinal() + 1, region, seen));
   }
 
   /** The same for slots of circles. */

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.query;
 
-import dev.carom.internal.search.BoxTree;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.MovingCircle;
@@ -62,7 +61,7 @@ public final class CircleQueries {
     return first.hit(m, now);
   }
 
-  // Circles near a point, a disk or a box.
+  // Circles near a point or a region.
 
   /**
    * The slot of the circle nearest to a point, of equally near ones the first; or NONE.
@@ -86,45 +85,23 @@ public final class CircleQueries {
   }
 
   /**
-   * The slots of circles that overlap a disk, ascending.
+   * The slots of circles that overlap a region, ascending.
    *
    * @param seen the slots that count
    */
-  public int[] overlapping(double x, double y, double r, double now, IntPredicate seen) {
-    return find(
-        Proximity.outside(x, y, r),
-        now,
-        slot ->
-            seen.test(slot)
-                && Proximity.overlaps(
-                    circles.x(slot, now), circles.y(slot, now), circles.radius(slot), x, y, r));
-  }
-
-  /**
-   * The slots of circles that overlap a box, ascending.
-   *
-   * @param seen the slots that count
-   */
-  public int[] overlapping(double[] box, double now, IntPredicate seen) {
-    return find(
-        Proximity.outside(box),
-        now,
-        slot ->
-            seen.test(slot)
-                && Proximity.overlaps(
-                    circles.x(slot, now), circles.y(slot, now), circles.radius(slot), box));
-  }
-
-  /** The slots of circles that pass a test, which none outside of a box does. */
-  private int[] find(BoxTree.Outside box, double now, IntPredicate test) {
+  public int[] overlapping(Region region, double now, IntPredicate seen) {
     index.expect(1, now);
     found.clear();
     if (index.tree() == null) {
       slots(now).forEach(found::add);
     } else {
-      index.tree().find(box, found);
+      index.tree().find(region.outside, found);
     }
-    return found.filtered(test);
+    return found.filtered(
+        slot ->
+            seen.test(slot)
+                && region.overlapsDisk(
+                    circles.x(slot, now), circles.y(slot, now), circles.radius(slot)));
   }
 
   private IntStream slots(double now) {

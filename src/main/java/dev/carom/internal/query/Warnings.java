@@ -2,17 +2,22 @@
 package dev.carom.internal.query;
 
 import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.search.BoxTree;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
 import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
-import dev.carom.internal.sweep.ObstacleShape;
+import dev.carom.internal.sweep.LineShape;
+import dev.carom.internal.sweep.PegShape;
+import dev.carom.internal.util.IntList;
 import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 
 /**
@@ -39,6 +44,9 @@ public final class Warnings {
    */
   private LongStream.Builder found;
 
+  /** A box of the tree, by the codes of walls. */
+  private final double[] box = new double[Codes.WALLS];
+
   private Warnings(SceneData scene) {
     this.scene = scene;
     obstacles = ObstacleTable.of(scene);
@@ -60,7 +68,7 @@ public final class Warnings {
     for (int i = from; i < to; i++) {
       lookAtWalls(i);
     }
-    CircleTree tree = new CircleTree(scene.circles, from, to);
+    BoxTree tree = tree(from, to);
     for (ObstacleRows rows : obstacles.kinds) {
       for (int code = rows.first(); code < rows.end; code++) {
         lookAtObstacle(code, rows, tree);
@@ -75,6 +83,36 @@ public final class Warnings {
     }
   }
 
+  /** A tree of some of the circles. */
+  private BoxTree tree(int from, int to) {
+    double[] boxes = new double[(to - from) * BoxTree.BOX];
+    for (int i = from; i < to; i++) {
+      double x = scene.x(i);
+      double y = scene.y(i);
+      BoxTree.put(boxes, i - from, x, y, x, y, scene.radius(i));
+    }
+    return new BoxTree(IntStream.range(from, to).toArray(), boxes);
+  }
+
+  /** The circles of a tree that may overlap something, told by the boxes that it overlaps. */
+  private int[] near(BoxTree tree, Predicate<double[]> overlapsBox) {
+    IntList found = new IntList();
+    tree.find(
+        (boxes, k) -> {
+          box[Codes.LEFT] = boxes[k + BoxTree.LEFT];
+          box[Codes.BOTTOM] = boxes[k + BoxTree.BOTTOM];
+          box[Codes.RIGHT] = boxes[k + BoxTree.RIGHT];
+          box[Codes.TOP] = boxes[k + BoxTree.TOP];
+          return !overlapsBox.test(box);
+        },
+        found);
+    return found.toArray();
+  }
+
+  private Region disk(int i) {
+    return Region.disk(scene.x(i), scene.y(i), scene.radius(i));
+  }
+
   private void keep(int i, int code) {
     found.add((long) i << Integer.SIZE | code);
   }
@@ -84,7 +122,7 @@ public final class Warnings {
       return;
     }
     for (int wall = 0; Codes.isWall(wall); wall++) {
-      if (Proximity.overlaps(obstacles, wall, scene.x(i), scene.y(i), scene.radius(i), 0)) {
+      if (disk(i).overlaps(obstacles, wall, 0)) {
         keep(i, wall);
       }
     }
@@ -102,57 +140,42 @@ public final class Warnings {
         && y + r < w[Codes.TOP];
   }
 
-  private void lookAtObstacle(int code, ObstacleRows rows, CircleTree tree) {
+  private void lookAtObstacle(int code, ObstacleRows rows, BoxTree tree) {
     if (obstacles.isSensor(code)) {
       return;
     }
     int k = rows.offset(code);
-    int end = k + rows.shape.toEnd;
-    double ax = rows.values[k + ObstacleShape.X];
-    double ay = rows.values[k + ObstacleShape.Y];
-    double bx = rows.values[end + ObstacleShape.X];
-    double by = rows.values[end + ObstacleShape.Y];
-    boolean oneWay = obstacles.isOneWay(code);
-    long filter = obstacles.filter(code);
-    tree.near(
-        ax,
-        ay,
-        bx,
-        by,
-        rows.shape.radius(rows.values, k),
-        i -> {
-          double x = scene.x(i);
-          double y = scene.y(i);
-          if (Filter.meet(filter, scene.filter(i))
-              && Proximity.overlaps(obstacles, code, x, y, scene.radius(i), 0)
-              && !(oneWay && Predicates.cross(bx, by, ax, ay, x, y, ax, ay) <= 0)) {
-            keep(i, code); // a one-way line is there only for a centre strictly left of it
-          }
-        });
-  }
-
-  private void lookAtCircle(int j, CircleTree tree) {
-    if (!isSensor(j)) {
-      double x = scene.x(j);
-      double y = scene.y(j);
-      double r = scene.radius(j);
-      tree.near(
-          x,
-          y,
-          x,
-          y,
-          r,
-          i -> {
-            if (i < j && !passes(i, j) && overlaps(x, y, r, i)) {
-              keep(i, Codes.circle(j));
-            }
-          });
+    double[] values = rows.values;
+    for (int i : near(tree, sides -> rows.shape.overlaps(values, k, sides))) {
+      if (Filter.meet(obstacles.filter(code), scene.filter(i))
+          && disk(i).overlaps(obstacles, code, 0)
+          && !(obstacles.isOneWay(code) && isPassed(values, k, i))) {
+        keep(i, code);
+      }
     }
   }
 
-  /** Whether a disk overlaps circle i. */
-  private boolean overlaps(double x, double y, double r, int i) {
-    return Proximity.overlaps(x, y, r, scene.x(i), scene.y(i), scene.radius(i));
+  /** Whether a one-way line is not there for a circle: its centre is not strictly left of it. */
+  private boolean isPassed(double[] values, int k, int i) {
+    double ax = values[k + LineShape.AX];
+    double ay = values[k + LineShape.AY];
+    double bx = values[k + LineShape.BX];
+    double by = values[k + LineShape.BY];
+    return Predicates.cross(bx, by, ax, ay, scene.x(i), scene.y(i), ax, ay) <= 0;
+  }
+
+  private void lookAtCircle(int j, BoxTree tree) {
+    if (isSensor(j)) {
+      return;
+    }
+    double x = scene.x(j);
+    double y = scene.y(j);
+    double r = scene.radius(j);
+    for (int i : near(tree, sides -> PegShape.overlaps(x, y, r, sides))) {
+      if (i < j && !passes(i, j) && disk(i).overlapsDisk(x, y, r)) {
+        keep(i, Codes.circle(j));
+      }
+    }
   }
 
   private boolean isSensor(int i) {

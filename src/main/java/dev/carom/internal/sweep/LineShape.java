@@ -133,7 +133,8 @@ public final class LineShape extends ObstacleShape {
 
   /**
    * A line and a box overlap unless they can be separated: by a horizontal or a vertical line, or
-   * by the line itself, with all corners of the box on one side.
+   * by the line itself, with all corners of the box on one side. The corners that lie farthest to
+   * its left and to its right decide that.
    */
   @Override
   public boolean overlaps(double[] rows, int k, double[] box) {
@@ -141,22 +142,30 @@ public final class LineShape extends ObstacleShape {
     double ay = rows[k + AY];
     double bx = rows[k + BX];
     double by = rows[k + BY];
-    if (Math.max(ax, bx) <= box[WallSweep.LEFT]
-        || Math.min(ax, bx) >= box[WallSweep.RIGHT]
-        || Math.max(ay, by) <= box[WallSweep.BOTTOM]
-        || Math.min(ay, by) >= box[WallSweep.TOP]) {
+    double left = box[WallSweep.LEFT];
+    double right = box[WallSweep.RIGHT];
+    double bottom = box[WallSweep.BOTTOM];
+    double top = box[WallSweep.TOP];
+    if (Math.max(ax, bx) <= left
+        || Math.min(ax, bx) >= right
+        || Math.max(ay, by) <= bottom
+        || Math.min(ay, by) >= top) {
       return false;
     }
-    int left = 0;
-    int right = 0;
-    for (int corner = 0; corner < 4; corner++) {
-      double x = box[corner % 2 == 0 ? WallSweep.LEFT : WallSweep.RIGHT];
-      double y = box[corner / 2 == 0 ? WallSweep.BOTTOM : WallSweep.TOP];
-      int side = Predicates.cross(bx, by, ax, ay, x, y, ax, ay);
-      left += side > 0 ? 1 : 0;
-      right += side < 0 ? 1 : 0;
-    }
-    boolean isPoint = ax == bx && ay == by;
-    return isPoint || (left > 0 && right > 0);
+    boolean up = by > ay;
+    boolean on = bx > ax;
+    return (ax == bx && ay == by)
+        || (side(ax, ay, bx, by, up ? left : right, on ? top : bottom) > 0
+            && side(ax, ay, bx, by, up ? right : left, on ? bottom : top) < 0);
+  }
+
+  /** The sign of cross(b - a, p - a): positive if p is to the left of the line. */
+  private static int side(double ax, double ay, double bx, double by, double x, double y) {
+    double s = (bx - ax) * (y - ay);
+    double t = (by - ay) * (x - ax);
+    double cross = s - t;
+    return Math.abs(cross) > TimeOfImpact.dotBound(Math.abs(s) + Math.abs(t))
+        ? (int) Math.signum(cross)
+        : Predicates.cross(bx, by, ax, ay, x, y, ax, ay);
   }
 }

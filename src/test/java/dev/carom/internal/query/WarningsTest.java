@@ -16,6 +16,7 @@ import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.search.ObstacleIndex;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.util.Kind;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -217,7 +218,12 @@ class WarningsTest {
     Proximity proximity = new Proximity(new ObstacleIndex(obstacles), () -> 0);
     for (int i = 0; i < scene.circleCount(); i++) {
       Circle circle = scene.circle(i);
-      for (int code : proximity.overlapping(circle.x(), circle.y(), circle.radius())) {
+      for (int code :
+          proximity.overlapping(
+              Kind.WALL,
+              Kind.CIRCLE,
+              Region.disk(circle.x(), circle.y(), circle.radius()),
+              any -> true)) {
         boolean isLeft = !obstacles.isOneWay(code);
         if (!isLeft) {
           Line l = (Line) Internals.record(obstacles, code);
