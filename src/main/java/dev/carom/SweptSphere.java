@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import dev.carom.internal.exact.SpherePredicates;
 import dev.carom.internal.response.SphereResponse;
 import dev.carom.internal.sweep.SphereSweep;
 import dev.carom.internal.util.Check;
@@ -122,9 +121,7 @@ public final class SweptSphere {
     }
     double[] v = velocities;
     checkVelocities(v[0], v[1], v[2], v[3], v[4], v[5]);
-    int dot = SpherePredicates.dot(
-        x1, y1, z1, v[0], v[1], v[2], x2, y2, z2, v[3], v[4], v[5]);
-    if (dot < 0) {
+    if (SphereSweep.drift(x1, y1, z1, v[0], v[1], v[2], x2, y2, z2, v[3], v[4], v[5]) < 0) {
       SphereResponse.respond(x1, y1, z1, m1, x2, y2, z2, m2, 1 + e, v);
     }
   }

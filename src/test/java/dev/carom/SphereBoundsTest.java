@@ -17,23 +17,19 @@ import org.junit.jupiter.api.Test;
  * The bounds of {@link RoundingBoundsTest}, in space: none is violated, and without any of them a
  * query about two spheres is answered wrongly.
  *
- * <p>More queries, and others: {@code -Dcarom.queries=10000000 -Dcarom.seed=2}.
+ * <p>More queries, and others: {@code -Dcarom.queries=10000000 -Dcarom.seed=3}.
  */
 class SphereBoundsTest {
   private static final int QUERIES =
-      (int) (Long.getLong("carom.queries", 24_000) / SphereFamilies.NAMES.size());
-  private static final long SEED = Long.getLong("carom.seed", 1);
+      (int) (Long.getLong("carom.queries", 48_000) / SphereFamilies.NAMES.size());
+  private static final long SEED = Long.getLong("carom.seed", 2);
   private static final List<RoundingBound> BOUNDS =
       List.of(
           RoundingBound.ROOT_DOT,
           RoundingBound.ROOT_GAP,
           RoundingBound.ROOT_REACH,
-          RoundingBound.ROOT_WINDOW,
           RoundingBound.ROOT_PLACE,
-          RoundingBound.ROOT_TINY,
-          RoundingBound.PREDICATES,
-          RoundingBound.PREDICATES_TINY,
-          RoundingBound.PREDICATES_LARGE);
+          RoundingBound.ROOT_TINY);
 
   private final PatchedDetector whole = PatchedDetector.scaled(RoundingBound.ROOT_DOT, 1);
   private final PatchedDetector exact = PatchedDetector.exact();
