@@ -466,8 +466,9 @@ public final class CollidingEngine extends Engine {
     if (!circles.allowsGravity()) {
       return;
     }
-    MovingCircle m = copy(i);
-    if (m.isGround()) {
+    circles.load(i);
+    if (circles.body.isGround()) {
+      MovingCircle m = copy(i);
       m.t = now;
       m.tl = tailOfEdit(m, now);
       Collection<MovingCircle> freed = heap.free(m);

@@ -71,11 +71,7 @@ public final class Editor {
   // Circles.
 
   public void setVelocity(int slot, double vx, double vy, double now) {
-    try {
-      checkVelocity(vx, vy);
-    } catch (IllegalArgumentException e) {
-      throw named(e, Codes.circle(slot));
-    }
+    checkVelocity(Codes.circle(slot), vx, vy);
     MovingCircle m = restarted(slot, now);
     m.vx = vx;
     m.vy = vy;
@@ -165,6 +161,14 @@ public final class Editor {
   private void checkPlace(double x, double y) {
     limits.checkCoordinate("x", x);
     limits.checkCoordinate("y", y);
+  }
+
+  private void checkVelocity(int code, double vx, double vy) {
+    try {
+      checkVelocity(vx, vy);
+    } catch (IllegalArgumentException e) {
+      throw named(e, code);
+    }
   }
 
   private static void checkVelocity(double vx, double vy) {
@@ -291,11 +295,7 @@ public final class Editor {
 
   /** Lets a line or a peg move with a velocity, from now on. */
   public void setObstacleVelocity(int code, double vx, double vy, double now) {
-    try {
-      checkVelocity(vx, vy);
-    } catch (IllegalArgumentException e) {
-      throw named(e, code);
-    }
+    checkVelocity(code, vx, vy);
     boolean isInGrids = !obstacles.moves(code);
     engine.forget(code); // circles that it lets go search with the grids as they are
     obstacles.setVelocity(code, vx, vy, now);
@@ -332,7 +332,7 @@ public final class Editor {
     } else {
       engine.forget(code);
       obstacles.remove(code);
-      engine.disappeared(code, now);
+      engine.changed(code, now);
     }
   }
 

@@ -167,8 +167,8 @@ public abstract class Engine {
     LiveCodes present = registry.present();
     for (int k = 0; k < present.size(); k++) {
       int i = present.get(k);
-      circles.load(i);
-      if (registry.contains(i)) {
+      if (registry.contains(i) && circles.mayKnow(i, code)) {
+        circles.load(i);
         if (isCarriedBy(circles.body, code)) {
           letGo(circles.body, code);
         } else if (circles.body.forget(code, sensed)) {
@@ -216,12 +216,8 @@ public abstract class Engine {
     }
   }
 
-  /** Handles the removal of a line or a peg, after {@link #forget}. */
-  final void disappeared(int code, double now) {
-    changed(code, now);
-  }
-
-  private void changed(int code, double now) {
+  /** Handles a change of a line or a peg that no flight meets, such as its removal. */
+  final void changed(int code, double now) {
     staticScene.changed(code);
     noteObstacle(code, now);
   }

@@ -118,9 +118,9 @@ public final class StaticScene {
   public void changed(int code) {
     if (!obstacles.moves(code)) { // what moves is in no grid
       grids.changed(code);
+      index.changed(code);
     }
     search.lookAgain(code);
-    index.changed(code);
   }
 
   /** Rebuilds grids that edits have made inefficient. */

@@ -127,10 +127,11 @@ final class SnapshotFields {
     DoubleList motions = new DoubleList();
     for (int i = 0; i < count; i++) {
       boolean isGiven = i < given.count();
-      codes.add(f.integer(isGiven ? given.code(i) : 0));
+      int code = f.integer(isGiven ? given.code(i) : 0);
+      codes.add(code);
       double ux = f.number(isGiven ? given.ux(i) : 0);
       double uy = f.number(isGiven ? given.uy(i) : 0);
-      motions.add(ObstacleMotions.motion(ux, uy, f.number(isGiven ? given.since(i) : 0)));
+      motions.add(ObstacleMotions.motion(code, ux, uy, f.number(isGiven ? given.since(i) : 0)));
     }
     return ObstacleMotions.of(codes.toArray(), motions.toArray());
   }

@@ -56,7 +56,9 @@ public final class FlightSearch {
   /** Notes that a line or a peg was added, moved or removed. */
   public void lookAgain(int code) {
     window.changed(obstacles.motions(), code);
-    straight.extent = Math.max(straight.extent, obstacles.extent(code));
+    if (!obstacles.moves(code)) {
+      straight.extent = Math.max(straight.extent, obstacles.extent(code));
+    }
   }
 
   /** Notes that any obstacle may have changed. */

@@ -49,10 +49,7 @@ public final class Grids {
   private boolean wanted() {
     int size = obstacles.staticSize();
     boolean chosen = options.cell() == 0;
-    return options.grid()
-        && size > 0
-        && Grid.serves(obstacles.extent())
-        && !(chosen && size <= FEW);
+    return options.grid() && size > (chosen ? FEW : 0) && Grid.serves(obstacles.extent());
   }
 
   private void make(int exponent, double radius) {

@@ -165,10 +165,10 @@ public final class ObstacleIndex {
 
   // Changes.
 
-  /** Notes that a line or a peg is new, elsewhere, or gone. */
+  /** Notes that a line or a peg that never moved is new, elsewhere, or gone. */
   public void changed(int code) {
     model.lookAgain(code);
-    if (trees != null && !obstacles.moves(code)) {
+    if (trees != null) {
       loose.add(code);
       if (Grids.areTooMany(loose.size, obstacles.staticSize())) {
         forget();

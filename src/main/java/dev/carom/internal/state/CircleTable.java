@@ -300,6 +300,18 @@ public final class CircleTable {
     return jams == null ? null : jams[i];
   }
 
+  /**
+   * Whether the flight of circle i may depend on an obstacle: false only if it did not hit that
+   * last, does not hit it next, ignores nothing, lies on nothing and left no line.
+   */
+  public boolean mayKnow(int i, int code) {
+    int c = codesAt(i);
+    return codes[c + LAST] == code
+        || codes[c + NEXT] == code
+        || jam(i) != null
+        || supportWord(i) != MovingCircle.NOTHING;
+  }
+
   public void load(int i) {
     load(i, body);
   }

@@ -22,16 +22,15 @@ final class ObstacleHistory {
     final int traits;
     final long filter;
 
-    /** Its motion; null if it never moved. */
-    final double[] motion;
+    /** Its motion; as number 0; null if it never moved. */
+    final ObstacleMotions motion;
 
     State(ObstacleTable here, int code) {
       boolean gone = here.isGone(code);
       row = gone ? null : here.row(code);
       traits = gone ? 0 : here.traits(code);
       filter = gone ? Filter.DEFAULT : here.filter(code);
-      boolean moves = !gone && here.moves(code);
-      motion = moves ? here.motions().motion(here.motions().indexOf(code)) : null;
+      motion = !gone && here.moves(code) ? here.motions().only(code) : null;
     }
 
     double[] at(double t, int coordinates) {
@@ -39,7 +38,10 @@ final class ObstacleHistory {
         return row;
       }
       double[] placed = row.clone();
-      ObstacleMotions.place(motion, 0, placed, coordinates, t, 0);
+      double dt = motion.elapsed(0, t, 0);
+      for (int c = 0; c < coordinates; c++) {
+        placed[c] = motion.after(0, c, row[c], dt);
+      }
       return placed;
     }
   }
@@ -197,7 +199,7 @@ final class ObstacleHistory {
         State its = state(code, t);
         if (its != null && its.motion != null) {
           codes.add(code);
-          motions.add(its.motion);
+          motions.add(its.motion.motion(0));
         }
       }
     }

@@ -11,10 +11,10 @@ import java.util.Arrays;
 import java.util.SortedMap;
 
 /**
- * The motions of obstacles, in the order of their codes: the velocity of each coordinate, and when
- * the motion starts and ends. The row of the obstacle says where it is at the start of a motion
- * that never ends, and else at its end: so it arrives there to the bit, and rests. An obstacle that
- * once moved stays listed.
+ * The motions of obstacles, in the order of their codes: the velocity of each number of the
+ * obstacle's row, and when the motion starts and ends. The row of the obstacle says where it is at
+ * the start of a motion that never ends, and else at its end: so it arrives there to the bit, and
+ * rests. An obstacle that once moved stays listed.
  *
  * <p>Objects that share motions do not see each other's changes: see {@link #shared}.
  */
@@ -24,10 +24,10 @@ public final class ObstacleMotions {
   public static final ObstacleMotions NONE =
       new ObstacleMotions(new int[0], new double[0]).shared();
 
-  // The columns of a motion; that of a coordinate's velocity is its number in the obstacle's row.
-  private static final int SINCE = 4;
-  private static final int UNTIL = 5;
-  private static final int SIZE = 6;
+  // The columns of a motion, after the velocities of the numbers of a row.
+  private static final int SINCE = ObstacleTable.MOST_NUMBERS;
+  private static final int UNTIL = SINCE + 1;
+  private static final int SIZE = UNTIL + 1;
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -45,7 +45,7 @@ public final class ObstacleMotions {
   /** The obstacles with these velocities from time 0 on, by their codes. */
   static ObstacleMotions of(SortedMap<Integer, double[]> velocities) {
     DoubleList motions = new DoubleList();
-    velocities.values().forEach(u -> motions.add(motion(u[0], u[1], 0)));
+    velocities.forEach((code, u) -> motions.add(motion(code, u[0], u[1], 0)));
     int[] codes = velocities.keySet().stream().mapToInt(code -> code).toArray();
     return of(codes, motions.toArray());
   }
@@ -55,9 +55,20 @@ public final class ObstacleMotions {
     return codes.length == 0 ? NONE : new ObstacleMotions(codes, motions);
   }
 
-  /** A motion of all coordinates with one velocity, which never ends. */
-  public static double[] motion(double ux, double uy, double since) {
-    return new double[] {ux, uy, ux, uy, since, NEVER};
+  /** A motion of an obstacle with one velocity, which never ends. */
+  public static double[] motion(int code, double ux, double uy, double since) {
+    double[] motion = new double[SIZE];
+    set(motion, 0, code, ux, uy, since);
+    return motion;
+  }
+
+  private static void set(double[] motions, int k, int code, double ux, double uy, double since) {
+    motions[k + LineShape.AX] = ux;
+    motions[k + LineShape.AY] = uy;
+    motions[k + LineShape.BX] = Codes.isLine(code) ? ux : 0; // a radius stays
+    motions[k + LineShape.BY] = Codes.isLine(code) ? uy : 0;
+    motions[k + SINCE] = since;
+    motions[k + UNTIL] = NEVER;
   }
 
   /** The same, for one more object to use: whichever is to be changed is copied first. */
@@ -103,67 +114,49 @@ public final class ObstacleMotions {
     return Arrays.copyOfRange(motions, i * SIZE, (i + 1) * SIZE);
   }
 
-  /**
-   * Moves the coordinates of an obstacle's row, which are the first so many numbers, from where the
-   * row says to where they are at a time, given as head and tail.
-   */
-  void place(int i, double[] row, int coordinates, double head, double tail) {
-    place(motions, i * SIZE, row, coordinates, head, tail);
+  /** The motion of one obstacle, as number 0. */
+  ObstacleMotions only(int code) {
+    return of(new int[] {code}, motion(indexOf(code)));
   }
 
-  /** The same for a motion at k. A coordinate that would be infinite becomes the largest double. */
-  static void place(
-      double[] motions, int k, double[] row, int coordinates, double head, double tail) {
-    double until = motions[k + UNTIL];
-    double dt =
-        until == NEVER ? (head - motions[k + SINCE]) + tail : Math.min(0, (head - until) + tail);
-    for (int c = 0; c < coordinates; c++) {
-      row[c] = Coordinates.within(fma(motions[k + c], dt, row[c]));
-    }
+  /**
+   * How long obstacle i moves from where its row says to where it is at a time, given as head and
+   * tail.
+   */
+  double elapsed(int i, double head, double tail) {
+    double until = motions[i * SIZE + UNTIL];
+    return until == NEVER ? (head - since(i)) + tail : Math.min(0, (head - until) + tail);
+  }
+
+  /** A number of obstacle i after a duration; the largest double where it would be infinite. */
+  double after(int i, int number, double value, double dt) {
+    return Coordinates.within(fma(motions[i * SIZE + number], dt, value));
   }
 
   /** These motions, of which that of an obstacle never ends and has this velocity. */
   ObstacleMotions with(int code, double ux, double uy, double since) {
-    ObstacleMotions all = own();
-    int i = indexOf(code);
-    if (i < 0) {
-      i = -1 - i;
-      all.makeRoom(i);
-      all.codes[i] = code;
-    }
-    double[] its = all.motions;
-    int k = i * SIZE;
-    its[k + LineShape.AX] = ux;
-    its[k + LineShape.AY] = uy;
-    its[k + LineShape.BX] = ux;
-    its[k + LineShape.BY] = uy;
-    its[k + SINCE] = since;
-    its[k + UNTIL] = NEVER;
+    int known = indexOf(code);
+    int i = known < 0 ? -1 - known : known;
+    ObstacleMotions all = known < 0 ? spliced(i, i + 1) : own();
+    all.codes[i] = code;
+    set(all.motions, i * SIZE, code, ux, uy, since);
     return all;
-  }
-
-  private void makeRoom(int i) {
-    int after = codes.length - i;
-    int[] moreCodes = Arrays.copyOf(codes, codes.length + 1);
-    double[] more = Arrays.copyOf(motions, motions.length + SIZE);
-    System.arraycopy(codes, i, moreCodes, i + 1, after);
-    System.arraycopy(motions, i * SIZE, more, (i + 1) * SIZE, after * SIZE);
-    codes = moreCodes;
-    motions = more;
   }
 
   /** These motions without that of an obstacle. */
   ObstacleMotions without(int code) {
     int i = indexOf(code);
-    if (i < 0) {
-      return this;
-    }
-    int after = codes.length - i - 1;
-    int[] fewerCodes = Arrays.copyOf(codes, codes.length - 1);
-    double[] fewer = Arrays.copyOf(motions, motions.length - SIZE);
-    System.arraycopy(codes, i + 1, fewerCodes, i, after);
-    System.arraycopy(motions, (i + 1) * SIZE, fewer, i * SIZE, after * SIZE);
-    return of(fewerCodes, fewer);
+    return i < 0 ? this : spliced(i + 1, i);
+  }
+
+  /** A copy in which the motions from one number on have the numbers from another one on. */
+  private ObstacleMotions spliced(int from, int to) {
+    int after = codes.length - from;
+    int[] itsCodes = Arrays.copyOf(codes, to + after);
+    double[] its = Arrays.copyOf(motions, (to + after) * SIZE);
+    System.arraycopy(codes, from, itsCodes, to, after);
+    System.arraycopy(motions, from * SIZE, its, to * SIZE, after * SIZE);
+    return of(itsCodes, its);
   }
 
   @Override

@@ -260,6 +260,17 @@ public final class ObstacleRows {
     System.arraycopy(numbers, 0, values, offset(code), shape.restitution);
   }
 
+  /** Sets the coordinates of an obstacle to those at a time, by its motion. */
+  void advance(int code, ObstacleMotions motions, double now) {
+    own();
+    int i = motions.indexOf(code);
+    int k = offset(code);
+    double dt = motions.elapsed(i, now, 0);
+    for (int c = 0; c < shape.coordinates; c++) {
+      values[k + c] = motions.after(i, c, values[k + c], dt);
+    }
+  }
+
   void setRestitution(int code, double e) {
     own();
     values[offset(code) + restitution] = e;

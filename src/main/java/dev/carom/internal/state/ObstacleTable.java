@@ -54,9 +54,6 @@ public final class ObstacleTable {
   /** The obstacles that move, or moved before; never null. */
   private ObstacleMotions motions = ObstacleMotions.NONE;
 
-  /** Where an obstacle is at an edit. */
-  private final double[] placed = new double[MOST_NUMBERS + 1];
-
   /** The time of the world that a question counts as 0, see {@link #setEpoch}. */
   private double epoch;
 
@@ -273,7 +270,8 @@ public final class ObstacleTable {
   }
 
   /**
-   * Writes the row of a moving obstacle at a time, given as head and tail.
+   * Writes the numbers of a moving obstacle before its restitution at a time, given as head and
+   * tail.
    *
    * @param i its number among those that move
    * @param row receives the numbers, in the order of its shape
@@ -281,8 +279,11 @@ public final class ObstacleTable {
   public void place(int i, double head, double tail, double[] row) {
     int code = motions.code(i);
     ObstacleRows rows = of(code);
-    System.arraycopy(rows.values, rows.offset(code), row, 0, rows.shape.row);
-    motions.place(i, row, rows.shape.coordinates, epoch + head, tail);
+    int k = rows.offset(code);
+    double dt = motions.elapsed(i, epoch + head, tail);
+    for (int c = 0; c < MOST_NUMBERS; c++) {
+      row[c] = motions.after(i, c, rows.values[k + c], dt);
+    }
   }
 
   public double epoch() {
@@ -300,8 +301,7 @@ public final class ObstacleTable {
   /** Gives an obstacle a velocity, from where it is at a given time. */
   public void setVelocity(int code, double ux, double uy, double now) {
     if (moves(code)) {
-      place(motions.indexOf(code), now, 0, placed);
-      of(code).move(code, placed);
+      of(code).advance(code, motions, now);
     } else if (ux == 0 && uy == 0) {
       return; // it is at rest, and never moved
     }
@@ -369,10 +369,10 @@ public final class ObstacleTable {
   /** The largest absolute coordinate of all obstacles but walls; 0 if there are none. */
   public double extent() {
     double extent = 0;
-    for (ObstacleRows rows : kinds) {
-      LiveCodes present = rows.present();
+    for (int kind = 0; kind < kinds.size(); kind++) { // as in size()
+      LiveCodes present = kinds.get(kind).present();
       for (int i = 0; i < present.size(); i++) {
-        extent = Math.max(extent, rows.extent(present.get(i)));
+        extent = Math.max(extent, extent(present.get(i)));
       }
     }
     return extent;

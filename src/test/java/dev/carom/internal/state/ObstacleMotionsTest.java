@@ -3,6 +3,7 @@ package dev.carom.internal.state;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 class ObstacleMotionsTest {
@@ -24,15 +25,15 @@ class ObstacleMotionsTest {
   /** The same velocity of both ends, for ever. */
   @Test
   void goesOnFromItsStartIfItNeverEnds() {
-    double[] motion = ObstacleMotions.motion(0.5, 0.25, 2);
+    double[] motion = ObstacleMotions.motion(LINE, 0.5, 0.25, 2);
 
     assertThat(at(motion, new double[] {1, 2, 3, 4}, 6)).containsExactly(3, 3, 5, 5);
   }
 
   private static double[] at(double[] motion, double[] row, double time) {
-    double[] placed = row.clone();
-    ObstacleMotions.of(new int[] {LINE}, motion).place(0, placed, row.length, time, 0);
-    return placed;
+    ObstacleMotions its = ObstacleMotions.of(new int[] {LINE}, motion);
+    double dt = its.elapsed(0, time, 0);
+    return IntStream.range(0, row.length).mapToDouble(c -> its.after(0, c, row[c], dt)).toArray();
   }
 
   /** Who shares motions keeps them; who owns them changes them where they are. */
