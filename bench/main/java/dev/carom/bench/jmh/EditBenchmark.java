@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.jmh;
 
+import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
 import dev.carom.Snapshot;
@@ -22,6 +23,7 @@ import org.openjdk.jmh.annotations.Level;
 import org.openjdk.jmh.annotations.Measurement;
 import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
@@ -158,6 +160,88 @@ public class EditBenchmark {
       }
       moments = new SplittableRandom(1).doubles(1 << 12, 0, 600).toArray();
     }
+  }
+
+  /** A circle in bounds, among pegs of which two are paddles. */
+  @State(Scope.Thread)
+  public static class Paddles {
+
+    /** How many pegs there are. */
+    @Param({"2", "10", "1000"})
+    int pegs;
+
+    World world;
+    int frame;
+
+    /** Starts the world. */
+    @Setup(Level.Iteration)
+    public void start() {
+      SceneBuilder builder = Scene.builder().bounds(0, 0, WIDTH, HEIGHT);
+      builder.peg(200, 300, 10).peg(600, 300, 10);
+      for (int i = 2; i < pegs; i++) {
+        builder.peg(10 + i % 40 * 18, 400 + i / 40 * 6, 1);
+      }
+      world = new World(builder.circle(400, 100, 10, 4, 3).build());
+    }
+
+    /** A component of a velocity that keeps a paddle near its place. */
+    double toAndFro(double speed, int later) {
+      return (frame + later) % 20 < 10 ? speed : -speed;
+    }
+  }
+
+  /**
+   * A frame in which nothing was edited.
+   *
+   * @param s the world
+   * @return how the step ended
+   */
+  @Benchmark
+  public boolean paddlesRest(Paddles s) {
+    return s.world.step(1);
+  }
+
+  /**
+   * The velocities of both paddles set, and a frame.
+   *
+   * @param s the world
+   * @return how the step ended
+   */
+  @Benchmark
+  public boolean paddlesMove(Paddles s) {
+    s.frame++;
+    for (int id = 0; id < 2; id++) {
+      s.world.setVelocity(ObstacleKind.PEG, id, s.toAndFro(0.1, 0), s.toAndFro(0.07, 5));
+    }
+    return s.world.step(1);
+  }
+
+  /**
+   * Both paddles placed, and a frame.
+   *
+   * @param s the world
+   * @return how the step ended
+   */
+  @Benchmark
+  public boolean paddlesJump(Paddles s) {
+    s.frame++;
+    for (int id = 0; id < 2; id++) {
+      s.world.movePeg(id, 200 + 400 * id + s.toAndFro(1, 0), 300 + s.toAndFro(1, 5), 10);
+    }
+    return s.world.step(1);
+  }
+
+  /**
+   * The velocity of the circle set, and a frame.
+   *
+   * @param s the world
+   * @return how the step ended
+   */
+  @Benchmark
+  public boolean circleSteered(Paddles s) {
+    s.frame++;
+    s.world.setVelocity(0, s.toAndFro(4, 0), s.toAndFro(3, 5));
+    return s.world.step(1);
   }
 
   /**
