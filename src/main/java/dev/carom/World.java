@@ -1083,7 +1083,7 @@ public final class World {
         scene.collide(),
         obstacles.copy(),
         registry.copy(),
-        editor.limits().copy(),
+        editor.limits.copy(),
         engine.save(now),
         engine.gravity.x,
         engine.gravity.y);
@@ -1118,7 +1118,7 @@ public final class World {
     unfinishedCircle = -1;
     now = state.now();
     registry.set(state.registry());
-    editor.restore(state.limits());
+    editor.limits.set(state.limits());
     engine.staticScene.restore(state.obstacles());
     engine.setGravity(state.gx(), state.gy());
     engine.restore(state.flights(), now);
@@ -1155,13 +1155,7 @@ public final class World {
     stopRecording();
     recorder =
         new TimelineRecorder(
-            most,
-            scene.collide(),
-            registry,
-            obstacles,
-            editor.limits(),
-            engine.gravity,
-            this::state);
+            most, scene.collide(), registry, obstacles, editor.limits, engine.gravity, this::state);
     recorder.begin(now);
     engine.record(recorder);
     return new Timeline(recorder);

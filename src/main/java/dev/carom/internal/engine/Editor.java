@@ -11,8 +11,6 @@ import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SizeLimits;
-import dev.carom.internal.sweep.LineShape;
-import dev.carom.internal.sweep.PegShape;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.Kind;
 import dev.carom.internal.util.Refusal;
@@ -37,7 +35,8 @@ public final class Editor {
   private final ObstacleTable obstacles;
   private final MovingCircle body = new MovingCircle();
 
-  private final SizeLimits limits = new SizeLimits();
+  /** The limits of size, which edits change. */
+  public final SizeLimits limits = new SizeLimits();
 
   /** The numbers of the obstacle that is added or moved, as its shape has them. */
   private final double[] numbers = new double[ObstacleTable.MOST_NUMBERS];
@@ -57,15 +56,6 @@ public final class Editor {
       limits.keepPlace(scene.x(i), scene.y(i));
       limits.keepRadius(scene.radius(i));
     }
-  }
-
-  /** The limits of size, which edits change. */
-  public SizeLimits limits() {
-    return limits;
-  }
-
-  public void restore(SizeLimits other) {
-    limits.set(other);
   }
 
   // Circles.
@@ -225,36 +215,31 @@ public final class Editor {
   // Obstacles.
 
   public int addLine(double ax, double ay, double bx, double by, double now) {
-    setLine(ax, ay, bx, by);
+    set(ax, ay, bx, by);
     return add(Kind.LINE, now);
   }
 
   public void moveLine(int code, double ax, double ay, double bx, double by, double now) {
-    setLine(ax, ay, bx, by);
+    set(ax, ay, bx, by);
     move(code, now);
   }
 
-  private void setLine(double ax, double ay, double bx, double by) {
-    numbers[LineShape.AX] = ax;
-    numbers[LineShape.AY] = ay;
-    numbers[LineShape.BX] = bx;
-    numbers[LineShape.BY] = by;
-  }
-
   public int addPeg(double x, double y, double radius, double now) {
-    setPeg(x, y, radius);
+    set(x, y, radius, 0);
     return add(Kind.PEG, now);
   }
 
   public void movePeg(int code, double x, double y, double radius, double now) {
-    setPeg(x, y, radius);
+    set(x, y, radius, 0);
     move(code, now);
   }
 
-  private void setPeg(double x, double y, double radius) {
-    numbers[PegShape.X] = x;
-    numbers[PegShape.Y] = y;
-    numbers[PegShape.RADIUS] = radius;
+  /** Sets the numbers of an obstacle, in the order of its shape. A peg has three. */
+  private void set(double first, double second, double third, double fourth) {
+    numbers[0] = first;
+    numbers[1] = second;
+    numbers[2] = third;
+    numbers[3] = fourth;
   }
 
   private int add(int kind, double now) {

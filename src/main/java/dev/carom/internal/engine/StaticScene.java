@@ -30,14 +30,8 @@ public final class StaticScene {
   /** The index of questions; steps do not use it. */
   public final ObstacleIndex index;
 
-  /** The grid of all circles, while they share one; null if none is used. */
-  private Grid shared;
-
-  /** The grid of each circle, by its class of radii; null while all share one. */
-  private Grid[] own;
-
-  /** The number of circles for which there is room. */
-  private int room;
+  /** The grid of each circle, by its class of radii; null for a circle that uses none. */
+  private Grid[] ofCircles = new Grid[0];
 
   public StaticScene(SceneData scene, EngineOptions options) {
     obstacles = ObstacleTable.of(scene);
@@ -51,30 +45,15 @@ public final class StaticScene {
   }
 
   private void assign(int[] ids, IntToDoubleFunction radius) {
-    own = null;
-    shared = null;
-    if (ids.length > 0) {
-      room = Math.max(room, ids[ids.length - 1] + 1);
-      shared = grids.of(radius.applyAsDouble(ids[0]));
-    }
+    ofCircles = new Grid[ids.length == 0 ? 0 : ids[ids.length - 1] + 1];
     for (int i : ids) {
-      set(i, grids.of(radius.applyAsDouble(i)));
+      ofCircles[i] = grids.of(radius.applyAsDouble(i));
     }
   }
 
   /** The grid of a circle; null if none is used. */
   public Grid grid(int i) {
-    return own == null ? shared : own[i];
-  }
-
-  private void set(int i, Grid grid) {
-    if (own == null && grid != shared) {
-      own = new Grid[room];
-      Arrays.fill(own, shared);
-    }
-    if (own != null) {
-      own[i] = grid;
-    }
+    return ofCircles[i];
   }
 
   EngineDescription model(boolean collide) {
@@ -105,12 +84,11 @@ public final class StaticScene {
 
   /** Registers a circle's radius, which may be new. */
   public void setRadius(int i, double radius) {
-    if (i >= room) {
-      room = 2 * i + 4;
-      own = own == null ? null : Arrays.copyOf(own, room);
+    if (i >= ofCircles.length) {
+      ofCircles = Arrays.copyOf(ofCircles, 2 * i + 4);
     }
-    if (!grids.serve(grid(i), radius)) {
-      set(i, grids.ofNew(radius));
+    if (!grids.serve(ofCircles[i], radius)) {
+      ofCircles[i] = grids.ofNew(radius);
     }
   }
 
@@ -136,16 +114,14 @@ public final class StaticScene {
   void beginFalls() {
     grids.beginFalls();
     index.beginFalls();
-    shared = null;
-    own = null;
+    Arrays.fill(ofCircles, null);
   }
 
   /** Drops all grids and the index of questions: the next step or question makes new ones. */
   void forgetGrids() {
     grids.forget();
     index.changedAll();
-    shared = null;
-    own = null;
+    Arrays.fill(ofCircles, null);
   }
 
   /** Replaces the obstacles. */

@@ -158,8 +158,8 @@ class StaticSceneTest {
    * The flight saved of a circle in (0, 0) whose way along x leads to a sensor, line 1, at time 4.
    */
   private static SavedFlights saved(MovingCircle m, double now) {
-    Scene scene =
-        Scene.builder().line(50, 0, 60, 0).line(5, -9, 5, 9).response(Response.SENSOR).build();
+    SceneBuilder builder = Scene.builder().line(50, 0, 60, 0).circle(0, 0, 1, 1, 0);
+    Scene scene = builder.line(5, -9, 5, 9).response(Response.SENSOR).build();
     SavedFlights states = new SavedFlights(new int[] {0});
     new StaticScene(Internals.data(scene), EngineOptions.CHOSEN).save(0, m, now, states);
     return states;
