@@ -186,7 +186,7 @@ public final class ImpactLog {
     StringBuilder text = new StringBuilder("ImpactLog of " + size() + " rows");
     for (int row = 0; row < Math.min(size(), ROWS_SHOWN); row++) {
       text.append(
-          "\n%d: time %s, circle %d, %s %s, approach speed %s%s"
+          "\n%s: time %s, circle %s, %s %s, approach speed %s%s"
               .formatted(
                   row,
                   time(row),

@@ -418,7 +418,7 @@ public final class Scene {
 
   @Override
   public String toString() {
-    return "Scene[circles=%d, lines=%d, pegs=%d, bounds=%s%s]"
+    return "Scene[circles=%s, lines=%s, pegs=%s, bounds=%s%s]"
         .formatted(
             circleCount(),
             lineCount(),

@@ -134,7 +134,7 @@ public final class Snapshot {
 
   @Override
   public String toString() {
-    return "Snapshot[now=%s, circles=%d, lines and pegs=%d]"
+    return "Snapshot[now=%s, circles=%s, lines and pegs=%s]"
         .formatted(state.now(), state.registry().count(), state.obstacles().size());
   }
 }

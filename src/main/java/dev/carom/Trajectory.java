@@ -182,7 +182,7 @@ public final class Trajectory {
 
   @Override
   public String toString() {
-    return "Trajectory[duration=%s, impacts=%d, complete=%s]"
+    return "Trajectory[duration=%s, impacts=%s, complete=%s]"
         .formatted(duration, impacts.size(), complete);
   }
 }

@@ -1178,8 +1178,8 @@ public final class World {
   @Override
   public String toString() {
     String form =
-        "World[now=%s, %d circles that %s, %d lines, %d pegs, bounds %s,"
-            + " %d impacts in the last step]";
+        "World[now=%s, %s circles that %s, %s lines, %s pegs, bounds %s,"
+            + " %s impacts in the last step]";
     return form.formatted(
         now,
         circleCount(),

@@ -143,7 +143,7 @@ public final class Editor {
   private static void checkId(int kind, int id, int limit) {
     if (id >= limit) {
       throw new IllegalStateException(
-          "%s cannot be added: all ids below %d were given, and none is reused"
+          "%s cannot be added: all ids below %s were given, and none is reused"
               .formatted(Kind.nameOf(kind, id), limit));
     }
   }

@@ -27,7 +27,7 @@ public record EngineDescription(boolean collide, int obstacles, int moving, int 
     if (grids == 0) {
       return "%s, %s without a grid".formatted(circles, things);
     }
-    return "%s, %s in %d %s of %d cells"
+    return "%s, %s in %s %s of %s cells"
         .formatted(circles, things, grids, grids == 1 ? "grid" : "grids", cells);
   }
 }
