@@ -21,9 +21,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The golden runs have the stored hashes under the interpreter, under each compiler, and on another
- * JDK: that of the environment variable {@code CAROM_SECOND_JDK}, or one of another version in the
- * folder where this one is.
+ * The golden runs have the stored hashes under the interpreter, without the processor's instruction
+ * for a fused multiply-add, under each compiler, and on another JDK: that of the environment
+ * variable {@code CAROM_SECOND_JDK}, or one of another version in the folder where this one is.
  */
 class SameBitsIT {
 
@@ -35,10 +35,11 @@ class SameBitsIT {
 
   @TempDir private Path folder;
 
-  /** The interpreter takes too long for the long runs. */
-  @Test
-  void interpreter() throws Exception {
-    demandStoredHashes(HOME, RUNS, "-Xint", "-jar", JAR.toString(), "hash");
+  /** These take too long for the long runs. */
+  @ParameterizedTest
+  @ValueSource(strings = {"-Xint", "-XX:-UseFMA"})
+  void interpreterAndNoFma(String option) throws Exception {
+    demandStoredHashes(HOME, RUNS, option, "-jar", JAR.toString(), "hash");
   }
 
   @ParameterizedTest
