@@ -16,7 +16,10 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Starts the finished jar as a person would, its output redirected to a file. */
+/**
+ * Starts the finished jar as a person would, its output redirected to a file, on a machine without
+ * a screen whose language has digits of its own.
+ */
 class CaromBenchIT {
 
   private static final Path JAR = Path.of("target/carom-bench.jar").toAbsolutePath();
@@ -30,7 +33,15 @@ class CaromBenchIT {
     output = folder.resolve("output.txt");
     // Another JMH run on the same machine disturbs figures, which are not looked at here.
     List<String> command =
-        new ArrayList<>(List.of(JAVA.toString(), "-Djmh.ignoreLock=true", "-jar", JAR.toString()));
+        new ArrayList<>(
+            List.of(
+                JAVA.toString(),
+                "-Djmh.ignoreLock=true",
+                "-Djava.awt.headless=true",
+                "-Duser.language=ar",
+                "-Duser.country=EG",
+                "-jar",
+                JAR.toString()));
     command.addAll(Arrays.asList(args));
     Process process =
         new ProcessBuilder(command)
@@ -39,6 +50,7 @@ class CaromBenchIT {
             .directory(new File(folder.toString()))
             .start();
     assertThat(process.waitFor(5, TimeUnit.MINUTES)).isTrue();
+    assertThat(output).content().doesNotContainPattern("[\u0660-\u0669]");
     return process.exitValue();
   }
 
@@ -84,6 +96,18 @@ class CaromBenchIT {
         .content()
         .contains("QueryBenchmark.lineSide")
         .contains("WorldBenchmark.build");
+  }
+
+  @Test
+  void aWindowWithoutAScreenTellsOfPictures() throws IOException, InterruptedException {
+    for (List<String> words : List.of(List.of("view"), List.of("example", "plinko"))) {
+      assertThat(run(words.toArray(String[]::new))).isEqualTo(1);
+      assertThat(output)
+          .hasContent(
+              "carom-bench %s: a window needs a screen, and there is none: --png FILE draws a"
+                      .formatted(words.get(0))
+                  + " picture instead\n");
+    }
   }
 
   @Test

@@ -15,6 +15,12 @@ final class Bounded {
     }
   }
 
+  static void atMost(long most, String option, long value, CommandSpec spec) {
+    if (value > most) {
+      throw refused(option, Long.toString(value), "at most " + most, spec);
+    }
+  }
+
   static void positive(String option, double value, CommandSpec spec) {
     if (!(value > 0 && value <= Double.MAX_VALUE)) {
       throw refused(option, Decimals.shortest(value), "a finite number, more than 0", spec);

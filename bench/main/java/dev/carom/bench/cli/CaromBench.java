@@ -2,6 +2,7 @@
 package dev.carom.bench.cli;
 
 import java.io.PrintStream;
+import java.util.Arrays;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -22,7 +23,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
     synopsisSubcommandLabel = "[COMMAND]",
     footer = {
       "",
-      "COMMAND --help explains a command, its options, and how long it takes on two cores.",
+      "COMMAND --help, or help COMMAND, explains a command, its options, and how long it takes on"
+          + " two cores.",
       "Exit code: 0 done, 1 a failed run or bad data, 2 a wrong command line.",
       "",
       "Example: carom-bench replay --circles 50"
@@ -77,7 +79,7 @@ public final class CaromBench {
 
   static int execute(CommandLine commandLine, String... args) {
     try {
-      return commandLine.execute(withCommand(args));
+      return commandLine.execute(isHelp(commandLine, args) ? help(args) : withCommand(args));
     } catch (OutOfMemoryError e) {
       commandLine
           .getErr()
@@ -94,6 +96,19 @@ public final class CaromBench {
     CommandGroups.show(all);
     all.getSubcommands().values().forEach(c -> c.getCommandSpec().versionProvider(new Version()));
     return all;
+  }
+
+  /** Whether this is {@code help}, or {@code help COMMAND}. */
+  private static boolean isHelp(CommandLine commandLine, String... args) {
+    return args.length > 0
+        && args[0].equals("help")
+        && (args.length == 1 || commandLine.getSubcommands().containsKey(args[1]));
+  }
+
+  private static String[] help(String... args) {
+    String[] words = Arrays.copyOfRange(args, 1, args.length + 1);
+    words[args.length - 1] = "--help";
+    return words;
   }
 
   private static String[] withCommand(String... args) {

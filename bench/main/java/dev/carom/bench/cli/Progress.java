@@ -16,16 +16,20 @@ final class Progress implements AutoCloseable {
   }
 
   static Progress start(String task, int steps) {
-    if (!isTerminal()) {
-      return new Progress(null);
-    }
-    return new Progress(
-        new ProgressBarBuilder()
-            .setTaskName(task)
-            .setInitialMax(steps)
-            .setStyle(ProgressBarStyle.ASCII)
-            .clearDisplayOnFinish()
-            .build());
+    return new Progress(isTerminal() ? builder(task, steps).build() : null);
+  }
+
+  /** A bar without a remaining time of its own: the messages of its steps tell it. */
+  static Progress withoutTime(String task, int steps) {
+    return new Progress(isTerminal() ? builder(task, steps).hideEta().build() : null);
+  }
+
+  private static ProgressBarBuilder builder(String task, int steps) {
+    return new ProgressBarBuilder()
+        .setTaskName(task)
+        .setInitialMax(steps)
+        .setStyle(ProgressBarStyle.ASCII)
+        .clearDisplayOnFinish();
   }
 
   /** From JDK 22 on there is a console without a terminal, too, and it can be asked. */

@@ -61,7 +61,8 @@ final class ReferenceCommand implements Callable<Integer> {
       names = "--digits",
       paramLabel = "N",
       defaultValue = "30",
-      description = "Digits behind the point, with --scene (default: ${DEFAULT-VALUE}).")
+      description =
+          "Digits behind the point, with --scene; at most 39000 (default: ${DEFAULT-VALUE}).")
   private int digits;
 
   @Option(
@@ -88,6 +89,7 @@ final class ReferenceCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     Bounded.atLeast(1, "--frames", frames, spec);
     Bounded.atLeast(0, "--digits", digits, spec);
+    Bounded.atMost(LastPlace.MOST_DECIMALS, "--digits", digits, spec);
     if (file != null) {
       return printLastPlaces();
     }
@@ -123,8 +125,13 @@ final class ReferenceCommand implements Callable<Integer> {
           spec.commandLine(), "--scene excludes SCENE, --write and --back");
     }
     PrintWriter out = spec.commandLine().getOut();
+    Scene scene = Scene.read(file);
+    List<LastPlace> places;
+    try (Progress progress = Progress.start(file.toString(), scene.circleCount())) {
+      places = LastPlace.of(scene, frames, digits, progress::step);
+    }
     out.println("circle,x,y");
-    for (LastPlace place : LastPlace.of(Scene.read(file), frames, digits)) {
+    for (LastPlace place : places) {
       out.println(
           place.circle() + "," + place.x().toPlainString() + "," + place.y().toPlainString());
     }

@@ -129,7 +129,7 @@ final class ReportCommand implements Callable<Integer> {
       spec.commandLine().getErr().println(Parts.leftOut());
     }
     Results results;
-    try (Progress progress = Progress.start("report", parts.size())) {
+    try (Progress progress = Progress.withoutTime("report", parts.size())) {
       Remaining remaining = new Remaining(parts, progress, spec.commandLine().getErr());
       results = run.run(parts, remaining::tell);
     }

@@ -10,17 +10,17 @@ final class RoundsLeft {
   private final PrintWriter out;
   private final long start = System.nanoTime();
 
-  /** Where there is a bar it tells; elsewhere a line a round is written. */
+  /** Where there is a bar it tells both; elsewhere a line a round is written. */
   RoundsLeft(Progress progress, PrintWriter out) {
     this.progress = progress;
     this.out = out;
   }
 
   void tell(int done, int of) {
-    double each = (System.nanoTime() - start) / 1e9 / done;
-    String rest = done == of ? "" : ", " + Remaining.about(each * (of - done)) + " left";
-    progress.step("round " + done + rest);
+    progress.step("round " + done);
     if (!progress.isShown()) {
+      double each = (System.nanoTime() - start) / 1e9 / done;
+      String rest = done == of ? "" : ", " + Remaining.about(each * (of - done)) + " left";
       out.printf("round %d of %d%s%n", done, of, rest);
       out.flush();
     }

@@ -2,7 +2,12 @@
 package dev.carom.bench.cli;
 
 import dev.carom.Scene;
+import dev.carom.World;
+import dev.carom.bench.charts.Picture;
+import dev.carom.bench.charts.SceneDrawing;
+import dev.carom.bench.charts.Still;
 import dev.carom.bench.charts.Style;
+import dev.carom.bench.charts.WorldScene;
 import dev.carom.bench.duel.Duel;
 import dev.carom.bench.duel.Preset;
 import dev.carom.bench.duel.Rival;
@@ -15,6 +20,8 @@ import dev.carom.bench.view.DuelMovie;
 import dev.carom.bench.view.Look;
 import dev.carom.bench.view.Player;
 import dev.carom.bench.view.ViewWindow;
+import java.awt.Dimension;
+import java.awt.geom.Rectangle2D;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -81,10 +88,17 @@ final class ViewCommand implements Callable<Integer> {
   private Path record;
 
   @Option(
+      names = "--png",
+      paramLabel = "FILE",
+      description = "Write a picture of the scene instead of opening a window.")
+  private Path png;
+
+  @Option(
       names = "--frames",
       paramLabel = "N",
       defaultValue = "300",
-      description = "Frames that are recorded (default: ${DEFAULT-VALUE}).")
+      description =
+          "Frames that are recorded, or that run before the picture (default: ${DEFAULT-VALUE}).")
   private int frames;
 
   @Override
@@ -98,7 +112,9 @@ final class ViewCommand implements Callable<Integer> {
     }
     String title = preset == null ? scenes.title() : preset.about();
     Reference truth = rival == null ? null : truth(scene);
-    if (record == null) {
+    if (png != null) {
+      draw(scene, title);
+    } else if (record == null) {
       Player.warmUp(scene);
       Windows.show(
           () -> {
@@ -115,6 +131,21 @@ final class ViewCommand implements Callable<Integer> {
       }
     }
     return 0;
+  }
+
+  private void draw(Scene scene, String title) throws IOException {
+    Style.requireFonts();
+    OutputFile.prepare(png);
+    World world = new World(scene);
+    for (int frame = 0; frame < frames; frame++) {
+      world.step(dt);
+    }
+    SceneDrawing drawing = SceneDrawing.of(WorldScene.of(world));
+    Dimension size = drawing.size(Picture.WIDE, Picture.WIDE);
+    Rectangle2D area = new Rectangle2D.Double(0, 0, size.width, size.height);
+    Still still = Still.of(world);
+    WholeFile.write(
+        png, new Picture(size.width, size.height, title, g -> drawing.draw(g, area, still)).png());
   }
 
   /** Null where it is not known. */
@@ -136,6 +167,9 @@ final class ViewCommand implements Callable<Integer> {
     }
     if (record != null && rival == null) {
       throw usage("--record records both sides: --against is missing");
+    }
+    if (png != null && rival != null) {
+      throw usage("--png draws one side: --against and --record exclude it");
     }
     if (rival != null && dt != 1) {
       throw usage("--against plays frames of 1 unit of time: --dt is " + dt);

@@ -18,7 +18,8 @@ final class Windows {
   /** Opens a window and waits until it is closed. */
   static void show(Supplier<JFrame> maker) {
     if (GraphicsEnvironment.isHeadless()) {
-      throw new IllegalStateException("a window needs a screen, and there is none");
+      throw new IllegalStateException(
+          "a window needs a screen, and there is none: --png FILE draws a picture instead");
     }
     CountDownLatch closed = new CountDownLatch(1);
     EventQueue.invokeLater(() -> open(maker, closed));

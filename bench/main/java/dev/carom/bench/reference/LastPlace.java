@@ -19,18 +19,22 @@ public record LastPlace(int circle, BigDecimal x, BigDecimal y) {
   private static final int FIRST_BITS = 128;
   private static final int MOST_BITS = 1 << 17;
 
+  /** So many decimals, and the 309 digits that may stand before the point, need fewer bits. */
+  public static final int MOST_DECIMALS = 39_000;
+
   /**
    * Computes the positions of all circles. The precision is doubled until every decimal is proved.
    *
    * @param scene any scene that {@link Truth} plays
    * @param frames the number of frames, at least 1, each one unit of time
-   * @param decimals the number of digits behind the point, at least 0
+   * @param decimals the number of digits behind the point, from 0 to {@link #MOST_DECIMALS}
+   * @param progress called after each circle, where circles ignore each other
    * @return one position per circle, in their order
    * @throws IllegalArgumentException if {@link Truth} does not play the scene, or frames is less
    *     than 1
    * @throws IllegalStateException if impacts pile up, or 131,072 bits do not prove the decimals
    */
-  public static List<LastPlace> of(Scene scene, int frames, int decimals) {
+  public static List<LastPlace> of(Scene scene, int frames, int decimals, Runnable progress) {
     Scope.check(scene, frames);
     int[] all = IntStream.range(0, scene.circleCount()).toArray();
     if (scene.collide()) {
@@ -39,6 +43,7 @@ public record LastPlace(int circle, BigDecimal x, BigDecimal y) {
     List<LastPlace> places = new ArrayList<>();
     for (int i : all) {
       places.addAll(prove(scene, new int[] {i}, frames, decimals));
+      progress.run();
     }
     return places;
   }

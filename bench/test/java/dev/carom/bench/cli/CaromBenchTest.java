@@ -72,6 +72,9 @@ class CaromBenchTest {
         "simulate --scene a.csv --frames -1       | --frames is -1: expected at least 0",
         "simulate --scene a.csv --frames 1 --dt 0 | --dt is 0.0: expected a finite number",
         "rungs --queries 0              | --queries is 0: expected at least 1",
+        "reference --scene a --digits 100000000 | --digits is 100000000: expected at most 39000",
+        "view --png a.png --against box2d       | --png draws one side: --against and --record ex",
+        "help nosuch                    | Unmatched arguments from index 0: 'help', 'nosuch'",
         "view --dt 0                    | --dt is 0.0: expected a finite number",
         "threads --threads 0            | --threads is 0: expected at least 1",
         "example nosuch                 | 'nosuch' is none of [breakout, billiards, gas, aim, sinai",
@@ -120,6 +123,13 @@ class CaromBenchTest {
     assertThat(run.exitCode()).as(why).isEqualTo(1);
     assertThat(run.out()).isEmpty();
     assertThat(run.err()).contains(message).hasLineCount(1);
+  }
+
+  @Test
+  void helpIsACommandToo() {
+    assertThat(Cli.run("help")).isEqualTo(Cli.run("--help"));
+    assertThat(Cli.run("help", "soak")).isEqualTo(Cli.run("soak", "--help"));
+    assertThat(Cli.run("soak", "--help").out()).contains("Usage: carom-bench soak");
   }
 
   @Test

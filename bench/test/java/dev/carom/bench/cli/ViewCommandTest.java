@@ -42,6 +42,14 @@ class ViewCommandTest {
     assertThat(Files.size(file)).isLessThan(2_000_000);
   }
 
+  @Test
+  void drawsASceneWithoutAScreen() throws IOException {
+    Path file = folder.resolve("new/scene.png");
+    Cli run = Cli.run("view", "--circles", 3, "--frames", 20, "--png", file);
+    assertThat(run).isEqualTo(new Cli(0, "", ""));
+    assertThat(ImageIO.read(file.toFile()).getWidth()).isGreaterThan(800);
+  }
+
   /** The README's. */
   @Test
   void theRecordingThatIsKeptIsSmall() throws IOException {
