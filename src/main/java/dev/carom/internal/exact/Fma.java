@@ -51,7 +51,7 @@ public final class Fma {
     double p = a * b;
     if (Math.abs(a) > BIG || Math.abs(b) > BIG || Math.abs(c) > BIG || Math.abs(p) < SMALL) {
       // Also right where the product is 0, or far below the last place of the summand.
-      boolean isSum = a == 0 || b == 0 || Math.abs(p) < SMALL && Math.abs(c) > FAR_ABOVE;
+      boolean isSum = a == 0 || b == 0 || (Math.abs(p) < SMALL && Math.abs(c) > FAR_ABOVE);
       return isSum ? p + c : Math.fma(a, b, c);
     }
     double ah = upperHalf(a);
@@ -81,7 +81,7 @@ public final class Fma {
     long start = System.nanoTime();
     long instruction = Long.MAX_VALUE;
     long sums = Long.MAX_VALUE;
-    for (int k = 0; k < 3 || instruction >= sums && System.nanoTime() - start < PATIENCE; k++) {
+    for (int k = 0; k < 3 || (instruction >= sums && System.nanoTime() - start < PATIENCE); k++) {
       instruction = Math.min(instruction, nanosOfBlock(true));
       sums = Math.min(sums, nanosOfBlock(false));
     }
