@@ -13,8 +13,13 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
-/** The page of the harness tells of every command, and of scene files as they are read. */
+/**
+ * The page of the harness tells of every command, and of scene files as they are read. The commands
+ * that pages print are understood; {@code .ci/commands} types them.
+ */
 class HarnessPageTest {
 
   private static final Path PAGE = Path.of("README.md");
@@ -24,6 +29,29 @@ class HarnessPageTest {
     List<String> rows = all("(?m)^\\| `(\\w+)` \\|");
     assertThat(rows)
         .containsExactlyInAnyOrderElementsOf(CaromBench.commandLine().getSubcommands().keySet());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "../README.md",
+        "README.md",
+        "PERFORMANCE.md",
+        "../.github/CONTRIBUTING.md",
+        "../.github/ISSUE_TEMPLATE/bug.yml",
+        "../src/main/javadoc/dev.carom/dev/carom/doc-files/rules.html"
+      })
+  void everyPrintedCommandIsUnderstood(String page) throws IOException {
+    String text = Files.readString(Path.of(page)).replaceAll("\n(?!java)", " ");
+    List<String> printed =
+        Pattern.compile("(?:[`>]bench|java -jar bench/target/carom-bench\\.jar) ([a-z][^`<#\n]*)")
+            .matcher(text)
+            .results()
+            .map(match -> match.group(1).strip())
+            .toList();
+    assertThat(printed)
+        .isNotEmpty()
+        .allSatisfy(words -> CaromBench.commandLine().parseArgs(words.split(" ")));
   }
 
   @Test
