@@ -81,12 +81,18 @@ final class MotionWindow {
       perStrip = STRIPS / (most - origin);
       for (int i = 0; i < count; i++) {
         int k = i * BoxTree.BOX + lower;
-        for (int s = strip(boxes[k]); s < STRIPS; s++) {
-          begun[s][i / Long.SIZE] |= 1L << i;
-        }
-        for (int s = strip(boxes[k + BoxTree.RIGHT]); s >= 0; s--) {
-          open[s][i / Long.SIZE] |= 1L << i;
-        }
+        begun[strip(boxes[k])][i / Long.SIZE] |= 1L << i;
+        open[strip(boxes[k + BoxTree.RIGHT])][i / Long.SIZE] |= 1L << i;
+      }
+      for (int s = 1; s < STRIPS; s++) {
+        include(begun[s], begun[s - 1]);
+        include(open[STRIPS - 1 - s], open[STRIPS - s]);
+      }
+    }
+
+    private static void include(long[] set, long[] other) {
+      for (int word = 0; word < set.length; word++) {
+        set[word] |= other[word];
       }
     }
 
