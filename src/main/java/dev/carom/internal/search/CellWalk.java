@@ -252,10 +252,15 @@ abstract class CellWalk extends FirstImpact {
     }
   }
 
+  /**
+   * Shows the lines of a pair that are near; a line alone stands twice, and is shown once. One call
+   * in a loop, as a compiler that copies its body twice makes slower code.
+   */
   private void look(long pair, int near) {
-    look(CellList.code(pair, ~near & 1));
-    if (near == 3) {
-      look(CellList.second(pair));
+    int number = ~near & 1;
+    int last = CellList.first(pair) == CellList.second(pair) ? number : near >>> 1;
+    for (; number <= last; number++) {
+      look(CellList.code(pair, number));
     }
   }
 
