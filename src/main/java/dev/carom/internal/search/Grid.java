@@ -132,6 +132,17 @@ public final class Grid {
     return extent > SMALLEST && extent < LARGEST;
   }
 
+  /** The pairs that longer lists take. */
+  private static int room(int[] starts, int[] listed) {
+    int room = 0;
+    for (int i = 1; i < starts.length; i++) {
+      int lines = firstOther(listed, starts[i - 1], starts[i]) - starts[i - 1];
+      int others = starts[i] - starts[i - 1] - lines;
+      room += isLong(lines, others) ? (lines + 1) / 2 + (others + 1) / 2 : 0;
+    }
+    return room;
+  }
+
   private static boolean isLong(int lines, int others) {
     return lines + others > 2 || (lines > 0 && others > 0);
   }
@@ -139,7 +150,7 @@ public final class Grid {
   /** Packs the lists of all cells; returns the pairs of the longer ones. */
   private long[] pack(int[] starts, int[] listed) {
     Arrays.fill(lists, CellList.OUTSIDE);
-    long[] room = new long[1 + listed.length];
+    long[] all = new long[1 + room(starts, listed)];
     int end = 1; // a list at 0 would be OUTSIDE
     for (int i = 0; i < columns * rows; i++) {
       int from = starts[i];
@@ -148,15 +159,15 @@ public final class Grid {
       long list = CellList.EMPTY;
       if (isLong(others - from, to - others)) {
         list = CellList.startingAt(end);
-        end = packPairs(listed, from, others, room, end);
-        end = packPairs(listed, others, to, room, end);
-        room[end - 1] = CellList.withoutMore(room[end - 1]);
+        end = packPairs(listed, from, others, all, end);
+        end = packPairs(listed, others, to, all, end);
+        all[end - 1] = CellList.withoutMore(all[end - 1]);
       } else if (from < to) {
         list = CellList.ofPair(listed[from], listed[to - 1]);
       }
       lists[number(i % columns, i / columns)] = list;
     }
-    return Arrays.copyOf(room, end);
+    return all;
   }
 
   private static int firstOther(int[] listed, int from, int to) {
