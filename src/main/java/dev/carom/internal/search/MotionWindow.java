@@ -186,7 +186,7 @@ final class MotionWindow {
     long[] begunY = y.begun[y.strip(top)];
     long[] openY = y.open[y.strip(bottom)];
     for (int word = 0; word < found.length; word++) {
-      found[word] = begunX[word] & openX[word] & begunY[word] & openY[word] | loose[word];
+      found[word] = (begunX[word] & openX[word] & begunY[word] & openY[word]) | loose[word];
     }
   }
 }
