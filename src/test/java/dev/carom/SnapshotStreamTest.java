@@ -436,6 +436,67 @@ class SnapshotStreamTest {
     assertRefused(bytes, message);
   }
 
+  // Under gravity: of each circle its acceleration, support and slow contacts, then gravity.
+
+  private static final int FALLS = TAIL_OF_EDIT + 9;
+  private static final int GRAVITY = FALLS + 2 * 24;
+
+  private static byte[] falling() {
+    SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).gravity(0, -0.125);
+    scene.line(10, 20, 30, 40).peg(50, 50, 5).circle(70, 70, 3, 1, -2).circle(20, 80, 3, 1, -2);
+    World world = new World(scene.build());
+    Run.step(world, 2);
+    return SnapshotBytes.of(world.snapshot());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        FALLS + " | NaN | gx is NaN",
+        (FALLS + 8) + " | Infinity | gy is Infinity",
+        (FALLS + 24) + " | Infinity | gx is Infinity",
+        GRAVITY + " | NaN | gx is NaN",
+        (GRAVITY + 8) + " | -Infinity | gy is -Infinity",
+        FLIGHT + " | NaN | a number of a circle is NaN",
+        (FLIGHT + 8) + " | NaN | a number of a circle is NaN",
+        (FLIGHT + 72) + " | NaN | a number of a circle is NaN",
+        (FLIGHT + 80) + " | NaN | a number of a circle is NaN",
+        (FLIGHT + 48) + " | Infinity | radius is Infinity",
+        (FLIGHT + 48) + " | -0.0 | radius is -0.0",
+      })
+  void numbersOfFallingCirclesThatMakeNoSenseAreRefused(int at, double number, String message) {
+    byte[] bytes = falling();
+    ByteBuffer.wrap(bytes).putDouble(at, number);
+    assertRefused(bytes, message);
+  }
+
+  /** A circle is carried by a wall, a line or a peg, and leaves the top of a line. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "16 | 5 | code 5 does not exist",
+        "16 | 536870912 | code 536870912 does not exist",
+        "16 | -6 | code 5 does not exist",
+        "16 | -4 | code 3 does not exist",
+        "20 | 33 | the slow contacts of a circle are 33",
+      })
+  void supportsThatMakeNoSenseAreRefused(int at, int number, String message) {
+    byte[] bytes = falling();
+    ByteBuffer.wrap(bytes).putInt(FALLS + at, number);
+    assertRefused(bytes, message);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"16, 0", "16, 3", "16, 4", "16, 268435456", "16, -5", "20, 32", "20, -7"})
+  void supportsAtTheirLimitsAreTaken(int at, int number) throws IOException {
+    byte[] bytes = falling();
+    ByteBuffer.wrap(bytes).putInt(FALLS + at, number);
+    seal(bytes);
+    assertThat(SnapshotBytes.of(read(bytes))).isEqualTo(bytes);
+  }
+
   @Test
   void whatRestsCrushesNothing() throws IOException {
     Snapshot snapshot = read(small());

@@ -120,9 +120,10 @@ public final class PathError {
   /** The flight goes on from an earlier time: place and velocity are rounded now, not there. */
   private void addRoundingsOfStart(double now) {
     sum.of(errors);
+    double rounded = (falls() ? 3 : 1) * now;
     sum.addParts(
-        U * (Math.abs(x) + 3 * (Math.abs(vx) + Math.abs(gx) * now) * now),
-        U * (Math.abs(y) + 3 * (Math.abs(vy) + Math.abs(gy) * now) * now),
+        U * (Math.abs(x) + rounded * (Math.abs(vx) + Math.abs(gx) * now)),
+        U * (Math.abs(y) + rounded * (Math.abs(vy) + Math.abs(gy) * now)),
         gx == 0 ? 0 : U * (Math.abs(vx) + 2 * Math.abs(gx) * now),
         gy == 0 ? 0 : U * (Math.abs(vy) + 2 * Math.abs(gy) * now));
     sum.enclose(errors, now);
@@ -376,11 +377,11 @@ public final class PathError {
 
   /**
    * The same after a duration of the present flight. A place is computed as {@code x + (v + g dt /
-   * 2) dt}, as is the time dt, and all is rounded.
+   * 2) dt}, as is the time dt, and all is rounded: once less where g is 0.
    */
   private double after(double dt) {
     double speed = length(vx, vy) + length(gx, gy) * dt;
-    return errors.place(dt) + U * (Math.abs(x) + Math.abs(y) + 4 * speed * dt);
+    return errors.place(dt) + U * (Math.abs(x) + Math.abs(y) + (falls() ? 4 : 3) * speed * dt);
   }
 
   /** The time at which the bound passed the length, until a time in the present flight. */
