@@ -117,8 +117,8 @@ final class SnapshotChecks {
    * Tests the traits of obstacles, and the extent of those at rest; moving ones may be anywhere.
    */
   private void obstacles(ObstacleRows rows) {
-    int most = rows == obstacles.lines ? ContactFlags.MOST_OF_LINES : ContactFlags.MOST;
     for (int code = rows.first(); code < rows.end; code++) {
+      int most = Codes.isLine(code) ? ContactFlags.MOST_OF_LINES : ContactFlags.MOST;
       traits(rows.traits(code), most);
       double extent = obstacles.isStatic(code) ? obstacles.extent(code) : 0;
       if (extent > limits.largest()) {
