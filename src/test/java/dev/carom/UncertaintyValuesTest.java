@@ -22,40 +22,27 @@ class UncertaintyValuesTest {
 
   private static Scene scene(String name) {
     SceneBuilder room = room(0, 0);
-    switch (name) {
-      case "free":
-        return room.circle(4, 7, 1, 0.13, 0.21).build();
-      case "walls":
-        return room.circle(4, 7, 1, 1.3, 2.1).build();
-      case "inelastic walls":
-        return room.restitution(0.9).circle(4, 7, 1, 1.3, 2.1).build();
-      case "bumpers":
-        return room.restitution(1.125).circle(4, 7, 1, 1.3, 2.1).build();
-      case "line":
-        return room.line(3, 3, 27, 9).circle(4, 7, 1, 1.3, 2.1).build();
-      case "inelastic line":
-        return room.line(3, 3, 27, 9).restitution(0.75).circle(4, 12, 1, 1.3, 2.1).build();
-      case "peg":
-        return room.peg(15, 10, 5).circle(4, 7, 1, 1.3, 2.1).build();
-      case "soft peg":
-        return room.peg(15, 10, 5).restitution(0.5).circle(4, 7, 1, 1.3, 2.1).build();
-      case "corner":
-        return room.circle(4, 4, 1, 1.5, 1.5).build();
-      case "end":
-        return room.line(9, 15, 12, 15).circle(4, 7, 1, 1.3, 2.1).build();
-      case "floor":
-        return room(0, -0.25).circle(4, 7, 1, 1.3, 2.1).build();
-      case "inelastic floor":
-        return room(0, -0.25).restitution(0.96).circle(4, 7, 1, 1.3, 2.1).build();
-      case "slanted gravity":
-        return room(0.05, -0.25).line(3, 3, 27, 5).circle(4, 7, 1, 1.3, 2.1).build();
-      case "peg under gravity":
-        return room(0, -0.25).peg(15, 5, 8).circle(4, 14, 1, 1.3, 1.1).build();
-      case "soft peg under gravity":
-        return room(0, -0.25).peg(15, 5, 8).restitution(0.8).circle(4, 14, 1, 1.3, 1.1).build();
-      default:
-        throw new IllegalArgumentException(name);
-    }
+    return switch (name) {
+      case "free" -> room.circle(4, 7, 1, 0.13, 0.21).build();
+      case "walls" -> room.circle(4, 7, 1, 1.3, 2.1).build();
+      case "inelastic walls" -> room.restitution(0.9).circle(4, 7, 1, 1.3, 2.1).build();
+      case "bumpers" -> room.restitution(1.125).circle(4, 7, 1, 1.3, 2.1).build();
+      case "line" -> room.line(3, 3, 27, 9).circle(4, 7, 1, 1.3, 2.1).build();
+      case "inelastic line" ->
+          room.line(3, 3, 27, 9).restitution(0.75).circle(4, 12, 1, 1.3, 2.1).build();
+      case "peg" -> room.peg(15, 10, 5).circle(4, 7, 1, 1.3, 2.1).build();
+      case "soft peg" -> room.peg(15, 10, 5).restitution(0.5).circle(4, 7, 1, 1.3, 2.1).build();
+      case "corner" -> room.circle(4, 4, 1, 1.5, 1.5).build();
+      case "end" -> room.line(9, 15, 12, 15).circle(4, 7, 1, 1.3, 2.1).build();
+      case "floor" -> room(0, -0.25).circle(4, 7, 1, 1.3, 2.1).build();
+      case "inelastic floor" -> room(0, -0.25).restitution(0.96).circle(4, 7, 1, 1.3, 2.1).build();
+      case "slanted gravity" ->
+          room(0.05, -0.25).line(3, 3, 27, 5).circle(4, 7, 1, 1.3, 2.1).build();
+      case "peg under gravity" -> room(0, -0.25).peg(15, 5, 8).circle(4, 14, 1, 1.3, 1.1).build();
+      case "soft peg under gravity" ->
+          room(0, -0.25).peg(15, 5, 8).restitution(0.8).circle(4, 14, 1, 1.3, 1.1).build();
+      default -> throw new IllegalArgumentException(name);
+    };
   }
 
   /** Steps of a half to a time, and the bound then. */
