@@ -34,10 +34,6 @@ class PredicatesTest {
     return x * (1 + Math.scalb(random.nextDouble() - 0.5, -random.nextInt(45)));
   }
 
-  private double nearly(double x) {
-    return random.nextBoolean() ? slightlyOff(x) : slightlyOff(-x);
-  }
-
   private static BigDecimal big(double x) {
     return new BigDecimal(x);
   }
@@ -71,11 +67,6 @@ class PredicatesTest {
   private void draw(double[] n, int i, int j) {
     n[i] = number();
     n[j] = random.nextInt(4) == 0 ? 0 : Math.ulp(n[i]) * (random.nextDouble() - 0.5);
-  }
-
-  private void drawNearly(double[] n, int i, int j, double size) {
-    draw(n, i, j);
-    n[i] = random.nextBoolean() ? nearly(size) : n[i];
   }
 
   /** In other units, of some of the numbers. */
