@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.engine.Engine;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.ImpactRows;
@@ -22,6 +23,11 @@ public final class Internals {
   /** A world whose engine is told how to work. */
   public static World world(Scene scene, EngineOptions options) {
     return new World(scene, options);
+  }
+
+  /** The engine of a world. */
+  public static Engine engine(World world) {
+    return world.engine;
   }
 
   /** The state in a snapshot. */

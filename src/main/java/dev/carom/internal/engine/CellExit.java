@@ -14,9 +14,6 @@ final class CellExit {
 
   private static final long ONE = Double.doubleToRawLongBits(1);
 
-  /** Beyond this many cells from the origin, a coordinate cannot distinguish adjacent cells. */
-  static final double FARTHEST = 0x1p48;
-
   private static final int NEGATIVE = 1;
   private static final int VERTICAL = 2;
   private static final int LEVEL_SHIFT = 2;
@@ -43,15 +40,14 @@ final class CellExit {
    * @param p its place, from the origin of the cells
    * @param cell the column or the row of the cell
    */
-  static double untilEdge(double p, double v, double cell, double cellWidth) {
-    double way = edge(v, cell, cellWidth) - p;
-    return Math.abs(cell) < FARTHEST && v != 0 ? way / v : NEVER;
+  static double untilEdge(double p, double v, double cell, CellAxis axis) {
+    double way = edge(v, cell, axis) - p;
+    return v != 0 ? way / v : NEVER;
   }
 
   /** The edge of a cell towards which a velocity points, on one axis. */
-  static double edge(double v, double cell, double cellWidth) {
-    // The upper edge of a cell has the number of the next one.
-    return (cell + oneIfPositive(v)) * cellWidth;
+  static double edge(double v, double cell, CellAxis axis) {
+    return axis.edge(cell + oneIfPositive(v)); // a cell ends where the next one begins
   }
 
   /** 1, or 0 if v has a minus sign. */

@@ -42,6 +42,12 @@ public final class CollidingEngine extends Engine {
 
   private static final int EVENTS_PER_CIRCLE = 1_000;
 
+  /**
+   * After so many collisions for each circle, the engine looks whether most have left the narrow
+   * cells. As many collisions take several times as long as to make new cells.
+   */
+  private static final int COLLISIONS_BETWEEN_LOOKS = 8;
+
   private final EngineOptions options;
 
   private final PairResponse pairs;
@@ -60,6 +66,12 @@ public final class CollidingEngine extends Engine {
   private double lastEvent;
 
   private double lastEventTail;
+
+  /** The work of all calls. */
+  long spent;
+
+  /** After so many more collisions, the engine looks where the circles are. */
+  private int untilLook;
 
   /** The end of the current step. */
   private double end;
@@ -123,27 +135,33 @@ public final class CollidingEngine extends Engine {
     unfinished = false;
     end = last;
     prepare(last);
-    if (outgrown) {
+    if (outgrown || isRegionLeft()) {
       outgrown = false;
       begin();
     }
     scheduler.beginStep();
+    long usual = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * registry.count();
+    spent += play((long) (usual * options.budget()));
+    return reached;
+  }
+
+  /** Handles the events of the current step until the budget is spent; returns the work done. */
+  private long play(long budget) {
     double[] s = circles.state;
     int[] c = circles.codes;
-    long usual = EVENTS_PER_CALL + (long) EVENTS_PER_CIRCLE * registry.count();
-    long budget = (long) (usual * options.budget());
     ExactBudget work = ExactBudget.ofThread();
     long before = work.bits();
     for (long events = 0; ; events++) {
-      if (events + work.impactsSince(before) >= budget && scheduler.isAnyDue(end)) {
+      long done = events + work.impactsSince(before);
+      if (done >= budget && scheduler.isAnyDue(end)) {
         unfinished = true;
         spender = busiest();
-        return reached;
+        return done;
       }
       int i = scheduler.poll(end);
       if (i == Index.NONE) {
         reached = end;
-        return end;
+        return done;
       }
       advanceClock(scheduler.polledTime());
       int kind = EventScheduler.kind(c, i);
@@ -154,6 +172,15 @@ public final class CollidingEngine extends Engine {
         handle(s, c, i, kind);
       }
     }
+  }
+
+  /** Whether most circles are far from where the cells are narrow; it looks only now and then. */
+  private boolean isRegionLeft() {
+    if (untilLook > 0) {
+      return false;
+    }
+    untilLook = COLLISIONS_BETWEEN_LOOKS * registry.count();
+    return scheduler.isRegionLeft(registry.present());
   }
 
   /**
@@ -354,6 +381,7 @@ public final class CollidingEngine extends Engine {
     boolean standsStill = later > 0 ? b.isAt(head, tail) : a.isAt(head, tail);
     double flownA = a.advance(ofA, tau, head, tail, standsStill, obstacles);
     double flownB = b.advance(ofB, tau, head, tail, standsStill, obstacles);
+    untilLook--;
     cluster.forgetCrushersOf(a);
     cluster.forgetCrushersOf(b);
     return pairs.resolve(a, flownA, b, flownB, circles.allowsGravity(), log);

@@ -18,13 +18,11 @@ final class EventComparator implements EventOrder {
 
   private final double[] state;
   private final int[] codes;
-  private final NeighborGrid neighbors;
   private final PairResponse pairs;
 
-  EventComparator(CircleTable circles, NeighborGrid neighbors, PairResponse pairs) {
+  EventComparator(CircleTable circles, PairResponse pairs) {
     state = circles.state;
     codes = circles.codes;
-    this.neighbors = neighbors;
     this.pairs = pairs;
   }
 
@@ -85,7 +83,7 @@ final class EventComparator implements EventOrder {
   }
 
   private double crossingTail(int i) {
-    return tailAfter(i, neighbors.untilCrossing(state, i));
+    return tailAfter(i, NeighborGrid.untilCrossing(state, i));
   }
 
   /** The tail of the time at a given duration after the start of a circle's flight. */

@@ -6,6 +6,7 @@ import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.FlightRow;
+import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.util.Index;
 import java.util.Arrays;
@@ -66,7 +67,7 @@ final class EventScheduler {
     double[] walls = staticScene.obstacles.walls;
     neighbors = new NeighborGrid(circles, registry.slots(), walls, diameters, now);
     predictor = new CollisionPredictor(circles, pairs, sensed);
-    order = new EventComparator(circles, neighbors, pairs);
+    order = new EventComparator(circles, pairs);
     boolean many = room >= EventPrefetcher.LEAST_CIRCLES;
     EventPrefetcher prefetcher = many ? new EventPrefetcher(circles, registry, neighbors) : null;
     queue = new CalendarQueue(room, order, prefetcher, codes);
@@ -254,7 +255,7 @@ final class EventScheduler {
       kind = EventKind.PAIR;
     }
     if (obstacle <= time
-        && (obstacle < crossing || cleared(s, i) < neighbors.untilCrossing(s, i))
+        && (obstacle < crossing || cleared(s, i) < NeighborGrid.untilCrossing(s, i))
         && !(meeting <= obstacle && order.isMeetingBeforeObstacle(i))) {
       kind = EventKind.STATIC;
       time = obstacle;
@@ -296,6 +297,11 @@ final class EventScheduler {
    */
   boolean enter(int i, double now) {
     return neighbors.enter(i, now);
+  }
+
+  /** Whether most circles are outside the region of the cells. */
+  boolean isRegionLeft(LiveCodes present) {
+    return neighbors.isRegionLeft(present);
   }
 
   /** Schedules a new prediction of a circle at the given time, when all edits are done. */

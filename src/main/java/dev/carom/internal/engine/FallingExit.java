@@ -28,17 +28,14 @@ final class FallingExit {
    * flight began, bit for bit as {@link #find} has it. NaN if it stands still or may have turned
    * back, or will before it leaves: few do. The direction is unpredictable, so it takes no branch.
    */
-  static double ahead(double p, double v, double g, double since, double cell, double width) {
+  static double ahead(double p, double v, double g, double since, double cell, CellAxis axis) {
     if (g == 0) {
-      return CellExit.untilEdge(p, v, cell, width);
+      return CellExit.untilEdge(p, v, cell, axis);
     }
-    double way = CellExit.edge(v, cell, width) - p;
+    double way = CellExit.edge(v, cell, axis) - p;
     double square = v * v + 2 * g * way;
     // The least normal number covers underflow of -v / g.
-    boolean isAhead =
-        fma(g, since + Double.MIN_NORMAL, v) * v > GOING_ON * (v * v)
-            && square >= 0
-            && Math.abs(cell) < CellExit.FARTHEST;
+    boolean isAhead = fma(g, since + Double.MIN_NORMAL, v) * v > GOING_ON * (v * v) && square >= 0;
     return isAhead ? 2 * way / (v + Math.copySign(Math.sqrt(square), v)) : Double.NaN;
   }
 
@@ -49,19 +46,16 @@ final class FallingExit {
    * @param since the circle has been in this cell since this time of the flight, or longer
    * @param cell the column or the row
    */
-  void find(double p, double v, double g, double since, double cell, double width) {
+  void find(double p, double v, double g, double since, double cell, CellAxis axis) {
     after = NEVER;
-    if (!(Math.abs(cell) < CellExit.FARTHEST)) {
-      return;
-    }
     if (g == 0) {
       direction = v < 0 ? -1 : 1;
-      after = v == 0 ? NEVER : (edge(cell, direction, width) - p) / v;
+      after = v == 0 ? NEVER : (edge(cell, direction, axis) - p) / v;
       return;
     }
     double down = Math.signum(g);
     if (v * down < 0 && since < -v / g) {
-      double way = edge(cell, -down, width) - p;
+      double way = edge(cell, -down, axis) - p;
       double square = v * v + 2 * g * way;
       if (square >= 0) {
         direction = -down;
@@ -69,13 +63,13 @@ final class FallingExit {
         return;
       }
     }
-    double way = edge(cell, down, width) - p;
+    double way = edge(cell, down, axis) - p;
     double speed = Math.sqrt(Math.max(0, v * v + 2 * g * way));
     direction = down;
     after = v * down > 0 ? 2 * way / (v + down * speed) : (-v + down * speed) / g;
   }
 
-  private static double edge(double cell, double direction, double width) {
-    return (direction > 0 ? cell + 1 : cell) * width;
+  private static double edge(double cell, double direction, CellAxis axis) {
+    return axis.edge(direction > 0 ? cell + 1 : cell);
   }
 }

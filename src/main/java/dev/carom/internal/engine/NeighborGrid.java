@@ -5,12 +5,14 @@ import dev.carom.internal.state.BoundingBox;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.FlightRow;
+import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.util.Index;
 
 /**
  * The broad phase of moving circles: a hierarchical grid, with a level for each of the {@link
- * SizeClasses}. The cells of a level are a little wider than its largest diameter.
+ * SizeClasses}. The cells of a level are a little wider than its largest diameter, and wider still
+ * far away, see {@link CellAxis}.
  *
  * <p>A circle is listed on its own level and on every coarser one. Two circles that touch have
  * their centres in the same cell or in neighboring ones on the level of the larger circle. So a
@@ -21,9 +23,6 @@ public final class NeighborGrid {
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
-  /** The cell of a circle that is not listed. */
-  private static final double NOWHERE = Double.NaN;
-
   /** The numbers that a search may write beyond the circles that it finds. */
   static final int SPARE = 9;
 
@@ -31,16 +30,14 @@ public final class NeighborGrid {
 
   private final SizeClasses sizes;
 
-  /** The width of a cell on each level. */
-  private final double[] size;
+  /** The columns of each level, and likewise the rows, counted from the origin. */
+  private final CellAxis[] axes;
 
   private final double originX;
   private final double originY;
 
-  /** The cells of the first level, and their width. A single level needs no {@link CellLinks}. */
+  /** The cells of the first level. A single level needs no {@link CellLinks}. */
   private final CellGrid cells;
-
-  private final double width;
 
   /** With several levels, of each: its own circles, and the smaller ones that it lists too. */
   private final CellLinks[] own;
@@ -78,19 +75,20 @@ public final class NeighborGrid {
     originX = extent.left();
     originY = extent.bottom();
     sizes = new SizeClasses(circles, ids, extent, diameters);
-    size = sizes.widths;
-    levels = size.length;
-    width = levels == 0 ? 0 : size[0];
-    cells = levels == 0 ? null : cells(extent, width);
+    levels = sizes.widths.length;
+    cells = levels == 0 ? null : cells(extent, sizes.widths[0]);
+    axes = new CellAxis[levels];
     own = new CellLinks[levels];
     smaller = new CellLinks[levels];
     levelOf = new short[count];
     falls = circles.allowsGravity();
     int[] next = new int[levels == 1 ? 0 : count];
     for (int k = 0; k < levels; k++) {
-      own[k] = new CellLinks(k == 0 ? cells : cells(extent, size[k]), next, null);
+      double width = sizes.widths[k];
+      axes[k] = new CellAxis(width, powerOfTwo(extent.side() / width));
+      own[k] = new CellLinks(k == 0 ? cells : cells(extent, width), next, null);
       smaller[k] =
-          k == 0 ? null : new CellLinks(cells(extent, size[k]), new int[count], new int[count]);
+          k == 0 ? null : new CellLinks(cells(extent, width), new int[count], new int[count]);
     }
     for (int i = 0; i < count; i++) {
       codes[CircleTable.collidingCodesAt(i) + CircleTable.FOLLOWER] = Index.NONE;
@@ -107,8 +105,8 @@ public final class NeighborGrid {
 
   /** Cells that cover the extent, but at most about sixteen for each circle. */
   private CellGrid cells(BoundingBox extent, double cellWidth) {
-    int nx = powerOfTwo((extent.right() - extent.left()) / cellWidth + 2);
-    int ny = powerOfTwo((extent.top() - extent.bottom()) / cellWidth + 2);
+    int nx = powerOfTwo(extent.width() / cellWidth + 2);
+    int ny = powerOfTwo(extent.height() / cellWidth + 2);
     while ((long) nx * ny > 16L * count + 64) {
       if (nx >= ny) {
         nx /= 2;
@@ -132,46 +130,39 @@ public final class NeighborGrid {
   /** Finds the cells of a level that keep a distance from every wall. */
   private void limit(int level, double distance, double[] w) {
     int k = 4 * level;
-    double cellWidth = size[level];
     boolean open = w == null;
-    inside[k] = open ? -NEVER : Math.ceil((w[Codes.LEFT] + distance - originX) / cellWidth);
-    inside[k + 1] = open ? NEVER : Math.floor((w[Codes.RIGHT] - distance - originX) / cellWidth);
-    inside[k + 2] = open ? -NEVER : Math.ceil((w[Codes.BOTTOM] + distance - originY) / cellWidth);
-    inside[k + 3] = open ? NEVER : Math.floor((w[Codes.TOP] - distance - originY) / cellWidth);
+    CellAxis axis = axes[level];
+    inside[k] = open ? -NEVER : axis.cell(w[Codes.LEFT] + distance - originX) + 1;
+    inside[k + 1] = open ? NEVER : axis.cell(w[Codes.RIGHT] - distance - originX);
+    inside[k + 2] = open ? -NEVER : axis.cell(w[Codes.BOTTOM] + distance - originY) + 1;
+    inside[k + 3] = open ? NEVER : axis.cell(w[Codes.TOP] - distance - originY);
   }
 
   /**
-   * Lists a circle where it is at a given time, unless it is beyond the range of doubles.
+   * Lists a circle where it is at a given time.
    *
-   * @return false if no level was made for its radius, or the cells are too narrow so far away
+   * @return false if no level was made for its radius
    */
   public boolean enter(int i, double now) {
     int level = sizes.of(circles.radius(i));
-    double x = circles.x(i, now);
-    double y = circles.y(i, now);
-    if (level < 0 || !sizes.reach(x, y)) {
+    if (level < 0) {
       return false;
     }
     levelOf[i] = (short) level;
     if (falls) {
       state[CircleTable.collidingAt(i) + CircleTable.ENTERED] = circles.since(i, now);
     }
-    enter(i, x - originX, y - originY);
+    enter(i, circles.x(i, now) - originX, circles.y(i, now) - originY);
     return true;
   }
 
   private void enter(int i, double x, double y) {
-    boolean there = Math.abs(x) + Math.abs(y) < NEVER;
     for (int level = levelOf[i]; level < levels; level++) {
-      double column = there ? Math.floor(x / size[level]) : NOWHERE;
-      double row = there ? Math.floor(y / size[level]) : NOWHERE;
       int k = cellAt(i, level);
       double[] cellsOf = cellsOf(i, level);
-      cellsOf[k] = column;
-      cellsOf[k + 1] = row;
-      if (there) {
-        add(i, level, own[level].cells.cell(wrapped(column), wrapped(row)));
-      }
+      cellsOf[k] = axes[level].cell(x);
+      cellsOf[k + 1] = axes[level].cell(y);
+      add(i, level, own[level].cells.cell(wrapped(cellsOf[k]), wrapped(cellsOf[k + 1])));
     }
   }
 
@@ -195,12 +186,10 @@ public final class NeighborGrid {
     if (falls) {
       s[a + CircleTable.ENTERED] = 0;
     }
-    double cellWidth = width(i);
     double x = s[a + FlightRow.X] - originX;
     double y = s[a + FlightRow.Y] - originY;
-    double column = x - s[a + CircleTable.COLUMN] * cellWidth;
-    double row = y - s[a + CircleTable.ROW] * cellWidth;
-    if (column < 0 || column > cellWidth || row < 0 || row > cellWidth) {
+    CellAxis axis = axes[levelOf(i)];
+    if (!axis.holds(s[a + CircleTable.COLUMN], x) || !axis.holds(s[a + CircleTable.ROW], y)) {
       leave(i);
       enter(i, x, y);
     }
@@ -209,13 +198,7 @@ public final class NeighborGrid {
   /** Removes a circle from all lists. */
   public void leave(int i) {
     for (int level = levelOf(i); level < levels; level++) {
-      int k = cellAt(i, level);
-      double[] cellsOf = cellsOf(i, level);
-      if (isListed(cellsOf[k])) {
-        remove(i, level, cell(i, level));
-      }
-      cellsOf[k] = NOWHERE;
-      cellsOf[k + 1] = NOWHERE;
+      remove(i, level, cell(i, level));
     }
   }
 
@@ -225,10 +208,6 @@ public final class NeighborGrid {
     } else {
       list(i, level).remove(i, cell);
     }
-  }
-
-  private static boolean isListed(double column) {
-    return !Double.isNaN(column);
   }
 
   /** The level of a circle; no memory is read if there is only one. */
@@ -256,11 +235,6 @@ public final class NeighborGrid {
     return own[level].cells.cell(wrapped(coarse[k]), wrapped(coarse[k + 1]));
   }
 
-  /** The width of a cell of a circle's own level. */
-  private double width(int i) {
-    return levels == 1 ? width : size[levelOf[i]];
-  }
-
   private CellLinks list(int i, int level) {
     return level == levelOf(i) ? own[level] : smaller[level];
   }
@@ -281,62 +255,51 @@ public final class NeighborGrid {
         && row < inside[k + 3];
   }
 
-  /** When circle i next leaves a cell; stores which {@linkplain CellExit way} in its row. */
-  public double nextCrossing(double[] s, int[] c, int i) {
-    if (!falls) {
-      return nextCrossingStraight(s, c, i);
+  /** Whether more than half of the circles are outside the region, where cells are wide. */
+  boolean isRegionLeft(LiveCodes present) {
+    int far = 0;
+    for (int k = 0; k < present.size(); k++) {
+      far += isFar(present.get(k)) ? 1 : 0;
     }
-    return levels == 1 ? nextCrossingOfFalling(s, c, i) : nextCrossingOnLevels(s, c, i);
+    return 2 * far > present.size();
   }
 
-  /** The same without gravity. */
-  private double nextCrossingStraight(double[] s, int[] c, int i) {
+  private boolean isFar(int i) {
+    int a = CircleTable.collidingAt(i);
+    CellAxis axis = axes[levelOf(i)];
+    return axis.isFar(state[a + CircleTable.COLUMN]) || axis.isFar(state[a + CircleTable.ROW]);
+  }
+
+  /** When circle i next leaves a cell; stores which {@linkplain CellExit way} in its row. */
+  public double nextCrossing(double[] s, int[] c, int i) {
     int a = CircleTable.collidingAt(i);
     double x = s[a + FlightRow.X] - originX;
     double y = s[a + FlightRow.Y] - originY;
     double vx = s[a + FlightRow.VX];
     double vy = s[a + FlightRow.VY];
-    double column = s[a + CircleTable.COLUMN];
-    double row = s[a + CircleTable.ROW];
+    double gx = circles.gx(i);
+    double gy = circles.gy(i);
+    double since = s[a + CircleTable.ENTERED];
     int own = levelOf(i);
-    double cellWidth = width(i);
-    double dx = CellExit.untilEdge(x, vx, column, cellWidth);
-    double dy = CellExit.untilEdge(y, vy, row, cellWidth);
+    CellAxis axis = axes[own];
+    double dx = FallingExit.ahead(x, vx, gx, since, s[a + CircleTable.COLUMN], axis);
+    double dy = FallingExit.ahead(y, vy, gy, since, s[a + CircleTable.ROW], axis);
     double first = Math.min(dx, dy);
     int way = CellExit.way(own, dx, dy, vx, vy);
     for (int level = own + 1; level < levels; level++) {
       int k = cellAt(i, level);
-      dx = CellExit.untilEdge(x, vx, coarse[k], size[level]);
-      dy = CellExit.untilEdge(y, vy, coarse[k + 1], size[level]);
+      dx = FallingExit.ahead(x, vx, gx, since, coarse[k], axes[level]);
+      dy = FallingExit.ahead(y, vy, gy, since, coarse[k + 1], axes[level]);
       if (Math.min(dx, dy) < first) {
-        first = Math.min(dx, dy);
         way = CellExit.way(level, dx, dy, vx, vy);
       }
+      first = Math.min(first, Math.min(dx, dy));
     }
-    c[CircleTable.collidingCodesAt(i) + CircleTable.WAY] = way;
-    return first < NEVER ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], first) : NEVER;
+    return Double.isNaN(first) ? nextCrossingOfTurning(s, c, i) : keepCrossing(s, c, i, first, way);
   }
 
-  /** The same for one that may fall, in cells of a single level. */
-  private double nextCrossingOfFalling(double[] s, int[] c, int i) {
-    int a = CircleTable.collidingAt(i);
-    double x = s[a + FlightRow.X] - originX;
-    double y = s[a + FlightRow.Y] - originY;
-    double vx = s[a + FlightRow.VX];
-    double vy = s[a + FlightRow.VY];
-    double column = s[a + CircleTable.COLUMN];
-    double row = s[a + CircleTable.ROW];
-    double since = s[a + CircleTable.ENTERED];
-    double dx = FallingExit.ahead(x, vx, circles.gx(i), since, column, width);
-    double dy = FallingExit.ahead(y, vy, circles.gy(i), since, row, width);
-    double first = Math.min(dx, dy);
-    return Double.isNaN(first)
-        ? nextCrossingOnLevels(s, c, i)
-        : keepCrossing(s, c, i, first, CellExit.way(0, dx, dy, vx, vy));
-  }
-
-  /** The same for a circle that has cells on several levels, or may turn back in its cell. */
-  private double nextCrossingOnLevels(double[] s, int[] c, int i) {
+  /** The same for a circle that may turn back in its cell. */
+  private double nextCrossingOfTurning(double[] s, int[] c, int i) {
     int a = CircleTable.collidingAt(i);
     double x = s[a + FlightRow.X] - originX;
     double y = s[a + FlightRow.Y] - originY;
@@ -348,8 +311,8 @@ public final class NeighborGrid {
     for (int level = levelOf(i); level < levels; level++) {
       double[] cellsOf = cellsOf(i, level);
       int k = cellAt(i, level);
-      exitX.find(x, vx, circles.gx(i), since, cellsOf[k], size[level]);
-      exitY.find(y, vy, circles.gy(i), since, cellsOf[k + 1], size[level]);
+      exitX.find(x, vx, circles.gx(i), since, cellsOf[k], axes[level]);
+      exitY.find(y, vy, circles.gy(i), since, cellsOf[k + 1], axes[level]);
       double soonest = Math.min(exitX.after, exitY.after);
       if (soonest < first) {
         first = soonest;
@@ -359,37 +322,17 @@ public final class NeighborGrid {
     return keepCrossing(s, c, i, first, way);
   }
 
-  /** Keeps when and which way a falling circle leaves its cell; returns the time. */
-  private double keepCrossing(double[] s, int[] c, int i, double after, int way) {
+  /** Keeps when and which way a circle leaves its cell; returns the time. */
+  private static double keepCrossing(double[] s, int[] c, int i, double after, int way) {
     c[CircleTable.collidingCodesAt(i) + CircleTable.WAY] = way;
     int a = CircleTable.collidingAt(i);
     s[a + CircleTable.LEAVING] = after;
     return after < NEVER ? MovingCircle.sum(s[a + FlightRow.T], s[a + FlightRow.TL], after) : NEVER;
   }
 
-  /** How long after the start of its flight circle i leaves a cell. */
-  double untilCrossing(double[] s, int i) {
-    int a = CircleTable.collidingAt(i);
-    if (falls) {
-      return s[a + CircleTable.LEAVING];
-    }
-    double x = s[a + FlightRow.X] - originX;
-    double y = s[a + FlightRow.Y] - originY;
-    double vx = s[a + FlightRow.VX];
-    double vy = s[a + FlightRow.VY];
-    double column = s[a + CircleTable.COLUMN];
-    double row = s[a + CircleTable.ROW];
-    double cellWidth = width(i);
-    double first =
-        Math.min(
-            CellExit.untilEdge(x, vx, column, cellWidth),
-            CellExit.untilEdge(y, vy, row, cellWidth));
-    for (int level = levelOf(i) + 1; level < levels; level++) {
-      int k = cellAt(i, level);
-      first = Math.min(first, CellExit.untilEdge(x, vx, coarse[k], size[level]));
-      first = Math.min(first, CellExit.untilEdge(y, vy, coarse[k + 1], size[level]));
-    }
-    return first;
+  /** How long after the start of its flight circle i leaves a cell, by {@link #nextCrossing}. */
+  static double untilCrossing(double[] s, int i) {
+    return s[CircleTable.collidingAt(i) + CircleTable.LEAVING];
   }
 
   /**
@@ -455,9 +398,6 @@ public final class NeighborGrid {
   private int findOnLevels(int i, int[] found) {
     int end = 0;
     for (int level = levelOf[i]; level < levels; level++) {
-      if (!isListed(cellsOf(i, level)[cellAt(i, level)])) {
-        return 0;
-      }
       int cell = cell(i, level);
       end = own[level].around(cell, found, end);
       if (hasSmaller(i, level)) {

@@ -80,7 +80,7 @@ public final class SizeClasses {
    */
   public SizeClasses(CircleTable circles, int[] ids, BoundingBox extent, double diameters) {
     area = extent.area();
-    side = Math.max(extent.right() - extent.left(), extent.top() - extent.bottom());
+    side = extent.side();
     slack = ROUNDING * extent.farthest();
     this.diameters = diameters;
     falls = circles.allowsGravity();
@@ -122,27 +122,14 @@ public final class SizeClasses {
 
   private double width(Octave octave) {
     double diameter = 2 * octave.largest * (falls ? HEAP_SLACK : SLACK) * diameters;
-    double distance = Math.sqrt(area / octave.listed);
-    if (diameter == 0) { // points, which may stand in line, or at one place
-      distance = Math.max(distance, side / octave.listed);
-      return distance > 0 ? distance + slack : 1;
-    }
-    return (distance > SPARSE * diameter ? distance : diameter) + slack;
+    double distance = Math.max(Math.sqrt(area / octave.listed), side / octave.listed);
+    double width = distance > SPARSE * diameter ? distance : diameter;
+    return width > 0 ? width + slack : 1; // a diameter of 0 is that of points
   }
 
   /** The error bound of a position and an edge. */
   public double slack() {
     return slack;
-  }
-
-  /**
-   * Whether cells are wide enough for circles at a place: they are wider than diameters, by more
-   * than the rounding of that place.
-   */
-  boolean reach(double x, double y) {
-    double farthest = Math.max(Math.abs(x), Math.abs(y));
-    double spare = slack + 0.5 * (SLACK - 1) * widths[0];
-    return ROUNDING * farthest <= spare || farthest == Double.POSITIVE_INFINITY;
   }
 
   /** The class of a radius; -1 if the classes were made without it. */

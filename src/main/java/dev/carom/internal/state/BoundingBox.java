@@ -1,36 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.state;
 
-/**
- * The rectangle in which the circles of a scene move: its bounds, or without bounds the bounding
- * box of the centres.
- */
+import java.util.Arrays;
+import java.util.function.IntToDoubleFunction;
+
+/** A rectangle that holds most circles, all of them unless a few are far from the others. */
 public record BoundingBox(double left, double bottom, double right, double top) {
 
+  /** What is further away is left out: then no area, and no distance from it, overflows. */
+  private static final double FAR = 0x1p500;
+
+  /**
+   * On each axis the bounds, if half of the circles are between them. Else the range of the
+   * centres, cut off where it goes beyond the quartiles by more than their distance. Nothing is cut
+   * off if the centres are spread evenly.
+   */
   public static BoundingBox of(CircleTable circles, int[] ids, double[] walls, double now) {
-    if (walls != null) {
-      return new BoundingBox(
-          walls[Codes.LEFT], walls[Codes.BOTTOM], walls[Codes.RIGHT], walls[Codes.TOP]);
+    double[] x = range(ids, i -> circles.x(i, now), walls, Codes.LEFT, Codes.RIGHT);
+    double[] y = range(ids, i -> circles.y(i, now), walls, Codes.BOTTOM, Codes.TOP);
+    return new BoundingBox(x[0], y[0], x[1], y[1]);
+  }
+
+  private static double[] range(
+      int[] ids, IntToDoubleFunction place, double[] walls, int low, int high) {
+    double[] p =
+        Arrays.stream(ids).mapToDouble(place).filter(x -> Math.abs(x) <= FAR).sorted().toArray();
+    int last = p.length - 1;
+    if (last < 0) {
+      return new double[2];
     }
-    double left = Double.POSITIVE_INFINITY;
-    double bottom = Double.POSITIVE_INFINITY;
-    double right = Double.NEGATIVE_INFINITY;
-    double top = Double.NEGATIVE_INFINITY;
-    for (int i : ids) {
-      double x = circles.x(i, now);
-      double y = circles.y(i, now);
-      if (Math.abs(x) + Math.abs(y) < Double.POSITIVE_INFINITY) {
-        left = Math.min(left, x);
-        bottom = Math.min(bottom, y);
-        right = Math.max(right, x);
-        top = Math.max(top, y);
-      }
-    }
-    return left > right ? new BoundingBox(0, 0, 0, 0) : new BoundingBox(left, bottom, right, top);
+    double first = p[p.length / 4];
+    double third = p[last - p.length / 4];
+    double most = third - first;
+    return walls != null && walls[low] <= first && third <= walls[high]
+        ? new double[] {Math.max(walls[low], -FAR), Math.min(walls[high], FAR)}
+        : new double[] {Math.max(p[0], first - most), Math.min(p[last], third + most)};
+  }
+
+  public double width() {
+    return right - left;
+  }
+
+  public double height() {
+    return top - bottom;
+  }
+
+  /** The longer side. */
+  public double side() {
+    return Math.max(width(), height());
   }
 
   public double area() {
-    return (right - left) * (top - bottom);
+    return width() * height();
   }
 
   /** The largest absolute coordinate. */

@@ -16,8 +16,8 @@ public final class CircleTable {
   static final int STATE = 9;
 
   // Further columns of a circle that collides: its next predicted collision, see
-  // CollisionPredictor, and its cell; under gravity, how long after the start of its flight it came
-  // into its cells, and leaves the first of them.
+  // CollisionPredictor, and its cell; how long after the start of its flight it came into its cells
+  // (under gravity only), and leaves the first of them.
   public static final int MEETING = 9;
   public static final int MEETING_TAIL = 10;
   public static final int TAU = 11;

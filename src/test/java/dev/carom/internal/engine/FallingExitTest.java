@@ -28,16 +28,16 @@ class FallingExitTest {
    * Follows a circle from cell to cell; returns whether its last exit was found in the quick way.
    */
   private boolean exitIsTheSame(Random random) {
-    double width = 1 + random.nextDouble();
+    CellAxis axis = new CellAxis(1 + random.nextDouble(), 16);
     double p = 100 * random.nextGaussian();
     double v = random.nextGaussian();
     double g = Math.scalb(random.nextInt(3) - 1.0, -random.nextInt(12));
-    double cell = Math.floor(p / width);
+    double cell = axis.cell(p);
     double since = 0;
     boolean quick = false;
     for (int k = random.nextInt(6); k >= 0; k--) {
-      exit.find(p, v, g, since, cell, width);
-      double ahead = FallingExit.ahead(p, v, g, since, cell, width);
+      exit.find(p, v, g, since, cell, axis);
+      double ahead = FallingExit.ahead(p, v, g, since, cell, axis);
       quick = !Double.isNaN(ahead);
       if (quick) {
         assertThat(ahead).isEqualTo(exit.after);
@@ -60,6 +60,6 @@ class FallingExitTest {
     "-1e-10, 1e300, 1e-310"
   })
   void inDoubtThereIsNoQuickWay(double v, double g, double since) {
-    assertThat(FallingExit.ahead(0.5, v, g, since, 0, 2)).isNaN();
+    assertThat(FallingExit.ahead(0.5, v, g, since, 0, new CellAxis(2, 16))).isNaN();
   }
 }

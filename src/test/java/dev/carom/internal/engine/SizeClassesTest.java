@@ -54,6 +54,17 @@ class SizeClassesTest {
     assertThat(classes(square(2 * Math.nextUp(three)), 1, 1, 1, 1).widths[0]).isGreaterThan(three);
   }
 
+  /** Also in a row, which has no area. */
+  @Test
+  void cellsOfCirclesInARowAreAsWideAsTheirDistance() {
+    BoundingBox row = new BoundingBox(0, 3, 1e9, 3);
+    assertThat(classes(row, 1, 1).widths).containsExactly(5e8 + 0x1p-48 * 1e9);
+    assertThat(classes(row, 0, 0).widths).containsExactly(5e8 + 0x1p-48 * 1e9);
+    assertThat(classes(new BoundingBox(3, 0, 3, 12), 1, 1).widths)
+        .containsExactly(2 * SLACK + 0x1p-48 * 12);
+    assertThat(classes(new BoundingBox(3, 3, 3, 3), 0, 0).widths).containsExactly(1);
+  }
+
   /** In a square of 20 a crowd is 2 x 20^2 / 16^2 = 3.1 circles, those of radius 8 included. */
   @Test
   void classesAreSharedAsLongAsCirclesDoNotCrowdTheCells() {
@@ -72,7 +83,7 @@ class SizeClassesTest {
   @Test
   void fullIsNotCrowdedYet() {
     double width = 16 * SLACK + 0x1p-38;
-    BoundingBox extent = new BoundingBox(-1024, 0, -1023, 2 * width * width);
+    BoundingBox extent = new BoundingBox(-1024, 0, -1024 + 2 * width, width);
     assertThat(2 * extent.area() / (width * width)).isEqualTo(4);
     assertThat(classes(extent, 8, 8, 8, 4).radii).containsExactly(8);
     assertThat(classes(extent, 8, 8, 8, 4, 4).radii).containsExactly(4, 8);
