@@ -1085,6 +1085,7 @@ public final class World {
         registry.copy(),
         editor.limits.copy(),
         engine.save(now),
+        engine.lastTail(now),
         engine.gravity.x,
         engine.gravity.y);
   }
@@ -1121,7 +1122,7 @@ public final class World {
     editor.limits.set(state.limits());
     engine.staticScene.restore(state.obstacles());
     engine.setGravity(state.gx(), state.gy());
-    engine.restore(state.flights(), now);
+    engine.restore(state.flights(), now, state.tailOfEdit());
     if (recorder != null) {
       recorder.begin(now);
       engine.record(recorder);
@@ -1138,9 +1139,9 @@ public final class World {
    * Changes of removed lines and pegs have a budget by the same rule. So the memory of a recording
    * is bounded, however many things come and go.
    *
-   * <p>Besides flights, {@code most} limits four other things: the changes of each line and of each
-   * peg, those of the walls, those of each circle's properties, and the contacts of each circle
-   * that sensors report.
+   * <p>A change of a circle's properties within a flight counts as a flight, and so does a contact
+   * with another circle that a sensor reports. Besides, {@code most} limits the changes of each
+   * line and of each peg, and those of the walls.
    *
    * @param most the number of flights to keep of each circle, at least 1; beyond it the oldest are
    *     dropped. An edit of a circle begins a flight: for a circle that is edited in each frame,

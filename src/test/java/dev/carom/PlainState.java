@@ -8,10 +8,10 @@ import dev.carom.internal.response.PairResponse;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.Filter;
+import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
-import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.util.Kind;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -133,10 +133,11 @@ abstract class PlainState {
   }
 
   static MovingCircle copy(MovingCircle m) {
-    SavedFlights one = new SavedFlights(new int[] {m.id});
-    one.put(0, m, 0, 0);
+    FlightTable one = new FlightTable(1);
+    one.put(0, m);
     MovingCircle copy = new MovingCircle();
     one.get(0, copy);
+    copy.newFlight();
     copy.id = m.id;
     copy.filter = m.filter;
     return copy;

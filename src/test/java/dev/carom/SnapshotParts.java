@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import dev.carom.internal.state.SavedFlights;
+import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.WorldState;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -14,7 +14,7 @@ final class SnapshotParts {
 
   static Map<String, Object> of(Snapshot snapshot) {
     WorldState state = snapshot.state;
-    SavedFlights flights = state.flights();
+    FlightTable flights = state.flights();
     int[] ids = state.registry().ids();
     Map<String, Object> parts = new LinkedHashMap<>();
     parts.put("now", state.now());
@@ -22,19 +22,28 @@ final class SnapshotParts {
     parts.put("obstacles", state.obstacles());
     parts.put("limits", state.limits().largest() + ", " + state.limits().least());
     parts.put("id limit", state.registry().idLimit());
-    parts.put("tail of edit", flights.tailOfEdit);
+    parts.put("tail of edit", state.tailOfEdit());
     for (int k = 0; k < ids.length; k++) {
-      int n = k * SavedFlights.NUMBERS;
-      int c = k * SavedFlights.CODES;
       parts.put(
           "circle " + ids[k],
-          Arrays.toString(Arrays.copyOfRange(flights.numbers, n, n + SavedFlights.NUMBERS))
-              + Arrays.toString(Arrays.copyOfRange(flights.codes, c, c + SavedFlights.CODES))
-              + (flights.jams == null || flights.jams[k] == null
-                  ? ""
-                  : Arrays.toString(flights.jams[k].entries())));
+          columns(flights, k)
+              + (flights.jam(k) == null ? "" : Arrays.toString(flights.jam(k).entries())));
     }
     parts.put("registry", state.registry());
     return parts;
+  }
+
+  private static String columns(FlightTable flights, int k) {
+    StringBuilder text = new StringBuilder();
+    for (int group = 0; group < flights.numbers().length; group++) {
+      double[] numbers = flights.numbers()[group];
+      if (numbers != null) {
+        int n = FlightTable.width(group);
+        text.append(Arrays.toString(Arrays.copyOfRange(numbers, k * n, k * n + n)));
+      }
+    }
+    int c = FlightTable.CODES;
+    text.append(Arrays.toString(Arrays.copyOfRange(flights.codes, k * c, k * c + c)));
+    return text.toString();
   }
 }

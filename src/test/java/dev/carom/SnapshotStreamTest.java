@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.IgnoreList;
+import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.util.Kind;
 import java.io.ByteArrayInputStream;
@@ -46,9 +47,9 @@ class SnapshotStreamTest {
   private static final int TRAITS = ID + 8;
   private static final int MASS = TRAITS + 1;
   private static final int FLIGHT = TRAITS + 2 * 9 + 1;
-  private static final int LAST = FLIGHT + 2 * 11 * 8;
-  private static final int STUCK = LAST + 4;
-  private static final int PACE = LAST + 16;
+  private static final int LAST = FLIGHT + 2 * 9 * 8 + 2;
+  private static final int STUCK = LAST + 16;
+  private static final int PACE = LAST + 8;
   private static final int TAIL_OF_EDIT = LAST + 2 * 5 * 4 + 1;
 
   private static Snapshot read(byte[] bytes) throws IOException {
@@ -96,7 +97,7 @@ class SnapshotStreamTest {
     }
     world.addCircle(20, 20, 1, 1, 3);
     byte[] after = SnapshotBytes.of(world.snapshot());
-    assertThat(after).hasSize(before + 200 + 121);
+    assertThat(after).hasSize(before + 200 + 105);
     assertThat(read(after)).isEqualTo(world.snapshot());
   }
 
@@ -286,7 +287,7 @@ class SnapshotStreamTest {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putInt(VERSION, 1);
     assertRefused(
-        bytes, "its format version is 1: expected 8, the only one that this library reads");
+        bytes, "its format version is 1: expected 9, the only one that this library reads");
   }
 
   @ParameterizedTest
@@ -316,8 +317,8 @@ class SnapshotStreamTest {
         (FLIGHT + 24) + " | Infinity | vy is Infinity",
         (FLIGHT + 40) + " | 1 | the tail of a time is 1.0",
         (FLIGHT + 48) + " | 0 | radius is 0.0",
-        (FLIGHT + 56) + " | -1 | restitution is -1.0",
-        (FLIGHT + 64) + " | -1 | a flight is known for -1.0",
+        (FLIGHT + 56) + " | -1 | a flight is known for -1.0",
+        (FLIGHT + 64) + " | -1 | restitution is -1.0",
         TAIL_OF_EDIT + " | -1 | the tail of the time of an edit is -1.0",
         TAIL_OF_EDIT + " | 1 | the tail of the time of an edit is 1.0",
         TAIL_OF_EDIT + " | NaN | the tail of the time of an edit is NaN",
@@ -337,13 +338,13 @@ class SnapshotStreamTest {
         LAST + " | 268435457 | code 268435457 does not exist",
         LAST + " | 536870914 | code 536870914 does not exist",
         STUCK + " | -1 | the weight of impacts at one place is -1",
-        (LAST + 8) + " | -1 | codes sensed end with -1",
-        (LAST + 12) + " | -2 | a partner is circle -2",
+        (LAST + 12) + " | 5 | the flights are not as they are saved",
+        (LAST + 4) + " | 5 | the flights are not as they are saved",
         STUCK + " | 16777218 | the weight of impacts at one place is 16777218",
-        PACE + " | -262128 | the marks of a circle are -262128",
-        PACE + " | 262416 | the marks of a circle are 262416",
-        PACE + " | 17 | the marks of a circle are 17",
-        PACE + " | 48 | the marks of a circle are 48",
+        PACE + " | -262128 | the exponent of a speed is -1024",
+        PACE + " | 262416 | the exponent of a speed is 1025",
+        PACE + " | 17 | the flights are not as they are saved",
+        PACE + " | 48 | a turn is 2",
         ID + " | -1 | circle id is -1: expected 0 to 1",
         ID + " | 2 | circle id is 2: expected 0 to 1",
         (ID + 4) + " | 0 | circle id is 0: expected 1 to 1",
@@ -398,6 +399,19 @@ class SnapshotStreamTest {
   }
 
   @Test
+  void aSensedCircleThatMakesNoSenseIsRefused() throws IOException {
+    Snapshot snapshot = read(small());
+    snapshot.state.flights().putSensed(1, 5, 0, 0);
+    assertThat(SnapshotBytes.copy(snapshot)).isEqualTo(snapshot);
+    snapshot.state.flights().putSensed(1, 5, 0, -3);
+    assertRefused(SnapshotBytes.of(snapshot), "a partner is circle -3");
+    snapshot.state.flights().putSensed(1, Double.NaN, 0, 0);
+    assertRefused(SnapshotBytes.of(snapshot), "a number of a circle is NaN");
+    snapshot.state.flights().putSensed(1, 5, 0, MovingCircle.NOT_SENSED);
+    assertRefused(SnapshotBytes.of(snapshot), "the flights are not as they are saved");
+  }
+
+  @Test
   void aJamWithNothingIsRefused() throws IOException {
     Snapshot snapshot = read(small());
     snapshot.state.flights().jams = new IgnoreList[] {null, IgnoreList.with(null, 77)};
@@ -438,8 +452,8 @@ class SnapshotStreamTest {
 
   // Under gravity: of each circle its acceleration, support and slow contacts, then gravity.
 
-  private static final int FALLS = TAIL_OF_EDIT + 9;
-  private static final int GRAVITY = FALLS + 2 * 24;
+  private static final int FALLS = FLIGHT + 2 * 9 * 8 + 1;
+  private static final int GRAVITY = TAIL_OF_EDIT + 2 * 32 + 8;
 
   private static byte[] falling() {
     SceneBuilder scene = Scene.builder().bounds(0, 0, 100, 100).gravity(0, -0.125);
@@ -455,7 +469,7 @@ class SnapshotStreamTest {
       value = {
         FALLS + " | NaN | gx is NaN",
         (FALLS + 8) + " | Infinity | gy is Infinity",
-        (FALLS + 24) + " | Infinity | gx is Infinity",
+        (FALLS + 32) + " | Infinity | gx is Infinity",
         GRAVITY + " | NaN | gx is NaN",
         (GRAVITY + 8) + " | -Infinity | gy is -Infinity",
         FLIGHT + " | NaN | a number of a circle is NaN",
@@ -476,23 +490,23 @@ class SnapshotStreamTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "16 | 5 | code 5 does not exist",
-        "16 | 536870912 | code 536870912 does not exist",
+        "16 | 6 | code 5 does not exist",
+        "16 | 536870913 | code 536870912 does not exist",
         "16 | -6 | code 5 does not exist",
         "16 | -4 | code 3 does not exist",
-        "20 | 33 | the slow contacts of a circle are 33",
+        "24 | 33 | the slow contacts of a circle are 33",
       })
   void supportsThatMakeNoSenseAreRefused(int at, int number, String message) {
     byte[] bytes = falling();
-    ByteBuffer.wrap(bytes).putInt(FALLS + at, number);
+    ByteBuffer.wrap(bytes).putDouble(FALLS + at, number);
     assertRefused(bytes, message);
   }
 
   @ParameterizedTest
-  @CsvSource({"16, 0", "16, 3", "16, 4", "16, 268435456", "16, -5", "20, 32", "20, -7"})
+  @CsvSource({"16, 0", "16, 1", "16, 4", "16, 5", "16, 268435457", "16, -5", "24, 32", "24, -7"})
   void supportsAtTheirLimitsAreTaken(int at, int number) throws IOException {
     byte[] bytes = falling();
-    ByteBuffer.wrap(bytes).putInt(FALLS + at, number);
+    ByteBuffer.wrap(bytes).putDouble(FALLS + at, number);
     seal(bytes);
     assertThat(SnapshotBytes.of(read(bytes))).isEqualTo(bytes);
   }

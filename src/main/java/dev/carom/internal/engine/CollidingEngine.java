@@ -11,12 +11,12 @@ import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.FlightRow;
+import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
-import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.util.Index;
 import dev.carom.internal.util.Kind;
@@ -82,7 +82,6 @@ public final class CollidingEngine extends Engine {
   /** Whether an edit needs more room or other cells than exist. */
   private boolean outgrown;
 
-  private final SensorPairs sensed = new SensorPairs();
   private final MovingCircle other = new MovingCircle();
 
   public CollidingEngine(
@@ -96,7 +95,7 @@ public final class CollidingEngine extends Engine {
     for (int i = 0; i < count; i++) {
       circles.start(scene, i);
       release(circles.body);
-      circles.store(i, circles.body);
+      circles.put(i, circles.body);
     }
     begin();
   }
@@ -105,8 +104,7 @@ public final class CollidingEngine extends Engine {
   private void begin() {
     crossed = Double.NaN;
     double diameters = options.pairCells();
-    scheduler =
-        new EventScheduler(circles, registry, staticScene, pairs, sensed, diameters, reached);
+    scheduler = new EventScheduler(circles, registry, staticScene, pairs, diameters, reached);
     for (int i : registry.slots()) {
       scheduler.findNextObstacle(circles.state, circles.codes, i);
       scheduler.predict(i);
@@ -237,7 +235,7 @@ public final class CollidingEngine extends Engine {
     MovingCircle m = circles.body;
     if (m.next == MovingCircle.NOTHING) {
       staticScene.extend(m, m.cleared);
-      circles.store(i, m);
+      circles.put(i, m);
       scheduler.schedule(i);
       return;
     }
@@ -253,11 +251,11 @@ public final class CollidingEngine extends Engine {
     switch (result) {
       case ObstacleResponse.SENSED -> {
         staticScene.extend(m, m.cleared);
-        circles.store(i, m);
+        circles.put(i, m);
         scheduler.schedule(i);
       }
       case ObstacleResponse.STUCK -> {
-        circles.store(i, m);
+        circles.put(i, m);
         leaveJamsOfInfinite(i, turned);
         resolveContacts(i);
       }
@@ -331,8 +329,8 @@ public final class CollidingEngine extends Engine {
         scheduler.predict(s, c, low, high);
       }
       case ObstacleResponse.STUCK -> {
-        circles.store(low, circles.body);
-        circles.store(high, other);
+        circles.put(low, circles.body);
+        circles.put(high, other);
         resolveContacts(low, high);
       }
       default -> {
@@ -361,12 +359,10 @@ public final class CollidingEngine extends Engine {
     double head = CollisionPredictor.time(circles.state, i);
     double tail = CollisionPredictor.tail(circles.state, i);
     noteEvent(head, tail);
-    sensed.report(low, head, tail, high);
-    sensed.report(high, head, tail, low);
-    if (recorder != null) {
-      recorder.noteSensed(low, head, tail, high);
-      recorder.noteSensed(high, head, tail, low);
-    }
+    circles.putSensed(low, head, tail, high);
+    circles.putSensed(high, head, tail, low);
+    noteChange(low, head);
+    noteChange(high, head);
   }
 
   /** Advances two circles to the collision predicted of circle i, and resolves it. */
@@ -393,7 +389,7 @@ public final class CollidingEngine extends Engine {
     scheduler.comeBack(s, i);
     invalidate(c, i);
     if (recorder != null) {
-      recorder.add(m);
+      recorder.add(m, m.t);
     }
     scheduler.findNextObstacle(s, c, i);
   }
@@ -468,17 +464,12 @@ public final class CollidingEngine extends Engine {
       }
     }
     circles.jams[i] = jam;
-    circles.body.jam = jam;
-    noteContacts(circles.body, circles.body.t);
+    noteChange(i, circles.body.t);
   }
 
-  /**
-   * Marks a circle as changed: predictions of collisions with it are stale, and its sensor contacts
-   * are forgotten.
-   */
+  /** Marks a circle as changed: predictions of collisions with it are stale. */
   private void invalidate(int[] c, int i) {
     c[CircleTable.collidingCodesAt(i) + CircleTable.COUNT]++;
-    sensed.forget(i);
   }
 
   // Edits.
@@ -517,10 +508,10 @@ public final class CollidingEngine extends Engine {
       scheduler.remove(i);
     }
     staticScene.setRadius(i, m.radius);
-    circles.store(i, m);
+    circles.put(i, m);
     invalidate(circles.codes, i);
     if (recorder != null) {
-      recorder.add(m);
+      recorder.add(m, m.t);
     }
     outgrown = outgrown || !scheduler.enter(i, reached);
     repredict(i);
@@ -543,7 +534,7 @@ public final class CollidingEngine extends Engine {
 
   /** The tail of the last event if that was now, even if its circle was removed since. */
   @Override
-  double lastTail(double now) {
+  public double lastTail(double now) {
     return lastEvent == now ? Math.max(0, lastEventTail) : 0;
   }
 
@@ -596,7 +587,7 @@ public final class CollidingEngine extends Engine {
         } else {
           circles.body.forget(code, 0);
           store(i, circles.body);
-          noteContacts(circles.body, time);
+          noteChange(i, time);
         }
       }
     }
@@ -604,36 +595,17 @@ public final class CollidingEngine extends Engine {
 
   @Override
   void store(int i, MovingCircle m) {
-    circles.store(i, m);
+    circles.put(i, m);
     repredict(i);
   }
 
   // Time.
 
   @Override
-  void recordSensed(int i) {
-    sensed.record(i, recorder);
-  }
-
-  @Override
-  public SavedFlights save(double now) {
-    SavedFlights states = super.save(now);
-    int[] slots = registry.slots();
-    for (int k = 0; k < slots.length; k++) {
-      sensed.save(slots[k], registry, k, states);
-    }
-    return states;
-  }
-
-  @Override
-  public void restore(SavedFlights flights, double now) {
+  public void restore(FlightTable flights, double now, double tailOfEdit) {
     outgrown = true;
-    sensed.clear();
-    super.restore(flights, now);
+    super.restore(flights, now, tailOfEdit);
     lastEvent = now;
-    lastEventTail = flights.tailOfEdit;
-    for (int k = 0; k < flights.count(); k++) {
-      sensed.restore(k, registry, flights);
-    }
+    lastEventTail = tailOfEdit;
   }
 }

@@ -66,7 +66,6 @@ final class CollisionPredictor {
 
   private final CircleTable circles;
   private final PairResponse pairs;
-  private final SensorPairs sensed;
 
   /** Whether circles may have accelerations. */
   private final boolean falls;
@@ -83,8 +82,7 @@ final class CollisionPredictor {
 
   private final MeetingTime first = new MeetingTime();
 
-  CollisionPredictor(CircleTable circles, PairResponse pairs, SensorPairs sensed) {
-    this.sensed = sensed;
+  CollisionPredictor(CircleTable circles, PairResponse pairs) {
     this.circles = circles;
     this.pairs = pairs;
     falls = circles.allowsGravity();
@@ -504,7 +502,8 @@ final class CollisionPredictor {
    */
   private boolean isEntered(MeetingTime time, int i, int j) {
     return (time.tau > 0 || !pairs.isSensor(i, j))
-        && (sensed.isNew(i, time.head, time.tail, j) || sensed.isNew(j, time.head, time.tail, i));
+        && !(circles.isSensed(i, time.head, time.tail, j)
+            && circles.isSensed(j, time.head, time.tail, i));
   }
 
   /**

@@ -136,7 +136,7 @@ public final class Editor {
       restarted(slot, now).forget();
       engine.beginFlight(body);
     }
-    engine.noteProperties(slot, now);
+    engine.noteChange(slot, now);
   }
 
   /** Refuses to add an obstacle or a circle when all ids of its kind were given. */
@@ -329,7 +329,7 @@ public final class Editor {
     }
     if (Codes.isCircle(code)) {
       circles.setRestitution(Codes.slot(code), e);
-      engine.noteProperties(Codes.slot(code), now);
+      engine.noteChange(Codes.slot(code), now);
     } else {
       obstacles.setRestitution(code, e);
       engine.noteObstacle(code, now);
@@ -342,7 +342,6 @@ public final class Editor {
       MovingCircle m = restarted(slot, now);
       registry.setTraits(slot, ContactFlags.with(registry.traits(slot), response));
       engine.beginFlight(m);
-      engine.noteProperties(slot, now);
     } else if (Codes.isWall(code)) {
       if (response == ContactFlags.SENSOR) {
         throw Refusal.of(
@@ -380,7 +379,6 @@ public final class Editor {
       m.filter = filter;
       m.forget();
       engine.beginFlight(m);
-      engine.noteProperties(slot, now);
     }
   }
 

@@ -6,13 +6,14 @@ import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.Gravity;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.LiveCodes;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.TimelineRecorder;
+import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Index;
 
 /**
@@ -37,6 +38,9 @@ public abstract class Engine {
 
   /** The slot of the circle that exhausted the budget, if {@link #unfinished}. */
   public int spender = Index.NONE;
+
+  /** A circle to record. */
+  private final MovingCircle changed = new MovingCircle();
 
   /** Null unless flights are recorded. */
   TimelineRecorder recorder;
@@ -173,7 +177,7 @@ public abstract class Engine {
           letGo(circles.body, code);
         } else if (circles.body.forget(code, sensed)) {
           store(i, circles.body);
-          noteContacts(circles.body, reached);
+          noteChange(i, reached);
         }
       }
     }
@@ -231,17 +235,13 @@ public abstract class Engine {
       recorder.noteTail(reached, lastTail(reached));
       for (int i : registry.slots()) {
         circles.load(i);
-        recorder.add(circles.body);
-        recordSensed(i);
+        recorder.add(circles.body, circles.body.t);
       }
     }
   }
 
-  /** Records the last contact of two circles that a sensor reported in the flight of circle i. */
-  abstract void recordSensed(int i);
-
   /** The tail of the last event of circles that collide if that was now; else 0. */
-  abstract double lastTail(double now);
+  public abstract double lastTail(double now);
 
   /** Records that a line or a peg was added, changed or removed; walls are watched otherwise. */
   final void noteObstacle(int code, double now) {
@@ -250,45 +250,40 @@ public abstract class Engine {
     }
   }
 
-  /** Records that the mass, restitution, traits or filter of a circle were set. */
-  final void noteProperties(int i, double now) {
+  /** Records a circle that something changed within its flight. */
+  final void noteChange(int i, double now) {
     if (recorder != null) {
-      recorder.noteProperties(i, circles.restitution(i), now);
-    }
-  }
-
-  /** Records what a circle remembers of its contacts, if it changed within its flight. */
-  final void noteContacts(MovingCircle m, double now) {
-    if (recorder != null) {
-      recorder.noteContacts(m, now);
+      circles.load(i, changed);
+      recorder.add(changed, now);
     }
   }
 
   /** The flights of all circles. */
-  public SavedFlights save(double now) {
+  public FlightTable save(double now) {
     if (staticScene.obstacles.haveSensors()) {
       staticScene.prepare(circles, registry); // the search for met sensors needs the grids
     }
-    SavedFlights states = new SavedFlights(registry.ids());
     int[] slots = registry.slots();
+    FlightTable states = new FlightTable(slots.length);
     for (int k = 0; k < slots.length; k++) {
       circles.load(slots[k]);
       registry.toIds(circles.body);
-      staticScene.save(k, circles.body, now, states);
+      staticScene.forgetPrediction(circles.body, now);
+      states.put(k, circles.body);
     }
-    states.tailOfEdit = lastTail(now);
     return states;
   }
 
-  /** Replaces all flights by saved ones, which are those of the circles in the registry. */
-  public void restore(SavedFlights flights, double now) {
+  /**
+   * Replaces all flights by saved ones, which are those of the circles in the registry.
+   *
+   * @param tailOfEdit see {@link WorldState#tailOfEdit}
+   */
+  public void restore(FlightTable flights, double now, double tailOfEdit) {
     reached = now;
     circles.clear();
-    if (flights.haveAccelerations()) {
-      circles.allowGravity();
-    }
     MovingCircle m = circles.body;
-    for (int i = 0; i < flights.count(); i++) {
+    for (int i = 0; i < flights.capacity(); i++) {
       circles.add();
       flights.get(i, m);
       m.id = i;
@@ -300,8 +295,8 @@ public abstract class Engine {
 
   /** Compacts arrays in which most slots belong to removed circles. */
   public void compact(double now) {
-    SavedFlights flights = save(now);
+    FlightTable flights = save(now);
     registry.set(registry);
-    restore(flights, now);
+    restore(flights, now, lastTail(now));
   }
 }

@@ -53,7 +53,6 @@ final class EventScheduler {
       CircleRegistry registry,
       StaticScene staticScene,
       PairResponse pairs,
-      SensorPairs sensed,
       double diameters,
       double now) {
     this.circles = circles;
@@ -66,7 +65,7 @@ final class EventScheduler {
     foundOfOther = new int[room + NeighborGrid.SPARE];
     double[] walls = staticScene.obstacles.walls;
     neighbors = new NeighborGrid(circles, registry.slots(), walls, diameters, now);
-    predictor = new CollisionPredictor(circles, pairs, sensed);
+    predictor = new CollisionPredictor(circles, pairs);
     order = new EventComparator(circles, pairs);
     boolean many = room >= EventPrefetcher.LEAST_CIRCLES;
     EventPrefetcher prefetcher = many ? new EventPrefetcher(circles, registry, neighbors) : null;
@@ -228,7 +227,7 @@ final class EventScheduler {
   private void searchObstacles(int i) {
     circles.load(i);
     staticScene.extend(circles.body, 0);
-    circles.store(i, circles.body);
+    circles.put(i, circles.body);
   }
 
   /** Schedules the first event of a circle whose predictions are complete. */

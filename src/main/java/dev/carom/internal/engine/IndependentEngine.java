@@ -218,7 +218,7 @@ public final class IndependentEngine extends Engine {
     staticScene.setRadius(m.id, m.radius);
     circles.storeAndSetDue(m.id, m);
     if (recorder != null) {
-      recorder.add(m);
+      recorder.add(m, m.t);
     }
   }
 
@@ -229,13 +229,8 @@ public final class IndependentEngine extends Engine {
   }
 
   @Override
-  double lastTail(double now) {
+  public double lastTail(double now) {
     return 0;
-  }
-
-  @Override
-  void recordSensed(int i) {
-    // Circles that ignore each other do not sense each other.
   }
 
   @Override

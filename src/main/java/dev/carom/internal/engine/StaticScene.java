@@ -11,7 +11,6 @@ import dev.carom.internal.state.EngineDescription;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
-import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.SceneData;
 import java.util.Arrays;
 import java.util.function.IntToDoubleFunction;
@@ -140,13 +139,13 @@ public final class StaticScene {
   }
 
   /**
-   * Saves the flight of circle k. All sensors met by now count as reported, up to the next impact
-   * if that is due now. The save must not depend on how far ahead a search went: two equal worlds
-   * have equal snapshots, whenever each of them searched last.
+   * Replaces the prediction of a circle by the sensors that were reported: all those met by now, up
+   * to the next impact if that is due now. A save must not depend on how far ahead a search went:
+   * two equal worlds have equal snapshots, whenever each of them searched last.
    */
-  public void save(int k, MovingCircle m, double now, SavedFlights states) {
+  public void forgetPrediction(MovingCircle m, double now) {
     if (!obstacles.haveSensors()) {
-      states.put(k, m, 0, 0);
+      m.forgetPrediction(0, 0);
       return;
     }
     m.lookahead = MovingCircle.EDITED_LOOKAHEAD;
@@ -154,9 +153,9 @@ public final class StaticScene {
       extend(m, now - m.t);
     }
     if (m.due() > now) {
-      states.put(k, m, m.latestBy(now), Integer.MAX_VALUE);
+      m.forgetPrediction(m.latestBy(now), Integer.MAX_VALUE);
     } else {
-      states.put(k, m, m.cleared, sensedBefore(m.next));
+      m.forgetPrediction(m.cleared, sensedBefore(m.next));
     }
   }
 

@@ -4,13 +4,12 @@ package dev.carom.internal.io;
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.ContactFlags;
-import dev.carom.internal.state.ContactWord;
+import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.IgnoreList;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
-import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Check;
@@ -61,9 +60,10 @@ final class SnapshotChecks {
     bounds();
     motions(obstacles.motions());
     obstacles.kinds.forEach(this::obstacles);
-    SavedFlights flights = state.flights();
-    double tail = flights.tailOfEdit;
+    double tail = state.tailOfEdit();
     expect(tail >= 0 && tail <= Math.ulp(now), "the tail of the time of an edit is ", tail);
+    FlightTable flights = state.flights();
+    FlightTable again = new FlightTable(circles.count());
     MovingCircle m = new MovingCircle();
     for (int i = 0; i < circles.count(); i++) {
       traits(circles.traits(i), ContactFlags.MOST);
@@ -71,8 +71,10 @@ final class SnapshotChecks {
       flights.get(i, m);
       motion(m);
       contacts(m);
-      memory(flights, i);
+      m.forgetPrediction(m.cleared, m.sensedCode);
+      again.put(i, m);
     }
+    expect(flights.equals(again), "the flights are not as they are saved", "");
   }
 
   private void limits() {
@@ -165,17 +167,16 @@ final class SnapshotChecks {
     int slow = m.slowContacts;
     expect(slow <= MovingCircle.SLOW_LIMIT, "the slow contacts of a circle are ", slow);
     expect(MovingCircle.isStuckWeight(m.stuck), "the weight of impacts at one place is ", m.stuck);
+    int exponent = m.speedExponent;
+    expect(
+        exponent >= Double.MIN_EXPONENT - 1 && exponent <= Double.MAX_EXPONENT + 1,
+        "the exponent of a speed is ",
+        exponent);
+    expect(Math.abs(m.turn) <= 1, "a turn is ", m.turn);
+    double sensed = m.sensedHead + m.sensedTail;
+    expect(!Double.isNaN(sensed), "a number of a circle is ", sensed);
+    expect(m.sensedPartner >= MovingCircle.NOT_SENSED, "a partner is circle ", m.sensedPartner);
     expect(m.sensedCode >= 0, "codes sensed end with ", m.sensedCode);
-  }
-
-  private static void memory(SavedFlights flights, int i) {
-    double head = flights.sensedHead(i);
-    double tail = flights.sensedTail(i);
-    expect(!Double.isNaN(head) && !Double.isNaN(tail), "a number of a circle is ", Double.NaN);
-    int partner = flights.sensedPartner(i);
-    expect(partner >= MovingCircle.NOTHING, "a partner is circle ", partner);
-    int marks = flights.memory(i);
-    expect(ContactWord.isValid(marks), "the marks of a circle are ", marks);
   }
 
   /** Whether there is a circle of a code, or was an obstacle; walls need not be there. */

@@ -3,12 +3,11 @@ package dev.carom.internal.io;
 
 import dev.carom.internal.state.CircleRegistry;
 import dev.carom.internal.state.Codes;
+import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.IgnoreList;
-import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
-import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SceneDataBuilder;
 import dev.carom.internal.state.SizeLimits;
@@ -40,7 +39,7 @@ final class SnapshotFields {
   /** "CAROM" and a zero byte, which no text contains. */
   private static final long MARK = 0x4341524F4D00L;
 
-  private static final int VERSION = 8;
+  private static final int VERSION = 9;
 
   private final FieldStream f;
 
@@ -56,7 +55,8 @@ final class SnapshotFields {
         scene.obstacles,
         new CircleRegistry(scene, 0),
         new SizeLimits(),
-        new SavedFlights(new int[0]),
+        new FlightTable(0),
+        0,
         0,
         0);
   }
@@ -75,11 +75,12 @@ final class SnapshotFields {
     double least = f.number(s.limits().least());
     ObstacleTable obstacles = obstacles(s.obstacles());
     CircleRegistry circles = circles(s.registry());
-    SavedFlights flights = flights(s.flights(), circles.ids());
+    FlightTable flights = flights(s.flights(), circles.count());
+    double tailOfEdit = f.number(s.tailOfEdit());
     double gx = f.number(s.gx());
     double gy = f.number(s.gy());
     SizeLimits limits = new SizeLimits(largest, least);
-    return new WorldState(now, collide, obstacles, circles, limits, flights, gx, gy);
+    return new WorldState(now, collide, obstacles, circles, limits, flights, tailOfEdit, gx, gy);
   }
 
   private ObstacleTable obstacles(ObstacleTable given) throws IOException {
@@ -152,14 +153,15 @@ final class SnapshotFields {
     return new CircleRegistry(masses.toArray(), traits.toByteArray(), filters, ids, idLimit);
   }
 
-  private SavedFlights flights(SavedFlights given, int[] ids) throws IOException {
-    int count = ids.length;
-    double[] numbers = f.numbers(given.numbers, count, SavedFlights.NUMBERS);
-    int[] codes = f.integers(given.codes, count, SavedFlights.CODES);
-    SavedFlights flights = new SavedFlights(ids, numbers, codes, jams(given.jams, count));
-    flights.tailOfEdit = f.number(given.tailOfEdit);
-    accelerations(given, flights);
-    return flights;
+  /** All columns; of those that no circle needs, only that they are missing. */
+  private FlightTable flights(FlightTable given, int count) throws IOException {
+    double[][] numbers = given.numbers();
+    for (int k = 0; k < numbers.length; k++) {
+      boolean there = k == 0 || f.flag(numbers[k] != null);
+      numbers[k] = there ? f.numbers(numbers[k], count, FlightTable.width(k)) : null;
+    }
+    int[] codes = f.integers(given.codes, count, FlightTable.CODES);
+    return new FlightTable(numbers, codes, jams(given.jams, count));
   }
 
   /** The ignore lists of all circles, or only that no circle is jammed. */
@@ -174,24 +176,6 @@ final class SnapshotFields {
       jams.add(IgnoreList.of(f.integers(entries, size, 1)));
     }
     return jams.toArray(IgnoreList[]::new);
-  }
-
-  /** What moves each circle, or only that nothing does. */
-  private void accelerations(SavedFlights given, SavedFlights flights) throws IOException {
-    boolean falls = f.flag(given.haveAccelerations());
-    MovingCircle m = new MovingCircle();
-    for (int i = 0; falls && i < flights.count(); i++) {
-      if (i < given.count()) {
-        given.get(i, m);
-      }
-      m.gx = f.number(m.gx);
-      m.gy = f.number(m.gy);
-      m.setSupport(f.integer(m.supportWord()));
-      m.slowContacts = f.integer(m.slowContacts);
-      if (m.isFalling()) {
-        flights.putAcceleration(i, m);
-      }
-    }
   }
 
   /** The filters of all things of a kind, or only that each is the default. */

@@ -203,23 +203,19 @@ public final class CircleRegistry {
     return slot;
   }
 
-  /** The id of the last live circle up to a slot; negative if there is none. */
-  public int lastId(int slot) {
-    int last = slot;
-    while (last >= 0 && !contains(last)) {
-      last--;
-    }
-    return last < 0 ? NONE : id(last);
-  }
-
   /**
    * Converts the slots of other circles in a circle's state to ids, for a snapshot. Drops a removed
-   * one.
+   * one; for a sensed one stands the live circle before it.
    */
   public void toIds(MovingCircle m) {
-    boolean removed = Codes.isCircle(m.last) && !contains(Codes.slot(m.last));
-    m.last = removed ? MovingCircle.NOTHING : codeWithId(m.last);
-    m.jam = jamWithIds(m.jam);
+    if (Codes.isCircle(m.last)) {
+      int slot = Codes.slot(m.last);
+      m.last = contains(slot) ? Codes.circle(id(slot)) : MovingCircle.NOTHING;
+    }
+    m.jam = ids == null || m.jam == null ? m.jam : m.jam.ofOtherCircles(this::id);
+    if (m.sensedPartner >= 0) {
+      m.sensedPartner = lastId(m.sensedPartner);
+    }
   }
 
   /** The inverse of {@link #toIds}. */
@@ -230,23 +226,24 @@ public final class CircleRegistry {
     if (m.jam != null && ids != null) {
       m.jam = m.jam.ofOtherCircles(this::slot);
     }
+    if (m.sensedPartner >= 0) {
+      m.sensedPartner = slot(m.sensedPartner);
+    }
   }
 
-  /** A code in which an id stands for the slot of a circle. */
-  int codeWithId(int code) {
-    return ids == null || !Codes.isCircle(code) ? code : Codes.circle(id(Codes.slot(code)));
+  /** The largest id of a live circle that is not above a given one; negative if none is. */
+  int lastIdUpTo(int id) {
+    int k = ids == null ? Math.min(id, end - 1) : Arrays.binarySearch(ids, 0, end, id);
+    return lastId(k < 0 ? -2 - k : k);
   }
 
-  /** An ignore list, which may be null, with ids for the slots of circles. */
-  IgnoreList jamWithIds(IgnoreList jam) {
-    return ids == null || jam == null ? jam : jam.ofOtherCircles(this::id);
-  }
-
-  /** The largest of some ascending ids that is not above a given one; negative if none is. */
-  static int lastId(int[] ids, int upTo) {
-    int k = Arrays.binarySearch(ids, upTo);
-    int last = k < 0 ? -2 - k : k;
-    return last < 0 ? NONE : ids[last];
+  /** The id of the last live circle up to a slot; negative if there is none. */
+  int lastId(int slot) {
+    int last = slot;
+    while (last >= 0 && !contains(last)) {
+      last--;
+    }
+    return last < 0 ? NONE : id(last);
   }
 
   // Changes.

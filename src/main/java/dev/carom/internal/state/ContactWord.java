@@ -19,30 +19,17 @@ public final class ContactWord {
 
   private ContactWord() {}
 
-  /** Encodes a circle's history of impacts with a contact, 0 for none. */
-  static int of(MovingCircle m, int contact) {
+  /** Encodes a circle's history of impacts with the contact of its next one. */
+  static int of(MovingCircle m) {
     int pushed = m.pushed ? PUSHED : 0;
-    return m.speedExponent << EXPONENT_SHIFT | pushed | (m.turn + 1) << TURN_SHIFT | contact;
+    return m.speedExponent << EXPONENT_SHIFT | pushed | (m.turn + 1) << TURN_SHIFT | m.contact;
   }
 
-  static int contact(int word) {
-    return word & CONTACT;
-  }
-
-  /** Decodes the history of impacts into a circle, without the contact. */
+  /** The inverse of {@link #of}. */
   static void recall(int word, MovingCircle m) {
+    m.contact = word & CONTACT;
     m.speedExponent = word >> EXPONENT_SHIFT;
     m.pushed = (word & PUSHED) != 0;
     m.turn = (word >> TURN_SHIFT & TURN) - 1;
-  }
-
-  /** Whether a number is a valid word without a contact. */
-  public static boolean isValid(int word) {
-    MovingCircle m = new MovingCircle();
-    recall(word, m);
-    return of(m, 0) == word
-        && Math.abs(m.turn) <= 1
-        && m.speedExponent >= Double.MIN_EXPONENT - 1
-        && m.speedExponent <= Double.MAX_EXPONENT + 1;
   }
 }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.state;
 
-import java.util.ArrayDeque;
 import java.util.Arrays;
-import java.util.Deque;
 import java.util.stream.IntStream;
 
 /**
@@ -16,8 +14,6 @@ final class FlightHistories {
 
   private static final int FIRST_ROOM = 16;
 
-  private final int most;
-
   /** The ids of all histories, ascending. A dropped history is null. */
   private int[] ids = new int[FIRST_ROOM];
 
@@ -28,13 +24,8 @@ final class FlightHistories {
   /** The index found last. The next id asked for is often the same, or the one after it. */
   private int found;
 
-  /** The ids of removed circles in order of removal, and the number of flights kept of them. */
-  private final Deque<Integer> removed = new ArrayDeque<>();
-
-  private long flightsOfRemoved;
-
-  private int present;
-  private int mostPresent;
+  private final int most;
+  private final Remains remains;
 
   /** One more than the largest id that was given before the first, or of which all is dropped. */
   private int idLimit;
@@ -49,6 +40,7 @@ final class FlightHistories {
    */
   FlightHistories(int most, int idLimit) {
     this.most = most;
+    remains = new Remains(most);
     this.idLimit = idLimit;
   }
 
@@ -62,23 +54,20 @@ final class FlightHistories {
     return k < 0 ? null : tracks[k];
   }
 
-  /** Makes {@link #start} later if a history dropped something for lack of room. */
-  void noteDrop(FlightHistory track) {
-    if (track.hasDropped()) {
-      start = Math.max(start, track.completeFrom());
-    }
+  /** Makes {@link #start} later, as something before a time was dropped. */
+  void drop(double time) {
+    start = Math.max(start, time);
   }
 
   /** Adds the history of a new circle. Circles must be added in order of their ids. */
-  FlightHistory create(int id, CircleProperties properties) {
+  FlightHistory create(int id) {
     if (size == ids.length) {
       ids = Arrays.copyOf(ids, 2 * size);
       tracks = Arrays.copyOf(tracks, 2 * size);
     }
-    present++;
-    mostPresent = Math.max(mostPresent, present);
+    remains.appear(1);
     ids[size] = id;
-    tracks[size] = new FlightHistory(most, properties);
+    tracks[size] = new FlightHistory(most);
     return tracks[size++];
   }
 
@@ -115,19 +104,17 @@ final class FlightHistories {
   void remove(int id, double now) {
     FlightHistory track = get(id);
     track.end(now);
-    present--;
-    flightsOfRemoved += track.size();
-    removed.add(id);
-    while (flightsOfRemoved > (long) most * mostPresent) {
+    remains.remove(id, track.size());
+    while (remains.isFull()) {
       dropFirst();
     }
   }
 
   private void dropFirst() {
-    int k = find(removed.remove());
+    int k = find(remains.first());
+    remains.dropFirst(tracks[k].size());
     idLimit = Math.max(idLimit, ids[k] + 1);
-    flightsOfRemoved -= tracks[k].size();
-    start = Math.max(start, tracks[k].end());
+    drop(tracks[k].end());
     tracks[k] = null;
     dropped++;
     if (dropped > size / 2) {

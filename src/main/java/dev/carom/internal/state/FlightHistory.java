@@ -1,208 +1,131 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.state;
 
-import java.util.Objects;
+import java.util.Arrays;
 
 /**
- * The recorded flights of one circle, in a ring buffer that drops the oldest flight when it is
- * full, and what changed within them.
+ * The recorded past of one circle: a row for each flight, and for each change within a flight, in
+ * order of time. Other circles are named by their ids.
  */
-public final class FlightHistory {
+public final class FlightHistory extends FlightTable {
 
   private static final int FIRST_ROOM = 8;
 
-  /**
-   * A change within a flight, which holds for the rest of it.
-   *
-   * @param flight the number of the flight, counted from the first that was ever added
-   * @param sensedHead the time of the last contact of two circles that a sensor reported, as head
-   *     and tail; -1 for none
-   * @param partner the id of the other circle in that contact
-   */
-  private record Amendment(
-      long flight,
-      int last,
-      int stuck,
-      IgnoreList jam,
-      double sensedHead,
-      double sensedTail,
-      int partner) {
-
-    boolean isContact(int itsLast, int itsStuck, IgnoreList itsJam) {
-      return last == itsLast && stuck == itsStuck && Objects.equals(jam, itsJam);
-    }
-  }
-
   private final int most;
-  private final FlightRows rows;
-  private int oldest;
-  private int size;
 
-  /** The number of flights that were ever added. */
-  private long begun;
+  /** The properties of the circle at first. */
+  private CircleProperties firstProperties;
 
-  private final CircleProperties firstProperties;
-
-  /** The properties since; null until the first change. */
+  /** Those since; null until the first change. */
   private Changes<CircleProperties> properties;
 
-  /** Null until the first. */
-  private Changes<Amendment> amendments;
+  /** From when on each row holds; null as long as each holds from the start of its flight. */
+  private double[] times;
 
-  /** Whether anything was dropped for lack of room. */
-  private boolean drops;
+  /** The number of rows, and the place of the oldest one in the arrays: these are a ring. */
+  private int size;
 
-  /** The time from which no change within a flight was dropped. */
-  private double completeFrom = Double.NEGATIVE_INFINITY;
+  private int oldest;
 
-  /** The flight found last. The next query is usually about the same one. */
+  /** From when on the newest row holds. */
+  private double newest = Double.NEGATIVE_INFINITY;
+
+  /** The row found last. The next query is usually about the same one. */
   private int found;
 
   /** The time at which the circle was removed. */
-  private double end = Double.POSITIVE_INFINITY;
+  private double removed = Double.POSITIVE_INFINITY;
 
-  /** Creates a history of at most that many flights. */
-  FlightHistory(int most, CircleProperties properties) {
+  /** Creates a history of at most that many rows. */
+  FlightHistory(int most) {
+    super(Math.min(most, FIRST_ROOM), 0, NUMBERS, 0, 0);
     this.most = most;
-    firstProperties = properties;
-    rows = new FlightRows(Math.min(most, FIRST_ROOM));
   }
 
-  /** Adds a flight; drops the oldest one if there is no room. */
-  void add(MovingCircle m, boolean confined, CircleRegistry registry) {
-    rows.put(next(), m, confined, registry);
-  }
-
-  /** Adds flight i of a table. */
-  void add(FlightRows from, int i) {
-    rows.copy(next(), from, i);
-  }
-
-  /** The index of the row for the next flight. */
-  private int next() {
-    begun++;
-    if (size == most) {
-      oldest = oldest + 1 == most ? 0 : oldest + 1;
-      size--;
-      drops = true;
-    } else if (size == rows.room()) {
-      rows.resize((int) Math.min(2L * size, most));
+  /**
+   * Adds a row that holds from a time on, in place of one that holds from the same time.
+   *
+   * @return whether the oldest row was dropped
+   */
+  boolean add(MovingCircle m, double time, CircleProperties its) {
+    boolean replaces = newest >= time;
+    newest = time;
+    boolean drops = !replaces && size == most;
+    if (drops) {
+      oldest = place(1);
+    } else if (!replaces && size++ == capacity()) {
+      extend((int) Math.min(2L * size, most));
     }
-    return at(size++);
-  }
-
-  /** Notes that properties are other ones from a time on. */
-  void noteProperties(double from, CircleProperties its) {
-    properties = properties == null ? new Changes<>() : properties;
-    properties.set(from, its);
-    if (properties.keep(most)) {
-      complete(properties.start());
+    int k = place(size - 1);
+    if (times == null && time != m.t) {
+      times = new double[capacity()];
+      Arrays.setAll(times, this::start);
     }
+    if (times != null) {
+      times[k] = time;
+    }
+    put(k, m);
+    setProperties(time, its);
+    return drops;
   }
 
-  /** Notes the contacts of the last flight from a time on, if they are not those known. */
-  void noteContacts(double from, int last, int stuck, IgnoreList jam) {
-    Amendment known = lastAmendment();
-    if (!known.isContact(last, stuck, jam)) {
-      amend(
-          from,
-          new Amendment(
-              begun, last, stuck, jam, known.sensedHead, known.sensedTail, known.partner));
+  private void setProperties(double time, CircleProperties its) {
+    if (firstProperties == null) {
+      firstProperties = its;
+    } else if (!its.equals(properties())) {
+      properties = properties == null ? new Changes<>() : properties;
+      properties.set(time, its);
+      properties.keep(most); // each change has a row
     }
   }
 
-  /** Notes a contact with another circle that a sensor reported. */
-  void noteSensed(double head, double tail, int partner) {
-    Amendment known = lastAmendment();
-    amend(head, new Amendment(begun, known.last, known.stuck, known.jam, head, tail, partner));
+  private void extend(int room) {
+    resize(room);
+    times = times == null ? null : Arrays.copyOf(times, room);
   }
 
-  private void amend(double from, Amendment amendment) {
-    amendments = amendments == null ? new Changes<>() : amendments;
-    amendments.set(from, amendment);
-    if (amendments.keep(most)) {
-      complete(amendments.start());
-    }
+  /** The place of row i in the arrays. */
+  private int place(int i) {
+    int place = oldest + i;
+    return place < capacity() ? place : place - capacity();
   }
 
-  private void complete(double from) {
-    drops = true;
-    completeFrom = Math.max(completeFrom, from);
-  }
-
-  private Amendment lastAmendment() {
-    Amendment last = amendments == null ? null : amendments.last();
-    return last != null && last.flight == begun ? last : unamended(size - 1);
-  }
-
-  private Amendment unamended(int i) {
-    int row = at(i);
-    return new Amendment(number(i), rows.last(row), rows.stuck(row), rows.jam(row), -1, 0, 0);
-  }
-
-  private Amendment amendment(int i, double t) {
-    Amendment last = amendments == null ? null : amendments.at(t);
-    return last != null && last.flight == number(i) ? last : unamended(i);
-  }
-
-  /** The number of flight i, counted from the first that was ever added. */
-  private long number(int i) {
-    return begun - size + 1 + i;
-  }
-
-  /** Ends the history: no flight is added after this. */
+  /** Ends the history: no row is added after this. */
   void end(double now) {
-    end = now;
-    if (begun == size) {
-      rows.resize(size);
+    removed = now;
+    if (size < capacity()) {
+      extend(size);
     }
   }
 
   /** The time at which the circle was removed; infinite while it exists. */
   double end() {
-    return end;
+    return removed;
   }
 
-  /** The number of flights and of changes within them. */
   int size() {
-    return size
-        + (amendments == null ? 0 : amendments.size())
-        + (properties == null ? 0 : properties.size());
+    return size;
   }
 
-  /** The time from which nothing was dropped for lack of room. */
-  double completeFrom() {
-    return drops ? Math.max(completeFrom, startOf(0)) : completeFrom;
-  }
-
-  /** Whether anything was dropped for lack of room. */
-  boolean hasDropped() {
-    return drops;
-  }
-
-  /** The start time of the oldest flight that is kept. */
+  /** The time from which the circle is known. */
   double start() {
-    return startOf(0);
+    return time(place(0));
   }
 
-  private double startOf(int i) {
-    return rows.start(at(i));
+  private double time(int k) {
+    return times == null ? start(k) : times[k];
   }
 
-  /** The index of the last flight that began by a time, which is not before the start. */
+  /** The last row that holds from a time or earlier; the time is not before the start. */
   public int find(double t) {
-    return at(indexAt(t));
-  }
-
-  private int indexAt(double t) {
-    if (!isAt(found, t)) {
+    boolean isSame =
+        found < size
+            && time(place(found)) <= t
+            && (found + 1 == size || t < time(place(found + 1)));
+    if (!isSame) {
       found = search(t);
     }
-    return found;
-  }
-
-  private boolean isAt(int i, double t) {
-    return i < size && startOf(i) <= t && (i + 1 == size || t < startOf(i + 1));
+    return place(found);
   }
 
   private int search(double t) {
@@ -210,7 +133,7 @@ public final class FlightHistory {
     int high = size - 1;
     while (low < high) {
       int middle = (low + high + 1) >>> 1;
-      if (startOf(middle) <= t) {
+      if (time(place(middle)) <= t) {
         low = middle;
       } else {
         high = middle - 1;
@@ -220,23 +143,15 @@ public final class FlightHistory {
   }
 
   public double x(int k, double t, double[] walls) {
-    return rows.x(k, t, walls);
+    double free = freeX(k, t);
+    double confined = confinedX(k, free, walls);
+    return confined == free || properties(t).confined() ? confined : free;
   }
 
   public double y(int k, double t, double[] walls) {
-    return rows.y(k, t, walls);
-  }
-
-  public double vx(int k, double t) {
-    return rows.vx(k, t);
-  }
-
-  public double vy(int k, double t) {
-    return rows.vy(k, t);
-  }
-
-  public double radius(int k) {
-    return rows.radius(k);
+    double free = freeY(k, t);
+    double confined = confinedY(k, free, walls);
+    return confined == free || properties(t).confined() ? confined : free;
   }
 
   /** The properties at a time. */
@@ -245,41 +160,15 @@ public final class FlightHistory {
     return changed == null ? firstProperties : changed;
   }
 
-  /** Loads the circle as it was at a time, with ids for other circles, without a prediction. */
+  /** The properties now; null before the first row. */
+  CircleProperties properties() {
+    return properties == null ? firstProperties : properties.last();
+  }
+
+  /** Loads the circle as it was at a time, without a prediction. */
   void load(double t, MovingCircle m) {
-    int i = indexAt(t);
-    rows.get(at(i), m);
+    get(find(t), m);
+    m.forgetPrediction(0, 0);
     m.restitution = properties(t).restitution();
-    Amendment its = amendment(i, t);
-    m.last = its.last;
-    m.stuck = its.stuck;
-    m.jam = its.jam;
-  }
-
-  /**
-   * Saves the last contact that a sensor among circles had reported at a time, as number k.
-   *
-   * @param ids the ids of the circles that existed then, ascending
-   */
-  void saveSensed(double t, int[] ids, int k, SavedFlights states) {
-    Amendment its = amendment(indexAt(t), t);
-    states.putSensed(k, its.sensedHead, its.sensedTail, CircleRegistry.lastId(ids, its.partner));
-  }
-
-  /** The tail of the last event of this circle if that was at a time; at least 0. */
-  double tail(double t) {
-    int i = indexAt(t);
-    Amendment its = amendment(i, t);
-    double ofFlight = startOf(i) == t ? rows.startTail(at(i)) : 0;
-    double ofSensor = its.sensedHead == t ? its.sensedTail : 0;
-    return Math.max(0, Math.max(ofFlight, ofSensor));
-  }
-
-  /**
-   * The index of flight i, counted from the oldest. Once flights were dropped, the array is a ring.
-   */
-  private int at(int i) {
-    int place = oldest + i;
-    return place >= most ? place - most : place;
   }
 }

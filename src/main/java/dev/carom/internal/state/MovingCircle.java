@@ -27,6 +27,9 @@ public final class MovingCircle {
   /** No obstacle or circle: nothing was hit yet, or nothing since the last edit. */
   public static final int NOTHING = -1;
 
+  /** No other circle: a sensor reported no contact with one. */
+  public static final int NOT_SENSED = -2;
+
   /** The word of a {@link #pinned} circle. */
   static final int PINNED = Integer.MAX_VALUE;
 
@@ -96,6 +99,20 @@ public final class MovingCircle {
 
   /** The contact of the next impact, see {@link Contact}; 0 without one. */
   public int contact;
+
+  /**
+   * The time of the last contact with another circle in this flight that a sensor reported, as head
+   * and tail.
+   */
+  public double sensedHead;
+
+  public double sensedTail;
+
+  /**
+   * The other circle in that contact; NOTHING if it was removed, and no smaller one is left; {@link
+   * #NOT_SENSED} without such a contact.
+   */
+  public int sensedPartner = NOT_SENSED;
 
   /**
    * Without a next impact, the largest code of the sensors that were reported at exactly {@link
@@ -191,16 +208,21 @@ public final class MovingCircle {
     return now;
   }
 
-  /** {@link #support}, {@link #leftLine} and {@link #pinned} in one int; NOTHING for none. */
-  public int supportWord() {
-    return pinned ? PINNED : leftLine != NOTHING ? ~leftLine : support;
+  /** {@link #support}, {@link #leftLine} and {@link #pinned} in one int; 0 for none. */
+  int supportWord() {
+    return pinned ? PINNED : leftLine != NOTHING ? ~leftLine : support + 1;
   }
 
   /** The inverse of {@link #supportWord}. */
-  public void setSupport(int word) {
+  void setSupport(int word) {
     pinned = word == PINNED;
-    leftLine = word < NOTHING ? ~word : NOTHING;
-    support = pinned || word < NOTHING ? NOTHING : word;
+    leftLine = word < 0 ? ~word : NOTHING;
+    support = supportOf(word);
+  }
+
+  /** The line or wall in a {@link #supportWord}; NOTHING if it tells anything else. */
+  static int supportOf(int word) {
+    return word > 0 && word < PINNED ? word - 1 : NOTHING;
   }
 
   /** Whether the circle slides or rests on a line or a wall. */
@@ -319,9 +341,40 @@ public final class MovingCircle {
     return knew;
   }
 
-  /** Forgets the prediction, for a new flight. */
+  /** Forgets the prediction and what was sensed, for a new flight. */
   public void newFlight() {
-    clearUpTo(0);
+    forgetPrediction(0, 0);
+    forgetSensedCircle();
+  }
+
+  private void forgetSensedCircle() {
+    sensedHead = 0;
+    sensedTail = 0;
+    sensedPartner = NOT_SENSED;
+  }
+
+  /** Whether anything of it is in a column that not all tables have, see {@link FlightTable}. */
+  boolean isRare() {
+    return isFalling() || slowContacts != 0 || sensedPartner != NOT_SENSED || jam != null;
+  }
+
+  /** Takes the values of the columns that a table does not have. */
+  void clearRare() {
+    fall(0, 0);
+    slowContacts = 0;
+    forgetSensedCircle();
+    jam = null;
+  }
+
+  /**
+   * Forgets the prediction, but not the sensors that were reported.
+   *
+   * @param sensed they were up to this time, from the start of the flight
+   * @param code of those met at exactly that time, up to this code
+   */
+  public void forgetPrediction(double sensed, int code) {
+    clearUpTo(sensed);
+    sensedCode = code;
     lookahead = FIRST_LOOKAHEAD;
   }
 

@@ -65,19 +65,22 @@ public final class TimelineRecorder {
   /** The time from which all settings are known. */
   private double settingsStart;
 
-  /** The properties of the circle that was added last: others often have the same. */
+  /** The properties that were recorded last: others often have the same. */
   private CircleProperties usual;
 
   /**
    * The tail of the last event at some times, if it is above 0. Tails are kept here if the circle
-   * of that event may be removed, and its flights with it. See {@link SavedFlights#tailOfEdit}.
+   * of that event may be removed, and its flights with it. See {@link WorldState#tailOfEdit}.
    */
   private final SortedMap<Double, Double> tails = new TreeMap<>();
 
-  // Flights of a step that may still be rolled back: the ids of their circles, and their rows.
-  private int[] pendingIds = new int[FIRST_ROOM];
-  private final FlightRows pending = new FlightRows(FIRST_ROOM);
+  // Flights of a step that may still be rolled back: the slots of their circles, and their rows.
+  private int[] pendingSlots = new int[FIRST_ROOM];
+  private final FlightTable pending = new FlightTable(FIRST_ROOM);
   private int pendings;
+
+  /** A circle to load, no longer than one call. */
+  private final MovingCircle loaded = new MovingCircle();
 
   /**
    * Creates a recorder that has yet to {@linkplain #begin begin}.
@@ -158,16 +161,12 @@ public final class TimelineRecorder {
 
   /** Adds a flight of the current step, which {@link #undo} may still drop. */
   public void note(MovingCircle m) {
-    if (pendings == pendingIds.length) {
-      pendingIds = Arrays.copyOf(pendingIds, 2 * pendings);
+    if (pendings == pendingSlots.length) {
+      pendingSlots = Arrays.copyOf(pendingSlots, 2 * pendings);
       pending.resize(2 * pendings);
     }
-    pendingIds[pendings] = registry.id(m.id);
-    pending.put(pendings++, m, isConfined(m), registry);
-  }
-
-  private boolean isConfined(MovingCircle m) {
-    return obstacles.wallsFor(m.filter) != null;
+    pendingSlots[pendings] = m.id;
+    pending.put(pendings++, m);
   }
 
   /** Drops the flights of the current step. */
@@ -175,29 +174,40 @@ public final class TimelineRecorder {
     pendings = 0;
   }
 
-  /** Adds a flight that cannot be undone, perhaps that of a new circle. */
-  public void add(MovingCircle m) {
+  /**
+   * Adds a circle, which may be a new one, as it is from a time on: at the start of a flight, or
+   * after a change within it. This cannot be undone.
+   */
+  public void add(MovingCircle m, double time) {
     int id = registry.id(m.id);
     FlightHistory track = tracks.get(id);
     if (track == null) {
-      track = tracks.create(id, properties(m.id, m.restitution));
+      track = tracks.create(id);
     }
-    track.add(m, isConfined(m), registry);
-    tracks.noteDrop(track);
+    CircleProperties its = properties(m, track.properties());
+    int last = m.last;
+    int partner = m.sensedPartner;
+    IgnoreList jam = m.jam;
+    registry.toIds(m);
+    if (track.add(m, time, its)) {
+      tracks.drop(track.start());
+    }
+    m.last = last;
+    m.sensedPartner = partner;
+    m.jam = jam;
   }
 
-  private CircleProperties properties(int slot, double restitution) {
-    CircleProperties its = CircleProperties.of(registry, slot, restitution);
-    usual = its.equals(usual) ? usual : its;
+  private CircleProperties properties(MovingCircle m, CircleProperties known) {
+    usual = CircleProperties.of(m, registry, obstacles, known == null ? usual : known);
     return usual;
   }
 
   /** Commits the flights of the current step, which ended at a given time. */
   public void advance(double now) {
     for (int i = 0; i < pendings; i++) {
-      FlightHistory track = tracks.get(pendingIds[i]);
-      track.add(pending, i);
-      tracks.noteDrop(track);
+      pending.get(i, loaded);
+      loaded.id = pendingSlots[i];
+      add(loaded, loaded.t);
     }
     pendings = 0;
     noteSettings();
@@ -214,27 +224,6 @@ public final class TimelineRecorder {
     }
   }
 
-  /** Records that properties of a circle were set. */
-  public void noteProperties(int slot, double restitution, double now) {
-    FlightHistory track = tracks.get(registry.id(slot));
-    track.noteProperties(now, properties(slot, restitution));
-    tracks.noteDrop(track);
-  }
-
-  /** Records what a circle remembers of its contacts, which changed within a flight. */
-  public void noteContacts(MovingCircle m, double now) {
-    FlightHistory track = tracks.get(registry.id(m.id));
-    track.noteContacts(now, registry.codeWithId(m.last), m.stuck, registry.jamWithIds(m.jam));
-    tracks.noteDrop(track);
-  }
-
-  /** Records a contact of two circles, at slots, that a sensor reported, for the first of them. */
-  public void noteSensed(int slot, double head, double tail, int partner) {
-    FlightHistory track = tracks.get(registry.id(slot));
-    track.noteSensed(head, tail, partner < 0 ? partner : registry.id(partner));
-    tracks.noteDrop(track);
-  }
-
   /** Records that a line or a peg was added, changed or removed. */
   public void noteObstacle(int code, double now) {
     obstacleHistory.note(code, obstacles, now);
@@ -243,7 +232,8 @@ public final class TimelineRecorder {
   /** Records that a circle was removed. */
   public void remove(int id, double now) {
     if (collide) {
-      noteTail(now, tracks.get(id).tail(now));
+      tracks.get(id).load(now, loaded);
+      noteTail(now, tail(loaded, now));
     }
     tracks.remove(id, now);
   }
@@ -254,6 +244,14 @@ public final class TimelineRecorder {
       tails.headMap(start()).clear();
       tails.merge(now, tail, Math::max);
     }
+  }
+
+  /** The tail of a circle's last event if that was at a time; at least 0. */
+  private static double tail(MovingCircle m, double t) {
+    double ofFlight = m.t == t ? m.tl : 0;
+    double ofSensor =
+        m.sensedPartner != MovingCircle.NOT_SENSED && m.sensedHead == t ? m.sensedTail : 0;
+    return Math.max(0, Math.max(ofFlight, ofSensor));
   }
 
   // The past.
@@ -267,13 +265,22 @@ public final class TimelineRecorder {
     Settings then = settings.at(t);
     ObstacleTable itsObstacles = obstacleHistory.at(t, then.restitution, then.traits, then.filter);
     int[] ids = tracks.idsAt(t);
+    CircleRegistry circles = registry(ids, t);
+    FlightTable flights = new FlightTable(ids.length);
+    double tail = tails.getOrDefault(t, 0.0);
+    for (int k = 0; k < ids.length; k++) {
+      load(ids[k], t, circles, itsObstacles.haveSensors());
+      flights.put(k, loaded);
+      tail = Math.max(tail, collide ? tail(loaded, t) : 0);
+    }
     return new WorldState(
         t,
         collide,
         itsObstacles,
-        registry(ids, t),
+        circles,
         new SizeLimits(then.largest, then.least),
-        flights(ids, t, itsObstacles.haveSensors()),
+        flights,
+        tail,
         then.gx,
         then.gy);
   }
@@ -292,27 +299,17 @@ public final class TimelineRecorder {
         masses, traits, Filter.unlessDefault(filters, ids.length), ids, tracks.idLimitAt(t));
   }
 
-  private SavedFlights flights(int[] ids, double t, boolean sensors) {
-    SavedFlights states = new SavedFlights(ids);
-    MovingCircle m = new MovingCircle();
-    for (int k = 0; k < ids.length; k++) {
-      FlightHistory track = tracks.get(ids[k]);
-      track.load(t, m);
-      forgetRemoved(m, t);
-      // All contacts with sensors by then were reported, see StaticScene.
-      states.put(k, m, sensors ? m.latestBy(t) : 0, sensors ? Integer.MAX_VALUE : 0);
-      if (collide) {
-        track.saveSensed(t, ids, k, states);
-        states.tailOfEdit = Math.max(states.tailOfEdit, track.tail(t));
-      }
+  /** Loads a circle as it was at a time, among those that existed then. */
+  private void load(int id, double t, CircleRegistry circles, boolean sensors) {
+    tracks.get(id).load(t, loaded);
+    if (Codes.isCircle(loaded.last) && circles.slot(Codes.slot(loaded.last)) < 0) {
+      loaded.last = MovingCircle.NOTHING;
     }
-    states.tailOfEdit = Math.max(states.tailOfEdit, tails.getOrDefault(t, 0.0));
-    return states;
-  }
-
-  private void forgetRemoved(MovingCircle m, double t) {
-    if (Codes.isCircle(m.last) && track(Codes.slot(m.last), t) == null) {
-      m.last = MovingCircle.NOTHING;
+    if (loaded.sensedPartner >= 0) {
+      loaded.sensedPartner = circles.lastIdUpTo(loaded.sensedPartner);
+    }
+    if (sensors) { // all contacts with sensors by then were reported, see StaticScene
+      loaded.forgetPrediction(loaded.latestBy(t), Integer.MAX_VALUE);
     }
   }
 }

@@ -11,6 +11,8 @@ package dev.carom.internal.state;
  * @param registry the circles
  * @param limits the largest coordinate and the least radius that the world ever had
  * @param flights the flights of the circles
+ * @param tailOfEdit the tail of the time of the next edit. It is above 0 if events after the head
+ *     of that time precede the edit
  * @param gx the x component of gravity
  * @param gy its y component
  */
@@ -20,6 +22,7 @@ public record WorldState(
     ObstacleTable obstacles,
     CircleRegistry registry,
     SizeLimits limits,
-    SavedFlights flights,
+    FlightTable flights,
+    double tailOfEdit,
     double gx,
     double gy) {}

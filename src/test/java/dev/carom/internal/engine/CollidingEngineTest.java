@@ -188,7 +188,7 @@ class CollidingEngineTest {
       m.stuck = StuckRule.LIMIT + 1;
       m.speedExponent = 1;
       m.jam = IgnoreList.with(null, Codes.circle(1 - i));
-      Internals.state(jammed).flights().put(i, m, 0, 0);
+      Internals.state(jammed).flights().put(i, m);
     }
     world.restore(jammed);
     assertThat(world.step(1)).isTrue();

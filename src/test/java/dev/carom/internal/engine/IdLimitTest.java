@@ -20,7 +20,6 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
 import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.ObstacleTable;
-import dev.carom.internal.state.SavedFlights;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Kind;
 import org.junit.jupiter.api.Test;
@@ -43,15 +42,10 @@ class IdLimitTest {
     CircleRegistry registry =
         new CircleRegistry(
             new double[] {1, 2, 3}, new byte[3], null, new int[] {0, 7, idLimit - 1}, idLimit);
-    SavedFlights flights =
-        new SavedFlights(
-            new int[] {0, 7, idLimit - 1},
-            s.flights().numbers,
-            s.flights().codes,
-            s.flights().jams);
     world.restore(
         Internals.snapshot(
-            new WorldState(s.now(), collide, s.obstacles(), registry, s.limits(), flights, 0, 0)));
+            new WorldState(
+                s.now(), collide, s.obstacles(), registry, s.limits(), s.flights(), 0, 0, 0)));
     return world;
   }
 

@@ -33,7 +33,7 @@ class NeighborGridTest {
     CircleTable circles = CircleTable.colliding(scene.circleCount());
     for (int i = 0; i < circles.count; i++) {
       circles.start(Internals.data(scene), i);
-      circles.store(i, circles.body);
+      circles.put(i, circles.body);
     }
     return circles;
   }

@@ -12,8 +12,8 @@ import dev.carom.SweptCircle;
 import dev.carom.World;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.EngineOptions;
+import dev.carom.internal.state.FlightTable;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.state.SavedFlights;
 import org.junit.jupiter.api.Test;
 
 /** Worlds of so many lines or pegs that grids list them, and what edits change there. */
@@ -157,11 +157,12 @@ class StaticSceneTest {
   /**
    * The flight saved of a circle in (0, 0) whose way along x leads to a sensor, line 1, at time 4.
    */
-  private static SavedFlights saved(MovingCircle m, double now) {
+  private static FlightTable saved(MovingCircle m, double now) {
     SceneBuilder builder = Scene.builder().line(50, 0, 60, 0).circle(0, 0, 1, 1, 0);
     Scene scene = builder.line(5, -9, 5, 9).response(Response.SENSOR).build();
-    SavedFlights states = new SavedFlights(new int[] {0});
-    new StaticScene(Internals.data(scene), EngineOptions.CHOSEN).save(0, m, now, states);
+    new StaticScene(Internals.data(scene), EngineOptions.CHOSEN).forgetPrediction(m, now);
+    FlightTable states = new FlightTable(1);
+    states.put(0, m);
     return states;
   }
 
@@ -174,11 +175,12 @@ class StaticSceneTest {
     return m;
   }
 
-  private static SavedFlights reported(double sensed, int code) {
-    SavedFlights states = new SavedFlights(new int[] {0});
+  private static FlightTable reported(double sensed, int code) {
+    FlightTable states = new FlightTable(1);
     MovingCircle m = new MovingCircle();
     m.start(0, 0, 0, 1, 1, 0, 1);
-    states.put(0, m, sensed, code);
+    m.forgetPrediction(sensed, code);
+    states.put(0, m);
     return states;
   }
 
@@ -186,7 +188,7 @@ class StaticSceneTest {
   @Test
   void whatWasSensedByNowIsToldWhateverASearchFoundAhead() {
     int sensor = Codes.line(1);
-    SavedFlights expected = reported(3.5, Integer.MAX_VALUE);
+    FlightTable expected = reported(3.5, Integer.MAX_VALUE);
     assertThat(saved(sensing(sensor, 0), 3.5)).isEqualTo(expected);
     assertThat(saved(sensing(MovingCircle.NOTHING, 7), 3.5)).isEqualTo(expected);
     assertThat(saved(sensing(sensor, 0), 4)).isEqualTo(reported(4, sensor - 1));

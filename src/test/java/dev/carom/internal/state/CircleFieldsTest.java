@@ -93,8 +93,8 @@ class CircleFieldsTest {
       if (name.equals("contact")) {
         m.next = 7; // only an impact has a contact
       }
-      if (name.equals("slowContacts")) {
-        m.gx = 1; // without gravity they are not counted
+      if (name.equals("sensedHead") || name.equals("sensedTail")) {
+        m.sensedPartner = 7; // only a contact with another circle has a time
       }
       assertThat(field.get(m)).as(name).isNotEqualTo(before);
       MovingCircle loaded = filled(200);
@@ -119,7 +119,7 @@ class CircleFieldsTest {
     assertHeld(
         Set.of(),
         (from, to) -> {
-          circles.store(1, from);
+          circles.put(1, from);
           circles.load(1, to);
         });
   }
@@ -131,7 +131,7 @@ class CircleFieldsTest {
     assertHeld(
         Set.of("cleared", "next", "contact", "sensedCode", "lookahead", "last"),
         (from, to) -> {
-          circles.store(1, from);
+          circles.put(1, from);
           circles.loadForMeeting(circles.state, circles.codes, 1, to);
         });
   }
@@ -181,20 +181,6 @@ class CircleFieldsTest {
         });
   }
 
-  @Test
-  void aSnapshotHoldsThem() throws IllegalAccessException {
-    assertHeld(
-        AHEAD,
-        (from, to) -> {
-          SavedFlights saved = new SavedFlights(new int[] {0, 1, 2});
-          saved.put(1, from, 7.5, 9);
-          saved.get(1, to);
-          assertThat(to.cleared).isEqualTo(7.5);
-          assertThat(to.sensedCode).isEqualTo(9);
-          assertThat(to.next).isEqualTo(MovingCircle.NOTHING);
-        });
-  }
-
   /** Each number of a recorded flight changes one of the answers. */
   @Test
   void aTimelineHoldsTheFlight() throws IllegalAccessException {
@@ -213,9 +199,9 @@ class CircleFieldsTest {
   }
 
   private static FlightHistory history(MovingCircle m) {
-    CircleProperties properties = new CircleProperties(1, m.restitution, 0, m.filter);
-    FlightHistory history = new FlightHistory(2, properties);
-    history.add(m, true, new CircleRegistry(Internals.data(Scene.builder().build()), 1));
+    CircleProperties properties = new CircleProperties(1, m.restitution, 0, m.filter, true);
+    FlightHistory history = new FlightHistory(2);
+    history.add(m, m.t, properties);
     return history;
   }
 
@@ -224,33 +210,20 @@ class CircleFieldsTest {
   @ValueSource(doubles = {0, 0.5})
   void aTimelineTellsWhomWallsConfine(double radius) {
     double[] walls = ObstacleTable.walls(0, 0, 10, 10);
-    CircleRegistry registry = new CircleRegistry(Internals.data(Scene.builder().build()), 1);
     MovingCircle m = new MovingCircle();
     m.start(0, 5, 5, radius, 1, 2, 1);
-    FlightRows rows = new FlightRows(2);
-    rows.put(0, m, true, registry);
-    rows.put(1, m, false, registry);
+    FlightHistory rows = new FlightHistory(2);
+    rows.add(m, 0, new CircleProperties(1, 1, 0, 0, true));
+    rows.add(m, 60, new CircleProperties(1, 1, 0, 0, false));
     assertThat(new double[] {rows.x(0, 50, walls), rows.y(0, 50, walls), rows.radius(0)})
         .containsExactly(10 - radius, 10 - radius, radius);
-    assertThat(new double[] {rows.x(1, 50, walls), rows.y(1, 50, walls), rows.radius(1)})
-        .containsExactly(55, 105, radius);
+    assertThat(new double[] {rows.x(1, 60, walls), rows.y(1, 60, walls), rows.radius(1)})
+        .containsExactly(65, 125, radius);
   }
 
-  /** Also if the flight was pending for a while. */
   @Test
   void aTimelineHoldsThem() throws IllegalAccessException {
-    CircleRegistry registry = new CircleRegistry(Internals.data(Scene.builder().build()), 1);
     assertHeld(AHEAD, (from, to) -> history(from).load(50, to));
-    assertHeld(
-        AHEAD,
-        (from, to) -> {
-          FlightRows pending = new FlightRows(3);
-          pending.put(2, from, false, registry);
-          FlightHistory copied =
-              new FlightHistory(2, new CircleProperties(1, from.restitution, 0, 0));
-          copied.add(pending, 2);
-          copied.load(50, to);
-        });
   }
 
   private static double[] answers(MovingCircle m) {

@@ -38,7 +38,7 @@ class CircleTableTest {
     m.lookahead = 12;
     m.jam = IgnoreList.with(null, 13);
     for (CircleTable circles : new CircleTable[] {new CircleTable(2), CircleTable.colliding(2)}) {
-      circles.store(1, m);
+      circles.put(1, m);
       circles.load(1);
       assertThat(circles.body).usingRecursiveComparison().isEqualTo(m);
     }

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.state;
+
+import java.util.Arrays;
+
+/**
+ * Flights of circles and all else that determines their future, in flat arrays: one row each. The
+ * live circles, the undo log, snapshots and the recorded past are tables of this kind. A row goes
+ * from one table to another by way of a {@link MovingCircle}. So a new field of a circle needs one
+ * line in a {@code get} and one in a {@code put} here, and no more.
+ *
+ * <p>Each row has the columns of its flight and of the circle's past impacts. The columns of its
+ * next impact are missing in the recorded past. Other columns exist only once a circle needs them:
+ * those of gravity, of sensors among circles, and the ignore lists of jammed circles. What was
+ * never stored in a row reads as zeros, so these stand for a circle without any of that.
+ */
+public class FlightTable {
+
+  // The columns of doubles, after those of a FlightRow.
+  public static final int CLEARED = FlightRow.SIZE;
+  static final int RESTITUTION = 8;
+  static final int NUMBERS = 9;
+
+  // In the past the ints stand in their place: so a row of it is in one array.
+  private static final int PAST_LAST = FlightRow.SIZE;
+  private static final int PAST_STUCK = FlightRow.SIZE + 1;
+
+  // The columns of ints.
+  public static final int LAST = 0;
+
+  /** The next impact; without one, NOTHING - {@link MovingCircle#sensedCode}. */
+  public static final int NEXT = 1;
+
+  /** See {@link ContactWord}. */
+  private static final int CONTACT = 2;
+
+  private static final int LOOKAHEAD = 3;
+  public static final int STUCK = 4;
+  public static final int CODES = 5;
+
+  // The columns of gravity: the acceleration, the support, and the slow contacts.
+  private static final int GX = 0;
+  private static final int GY = 1;
+  private static final int SUPPORT = 2;
+  private static final int SLOW_CONTACTS = 3;
+  private static final int FALL = 4;
+
+  // The columns of the last circle that a sensor reported: the time of contact, and which it was.
+  private static final int HEAD = 0;
+  private static final int TAIL = 1;
+  private static final int PARTNER = 2;
+  private static final int SENSED = 3;
+
+  // Others may copy these two references into locals. They change when the table gets more room.
+  public double[] state;
+  public int[] codes;
+
+  private int capacity;
+  private final int first;
+  private final int stride;
+  private final int firstCode;
+  private final int codeStride;
+
+  /** Whether any of the following columns exists. */
+  private boolean hasRare;
+
+  /** Four doubles a row, see {@link #GX}; null until a circle falls, slides or rests. */
+  private double[] falls;
+
+  /** Three doubles a row, see {@link #HEAD}; null until a sensor reports another circle. */
+  private double[] sensed;
+
+  /** The ignore list of each jammed circle; null until there is one. */
+  public IgnoreList[] jams;
+
+  /** Creates a table with room for so many rows. */
+  public FlightTable(int room) {
+    this(room, 0, NUMBERS, 0, CODES);
+  }
+
+  /** Creates a table of all its columns, see {@link #numbers}. */
+  public FlightTable(double[][] numbers, int[] codes, IgnoreList[] jams) {
+    this(0);
+    capacity = numbers[0].length / NUMBERS;
+    state = numbers[0];
+    falls = numbers[1];
+    sensed = numbers[2];
+    this.codes = codes;
+    this.jams = jams;
+    hasRare = true;
+  }
+
+  /**
+   * Creates a table with further columns, and with numbers before its first row; without ints if it
+   * is of the past.
+   */
+  FlightTable(int room, int first, int stride, int firstCode, int codeStride) {
+    this.first = first;
+    this.stride = stride;
+    this.firstCode = firstCode;
+    this.codeStride = codeStride;
+    capacity = room;
+    state = new double[at(room)];
+    codes = new int[codesAt(room)];
+  }
+
+  /** The number of rows for which there is room. */
+  public final int capacity() {
+    return capacity;
+  }
+
+  /** The index of the first double of row i. */
+  public final int at(int i) {
+    return first + i * stride;
+  }
+
+  /** The index of the first int of row i. */
+  public final int codesAt(int i) {
+    return firstCode + i * codeStride;
+  }
+
+  /** Makes room for accelerations, all 0. */
+  public final void allowGravity() {
+    if (falls == null) {
+      falls = new double[FALL * capacity];
+      hasRare = true;
+    }
+  }
+
+  /** Whether circles may have accelerations. */
+  public final boolean allowsGravity() {
+    return falls != null;
+  }
+
+  /** Makes room for so many rows. */
+  final void resize(int room) {
+    capacity = room;
+    state = Arrays.copyOf(state, at(room));
+    codes = Arrays.copyOf(codes, codesAt(room));
+    falls = falls == null ? null : Arrays.copyOf(falls, FALL * room);
+    sensed = sensed == null ? null : Arrays.copyOf(sensed, SENSED * room);
+    jams = jams == null ? null : Arrays.copyOf(jams, room);
+  }
+
+  // Rows.
+
+  /** Writes a circle to row i. */
+  public final void put(int i, MovingCircle m) {
+    int k = at(i);
+    int c = codesAt(i);
+    if (codeStride > 0) {
+      putFlight(m, state, k, codes, c);
+    } else {
+      FlightRow.put(m, state, k);
+      state[k + PAST_LAST] = m.last;
+      long stuck = (long) m.stuck << Integer.SIZE | Integer.toUnsignedLong(ContactWord.of(m));
+      state[k + PAST_STUCK] = Double.longBitsToDouble(stuck);
+    }
+    putRare(i, m);
+  }
+
+  /** Reads row i into a circle. Its id and its filter stay, as they are not in the row. */
+  public final void get(int i, MovingCircle m) {
+    int k = at(i);
+    int c = codesAt(i);
+    FlightRow.get(m, state, k);
+    if (codeStride > 0) {
+      getNext(m, state, k, codes, c);
+      getPast(m, codes, c);
+    } else {
+      m.newFlight();
+      m.last = (int) state[k + PAST_LAST];
+      long stuck = Double.doubleToRawLongBits(state[k + PAST_STUCK]);
+      m.stuck = (int) (stuck >> Integer.SIZE);
+      ContactWord.recall((int) stuck, m);
+    }
+    getRare(i, m);
+  }
+
+  /** Writes the columns that every table of the present has. */
+  static void putFlight(MovingCircle m, double[] state, int k, int[] codes, int c) {
+    FlightRow.put(m, state, k);
+    state[k + CLEARED] = m.cleared;
+    state[k + RESTITUTION] = m.restitution;
+    // The first and the last column first: then compilers check the range of the others with them.
+    codes[c + LAST] = m.last;
+    codes[c + STUCK] = m.stuck;
+    codes[c + NEXT] = m.next == MovingCircle.NOTHING ? m.next - m.sensedCode : m.next;
+    codes[c + CONTACT] = ContactWord.of(m);
+    codes[c + LOOKAHEAD] = m.lookahead;
+  }
+
+  private static void getNext(MovingCircle m, double[] state, int k, int[] codes, int c) {
+    m.cleared = state[k + CLEARED];
+    m.restitution = state[k + RESTITUTION];
+    m.lookahead = codes[c + LOOKAHEAD];
+    int next = codes[c + NEXT];
+    m.next = Math.max(next, MovingCircle.NOTHING);
+    m.sensedCode = next < 0 ? MovingCircle.NOTHING - next : 0;
+  }
+
+  static void getPast(MovingCircle m, int[] codes, int c) {
+    m.last = codes[c + LAST];
+    m.stuck = codes[c + STUCK];
+    ContactWord.recall(codes[c + CONTACT], m);
+  }
+
+  /** Writes the columns that exist only if needed. */
+  final void putRare(int i, MovingCircle m) {
+    if (hasRare || m.isRare()) {
+      putRareColumns(i, m);
+    }
+  }
+
+  private void putRareColumns(int i, MovingCircle m) {
+    if (falls != null || m.isFalling() || m.slowContacts != 0) {
+      allowGravity();
+      int k = FALL * i;
+      falls[k + GX] = m.gx;
+      falls[k + GY] = m.gy;
+      falls[k + SUPPORT] = m.supportWord();
+      falls[k + SLOW_CONTACTS] = m.slowContacts;
+    }
+    if (sensed != null || m.sensedPartner != MovingCircle.NOT_SENSED) {
+      putSensed(i, m.sensedHead, m.sensedTail, m.sensedPartner);
+    }
+    if (jams != null || m.jam != null) {
+      jams = jams == null ? new IgnoreList[capacity()] : jams;
+      jams[i] = m.jam;
+      hasRare = true;
+    }
+  }
+
+  /** Reads the columns that exist only if needed. */
+  final void getRare(int i, MovingCircle m) {
+    m.clearRare();
+    if (hasRare) {
+      getRareColumns(i, m);
+    }
+  }
+
+  private void getRareColumns(int i, MovingCircle m) {
+    if (falls != null) {
+      int k = FALL * i;
+      m.gx = falls[k + GX];
+      m.gy = falls[k + GY];
+      m.setSupport((int) falls[k + SUPPORT]);
+      m.slowContacts = (int) falls[k + SLOW_CONTACTS];
+    }
+    if (sensed != null) {
+      int k = SENSED * i;
+      m.sensedHead = sensed[k + HEAD];
+      m.sensedTail = sensed[k + TAIL];
+      m.sensedPartner = sensedPartner(i);
+    }
+    m.jam = jam(i);
+  }
+
+  // Circles sensed.
+
+  /** Stores the last contact of circle i with another one that a sensor reported. */
+  public final void putSensed(int i, double head, double tail, int partner) {
+    if (sensed == null) {
+      sensed = new double[SENSED * capacity];
+      hasRare = true;
+    }
+    int k = SENSED * i;
+    sensed[k + HEAD] = head;
+    sensed[k + TAIL] = tail;
+    sensed[k + PARTNER] = partner - MovingCircle.NOT_SENSED;
+  }
+
+  private int sensedPartner(int i) {
+    return sensed == null
+        ? MovingCircle.NOT_SENSED
+        : MovingCircle.NOT_SENSED + (int) sensed[SENSED * i + PARTNER];
+  }
+
+  /**
+   * Whether a sensor has reported this contact of circle i. It has reported one contact and all
+   * earlier ones, in order of time (head, tail), then of partner.
+   */
+  public final boolean isSensed(int i, double head, double tail, int partner) {
+    int known = sensedPartner(i);
+    if (known == MovingCircle.NOT_SENSED || head != sensed[SENSED * i + HEAD]) {
+      return known != MovingCircle.NOT_SENSED && head < sensed[SENSED * i + HEAD];
+    }
+    double knownTail = sensed[SENSED * i + TAIL];
+    return tail != knownTail ? tail < knownTail : partner <= known;
+  }
+
+  // One circle.
+
+  /** The ignore list of a circle; null if it is not jammed. */
+  public final IgnoreList jam(int i) {
+    return jams == null ? null : jams[i];
+  }
+
+  /** The acceleration of a circle. */
+  public final double gx(int i) {
+    return falls == null ? 0 : falls[FALL * i + GX];
+  }
+
+  public final double gy(int i) {
+    return falls == null ? 0 : falls[FALL * i + GY];
+  }
+
+  /** The {@link MovingCircle#supportWord} of a circle. */
+  final int supportWord(int i) {
+    return falls == null ? 0 : (int) falls[FALL * i + SUPPORT];
+  }
+
+  /** Whether a circle slides or rests on something. */
+  public final boolean isSupported(int i) {
+    return supportWord(i) > 0;
+  }
+
+  /** The line or wall on which a circle slides or rests; NOTHING if on none, or on several. */
+  public final int support(int i) {
+    return MovingCircle.supportOf(supportWord(i));
+  }
+
+  public final double radius(int i) {
+    return state[at(i) + FlightRow.RADIUS];
+  }
+
+  /** The head of the time at which a flight starts. */
+  final double start(int i) {
+    return state[at(i) + FlightRow.T];
+  }
+
+  /** How long a circle has been on its flight. */
+  public final double since(int i, double now) {
+    int k = at(i);
+    return MovingCircle.since(state[k + FlightRow.T], state[k + FlightRow.TL], now);
+  }
+
+  /** The x coordinate of a circle, if no wall keeps it inside. */
+  final double freeX(int i, double now) {
+    int k = at(i);
+    return MovingCircle.place(
+        state[k + FlightRow.X], state[k + FlightRow.VX], gx(i), since(i, now));
+  }
+
+  final double freeY(int i, double now) {
+    int k = at(i);
+    return MovingCircle.place(
+        state[k + FlightRow.Y], state[k + FlightRow.VY], gy(i), since(i, now));
+  }
+
+  /** A {@link #freeX} inside of walls, see {@link ObstacleTable#walls}. */
+  final double confinedX(int i, double x, double[] walls) {
+    return Confinement.x(walls, state[at(i) + FlightRow.X], x, radius(i));
+  }
+
+  final double confinedY(int i, double y, double[] walls) {
+    return Confinement.y(walls, state[at(i) + FlightRow.Y], y, radius(i));
+  }
+
+  public final double vx(int i, double now) {
+    return MovingCircle.velocity(state[at(i) + FlightRow.VX], gx(i), since(i, now));
+  }
+
+  public final double vy(int i, double now) {
+    return MovingCircle.velocity(state[at(i) + FlightRow.VY], gy(i), since(i, now));
+  }
+
+  // All columns.
+
+  @Override
+  public final boolean equals(Object other) {
+    return other instanceof FlightTable that
+        && Arrays.deepEquals(numbers(), that.numbers())
+        && Arrays.equals(codes, that.codes)
+        && Arrays.equals(jams, that.jams);
+  }
+
+  @Override
+  public final int hashCode() {
+    return Arrays.hashCode(state);
+  }
+
+  /** The columns of doubles, by group; null for a group that no circle needs. */
+  public final double[][] numbers() {
+    return new double[][] {state, falls, sensed};
+  }
+
+  /** The doubles of a row in a group, in a table without further columns. */
+  public static int width(int group) {
+    return new int[] {NUMBERS, FALL, SENSED}[group];
+  }
+}
