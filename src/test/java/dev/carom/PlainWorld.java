@@ -92,7 +92,7 @@ public final class PlainWorld extends PlainEdits {
     double ofTwo = flown(Math.max(0, -later), two.advance(wait));
     cluster.forgetCrushersOf(one);
     cluster.forgetCrushersOf(two);
-    int result = pairs.resolve(one, ofOne, two, ofTwo, true, rows);
+    int result = pairs.resolve(one, ofOne, two, ofTwo, wait, true, rows);
     if (result == ObstacleResponse.SENSED) {
       metPairs.put(pair(a, b), wait);
     } else {

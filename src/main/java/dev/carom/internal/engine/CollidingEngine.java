@@ -380,7 +380,7 @@ public final class CollidingEngine extends Engine {
     untilLook--;
     cluster.forgetCrushersOf(a);
     cluster.forgetCrushersOf(b);
-    return pairs.resolve(a, flownA, b, flownB, circles.allowsGravity(), log);
+    return pairs.resolve(a, flownA, b, flownB, tau, circles.allowsGravity(), log);
   }
 
   /** Starts a new flight of a circle. */

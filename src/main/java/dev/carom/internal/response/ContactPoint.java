@@ -308,14 +308,15 @@ final class ContactPoint {
             : null;
     if (exact != null) {
       normal(m, exact.x(), exact.y(), 0, 0);
-    } else {
-      normal(
-          m,
-          Offset.at(startX, cx, startVx, ux, gx, t),
-          Offset.at(startY, cy, startVy, uy, gy, t),
-          0,
-          0);
+      return;
     }
+    double offsetX = Offset.at(startX, cx, startVx, ux, gx, t);
+    double offsetY = Offset.at(startY, cy, startVy, uy, gy, t);
+    if (offsetX == 0 && offsetY == 0) { // underflow of t times the mean velocity
+      offsetX = Offset.mean(startVx, ux, gx, t);
+      offsetY = Offset.mean(startVy, uy, gy, t);
+    }
+    normal(m, offsetX, offsetY, 0, 0);
   }
 
   private static double size(double x, double y) {

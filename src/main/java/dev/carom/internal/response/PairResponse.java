@@ -140,6 +140,7 @@ public final class PairResponse {
    * @param a the one with the lower number
    * @param flownA how long its flight lasted that ends here; 0 if too short to advance the clock
    * @param flownB the same of the other one
+   * @param tau how long both flew, since the later one started
    * @param mayFall whether there was gravity at some time
    * @return what follows, as for {@link ObstacleResponse#resolve}
    */
@@ -148,12 +149,13 @@ public final class PairResponse {
       double flownA,
       MovingCircle b,
       double flownB,
+      double tau,
       boolean mayFall,
       ImpactRows log) {
     this.flownA = flownA;
     this.flownB = flownB;
     peg = null;
-    measure(a, b);
+    measure(a, b, tau);
     boolean halt = registry.halts(a.id) || registry.halts(b.id);
     double e = halt ? 0 : a.restitution * b.restitution;
     // The new velocities wait for the impulse. Begun here, it overlaps with writing and counting.
@@ -395,19 +397,30 @@ public final class PairResponse {
 
   /** Writes a row for two circles in contact, the lower number first, with their approach. */
   void report(MovingCircle a, MovingCircle b, ImpactRows log) {
-    measure(a, b);
+    measure(a, b, 0);
     write(a, b, log);
   }
 
-  /** Computes the relative velocity of two circles, their offset, and their approach. */
-  private void measure(MovingCircle a, MovingCircle b) {
+  /**
+   * Computes the relative velocity of two circles, their offset, and their approach. Circles that
+   * fall unlike from one centre may turn back before the places of their centres differ: then the
+   * offset has the direction of the mean velocity u - g tau / 2.
+   */
+  private void measure(MovingCircle a, MovingCircle b, double tau) {
     fast = exponent(a, b);
     ux = ScaledVectors.difference(a.vx, b.vx, fast);
     uy = ScaledVectors.difference(a.vy, b.vy, fast);
-    int large = ScaledVectors.exponent(a.x, a.y, b.x, b.y, Math.max(Math.abs(ux), Math.abs(uy)));
-    nx = ScaledVectors.difference(a.x, b.x, large);
-    ny = ScaledVectors.difference(a.y, b.y, large);
+    offset(a.x, a.y, b.x, b.y);
+    if (nx == 0 && ny == 0) {
+      offset(ux, uy, 0.5 * tau * (a.gx - b.gx), 0.5 * tau * (a.gy - b.gy));
+    }
     un = scaled(ScaledVectors.dot(ux, uy, nx, ny), fast);
+  }
+
+  private void offset(double px, double py, double qx, double qy) {
+    int large = ScaledVectors.exponent(px, py, qx, qy, Math.max(Math.abs(ux), Math.abs(uy)));
+    nx = ScaledVectors.difference(px, qx, large);
+    ny = ScaledVectors.difference(py, qy, large);
   }
 
   private void write(MovingCircle a, MovingCircle b, ImpactRows log) {

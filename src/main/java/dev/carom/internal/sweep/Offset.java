@@ -40,7 +40,7 @@ public final class Offset {
         + (k * differenceTail(p, q, d) + (productTail(t, e, m) + t * el));
   }
 
-  static double mean(double v, double w, double g, double t) {
+  public static double mean(double v, double w, double g, double t) {
     return (v - w) + 0.5 * g * t;
   }
 

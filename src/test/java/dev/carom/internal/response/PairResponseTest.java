@@ -51,7 +51,7 @@ class PairResponseTest {
     a.start(0, 0, 0, 1, vx1, vy1, 1);
     b.start(1, 2 * Math.cos(angle), 2 * Math.sin(angle), 1, vx2, vy2, 1);
     rows.clear();
-    response.resolve(a, 0, b, 0, true, rows);
+    response.resolve(a, 0, b, 0, 0, true, rows);
   }
 
   /** In no time, after impacts of that weight of each. */
@@ -62,7 +62,7 @@ class PairResponseTest {
       m.stuck = stuck;
     }
     rows.clear();
-    return masses(1, 1).resolve(a, 0, b, 0, true, rows);
+    return masses(1, 1).resolve(a, 0, b, 0, 0, true, rows);
   }
 
   @Test
@@ -106,7 +106,7 @@ class PairResponseTest {
   void infiniteMassesPassAndFlyOn() {
     a.start(0, 0, 0, 1, 1, 0, 1);
     b.start(1, 2, 0, 1, 0, 0, 1);
-    assertThat(masses(INFINITE, INFINITE).resolve(a, 0, b, 0, true, rows))
+    assertThat(masses(INFINITE, INFINITE).resolve(a, 0, b, 0, 0, true, rows))
         .isEqualTo(ObstacleResponse.SENSED);
     assertThat(log.outcome(0)).isEqualTo(Outcome.PASSED);
     assertThat(a.last).isEqualTo(MovingCircle.NOTHING);
@@ -118,7 +118,7 @@ class PairResponseTest {
     a.start(0, 0, 0, 1, 1, 0, 1);
     b.start(1, 2, 0, 1, 0, 0, 1);
     b.jam = IgnoreList.crushedBy(null, Codes.circle(7));
-    masses(1, 1).resolve(a, 0, b, 0, true, rows);
+    masses(1, 1).resolve(a, 0, b, 0, 0, true, rows);
     assertThat(a.vx).isEqualTo(-1);
     assertThat(b.vx).isZero();
   }
@@ -129,7 +129,7 @@ class PairResponseTest {
   void whoIsPushedIsNoted(double v, boolean pushed) {
     a.start(0, 0, 0, 1, 1, 0, 1);
     b.start(1, 2, 0, 1, v, 0, 1);
-    masses(1, INFINITE).resolve(a, 0, b, 0, true, rows);
+    masses(1, INFINITE).resolve(a, 0, b, 0, 0, true, rows);
     assertThat(a.pushed).isEqualTo(pushed);
     assertThat(b.pushed).isFalse();
   }
@@ -140,7 +140,7 @@ class PairResponseTest {
     b.start(1, 2, 0, 1, 0, 0, 1);
     a.stuck = 5;
     b.stuck = 5;
-    masses(1, 1).resolve(a, 0, b, 1, true, rows);
+    masses(1, 1).resolve(a, 0, b, 1, 0, true, rows);
     assertThat(a.stuck).isEqualTo(5 + StuckRule.ELASTIC_PAIR);
     assertThat(b.stuck).isZero();
   }
@@ -225,7 +225,7 @@ class PairResponseTest {
     a.start(0, 0, 0, 1, 2, 1, e1);
     b.start(1, 1.2, 1.6, 1, -1, 0.5, e2);
     double before = (a.vx - b.vx) * 0.6 + (a.vy - b.vy) * 0.8;
-    response.resolve(a, 0, b, 0, true, rows);
+    response.resolve(a, 0, b, 0, 0, true, rows);
     double after = (a.vx - b.vx) * 0.6 + (a.vy - b.vy) * 0.8;
     assertThat(after).isCloseTo(-e1 * e2 * before, within(1e-15));
     assertThat(2 * a.vx + 3 * b.vx).isCloseTo(2 * 2 - 3, within(4e-15));
@@ -279,7 +279,7 @@ class PairResponseTest {
       a.start(i, towards ? nx : -nx, towards ? ny : -ny, 1, vx[i], vy[i], 1);
       b.start(j, 0, 0, 1, vx[j], vy[j], 1);
       rows.clear();
-      response.resolve(a, 0, b, 0, true, rows);
+      response.resolve(a, 0, b, 0, 0, true, rows);
       vx[i] = a.vx;
       vy[i] = a.vy;
       vx[j] = b.vx;
