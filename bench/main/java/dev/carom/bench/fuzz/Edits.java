@@ -3,6 +3,7 @@ package dev.carom.bench.fuzz;
 
 import dev.carom.ObstacleKind;
 import dev.carom.Snapshot;
+import dev.carom.Vec2;
 import dev.carom.World;
 import java.util.Random;
 
@@ -13,12 +14,14 @@ final class Edits {
 
   private final Random random;
   private final Numbers numbers;
+  private final Variation variation;
   private final SessionScene draws;
   private final World world;
 
-  Edits(Random random, Numbers numbers, SessionScene draws, World world) {
+  Edits(Random random, Numbers numbers, Variation variation, SessionScene draws, World world) {
     this.random = random;
     this.numbers = numbers;
+    this.variation = variation;
     this.draws = draws;
     this.world = world;
   }
@@ -37,7 +40,11 @@ final class Edits {
   private void make(int what) {
     switch (what) {
       case 0, 1 -> world.setVelocity(circle(), numbers.speed(), numbers.speed());
-      case 2, 3 -> world.setPosition(circle(), numbers.x(), numbers.y());
+      case 2, 3 -> {
+        int id = circle();
+        Vec2 place = variation.place(numbers.x(), numbers.y());
+        world.setPosition(id, place.x(), place.y());
+      }
       case 4 -> world.setRadius(circle(), numbers.radius());
       case 5 -> world.setMass(circle(), numbers.mass());
       case 6 -> addCircle();
@@ -69,7 +76,8 @@ final class Edits {
 
   private void addCircle() {
     if (world.circleCount() < MOST_CIRCLES) {
-      world.addCircle(numbers.x(), numbers.y(), numbers.radius(), numbers.speed(), numbers.speed());
+      Vec2 place = variation.place(numbers.x(), numbers.y());
+      world.addCircle(place.x(), place.y(), numbers.radius(), numbers.speed(), numbers.speed());
     }
   }
 

@@ -17,16 +17,23 @@ final class Numbers {
   private static final int LARGEST_EXPONENT = 150;
 
   private final Random random;
+  private final boolean small;
   private final boolean lattice;
   private final boolean neighbours;
   private final double length;
   private final double speed;
 
-  Numbers(Random random) {
+  /**
+   * Draws the kind of a session.
+   *
+   * @param small whether all numbers are small and whole, or halves, in a box of 20 x 16
+   */
+  Numbers(Random random, boolean small) {
     this.random = random;
+    this.small = small;
     lattice = random.nextInt(3) > 0;
-    neighbours = random.nextBoolean();
-    boolean extreme = random.nextInt(4) == 0;
+    neighbours = random.nextBoolean() && !small;
+    boolean extreme = random.nextInt(4) == 0 && !small;
     length = extreme ? power() : 1;
     speed = extreme ? power() : 1;
   }
@@ -45,6 +52,21 @@ final class Numbers {
     return speed;
   }
 
+  /** The pitch of the lattice, in units. */
+  private double pitch() {
+    return small ? 1 : PITCH;
+  }
+
+  /** The width of the box. */
+  double width() {
+    return WIDTH / PITCH * pitch() * length;
+  }
+
+  /** The height of the box. */
+  double height() {
+    return HEIGHT / PITCH * pitch() * length;
+  }
+
   double x() {
     return place((int) WIDTH);
   }
@@ -54,17 +76,17 @@ final class Numbers {
   }
 
   private double place(int most) {
-    return length * (isWhole() ? near(PITCH * random.nextInt(most / PITCH + 1)) : most * part());
+    return length * (isWhole() ? near(pitch() * random.nextInt(most / PITCH + 1)) : most * part());
   }
 
   /** One step along an axis, of about the lattice's pitch, or none. */
   double step() {
-    return length * PITCH * (isWhole() ? near(random.nextInt(3) - 1.0) : random.nextGaussian());
+    return length * pitch() * (isWhole() ? near(random.nextInt(3) - 1.0) : random.nextGaussian());
   }
 
   /** Often a half or a whole of the lattice's pitch. */
   double radius() {
-    return length * (isWhole() ? near((1 + random.nextInt(4)) * PITCH / 2.0) : 0.1 + 8 * part());
+    return length * (isWhole() ? near((1 + random.nextInt(4)) * pitch() / 2) : 0.1 + 8 * part());
   }
 
   /** Of a peg: 0 too. */
@@ -75,7 +97,7 @@ final class Numbers {
   /** Along the axes and the diagonals as a rule; sometimes very slow or very fast. */
   double speed() {
     double v = isWhole() ? near(random.nextInt(7) - 3.0) : 3 * random.nextGaussian();
-    int rare = random.nextInt(20);
+    int rare = small ? 2 : random.nextInt(20);
     return speed * v * (rare == 0 ? 1e-9 : rare == 1 ? 1e3 : 1);
   }
 
@@ -101,7 +123,7 @@ final class Numbers {
   }
 
   private boolean isWhole() {
-    return lattice && random.nextInt(4) > 0;
+    return small || (lattice && random.nextInt(4) > 0);
   }
 
   private double part() {

@@ -43,6 +43,7 @@ final class Session {
   private final SessionScene draws;
   private final Filters filters;
   private final Falls falls;
+  private final Variation variation;
 
   /** Null for an ordinary scene. */
   private final EndScene ends;
@@ -62,13 +63,15 @@ final class Session {
   Session(long seed) {
     boolean crowded = Math.floorMod(seed, CROWDED) == CROWDED - 1;
     random = new Random(seed);
-    numbers = new Numbers(random);
-    filters = new Filters(~seed);
     boolean ordinary = Math.floorMod(seed, ENDS) > 0;
+    Variation.Kind kind = ordinary ? Variation.Kind.of(seed) : Variation.Kind.NONE;
+    numbers = new Numbers(random, kind == Variation.Kind.SMALL);
+    variation = new Variation(kind, seed, numbers.length());
+    filters = new Filters(~seed);
     boolean moves = ordinary && Math.floorMod(seed, MOVING) == MOVING - 1;
     motions = moves ? new Motions(seed, numbers) : null;
     falls = new Falls(seed, numbers);
-    draws = new SessionScene(random, numbers, filters, falls, crowded, motions);
+    draws = new SessionScene(random, numbers, filters, falls, variation, crowded, motions);
     edited = ordinary || random.nextInt(3) == 0;
     ends = ordinary ? null : endScene(Math.floorDiv(seed, ENDS));
     scene = ordinary ? draws.build() : ends.scene();
@@ -86,7 +89,7 @@ final class Session {
 
   private void enter(World world) {
     watch.enter(world);
-    edits = new Edits(random, numbers, draws, world);
+    edits = new Edits(random, numbers, variation, draws, world);
   }
 
   StepWatch watch() {
@@ -109,15 +112,22 @@ final class Session {
       if (what == 19) {
         reload();
       } else if (edited && what >= (ends == null ? 12 : 17)) {
-        edits.edit();
-        filters.edit(watch.world());
-        watch.edited();
+        edit();
       } else if (ends == null) {
+        if (variation.editsEachStep()) {
+          edit();
+        }
         step(numbers.duration());
       } else {
         stepOfEnds();
       }
     }
+  }
+
+  private void edit() throws FindingException {
+    edits.edit();
+    filters.edit(watch.world());
+    watch.edited();
   }
 
   private void stepOfEnds() throws FindingException {

@@ -5,6 +5,7 @@ import dev.carom.ObstacleKind;
 import dev.carom.Response;
 import dev.carom.Scene;
 import dev.carom.SceneBuilder;
+import dev.carom.Vec2;
 import java.util.Random;
 
 /** The scene from which a session starts. */
@@ -19,6 +20,7 @@ final class SessionScene {
   private final Numbers numbers;
   private final Filters filters;
   private final Falls falls;
+  private final Variation variation;
   private final SceneBuilder builder = Scene.builder();
 
   /** Half of all scenes are elastic throughout, so that energy can be looked at. */
@@ -39,12 +41,14 @@ final class SessionScene {
       Numbers numbers,
       Filters filters,
       Falls falls,
+      Variation variation,
       boolean crowded,
       Motions motions) {
     this.random = random;
     this.numbers = numbers;
     this.filters = filters;
     this.falls = falls;
+    this.variation = variation;
     elastic = random.nextBoolean();
     bumpers = random.nextInt(6) == 0;
     traits = random.nextBoolean();
@@ -61,8 +65,7 @@ final class SessionScene {
     builder.collide(random.nextBoolean());
     falls.begin(builder);
     if (random.nextInt(5) > 0) {
-      double unit = numbers.length();
-      builder.bounds(0, 0, Numbers.WIDTH * unit, Numbers.HEIGHT * unit);
+      builder.bounds(0, 0, numbers.width(), numbers.height());
       builder.restitution(restitution());
       filters.draw(builder);
     }
@@ -79,7 +82,10 @@ final class SessionScene {
     }
     int pegs = random.nextInt(4);
     for (int i = 0; i < pegs; i++) {
-      builder.peg(numbers.x(), numbers.y(), numbers.pegRadius()).restitution(restitution());
+      double x = numbers.x();
+      double y = numbers.y();
+      variation.centre(x, y);
+      builder.peg(x, y, numbers.pegRadius()).restitution(restitution());
       builder.response(response(ObstacleKind.PEG));
       filters.draw(builder);
       move();
@@ -98,6 +104,7 @@ final class SessionScene {
   private void addLine() {
     double x = numbers.x();
     double y = numbers.y();
+    variation.centre(x, y);
     if (crowded) {
       builder.line(x, y, x + numbers.step(), y + numbers.step());
     } else {
@@ -109,7 +116,8 @@ final class SessionScene {
     int circles = 1 + random.nextInt(8);
     for (int i = 0; i < circles; i++) {
       double r = numbers.radius();
-      builder.circle(numbers.x(), numbers.y(), r, numbers.speed(), numbers.speed());
+      Vec2 place = variation.place(numbers.x(), numbers.y());
+      builder.circle(place.x(), place.y(), r, numbers.speed(), numbers.speed());
       builder.restitution(restitution());
       builder.response(response(ObstacleKind.CIRCLE));
       if (masses) {

@@ -3,10 +3,15 @@ package dev.carom.bench.fuzz;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import dev.carom.Scene;
 import dev.carom.Vec2;
 import dev.carom.bench.methods.PlainScene;
+import java.util.Arrays;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class WorldFuzzTest {
@@ -51,6 +56,42 @@ class WorldFuzzTest {
     assertThat(new Session(6).scene().gravity()).isEqualTo(Vec2.ZERO);
     assertThat(fuzz.flights()).isGreaterThan(1_000);
     assertThat(fuzz.impacts()).isGreaterThan(1_000);
+  }
+
+  /** A circle is put far outside: the next step once did not end. */
+  @Test
+  void aStepEndsAlsoWithACircleFarOutside() throws FindingException {
+    assertThat(Variation.Kind.of(49)).isEqualTo(Variation.Kind.FAR);
+    WorldFuzz fuzz = new WorldFuzz();
+    fuzz.play(49);
+
+    assertThat(fuzz.steps()).isPositive();
+  }
+
+  /** Circles far outside, common centres, small whole numbers, and edits before each step. */
+  @ParameterizedTest
+  @CsvSource({"FAR, 73", "FAR, 94", "CONCENTRIC, 66", "SMALL, 70", "EDITED, 57"})
+  void worldsOfASpecialKindPlayWithoutAFinding(Variation.Kind kind, long seed)
+      throws FindingException {
+    assertThat(Variation.Kind.of(seed)).isEqualTo(kind);
+    Scene scene = new Session(seed).scene();
+    assertThat(scene.collide()).isTrue();
+    double[] places = places(scene);
+    assertThat(Arrays.stream(places).anyMatch(p -> Math.abs(p) > 4 * Numbers.WIDTH))
+        .isEqualTo(kind == Variation.Kind.FAR);
+    assertThat(Arrays.stream(places).allMatch(p -> 2 * p == Math.rint(2 * p) && p <= 20))
+        .isEqualTo(kind == Variation.Kind.SMALL);
+    WorldFuzz fuzz = new WorldFuzz();
+    fuzz.play(seed);
+
+    assertThat(fuzz.impacts()).isPositive();
+  }
+
+  private static double[] places(Scene scene) {
+    return IntStream.range(0, scene.circleCount())
+        .mapToObj(scene::circle)
+        .flatMapToDouble(c -> DoubleStream.of(c.x(), c.y()))
+        .toArray();
   }
 
   /**
