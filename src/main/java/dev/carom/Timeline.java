@@ -16,7 +16,7 @@ import java.util.Optional;
  * <pre>{@code
  * World world =
  *     new World(Scene.builder().bounds(0, 0, 100, 100).circle(50, 50, 10, 8, 0).build());
- * Timeline past = world.record(100); // the last 100 flights of each circle
+ * Timeline past = world.record(100); // the last 100 units of time
  * System.out.println(world.step(6) + ", " + past.x(0, 2.5) + ", " + past.x(0, 5.5)); // true, 70.0, 86.0
  * }</pre>
  *
@@ -24,13 +24,8 @@ import java.util.Optional;
  * that moment, they are those after the edits, and after the impacts that the edits caused at once.
  * Each change of a line or a peg is recorded, too.
  *
- * <p>Place, velocity and radius of a circle are known from the start of its oldest flight that is
- * kept. That may be before the recording began: ask {@link #contains contains}. All else is known
- * from {@link #start} on.
- *
- * <p>A flight takes 72 bytes, so the size follows the impacts and not the steps. The size is
- * bounded, and so is the part that is kept of removed circles: see {@link World#record
- * World.record}.
+ * <p>A flight takes 72 bytes, so the size follows the impacts and not the steps. It is that of as
+ * much time as is kept: see {@link World#record World.record}.
  *
  * <p>A world records its steps and its edits. When a snapshot is restored into it, the recording
  * begins anew. Not safe for use by several threads.
@@ -46,8 +41,8 @@ public final class Timeline {
   /**
    * Returns the time from which on everything is known.
    *
-   * @return the time at which the recording began; later, if its bound made it drop flights, or
-   *     circles that were removed
+   * @return the time at which the recording began; later, once that is longer ago than the duration
+   *     that is kept
    */
   public double start() {
     return recorder.start();
@@ -82,8 +77,7 @@ public final class Timeline {
    * @throws IllegalArgumentException if the circle was not there then, or is not recorded
    */
   public double x(int id, double t) {
-    FlightHistory track = track(id, t);
-    return track.x(track.find(t), t, recorder.walls());
+    return track(id, t).x(t, recorder.walls());
   }
 
   /**
@@ -95,8 +89,7 @@ public final class Timeline {
    * @throws IllegalArgumentException if the circle was not there then, or is not recorded
    */
   public double y(int id, double t) {
-    FlightHistory track = track(id, t);
-    return track.y(track.find(t), t, recorder.walls());
+    return track(id, t).y(t, recorder.walls());
   }
 
   /**
@@ -109,7 +102,7 @@ public final class Timeline {
    */
   public double vx(int id, double t) {
     FlightHistory track = track(id, t);
-    return track.vx(track.find(t), t);
+    return track.rows.vx(track.find(t), t);
   }
 
   /**
@@ -122,7 +115,7 @@ public final class Timeline {
    */
   public double vy(int id, double t) {
     FlightHistory track = track(id, t);
-    return track.vy(track.find(t), t);
+    return track.rows.vy(track.find(t), t);
   }
 
   /**
@@ -135,7 +128,7 @@ public final class Timeline {
    */
   public double radius(int id, double t) {
     FlightHistory track = track(id, t);
-    return track.radius(track.find(t));
+    return track.rows.radius(track.find(t));
   }
 
   /**

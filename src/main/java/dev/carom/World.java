@@ -1133,30 +1133,29 @@ public final class World {
    * Starts to record the flights of all circles and every edit, from now on. A recording that was
    * going on stops, and its timeline stays as it is.
    *
-   * <p>The flights of a removed circle are kept within a budget: all removed circles together have
-   * at most {@code most} flights times the largest number of circles that existed at once. Beyond
-   * that, the circles that were removed first are dropped, and {@link Timeline#start} is later.
-   * Changes of removed lines and pegs have a budget by the same rule. So the memory of a recording
-   * is bounded, however many things come and go.
+   * <p>What ended longer ago than the duration is dropped: flights, changes, and removed things. So
+   * the memory of a recording is bounded by what happens in that time. A flight takes 72 bytes, and
+   * twice as much while its history grows. A change of a circle's properties within a flight counts
+   * as a flight, and so does a contact with another circle that a sensor reports.
    *
-   * <p>A change of a circle's properties within a flight counts as a flight, and so does a contact
-   * with another circle that a sensor reports. Besides, {@code most} limits the changes of each
-   * line and of each peg, and those of the walls.
-   *
-   * @param most the number of flights to keep of each circle, at least 1; beyond it the oldest are
-   *     dropped. An edit of a circle begins a flight: for a circle that is edited in each frame,
-   *     this is a number of frames
+   * @param duration the time to keep, at least 0; {@code +infinity} to keep all
    * @return the timeline, which goes on as the world does
-   * @throws IllegalArgumentException if most is below 1
+   * @throws IllegalArgumentException if the duration is negative or NaN
    */
-  public Timeline record(int most) {
-    if (most < 1) {
-      throw Check.refused("most", most, "at least 1");
+  public Timeline record(double duration) {
+    if (!(duration >= 0)) {
+      throw Check.refused("duration", duration, "at least 0");
     }
     stopRecording();
     recorder =
         new TimelineRecorder(
-            most, scene.collide(), registry, obstacles, editor.limits, engine.gravity, this::state);
+            duration,
+            scene.collide(),
+            registry,
+            obstacles,
+            editor.limits,
+            engine.gravity,
+            this::state);
     recorder.begin(now);
     engine.record(recorder);
     return new Timeline(recorder);

@@ -8,8 +8,6 @@ import java.util.TreeMap;
 /** Whether a timeline gives the places and velocities that a world gave when it stood there. */
 final class PastCheck {
 
-  private static final int FLIGHTS = 1 << 16;
-
   private final World world;
   private final Timeline past;
 
@@ -21,7 +19,7 @@ final class PastCheck {
 
   PastCheck(World world) {
     this.world = world;
-    past = world.record(FLIGHTS);
+    past = world.record(Double.POSITIVE_INFINITY);
   }
 
   /** After a step: impacts at once changed what was seen when it began. */

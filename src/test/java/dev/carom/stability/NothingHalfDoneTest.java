@@ -56,7 +56,7 @@ class NothingHalfDoneTest {
             () -> world.addCircle(1, 1, 1e-20, 1, 1),
             () -> world.remove(ObstacleKind.WALL, 0),
             () -> world.remove(ObstacleKind.LINE, 7),
-            () -> world.record(0),
+            () -> world.record(-1),
             () -> world.restore(other),
             () -> world.x(7));
     for (ThrowingCallable call : refused) {

@@ -37,9 +37,6 @@ public final class GameLoop implements Example {
   private static final double DT = STEP / 1e9;
   private static final double GRAVITY = -600;
 
-  /** Flights that are kept of a circle: enough for its impacts in two steps. */
-  private static final int FLIGHTS = 64;
-
   private final World world;
   private final Timeline past;
   private final SceneDrawing drawing;
@@ -55,7 +52,7 @@ public final class GameLoop implements Example {
     setup.circle(205, 285, 8, 0, 0);
     Scene scene = setup.build();
     world = new World(scene);
-    past = world.record(FLIGHTS);
+    past = world.record(2 * DT);
     drawing = SceneDrawing.of(scene).withArrowTime(0).withMargin(8);
   }
 

@@ -32,7 +32,6 @@ public final class WhatIf implements Example {
   private static final int WALL = 0;
   private static final double HALF = 30;
   private static final double BACK = 10;
-  private static final int FLIGHTS = 10_000;
   private static final int TRAIL = 90;
   private static final List<Color> COLORS =
       List.of(Style.BLUE, Style.ORANGE, Style.GREEN, Style.PURPLE, Style.VERMILION);
@@ -60,7 +59,7 @@ public final class WhatIf implements Example {
     }
     was = new World(scene.build());
     other = new World(was.scene());
-    past = was.record(FLIGHTS);
+    past = was.record(END);
     Example.advance(was, END, () -> {});
     drawing = SceneDrawing.of(was.scene()).withMargin(8).withArrowTime(0);
     shown = 60;
@@ -73,7 +72,7 @@ public final class WhatIf implements Example {
   public void press() {
     fork = shown;
     other.restore(past.snapshot(fork));
-    future = other.record(FLIGHTS);
+    future = other.record(END);
     other.moveLine(WALL, mouse.x(), mouse.y() - HALF, mouse.x(), mouse.y() + HALF);
     Example.advance(other, END - fork, () -> {});
   }

@@ -126,7 +126,7 @@ final class StepWatch {
   long step(double dt) throws FindingException {
     Snapshot before = world.snapshot();
     double start = world.now();
-    Timeline timeline = world.record(mostRows);
+    Timeline timeline = world.record(Double.POSITIVE_INFINITY);
     keepLimits();
     energy.begin();
     places.begin();

@@ -21,8 +21,8 @@ import java.util.Set;
  */
 public final class Player {
 
-  /** Flights that are kept of each circle. */
-  private static final int FLIGHTS = 10_000;
+  /** For how long the past is kept, in frames. */
+  private static final double KEPT = 10_000;
 
   /** How many frames are searched for the next impact. */
   private static final double HORIZON = 1e6;
@@ -77,7 +77,7 @@ public final class Player {
     long end = System.nanoTime() + WARM_UP_NANOS;
     while (System.nanoTime() < end) {
       World world = new World(scene);
-      world.record(FLIGHTS);
+      world.record(KEPT);
       for (int frame = 1; frame <= WARM_UP_FRAMES && System.nanoTime() < end; frame++) {
         world.step(1);
       }
@@ -86,7 +86,7 @@ public final class Player {
 
   private void begin(Scene scene) {
     world = new World(scene);
-    past = world.record(FLIGHTS);
+    past = world.record(KEPT);
     history = new RunHistory();
     jumps.clear();
     shown = 0;

@@ -90,10 +90,12 @@ public class FlightTable {
     hasRare = true;
   }
 
-  /**
-   * Creates a table with further columns, and with numbers before its first row; without ints if it
-   * is of the past.
-   */
+  /** Creates a table of the past, which has no ints. */
+  static FlightTable past() {
+    return new FlightTable(0, 0, NUMBERS, 0, 0);
+  }
+
+  /** Creates a table with further columns, and with numbers before its first row. */
   FlightTable(int room, int first, int stride, int firstCode, int codeStride) {
     this.first = first;
     this.stride = stride;
@@ -134,12 +136,25 @@ public class FlightTable {
 
   /** Makes room for so many rows. */
   final void resize(int room) {
+    move(0, room);
+  }
+
+  /** Moves all rows towards the beginning, by so many rows, into room for so many. */
+  final void move(int by, int room) {
     capacity = room;
-    state = Arrays.copyOf(state, at(room));
-    codes = Arrays.copyOf(codes, codesAt(room));
-    falls = falls == null ? null : Arrays.copyOf(falls, FALL * room);
-    sensed = sensed == null ? null : Arrays.copyOf(sensed, SENSED * room);
-    jams = jams == null ? null : Arrays.copyOf(jams, room);
+    state = moved(state, by * stride, at(room));
+    codes = Arrays.copyOfRange(codes, by * codeStride, by * codeStride + codesAt(room));
+    falls = moved(falls, FALL * by, FALL * room);
+    sensed = moved(sensed, SENSED * by, SENSED * room);
+    jams = jams == null ? null : Arrays.copyOfRange(jams, by, by + room);
+  }
+
+  private static double[] moved(double[] column, int by, int size) {
+    if (column == null || column.length != size) {
+      return column == null ? null : Arrays.copyOfRange(column, by, by + size);
+    }
+    System.arraycopy(column, by, column, 0, size - by);
+    return column;
   }
 
   // Rows.

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.state;
 
-import dev.carom.internal.util.DoubleList;
 import dev.carom.internal.util.Kind;
 import java.util.ArrayDeque;
 import java.util.Arrays;
-import java.util.Deque;
-import java.util.HashMap;
 import java.util.Map;
-import java.util.stream.IntStream;
+import java.util.Queue;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /** The lines and pegs during a recording: the ones at its start, and each change since. */
 final class ObstacleHistory {
@@ -22,7 +21,7 @@ final class ObstacleHistory {
     final int traits;
     final long filter;
 
-    /** Its motion; as number 0; null if it never moved. */
+    /** Its motion, as number 0; null if it never moved. */
     final ObstacleMotions motion;
 
     State(ObstacleTable here, int code) {
@@ -44,86 +43,71 @@ final class ObstacleHistory {
       }
       return placed;
     }
+
+    /** Puts it, but for its motion, in a table of which it may be the next of its kind. */
+    void put(ObstacleTable all, int code) {
+      int numbers = all.of(code).shape.restitution;
+      double[] its = row == null ? new double[numbers] : Arrays.copyOf(row, numbers);
+      if (code == all.of(code).end) {
+        all.add(Codes.kind(code), its);
+      } else {
+        all.move(code, its, 0);
+      }
+      if (row == null) {
+        all.remove(code);
+      } else {
+        all.setRestitution(code, row[numbers]);
+        all.setTraits(code, traits);
+        all.setFilter(code, filter);
+      }
+    }
   }
 
+  /** The obstacles as they were before all changes that are kept. */
   private final ObstacleTable first;
-  private final int most;
-  private final Map<Integer, Changes<State>> changes = new HashMap<>();
 
-  /** The codes of removed obstacles in order of removal, and the number of their kept changes. */
-  private final Deque<Integer> removed = new ArrayDeque<>();
+  private final SortedMap<Integer, Changes<State>> changes = new TreeMap<>();
 
-  private long changesOfRemoved;
+  /** The codes of removed obstacles in order of removal. */
+  private final Queue<Integer> removed = new ArrayDeque<>();
 
-  /** One more than the largest code that was given, of each kind. */
+  /** One more than the largest code of those that were dropped, of each kind. */
   private final int[] ends = new int[Kind.CIRCLE];
 
-  private int present;
-  private int mostPresent;
-
-  /**
-   * The earliest time from which the history is complete: later than the start of the recording
-   * once changes were dropped.
-   */
-  private double start = Double.NEGATIVE_INFINITY;
-
-  /**
-   * Begins a recording with the current obstacles.
-   *
-   * @param most the number of changes to keep of each obstacle; the oldest are dropped
-   */
-  ObstacleHistory(ObstacleTable now, int most) {
+  /** Begins a recording with the current obstacles. */
+  ObstacleHistory(ObstacleTable now) {
     first = now.copy();
-    this.most = most;
-    present = first.size();
-    mostPresent = present;
-    ObstacleTable.kindsOfRows().forEach(kind -> ends[kind] = first.ofKind(kind).end);
   }
 
-  double start() {
-    return start;
-  }
-
-  /** Records that a line or a peg was added, changed or removed at a given time. */
-  void note(int code, ObstacleTable now, double t) {
-    Changes<State> ofThis = changes.computeIfAbsent(code, this::newChanges);
-    ends[Codes.kind(code)] = Math.max(ends[Codes.kind(code)], code + 1);
-    ofThis.add(t, new State(now, code));
-    if (ofThis.keep(most)) {
-      start = Math.max(start, ofThis.start());
-    }
+  /**
+   * Records that a line or a peg was added, changed or removed at a given time.
+   *
+   * @param horizon what ended by this time may be dropped
+   */
+  void note(int code, ObstacleTable now, double t, double horizon) {
+    Changes<State> its = changes.computeIfAbsent(code, any -> new Changes<>());
+    its.set(t, new State(now, code), horizon);
     if (now.isGone(code)) {
-      remove(code, ofThis.size());
+      removed.add(code);
     }
   }
 
-  private Changes<State> newChanges(int code) {
-    if (!isFirst(code)) {
-      present++;
-      mostPresent = Math.max(mostPresent, present);
-    }
-    return new Changes<>();
-  }
-
-  /** Counts an obstacle as removed, and drops those removed first if there is no room. */
-  private void remove(int code, int itsChanges) {
-    present--;
-    removed.add(code);
-    changesOfRemoved += itsChanges;
-    while (changesOfRemoved > (long) most * mostPresent) {
-      dropFirst();
+  /** Drops the obstacles that were removed by a time. */
+  void forget(double time) {
+    while (!removed.isEmpty() && changes.get(removed.element()).since() <= time) {
+      int code = removed.remove();
+      changes.remove(code);
+      if (isFirst(code)) {
+        first.remove(code);
+      } else {
+        ends[Codes.kind(code)] = Math.max(ends[Codes.kind(code)], code + 1);
+      }
     }
   }
 
-  private void dropFirst() {
-    int code = removed.remove();
-    Changes<State> dropped = changes.remove(code);
-    changesOfRemoved -= dropped.size();
-    dropped.keep(1);
-    start = Math.max(start, dropped.start());
-    if (isFirst(code)) {
-      changes.put(code, dropped); // else it would still seem to exist
-    }
+  /** Whether an obstacle existed when the recording began. */
+  private boolean isFirst(int code) {
+    return code < first.of(code).end;
   }
 
   /** The row of an obstacle at a given time; null if it did not exist then. */
@@ -134,80 +118,36 @@ final class ObstacleHistory {
 
   /** An obstacle at a given time; null if it did not exist by then. */
   private State state(int code, double t) {
-    Changes<State> ofThis = changes.get(code);
-    State changed = ofThis == null ? null : ofThis.at(t);
+    Changes<State> its = changes.get(code);
+    State changed = its == null ? null : its.at(t);
     return changed == null && isFirst(code) ? new State(first, code) : changed;
   }
 
   /** All obstacles at a given time; the properties of the walls then are given. */
   ObstacleTable at(double t, double restitution, int traits, long filter) {
-    if (changes.isEmpty()) {
-      ObstacleTable same = first.copy();
-      same.boundsRestitution = restitution;
-      same.boundsTraits = traits;
-      same.setFilter(Codes.LEFT, filter);
-      return same;
+    ObstacleTable then = first.copy();
+    then.boundsRestitution = restitution;
+    then.boundsTraits = traits;
+    then.setFilter(Codes.LEFT, filter);
+    ObstacleMotions motions = then.motions();
+    then.setMotions(ObstacleMotions.NONE);
+    for (Map.Entry<Integer, Changes<State>> each : changes.entrySet()) {
+      State its = each.getValue().at(t);
+      if (its != null) {
+        fill(then, then.of(each.getKey()), each.getKey());
+        its.put(then, each.getKey());
+        motions = motions.with(each.getKey(), its.motion);
+      }
     }
-    ObstacleRows[] rows =
-        ObstacleTable.kindsOfRows().mapToObj(kind -> rowsAt(kind, t)).toArray(ObstacleRows[]::new);
-    ObstacleTable then = ObstacleTable.of(first.walls, restitution, traits, filter, rows);
-    then.setMotions(motionsAt(t));
+    then.setMotions(motions);
+    then.kinds.forEach(rows -> fill(then, rows, ends[rows.kind()]));
     return then;
   }
 
-  private ObstacleRows rowsAt(int kind, double t) {
-    int from = Codes.of(kind, 0);
-    int count = endAt(kind, t) - from;
-    int width = ObstacleTable.width(kind);
-    double[] rows = new double[count * width];
-    Arrays.fill(rows, Double.NaN);
-    byte[] traits = new byte[count];
-    long[] filters = Filter.defaults(count);
-    for (int i = 0; i < count; i++) {
-      State its = state(from + i, t);
-      if (its != null && its.row != null) {
-        System.arraycopy(its.row, 0, rows, i * width, width);
-        traits[i] = (byte) its.traits;
-        filters[i] = its.filter;
-      }
+  /** Adds rows of removed obstacles up to a code. */
+  private static void fill(ObstacleTable all, ObstacleRows rows, int end) {
+    while (rows.end < end) {
+      all.remove(rows.add(new double[rows.shape.restitution]));
     }
-    return ObstacleTable.rows(kind, rows, traits, Filter.unlessDefault(filters, count));
-  }
-
-  /** One more than the largest code of a kind that was given by a time. */
-  private int endAt(int kind, double t) {
-    int low = first.ofKind(kind).end;
-    int high = ends[kind];
-    while (low < high) {
-      int middle = (low + high) >>> 1;
-      Changes<State> its = changes.get(middle);
-      if (its == null || its.start() <= t) { // null: it is dropped
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return low;
-  }
-
-  private ObstacleMotions motionsAt(double t) {
-    IntStream.Builder codes = IntStream.builder();
-    DoubleList motions = new DoubleList();
-    for (ObstacleRows ofKind : first.kinds) {
-      int end = endAt(Codes.kind(ofKind.first()), t);
-      for (int code = ofKind.first(); code < end; code++) {
-        State its = state(code, t);
-        if (its != null && its.motion != null) {
-          codes.add(code);
-          motions.add(its.motion.motion(0));
-        }
-      }
-    }
-    return ObstacleMotions.of(codes.build().toArray(), motions.toArray());
-  }
-
-  /** Whether an obstacle existed when the recording began. */
-  private boolean isFirst(int code) {
-    return code < first.of(code).end && !first.isGone(code);
   }
 }

@@ -135,11 +135,20 @@ public final class ObstacleMotions {
 
   /** These motions, of which that of an obstacle never ends and has this velocity. */
   ObstacleMotions with(int code, double ux, double uy, double since) {
-    int known = indexOf(code);
-    int i = known < 0 ? -1 - known : known;
-    ObstacleMotions all = known < 0 ? spliced(i, i + 1) : own();
+    int i = Math.max(indexOf(code), -1 - indexOf(code));
+    ObstacleMotions all = indexOf(code) < 0 ? spliced(i, i + 1) : own();
     all.codes[i] = code;
     set(all.motions, i * SIZE, code, ux, uy, since);
+    return all;
+  }
+
+  /** These motions, of which that of an obstacle is number 0 of others; null if it has none. */
+  ObstacleMotions with(int code, ObstacleMotions its) {
+    if (its == null) {
+      return without(code);
+    }
+    ObstacleMotions all = with(code, 0, 0, 0);
+    System.arraycopy(its.motions, 0, all.motions, all.indexOf(code) * SIZE, SIZE);
     return all;
   }
 

@@ -32,21 +32,11 @@ public final class TimelineRecorder {
           gravity.x,
           gravity.y);
     }
-
-    boolean holdsFor(SizeLimits limits, ObstacleTable obstacles, Gravity gravity) {
-      return largest == limits.largest()
-          && least == limits.least()
-          && restitution == obstacles.boundsRestitution
-          && traits == obstacles.boundsTraits
-          && filter == obstacles.filter(Codes.LEFT)
-          && gx == gravity.x
-          && gy == gravity.y;
-    }
   }
 
   private static final int FIRST_ROOM = 16;
 
-  private final int most;
+  private final double duration;
   private final boolean collide;
   private final CircleRegistry registry;
   private final ObstacleTable obstacles;
@@ -61,9 +51,6 @@ public final class TimelineRecorder {
   private Changes<Settings> settings;
   private double begin;
   private double end;
-
-  /** The time from which all settings are known. */
-  private double settingsStart;
 
   /** The properties that were recorded last: others often have the same. */
   private CircleProperties usual;
@@ -85,7 +72,7 @@ public final class TimelineRecorder {
   /**
    * Creates a recorder that has yet to {@linkplain #begin begin}.
    *
-   * @param most the number of flights to keep of each circle, and of changes of each thing
+   * @param duration how long what has ended is kept, at least
    * @param collide whether circles collide
    * @param registry the circles of the world, as they are at any time
    * @param obstacles the obstacles, likewise
@@ -94,14 +81,14 @@ public final class TimelineRecorder {
    * @param present gives the state of the world
    */
   public TimelineRecorder(
-      int most,
+      double duration,
       boolean collide,
       CircleRegistry registry,
       ObstacleTable obstacles,
       SizeLimits limits,
       Gravity gravity,
       Supplier<WorldState> present) {
-    this.most = most;
+    this.duration = duration;
     this.collide = collide;
     this.registry = registry;
     this.obstacles = obstacles;
@@ -112,8 +99,7 @@ public final class TimelineRecorder {
 
   /** The earliest time from which the recording is complete. */
   public double start() {
-    double circles = Math.max(begin, tracks.start());
-    return Math.max(circles, Math.max(obstacleHistory.start(), settingsStart));
+    return Math.max(begin, end - duration);
   }
 
   /** The time up to which the recording is complete. */
@@ -123,9 +109,8 @@ public final class TimelineRecorder {
 
   /** The history of a circle that existed at a given time; null if none is known. */
   public FlightHistory track(int id, double t) {
-    FlightHistory track = tracks.get(id);
-    boolean known = track != null && t >= track.start() && t < track.end() && t <= end;
-    return known ? track : null;
+    FlightHistory track = t >= start() && t <= end ? tracks.get(id) : null;
+    return track != null && t >= track.start() && t < track.end() ? track : null;
   }
 
   /** The row of a line or peg at a given time; null if it did not exist then. */
@@ -142,14 +127,13 @@ public final class TimelineRecorder {
 
   /** Discards the recording, and begins a new one now. */
   public void begin(double now) {
-    tracks = new FlightHistories(most, registry.idLimit());
-    obstacleHistory = new ObstacleHistory(obstacles, most);
+    tracks = new FlightHistories(registry.idLimit());
+    obstacleHistory = new ObstacleHistory(obstacles);
     settings = new Changes<>();
-    settings.add(Double.NEGATIVE_INFINITY, Settings.of(limits, obstacles, gravity));
+    settings.set(now, Settings.of(limits, obstacles, gravity), now);
     tails.clear();
     begin = now;
     end = now;
-    settingsStart = now;
     pendings = 0;
   }
 
@@ -179,27 +163,17 @@ public final class TimelineRecorder {
    * after a change within it. This cannot be undone.
    */
   public void add(MovingCircle m, double time) {
-    int id = registry.id(m.id);
-    FlightHistory track = tracks.get(id);
-    if (track == null) {
-      track = tracks.create(id);
-    }
-    CircleProperties its = properties(m, track.properties());
+    FlightHistory track = tracks.of(registry.id(m.id));
+    CircleProperties its = track.properties();
+    usual = CircleProperties.of(m, registry, obstacles, its == null ? usual : its);
     int last = m.last;
     int partner = m.sensedPartner;
     IgnoreList jam = m.jam;
     registry.toIds(m);
-    if (track.add(m, time, its)) {
-      tracks.drop(track.start());
-    }
+    track.add(m, time, usual, start());
     m.last = last;
     m.sensedPartner = partner;
     m.jam = jam;
-  }
-
-  private CircleProperties properties(MovingCircle m, CircleProperties known) {
-    usual = CircleProperties.of(m, registry, obstacles, known == null ? usual : known);
-    return usual;
   }
 
   /** Commits the flights of the current step, which ended at a given time. */
@@ -210,23 +184,18 @@ public final class TimelineRecorder {
       add(loaded, loaded.t);
     }
     pendings = 0;
-    noteSettings();
-    end = now;
-  }
-
-  /** Notes the settings that edits have changed since the last step. */
-  private void noteSettings() {
-    if (!settings.last().holdsFor(limits, obstacles, gravity)) {
-      settings.add(end, Settings.of(limits, obstacles, gravity));
-      if (settings.keep(most)) {
-        settingsStart = Math.max(settingsStart, settings.start());
-      }
+    Settings latest = Settings.of(limits, obstacles, gravity);
+    if (!latest.equals(settings.last())) {
+      settings.set(end, latest, start()); // edits have changed them since the last step
     }
+    end = now;
+    tracks.forget(start());
+    obstacleHistory.forget(start());
   }
 
   /** Records that a line or a peg was added, changed or removed. */
   public void noteObstacle(int code, double now) {
-    obstacleHistory.note(code, obstacles, now);
+    obstacleHistory.note(code, obstacles, now, start());
   }
 
   /** Records that a circle was removed. */
@@ -290,7 +259,7 @@ public final class TimelineRecorder {
     byte[] traits = new byte[ids.length];
     long[] filters = new long[ids.length];
     for (int k = 0; k < ids.length; k++) {
-      CircleProperties its = tracks.get(ids[k]).properties(t);
+      CircleProperties its = tracks.get(ids[k]).load(t, loaded);
       masses[k] = its.mass();
       traits[k] = (byte) its.traits();
       filters[k] = its.filter();
