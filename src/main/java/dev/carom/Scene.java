@@ -230,7 +230,7 @@ public final class Scene {
    * @throws IndexOutOfBoundsException if there is no such circle
    */
   public double mass(int i) {
-    return data.masses[at(ObstacleKind.CIRCLE, i)];
+    return data.mass(at(ObstacleKind.CIRCLE, i));
   }
 
   /**
@@ -430,7 +430,7 @@ public final class Scene {
   /** Returns the {@link ContactFlags} of a thing that exists. */
   private int traits(ObstacleKind kind, int i) {
     return kind == ObstacleKind.CIRCLE
-        ? ContactFlags.of(data.circleTraits, i)
+        ? data.traits(i)
         : data.obstacles.traits(Codes.of(kind.ordinal(), i));
   }
 

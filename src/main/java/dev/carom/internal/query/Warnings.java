@@ -179,14 +179,14 @@ public final class Warnings {
   }
 
   private boolean isSensor(int i) {
-    return ContactFlags.isSensor(ContactFlags.of(scene.circleTraits, i));
+    return ContactFlags.isSensor(scene.traits(i));
   }
 
   /** Whether two circles pass through each other. */
   private boolean passes(int i, int j) {
     return isSensor(i)
         || !Filter.meet(scene.filter(i), scene.filter(j))
-        || Math.min(scene.masses[i], scene.masses[j]) == Double.POSITIVE_INFINITY;
+        || Math.min(scene.mass(i), scene.mass(j)) == Double.POSITIVE_INFINITY;
   }
 
   /** The warning about a circle and a thing that it overlaps. */

@@ -35,11 +35,8 @@ public final class CircleRegistry {
   /** Whether the scene uses the same array of masses, which then must not be changed. */
   private boolean shared;
 
-  /** The {@link ContactFlags} of each slot; null if no circle has any. */
-  private byte[] traits;
-
-  /** The {@link Filter} of each slot; null as long as all have the default. */
-  private long[] filters;
+  /** By slots. */
+  private TraitColumns traits;
 
   /** Which slots belong to removed circles; null as long as none does. */
   private boolean[] gone;
@@ -57,16 +54,17 @@ public final class CircleRegistry {
   /** The slot found last. The next id asked for is often the one after it. */
   private int found;
 
+  /** Creates a registry of no circles. */
+  CircleRegistry() {
+    this(new double[0], null, null, new int[0], 0);
+  }
+
   public CircleRegistry(SceneData scene, double slack) {
     this.slack = slack;
-    end = scene.circleCount();
-    idLimit = end;
-    present = new LiveCodes(0, end);
-    masses = scene.masses;
+    masses = scene.registry.masses;
     shared = true;
-    countInfinite();
-    traits = scene.circleTraits == null ? null : scene.circleTraits.clone();
-    filters = Filter.copyOf(scene.circleFilters, end);
+    traits = scene.registry.traits.copy();
+    assign(scene.registry.ids(), scene.registry.idLimit);
   }
 
   private CircleRegistry(CircleRegistry other) {
@@ -83,8 +81,7 @@ public final class CircleRegistry {
   public CircleRegistry(double[] masses, byte[] traits, long[] filters, int[] ids, int idLimit) {
     slack = EngineOptions.CHOSEN.slack();
     this.masses = masses;
-    this.traits = traits;
-    this.filters = filters;
+    this.traits = TraitColumns.of(traits, filters);
     assign(ids, idLimit);
   }
 
@@ -97,20 +94,9 @@ public final class CircleRegistry {
     int[] slots = other.slots();
     int[] theirIds = other.ids();
     double[] theirMasses = other.masses;
-    byte[] theirTraits = other.traits;
-    long[] theirFilters = other.filters;
     masses = new double[slots.length];
-    traits = theirTraits == null ? null : new byte[slots.length];
-    filters = theirFilters == null ? null : new long[slots.length];
-    for (int k = 0; k < slots.length; k++) {
-      masses[k] = theirMasses[slots[k]];
-      if (traits != null) {
-        traits[k] = theirTraits[slots[k]];
-      }
-      if (filters != null) {
-        filters[k] = theirFilters[slots[k]];
-      }
-    }
+    Arrays.setAll(masses, k -> theirMasses[slots[k]]);
+    traits = other.traits.of(slots);
     shared = false;
     assign(theirIds, other.idLimit);
   }
@@ -254,8 +240,6 @@ public final class CircleRegistry {
       int capacity = 2 * end + 4;
       masses = Arrays.copyOf(masses, capacity);
       shared = false;
-      traits = traits == null ? null : Arrays.copyOf(traits, capacity);
-      filters = Filter.copyOf(filters, capacity);
       gone = gone == null ? null : Arrays.copyOf(gone, capacity);
       ids = ids == null ? null : Arrays.copyOf(ids, capacity);
     }
@@ -297,50 +281,42 @@ public final class CircleRegistry {
   }
 
   public int traits(int slot) {
-    return traits == null ? 0 : traits[slot];
+    return traits.flags(slot);
   }
 
   public void setTraits(int slot, int t) {
-    if (traits == null) {
-      traits = new byte[masses.length];
-    }
-    traits[slot] = (byte) t;
+    traits.setFlags(slot, t);
   }
 
   /** Whether any circle may have a trait. */
   public boolean hasTraits() {
-    return traits != null;
+    return traits.areFlagged();
   }
 
   public boolean isSensor(int slot) {
-    return traits != null && ContactFlags.isSensor(traits[slot]);
+    return traits.areFlagged() && ContactFlags.isSensor(traits.flags(slot));
   }
 
   public boolean halts(int slot) {
-    return traits != null && ContactFlags.halts(traits[slot]);
+    return traits.areFlagged() && ContactFlags.halts(traits.flags(slot));
   }
 
   public long filter(int slot) {
-    return Filter.of(filters, slot);
+    return traits.filter(slot);
   }
 
   /** The filters of a registry whose slots are dense; null if each is the default. */
   public long[] filters() {
-    return Filter.unlessDefault(filters, end);
+    return traits.filters(end);
   }
 
   public void setFilter(int slot, long filter) {
-    if (filters == null && filter != Filter.DEFAULT) {
-      filters = Filter.defaults(masses.length);
-    }
-    if (filters != null) {
-      filters[slot] = filter;
-    }
+    traits.setFilter(slot, filter);
   }
 
   /** Whether two circles can meet. */
   public boolean meet(int i, int j) {
-    return filters == null || Filter.meet(filters[i], filters[j]);
+    return !traits.areFiltered() || Filter.meet(traits.filter(i), traits.filter(j));
   }
 
   @Override

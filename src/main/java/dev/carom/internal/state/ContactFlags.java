@@ -3,7 +3,6 @@ package dev.carom.internal.state;
 
 /**
  * The flags of an obstacle or a circle, in a byte: its response, and whether it is a one-way line.
- * The array of a kind is null if none of that kind has any flag.
  */
 public final class ContactFlags {
 
@@ -45,10 +44,5 @@ public final class ContactFlags {
 
   public static boolean isOneWay(int traits) {
     return (traits & ONE_WAY) != 0;
-  }
-
-  /** The flags of number i of a kind. */
-  public static int of(byte[] traits, int i) {
-    return traits == null ? 0 : traits[i];
   }
 }

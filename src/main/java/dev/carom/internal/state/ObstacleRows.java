@@ -31,11 +31,8 @@ public final class ObstacleRows {
   /** The rows, by codes. */
   public double[] values;
 
-  /** The contact flags of each obstacle; null if no obstacle has any. */
-  private byte[] traits;
-
-  /** The filter of each obstacle; null as long as all have the default. */
-  private long[] filters;
+  /** By numbers within the kind. */
+  private TraitColumns traits;
 
   /** The next code to give. */
   public int end;
@@ -75,8 +72,7 @@ public final class ObstacleRows {
     int count = rows.length / shape.row;
     all.end = all.first() + count;
     all.values = all.withRowsBefore(rows);
-    all.traits = traits;
-    all.filters = filters;
+    all.traits = TraitColumns.of(traits, filters);
     all.present = new LiveCodes(all.first(), count);
     int gone = gone(rows, shape.row);
     all.edited = gone > 0;
@@ -101,7 +97,6 @@ public final class ObstacleRows {
     edited = other.edited;
     values = other.values;
     traits = other.traits;
-    filters = other.filters;
     end = other.end;
     present = other.present;
     specials = other.specials;
@@ -126,7 +121,7 @@ public final class ObstacleRows {
   }
 
   private void countSpecials() {
-    for (int code = first(); traits != null && code < end; code++) {
+    for (int code = first(); traits.areFlagged() && code < end; code++) {
       countSpecial(traits(code), 1);
     }
   }
@@ -186,21 +181,21 @@ public final class ObstacleRows {
   }
 
   public int traits(int code) {
-    return ContactFlags.of(traits, code - first());
+    return traits.flags(code - first());
   }
 
   long filter(int code) {
-    return Filter.of(filters, code - first());
+    return traits.filter(code - first());
   }
 
   /** The filters of all; null if each is the default. */
   public long[] filters() {
-    return Filter.unlessDefault(filters, count());
+    return traits.filters(count());
   }
 
   /** Whether any may have a filter other than the default. */
   boolean areFiltered() {
-    return filters != null;
+    return traits.areFiltered();
   }
 
   int specials() {
@@ -225,32 +220,30 @@ public final class ObstacleRows {
 
   /** Prepares a change: copies the arrays if another object shares them. */
   private void own() {
-    edited = true;
     if (shared) {
       shared = false;
       values = values.clone();
-      traits = traits == null ? new byte[count()] : traits.clone();
-      filters = filters == null ? null : filters.clone();
+      traits = traits.copy();
       present = present.copy();
-    } else if (traits == null) {
-      traits = new byte[count()];
     }
+  }
+
+  /** Frees the room for more obstacles. */
+  void trim() {
+    values = Arrays.copyOf(values, offset(end));
   }
 
   /** Adds an elastic obstacle without traits, and returns its code. */
   int add(double... numbers) {
     own();
-    int i = count();
-    if (i == traits.length) {
-      traits = Arrays.copyOf(traits, Math.min(2 * i + 4, Codes.limit(kind)));
-      filters = Filter.copyOf(filters, traits.length);
-      values = Arrays.copyOf(values, offset(first() + traits.length));
-    }
     int code = end++;
+    if (offset(end) > values.length) {
+      int room = Math.min(2 * count() + 4, Codes.limit(kind));
+      values = Arrays.copyOf(values, offset(first() + room));
+    }
     present.add(code);
     move(code, numbers);
     setRestitution(code, 1);
-    traits[i] = 0;
     return code;
   }
 
@@ -280,21 +273,17 @@ public final class ObstacleRows {
     own();
     countSpecial(traits(code), -1);
     countSpecial(its, 1);
-    traits[code - first()] = (byte) its;
+    traits.setFlags(code - first(), its);
   }
 
   void setFilter(int code, long filter) {
     own();
-    if (filters == null && filter != Filter.DEFAULT) {
-      filters = Filter.defaults(traits.length);
-    }
-    if (filters != null) {
-      filters[code - first()] = filter;
-    }
+    traits.setFilter(code - first(), filter);
   }
 
   /** Removes an obstacle: no search finds it any more. */
   void remove(int code) {
+    edited = true;
     setTraits(code, 0);
     setFilter(code, Filter.DEFAULT);
     int k = offset(code);
@@ -308,13 +297,12 @@ public final class ObstacleRows {
         && kind == that.kind
         && end == that.end
         && Arrays.equals(values, 0, offset(end), that.values, 0, offset(end))
-        && hasSameTraits(that)
-        && Arrays.equals(filters(), that.filters());
+        && hasSameTraits(that);
   }
 
   private boolean hasSameTraits(ObstacleRows that) {
-    for (int code = first(); (traits != null || that.traits != null) && code < end; code++) {
-      if (traits(code) != that.traits(code)) {
+    for (int code = first(); code < end; code++) {
+      if (traits(code) != that.traits(code) || filter(code) != that.filter(code)) {
         return false;
       }
     }

@@ -102,6 +102,24 @@ public final class ObstacleTable {
     return IntStream.range(Kind.LINE, SHAPES.length);
   }
 
+  /** A table of no obstacles. */
+  static ObstacleTable empty() {
+    return of(
+        null,
+        1,
+        0,
+        Filter.DEFAULT,
+        kindsOfRows()
+            .mapToObj(kind -> rows(kind, new double[0], null, null))
+            .toArray(ObstacleRows[]::new));
+  }
+
+  /** A table of the same obstacles in a rectangle, given by the coordinates of its walls. */
+  ObstacleTable within(double[] itsWalls) {
+    ObstacleRows[] rows = kinds.toArray(ObstacleRows[]::new);
+    return of(itsWalls, boundsRestitution, boundsTraits, boundsFilter, rows);
+  }
+
   /** The number of doubles in a row of a kind. */
   public static int width(int kind) {
     return SHAPES[kind].row;

@@ -21,7 +21,9 @@ public final class SceneData {
   static final int RESTITUTION = 5;
 
   public final double[] circles;
-  public final double[] masses;
+
+  /** Shared by all users of the scene, so never changed. */
+  final CircleRegistry registry;
 
   /** Shared by all users of the scene, so never changed. */
   public final ObstacleTable obstacles;
@@ -32,17 +34,9 @@ public final class SceneData {
   public final double gx;
   public final double gy;
 
-  /** See {@link ContactFlags}. */
-  public final byte[] circleTraits;
-
-  /** See {@link Filter}. */
-  final long[] circleFilters;
-
   SceneData(SceneDataBuilder from) {
     circles = from.circles.toArray();
-    masses = from.masses.toArray();
-    circleTraits = from.circles.traits();
-    circleFilters = from.circles.filters();
+    registry = from.registry.copy();
     collide = from.collide;
     gx = from.gx;
     gy = from.gy;
@@ -81,21 +75,28 @@ public final class SceneData {
     return circles[circle * CIRCLE_ROW + RESTITUTION];
   }
 
+  public double mass(int circle) {
+    return registry.mass(circle);
+  }
+
+  /** The {@link ContactFlags} of a circle. */
+  public int traits(int circle) {
+    return registry.traits(circle);
+  }
+
   /** The {@link Filter} of a circle. */
   public long filter(int circle) {
-    return Filter.of(circleFilters, circle);
+    return registry.filter(circle);
   }
 
   @Override
   public boolean equals(Object other) {
     return other instanceof SceneData that
         && Arrays.equals(circles, that.circles)
-        && Arrays.equals(masses, that.masses)
+        && registry.equals(that.registry)
         && collide == that.collide
         && gx == that.gx
         && gy == that.gy
-        && Arrays.equals(circleTraits, that.circleTraits)
-        && Arrays.equals(circleFilters, that.circleFilters)
         && obstacles.equals(that.obstacles);
   }
 

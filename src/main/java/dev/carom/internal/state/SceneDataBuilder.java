@@ -5,7 +5,6 @@ import dev.carom.internal.util.Check;
 import dev.carom.internal.util.DoubleList;
 import dev.carom.internal.util.Kind;
 import dev.carom.internal.util.Refusal;
-import java.util.Arrays;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
@@ -16,55 +15,43 @@ import java.util.TreeMap;
  */
 public final class SceneDataBuilder {
 
-  // The places in the row of the bounds.
-  private static final int XMIN = 0;
-  private static final int YMIN = 1;
-  private static final int XMAX = 2;
-  private static final int YMAX = 3;
-  private static final int BOUNDS_RESTITUTION = 4;
-  private static final int BOUNDS_ROW = 5;
+  final DoubleList circles = new DoubleList();
 
-  final SceneRows circles = new SceneRows("circle", SceneData.CIRCLE_ROW, 2);
+  /** The circles without their motion. */
+  final CircleRegistry registry = new CircleRegistry();
 
-  /** The obstacles by their {@link Kind}, but for the bounds. */
-  private final SceneRows[] obstacles = new SceneRows[Kind.CIRCLE];
-
-  public final SceneRows bounds = new SceneRows("bounds", BOUNDS_ROW, 4);
-  final DoubleList masses = new DoubleList();
+  ObstacleTable obstacles = ObstacleTable.empty();
   public boolean collide;
   double gx;
   double gy;
 
-  /** The rows whose last one was added last; null before the first. */
-  private SceneRows last;
+  /** The code of the thing added last; that of a wall for the bounds. */
+  private int last = MovingCircle.NOTHING;
 
   /** The velocities of the obstacles that move, by their codes. */
   private final SortedMap<Integer, double[]> velocities = new TreeMap<>();
 
-  public SceneDataBuilder() {
-    ObstacleTable.kindsOfRows()
-        .forEach(kind -> obstacles[kind] = new SceneRows(ObstacleTable.shape(kind)));
-  }
-
   public void bounds(double xmin, double ymin, double xmax, double ymax) {
-    if (bounds.count() > 0) {
+    if (obstacles.walls != null) {
       throw new IllegalStateException("the scene has bounds already: expected one only");
     }
-    add(bounds, () -> Check.bounds(xmin, ymin, xmax, ymax), xmin, ymin, xmax, ymax, 1);
+    check(Codes.LEFT, () -> Check.bounds(xmin, ymin, xmax, ymax));
+    obstacles = obstacles.within(ObstacleTable.walls(xmin, ymin, xmax, ymax));
+    last = Codes.LEFT;
   }
 
   /** Adds an obstacle of a {@link Kind}, by the numbers of its shape. */
   public void obstacle(int kind, double... numbers) {
-    double[] row = Arrays.copyOf(numbers, numbers.length + 1);
-    row[numbers.length] = 1;
-    add(obstacles[kind], () -> ObstacleTable.shape(kind).check(numbers), row);
+    check(obstacles.ofKind(kind).end, () -> ObstacleTable.shape(kind).check(numbers));
+    last = obstacles.add(kind, numbers);
   }
 
   /** Adds a moving circle of mass 1. */
   public void circle(double x, double y, double radius, double vx, double vy) {
     double r = radius + 0.0; // 0 for -0
-    add(circles, () -> checkCircle(x, y, r, vx, vy), x, y, r, vx, vy, 1);
-    masses.add(1);
+    check(Codes.circle(registry.count()), () -> checkCircle(x, y, r, vx, vy));
+    circles.add(x, y, r, vx, vy, 1);
+    last = Codes.circle(registry.add());
   }
 
   private static void checkCircle(double x, double y, double radius, double vx, double vy) {
@@ -79,78 +66,99 @@ public final class SceneDataBuilder {
 
   public void restitution(double e) {
     expectThing("restitution");
-    check(last, last.count() - 1, () -> Check.notNegative("restitution", e));
-    last.setLastRestitution(e);
+    check(last, () -> Check.notNegative("restitution", e));
+    if (Codes.isCircle(last)) {
+      circles.setLast(e);
+    } else {
+      obstacles.setRestitution(last, e);
+    }
   }
 
   /** Sets a response, by its number in {@link ContactFlags}. */
   public void response(int response) {
     expectThing("response");
-    if (last == bounds && response == ContactFlags.SENSOR) {
+    if (Codes.isWall(last) && response == ContactFlags.SENSOR) {
       throw Refusal.of(
           "bounds",
           Check.refused("response", "sensor", "bounce or halt: bounds keep circles inside"));
     }
-    last.setLastTraits(ContactFlags.with(last.lastTraits(), response));
+    setTraits(ContactFlags.with(traits(), response));
+  }
+
+  private int traits() {
+    return Codes.isCircle(last) ? registry.traits(Codes.slot(last)) : obstacles.traits(last);
+  }
+
+  private void setTraits(int traits) {
+    if (Codes.isCircle(last)) {
+      registry.setTraits(Codes.slot(last), traits);
+    } else {
+      obstacles.setTraits(last, traits);
+    }
   }
 
   public void filter(int category, int mask) {
     expectThing("filter");
-    last.setLastFilter(Filter.of(category, mask));
+    if (Codes.isCircle(last)) {
+      registry.setFilter(Codes.slot(last), Filter.of(category, mask));
+    } else {
+      obstacles.setFilter(last, Filter.of(category, mask));
+    }
+  }
+
+  private long filter() {
+    return Codes.isCircle(last) ? registry.filter(Codes.slot(last)) : obstacles.filter(last);
   }
 
   /** Sets the category of the thing added last; its mask stays. */
   public void category(int category) {
-    filter(category, Filter.mask(last.lastFilter()));
+    filter(category, Filter.mask(filter()));
   }
 
   /** Sets the mask of the thing added last; its category stays. */
   public void mask(int mask) {
-    filter(Filter.category(last.lastFilter()), mask);
+    filter(Filter.category(filter()), mask);
   }
 
   private void expectThing(String property) {
-    if (last == null) {
+    if (last == MovingCircle.NOTHING) {
       throw new IllegalStateException(property + " belongs to the thing added last: add one first");
     }
   }
 
   public void oneWay() {
-    if (last != obstacles[Kind.LINE]) {
+    if (!Codes.isLine(last)) {
       throw new IllegalStateException("one-way belongs to the line just added: add one first");
     }
-    last.setLastTraits(ContactFlags.withOneWay(last.lastTraits(), true));
+    setTraits(ContactFlags.withOneWay(traits(), true));
   }
 
   /** Lets the line or the peg just added move with a velocity. */
   public void velocity(double vx, double vy) {
-    int kind = Arrays.asList(obstacles).indexOf(last);
-    if (last == null || kind < 0) {
+    if (Codes.isWall(last) || Codes.isCircle(last)) {
       throw new IllegalStateException(
           "velocity belongs to the line or peg just added: add one first; that of a circle stands in"
               + " circle(x, y, radius, vx, vy)");
     }
-    int i = last.count() - 1;
     check(
         last,
-        i,
         () -> {
           Check.finite("vx", vx);
           Check.finite("vy", vy);
         });
     if (vx == 0 && vy == 0) {
-      velocities.remove(Codes.of(kind, i));
+      velocities.remove(last);
     } else {
-      velocities.put(Codes.of(kind, i), new double[] {vx, vy});
+      velocities.put(last, new double[] {vx, vy});
     }
   }
 
   public void mass(double m) {
-    if (last != circles) {
+    if (!Codes.isCircle(last)) {
       throw new IllegalStateException("mass belongs to the circle just added: add one first");
     }
-    check(circles, circles.count() - 1, () -> Check.mass("mass", m));
-    masses.setLast(m);
+    check(last, () -> Check.mass("mass", m));
+    registry.setMass(Codes.slot(last), m);
   }
 
   // The whole.
@@ -175,7 +183,7 @@ public final class SceneDataBuilder {
               ? SizeLimits.NO_POINT
               : "at least %s, 2^10 ulps of the largest coordinate, %s"
                   .formatted(leastRadius(), largestCoordinate());
-      throw Refusal.of(circles.name(i), Check.refused("radius", radius(i), expected));
+      throw Refusal.of(Kind.nameOf(Kind.CIRCLE, i), Check.refused("radius", radius(i), expected));
     }
     return new SceneData(this);
   }
@@ -183,8 +191,8 @@ public final class SceneDataBuilder {
   /** The number of the first circle whose radius keeps the scene from being built, or -1. */
   public int firstTooSmall() {
     double least = leastRadius();
-    boolean points = obstacles[Kind.LINE].count() == 0;
-    for (int i = 0; i < circles.count(); i++) {
+    boolean points = obstacles.lines.count() == 0;
+    for (int i = 0; i < registry.count(); i++) {
       if (!(radius(i) >= least || (points && radius(i) == 0))) {
         return i;
       }
@@ -193,7 +201,7 @@ public final class SceneDataBuilder {
   }
 
   private double radius(int i) {
-    return circles.get(i, SceneData.RADIUS);
+    return circles.get(i * SceneData.CIRCLE_ROW + SceneData.RADIUS);
   }
 
   private double leastRadius() {
@@ -201,51 +209,31 @@ public final class SceneDataBuilder {
   }
 
   private double largestCoordinate() {
-    double largest = Math.max(circles.largestCoordinate(), bounds.largestCoordinate());
-    for (int kind : ObstacleTable.kindsOfRows().toArray()) {
-      largest = Math.max(largest, obstacles[kind].largestCoordinate());
+    double largest = obstacles.extent();
+    for (int i = 0; obstacles.walls != null && i < Codes.WALLS; i++) {
+      largest = Math.max(largest, Math.abs(obstacles.walls[i]));
+    }
+    for (int i = 0; i < circles.size(); i += SceneData.CIRCLE_ROW) {
+      largest = Math.max(largest, Math.abs(circles.get(i + SceneData.X)));
+      largest = Math.max(largest, Math.abs(circles.get(i + SceneData.Y)));
     }
     return largest;
   }
 
   /** All obstacles so far. */
   ObstacleTable obstacles() {
-    ObstacleRows[] rows =
-        ObstacleTable.kindsOfRows()
-            .mapToObj(
-                kind ->
-                    ObstacleTable.rows(
-                        kind,
-                        obstacles[kind].toArray(),
-                        obstacles[kind].traits(),
-                        obstacles[kind].filters()))
-            .toArray(ObstacleRows[]::new);
-    double[] b = bounds.toArray();
-    ObstacleTable all =
-        b.length == 0
-            ? ObstacleTable.of(null, 1, 0, Filter.DEFAULT, rows)
-            : ObstacleTable.of(
-                ObstacleTable.walls(b[XMIN], b[YMIN], b[XMAX], b[YMAX]),
-                b[BOUNDS_RESTITUTION],
-                bounds.lastTraits(),
-                bounds.lastFilter(),
-                rows);
-    all.setMotions(ObstacleMotions.of(velocities));
-    return all;
+    obstacles.setMotions(ObstacleMotions.of(velocities));
+    obstacles.kinds.forEach(ObstacleRows::trim);
+    return obstacles.copy();
   }
 
-  private void add(SceneRows things, Runnable checks, double... row) {
-    check(things, things.count(), checks);
-    things.add(row);
-    last = things;
-  }
-
-  /** Lets a refusal begin with the name of number i. */
-  private static void check(SceneRows things, int i, Runnable checks) {
+  /** Lets a refusal begin with the name of a thing. */
+  private static void check(int code, Runnable checks) {
     try {
       checks.run();
     } catch (IllegalArgumentException e) {
-      throw Refusal.of(things.name(i), e);
+      int i = Codes.index(code);
+      throw Refusal.of(Codes.isWall(code) ? "bounds" : Kind.nameOf(Codes.kind(code), i), e);
     }
   }
 }

@@ -264,8 +264,7 @@ public final class TimelineRecorder {
       traits[k] = (byte) its.traits();
       filters[k] = its.filter();
     }
-    return new CircleRegistry(
-        masses, traits, Filter.unlessDefault(filters, ids.length), ids, tracks.idLimitAt(t));
+    return new CircleRegistry(masses, traits, filters, ids, tracks.idLimitAt(t));
   }
 
   /** Loads a circle as it was at a time, among those that existed then. */

@@ -40,17 +40,4 @@ class FilterTest {
     assertThat(Filter.meet(Filter.of(last, 1), Filter.of(1, ~last))).isFalse();
     assertThat(Filter.meet(Filter.of(1, ~last), Filter.of(last, 1))).isFalse();
   }
-
-  @Test
-  void anArrayOfDefaultsIsNone() {
-    long[] filters = Filter.defaults(3);
-    assertThat(Filter.unlessDefault(filters, 3)).isNull();
-    filters[2] = 5;
-    assertThat(Filter.unlessDefault(filters, 2)).isNull();
-    assertThat(Filter.unlessDefault(filters, 3)).containsExactly(Filter.DEFAULT, Filter.DEFAULT, 5);
-    assertThat(Filter.copyOf(filters, 5)).endsWith(5, Filter.DEFAULT, Filter.DEFAULT);
-    assertThat(Filter.copyOf(filters, 2)).hasSize(2);
-    assertThat(Filter.copyOf(null, 2)).isNull();
-    assertThat(Filter.of(null, 7)).isEqualTo(Filter.DEFAULT);
-  }
 }
