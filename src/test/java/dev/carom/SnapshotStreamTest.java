@@ -287,7 +287,7 @@ class SnapshotStreamTest {
     byte[] bytes = small();
     ByteBuffer.wrap(bytes).putInt(VERSION, 1);
     assertRefused(
-        bytes, "its format version is 1: expected 9, the only one that this library reads");
+        bytes, "its format version is 1: expected 10, the only one that this library reads");
   }
 
   @ParameterizedTest
@@ -427,7 +427,7 @@ class SnapshotStreamTest {
         "4 | 5 | code 5 does not exist",
         "4 | 268435456 | code 268435456 does not exist", // before itself
         "4 | 536870912 | code 536870912 does not exist",
-        "32 | 4 | code 4 does not exist", // a second time
+        "8 | 4 | code 4 does not exist", // a second time
       })
   void codesOfMovingObstaclesThatMakeNoSenseAreRefused(int at, int number, String message) {
     byte[] bytes = small(0.125);
@@ -439,15 +439,27 @@ class SnapshotStreamTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "8 | NaN | vx is NaN",
-        "16 | Infinity | vy is Infinity",
-        "24 | -1 | an obstacle moves since -1.0",
-        "24 | 41 | an obstacle moves since 41.0",
+        "12 | NaN | the velocity of an obstacle is NaN",
+        "20 | Infinity | the velocity of an obstacle is Infinity",
+        "36 | -Infinity | the velocity of an obstacle is -Infinity",
+        "44 | -1 | an obstacle moves since -1.0",
+        "44 | 41 | an obstacle moves since 41.0",
+        "52 | -1 | an obstacle moves until -1.0",
+        "52 | NaN | an obstacle moves until NaN",
       })
   void motionsThatMakeNoSenseAreRefused(int at, double number, String message) {
     byte[] bytes = small(0.125);
     ByteBuffer.wrap(bytes).putDouble(MOTIONS + at, number);
     assertRefused(bytes, message);
+  }
+
+  /** The velocity of each end, and the end of the motion. */
+  @Test
+  void aMotionIsKeptAsAWhole() throws IOException {
+    byte[] bytes = small(0.125);
+    ByteBuffer.wrap(bytes).putDouble(MOTIONS + 28, 0.5).putDouble(MOTIONS + 52, 50);
+    seal(bytes);
+    assertThat(SnapshotBytes.of(read(bytes))).isEqualTo(bytes);
   }
 
   // Under gravity: of each circle its acceleration, support and slow contacts, then gravity.

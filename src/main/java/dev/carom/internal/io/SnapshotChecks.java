@@ -108,10 +108,12 @@ final class SnapshotChecks {
       int code = motions.code(i);
       expectCode(code >= least && isThere(code), code);
       least = code + 1;
-      Check.finite("vx", motions.ux(i));
-      Check.finite("vy", motions.uy(i));
+      for (int number = 0; number < ObstacleTable.MOST_NUMBERS; number++) {
+        Check.finite("the velocity of an obstacle", motions.velocity(i, number));
+      }
       double since = motions.since(i);
       expect(since >= 0 && since <= now, "an obstacle moves since ", since);
+      expect(motions.until(i) >= since, "an obstacle moves until ", motions.until(i));
     }
   }
 

@@ -14,7 +14,6 @@ import dev.carom.internal.state.SizeLimits;
 import dev.carom.internal.state.WorldState;
 import dev.carom.internal.util.Check;
 import dev.carom.internal.util.DoubleList;
-import dev.carom.internal.util.IntList;
 import dev.carom.internal.util.Kind;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -39,7 +38,7 @@ final class SnapshotFields {
   /** "CAROM" and a zero byte, which no text contains. */
   private static final long MARK = 0x4341524F4D00L;
 
-  private static final int VERSION = 9;
+  private static final int VERSION = 10;
 
   private final FieldStream f;
 
@@ -124,17 +123,8 @@ final class SnapshotFields {
 
   private ObstacleMotions motions(ObstacleMotions given, int most) throws IOException {
     int count = f.count(given.count(), most);
-    IntList codes = new IntList();
-    DoubleList motions = new DoubleList();
-    for (int i = 0; i < count; i++) {
-      boolean isGiven = i < given.count();
-      int code = f.integer(isGiven ? given.code(i) : 0);
-      codes.add(code);
-      double ux = f.number(isGiven ? given.ux(i) : 0);
-      double uy = f.number(isGiven ? given.uy(i) : 0);
-      motions.add(ObstacleMotions.motion(code, ux, uy, f.number(isGiven ? given.since(i) : 0)));
-    }
-    return ObstacleMotions.of(codes.toArray(), motions.toArray());
+    int[] codes = f.integers(given.codes(), count, 1);
+    return ObstacleMotions.of(codes, f.numbers(given.motions(), count, ObstacleMotions.SIZE));
   }
 
   private CircleRegistry circles(CircleRegistry given) throws IOException {

@@ -37,10 +37,7 @@ final class ObstacleHistory {
         return row;
       }
       double[] placed = row.clone();
-      double dt = motion.elapsed(0, t, 0);
-      for (int c = 0; c < coordinates; c++) {
-        placed[c] = motion.after(0, c, row[c], dt);
-      }
+      motion.place(0, t, 0, row, 0, placed, 0, coordinates);
       return placed;
     }
 

@@ -27,7 +27,9 @@ public final class ObstacleMotions {
   // The columns of a motion, after the velocities of the numbers of a row.
   private static final int SINCE = ObstacleTable.MOST_NUMBERS;
   private static final int UNTIL = SINCE + 1;
-  private static final int SIZE = UNTIL + 1;
+
+  /** The number of columns. */
+  public static final int SIZE = UNTIL + 1;
 
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -87,6 +89,16 @@ public final class ObstacleMotions {
     return codes.length;
   }
 
+  /** The codes of the obstacles, not to be changed. */
+  public int[] codes() {
+    return codes;
+  }
+
+  /** Their motions, {@link #SIZE} numbers each, not to be changed. */
+  public double[] motions() {
+    return motions;
+  }
+
   public int code(int i) {
     return codes[i];
   }
@@ -97,16 +109,26 @@ public final class ObstacleMotions {
   }
 
   public double ux(int i) {
-    return motions[i * SIZE + ObstacleShape.X];
+    return velocity(i, ObstacleShape.X);
   }
 
   public double uy(int i) {
-    return motions[i * SIZE + ObstacleShape.Y];
+    return velocity(i, ObstacleShape.Y);
   }
 
   /** The start of motion i. */
   public double since(int i) {
     return motions[i * SIZE + SINCE];
+  }
+
+  /** The end of motion i; infinite if it never ends. */
+  public double until(int i) {
+    return motions[i * SIZE + UNTIL];
+  }
+
+  /** The velocity of a number of the row of obstacle i. */
+  public double velocity(int i, int number) {
+    return motions[i * SIZE + number];
   }
 
   /** A copy of motion i. */
@@ -123,14 +145,24 @@ public final class ObstacleMotions {
    * How long obstacle i moves from where its row says to where it is at a time, given as head and
    * tail.
    */
-  double elapsed(int i, double head, double tail) {
-    double until = motions[i * SIZE + UNTIL];
+  private double elapsed(int i, double head, double tail) {
+    double until = until(i);
     return until == NEVER ? (head - since(i)) + tail : Math.min(0, (head - until) + tail);
   }
 
-  /** A number of obstacle i after a duration; the largest double where it would be infinite. */
-  double after(int i, int number, double value, double dt) {
-    return Coordinates.within(fma(motions[i * SIZE + number], dt, value));
+  /**
+   * Writes the numbers of obstacle i at a time, given as head and tail; the largest double where
+   * one would be infinite.
+   *
+   * @param numbers of them, from k on in an array
+   * @param to receives them, from number {@code at} on; it may be the same array
+   */
+  void place(
+      int i, double head, double tail, double[] from, int k, double[] to, int at, int numbers) {
+    double dt = elapsed(i, head, tail);
+    for (int c = 0; c < numbers; c++) {
+      to[at + c] = Coordinates.within(fma(velocity(i, c), dt, from[k + c]));
+    }
   }
 
   /** These motions, of which that of an obstacle never ends and has this velocity. */

@@ -256,12 +256,8 @@ public final class ObstacleRows {
   /** Sets the coordinates of an obstacle to those at a time, by its motion. */
   void advance(int code, ObstacleMotions motions, double now) {
     own();
-    int i = motions.indexOf(code);
     int k = offset(code);
-    double dt = motions.elapsed(i, now, 0);
-    for (int c = 0; c < shape.coordinates; c++) {
-      values[k + c] = motions.after(i, c, values[k + c], dt);
-    }
+    motions.place(motions.indexOf(code), now, 0, values, k, values, k, shape.coordinates);
   }
 
   void setRestitution(int code, double e) {

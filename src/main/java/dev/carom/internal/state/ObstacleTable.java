@@ -298,10 +298,7 @@ public final class ObstacleTable {
     int code = motions.code(i);
     ObstacleRows rows = of(code);
     int k = rows.offset(code);
-    double dt = motions.elapsed(i, epoch + head, tail);
-    for (int c = 0; c < MOST_NUMBERS; c++) {
-      row[c] = motions.after(i, c, rows.values[k + c], dt);
-    }
+    motions.place(i, epoch + head, tail, rows.values, k, row, 0, MOST_NUMBERS);
   }
 
   public double epoch() {

@@ -3,7 +3,6 @@ package dev.carom.internal.state;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 class ObstacleMotionsTest {
@@ -32,8 +31,9 @@ class ObstacleMotionsTest {
 
   private static double[] at(double[] motion, double[] row, double time) {
     ObstacleMotions its = ObstacleMotions.of(new int[] {LINE}, motion);
-    double dt = its.elapsed(0, time, 0);
-    return IntStream.range(0, row.length).mapToDouble(c -> its.after(0, c, row[c], dt)).toArray();
+    double[] there = new double[row.length];
+    its.place(0, time, 0, row, 0, there, 0, row.length);
+    return there;
   }
 
   /** Who shares motions keeps them; who owns them changes them where they are. */
