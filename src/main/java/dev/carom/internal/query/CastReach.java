@@ -65,15 +65,11 @@ final class CastReach {
     from = 0;
     until = Double.MAX_VALUE;
     if (a == null) {
-      return straight(
-          p[k + BoxTree.LEFT] - right,
-          vx - v[k + BoxTree.LEFT],
-          left - p[k + BoxTree.RIGHT],
-          v[k + BoxTree.RIGHT] - vx,
-          p[k + BoxTree.BOTTOM] - top,
-          vy - v[k + BoxTree.BOTTOM],
-          bottom - p[k + BoxTree.TOP],
-          v[k + BoxTree.TOP] - vy);
+      close(p[k + BoxTree.LEFT] - right, vx - v[k + BoxTree.LEFT]);
+      close(left - p[k + BoxTree.RIGHT], v[k + BoxTree.RIGHT] - vx);
+      close(p[k + BoxTree.BOTTOM] - top, vy - v[k + BoxTree.BOTTOM]);
+      close(bottom - p[k + BoxTree.TOP], v[k + BoxTree.TOP] - vy);
+      return from > until ? NEVER : from;
     }
     close(p[k + BoxTree.LEFT] - right, vx - v[k + BoxTree.LEFT], -a[k + BoxTree.LEFT]);
     close(left - p[k + BoxTree.RIGHT], v[k + BoxTree.RIGHT] - vx, a[k + BoxTree.RIGHT]);
@@ -94,42 +90,16 @@ final class CastReach {
   }
 
   /**
-   * The first time at which four gaps are closed, each at a constant speed. If the speed is
-   * negative, the gap is closed until the quotient, not from then on. Maxima need no branch, which
-   * would be unpredictable; NaN, which proves nothing, is passed on.
+   * Takes one gap into account that closes at a constant speed. If the speed is negative, the gap
+   * is closed until the quotient, not from then on. Maxima need no branch, which would be
+   * unpredictable; NaN, which proves nothing, is passed on.
    */
-  private static double straight(
-      double gap1,
-      double u1,
-      double gap2,
-      double u2,
-      double gap3,
-      double u3,
-      double gap4,
-      double u4) {
-    double first = 0;
-    double last = Double.MAX_VALUE;
-    if (u1 >= 0) {
-      first = Math.max(first, gap1 / Math.abs(u1)); // for -0
+  private void close(double gap, double u) {
+    if (u >= 0) {
+      from = Math.max(from, gap / Math.abs(u)); // for -0
     } else {
-      last = Math.min(last, gap1 / u1);
+      until = Math.min(until, gap / u);
     }
-    if (u2 >= 0) {
-      first = Math.max(first, gap2 / Math.abs(u2));
-    } else {
-      last = Math.min(last, gap2 / u2);
-    }
-    if (u3 >= 0) {
-      first = Math.max(first, gap3 / Math.abs(u3));
-    } else {
-      last = Math.min(last, gap3 / u3);
-    }
-    if (u4 >= 0) {
-      first = Math.max(first, gap4 / Math.abs(u4));
-    } else {
-      last = Math.min(last, gap4 / u4);
-    }
-    return first > last ? NEVER : first;
   }
 
   /**

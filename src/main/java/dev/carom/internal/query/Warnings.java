@@ -118,7 +118,7 @@ public final class Warnings {
   }
 
   private void lookAtWalls(int i) {
-    if (obstacles.wallsFor(scene.filter(i)) == null || isInside(i)) {
+    if (obstacles.wallsFor(scene.filter(i)) == null) {
       return;
     }
     for (int wall = 0; Codes.isWall(wall); wall++) {
@@ -126,18 +126,6 @@ public final class Warnings {
         keep(i, wall);
       }
     }
-  }
-
-  /** Whether a circle is certainly within the bounds. Rounding is monotonic, so > proves it. */
-  private boolean isInside(int i) {
-    double x = scene.x(i);
-    double y = scene.y(i);
-    double r = scene.radius(i);
-    double[] w = scene.obstacles.walls;
-    return x - r > w[Codes.LEFT]
-        && x + r < w[Codes.RIGHT]
-        && y - r > w[Codes.BOTTOM]
-        && y + r < w[Codes.TOP];
   }
 
   private void lookAtObstacle(int code, ObstacleRows rows, BoxTree tree) {
