@@ -3,12 +3,12 @@ package dev.carom.internal.io;
 
 import dev.carom.internal.state.SceneData;
 import dev.carom.internal.state.SceneDataBuilder;
+import dev.carom.internal.util.IntList;
 import dev.carom.internal.util.Kind;
 import dev.carom.internal.util.Refusal;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.Reader;
-import java.util.Arrays;
 
 /** Reads the rows of a scene file into a builder. */
 final class SceneReader {
@@ -22,9 +22,7 @@ final class SceneReader {
    * Line and column of each circle's radius. A radius that is too small for a coordinate further
    * down is detected only after the last row.
    */
-  private int[] radiusPlaces = new int[32];
-
-  private int circles;
+  private final IntList radiusPlaces = new IntList();
 
   /** The velocity that the options of a row give. */
   private double vx;
@@ -76,7 +74,8 @@ final class SceneReader {
     if (row.plain() > MASS) {
       builder.mass(mass(row));
     }
-    keepPlace(row);
+    radiusPlaces.add(row.line());
+    radiusPlaces.add(row.column(RADIUS));
   }
 
   private static double mass(SceneRow row) throws RowException {
@@ -90,15 +89,6 @@ final class SceneReader {
       throw row.error(MASS, reason + "a number from 2^-500 to 2^500, or inf");
     }
     return number;
-  }
-
-  private void keepPlace(SceneRow row) {
-    if (2 * circles == radiusPlaces.length) {
-      radiusPlaces = Arrays.copyOf(radiusPlaces, 4 * circles);
-    }
-    radiusPlaces[2 * circles] = row.line();
-    radiusPlaces[2 * circles + 1] = row.column(RADIUS);
-    circles++;
   }
 
   private void collide(SceneRow row) throws RowException {
@@ -212,7 +202,8 @@ final class SceneReader {
       return builder.build();
     } catch (IllegalArgumentException e) {
       int place = 2 * builder.firstTooSmall();
-      throw new RowException(radiusPlaces[place], radiusPlaces[place + 1], Refusal.reason(e));
+      throw new RowException(
+          radiusPlaces.get(place), radiusPlaces.get(place + 1), Refusal.reason(e));
     }
   }
 }

@@ -27,6 +27,7 @@ public final class CircleRegistry {
   /** See {@link EngineOptions}. */
   private final double slack;
 
+  /** The mass of the circle in each slot; NaN once it is removed. */
   private double[] masses;
 
   /** How many circles have infinite mass. */
@@ -37,9 +38,6 @@ public final class CircleRegistry {
 
   /** By slots. */
   private TraitColumns traits;
-
-  /** Which slots belong to removed circles; null as long as none does. */
-  private boolean[] gone;
 
   /** One more than the last slot. */
   private int end;
@@ -105,7 +103,6 @@ public final class CircleRegistry {
     end = theirIds.length;
     idLimit = theirEnd;
     ids = end == idLimit ? null : theirIds; // null if no id is missing
-    gone = null;
     present = new LiveCodes(0, end);
     found = 0;
     countInfinite();
@@ -147,7 +144,7 @@ public final class CircleRegistry {
   }
 
   public boolean contains(int slot) {
-    return gone == null || !gone[slot];
+    return !Double.isNaN(masses[slot]);
   }
 
   // Ids.
@@ -240,7 +237,6 @@ public final class CircleRegistry {
       int capacity = 2 * end + 4;
       masses = Arrays.copyOf(masses, capacity);
       shared = false;
-      gone = gone == null ? null : Arrays.copyOf(gone, capacity);
       ids = ids == null ? null : Arrays.copyOf(ids, capacity);
     }
     masses[end] = 1;
@@ -253,12 +249,8 @@ public final class CircleRegistry {
   }
 
   public void remove(int slot) {
-    if (gone == null) {
-      gone = new boolean[masses.length];
-    }
-    gone[slot] = true;
-    infinite -= infinite(slot);
-    present.removed(1, i -> gone[i]);
+    setMass(slot, Double.NaN);
+    present.removed(1, i -> !contains(i));
   }
 
   public double mass(int slot) {

@@ -2,6 +2,7 @@
 package dev.carom.internal.state;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 import java.util.function.IntUnaryOperator;
 
 /**
@@ -60,30 +61,28 @@ public final class IgnoreList {
 
   /** Adds an entry to a list, which may be null. */
   private static IgnoreList withEntry(IgnoreList jam, int entry) {
-    if (jam == null) {
-      return new IgnoreList(new int[] {entry});
-    }
-    if (jam.contains(entry)) {
+    if (jam != null && jam.contains(entry)) {
       return jam;
     }
-    int[] more = Arrays.copyOf(jam.entries, jam.entries.length + 1);
-    more[jam.entries.length] = entry;
+    int size = jam == null ? 0 : jam.entries.length;
+    int[] more = jam == null ? new int[1] : Arrays.copyOf(jam.entries, size + 1);
+    more[size] = entry;
     return new IgnoreList(more);
   }
 
   /** Without all obstacles but those that crushed the circle; null if nothing is left. */
   IgnoreList ofCircles() {
-    int[] left = Arrays.stream(entries).filter(IgnoreList::stays).toArray();
+    return only(entry -> crushes(entry) || isOfCircle(entry));
+  }
+
+  private IgnoreList only(IntPredicate stays) {
+    int[] left = Arrays.stream(entries).filter(stays).toArray();
     return left.length == entries.length ? this : of(left);
   }
 
   /** Without all that crushed the circle; null if nothing is left. */
   IgnoreList withoutCrushers() {
-    return of(Arrays.stream(entries).filter(entry -> !crushes(entry)).toArray());
-  }
-
-  private static boolean stays(int entry) {
-    return crushes(entry) || isOfCircle(entry);
+    return only(entry -> !crushes(entry));
   }
 
   private static boolean isOfCircle(int entry) {
@@ -92,8 +91,7 @@ public final class IgnoreList {
 
   /** Removes one code; null if nothing is left. */
   public IgnoreList without(int code) {
-    int[] left = Arrays.stream(entries).filter(entry -> code(entry) != code).toArray();
-    return of(left);
+    return only(entry -> code(entry) != code);
   }
 
   /** The same with other slots or ids for circles. */

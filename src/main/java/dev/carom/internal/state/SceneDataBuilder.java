@@ -178,46 +178,42 @@ public final class SceneDataBuilder {
   public SceneData build() {
     int i = firstTooSmall();
     if (i >= 0) {
-      String expected =
-          radius(i) == 0
-              ? SizeLimits.NO_POINT
-              : "at least %s, 2^10 ulps of the largest coordinate, %s"
-                  .formatted(leastRadius(), largestCoordinate());
-      throw Refusal.of(Kind.nameOf(Kind.CIRCLE, i), Check.refused("radius", radius(i), expected));
+      check(Codes.circle(i), () -> limits().checkRadius(radius(i), 0, 0, !arePointsAllowed()));
     }
     return new SceneData(this);
   }
 
   /** The number of the first circle whose radius keeps the scene from being built, or -1. */
   public int firstTooSmall() {
-    double least = leastRadius();
-    boolean points = obstacles.lines.count() == 0;
+    double least = SizeLimits.leastRadius(limits().largest());
     for (int i = 0; i < registry.count(); i++) {
-      if (!(radius(i) >= least || (points && radius(i) == 0))) {
+      if (!(radius(i) >= least || (arePointsAllowed() && radius(i) == 0))) {
         return i;
       }
     }
     return -1;
   }
 
+  private boolean arePointsAllowed() {
+    return obstacles.lines.count() == 0;
+  }
+
   private double radius(int i) {
     return circles.get(i * SceneData.CIRCLE_ROW + SceneData.RADIUS);
   }
 
-  private double leastRadius() {
-    return SizeLimits.leastRadius(largestCoordinate());
-  }
-
-  private double largestCoordinate() {
-    double largest = obstacles.extent();
-    for (int i = 0; obstacles.walls != null && i < Codes.WALLS; i++) {
-      largest = Math.max(largest, Math.abs(obstacles.walls[i]));
+  /** The limits of a world of all things so far. */
+  private SizeLimits limits() {
+    SizeLimits limits = new SizeLimits(obstacles.extent(), Double.POSITIVE_INFINITY);
+    double[] w = obstacles.walls;
+    if (w != null) {
+      limits.keepPlace(w[Codes.LEFT], w[Codes.BOTTOM]);
+      limits.keepPlace(w[Codes.RIGHT], w[Codes.TOP]);
     }
     for (int i = 0; i < circles.size(); i += SceneData.CIRCLE_ROW) {
-      largest = Math.max(largest, Math.abs(circles.get(i + SceneData.X)));
-      largest = Math.max(largest, Math.abs(circles.get(i + SceneData.Y)));
+      limits.keepPlace(circles.get(i + SceneData.X), circles.get(i + SceneData.Y));
     }
-    return largest;
+    return limits;
   }
 
   /** All obstacles so far. */

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.state;
 
-import java.util.Arrays;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Supplier;
@@ -61,10 +60,8 @@ public final class TimelineRecorder {
    */
   private final SortedMap<Double, Double> tails = new TreeMap<>();
 
-  // Flights of a step that may still be rolled back: the slots of their circles, and their rows.
-  private int[] pendingSlots = new int[FIRST_ROOM];
-  private final FlightTable pending = new FlightTable(FIRST_ROOM);
-  private int pendings;
+  /** The flights of a step that may still be rolled back. */
+  private final UndoLog pending = new UndoLog(FIRST_ROOM);
 
   /** A circle to load, no longer than one call. */
   private final MovingCircle loaded = new MovingCircle();
@@ -134,7 +131,7 @@ public final class TimelineRecorder {
     tails.clear();
     begin = now;
     end = now;
-    pendings = 0;
+    pending.clear();
   }
 
   /** Ends the recording: later changes of the world are not known to it. */
@@ -145,17 +142,12 @@ public final class TimelineRecorder {
 
   /** Adds a flight of the current step, which {@link #undo} may still drop. */
   public void note(MovingCircle m) {
-    if (pendings == pendingSlots.length) {
-      pendingSlots = Arrays.copyOf(pendingSlots, 2 * pendings);
-      pending.resize(2 * pendings);
-    }
-    pendingSlots[pendings] = m.id;
-    pending.put(pendings++, m);
+    pending.save(m);
   }
 
   /** Drops the flights of the current step. */
   public void undo() {
-    pendings = 0;
+    pending.clear();
   }
 
   /**
@@ -178,12 +170,11 @@ public final class TimelineRecorder {
 
   /** Commits the flights of the current step, which ended at a given time. */
   public void advance(double now) {
-    for (int i = 0; i < pendings; i++) {
-      pending.get(i, loaded);
-      loaded.id = pendingSlots[i];
+    for (int i = 0; i < pending.size(); i++) {
+      pending.load(i, loaded);
       add(loaded, loaded.t);
     }
-    pendings = 0;
+    pending.clear();
     Settings latest = Settings.of(limits, obstacles, gravity);
     if (!latest.equals(settings.last())) {
       settings.set(end, latest, start()); // edits have changed them since the last step

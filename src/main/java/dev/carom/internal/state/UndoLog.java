@@ -4,8 +4,9 @@ package dev.carom.internal.state;
 import java.util.Arrays;
 
 /**
- * The state of all circles that a step has advanced, as it was at the start of the step. A step
- * that exhausts its budget restores these circles and is repeated to an earlier time.
+ * A list of circles as they were. One holds all that a step has advanced, as they were at the start
+ * of the step: a step that exhausts its budget restores them and is repeated to an earlier time. A
+ * recording has another one: it keeps the flights of a step until the step is complete.
  */
 public final class UndoLog {
 
@@ -13,7 +14,7 @@ public final class UndoLog {
   private int[] circles;
   private int size;
 
-  /** Creates a log with room for some circles. It grows as needed. */
+  /** Creates a list with room for some circles. It grows as needed. */
   public UndoLog(int circles) {
     this.circles = new int[Math.max(1, circles)];
     rows = new FlightTable(this.circles.length);
@@ -23,7 +24,17 @@ public final class UndoLog {
     size = 0;
   }
 
-  /** Saves a circle. To be called before the step first advances it. */
+  int size() {
+    return size;
+  }
+
+  /** Loads the circle that was saved as number i. */
+  void load(int i, MovingCircle m) {
+    rows.get(i, m);
+    m.id = circles[i];
+  }
+
+  /** Saves a circle. */
   public void save(MovingCircle m) {
     if (size == circles.length) {
       circles = Arrays.copyOf(circles, 2 * size);
@@ -33,11 +44,11 @@ public final class UndoLog {
     rows.put(size++, m);
   }
 
-  /** Restores all saved circles, and clears the log. */
+  /** Restores all saved circles, and clears the list. */
   public void restore(CircleTable table) {
-    for (int row = 0; row < size; row++) {
-      rows.get(row, table.body);
-      table.storeAndSetDue(circles[row], table.body);
+    for (int i = 0; i < size; i++) {
+      load(i, table.body);
+      table.storeAndSetDue(circles[i]);
     }
     size = 0;
   }
