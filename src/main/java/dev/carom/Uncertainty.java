@@ -33,7 +33,7 @@ import java.util.Arrays;
  *     throw new IllegalStateException("unfinished at " + world.now());
  *   }
  * }
- * System.out.println(Math.round(uncertainty.lostAt(0))); // 504
+ * System.out.println(Math.round(uncertainty.lostAt(0))); // 502
  * }</pre>
  *
  * <p>Call {@link #update} once after each step, before any edit. It reads the {@link ImpactLog} and
