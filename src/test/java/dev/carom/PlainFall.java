@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
-import dev.carom.internal.exact.Exact;
+import dev.carom.internal.exact.ExactSigns;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
@@ -138,7 +138,7 @@ final class PlainFall {
 
   private boolean isLeft(MovingCircle m, int code, double[] n, double t) {
     if (t == 0) {
-      return Exact.cross(n[2], n[3], n[0], n[1], m.x, m.y, n[0], n[1]).sign() > 0;
+      return ExactSigns.NUMBERS.cross(n[2], n[3], n[0], n[1], m.x, m.y, n[0], n[1]) > 0;
     }
     double x = (m.x - n[0]) + ((m.vx - ux(code)) + 0.5 * m.gx * t) * t;
     double y = (m.y - n[1]) + ((m.vy - uy(code)) + 0.5 * m.gy * t) * t;

@@ -3,7 +3,7 @@ package dev.carom;
 
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
-import dev.carom.internal.exact.Exact;
+import dev.carom.internal.exact.ExactSigns;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.MovingCircle;
@@ -131,8 +131,8 @@ abstract class PlainSearch extends PlainState {
   /** Whether the centre is left of a line and goes to its right: a point's path from there on. */
   private static boolean isStopped(
       MovingCircle m, double ax, double ay, double bx, double by, double ux, double uy) {
-    int side = Exact.cross(bx, by, ax, ay, m.x, m.y, ax, ay).sign();
-    int drift = Exact.cross(bx, by, ax, ay, m.vx, m.vy, ux, uy).sign();
+    int side = ExactSigns.NUMBERS.cross(bx, by, ax, ay, m.x, m.y, ax, ay);
+    int drift = ExactSigns.NUMBERS.cross(bx, by, ax, ay, m.vx, m.vy, ux, uy);
     return side > 0 && drift < 0;
   }
 

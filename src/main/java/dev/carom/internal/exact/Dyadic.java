@@ -8,7 +8,7 @@ import java.math.BigInteger;
  * and products of dyadic numbers. So the signs of polynomials in doubles are decided here without
  * rounding.
  */
-public final class Dyadic {
+public final class Dyadic implements Ring<Dyadic> {
 
   public static final Dyadic ZERO = new Dyadic(BigInteger.ZERO, 0);
 
@@ -55,18 +55,21 @@ public final class Dyadic {
     return of(a).minus(of(b));
   }
 
-  Dyadic plus(Dyadic that) {
+  @Override
+  public Dyadic plus(Dyadic that) {
     if (e <= that.e) {
       return new Dyadic(m.add(that.m.shiftLeft(that.e - e)), e);
     }
     return that.plus(this);
   }
 
+  @Override
   public Dyadic minus(Dyadic that) {
     return plus(that.negate());
   }
 
-  Dyadic times(Dyadic that) {
+  @Override
+  public Dyadic times(Dyadic that) {
     return new Dyadic(m.multiply(that.m), e + that.e);
   }
 

@@ -13,33 +13,6 @@ public final class Exact {
 
   private Exact() {}
 
-  public static Dyadic cross(
-      double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
-    return cross(vector(ax, ay, bx, by), vector(cx, cy, dx, dy));
-  }
-
-  public static Dyadic gap(double ax, double ay, double bx, double by, double r, double s) {
-    return vector(ax, ay, bx, by).square().minus(sum(r, s).square());
-  }
-
-  public static Dyadic discriminant(
-      double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy,
-      double r, double s) {
-    Vector p = vector(ax, ay, bx, by);
-    Vector q = vector(cx, cy, dx, dy);
-    return p.square().times(sum(r, s).square()).minus(cross(p, q).square());
-  }
-
-  public static Dyadic corner(
-      int side, double px, double py, double ax, double ay, double vx, double vy, double ux,
-      double uy, double bx, double by, double cx, double cy, double r) {
-    Vector v = vector(vx, vy, ux, uy);
-    Vector w = vector(bx, by, cx, cy);
-    Dyadic x = signed(-side, cross(vector(px, py, ax, ay), v)).signedSquare();
-    Dyadic y = dot(v, w).times(Dyadic.of(r)).signedSquare();
-    return x.times(w.square()).minus(y);
-  }
-
   /**
    * A moving disk or sphere against a resting one. If both move, d and u are relative to
    * the second.
@@ -216,10 +189,6 @@ public final class Exact {
 
   private static Dyadic sum(double r, double s) {
     return Dyadic.of(r).plus(Dyadic.of(s));
-  }
-
-  private static Dyadic signed(int sign, Dyadic x) {
-    return sign < 0 ? x.negate() : x;
   }
 
   private static Vector vector(double ax, double ay, double bx, double by) {

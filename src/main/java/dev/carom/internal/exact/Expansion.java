@@ -16,12 +16,18 @@ import java.util.Arrays;
  * Computational Geometry 18 (1997), theorem 10. Each part is below half the last bit of the next
  * one.
  */
-public final class Expansion {
+public final class Expansion implements Ring<Expansion> {
 
   /** A product of at least this much has a tail that does not underflow. */
   private static final double LEAST_PRODUCT = 0x1p-900;
 
   private static final int PARTS = 8;
+
+  /**
+   * The most parts of a sum. Its time grows with their square, and with as many a {@link Dyadic}
+   * number is faster. Only numbers of magnitudes very far apart have so many.
+   */
+  private static final int MOST_PARTS = 64;
 
   private double[] parts = new double[PARTS];
   private int count;
@@ -30,26 +36,34 @@ public final class Expansion {
   /** a - b. */
   public static Expansion difference(double a, double b) {
     double d = a - b;
-    return new Expansion().plus(differenceTail(a, b, d)).plus(d);
+    return new Expansion().add(differenceTail(a, b, d)).add(d);
   }
 
   /** a + b. */
   public static Expansion sum(double a, double b) {
-    return new Expansion().plus(a).plus(b);
+    return new Expansion().add(a).add(b);
   }
 
-  /** ax by - ay bx. */
-  public static Expansion cross(Expansion ax, Expansion ay, Expansion bx, Expansion by) {
-    return new Expansion().plus(1, ax, by).plus(-1, ay, bx);
+  @Override
+  public Expansion plus(Expansion that) {
+    return new Expansion().add(1, this).add(1, that);
   }
 
-  /** ax bx + ay by. */
-  public static Expansion dot(Expansion ax, Expansion ay, Expansion bx, Expansion by) {
-    return new Expansion().plus(1, ax, bx).plus(1, ay, by);
+  @Override
+  public Expansion minus(Expansion that) {
+    return new Expansion().add(1, this).add(-1, that);
   }
 
-  /** Adds a number. */
-  public Expansion plus(double x) {
+  @Override
+  public Expansion times(Expansion that) {
+    return new Expansion().add(1, this, that);
+  }
+
+  /** Adds a number. Once something is lost, nothing more is added. */
+  public Expansion add(double x) {
+    if (!isExact) {
+      return this;
+    }
     if (count == parts.length) {
       parts = Arrays.copyOf(parts, 2 * count);
     }
@@ -68,25 +82,35 @@ public final class Expansion {
       parts[kept++] = sum;
     }
     count = kept;
+    isExact = count <= MOST_PARTS;
+    return this;
+  }
+
+  /** Adds a number, times a power of two of either sign. */
+  public Expansion add(double factor, Expansion a) {
+    isExact &= a.isExact;
+    for (int i = 0; i < a.count && isExact; i++) {
+      add(factor * a.parts[i]);
+    }
     return this;
   }
 
   /** Adds a product, times a power of two of either sign. */
-  public Expansion plus(double factor, Expansion a, Expansion b) {
-    for (int i = 0; i < a.count; i++) {
-      for (int j = 0; j < b.count; j++) {
+  public Expansion add(double factor, Expansion a, Expansion b) {
+    isExact &= a.isExact && b.isExact;
+    for (int i = 0; i < a.count && isExact; i++) {
+      for (int j = 0; j < b.count && isExact; j++) {
         double x = factor * a.parts[i];
         double product = x * b.parts[j];
         isExact &= Math.abs(product) > LEAST_PRODUCT;
-        plus(productTail(x, b.parts[j], product));
-        plus(product);
+        add(productTail(x, b.parts[j], product));
+        add(product);
       }
     }
-    isExact &= a.isExact && b.isExact;
     return this;
   }
 
-  /** Whether nothing has underflowed or overflowed. */
+  /** Whether nothing has underflowed or overflowed, and the parts are few enough. */
   public boolean isExact() {
     return isExact && Math.abs(head()) < Double.POSITIVE_INFINITY;
   }
@@ -113,6 +137,6 @@ public final class Expansion {
     Expansion rest = new Expansion();
     rest.parts = Arrays.copyOf(parts, count + 1);
     rest.count = count;
-    return DoubleDoubleNumber.of(head, rest.plus(-head).head());
+    return DoubleDoubleNumber.of(head, rest.add(-head).head());
   }
 }

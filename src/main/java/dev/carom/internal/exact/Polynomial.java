@@ -15,7 +15,7 @@ import java.util.List;
  * by gcd(f, f'). Source: G. E. Collins and A. G. Akritas, Polynomial real root isolation using
  * Descartes' rule of signs, SYMSAC 1976.
  */
-public final class Polynomial {
+public final class Polynomial implements Ring<Polynomial> {
 
   private static final double[][] BINOMIAL = {
     {1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}
@@ -46,11 +46,13 @@ public final class Polynomial {
     return c.length == 0;
   }
 
-  Polynomial plus(Polynomial that) {
+  @Override
+  public Polynomial plus(Polynomial that) {
     return minus(new Polynomial().minus(that));
   }
 
-  Polynomial minus(Polynomial that) {
+  @Override
+  public Polynomial minus(Polynomial that) {
     Dyadic[] sum = new Dyadic[Math.max(c.length, that.c.length)];
     for (int i = 0; i < sum.length; i++) {
       sum[i] = at(i).minus(that.at(i));
@@ -58,7 +60,8 @@ public final class Polynomial {
     return new Polynomial(sum);
   }
 
-  Polynomial times(Polynomial that) {
+  @Override
+  public Polynomial times(Polynomial that) {
     if (isZero() || that.isZero()) {
       return new Polynomial();
     }

@@ -15,7 +15,7 @@ public final class PrecisionCounters {
   /** Decisions that plain doubles left open. */
   public long doubtfulDecisions;
 
-  /** Decisions that double-double left open too. */
+  /** Decisions that sums without rounding left open too. */
   public long exactDecisions;
 
   /** Square roots of doubles: one for each time of impact, except at walls. */
@@ -43,8 +43,21 @@ public final class PrecisionCounters {
 
   /** Counts a decision that goes from plain doubles to exact numbers at once. */
   public static void exactDecision() {
+    doubt();
+    exactNumbers();
+  }
+
+  /** Counts a decision that plain doubles leave open. */
+  static void doubt() {
     if (COUNT != null) {
-      COUNT.decision(false);
+      COUNT.doubtfulDecisions++;
+    }
+  }
+
+  /** Counts one of them that exact numbers take. */
+  static void exactNumbers() {
+    if (COUNT != null) {
+      COUNT.exactDecisions++;
     }
   }
 
@@ -87,13 +100,6 @@ public final class PrecisionCounters {
   public static void exactNormal() {
     if (COUNT != null) {
       COUNT.exactNormals++;
-    }
-  }
-
-  void decision(boolean certain) {
-    doubtfulDecisions++;
-    if (!certain) {
-      exactDecisions++;
     }
   }
 }

@@ -6,13 +6,14 @@ import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 import static dev.carom.internal.exact.DoubleDouble.productTail;
 import static dev.carom.internal.exact.DoubleDouble.sumTail;
 
+import java.util.function.ToIntFunction;
 
 /**
  * The signs of the five polynomials on which every decision of a sweep rests. {@code SegmentSweep}
  * and {@code DiskSweep} call them only for decisions that plain doubles leave open.
  *
  * <p>Each sign is first evaluated in double-double with an error bound. If the bound leaves it open
- * too, it is evaluated exactly ({@link Dyadic}). Vectors are given as two points, head and tail,
+ * too, it is evaluated without rounding ({@link ExactSigns}). Vectors are given as two points, head and tail,
  * whose difference they are: {@code (ax - bx, ay - by)} is exact as a double-double.
  *
  * <p>The bound. Let {@code u = 2^-53} and let M be the sum of the absolute values of a polynomial's
@@ -73,7 +74,7 @@ public final class Predicates {
                 differenceTail(cy, dy, qy),
                 c);
     int sign = decided(value, Math.abs(s) + Math.abs(t), 1);
-    return sign != UNDECIDED ? sign : Exact.cross(ax, ay, bx, by, cx, cy, dx, dy).sign();
+    return sign != UNDECIDED ? sign : exactly(of -> of.cross(ax, ay, bx, by, cx, cy, dx, dy));
   }
 
   /** The sign of (a - b).(c - d): dot(p, q) = cross(p, (-qy, qx)). */
@@ -100,7 +101,7 @@ public final class Predicates {
             + ((productTail(x, xl, x, xl, xx) + productTail(y, yl, y, yl, yy))
                 - productTail(z, zl, z, zl, zz));
     int sign = decided(value + tail, sum + zz, 1);
-    return sign != UNDECIDED ? sign : Exact.gap(ax, ay, bx, by, r, s).sign();
+    return sign != UNDECIDED ? sign : exactly(of -> of.gap(ax, ay, bx, by, r, s));
   }
 
   /**
@@ -141,7 +142,7 @@ public final class Predicates {
             Math.max(Math.max(a0, zz), terms));
     return sign != UNDECIDED
         ? sign
-        : Exact.discriminant(ax, ay, bx, by, cx, cy, dx, dy, r, s).sign();
+        : exactly(of -> of.discriminant(ax, ay, bx, by, cx, cy, dx, dy, r, s));
   }
 
   /**
@@ -200,7 +201,7 @@ public final class Predicates {
             Math.max(Math.max(mx * mx, ww), Math.max(rr, my * my)));
     return sign != UNDECIDED
         ? sign
-        : Exact.corner(side, px, py, ax, ay, vx, vy, ux, uy, bx, by, cx, cy, r).sign();
+        : exactly(of -> of.corner(side, px, py, ax, ay, vx, vy, ux, uy, bx, by, cx, cy, r));
   }
 
   /** The tail of |p|^2 for its head h = fl(fl(px px) + fl(py py)). */
@@ -211,12 +212,20 @@ public final class Predicates {
         + (productTail(px, pxl, px, pxl, xx) + productTail(py, pyl, py, pyl, yy));
   }
 
-  /** The sign of a value with terms of the given sum; UNDECIDED if the bound does not allow it. */
-  static int decided(double value, double terms, double factor) {
-    boolean certain = terms >= TINY && factor <= LARGE && Math.abs(value) > BOUND * terms;
-    if (PrecisionCounters.COUNT != null) {
-      PrecisionCounters.COUNT.decision(certain);
+  /** The sign without rounding, by sums of doubles; by numbers if these over- or underflow. */
+  private static int exactly(ToIntFunction<ExactSigns<?>> predicate) {
+    int sign = predicate.applyAsInt(ExactSigns.SUMS);
+    if (sign != UNDECIDED) {
+      return sign;
     }
+    PrecisionCounters.exactNumbers();
+    return predicate.applyAsInt(ExactSigns.NUMBERS);
+  }
+
+  /** The sign of a value with terms of the given sum; UNDECIDED if the bound does not allow it. */
+  private static int decided(double value, double terms, double factor) {
+    boolean certain = terms >= TINY && factor <= LARGE && Math.abs(value) > BOUND * terms;
+    PrecisionCounters.doubt();
     return certain ? (value > 0 ? 1 : -1) : UNDECIDED;
   }
 }

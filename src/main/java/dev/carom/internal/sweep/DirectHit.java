@@ -77,7 +77,16 @@ final class DirectHit {
     double qy = isStart ? ay : by;
     double ex = isStart ? wx : -wx;
     double ey = isStart ? wy : -wy;
-    return atEnd(px, py, r, vx, vy, gx, gy, qx, qy, ex, ey, ux, uy, t, T);
+    return atEnd(px, py, r, vx, vy, gx, gy, qx, qy, 0, ex, ey, ux, uy, t, T);
+  }
+
+  /** The same for a disk (x2, y2, r2) that moves with the velocity u. */
+  static double ofDisk(
+      double px, double py, double r, double vx, double vy, double gx, double gy, double x2,
+      double y2, double r2, double ux, double uy, double T) {
+    double rough = touch(px - x2, py - y2, r + r2, vx - ux, vy - uy, gx, gy, 0);
+    double about = rough > 0 ? rough : 0;
+    return atEnd(px, py, r, vx, vy, gx, gy, x2, y2, r2, 0, 0, ux, uy, about, T);
   }
 
   /** The time of a hit on the side. */
@@ -166,14 +175,16 @@ final class DirectHit {
   }
 
   /**
-   * The time of a hit on an end q.
+   * The time of a hit on an end q of a line, or on a disk there.
    *
-   * @param ex the way from there to the other end
+   * @param r2 the radius of the disk
+   * @param ex the way from there to the other end; 0 of a disk
    * @param about a time near which it is expected
    */
   private static double atEnd(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double qx,
-      double qy, double ex, double ey, double ux, double uy, double about, double T) {
+      double px, double py, double r1, double vx, double vy, double gx, double gy, double qx,
+      double qy, double r2, double ex, double ey, double ux, double uy, double about, double T) {
+    double r = r1 + r2;
     double dx = px - qx;
     double dy = py - qy;
     double sx = vx - ux;
@@ -192,11 +203,12 @@ final class DirectHit {
     double ny = place(dy, sy, gy, t);
     double sizeX = Offset.size(dx, sx, gx, t);
     double sizeY = Offset.size(dy, sy, gy, t);
-    if (!isInFront(-ex, -ey, dx, dy, sx, sy, gx, gy, t)
+    boolean isDisk = ex == 0 && ey == 0;
+    if (!(isDisk || isInFront(-ex, -ey, dx, dy, sx, sy, gx, gy, t))
         || !isApproach(nx, ny, sizeX, sizeY, sx, sy, gx, gy, t)) {
       return GapRoot.DOUBT;
     }
-    double time = ParabolaDiskSweep.nearest(px, py, r, vx, vy, gx, gy, qx, qy, 0, ux, uy, t);
+    double time = ParabolaDiskSweep.nearest(px, py, r1, vx, vy, gx, gy, qx, qy, r2, ux, uy, t);
     return GapRoot.upTo(T, GapRoot.beside(t, time));
   }
 
@@ -269,7 +281,8 @@ final class DirectHit {
       double ex, double ey, double T) {
     double x = place(dx, sx, gx, closest);
     double y = place(dy, sy, gy, closest);
-    double part = Math.max(0, Math.min(1, (x * ex + y * ey) / (ex * ex + ey * ey)));
+    double along = x * ex + y * ey;
+    double part = along > 0 ? Math.min(1, along / (ex * ex + ey * ey)) : 0;
     double nx = x - part * ex;
     double ny = y - part * ey;
     double square = nx * nx + ny * ny;

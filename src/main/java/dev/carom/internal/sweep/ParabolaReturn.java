@@ -8,6 +8,7 @@ import static dev.carom.internal.exact.DoubleDouble.sumTail;
 import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.exact.ExactReturn;
+import dev.carom.internal.exact.Gaps;
 import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.RealRoot;
@@ -71,7 +72,8 @@ public final class ParabolaReturn {
     if (t > LEAST_SAFE && t < MOST_SAFE && t != T) {
       return t < T ? t : NEVER;
     }
-    return ExactReturn.toWall(v, g, inward).time(T);
+    double time = Fall.linear(v, 0.5 * g, inward, T);
+    return Double.isNaN(time) ? ExactReturn.toWall(v, g, inward).time(T) : time;
   }
 
   /**
@@ -121,7 +123,10 @@ public final class ParabolaReturn {
     if (isCertain) {
       return low < T ? low : NEVER;
     }
-    return ExactReturn.toSide(side, vx, vy, gx, gy, ax, ay, bx, by, ux, uy).time(T);
+    double time = Fall.of(0, 0, 0, vx, vy, gx, gy, ax, ay, bx, by, ux, uy).toSide(side, T);
+    return Double.isNaN(time)
+        ? ExactReturn.toSide(side, vx, vy, gx, gy, ax, ay, bx, by, ux, uy).time(T)
+        : time;
   }
 
   /**
@@ -136,71 +141,15 @@ public final class ParabolaReturn {
   public static double toDisk(
       double x1, double y1, double vx1, double vy1, double gx, double gy, double x2, double y2,
       double vx2, double vy2, double T) {
+    if (gx == 0 && gy == 0) {
+      return NEVER;
+    }
     PrecisionCounters.parabola();
-    double time = certain(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, T);
-    return !Double.isNaN(time)
-        ? time
-        : ExactReturn.toDisk(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2).time(T);
-  }
-
-  /** The same, if doubles and double-double tell. */
-  static double certain(
-      double x1, double y1, double vx1, double vy1, double gx, double gy, double x2, double y2,
-      double vx2, double vy2, double T) {
-    double dx = x1 - x2;
-    double dy = y1 - y2;
-    double ux = vx1 - vx2;
-    double uy = vy1 - vy2;
-    double c1 = 2 * (dx * ux + dy * uy);
-    double c2 = (ux * ux + uy * uy) + (dx * gx + dy * gy);
-    double c3 = ux * gx + uy * gy;
-    double c4 = 0.25 * (gx * gx + gy * gy);
-    double d = Math.abs(dx) + Math.abs(dy);
-    double u = Math.abs(ux) + Math.abs(uy);
-    double g = Math.abs(gx) + Math.abs(gy);
-    boolean leaves =
-        GapRoot.sign(c1, 2 * d * u) > 0
-            || Predicates.dot(x1, y1, x2, y2, vx1, vy1, vx2, vy2) > 0;
-    if (!leaves) {
-      double time = withoutSpeed(c2, u * u + d * g, c3, u * g, dx * gx + dy * gy, d * g);
-      return Double.isNaN(time)
-          ? new DiskGap(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2).returnWithoutSpeed(T)
-          : time;
-    }
-    // (m0 + m1 t + m2 t^2)^2 exceeds the terms 2 d u, u u + d g, u g and g g / 4 one by one.
-    double m0 = Math.sqrt(2 * d * u);
-    double m1 = (u * u + d * g) / (2 * m0);
-    double m2 = u * g / (2 * m0);
-    double reach = GapRoot.reach(2 * d, u, 0.5 * Math.max(Math.abs(gx), Math.abs(gy)), T);
-    double first = GapRoot.first(c1, c2, c3, c4, 0, m0, m1, m2, 0, reach);
-    if (!(first < NEVER)) {
-      return first;
-    }
-    double t = first;
-    double nearest = GapRoot.DOUBT;
-    for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
-      double f = residue(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, t);
-      double slope = c2 + (2 * c3 + 3 * c4 * t) * t;
-      nearest = GapRoot.nearest(t, f, slope, m0 + (m1 + m2 * t) * t);
-      t -= f / slope;
-    }
-    return GapRoot.beside(first, nearest);
-  }
-
-  /**
-   * The return of a disk without normal speed, from the coefficients c2 and c3 of its gap and d.g,
-   * each with the sum of its terms. With {@code c4 = g.g / 4} the gap over the square of time has the
-   * discriminant {@code -cross(u, g)^2 - (d.g) (g.g)}.
-   */
-  private static double withoutSpeed(
-      double c2, double terms2, double c3, double terms3, double lift, double termsOfLift) {
-    int bend = GapRoot.sign(c2, terms2);
-    if (bend < 0) {
-      return 0;
-    }
-    boolean leaves =
-        bend > 0 && (GapRoot.sign(c3, terms3) > 0 || GapRoot.sign(lift, termsOfLift) > 0);
-    return leaves ? NEVER : GapRoot.DOUBT;
+    Fall fall = Fall.ofDisks(x1, y1, 0, vx1, vy1, gx, gy, x2, y2, 0, vx2, vy2);
+    double time = fall.next(Gaps.BEFORE, T);
+    return Double.isNaN(time)
+        ? ExactReturn.toDisk(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2).time(T)
+        : time;
   }
 
   /**
@@ -228,11 +177,9 @@ public final class ParabolaReturn {
       double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
       double ay, double bx, double by, double ux, double uy, double T) {
     int part = part(px, py, ax, ay, bx, by);
-    if (part == Contact.START) {
-      return EndReturn.certain(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, T);
-    }
-    if (part == Contact.END) {
-      return EndReturn.certain(px, py, r, vx, vy, gx, gy, bx, by, ax, ay, ux, uy, T);
+    if (part != Contact.LEFT) {
+      return Fall.of(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy)
+          .next(part == Contact.START ? Gaps.BEFORE : Gaps.BEYOND, T);
     }
     int side = side(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
     double back = toSide(side, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, T);
@@ -242,11 +189,17 @@ public final class ParabolaReturn {
     int region =
         LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, back);
     if (region == LineRegion.BESIDE || region == LineRegion.UNKNOWN) {
-      return region == LineRegion.BESIDE ? back : GapRoot.DOUBT;
+      boolean isBeside =
+          region == LineRegion.BESIDE
+              || Fall.of(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy)
+                  .returnsAtEnd(side, back);
+      return isBeside ? back : GapRoot.DOUBT;
     }
     double qx = region == LineRegion.BEFORE ? ax : bx;
     double qy = region == LineRegion.BEFORE ? ay : by;
-    double time = ParabolaDiskSweep.certainFirst(px, py, r, vx, vy, gx, gy, qx, qy, 0, ux, uy, T);
+    double time =
+        Fall.ofDisks(px, py, r, vx, vy, gx, gy, qx, qy, 0, ux, uy)
+            .firstAfter(back * (1 - GapRoot.MARGIN), T);
     return time > back ? time : GapRoot.DOUBT;
   }
 
@@ -256,6 +209,12 @@ public final class ParabolaReturn {
       return Contact.START;
     }
     return SegmentSweep.along(px, py, bx, by, ax, ay, bx, by) >= 0 ? Contact.END : Contact.LEFT;
+  }
+
+  private static int region(int part) {
+    return part == Contact.START
+        ? LineRegion.BEFORE
+        : part == Contact.END ? LineRegion.BEYOND : LineRegion.BESIDE;
   }
 
   /**
@@ -288,13 +247,18 @@ public final class ParabolaReturn {
     if (ax == bx && ay == by) {
       return Contact.START | now;
     }
+    int part = part(px, py, ax, ay, bx, by);
     int side =
-        part(px, py, ax, ay, bx, by) == Contact.LEFT
+        part == Contact.LEFT
             ? side(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy)
             : LineRegion.side(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
-    int contact =
-        LineRegion.contact(
-            LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t), side);
+    int region = LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
+    if (region == LineRegion.UNKNOWN) {
+      region =
+          Fall.of(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy)
+              .regionAtReturn(region(part), side, t);
+    }
+    int contact = LineRegion.contact(region, side);
     return contact == Contact.DOUBT
         ? exactContact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy) | now
         : contact | now;
@@ -306,6 +270,38 @@ public final class ParabolaReturn {
     ExactReturn exact = ExactReturn.toLine(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
     RealRoot root = exact.first(NEVER);
     return LineRegion.contact(exact.region(root), exact.side(root));
+  }
+
+  /**
+   * The double nearest to the return to a disk or an endpoint, from a time near it; NaN in doubt.
+   * The gap over time is {@code e.(2 d + t e)} with {@code e = u + g t / 2}.
+   */
+  static double nearest(
+      double x1, double y1, double vx1, double vy1, double gx, double gy, double x2, double y2,
+      double vx2, double vy2, double start) {
+    double dx = x1 - x2;
+    double dy = y1 - y2;
+    double ux = vx1 - vx2;
+    double uy = vy1 - vy2;
+    double c2 = (ux * ux + uy * uy) + (dx * gx + dy * gy);
+    double c3 = ux * gx + uy * gy;
+    double c4 = 0.25 * (gx * gx + gy * gy);
+    double d = Math.abs(dx) + Math.abs(dy);
+    double u = Math.abs(ux) + Math.abs(uy);
+    double g = Math.abs(gx) + Math.abs(gy);
+    // (m0 + m1 t + m2 t^2)^2 exceeds the terms 2 d u, u u + d g, u g and g g / 4 one by one.
+    double m0 = Math.sqrt(2 * d * u);
+    double m1 = (u * u + d * g) / (2 * m0);
+    double m2 = u * g / (2 * m0);
+    double t = start;
+    double nearest = GapRoot.DOUBT;
+    for (int i = 0; i < GapRoot.CORRECTIONS && Double.isNaN(nearest); i++) {
+      double f = residue(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, t);
+      double slope = c2 + (2 * c3 + 3 * c4 * t) * t;
+      nearest = GapRoot.nearest(t, f, slope, m0 + (m1 + m2 * t) * t);
+      t -= f / slope;
+    }
+    return nearest;
   }
 
   /** The gap over time at t. What cancels is kept as head and tail. */

@@ -43,7 +43,11 @@ public final class ParabolaWallSweep {
     if (time < T || time == 0) {
       return time;
     }
-    return time > T ? NEVER : ExactParabola.wall(p, r, v, g, wall, inward).time(T);
+    if (time > T) {
+      return NEVER;
+    }
+    time = Fall.toWall(p, r, v, g, wall, inward, T);
+    return Double.isNaN(time) ? ExactParabola.wall(p, r, v, g, wall, inward).time(T) : time;
   }
 
   /** The time, if doubles and double-double tell. */

@@ -46,14 +46,14 @@ class ExpansionTest {
         truth[k] = k % 2 == 0 ? exact(x[k]).subtract(other) : exact(x[k]).add(other);
         assertValue(sums[k], truth[k]);
       }
-      Expansion cross = Expansion.cross(sums[0], sums[1], sums[2], sums[3]);
-      Expansion dot = Expansion.dot(sums[4], sums[5], sums[6], sums[7]);
+      Expansion cross = sums[0].times(sums[3]).minus(sums[1].times(sums[2]));
+      Expansion dot = sums[4].times(sums[6]).plus(sums[5].times(sums[7]));
       BigDecimal crossed = truth[0].multiply(truth[3]).subtract(truth[1].multiply(truth[2]));
       BigDecimal dotted = truth[4].multiply(truth[6]).add(truth[5].multiply(truth[7]));
       assertValue(cross, crossed);
       assertValue(dot, dotted);
       BigDecimal both = crossed.multiply(crossed).subtract(crossed.multiply(dotted));
-      assertValue(new Expansion().plus(1, cross, cross).plus(-1, cross, dot), both);
+      assertValue(cross.times(cross).minus(cross.times(dot)), both);
     }
   }
 
@@ -72,8 +72,8 @@ class ExpansionTest {
     Expansion small = Expansion.difference(1, 1e-200);
     Expansion large = Expansion.sum(1e300, 0);
     assertThat(small.isExact()).isTrue();
-    assertThat(Expansion.dot(small, small, small, small).isExact()).isFalse();
-    assertThat(Expansion.dot(large, large, large, large).isExact()).isFalse();
+    assertThat(small.times(small).isExact()).isFalse();
+    assertThat(large.times(large).isExact()).isFalse();
     assertThat(Expansion.sum(1e308, 1e308).isExact()).isFalse();
     assertThat(Expansion.difference(Double.NaN, 1).isExact()).isFalse();
   }

@@ -129,7 +129,7 @@ class PredicatesTest {
           return n;
         },
         n -> Predicates.cross(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]),
-        n -> Exact.cross(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]).sign());
+        n -> ExactSigns.NUMBERS.cross(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]));
   }
 
   @Test
@@ -144,7 +144,7 @@ class PredicatesTest {
           return n;
         },
         n -> Predicates.gap(n[0], n[1], n[2], n[3], n[4], n[5]),
-        n -> Exact.gap(n[0], n[1], n[2], n[3], n[4], n[5]).sign());
+        n -> ExactSigns.NUMBERS.gap(n[0], n[1], n[2], n[3], n[4], n[5]));
   }
 
   @Test
@@ -163,7 +163,9 @@ class PredicatesTest {
           return n;
         },
         n -> Predicates.discriminant(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]),
-        n -> Exact.discriminant(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]).sign());
+        n ->
+            ExactSigns.NUMBERS.discriminant(
+                n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]));
   }
 
   /** p, a, v, b, c, r: {@code (p - a) x v |w| = -side r (v.w)}, {@code w = b - c}. */
@@ -215,9 +217,8 @@ class PredicatesTest {
               Predicates.corner(
                   s, n[0], n[1], n[2], n[3], n[4], n[5], 0, 0, n[6], n[7], n[8], n[9], n[10]),
           n ->
-              Exact.corner(
-                      s, n[0], n[1], n[2], n[3], n[4], n[5], 0, 0, n[6], n[7], n[8], n[9], n[10])
-                  .sign());
+              ExactSigns.NUMBERS.corner(
+                  s, n[0], n[1], n[2], n[3], n[4], n[5], 0, 0, n[6], n[7], n[8], n[9], n[10]));
     }
   }
 }

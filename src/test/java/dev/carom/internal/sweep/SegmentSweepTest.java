@@ -3,7 +3,7 @@ package dev.carom.internal.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.exact.Exact;
+import dev.carom.internal.exact.ExactSigns;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -45,7 +45,8 @@ class SegmentSweepTest {
   }
 
   private static int corner(double[] n, double x, double y) {
-    return Exact.corner(1, n[4], n[5], x, y, n[7], n[8], 0, 0, n[2], n[3], n[0], n[1], n[6]).sign();
+    return ExactSigns.NUMBERS.corner(
+        1, n[4], n[5], x, y, n[7], n[8], 0, 0, n[2], n[3], n[0], n[1], n[6]);
   }
 
   @Test

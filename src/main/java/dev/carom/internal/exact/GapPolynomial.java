@@ -1,0 +1,544 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.exact;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * A polynomial in time of degree 8 at most, on one of two rungs: with rounded coefficients and the
+ * sums of the absolute values of their terms, or with coefficients without rounding.
+ *
+ * <p>The errors, with {@code u = 2^-53} and in units of the terms. A rounded coefficient has 14 u
+ * at most: a difference of the input 1, a product 1 more than both factors, a sum 1. Of the gap of
+ * a side, a height has 4, its square 11, and the other product 6; of an end beyond a line, an
+ * offset has 3, its square 9. A coefficient without rounding has 4 u.
+ *
+ * <p>Not safe for use by several threads.
+ */
+public final class GapPolynomial implements Ring<GapPolynomial> {
+
+  /** The sign is open. */
+  public static final int UNKNOWN = 2;
+
+  /** The most coefficients. */
+  private static final int MOST = 9;
+
+  private static final double U = 0x1p-53;
+
+  /**
+   * A Bernstein coefficient on an interval from low to high, of the terms at high, is {@code
+   * PLACE_BOUND + n STEP_BOUND} for the degree n: the powers of low, those of the width and the
+   * conversion take 2 u each for a degree, of which one is the rounding of the width; a coefficient
+   * has 14 u; the terms are computed, too.
+   */
+  private static final double PLACE_BOUND = 16 * U;
+
+  private static final double STEP_BOUND = 9 * U;
+
+  /** A rounded coefficient, of its terms. */
+  private static final double COEFFICIENT_BOUND = 16 * U;
+
+  /**
+   * The value in double-double, of the terms, in {@code u^2}: a coefficient has 64, a product and a
+   * sum 5 and 4 for each degree: 136 for degree 8.
+   */
+  private static final double VALUE_BOUND = 160 * U * U;
+
+  /** Underflow of fewer than 128 operations, times a power of the time if that is above 1. */
+  private static final double TINY = 0x1p-1060;
+
+  /** The same for the tails of products. */
+  private static final double TINY_TAIL = 0x1p-960;
+
+  /** The least size of terms that are not 0: its rounding is more than what underflows. */
+  private static final double LEAST_SIZE = 0x1p-900;
+
+  /** Above this, half an ulp of a time is a double. */
+  private static final double EARLIEST = 0x1p-1000;
+
+  /** Corrections of a time by Newton's method, or halvings. More cost time only. */
+  private static final int CORRECTIONS = 80;
+
+  /** Doubles beside a time that are tried. */
+  private static final int NEIGHBORS = 6;
+
+  /** {@code BERNSTEIN[n][j][i] = C(j, i) / C(n, i)}: what a term of degree i adds. */
+  private static final double[][][] BERNSTEIN = new double[MOST][][];
+
+  static {
+    double[][] binomial = new double[MOST][MOST];
+    for (int n = 0; n < MOST; n++) {
+      binomial[n][0] = 1;
+      for (int i = 1; i <= n; i++) {
+        binomial[n][i] = binomial[n - 1][i - 1] + binomial[n - 1][i];
+      }
+      BERNSTEIN[n] = new double[n + 1][n + 1];
+    }
+    for (int n = 0; n < MOST; n++) {
+      for (int j = 0; j <= n; j++) {
+        for (int i = 0; i <= j; i++) {
+          BERNSTEIN[n][j][i] = binomial[j][i] / binomial[n][i];
+        }
+      }
+    }
+  }
+
+  /** The rounded polynomials of one question: they are used again by the next one. */
+  public static final class Pool {
+    private final List<GapPolynomial> all = new ArrayList<>();
+    private int used;
+
+    /** Takes all polynomials back. */
+    public void reset() {
+      used = 0;
+    }
+
+    /** The constant with this value, rounded once. */
+    public GapPolynomial rounded(double c0) {
+      return zero(1).set(0, c0);
+    }
+
+    /** The polynomial with these coefficients, each rounded once. */
+    public GapPolynomial rounded(double c0, double c1, double c2) {
+      return zero(3).set(0, c0).set(1, c1).set(2, c2);
+    }
+
+    private GapPolynomial zero(int length) {
+      if (used == all.size()) {
+        all.add(new GapPolynomial(this, null, MOST));
+      }
+      return all.get(used++).clear(length);
+    }
+  }
+
+  /** Where polynomials on the rung of rounded coefficients come from; null on the other rung. */
+  private final Pool pool;
+
+  /** The coefficients without rounding; null on the other rung. */
+  private final Expansion[] exact;
+
+  private int length;
+
+  /** The rounded coefficients, the constant one first, and the sums of their absolute terms. */
+  private final double[] c;
+
+  private final double[] size;
+
+  /** Whether nothing has underflowed or overflowed in those without rounding. */
+  private boolean isSafe = true;
+
+  // Found when they are first asked for.
+  private DoubleDoubleNumber[] values;
+  private GapPolynomial derivative;
+  private final double[] bernstein;
+  private final double[] shifted;
+
+  /** Whether the last question for a sign found no Bernstein coefficient above its bound. */
+  private boolean isLost;
+
+  private GapPolynomial(Pool pool, Expansion[] exact, int capacity) {
+    this.pool = pool;
+    this.exact = exact;
+    length = capacity;
+    c = new double[capacity];
+    size = new double[capacity];
+    bernstein = new double[capacity];
+    shifted = new double[capacity];
+  }
+
+  /** The polynomial with these coefficients. */
+  public static GapPolynomial exact(Expansion... coefficients) {
+    return new GapPolynomial(null, coefficients, coefficients.length);
+  }
+
+  private GapPolynomial clear(int newLength) {
+    length = newLength;
+    derivative = null;
+    Arrays.fill(c, 0);
+    Arrays.fill(size, 0);
+    return this;
+  }
+
+  private GapPolynomial set(int i, double value) {
+    double terms = Math.abs(value);
+    c[i] = value;
+    size[i] = terms == 0 ? 0 : Math.max(terms, LEAST_SIZE);
+    return this;
+  }
+
+  // The ring.
+
+  @Override
+  public GapPolynomial plus(GapPolynomial that) {
+    return plus(1, that);
+  }
+
+  @Override
+  public GapPolynomial minus(GapPolynomial that) {
+    return plus(-1, that);
+  }
+
+  private GapPolynomial plus(int sign, GapPolynomial that) {
+    GapPolynomial sum = zero(Math.max(length, that.length));
+    sum.add(1, this);
+    sum.add(sign, that);
+    return sum;
+  }
+
+  private void add(int sign, GapPolynomial that) {
+    for (int i = 0; i < that.length; i++) {
+      if (exact != null) {
+        exact[i].add(sign, that.exact[i]);
+      } else {
+        c[i] += sign * that.c[i];
+        size[i] += that.size[i];
+      }
+    }
+  }
+
+  @Override
+  public GapPolynomial times(GapPolynomial that) {
+    GapPolynomial product = zero(length + that.length - 1);
+    for (int i = 0; i < length; i++) {
+      for (int j = 0; j < that.length; j++) {
+        product.add(i, j, this, that);
+      }
+    }
+    return product;
+  }
+
+  private void add(int i, int j, GapPolynomial a, GapPolynomial b) {
+    if (exact != null) {
+      exact[i + j].add(1, a.exact[i], b.exact[j]);
+    } else if (a.size[i] != 0 && b.size[j] != 0) {
+      c[i + j] += a.c[i] * b.c[j];
+      size[i + j] += Math.max(a.size[i] * b.size[j], LEAST_SIZE);
+    }
+  }
+
+  private GapPolynomial zero(int newLength) {
+    if (exact == null) {
+      return pool.zero(newLength);
+    }
+    Expansion[] sums = new Expansion[newLength];
+    Arrays.setAll(sums, i -> new Expansion());
+    return exact(sums);
+  }
+
+  public GapPolynomial derivative() {
+    if (derivative == null) {
+      GapPolynomial d = zero(Math.max(1, length - 1));
+      for (int i = 1; i < length; i++) {
+        if (exact != null) {
+          d.exact[i - 1].add(1, exact[i], Expansion.sum(i, 0));
+        } else {
+          d.c[i - 1] = i * c[i];
+          d.size[i - 1] = i * size[i];
+        }
+      }
+      derivative = d;
+    }
+    return derivative;
+  }
+
+  /** This polynomial, times 1 or -1. */
+  public GapPolynomial signed(int sign) {
+    return sign > 0 ? this : zero(1).minus(this);
+  }
+
+  /**
+   * This polynomial less its value at 0. A slope there that is certain to be below 0 counts as 0.
+   */
+  public GapPolynomial counted() {
+    GapPolynomial gap = zero(length);
+    for (int i = 1; i < length; i++) {
+      if (i > 1 || coefficientSign(1) >= 0) {
+        if (exact != null) {
+          gap.exact[i] = exact[i];
+        } else {
+          gap.c[i] = c[i];
+          gap.size[i] = size[i];
+        }
+      }
+    }
+    return gap;
+  }
+
+  /** This polynomial without its constant term, over the variable. */
+  public GapPolynomial overTime() {
+    return exact(Arrays.copyOfRange(exact, 1, length));
+  }
+
+  // Signs.
+
+  public boolean isExact() {
+    return exact != null;
+  }
+
+  /** Whether this is the polynomial 0, for certain. */
+  public boolean isZero() {
+    for (int i = 0; i < length; i++) {
+      if (coefficientSign(i) != 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** The sign of a coefficient. */
+  private int coefficientSign(int i) {
+    if (exact != null) {
+      return exact[i].isExact() ? exact[i].sign() : UNKNOWN;
+    }
+    return size[i] == 0 ? 0 : certain(c[i], COEFFICIENT_BOUND * size[i]);
+  }
+
+  private int certain(double value, double bound) {
+    return !isSafe ? UNKNOWN : value > bound ? 1 : value < -bound ? -1 : UNKNOWN;
+  }
+
+  /** The first sign after time 0, where the first coefficients may be 0. */
+  public int signAfterStart() {
+    int sign = 0;
+    for (int i = 0; i < length && sign == 0; i++) {
+      sign = coefficientSign(i);
+    }
+    return sign;
+  }
+
+  /** The sign at time 0. */
+  public int signAtStart() {
+    return coefficientSign(0);
+  }
+
+  /** Rounds the coefficients without rounding, when they are first needed. */
+  private void prepare() {
+    if (exact == null || values != null) {
+      return;
+    }
+    values = new DoubleDoubleNumber[length];
+    for (int i = 0; i < length; i++) {
+      isSafe &= exact[i].isExact();
+      values[i] = exact[i].value();
+      c[i] = values[i].head();
+      size[i] = Math.abs(c[i]);
+    }
+  }
+
+  /**
+   * The one sign in an interval, time 0 excluded; 0 if it changes there, or is in doubt. It is that
+   * of the Bernstein coefficients: the polynomial is a mean of them. At time 0 the first one that
+   * is not 0 is a coefficient of the polynomial times a positive number.
+   */
+  public int sign(double low, double high) {
+    prepare();
+    int n = length - 1;
+    double bound = bernstein(low, high);
+    int first = 0;
+    int sign = 0;
+    if (low == 0) {
+      while (first <= n && sign == 0) {
+        sign = coefficientSign(first++);
+      }
+    }
+    boolean isOne = sign != UNKNOWN;
+    isLost = true;
+    for (int j = first; j <= n; j++) {
+      int here = certain(bernstein[j], bound);
+      isLost &= here == UNKNOWN;
+      sign = sign == 0 ? here : sign;
+      isOne &= here == sign && here != UNKNOWN;
+    }
+    return isOne ? sign : 0;
+  }
+
+  /** Whether the last {@link #sign} is in doubt, and is so in each part of the interval. */
+  public boolean isLost() {
+    return isLost;
+  }
+
+  /** Computes the Bernstein coefficients on an interval. Returns a bound of their errors. */
+  private double bernstein(double low, double high) {
+    int n = length - 1;
+    double width = high - low;
+    double[] a = shifted;
+    System.arraycopy(c, 0, a, 0, length);
+    // f(low + width x) = sum a[i] x^i
+    for (int i = 0; i < n && low != 0; i++) {
+      for (int j = n - 1; j >= i; j--) {
+        a[j] += a[j + 1] * low;
+      }
+    }
+    for (int i = 1; i <= n; i++) {
+      for (int j = i; j <= n; j++) {
+        a[j] *= width;
+      }
+    }
+    for (int j = 0; j <= n; j++) {
+      double sum = 0;
+      for (int i = 0; i <= j; i++) {
+        sum += BERNSTEIN[n][j][i] * a[i];
+      }
+      bernstein[j] = sum;
+    }
+    return (PLACE_BOUND + n * STEP_BOUND) * terms(high) + TINY * power(high);
+  }
+
+  /**
+   * The sign at {@code t + rest}, with a rest of an ulp at most; {@link #UNKNOWN} in doubt. It is 0
+   * only for a true root.
+   */
+  public int signAt(double t, double rest) {
+    prepare();
+    int sign = rest == 0 || t > EARLIEST ? roundedSign(t) : UNKNOWN;
+    if (sign != UNKNOWN || exact == null || !isSafe) {
+      return sign;
+    }
+    sign = certain(value(t, rest), VALUE_BOUND * terms(t) + TINY_TAIL * power(t));
+    return sign != UNKNOWN ? sign : exactSign(t, rest);
+  }
+
+  private int roundedSign(double t) {
+    prepare();
+    double bound = (PLACE_BOUND + length * STEP_BOUND) * terms(t) + TINY * power(t);
+    return certain(value(t), bound);
+  }
+
+  private int exactSign(double t, double rest) {
+    Expansion time = Expansion.sum(t, rest);
+    Expansion value = new Expansion();
+    for (int i = length - 1; i >= 0; i--) {
+      value = value.times(time).plus(exact[i]);
+    }
+    return value.isExact() ? value.sign() : UNKNOWN;
+  }
+
+  private double terms(double t) {
+    double terms = 0;
+    for (int i = length - 1; i >= 0; i--) {
+      terms = terms * t + size[i];
+    }
+    return terms;
+  }
+
+  /** The n-th power of the time, or 1: what underflow is multiplied with. */
+  private double power(double t) {
+    double power = 1;
+    for (int i = 1; i < length; i++) {
+      power *= Math.max(1, t);
+    }
+    return power;
+  }
+
+  private double value(double t) {
+    double value = 0;
+    for (int i = length - 1; i >= 0; i--) {
+      value = value * t + c[i];
+    }
+    return value;
+  }
+
+  /** The value at {@code t + rest}, in double-double. */
+  private double value(double t, double rest) {
+    DoubleDoubleNumber time = DoubleDoubleNumber.of(t, rest);
+    DoubleDoubleNumber value = values[length - 1];
+    for (int i = length - 2; i >= 0; i--) {
+      value = value.times(time).plus(values[i]);
+    }
+    return value.head();
+  }
+
+  private double slope(double t) {
+    double slope = 0;
+    for (int i = length - 1; i > 0; i--) {
+      slope = slope * t + i * c[i];
+    }
+    return slope;
+  }
+
+  /**
+   * The sign where the slope is 0, within an ulp of t; {@link #UNKNOWN} in doubt. The bend has one
+   * sign there. So the value lies between that at t and the tangent at t: they differ by an ulp
+   * times the slope at most.
+   */
+  public int signAtTurn(double t) {
+    int n = length - 1;
+    double slope = Math.abs(slope(t)) + (PLACE_BOUND + n * STEP_BOUND) * n * terms(t) / t;
+    double bound = VALUE_BOUND * terms(t) + TINY_TAIL * power(t) + Math.ulp(t) * slope;
+    int sign = certain(value(t, 0), bound);
+    boolean isTie = sign == UNKNOWN && derivative().signAt(t, 0) == 0 && signAt(t, 0) == 0;
+    return isTie ? 0 : sign;
+  }
+
+  /** The sign at all times that are rounded to t; {@link #UNKNOWN} in doubt. */
+  public int signNear(double t) {
+    return isZero() ? 0 : t > EARLIEST ? roundedSign(t) : UNKNOWN;
+  }
+
+  /** Whether t is a root at which this polynomial falls, and the only root that is rounded to t. */
+  public boolean fallsAt(double t) {
+    return signAt(t, 0) == 0 && derivative().signNear(t) == -1;
+  }
+
+  /** The part of a window from 0 in which the first two terms that are not 0 are alike in size. */
+  public double scale() {
+    prepare();
+    for (int i = 0; i + 1 < length; i++) {
+      if (c[i] != 0) {
+        return 2 * Math.abs(c[i] / c[i + 1]);
+      }
+    }
+    return Double.POSITIVE_INFINITY;
+  }
+
+  // Roots.
+
+  /**
+   * The double nearest to the only root in an interval, a tie to the even one; NaN in doubt. The
+   * coefficients must be without rounding.
+   *
+   * @param before the sign before the root
+   */
+  public double nearestRoot(int before, double low, double high) {
+    prepare();
+    double t = root(before, low, high);
+    for (int i = 0; i < NEIGHBORS && t > EARLIEST; i++) {
+      int down = t <= low ? before : signAt(t, 0.5 * (Math.nextDown(t) - t));
+      int up = t >= high ? -before : signAt(t, 0.5 * Math.ulp(t));
+      if (down == UNKNOWN || up == UNKNOWN) {
+        return Double.NaN;
+      }
+      boolean isEven = (Double.doubleToRawLongBits(t) & 1) == 0;
+      if (down == before ? up == -before || (up == 0 && isEven) : down == 0 && isEven) {
+        return t;
+      }
+      t = down == before ? Math.nextUp(t) : Math.nextDown(t);
+    }
+    return Double.NaN;
+  }
+
+  /**
+   * About the only root in an interval, by Newton's method; in double-double, if without rounding.
+   */
+  public double root(int before, double low, double high) {
+    double from = low;
+    double to = high;
+    double t = 0.5 * (low + high);
+    for (int i = 0; i < CORRECTIONS; i++) {
+      double value = before * (exact != null ? value(t, 0) : value(t));
+      if (value > 0) {
+        from = t;
+      } else {
+        to = t;
+      }
+      double next = t - value / (before * slope(t));
+      next = next >= from && next <= to ? next : 0.5 * (from + to);
+      if (Math.abs(next - t) <= 0.5 * Math.ulp(t)) {
+        return next;
+      }
+      t = next;
+    }
+    return t;
+  }
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.exact;
+
+/**
+ * The gaps between a disk and an obstacle as polynomials in time, one for each Voronoi region of
+ * the obstacle. A gap is the square of a distance less that of a radius, times a positive constant.
+ * The disk touches the obstacle where the gap of the region of its centre is 0.
+ *
+ * <p>The equations stand here once, for all rungs of precision.
+ */
+public final class Gaps<P extends Ring<P>> {
+
+  /** The region before the start of a line, and the only one of a disk. */
+  public static final int BEFORE = 0;
+
+  public static final int BESIDE = 1;
+  public static final int BEYOND = 2;
+
+  private P x;
+  private P y;
+  private P wx;
+  private P wy;
+  private P r;
+
+  /**
+   * Sets the motion and the obstacle.
+   *
+   * @param x the offset of the centre from the start of the line, or from the centre of a disk
+   * @param wx the vector of the line, as constants; 0 of a disk
+   * @param r the radius, of two disks the sum of theirs, as a constant
+   */
+  public Gaps<P> set(P x, P y, P wx, P wy, P r) {
+    this.x = x;
+    this.y = y;
+    this.wx = wx;
+    this.wy = wy;
+    this.r = r;
+    return this;
+  }
+
+  public P x() {
+    return x;
+  }
+
+  public P y() {
+    return y;
+  }
+
+  public P wx() {
+    return wx;
+  }
+
+  public P wy() {
+    return wy;
+  }
+
+  public P r() {
+    return r;
+  }
+
+  /** The gap in a region. */
+  public P gap(int region) {
+    return switch (region) {
+      case BEFORE -> gap(x, y);
+      case BESIDE -> ofSide();
+      default -> gap(x.minus(wx), y.minus(wy));
+    };
+  }
+
+  /** The gap of an end: {@code d.d - r^2}. */
+  private P gap(P dx, P dy) {
+    return dx.times(dx).plus(dy.times(dy)).minus(r.times(r));
+  }
+
+  /** The gap of the side of a line, times w.w: {@code cross(w, d)^2 - r^2 w.w}. */
+  private P ofSide() {
+    P height = height();
+    return height.times(height).minus(r.times(r).times(length()));
+  }
+
+  /** The height over the line, times its length: {@code cross(w, d)}. */
+  public P height() {
+    return wx.times(y).minus(wy.times(x));
+  }
+
+  /** The projection on the line, from its start: {@code w.d}. At most 0 before the line. */
+  public P fromStart() {
+    return wx.times(x).plus(wy.times(y));
+  }
+
+  /** The projection on the line, from its end: {@code w.d - w.w}. At least 0 beyond the line. */
+  public P fromEnd() {
+    return fromStart().minus(length());
+  }
+
+  private P length() {
+    return wx.times(wx).plus(wy.times(wy));
+  }
+}

@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import static dev.carom.internal.exact.GapPolynomial.UNKNOWN;
+
+import dev.carom.internal.exact.GapPolynomial;
+import dev.carom.internal.exact.Gaps;
+import java.util.Arrays;
+
+/**
+ * The certified search: when does a disk come into contact with an obstacle, by the gaps in the
+ * regions of the obstacle?
+ *
+ * <p>It looks at intervals of time. In each it asks in which regions the centre may be, and of each
+ * of these for one sign of the gap and for one sign of its rate. A region is open where the gap may
+ * be 0 or less and may fall. No region open: no contact. If the gaps fall in all regions in which
+ * the centre may be, their signs at both ends tell. If one rate changes its sign once, the sign of
+ * the gap at this turn tells. All else is halved. After an interval without contact the next one is
+ * twice as long.
+ *
+ * <p>With rounded coefficients a search answers most questions, and hands the rounding of a time to
+ * a gap without rounding.
+ */
+final class GapSearch {
+
+  static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /** The search leaves the answer open. */
+  static final double DOUBT = Double.NaN;
+
+  /** The interval must be halved. */
+  private static final double HALVE = -1;
+
+  /** Intervals looked at before the search gives up. */
+  private static final int INTERVALS = 256;
+
+  /** The least interval, of its end. Further halving costs time, and hardly tells more. */
+  private static final double LEAST_WIDTH = 0x1p-44;
+
+  /** How far before a time, in proportion, the search for later entries begins. */
+  private static final double MARGIN = 0x1p-20;
+
+  private static final int REGIONS = 3;
+
+  /** Which question: the first contact of all, or after a time of none; an entry; a return. */
+  static final int FIRST = 0;
+
+  static final int FIRST_AFTER = 1;
+  static final int ENTRY = 2;
+  static final int RETURN = 3;
+
+  /** Whose contact is asked for; null for that of a single gap. */
+  private final Fall fall;
+
+  private Gaps<GapPolynomial> gaps;
+
+  /** The gaps of the regions on this rung, and without rounding; each is made when needed. */
+  private final GapPolynomial[] made = new GapPolynomial[REGIONS];
+
+  private final GapPolynomial[] madeExact = new GapPolynomial[REGIONS];
+
+  /** The projections on the line from its start and from its end; null of a disk. */
+  private GapPolynomial fromStart;
+
+  private GapPolynomial fromEnd;
+
+  /** The region whose gap counts from the start; -1 for none. */
+  private int counted = -1;
+
+  /** Whether contacts count only if the disk comes from outside, and later than a time. */
+  private boolean isEntry;
+
+  private double after = -1;
+
+  // The interval, and the regions in it, as bits: where the centre may be, where the gap may come
+  // to 0 from above, and where it certainly falls.
+  private double low;
+  private double high;
+  private int possible;
+  private int open;
+  private int falling;
+
+  /** The regions whose gap is known never to fall below 0. */
+  private int passed;
+
+  /** Whether halving would tell nothing. */
+  private boolean isLost;
+
+  GapSearch(Fall fall) {
+    this.fall = fall;
+  }
+
+  /** The search for when a gap without rounding falls, whatever the region. */
+  GapSearch(GapPolynomial gap) {
+    fall = null;
+    made[Gaps.BEFORE] = gap;
+  }
+
+  /** Takes the gaps of a line or a disk. */
+  GapSearch of(Gaps<GapPolynomial> newGaps, boolean isLine) {
+    gaps = newGaps;
+    fromStart = isLine ? gaps.fromStart() : null;
+    fromEnd = isLine ? gaps.fromEnd() : null;
+    Arrays.fill(made, null);
+    Arrays.fill(madeExact, null);
+    counted = -1;
+    isEntry = false;
+    after = -1;
+    passed = 0;
+    return this;
+  }
+
+  /**
+   * The correctly rounded time of a contact, {@code +infinity} for none up to the window's end T;
+   * NaN if the search leaves it open. The first contact is from when on the gap falls and is not
+   * above 0. At an entry it falls from above 0 to below. In a return the gap of the region that is
+   * touched counts from the start: if it falls at once, the answer is 0.
+   *
+   * @param of the time after which the contact counts, or the region that is touched
+   * @param reach a time after which there is no contact
+   */
+  double time(int question, double of, double reach, double T) {
+    return switch (question) {
+      case FIRST -> search(0, reach, T);
+      case FIRST_AFTER -> gap(Gaps.BEFORE).signAt(of, 0) == 1 ? search(of, reach, T) : DOUBT;
+      case ENTRY -> entry(of, reach, T);
+      default -> returnTo((int) of, reach, T);
+    };
+  }
+
+  private double entry(double s, double reach, double T) {
+    isEntry = true;
+    after = s;
+    return search(Math.max(0, s * (1 - MARGIN)), reach, T);
+  }
+
+  private double returnTo(int region, double reach, double T) {
+    int way = from(region).gap(region).signAfterStart();
+    return way == -1 ? 0 : way == UNKNOWN ? DOUBT : search(0, reach, T);
+  }
+
+  /** Has the gap of a region count from the start. */
+  GapSearch from(int region) {
+    counted = region;
+    return this;
+  }
+
+  /** The {@link LineRegion} at a contact that is rounded to t. */
+  int regionAt(double t) {
+    int near = region(fromStart.signNear(t), fromEnd.signNear(t));
+    if (near != LineRegion.UNKNOWN) {
+      return near;
+    }
+    int exact = region(fromStart.signAt(t, 0), fromEnd.signAt(t, 0));
+    return exact != LineRegion.UNKNOWN && gap(1 + exact).fallsAt(t) ? exact : LineRegion.UNKNOWN;
+  }
+
+  /** The same for the return to a side, from the height above that at the start. */
+  int regionAt(double t, GapPolynomial rise) {
+    Arrays.fill(made, rise);
+    return regionAt(t);
+  }
+
+  private static int region(int start, int end) {
+    boolean isKnown = start <= 0 || (start == 1 && end != UNKNOWN);
+    int region = start <= 0 ? LineRegion.BEFORE : end >= 0 ? LineRegion.BEYOND : LineRegion.BESIDE;
+    return isKnown ? region : LineRegion.UNKNOWN;
+  }
+
+  private double search(double start, double reach, double T) {
+    double end = T > 0 ? Math.min(T, reach) : reach;
+    if (!(end < NEVER)) {
+      return DOUBT;
+    }
+    low = start;
+    double width = end - start;
+    for (int i = 0; i < INTERVALS && low < end; i++) {
+      high = Math.min(low + width, end);
+      look();
+      double time = open == 0 ? NEVER : contact();
+      if (time == HALVE) {
+        width = 0.5 * (high - low);
+        if (isLost || width < LEAST_WIDTH * high) {
+          return DOUBT;
+        }
+        width = low == 0 ? Math.min(width, scale()) : width;
+      } else if (time == NEVER || time <= after) {
+        width = 2 * (high - low);
+        low = high;
+      } else {
+        return time > T ? NEVER : time;
+      }
+    }
+    return low < end ? DOUBT : NEVER;
+  }
+
+  /** The scale of the shortest motion in an open region. */
+  private double scale() {
+    double scale = NEVER;
+    for (int region = 0; region < REGIONS; region++) {
+      scale = isIn(open, region) ? Math.min(scale, gap(region).derivative().scale()) : scale;
+    }
+    return scale;
+  }
+
+  // One interval.
+
+  /** Finds out where the centre may be, and what the gaps do there. */
+  private void look() {
+    possible = regions();
+    open = 0;
+    falling = 0;
+    isLost = false;
+    for (int region = 0; region < REGIONS; region++) {
+      if (isIn(possible, region)) {
+        look(region);
+      }
+    }
+  }
+
+  private void look(int region) {
+    GapPolynomial gap = gap(region);
+    GapPolynomial rate = gap.derivative();
+    int sign = gap.sign(low, high);
+    if (sign > 0 || (isEntry && sign < 0) || isIn(passed, region)) {
+      return;
+    }
+    int way = rate.sign(low, high);
+    if (way < 0 || (way == 0 && !rate.isZero() && !leaves(region))) {
+      open |= 1 << region;
+      falling |= way < 0 ? 1 << region : 0;
+      isLost |= !gap.isExact() && way == 0 && gap.isLost() && rate.isLost();
+    }
+  }
+
+  /**
+   * Whether a centre beyond an end certainly comes no nearer to that. In units of w.w its gap has
+   * the rate {@code 2 (h h' + s s')}, with the height h and the projection s from that end: neither
+   * part falls if the gap of the side does not, and the projection goes away from the line.
+   */
+  private boolean leaves(int region) {
+    if (fromStart == null || region == Gaps.BESIDE || region == counted) {
+      return false;
+    }
+    int away = region - Gaps.BESIDE;
+    GapPolynomial speed = (away < 0 ? fromStart : fromEnd).derivative();
+    return isNever(-away, speed) && isNever(-1, gap(Gaps.BESIDE).derivative());
+  }
+
+  /** Whether a polynomial certainly has no time with a sign in the interval. */
+  private boolean isNever(int sign, GapPolynomial polynomial) {
+    return polynomial.isZero() || polynomial.sign(low, high) == -sign;
+  }
+
+  /** Where the centre may be. A projection of exactly 0 is that of an end. */
+  private int regions() {
+    if (fromStart == null || fromStart.isZero()) {
+      return 1 << Gaps.BEFORE;
+    }
+    int start = fromStart.sign(low, high);
+    int end = fromEnd.sign(low, high);
+    if (start < 0) {
+      return 1 << Gaps.BEFORE;
+    }
+    if (end > 0 || fromEnd.isZero()) {
+      return 1 << Gaps.BEYOND;
+    }
+    return (1 << Gaps.BESIDE)
+        | (start > 0 ? 0 : 1 << Gaps.BEFORE)
+        | (end < 0 ? 0 : 1 << Gaps.BEYOND);
+  }
+
+  /** The time of contact in the interval; NEVER for none, {@link #HALVE} or NaN if it is open. */
+  private double contact() {
+    boolean isSingle = (open & (open - 1)) == 0;
+    return open == falling ? fall() : isSingle ? turn(Integer.numberOfTrailingZeros(open)) : HALVE;
+  }
+
+  /** The gaps fall in all open regions. */
+  private double fall() {
+    int before = signAt(low);
+    int last = signAt(high);
+    if (before == UNKNOWN || last == UNKNOWN) {
+      return HALVE;
+    }
+    return before > 0 && last > 0 ? NEVER : before > 0 ? root(low, high) : within();
+  }
+
+  /** The one sign of the gaps in the open regions at an end of the interval; 0 counts as below. */
+  private int signAt(double t) {
+    int sign = 0;
+    for (int region = 0; region < REGIONS; region++) {
+      if (isIn(open, region)) {
+        int rounded = t == 0 ? gap(region).signAtStart() : gap(region).signAt(t, 0);
+        int here = rounded != UNKNOWN ? rounded : exactGap(region).signAt(t, 0);
+        here = here == 0 ? -1 : here;
+        sign = sign == 0 || sign == here ? here : UNKNOWN;
+      }
+    }
+    return sign;
+  }
+
+  /** The time at which the gaps of all open regions fall to 0, each once in an interval. */
+  private double root(double from, double to) {
+    if (open != possible) {
+      return HALVE;
+    }
+    double root = -1;
+    for (int region = 0; region < REGIONS; region++) {
+      if (isIn(open, region)) {
+        double t = nearest(region, from, to);
+        if (Double.isNaN(t) || (root >= 0 && t != root)) {
+          return root >= 0 ? HALVE : DOUBT;
+        }
+        root = t;
+      }
+    }
+    return root;
+  }
+
+  /** The double nearest to the only root in an interval: by its residue, or without rounding. */
+  private double nearest(int region, double from, double to) {
+    double t = DOUBT;
+    boolean hasSpeed = region != counted || gap(region).derivative().signAtStart() == 1;
+    if (!gap(region).isExact() && hasSpeed) {
+      t = fall.nearest(region, region == counted, gap(region).root(1, from, to));
+    }
+    boolean isInside = from < Math.nextDown(t) && Math.nextUp(t) < to;
+    return isInside ? t : exactGap(region).nearestRoot(1, from, to);
+  }
+
+  /** The gaps are not above 0 where the interval begins, and fall from there on. */
+  private double within() {
+    if (isEntry) {
+      return NEVER;
+    }
+    return low == 0 && open == possible ? 0 : HALVE;
+  }
+
+  /** The rate in the only open region changes its sign, once if it changes monotonically. */
+  private double turn(int region) {
+    GapPolynomial gap = gap(region);
+    GapPolynomial rate = gap.derivative();
+    if (!gap.isExact() || rate.derivative().sign(low, high) == 0) {
+      return HALVE;
+    }
+    int first = low == 0 ? rate.signAtStart() : rate.signAt(low, 0);
+    int last = rate.signAt(high, 0);
+    if (first == last) {
+      return first < 0 ? fall() : first == 1 ? NEVER : HALVE;
+    }
+    if (first * last != -1) {
+      return HALVE;
+    }
+    double t = rate.root(first, low, high);
+    double step = Math.ulp(t);
+    boolean isNear = rate.signAt(t, -step) == first && rate.signAt(t, step) == last;
+    int sign = isNear ? gap.signAtTurn(t) : UNKNOWN;
+    if (sign == UNKNOWN) {
+      passed |= isPassed(region) ? open : 0;
+      return HALVE;
+    }
+    return first < 0 ? valley(sign, t) : hill(sign, t, rate);
+  }
+
+  /** The gap falls to its least value at about t, which has a sign. */
+  private double valley(int sign, double t) {
+    if (sign >= 0) {
+      return NEVER;
+    }
+    int before = signAt(low);
+    return before == UNKNOWN ? HALVE : before > 0 ? root(low, t) : within();
+  }
+
+  /** The gap rises to its greatest value at about t, which has a sign, and falls then. */
+  private double hill(int sign, double t, GapPolynomial rate) {
+    if (sign > 0) {
+      int last = signAt(high);
+      return last == UNKNOWN ? HALVE : last > 0 ? NEVER : root(t, high);
+    }
+    if (isEntry) {
+      return NEVER;
+    }
+    return open != possible ? HALVE : sign == 0 ? t : rate.nearestRoot(1, low, high);
+  }
+
+  private GapPolynomial gap(int region) {
+    if (made[region] == null) {
+      made[region] = of(gaps, region);
+    }
+    return made[region];
+  }
+
+  private GapPolynomial exactGap(int region) {
+    if (madeExact[region] == null) {
+      madeExact[region] = gap(region).isExact() ? gap(region) : of(fall.exactGaps(), region);
+    }
+    return madeExact[region];
+  }
+
+  private GapPolynomial of(Gaps<GapPolynomial> source, int region) {
+    GapPolynomial gap = source.gap(region);
+    return region == counted ? gap.counted() : gap;
+  }
+
+  /**
+   * Whether the centre moves on one straight line, and that passes an end of the line, or a disk,
+   * at a distance of the radius or more: {@code s x g = 0} and {@code (d x g)^2 >= r^2 g.g}. It
+   * grazes that at most.
+   */
+  private boolean isPassed(int region) {
+    if (gaps == null || region == Gaps.BESIDE || region == counted) {
+      return false;
+    }
+    GapPolynomial x = region == Gaps.BEFORE ? gaps.x() : gaps.x().minus(gaps.wx());
+    GapPolynomial y = region == Gaps.BEFORE ? gaps.y() : gaps.y().minus(gaps.wy());
+    GapPolynomial speedX = x.derivative();
+    GapPolynomial speedY = y.derivative();
+    GapPolynomial gx = speedX.derivative();
+    GapPolynomial gy = speedY.derivative();
+    GapPolynomial aside = x.times(gy).minus(y.times(gx));
+    GapPolynomial reach = gaps.r().times(gaps.r()).times(gx.times(gx).plus(gy.times(gy)));
+    int clearance = aside.times(aside).minus(reach).signAtStart();
+    return speedX.times(gy).minus(speedY.times(gx)).isZero() && (clearance == 0 || clearance == 1);
+  }
+
+  private static boolean isIn(int regions, int region) {
+    return (regions & (1 << region)) != 0;
+  }
+}
