@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.sweep.Fall;
+import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.Contact;
-import dev.carom.internal.sweep.DiskSweep;
 import dev.carom.internal.sweep.Hit;
-import dev.carom.internal.sweep.ParabolaDiskSweep;
-import dev.carom.internal.sweep.ParabolaHit;
-import dev.carom.internal.sweep.ParabolaSegmentSweep;
 import dev.carom.internal.sweep.ParabolaWallSweep;
-import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.WallSweep;
 import java.util.Optional;
 
@@ -36,21 +33,29 @@ final class CircleCast {
   }
 
   static Optional<Impact> line(Circle c, Vec2 v, Line l, Vec2 u, double maxTime) {
-    int contact =
-        SegmentSweep.contact(
-            c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(), u.x(), u.y());
+    return line(c, v, Vec2.ZERO, l, u, maxTime);
+  }
+
+  private static Optional<Impact> line(
+      Circle c, Vec2 v, Vec2 g, Line l, Vec2 u, double maxTime) {
+    Fall fall = fall(c, v, g).line(l.ax(), l.ay(), l.bx(), l.by(), u.x(), u.y());
+    return first(fall, ObstacleKind.LINE, l, maxTime);
+  }
+
+  private static Optional<Impact> first(
+      Fall fall, ObstacleKind kind, Obstacle obstacle, double maxTime) {
+    boolean isStraight = fall.isStraight();
+    int straight = isStraight ? FallSweep.straightContact(fall) : 0;
     double t =
-        SegmentSweep.time(
-            contact, c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(),
-            u.x(), u.y(), maxTime);
+        isStraight
+            ? FallSweep.straightTime(fall, straight, maxTime)
+            : FallSweep.time(fall, maxTime);
     if (t == NEVER) {
       return Optional.empty();
     }
-    Hit hit =
-        new Hit().ofLine(
-            c.x(), c.y(), c.radius(), v.x(), v.y(), l.ax(), l.ay(), l.bx(), l.by(), u.x(), u.y(),
-            contact, t);
-    return Optional.of(impact(t, ObstacleKind.LINE, Impact.NO_ID, l, contact, hit));
+    int contact = isStraight ? straight : FallSweep.contact(fall, t);
+    Hit hit = new Hit().of(fall, contact, t);
+    return Optional.of(impact(t, kind, Impact.NO_ID, obstacle, contact, hit));
   }
 
   static Optional<Impact> bounds(Circle circle, Vec2 v, Bounds bounds, double maxTime) {
@@ -68,7 +73,7 @@ final class CircleCast {
             : (v.y() < 0 ? WallSweep.BOTTOM : WallSweep.TOP);
     double wall = vertical ? wallX : wallY;
     double t = vertical ? tx : ty;
-    Hit hit = new Hit().ofWall(circle.x(), circle.y(), v.x(), v.y(), id, wall, t);
+    Hit hit = new Hit().ofWall(fall(circle, v, Vec2.ZERO), id, wall, t);
     return Optional.of(impact(t, ObstacleKind.WALL, id, bounds, 0, hit));
   }
 
@@ -85,55 +90,20 @@ final class CircleCast {
   static Optional<Impact> disk(
       Circle c1, Vec2 v1, Circle c2, Vec2 v2, ObstacleKind kind, Obstacle obstacle,
       double maxTime) {
-    int contact =
-        DiskSweep.contact(
-            c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), c2.x(), c2.y(), c2.radius(), v2.x(),
-            v2.y());
-    double t =
-        DiskSweep.time(
-            contact, c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), c2.x(), c2.y(), c2.radius(),
-            v2.x(), v2.y(), maxTime);
-    if (t == NEVER) {
-      return Optional.empty();
-    }
-    Hit hit =
-        new Hit().ofDisks(
-            c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), c2.x(), c2.y(), c2.radius(), v2.x(),
-            v2.y(), contact, t);
-    return Optional.of(impact(t, kind, Impact.NO_ID, obstacle, contact, hit));
+    return accelerated(c1, v1, Vec2.ZERO, c2, v2, kind, obstacle, maxTime);
   }
 
   /** With a constant acceleration g, against an obstacle of any kind. */
   static Optional<Impact> accelerated(
       Circle c, Vec2 v, Vec2 g, Obstacle obstacle, double maxTime) {
     if (obstacle instanceof Line line) {
-      return acceleratedToLine(c, v, g, line, maxTime);
+      return line(c, v, g, line, Vec2.ZERO, maxTime);
     }
     if (obstacle instanceof Bounds bounds) {
       return acceleratedToBounds(c, v, g, bounds, maxTime);
     }
     return accelerated(
         c, v, g, peg(obstacle), Vec2.ZERO, ObstacleKind.PEG, obstacle, maxTime);
-  }
-
-  private static Optional<Impact> acceleratedToLine(
-      Circle c, Vec2 v, Vec2 g, Line l, double maxTime) {
-    double t =
-        ParabolaSegmentSweep.time(
-            c.x(), c.y(), c.radius(), v.x(), v.y(), g.x(), g.y(), l.ax(), l.ay(), l.bx(), l.by(),
-            0, 0, maxTime);
-    if (t == NEVER) {
-      return Optional.empty();
-    }
-    int contact =
-        ParabolaSegmentSweep.contact(
-            c.x(), c.y(), c.radius(), v.x(), v.y(), g.x(), g.y(), l.ax(), l.ay(), l.bx(), l.by(),
-            0, 0, t);
-    Hit hit =
-        ParabolaHit.ofLine(
-            c.x(), c.y(), c.radius(), v.x(), v.y(), g.x(), g.y(), l.ax(), l.ay(), l.bx(), l.by(),
-            0, 0, contact, t);
-    return Optional.of(impact(t, ObstacleKind.LINE, Impact.NO_ID, l, contact, hit));
   }
 
   private static Optional<Impact> acceleratedToBounds(
@@ -150,9 +120,7 @@ final class CircleCast {
     if (first < 0) {
       return Optional.empty();
     }
-    Hit hit =
-        ParabolaHit.ofWall(
-            c.x(), c.y(), v.x(), v.y(), g.x(), g.y(), first, wall(bounds, first), time);
+    Hit hit = new Hit().ofWall(fall(c, v, g), first, wall(bounds, first), time);
     return Optional.of(impact(time, ObstacleKind.WALL, first, bounds, 0, hit));
   }
 
@@ -199,18 +167,12 @@ final class CircleCast {
   static Optional<Impact> accelerated(
       Circle c1, Vec2 v1, Vec2 g, Circle c2, Vec2 v2, ObstacleKind kind, Obstacle obstacle,
       double maxTime) {
-    double t =
-        ParabolaDiskSweep.time(
-            c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), g.x(), g.y(), c2.x(), c2.y(),
-            c2.radius(), v2.x(), v2.y(), maxTime);
-    if (t == NEVER) {
-      return Optional.empty();
-    }
-    Hit hit =
-        ParabolaHit.ofDisks(
-            c1.x(), c1.y(), c1.radius(), v1.x(), v1.y(), g.x(), g.y(), c2.x(), c2.y(),
-            c2.radius(), v2.x(), v2.y(), t);
-    return Optional.of(impact(t, kind, Impact.NO_ID, obstacle, Contact.LATER, hit));
+    Fall fall = fall(c1, v1, g).disk(c2.x(), c2.y(), c2.radius(), v2.x(), v2.y());
+    return first(fall, kind, obstacle, maxTime);
+  }
+
+  private static Fall fall(Circle c, Vec2 v, Vec2 g) {
+    return Fall.ofThread().flight(c.x(), c.y(), c.radius(), v.x(), v.y(), g.x(), g.y());
   }
 
   /** The impact that a cast found first. */

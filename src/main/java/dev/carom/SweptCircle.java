@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom;
 
+import dev.carom.internal.sweep.Fall;
+import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.sweep.DiskSweep;
-import dev.carom.internal.sweep.ParabolaDiskSweep;
-import dev.carom.internal.sweep.ParabolaSegmentSweep;
 import dev.carom.internal.sweep.ParabolaWallSweep;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.Separation;
@@ -115,8 +115,8 @@ public final class SweptCircle {
       check(px, py, r, vx, vy, maxTime);
       new Line(ax, ay, bx, by);
     }
-    int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by);
-    return SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, maxTime);
+    int contact = SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, 0, 0);
+    return SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, 0, 0, maxTime);
   }
 
   /**
@@ -273,8 +273,8 @@ public final class SweptCircle {
       check(px, py, r, vx, vy, gx, gy, maxTime);
       new Line(ax, ay, bx, by);
     }
-    return ParabolaSegmentSweep.time(
-        px, py, r, vx, vy, gx, gy, ax, ay, bx, by, 0, 0, maxTime);
+    return FallSweep.time(
+        Fall.ofThread().flight(px, py, r, vx, vy, gx, gy).line(ax, ay, bx, by, 0, 0), maxTime);
   }
 
   /**
@@ -305,7 +305,8 @@ public final class SweptCircle {
       check(px, py, r, vx, vy, gx, gy, maxTime);
       checkPeg(cx, cy, R);
     }
-    return ParabolaDiskSweep.time(px, py, r, vx, vy, gx, gy, cx, cy, R, 0, 0, maxTime);
+    return FallSweep.time(
+        Fall.ofThread().flight(px, py, r, vx, vy, gx, gy).disk(cx, cy, R, 0, 0), maxTime);
   }
 
   /**
@@ -379,8 +380,8 @@ public final class SweptCircle {
       checkOfTwo("2", x2, y2, r2, vx2, vy2);
       Check.duration("maxTime", maxTime);
     }
-    return ParabolaDiskSweep.time(
-        x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, maxTime);
+    return FallSweep.time(
+        Fall.ofThread().flight(x1, y1, r1, vx1, vy1, gx, gy).disk(x2, y2, r2, vx2, vy2), maxTime);
   }
 
   /**

@@ -5,11 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.ExactReturn;
+import dev.carom.internal.exact.Gaps;
 import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.sweep.Contact;
-import dev.carom.internal.sweep.ParabolaDiskSweep;
-import dev.carom.internal.sweep.ParabolaReturn;
-import dev.carom.internal.sweep.ParabolaSegmentSweep;
+import dev.carom.internal.sweep.Falls;
 import dev.carom.internal.sweep.ParabolaWallSweep;
 import dev.carom.oracle.Draw;
 import dev.carom.oracle.MovingLineQuery;
@@ -65,7 +64,7 @@ class ParabolaBoundsTest {
           new Weakening("values in double-double", "GapPolynomial", 0, List.of(160 * 0x1p-106)),
           new Weakening("least size", "GapPolynomial", 0, List.of(0x1p-900)),
           new Weakening("beside a root", "GapRoot", 0, List.of(2560.0)),
-          new Weakening("projection", "LineRegion", 0, List.of(16 * 0x1p-53)),
+          new Weakening("projection", "Fall", 0, List.of(16 * 0x1p-53)),
           new Weakening("distance from a tangent", "DirectHit", 0, List.of(0x1p-40)),
           new Weakening(
               "discriminant of a wall", "ParabolaWallSweep", NEARLY_NONE, List.of(8 * 0x1p-53)));
@@ -111,8 +110,7 @@ class ParabolaBoundsTest {
   /** The side of a line that is left comes back, halfway between two doubles. */
   @Test
   void theBoundOfAReturnHoldsAndIsNeeded() {
-    Weakening weakening =
-        new Weakening("cross products", "ParabolaReturn", 0, List.of(128 * 0x1p-106));
+    Weakening weakening = new Weakening("cross products", "FallReturn", 0, List.of(128 * 0x1p-106));
     MethodHandle whole = Detector.whole().side;
     MethodHandle without = new Detector(weakening).side;
     ParabolaFamily family = ParabolaNextFamilies.halfwayToASide();
@@ -139,7 +137,7 @@ class ParabolaBoundsTest {
   @Test
   void whatALaterCheckCatchesCostsTimeOnly() {
     Map<String, Detector> others = new TreeMap<>();
-    others.put("the end of a fall as computed", detector("Fall", 1.001, 1));
+    others.put("the end of a fall as computed", detector("FallSweep", 1.001, 1));
     others.put("wide intervals only", detector("GapSearch", 0x1p-44, 0x1p-10));
     others.put("a search from just before an entry", detector("GapSearch", 1 - 0x1p-20, 1));
     others.put("a wide margin", new Detector((name, pool) -> margin(0x1p-10, name, pool)));
@@ -173,7 +171,7 @@ class ParabolaBoundsTest {
   /** Of a normal: the error of the time, and the range of the numbers without exact ones. */
   @ParameterizedTest
   @CsvSource({
-    "circ_fast, ParabolaDiskSweep, 0x1p-55, 0x1p1000",
+    "circ_fast, FallSweep, 0x1p-55, 0x1p1000",
     "circ_extreme_magnitude, UnitVectors, 0x1p-400, 0",
     "scaled, UnitVectors, 0x1p400, 0x1p1000"
   })
@@ -364,8 +362,11 @@ class ParabolaBoundsTest {
     }
     int now = time == 0 ? Contact.NOW : 0;
     int region = line.region(root);
-    int side = region == 0 && line.side(root) > 0 ? Contact.LEFT : Contact.RIGHT;
-    int part = isPoint || region < 0 ? Contact.START : region > 0 ? Contact.END : side;
+    int side = region == Gaps.BESIDE && line.side(root) > 0 ? Contact.LEFT : Contact.RIGHT;
+    int part =
+        isPoint || region == Gaps.BEFORE
+            ? Contact.START
+            : region == Gaps.BEYOND ? Contact.END : side;
     return new Reply(time, part | now);
   }
 
@@ -388,12 +389,12 @@ class ParabolaBoundsTest {
 
     Detector(BiConsumer<String, ConstantPool> patch) {
       ClassLoader classes = new PatchedClasses(patch);
-      line = handle(classes, ParabolaSegmentSweep.class, "time", 14);
-      contact = handle(classes, ParabolaSegmentSweep.class, "contact", 14);
-      disk = handle(classes, ParabolaDiskSweep.class, "time", 13);
+      line = handle(classes, Falls.class, "timeOfLine", 14);
+      contact = handle(classes, Falls.class, "contact", 14);
+      disk = handle(classes, Falls.class, "timeOfDisk", 13);
       wall = handle(classes, ParabolaWallSweep.class, "time", 7);
-      side = handle(classes, ParabolaReturn.class, "toSide", 12);
-      normal = handle(classes, ParabolaDiskSweep.class, "normal", 13);
+      side = handle(classes, Falls.class, "returnToSide", 12);
+      normal = handle(classes, Falls.class, "normal", 13);
     }
 
     /** Of a hit on a disk; 0 if the normal is left to exact numbers. */

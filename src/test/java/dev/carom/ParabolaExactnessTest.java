@@ -5,9 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.Falls;
 import dev.carom.internal.sweep.Hit;
-import dev.carom.internal.sweep.ParabolaHit;
-import dev.carom.internal.sweep.ParabolaSegmentSweep;
 import dev.carom.oracle.Answer;
 import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
@@ -143,18 +142,18 @@ class ParabolaExactnessTest {
 
   private static Answer movingLine(MovingLineQuery q, double gx, double gy) {
     double time =
-        ParabolaSegmentSweep.time(
+        Falls.timeOfLine(
             q.px(), q.py(), q.r(), q.vx(), q.vy(), gx, gy, q.ax(), q.ay(), q.bx(), q.by(), q.ux(),
             q.uy(), q.end());
     if (time == Double.POSITIVE_INFINITY) {
       return Answer.MISS;
     }
     int contact =
-        ParabolaSegmentSweep.contact(
+        Falls.contact(
             q.px(), q.py(), q.r(), q.vx(), q.vy(), gx, gy, q.ax(), q.ay(), q.bx(), q.by(), q.ux(),
             q.uy(), time);
     Hit hit =
-        ParabolaHit.ofLine(
+        Falls.hitOfLine(
             q.px(), q.py(), q.r(), q.vx(), q.vy(), gx, gy, q.ax(), q.ay(), q.bx(), q.by(), q.ux(),
             q.uy(), contact, time);
     return new Answer(time, part(contact), hit.nx(), hit.ny());

@@ -5,9 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.sweep.Contact;
-import dev.carom.internal.sweep.ParabolaDiskSweep;
-import dev.carom.internal.sweep.ParabolaReturn;
-import dev.carom.internal.sweep.ParabolaSegmentSweep;
+import dev.carom.internal.sweep.Falls;
 import dev.carom.oracle.Draw;
 import dev.carom.oracle.MovingLineQuery;
 import dev.carom.oracle.PairQuery;
@@ -144,19 +142,19 @@ class ParabolaNextExactnessTest {
     double gy = query.gy();
     if (query.straight() instanceof PairQuery q) {
       double time =
-          ParabolaReturn.toDisk(n[0], n[1], n[3], n[4], gx, gy, n[5], n[6], n[8], n[9], q.end());
+          Falls.returnToDisk(n[0], n[1], n[3], n[4], gx, gy, n[5], n[6], n[8], n[9], q.end());
       return time < NEVER ? new Answer(time, Part.CIRCLE, 0) : MISS;
     }
     double[] u = velocityOfLine(query);
     double time =
-        ParabolaReturn.toLine(
+        Falls.returnToLine(
             n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], u[0], u[1], query.end());
     if (time == NEVER) {
       return MISS;
     }
     return answer(
         time,
-        ParabolaReturn.contactOfReturn(
+        Falls.contactOfReturn(
             n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], u[0], u[1], time));
   }
 
@@ -167,20 +165,20 @@ class ParabolaNextExactnessTest {
     double end = query.end();
     if (query.straight() instanceof PairQuery) {
       double time =
-          ParabolaDiskSweep.timeAfter(
+          Falls.timeOfDiskAfter(
               n[0], n[1], n[2], n[3], n[4], gx, gy, n[5], n[6], n[7], n[8], n[9], s, end);
       return time < NEVER ? new Answer(time, Part.CIRCLE, 0) : MISS;
     }
     double[] u = velocityOfLine(query);
     double time =
-        ParabolaSegmentSweep.timeAfter(
+        Falls.timeOfLineAfter(
             n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], u[0], u[1], s, end);
     if (time == NEVER) {
       return MISS;
     }
     return answer(
         time,
-        ParabolaSegmentSweep.contact(
+        Falls.contact(
             n[4], n[5], n[6], n[7], n[8], gx, gy, n[0], n[1], n[2], n[3], u[0], u[1], time));
   }
 

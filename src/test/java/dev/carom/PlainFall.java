@@ -6,9 +6,8 @@ import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
-import dev.carom.internal.sweep.ParabolaDiskSweep;
-import dev.carom.internal.sweep.ParabolaReturn;
-import dev.carom.internal.sweep.ParabolaSegmentSweep;
+import dev.carom.internal.sweep.FallReturn;
+import dev.carom.internal.sweep.Falls;
 import dev.carom.internal.sweep.ParabolaWallSweep;
 
 /**
@@ -63,31 +62,31 @@ final class PlainFall {
     double v = vertical ? m.vx : m.vy;
     double g = vertical ? m.gx : m.gy;
     return code == m.last
-        ? ParabolaReturn.toWall(v, g, inwards, NEVER)
+        ? FallReturn.toWall(v, g, inwards, NEVER)
         : ParabolaWallSweep.time(p, m.radius, v, g, obstacles.walls[code], inwards, NEVER);
   }
 
   private double first(MovingCircle m, int code) {
     double[] n = row(m, code);
     return Codes.isLine(code)
-        ? ParabolaSegmentSweep.time(
+        ? Falls.timeOfLine(
             m.x, m.y, m.radius, m.vx, m.vy, m.gx, m.gy, n[0], n[1], n[2], n[3], ux(code), uy(code),
             NEVER)
         : disk(m, code, n[0], n[1], n[2]);
   }
 
   private double disk(MovingCircle m, int code, double x, double y, double radius) {
-    return ParabolaDiskSweep.time(
+    return Falls.timeOfDisk(
         m.x, m.y, m.radius, m.vx, m.vy, m.gx, m.gy, x, y, radius, ux(code), uy(code), NEVER);
   }
 
   private double after(MovingCircle m, int code, double after) {
     double[] n = row(m, code);
     return Codes.isLine(code)
-        ? ParabolaSegmentSweep.timeAfter(
+        ? Falls.timeOfLineAfter(
             m.x, m.y, m.radius, m.vx, m.vy, m.gx, m.gy, n[0], n[1], n[2], n[3], ux(code), uy(code),
             after, NEVER)
-        : ParabolaDiskSweep.timeAfter(
+        : Falls.timeOfDiskAfter(
             m.x, m.y, m.radius, m.vx, m.vy, m.gx, m.gy, n[0], n[1], n[2], ux(code), uy(code), after,
             NEVER);
   }
@@ -101,14 +100,14 @@ final class PlainFall {
       return Math.min(far, backToDisk(m, code, n[near], n[near + 1]));
     }
     return Codes.isLine(code)
-        ? ParabolaReturn.toLine(
+        ? Falls.returnToLine(
             m.x, m.y, m.radius, m.vx, m.vy, m.gx, m.gy, n[0], n[1], n[2], n[3], ux(code), uy(code),
             NEVER)
         : backToDisk(m, code, n[0], n[1]);
   }
 
   private double backToDisk(MovingCircle m, int code, double x, double y) {
-    return ParabolaReturn.toDisk(m.x, m.y, m.vx, m.vy, m.gx, m.gy, x, y, ux(code), uy(code), NEVER);
+    return Falls.returnToDisk(m.x, m.y, m.vx, m.vy, m.gx, m.gy, x, y, ux(code), uy(code), NEVER);
   }
 
   /** Where in the row of a line its end begins that is nearer to the circle. */
@@ -167,10 +166,10 @@ final class PlainFall {
             && !obstacles.isSensor(code)
             && (!obstacles.isOneWay(code) || again(m, code) == t);
     return isReturn
-        ? ParabolaReturn.contactOfReturn(
+        ? Falls.contactOfReturn(
             m.x, m.y, m.radius, m.vx, m.vy, m.gx, m.gy, n[0], n[1], n[2], n[3], ux(code), uy(code),
             t)
-        : ParabolaSegmentSweep.contact(
+        : Falls.contact(
             m.x, m.y, m.radius, m.vx, m.vy, m.gx, m.gy, n[0], n[1], n[2], n[3], ux(code), uy(code),
             t);
   }

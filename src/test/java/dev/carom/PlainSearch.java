@@ -7,8 +7,7 @@ import dev.carom.internal.exact.ExactSigns;
 import dev.carom.internal.state.Codes;
 import dev.carom.internal.state.Filter;
 import dev.carom.internal.state.MovingCircle;
-import dev.carom.internal.sweep.ParabolaDiskSweep;
-import dev.carom.internal.sweep.ParabolaReturn;
+import dev.carom.internal.sweep.Falls;
 import dev.carom.internal.sweep.SegmentSweep;
 import dev.carom.internal.sweep.WallSweep;
 import java.util.List;
@@ -180,7 +179,7 @@ abstract class PlainSearch extends PlainState {
   private double next(MovingCircle a, MovingCircle b, boolean justHit) {
     if (!pairs.isSilent(a.id, b.id)) {
       return justHit
-          ? ParabolaReturn.toDisk(
+          ? Falls.returnToDisk(
               a.x, a.y, a.vx, a.vy, a.gx - b.gx, a.gy - b.gy, b.x, b.y, b.vx, b.vy, NEVER)
           : sweep(a, b, -1);
     }
@@ -198,9 +197,9 @@ abstract class PlainSearch extends PlainState {
       return t > after ? t : NEVER;
     }
     return after < 0
-        ? ParabolaDiskSweep.time(
+        ? Falls.timeOfDisk(
             a.x, a.y, a.radius, a.vx, a.vy, gx, gy, b.x, b.y, b.radius, b.vx, b.vy, NEVER)
-        : ParabolaDiskSweep.timeAfter(
+        : Falls.timeOfDiskAfter(
             a.x, a.y, a.radius, a.vx, a.vy, gx, gy, b.x, b.y, b.radius, b.vx, b.vy, after, NEVER);
   }
 

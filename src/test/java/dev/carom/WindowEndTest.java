@@ -289,7 +289,7 @@ class WindowEndTest {
   }
 
   private static int contact(double[] n) {
-    return SegmentSweep.contact(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3]);
+    return SegmentSweep.contact(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], 0, 0);
   }
 
   @Test

@@ -6,8 +6,9 @@ import dev.carom.internal.state.FlightRow;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
-import dev.carom.internal.sweep.ParabolaDiskSweep;
-import dev.carom.internal.sweep.ParabolaReturn;
+import dev.carom.internal.sweep.Fall;
+import dev.carom.internal.sweep.FallReturn;
+import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.sweep.TimeOfImpact;
 
 /**
@@ -19,6 +20,9 @@ final class FallingPair {
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   private final CircleTable circles;
+
+  /** The questions to the detector. */
+  private final Fall fall = new Fall();
 
   private double x1;
   private double y1;
@@ -128,9 +132,7 @@ final class FallingPair {
           known ? Contact.LATER : DiskSweep.contact(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2);
       return DiskSweep.time(contact, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, NEVER);
     }
-    return justMet && together
-        ? ParabolaReturn.toDisk(x1, y1, vx1, vy1, gx, gy, x2, y2, vx2, vy2, until)
-        : ParabolaDiskSweep.time(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, until);
+    return justMet && together ? FallReturn.time(fall(), until) : FallSweep.time(fall(), until);
   }
 
   /** The duration to the first contact from outside that comes after a given one. */
@@ -139,7 +141,10 @@ final class FallingPair {
       double t = time(false, false, NEVER);
       return t > after ? t : NEVER;
     }
-    return ParabolaDiskSweep.timeAfter(
-        x1, y1, r1, vx1, vy1, gx, gy, x2, y2, r2, vx2, vy2, after, NEVER);
+    return FallSweep.timeAfter(fall(), after, NEVER);
+  }
+
+  private Fall fall() {
+    return fall.flight(x1, y1, r1, vx1, vy1, gx, gy).disk(x2, y2, r2, vx2, vy2);
   }
 }

@@ -26,17 +26,10 @@ public final class ExactParabola {
   /** Time 0. */
   static final RealRoot START = RealRoot.at(Dyadic.ZERO);
 
-  /** The offset from the other disk, or from the line's start. */
-  private final Polynomial x;
+  /** The equations; null of a single gap. */
+  private final Gaps<Polynomial> gaps;
 
-  private final Polynomial y;
-
-  /** The vector of the line, as constants. */
-  private final Polynomial lengthX;
-
-  private final Polynomial lengthY;
-
-  /** The projection on the line beyond its start and beyond its end; 0 if there is no line. */
+  /** The projection on the line from its start and from its end; 0 if there is no line. */
   private final Polynomial alongStart;
 
   private final Polynomial alongEnd;
@@ -44,66 +37,34 @@ public final class ExactParabola {
   /** The distance from the line times its length; 0 if there is no line. */
   private final Polynomial height;
 
-  /** The gaps before the start, beside the line and beyond the end; one gap if there is no line. */
-  private final Polynomial[] gaps;
+  /** The gaps by region; one gap if there is no line. */
+  private final Polynomial[] gap;
 
-  /** The radius, of two disks the sum of theirs; null against a wall. */
-  private final Dyadic radius;
-
-  private ExactParabola(
-      Polynomial x, Polynomial y, Polynomial lengthX, Polynomial lengthY, Dyadic radius,
-      Polynomial... gaps) {
-    this.x = x;
-    this.y = y;
-    this.lengthX = lengthX;
-    this.lengthY = lengthY;
-    this.radius = radius;
+  private ExactParabola(Gaps<Polynomial> gaps, boolean isLine, Polynomial... gap) {
     this.gaps = gaps;
-    alongStart = lengthX.times(x).plus(lengthY.times(y));
-    alongEnd = alongStart.minus(squared(lengthX, lengthY));
-    height = lengthX.times(y).minus(lengthY.times(x));
+    this.gap = gap;
+    alongStart = isLine ? gaps.fromStart() : NONE;
+    alongEnd = isLine ? gaps.fromEnd() : NONE;
+    height = isLine ? gaps.height() : NONE;
   }
 
-  private static ExactParabola disk(Polynomial x, Polynomial y, Dyadic radius) {
-    return new ExactParabola(x, y, NONE, NONE, radius, gap(x, y, radius));
-  }
-
-  private static ExactParabola line(
-      Polynomial x, Polynomial y, Polynomial wx, Polynomial wy, Dyadic radius) {
-    Polynomial height = wx.times(y).minus(wy.times(x));
-    Polynomial limit = squared(wx, wy).times(constant(radius.square()));
-    return new ExactParabola(
-        x,
-        y,
-        wx,
-        wy,
-        radius,
-        gap(x, y, radius),
-        height.times(height).minus(limit),
-        gap(x.minus(wx), y.minus(wy), radius));
+  private static ExactParabola disk(Gaps<Polynomial> gaps) {
+    return new ExactParabola(gaps, false, gaps.gap(Gaps.BEFORE));
   }
 
   /** Against what has one gap everywhere: a wall, or the thing just hit. */
   static ExactParabola ofGap(Polynomial gap) {
-    return new ExactParabola(NONE, NONE, NONE, NONE, null, gap);
-  }
-
-  private static Polynomial gap(Polynomial x, Polynomial y, Dyadic radius) {
-    return squared(x, y).minus(constant(radius.square()));
-  }
-
-  private static Polynomial squared(Polynomial x, Polynomial y) {
-    return x.times(x).plus(y.times(y));
+    return new ExactParabola(null, false, gap);
   }
 
   /** Against a disk that moves straight on. */
   public static ExactParabola disk(
       double x1, double y1, double r1, double vx1, double vy1, double gx, double gy, double x2,
       double y2, double r2, double vx2, double vy2) {
-    return disk(
-        motion(x1, x2, vx1, vx2, gx),
-        motion(y1, y2, vy1, vy2, gy),
-        Dyadic.of(r1).plus(Dyadic.of(r2)));
+    Polynomial x = motion(x1, x2, vx1, vx2, gx);
+    Polynomial y = motion(y1, y2, vy1, vy2, gy);
+    Polynomial r = constant(Dyadic.of(r1).plus(Dyadic.of(r2)));
+    return disk(new Gaps<Polynomial>().set(x, y, NONE, NONE, r));
   }
 
   /**
@@ -116,12 +77,16 @@ public final class ExactParabola {
     if (ax == bx && ay == by) {
       return disk(px, py, r, vx, vy, gx, gy, ax, ay, 0, ux, uy);
     }
-    return line(
-        motion(px, ax, vx, ux, gx),
-        motion(py, ay, vy, uy, gy),
-        constant(Dyadic.difference(bx, ax)),
-        constant(Dyadic.difference(by, ay)),
-        Dyadic.of(r));
+    Gaps<Polynomial> gaps =
+        new Gaps<Polynomial>()
+            .set(
+                motion(px, ax, vx, ux, gx),
+                motion(py, ay, vy, uy, gy),
+                constant(Dyadic.difference(bx, ax)),
+                constant(Dyadic.difference(by, ay)),
+                constant(Dyadic.of(r)));
+    return new ExactParabola(
+        gaps, true, gaps.gap(Gaps.BEFORE), gaps.gap(Gaps.BESIDE), gaps.gap(Gaps.BEYOND));
   }
 
   /**
@@ -232,9 +197,11 @@ public final class ExactParabola {
     return root == null ? Double.POSITIVE_INFINITY : root.nearest();
   }
 
-  /** The region at a time: -1 before the start, 0 beside the line, 1 beyond its end. */
+  /** The region of {@link Gaps} at a time. */
   public int region(RealRoot t) {
-    return t.sign(alongStart) <= 0 ? -1 : t.sign(alongEnd) >= 0 ? 1 : 0;
+    return t.sign(alongStart) <= 0
+        ? Gaps.BEFORE
+        : t.sign(alongEnd) >= 0 ? Gaps.BEYOND : Gaps.BESIDE;
   }
 
   /** Whether the centre is between the ends of the line at a time, or exactly at one. */
@@ -257,26 +224,33 @@ public final class ExactParabola {
   }
 
   boolean isPoint() {
-    return radius != null && radius.sign() == 0;
+    return gaps != null && gaps.r().isZero();
   }
 
   /** The gap in a region. */
   Polynomial gap(int region) {
-    return gaps[1 + region];
+    return gap[region];
   }
 
   /** The same line, but for the gap in a region. */
-  ExactParabola withGap(int region, ExactParabola gap) {
-    Polynomial[] others = gaps.clone();
-    others[1 + region] = gap.gaps[0];
-    return new ExactParabola(x, y, lengthX, lengthY, radius, others);
+  ExactParabola withGap(int region, ExactParabola other) {
+    Polynomial[] others = gap.clone();
+    others[region] = other.gap[0];
+    return new ExactParabola(gaps, true, others);
   }
 
   /** The end of the line in a region, as a disk. */
   ExactParabola part(int region) {
-    return region < 0
-        ? disk(x, y, radius)
-        : disk(x.minus(lengthX), y.minus(lengthY), radius);
+    return disk(new Gaps<Polynomial>().set(x(region), y(region), NONE, NONE, gaps.r()));
+  }
+
+  /** The offset from the end in a region. */
+  private Polynomial x(int region) {
+    return region == Gaps.BEYOND ? gaps.x().minus(gaps.wx()) : gaps.x();
+  }
+
+  private Polynomial y(int region) {
+    return region == Gaps.BEYOND ? gaps.y().minus(gaps.wy()) : gaps.y();
   }
 
   /** The side of the line just before an impact: +1 left, -1 right. */
@@ -291,10 +265,11 @@ public final class ExactParabola {
    */
   public UnitVector normal(RealRoot t) {
     if (isPoint()) {
-      return t.unit(NONE.minus(x.derivative()), NONE.minus(y.derivative()));
+      Polynomial speedX = gaps.x().derivative();
+      return t.unit(NONE.minus(speedX), NONE.minus(gaps.y().derivative()));
     }
-    boolean end = !alongStart.isZero() && region(t) > 0;
-    return end ? t.unit(x.minus(lengthX), y.minus(lengthY)) : t.unit(x, y);
+    int region = alongStart.isZero() ? Gaps.BEFORE : region(t);
+    return t.unit(x(region), y(region));
   }
 
   /** Whether a point that hits an end of a line was beside the line just before. */
@@ -314,7 +289,7 @@ public final class ExactParabola {
   private List<RealRoot> borders(RealRoot limit) {
     List<RealRoot> borders = new ArrayList<>();
     Stream.concat(
-            Stream.of(gaps).flatMap(gap -> Stream.of(gap, gap.derivative())),
+            Stream.of(gap).flatMap(f -> Stream.of(f, f.derivative())),
             Stream.of(alongStart, alongEnd))
         .forEach(f -> borders.addAll(f.positiveRoots(limit)));
     Collections.sort(borders, RealRoot::compare);
@@ -323,7 +298,7 @@ public final class ExactParabola {
 
   /** The gap of the region in which the disk is at a time. */
   private Polynomial gap(Dyadic t) {
-    return gaps[gaps.length == 1 ? 0 : 1 + region(RealRoot.at(t))];
+    return gap[gap.length == 1 ? 0 : region(RealRoot.at(t))];
   }
 
   private int sign(Dyadic t) {
@@ -332,14 +307,14 @@ public final class ExactParabola {
 
   /** Whether the gap at a time is not above 0 and falls. */
   private boolean falls(Dyadic t) {
-    Polynomial gap = gap(t);
-    return gap.sign(t) <= 0 && gap.derivative().sign(t) < 0;
+    Polynomial here = gap(t);
+    return here.sign(t) <= 0 && here.derivative().sign(t) < 0;
   }
 
   /** The first of the times that count at which a point comes to a point, or to a line. */
   private RealRoot firstOfPoint(Predicate<RealRoot> counts) {
     if (alongStart.isZero()) {
-      return first(x.gcd(y), counts.and(this::isMoving));
+      return first(gaps.x().gcd(gaps.y()), counts.and(this::isMoving));
     }
     if (!height.isZero()) {
       return first(height, counts.and(this::isMet));
@@ -355,7 +330,7 @@ public final class ExactParabola {
   }
 
   private boolean isMoving(RealRoot t) {
-    return t.sign(x.derivative()) != 0 || t.sign(y.derivative()) != 0;
+    return t.sign(gaps.x().derivative()) != 0 || t.sign(gaps.y().derivative()) != 0;
   }
 
   /** Whether a point that is in line with the line at a time hits it: from a side, or an end. */

@@ -17,14 +17,14 @@ public final class ExactReturn {
   /** Against the whole line; null if the thing is no line. */
   private final ExactParabola line;
 
-  /** The part of the line that was hit: -1 its start, 0 the side, 1 its end. */
+  /** The region of the line that was hit. */
   private final int part;
 
   /** The side of the line: +1 left, -1 right. */
   private final int side;
 
   private ExactReturn(Polynomial gap) {
-    this(gap, null, 0, 0);
+    this(gap, null, Gaps.BEFORE, 0);
   }
 
   private ExactReturn(Polynomial gap, ExactParabola line, int part, int side) {
@@ -86,7 +86,7 @@ public final class ExactReturn {
     }
     ExactParabola line = ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy);
     int part = line.region(ExactParabola.START);
-    if (part != 0) {
+    if (part != Gaps.BESIDE) {
       return new ExactReturn(line.gap(part), line, part, 0);
     }
     int side = line.sideAtStart();
@@ -111,7 +111,7 @@ public final class ExactReturn {
     if (line == null) {
       return back;
     }
-    return part == 0 ? fromSide(back, T) : fromEnd(back, T);
+    return part == Gaps.BESIDE ? fromSide(back, T) : fromEnd(back, T);
   }
 
   /** A return to the side beyond an end of the line is none: that end can be hit from then on. */
@@ -134,13 +134,13 @@ public final class ExactReturn {
     return next == null || (other != null && other.compare(next) < 0) ? other : next;
   }
 
-  /** The region of the line at a time: -1 before the start, 0 beside it, 1 beyond its end. */
+  /** The region of the line at a time. */
   public int region(RealRoot t) {
     return line.region(t);
   }
 
   /** The side of the line that is hit at a time: +1 left, -1 right. */
   public int side(RealRoot t) {
-    return part == 0 ? side : line.side(t);
+    return part == Gaps.BESIDE ? side : line.side(t);
   }
 }

@@ -45,8 +45,11 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
    */
   private static final double VALUE_BOUND = 160 * U * U;
 
-  /** Underflow of fewer than 128 operations, times a power of the time if that is above 1. */
-  private static final double TINY = 0x1p-1060;
+  /**
+   * More than the underflow of 128 operations, 2^-1067, times a power of the time if that is above
+   * 1. A product with a subnormal number would take much longer.
+   */
+  private static final double TINY = 0x1p-1000;
 
   /** The same for the tails of products. */
   private static final double TINY_TAIL = 0x1p-960;
@@ -382,7 +385,7 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
       }
       bernstein[j] = sum;
     }
-    return (PLACE_BOUND + n * STEP_BOUND) * terms(high) + TINY * power(high);
+    return bound(high);
   }
 
   /**
@@ -401,8 +404,7 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
 
   private int roundedSign(double t) {
     prepare();
-    double bound = (PLACE_BOUND + length * STEP_BOUND) * terms(t) + TINY * power(t);
-    return certain(value(t), bound);
+    return certain(value(t), bound(t));
   }
 
   private int exactSign(double t, double rest) {
@@ -420,6 +422,11 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
       terms = terms * t + size[i];
     }
     return terms;
+  }
+
+  /** A bound of the rounding of a value, or of a Bernstein coefficient on an interval up to t. */
+  private double bound(double t) {
+    return (PLACE_BOUND + length * STEP_BOUND) * terms(t) + TINY * power(t);
   }
 
   /** The n-th power of the time, or 1: what underflow is multiplied with. */
@@ -458,14 +465,18 @@ public final class GapPolynomial implements Ring<GapPolynomial> {
   }
 
   /**
-   * The sign where the slope is 0, within an ulp of t; {@link #UNKNOWN} in doubt. The bend has one
-   * sign there. So the value lies between that at t and the tangent at t: they differ by an ulp
+   * The sign where the slope is 0, within a width of t; {@link #UNKNOWN} in doubt. The bend has one
+   * sign there. So the value lies between that at t and the tangent at t: they differ by the width
    * times the slope at most.
    */
-  public int signAtTurn(double t) {
-    int n = length - 1;
-    double slope = Math.abs(slope(t)) + (PLACE_BOUND + n * STEP_BOUND) * n * terms(t) / t;
-    double bound = VALUE_BOUND * terms(t) + TINY_TAIL * power(t) + Math.ulp(t) * slope;
+  public int signAtTurn(double t, double width) {
+    prepare();
+    double rounding = bound(t);
+    double slope = Math.abs(slope(t)) + rounding * length / t;
+    if (exact == null) {
+      return certain(value(t), rounding + width * slope);
+    }
+    double bound = VALUE_BOUND * terms(t) + TINY_TAIL * power(t) + width * slope;
     int sign = certain(value(t, 0), bound);
     boolean isTie = sign == UNKNOWN && derivative().signAt(t, 0) == 0 && signAt(t, 0) == 0;
     return isTie ? 0 : sign;

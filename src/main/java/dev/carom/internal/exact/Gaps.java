@@ -16,6 +16,9 @@ public final class Gaps<P extends Ring<P>> {
   public static final int BESIDE = 1;
   public static final int BEYOND = 2;
 
+  /** The region is not known. */
+  public static final int UNKNOWN = 3;
+
   private P x;
   private P y;
   private P wx;

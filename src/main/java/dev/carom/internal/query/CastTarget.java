@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.query;
 
-import dev.carom.internal.exact.ExactParabola;
 import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.state.CircleTable;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.Fall;
+import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.sweep.Hit;
-import dev.carom.internal.sweep.ParabolaDiskSweep;
-import dev.carom.internal.sweep.ParabolaHit;
 
 /** One circle of a world as it moves from now on, and when a cast hits it. */
 final class CastTarget {
@@ -90,8 +89,7 @@ final class CastTarget {
       return NEVER; // two points do not meet
     }
     if (isFalling()) {
-      double t =
-          ParabolaDiskSweep.time(m.x, m.y, m.radius, m.vx, m.vy, -gx, -gy, x, y, r, vx, vy, end);
+      double t = FallSweep.time(fall(m), end);
       contact = t == 0 ? Contact.NOW : t < NEVER ? Contact.LATER : Contact.MISS;
       return t;
     }
@@ -106,13 +104,13 @@ final class CastTarget {
 
   /** The exact time of a contact, if this circle does not fall. */
   ExactTime exactTime(MovingCircle m, int itsContact) {
-    return DiskSweep.exactTime(itsContact, m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy);
+    return FallSweep.exactTime(fall(m), itsContact);
   }
 
   /** The exact time of a contact, also if this circle falls. */
   RealRoot root(MovingCircle m, int itsContact) {
     return isFalling()
-        ? ExactParabola.disk(m.x, m.y, m.radius, m.vx, m.vy, -gx, -gy, x, y, r, vx, vy).first(NEVER)
+        ? FallSweep.exact(fall(m)).first(NEVER)
         : RealRoot.of(exactTime(m, itsContact));
   }
 
@@ -120,8 +118,13 @@ final class CastTarget {
   Hit hit(MovingCircle m) {
     double t = m.cleared;
     return isFalling()
-        ? ParabolaHit.ofDisks(m.x, m.y, m.radius, m.vx, m.vy, -gx, -gy, x, y, r, vx, vy, t)
+        ? hit.of(fall(m), m.contact, t)
             .moved(MovingCircle.place(0, 0, gx, t), MovingCircle.place(0, 0, gy, t))
-        : hit.ofDisks(m.x, m.y, m.radius, m.vx, m.vy, x, y, r, vx, vy, m.contact, t);
+        : hit.of(fall(m), m.contact, t);
+  }
+
+  /** The cast as seen from this circle, which falls. */
+  private Fall fall(MovingCircle m) {
+    return Fall.ofThread().flight(m.x, m.y, m.radius, m.vx, m.vy, -gx, -gy).disk(x, y, r, vx, vy);
   }
 }

@@ -13,6 +13,7 @@ import dev.carom.internal.state.ImpactRows;
 import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
+import dev.carom.internal.sweep.Fall;
 import dev.carom.internal.sweep.Hit;
 import dev.carom.internal.util.DoubleList;
 
@@ -72,8 +73,9 @@ public final class Tracer {
   public Hit hit(MovingCircle m) {
     int code = m.next;
     double t = m.cleared;
+    Fall flight = Fall.ofThread().flight(m.x, m.y, m.radius, m.vx, m.vy, 0, 0);
     if (Codes.isWall(code)) {
-      return hit.ofWall(m.x, m.y, m.vx, m.vy, code, obstacles.walls[code], t);
+      return hit.ofWall(flight, code, obstacles.walls[code], t);
     }
     ObstacleRows rows = obstacles.of(code);
     double[] values = rows.values;
@@ -85,7 +87,7 @@ public final class Tracer {
     }
     double ux = obstacles.ux(code);
     double uy = obstacles.uy(code);
-    return rows.shape.hit(hit, m.contact, t, m.x, m.y, m.radius, m.vx, m.vy, values, k, ux, uy);
+    return hit.of(flight.obstacle(rows.shape, values, k, ux, uy), m.contact, t);
   }
 
   /**

@@ -12,9 +12,10 @@ import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
 import dev.carom.internal.sweep.Coordinates;
 import dev.carom.internal.sweep.DiskSweep;
+import dev.carom.internal.sweep.Fall;
+import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.Offset;
-import dev.carom.internal.sweep.ParabolaDiskSweep;
 import dev.carom.internal.sweep.PegShape;
 
 /**
@@ -303,8 +304,11 @@ final class ContactPoint {
     double size = size(cx, cy) + size(startX, startY);
     UnitVector exact =
         radius + m.radius < SMALL * size
-            ? ParabolaDiskSweep.normal(
-                startX, startY, m.radius, startVx, startVy, gx, gy, cx, cy, radius, ux, uy, t)
+            ? FallSweep.normal(
+                Fall.ofThread()
+                    .flight(startX, startY, m.radius, startVx, startVy, gx, gy)
+                    .disk(cx, cy, radius, ux, uy),
+                t)
             : null;
     if (exact != null) {
       normal(m, exact.x(), exact.y(), 0, 0);

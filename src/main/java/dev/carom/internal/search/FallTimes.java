@@ -8,10 +8,10 @@ import dev.carom.internal.state.ObstacleMotions;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.Fall;
+import dev.carom.internal.sweep.FallReturn;
+import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.sweep.ObstacleShape;
-import dev.carom.internal.sweep.ParabolaDiskSweep;
-import dev.carom.internal.sweep.ParabolaReturn;
-import dev.carom.internal.sweep.ParabolaSegmentSweep;
 import dev.carom.internal.sweep.ParabolaWallSweep;
 
 /**
@@ -46,6 +46,9 @@ abstract class FallTimes extends CellWalk {
   private double ux;
   private double uy;
 
+  /** The questions to the detector. */
+  private final Fall fall = new Fall();
+
   /** The time near which a hit is expected, which saves work; infinite or NaN for none. */
   private double about;
 
@@ -58,6 +61,7 @@ abstract class FallTimes extends CellWalk {
     super.start(m);
     gx = m.gx;
     gy = m.gy;
+    fall.flight(px, py, r, vx, vy, gx, gy);
   }
 
   /** Chooses an obstacle at rest, other than a wall. */
@@ -95,6 +99,16 @@ abstract class FallTimes extends CellWalk {
     bx = rows[end + ObstacleShape.X];
     by = rows[end + ObstacleShape.Y];
     radius = shape.radius(rows, at);
+    take();
+  }
+
+  /** Asks about the obstacle chosen from here on. */
+  private void take() {
+    if (radius == 0) {
+      fall.line(ax, ay, bx, by, ux, uy);
+    } else {
+      fall.disk(ax, ay, radius, ux, uy);
+    }
   }
 
   /** Whether the obstacle was removed: a list may still name it. */
@@ -111,7 +125,7 @@ abstract class FallTimes extends CellWalk {
     double g = isVertical ? gx : gy;
     int inward = Codes.inwards(code);
     return code == body.last
-        ? ParabolaReturn.toWall(v, g, inward, to)
+        ? FallReturn.toWall(v, g, inward, to)
         : ParabolaWallSweep.time(isVertical ? px : py, r, v, g, obstacles.walls[code], inward, to);
   }
 
@@ -128,34 +142,17 @@ abstract class FallTimes extends CellWalk {
     if (obstacles.isOneWay(code)) {
       return timeOfOneWay(code, to);
     }
-    return code == body.last ? timeOfReturn(code, to) : firstTime(code, to);
-  }
-
-  private double firstTime(int code, double to) {
-    return Codes.isLine(code)
-        ? ParabolaSegmentSweep.time(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, about, to)
-        : ParabolaDiskSweep.time(px, py, r, vx, vy, gx, gy, ax, ay, radius, ux, uy, to);
+    return code == body.last ? timeOfReturn(code, to) : FallSweep.time(fall, about, to);
   }
 
   private double timeOfReturn(int code, double to) {
-    if (code == body.leftLine) {
-      return timeAtEnds(to);
-    }
-    return Codes.isLine(code)
-        ? ParabolaReturn.toLine(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, to)
-        : ParabolaReturn.toDisk(px, py, vx, vy, gx, gy, ax, ay, ux, uy, to);
-  }
-
-  private double timeAfter(int code, double s, double to) {
-    return Codes.isLine(code)
-        ? ParabolaSegmentSweep.timeAfter(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, s, to)
-        : ParabolaDiskSweep.timeAfter(px, py, r, vx, vy, gx, gy, ax, ay, radius, ux, uy, s, to);
+    return code == body.leftLine ? timeAtEnds(to) : FallReturn.time(fall, to);
   }
 
   /** The next time at which a sensor that was not reported yet is entered. */
   private double timeOfSensor(int code, double to) {
     double after = code > sensedCode && sensed > 0 ? Math.nextDown(sensed) : sensed;
-    return timeAfter(code, Math.max(after, 0), to);
+    return FallSweep.timeAfter(fall, Math.max(after, 0), to);
   }
 
   /** The time at which a circle that slid off an end of a line hits that or the other end. */
@@ -165,9 +162,10 @@ abstract class FallTimes extends CellWalk {
     double nearY = isAtStart ? ay : by;
     double farX = isAtStart ? bx : ax;
     double farY = isAtStart ? by : ay;
-    return Math.min(
-        ParabolaReturn.toDisk(px, py, vx, vy, gx, gy, nearX, nearY, ux, uy, to),
-        ParabolaDiskSweep.time(px, py, r, vx, vy, gx, gy, farX, farY, 0, ux, uy, to));
+    double back = FallReturn.time(fall.disk(nearX, nearY, 0, ux, uy), to);
+    double other = FallSweep.time(fall.disk(farX, farY, 0, ux, uy), to);
+    take();
+    return Math.min(back, other);
   }
 
   private boolean isNearerToStart() {
@@ -185,12 +183,12 @@ abstract class FallTimes extends CellWalk {
       if (t > to || t == NEVER || isLeft(t)) {
         return t;
       }
-    } else if (OneWay.standsOn(body, row, k) && firstTime(code, to) == 0) {
+    } else if (OneWay.standsOn(body, row, k) && FallSweep.time(fall, about, to) == 0) {
       return 0;
     }
-    double t = timeAfter(code, -1, to);
+    double t = FallSweep.timeAfter(fall, -1, to);
     while (t <= to && t < NEVER && !isLeft(t)) {
-      t = timeAfter(code, t, to);
+      t = FallSweep.timeAfter(fall, t, to);
     }
     return t;
   }
@@ -308,9 +306,7 @@ abstract class FallTimes extends CellWalk {
     if (code == body.leftLine && t == 0) {
       return (isNearerToStart() ? Contact.START : Contact.END) | Contact.NOW;
     }
-    return isReturn(code, t)
-        ? ParabolaReturn.contactOfReturn(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t)
-        : ParabolaSegmentSweep.contact(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
+    return isReturn(code, t) ? FallReturn.contact(fall, t) : FallSweep.contact(fall, t);
   }
 
   /**

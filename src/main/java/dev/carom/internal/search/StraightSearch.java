@@ -10,6 +10,8 @@ import dev.carom.internal.state.MovingCircle;
 import dev.carom.internal.state.ObstacleRows;
 import dev.carom.internal.state.ObstacleTable;
 import dev.carom.internal.sweep.Contact;
+import dev.carom.internal.sweep.Fall;
+import dev.carom.internal.sweep.FallSweep;
 import dev.carom.internal.sweep.LineShape;
 import dev.carom.internal.sweep.ObstacleShape;
 import dev.carom.internal.sweep.PointSweep;
@@ -36,6 +38,9 @@ final class StraightSearch extends CellWalk {
 
   /** In proportion to the coordinates: far more than the rounding of a place. */
   private static final double ROUNDING = 0x1p-40;
+
+  /** The questions that the filter leaves open, and those about pegs and moving obstacles. */
+  private final Fall question = new Fall();
 
   /** The middle of the bounds, and its distances from the walls. */
   private final double middleX;
@@ -243,9 +248,10 @@ final class StraightSearch extends CellWalk {
     if (special && obstacles.isOneWay(code) && !OneWay.stops(body, values, k, ux, uy)) {
       return;
     }
-    int contact = shape.contact(px, py, r, vx, vy, values, k, ux, uy);
+    question.flight(px, py, r, vx, vy, 0, 0).obstacle(shape, values, k, ux, uy);
+    int contact = FallSweep.straightContact(question);
     if (contact != Contact.MISS) {
-      offer(shape.time(contact, px, py, r, vx, vy, values, k, ux, uy), code, contact);
+      offer(FallSweep.straightTime(question, contact, NEVER), code, contact);
     }
   }
 
@@ -402,8 +408,9 @@ final class StraightSearch extends CellWalk {
       return WallSweep.exactTime(vertical ? px : py, r, vertical ? vx : vy, obstacles.walls[code]);
     }
     double[] row = obstacles.rowAt(code, body.t, body.tl);
-    ObstacleShape shape = obstacles.of(code).shape;
-    return shape.exactTime(
-        contact, px, py, r, vx, vy, row, 0, obstacles.ux(code), obstacles.uy(code));
+    question
+        .flight(px, py, r, vx, vy, 0, 0)
+        .obstacle(obstacles.of(code).shape, row, 0, obstacles.ux(code), obstacles.uy(code));
+    return FallSweep.exactTime(question, contact);
   }
 }

@@ -3,6 +3,8 @@ package dev.carom.internal.sweep;
 
 import static dev.carom.internal.exact.Fma.fma;
 
+import dev.carom.internal.exact.Gaps;
+
 /**
  * The first hit of a disk with a constant acceleration on a line, where a normal shows that none
  * comes before it. Nearly all questions of a search are answered here.
@@ -40,6 +42,11 @@ final class DirectHit {
   /** Above this, the square of a normal has lost nothing to underflow. */
   private static final double LEAST_SQUARE = 0x1p-300;
 
+  /** Steps towards a contact, while they are longer, in proportion, than the next number. */
+  private static final int STEPS = 6;
+
+  private static final double NEAR = 0x1p-10;
+
   private DirectHit() {}
 
   /**
@@ -47,92 +54,67 @@ final class DirectHit {
    *
    * @param about a time near which the hit is expected; infinite or NaN for none
    */
-  static double time(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double ux, double uy, double about, double T) {
-    double wx = bx - ax;
-    double wy = by - ay;
-    double dx = px - ax;
-    double dy = py - ay;
-    double sx = vx - ux;
-    double sy = vy - uy;
-    double t = about < NEVER ? about : entry(dx, dy, r, sx, sy, gx, gy, wx, wy);
+  static double time(Fall f, double about, double T) {
+    if (!f.isLine) {
+      double level = entry(f, -f.gy, f.gx); // the height of the disk is the first to be reached
+      return atEnd(f, f.ax, f.ay, 0, 0, level > 0 ? level : 0, T);
+    }
+    double t = about < NEVER ? about : entry(f, f.wx, f.wy);
     // Straight on with the place and the velocity of that time, would the disk touch the start of
     // the line, its end, or the side between them? Products x |x| are squares that keep the sign.
-    double x = place(dx, sx, gx, t);
-    double y = place(dy, sy, gy, t);
-    double speedX = sx + gx * t;
-    double speedY = sy + gy * t;
+    double x = place(f.dx, f.sx, f.gx, t);
+    double y = place(f.dy, f.sy, f.gy, t);
+    double speedX = f.sx + f.gx * t;
+    double speedY = f.sy + f.gy * t;
     double start = x * speedY - y * speedX;
-    double end = (x - wx) * speedY - (y - wy) * speedX;
-    double along = r * (wx * speedX + wy * speedY);
-    double scale = Math.copySign(wx * wx + wy * wy, wy * speedX - wx * speedY);
+    double end = (x - f.wx) * speedY - (y - f.wy) * speedX;
+    double along = f.r * (f.wx * speedX + f.wy * speedY);
+    double scale = Math.copySign(f.wx * f.wx + f.wy * f.wy, f.wy * speedX - f.wx * speedY);
     double square = along * Math.abs(along);
     boolean isStart = scale * (start * Math.abs(start)) + square > 0;
     boolean isEnd = scale * (end * Math.abs(end)) + square < 0;
-    if (!isStart && !isEnd) {
-      return atSide(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, T);
+    if (isStart) {
+      return atEnd(f, f.ax, f.ay, f.wx, f.wy, t, T);
     }
-    double qx = isStart ? ax : bx;
-    double qy = isStart ? ay : by;
-    double ex = isStart ? wx : -wx;
-    double ey = isStart ? wy : -wy;
-    return atEnd(px, py, r, vx, vy, gx, gy, qx, qy, 0, ex, ey, ux, uy, t, T);
-  }
-
-  /** The same for a disk (x2, y2, r2) that moves with the velocity u. */
-  static double ofDisk(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double x2,
-      double y2, double r2, double ux, double uy, double T) {
-    double rough = touch(px - x2, py - y2, r + r2, vx - ux, vy - uy, gx, gy, 0);
-    double about = rough > 0 ? rough : 0;
-    return atEnd(px, py, r, vx, vy, gx, gy, x2, y2, r2, 0, 0, ux, uy, about, T);
+    return isEnd ? atEnd(f, f.bx, f.by, -f.wx, -f.wy, t, T) : atSide(f, T);
   }
 
   /** The time of a hit on the side. */
-  private static double atSide(
-      double px, double py, double r, double vx, double vy, double gx, double gy, double ax,
-      double ay, double bx, double by, double ux, double uy, double T) {
-    double wx = bx - ax;
-    double wy = by - ay;
-    double dx = px - ax;
-    double dy = py - ay;
-    double sx = vx - ux;
-    double sy = vy - uy;
-    double t = entry(dx, dy, r, sx, sy, gx, gy, wx, wy);
+  private static double atSide(Fall f, double T) {
+    double t = entry(f, f.wx, f.wy);
     if (!(t < T)) {
-      return unlessMissed(T, dx, dy, r, sx, sy, gx, gy, wx, wy, T);
+      return unlessMissed(f, f.dx, f.dy, f.wx, f.wy, T, T);
     }
-    double side = Math.copySign(1, wx * dy - wy * dx);
-    double nx = -side * wy;
-    double ny = side * wx;
-    if (!ParabolaSegmentSweep.isInRange(r, wx, wy)
-        || !isInFront(nx, ny, dx, dy, sx, sy, gx, gy, t)
-        || !isApproach(nx, ny, Math.abs(nx), Math.abs(ny), sx, sy, gx, gy, t)) {
+    double side = Math.copySign(1, f.wx * f.dy - f.wy * f.dx);
+    double nx = -side * f.wy;
+    double ny = side * f.wx;
+    if (!(f.r < MOST)
+        || !isInFront(f, nx, ny, f.dx, f.dy, t)
+        || !isApproach(f, nx, ny, Math.abs(nx), Math.abs(ny), 0, t)) {
       return GapRoot.DOUBT;
     }
-    double root =
-        ParabolaSegmentSweep.nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, t);
-    double time = GapRoot.beside(t, root);
-    int region = LineRegion.at(px, py, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, time);
-    return region == LineRegion.BESIDE ? GapRoot.upTo(T, time) : GapRoot.DOUBT;
+    double time = GapRoot.beside(t, GapRoot.nearestSide(f, t));
+    return switch (f.region(time)) {
+      case Gaps.BESIDE -> GapRoot.upTo(T, time);
+      case Gaps.BEFORE -> atEnd(f, f.ax, f.ay, f.wx, f.wy, t, T);
+      case Gaps.BEYOND -> atEnd(f, f.bx, f.by, -f.wx, -f.wy, t, T);
+      default -> GapRoot.DOUBT;
+    };
   }
 
   /**
-   * About when the centre enters the strip along the line; 0 if it starts there, NaN if it seems
-   * not to enter it.
+   * About when the centre enters the strip along a line with the vector w through the obstacle; 0
+   * if it starts there, NaN if it seems not to enter it.
    */
-  private static double entry(
-      double dx, double dy, double r, double sx, double sy, double gx, double gy, double wx,
-      double wy) {
-    double h0 = wx * dy - wy * dx;
+  private static double entry(Fall f, double wx, double wy) {
+    double h0 = wx * f.dy - wy * f.dx;
     double side = Math.copySign(1, h0);
-    double gap = Math.abs(h0) - r * Math.sqrt(wx * wx + wy * wy);
+    double gap = Math.abs(h0) - (f.r + f.radius) * Math.sqrt(wx * wx + wy * wy);
     if (gap <= 0) {
       return 0;
     }
-    double fall = side * (wx * sy - wy * sx);
-    double bend = 0.5 * side * (wx * gy - wy * gx);
+    double fall = side * (wx * f.sy - wy * f.sx);
+    double bend = 0.5 * side * (wx * f.gy - wy * f.gx);
     double root = Math.sqrt(fall * fall - 4 * gap * bend);
     if (fall < 0) {
       return 2 * gap / (root - fall);
@@ -148,68 +130,69 @@ final class DirectHit {
    * @param dx the offset from the point at the start
    */
   private static boolean isInFront(
-      double nx, double ny, double dx, double dy, double sx, double sy, double gx, double gy,
-      double t) {
-    double height = nx * place(dx, sx, gx, t) + ny * place(dy, sy, gy, t);
+      Fall f, double nx, double ny, double dx, double dy, double t) {
+    double height = nx * place(dx, f.sx, f.gx, t) + ny * place(dy, f.sy, f.gy, t);
     double sizeX = Math.abs(nx);
     double sizeY = Math.abs(ny);
-    double terms = sizeX * Offset.size(dx, sx, gx, t) + sizeY * Offset.size(dy, sy, gy, t);
+    double terms = sizeX * Offset.size(dx, f.sx, f.gx, t) + sizeY * Offset.size(dy, f.sy, f.gy, t);
     return height > fma(ROUGH_BOUND, terms, TINY) && t < MOST && sizeX + sizeY < MOST;
   }
 
   /**
    * Whether a centre is certain to move against a normal n, both at about the time t and in the
-   * mean up to it. Then it was in front of the tangent all the way from the start.
+   * mean since an earlier time. Then it was in front of the tangent all the time between.
    *
    * @param sizeX the terms of nx
    */
   private static boolean isApproach(
-      double nx, double ny, double sizeX, double sizeY, double sx, double sy, double gx, double gy,
-      double t) {
-    double mean = nx * (sx + 0.5 * gx * t) + ny * (sy + 0.5 * gy * t);
-    double last = nx * (sx + gx * t) + ny * (sy + gy * t);
-    double speedX = Math.abs(sx) + Math.abs(gx) * t;
-    double speedY = Math.abs(sy) + Math.abs(gy) * t;
+      Fall f, double nx, double ny, double sizeX, double sizeY, double from, double t) {
+    double middle = 0.5 * (from + t);
+    double mean = nx * (f.sx + f.gx * middle) + ny * (f.sy + f.gy * middle);
+    double last = nx * (f.sx + f.gx * t) + ny * (f.sy + f.gy * t);
+    double speedX = Math.abs(f.sx) + Math.abs(f.gx) * t;
+    double speedY = Math.abs(f.sy) + Math.abs(f.gy) * t;
     double bound = fma(ROUGH_BOUND, sizeX * speedX + sizeY * speedY, TINY);
     return mean < -bound && last < -bound && t > 0 && t < MOST && speedX + speedY < MOST;
   }
 
   /**
-   * The time of a hit on an end q of a line, or on a disk there.
+   * The time of a hit on an end q of a line, or on a disk there. Each step goes to the first root of
+   * the quadratic part of the gap, or to its least value if there is none.
    *
-   * @param r2 the radius of the disk
    * @param ex the way from there to the other end; 0 of a disk
    * @param about a time near which it is expected
    */
   private static double atEnd(
-      double px, double py, double r1, double vx, double vy, double gx, double gy, double qx,
-      double qy, double r2, double ex, double ey, double ux, double uy, double about, double T) {
-    double r = r1 + r2;
-    double dx = px - qx;
-    double dy = py - qy;
-    double sx = vx - ux;
-    double sy = vy - uy;
-    double rough = touch(dx, dy, r, sx, sy, gx, gy, about);
-    if (Double.isNaN(rough)) {
-      double closest = Math.min(T, closest(dx, dy, sx, sy, gx, gy, about));
-      return unlessMissed(closest, dx, dy, r, sx, sy, gx, gy, ex, ey, T);
+      Fall f, double qx, double qy, double ex, double ey, double about, double T) {
+    double dx = f.px - qx;
+    double dy = f.py - qy;
+    double t = about;
+    boolean touches = true;
+    boolean isNear = false;
+    for (int i = 0; i < STEPS && !isNear; i++) {
+      double gap = gap(f, dx, dy, t);
+      double slope = slope(f, dx, dy, t);
+      double bend = bend(f, dx, dy, t);
+      double root = Math.sqrt(slope * slope - gap * bend);
+      touches = root >= 0;
+      double step = touches ? gap / (root - slope) : -slope / bend;
+      t += step;
+      isNear = Math.abs(step) <= NEAR * t;
     }
-    double better = nearer(dx, dy, r, sx, sy, gx, gy, rough);
-    if (!(better < T)) {
-      return unlessMissed(T, dx, dy, r, sx, sy, gx, gy, ex, ey, T);
+    if (!touches || !(t > 0 && t < T)) {
+      return unlessMissed(f, dx, dy, ex, ey, Math.min(Math.max(t, 0), T), T);
     }
-    double t = nearer(dx, dy, r, sx, sy, gx, gy, better);
-    double nx = place(dx, sx, gx, t);
-    double ny = place(dy, sy, gy, t);
-    double sizeX = Offset.size(dx, sx, gx, t);
-    double sizeY = Offset.size(dy, sy, gy, t);
-    boolean isDisk = ex == 0 && ey == 0;
-    if (!(isDisk || isInFront(-ex, -ey, dx, dy, sx, sy, gx, gy, t))
-        || !isApproach(nx, ny, sizeX, sizeY, sx, sy, gx, gy, t)) {
-      return GapRoot.DOUBT;
+    double nx = place(dx, f.sx, f.gx, t);
+    double ny = place(dy, f.sy, f.gy, t);
+    double sizeX = Offset.size(dx, f.sx, f.gx, t);
+    double sizeY = Offset.size(dy, f.sy, f.gy, t);
+    boolean isFirst =
+        isApproach(f, nx, ny, sizeX, sizeY, 0, t)
+            || isFirst(f, dx, dy, ex, ey, nx, ny, sizeX, sizeY, t);
+    if (isFirst && !(f.isLine && !isInFront(f, -ex, -ey, dx, dy, t))) {
+      return GapRoot.upTo(T, GapRoot.beside(t, GapRoot.nearestEnd(f, qx, qy, t)));
     }
-    double time = ParabolaDiskSweep.nearest(px, py, r1, vx, vy, gx, gy, qx, qy, r2, ux, uy, t);
-    return GapRoot.upTo(T, GapRoot.beside(t, time));
+    return GapRoot.DOUBT;
   }
 
   // The way from a point to a disk: its offset d at the start, its velocity s, its place at t.
@@ -219,88 +202,114 @@ final class DirectHit {
   }
 
   /** The square of the distance from a point less that of the radius. */
-  private static double gap(
-      double dx, double dy, double r, double sx, double sy, double gx, double gy, double t) {
-    double x = place(dx, sx, gx, t);
-    double y = place(dy, sy, gy, t);
+  private static double gap(Fall f, double dx, double dy, double t) {
+    double x = place(dx, f.sx, f.gx, t);
+    double y = place(dy, f.sy, f.gy, t);
+    double r = f.r + f.radius;
     return (x * x + y * y) - r * r;
   }
 
   /** Half the rate at which the gap changes. */
-  private static double slope(
-      double dx, double dy, double sx, double sy, double gx, double gy, double t) {
-    return place(dx, sx, gx, t) * (sx + gx * t) + place(dy, sy, gy, t) * (sy + gy * t);
+  private static double slope(Fall f, double dx, double dy, double t) {
+    return place(dx, f.sx, f.gx, t) * (f.sx + f.gx * t)
+        + place(dy, f.sy, f.gy, t) * (f.sy + f.gy * t);
   }
 
   /** The rate at which the slope changes. */
-  private static double bend(
-      double dx, double dy, double sx, double sy, double gx, double gy, double t) {
-    double vx = sx + gx * t;
-    double vy = sy + gy * t;
-    return (vx * vx + vy * vy) + (place(dx, sx, gx, t) * gx + place(dy, sy, gy, t) * gy);
+  private static double bend(Fall f, double dx, double dy, double t) {
+    double vx = f.sx + f.gx * t;
+    double vy = f.sy + f.gy * t;
+    return (vx * vx + vy * vy)
+        + (place(dx, f.sx, f.gx, t) * f.gx + place(dy, f.sy, f.gy, t) * f.gy);
   }
 
   /**
-   * About when a disk touches a point, by the quadratic part of its gap around a time t; NaN if
-   * that has no root.
+   * Whether a disk that comes from behind the tangent is certain not to touch the line before: it
+   * moves against the normal in the last part of the way, and the chord is clear in the first one.
    */
-  private static double touch(
-      double dx, double dy, double r, double sx, double sy, double gx, double gy, double t) {
-    double gap = gap(dx, dy, r, sx, sy, gx, gy, t);
-    double slope = slope(dx, dy, sx, sy, gx, gy, t);
-    double bend = bend(dx, dy, sx, sy, gx, gy, t);
-    return t + gap / (Math.sqrt(slope * slope - gap * bend) - slope);
+  private static boolean isFirst(
+      Fall f, double dx, double dy, double ex, double ey, double nx, double ny, double sizeX,
+      double sizeY, double t) {
+    double from = crest(f, nx, ny);
+    return from > 0
+        && from < t
+        && isApproach(f, nx, ny, sizeX, sizeY, from, t)
+        && isChordClear(f, dx, dy, ex, ey, 0, from);
   }
 
-  /** The time after a step of Halley's method towards that at which a disk touches a point. */
-  private static double nearer(
-      double dx, double dy, double r, double sx, double sy, double gx, double gy, double t) {
-    double gap = gap(dx, dy, r, sx, sy, gx, gy, t);
-    double slope = slope(dx, dy, sx, sy, gx, gy, t);
-    double bend = bend(dx, dy, sx, sy, gx, gy, t);
-    return t - gap * slope / (2 * slope * slope - 0.5 * gap * bend);
-  }
-
-  /** About when a disk is closest to a point, by a step of Newton's method from a time t. */
-  private static double closest(
-      double dx, double dy, double sx, double sy, double gx, double gy, double t) {
-    return t - slope(dx, dy, sx, sy, gx, gy, t) / bend(dx, dy, sx, sy, gx, gy, t);
+  /** The time at which the speed along a normal, {@code n.(s + g t)}, turns. */
+  private static double crest(Fall f, double nx, double ny) {
+    return -(nx * f.sx + ny * f.sy) / (nx * f.gx + ny * f.gy);
   }
 
   /**
    * NEVER if a disk is certain not to touch a line up to T, else NaN. It does not if it stays in
-   * front of a tangent: the Bernstein coefficients of its distance from that, which is quadratic,
-   * are all above 0. Any normal n will do, for the tangent is moved to where the line is behind it.
+   * front of a tangent, or of one before the time at which it is closest and of another after that.
    *
-   * @param closest about when the disk is closest to the line
    * @param dx the offset from an end of the line at the start
    * @param ex the way from there to the other end
+   * @param closest about when the disk is closest to the line
    */
   private static double unlessMissed(
-      double closest, double dx, double dy, double r, double sx, double sy, double gx, double gy,
-      double ex, double ey, double T) {
-    double x = place(dx, sx, gx, closest);
-    double y = place(dy, sy, gy, closest);
+      Fall f, double dx, double dy, double ex, double ey, double closest, double T) {
+    double x = place(dx, f.sx, f.gx, closest);
+    double y = place(dy, f.sy, f.gy, closest);
     double along = x * ex + y * ey;
     double part = along > 0 ? Math.min(1, along / (ex * ex + ey * ey)) : 0;
     double nx = x - part * ex;
     double ny = y - part * ey;
-    double square = nx * nx + ny * ny;
-    double reach = r * Math.sqrt(square) + Math.max(0, nx * ex + ny * ey);
-    double first = nx * dx + ny * dy;
-    double middle = first + (nx * sx + ny * sy) * (0.5 * T);
-    double last = nx * place(dx, sx, gx, T) + ny * place(dy, sy, gy, T);
-    double terms =
-        Math.abs(nx) * (r + Math.abs(ex) + Offset.size(dx, sx, gx, T))
-            + Math.abs(ny) * (r + Math.abs(ey) + Offset.size(dy, sy, gy, T));
-    double least = reach + fma(ROUNDING, terms, TINY);
+    double last = crest(f, nx, ny);
+    double from = last > 0 && last < closest ? last : 0;
     boolean isMissed =
-        first > least
-            && middle > least
-            && last > least
-            && square > LEAST_SQUARE
-            && square < MOST
-            && T < MOST;
+        isClear(f, dx, dy, ex, ey, nx, ny, 0, T)
+            || ((from == 0 || isPartClear(f, dx, dy, ex, ey, nx, ny, 0, from))
+                && isPartClear(f, dx, dy, ex, ey, nx, ny, from, closest)
+                && (closest == T || isPartClear(f, dx, dy, ex, ey, nx, ny, closest, T)));
     return isMissed ? NEVER : GapRoot.DOUBT;
+  }
+
+  private static boolean isPartClear(
+      Fall f, double dx, double dy, double ex, double ey, double nx, double ny, double from,
+      double to) {
+    return isClear(f, dx, dy, ex, ey, nx, ny, from, to)
+        || isChordClear(f, dx, dy, ex, ey, from, to);
+  }
+
+  /** Whether a disk stays in front of a tangent along the chord of a part of its way. */
+  private static boolean isChordClear(
+      Fall f, double dx, double dy, double ex, double ey, double from, double to) {
+    double x = place(dx, f.sx, f.gx, from);
+    double y = place(dy, f.sy, f.gy, from);
+    double nx = y - place(dy, f.sy, f.gy, to);
+    double ny = place(dx, f.sx, f.gx, to) - x;
+    double side = Math.copySign(1, nx * (x - 0.5 * ex) + ny * (y - 0.5 * ey));
+    return isClear(f, dx, dy, ex, ey, side * nx, side * ny, from, to);
+  }
+
+  /**
+   * Whether a disk is certain to stay in front of a tangent with the normal n: the Bernstein
+   * coefficients of its distance from that, which is quadratic, are all above 0. Any normal will
+   * do, for the tangent is moved to where the line is behind it.
+   */
+  private static boolean isClear(
+      Fall f, double dx, double dy, double ex, double ey, double nx, double ny, double from,
+      double to) {
+    double square = nx * nx + ny * ny;
+    double r = f.r + f.radius;
+    double reach = r * Math.sqrt(square) + Math.max(0, nx * ex + ny * ey);
+    double first = nx * place(dx, f.sx, f.gx, from) + ny * place(dy, f.sy, f.gy, from);
+    double speed = nx * (f.sx + f.gx * from) + ny * (f.sy + f.gy * from);
+    double middle = first + speed * (0.5 * (to - from));
+    double last = nx * place(dx, f.sx, f.gx, to) + ny * place(dy, f.sy, f.gy, to);
+    double terms =
+        Math.abs(nx) * (r + Math.abs(ex) + Offset.size(dx, f.sx, f.gx, to))
+            + Math.abs(ny) * (r + Math.abs(ey) + Offset.size(dy, f.sy, f.gy, to));
+    double least = reach + fma(ROUNDING, terms, TINY);
+    return first > least
+        && middle > least
+        && last > least
+        && square > LEAST_SQUARE
+        && square < MOST
+        && to < MOST;
   }
 }

@@ -7,7 +7,6 @@ import static dev.carom.internal.exact.DoubleDouble.sumTail;
 import static dev.carom.internal.exact.Fma.fma;
 
 import dev.carom.internal.exact.Exact;
-import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.Predicates;
 import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.exact.UnitVector;
@@ -141,15 +140,6 @@ public final class DiskSweep {
     return time > T
         ? Double.POSITIVE_INFINITY
         : refined(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, T, t + c);
-  }
-
-  /** The exact time of a contact that is no MISS. */
-  public static ExactTime exactTime(
-      int contact, double x1, double y1, double r1, double vx1, double vy1, double x2, double y2,
-      double r2, double vx2, double vy2) {
-    return contact == Contact.NOW
-        ? ExactTime.ZERO
-        : Exact.Disks.of(x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2).exactTime();
   }
 
   /** Refines the time t by more steps; exact numbers decide if no step can. */

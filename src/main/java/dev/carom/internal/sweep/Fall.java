@@ -1,259 +1,203 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
-import dev.carom.internal.exact.ExactParabola;
-import dev.carom.internal.exact.Expansion;
-import dev.carom.internal.exact.GapPolynomial;
+import static dev.carom.internal.exact.Fma.fma;
+
 import dev.carom.internal.exact.Gaps;
 
 /**
- * A disk with a constant acceleration g, and an obstacle: a line from a to b, or a disk around a =
- * b. The obstacle moves with the velocity u.
+ * A disk with a constant acceleration, and an obstacle: a line from a to b, or a disk around a = b.
+ * The obstacle moves with the velocity u.
  *
- * <p>This is the second rung: a question that the filter leaves open goes to a {@link GapSearch}
- * with rounded coefficients, and then to one with coefficients without rounding.
+ * <p>The numbers are set for each question, so that many are asked without allocation. All is seen
+ * from the obstacle: {@code d = p - a} is the offset, {@code s = v - u} the velocity, {@code w = b
+ * - a} the line, each rounded once.
  *
- * <p>Each thread has one, whose numbers are set for each question.
+ * <p>Not safe for use by several threads.
  */
-final class Fall {
+public final class Fall {
 
-  private static final double NEVER = GapSearch.NEVER;
+  /**
+   * A projection on the line, or a height, at a rounded time: differences 2, products 3, sums 3, of
+   * the terms; half an ulp of time moves it by 1 of twice the terms: 10 u, and the terms are
+   * computed.
+   */
+  private static final double PLACE_BOUND = 16 * 0x1p-53;
 
-  /** Below this, underflow may have taken a part. */
-  private static final double LEAST_SAFE = 0x1p-1000;
+  private static final double TINY = 0x1p-600;
 
-  private static final Expansion HALF = Expansion.sum(0.5, 0);
+  private static final double MOST = 0x1p150;
 
   private static final ThreadLocal<Fall> OF_THREAD = ThreadLocal.withInitial(Fall::new);
 
   // The disk and its flight.
-  private double px;
-  private double py;
-  private double r;
-  private double vx;
-  private double vy;
-  private double gx;
-  private double gy;
+  double px;
+  double py;
+  double r;
+  double vx;
+  double vy;
+  double gx;
+  double gy;
 
-  // The obstacle.
-  private double ax;
-  private double ay;
-  private double bx;
-  private double by;
-  private double radius;
-  private double ux;
-  private double uy;
+  // The obstacle. A line has the radius 0; one of no length is a disk.
+  double ax;
+  double ay;
+  double bx;
+  double by;
+  double radius;
+  double ux;
+  double uy;
+  boolean isLine;
 
-  private final GapPolynomial.Pool pool = new GapPolynomial.Pool();
-  private final Gaps<GapPolynomial> roundedGaps = new Gaps<>();
-  private final GapSearch search = new GapSearch(this);
+  /** Whether it is a line, if perhaps of no length. */
+  boolean isSegment;
 
-  private Fall() {}
+  // As seen from the obstacle.
+  double dx;
+  double dy;
+  double sx;
+  double sy;
+  double wx;
+  double wy;
 
-  /** A disk and a line that moves with the velocity u. */
-  static Fall of(
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double gx,
-      double gy,
-      double ax,
-      double ay,
-      double bx,
-      double by,
-      double ux,
-      double uy) {
-    Fall fall = OF_THREAD.get();
-    fall.px = px;
-    fall.py = py;
-    fall.r = r;
-    fall.vx = vx;
-    fall.vy = vy;
-    fall.gx = gx;
-    fall.gy = gy;
-    fall.ax = ax;
-    fall.ay = ay;
-    fall.bx = bx;
-    fall.by = by;
-    fall.radius = 0;
-    fall.ux = ux;
-    fall.uy = uy;
-    return fall;
+  /** Its numbers are used again and again; null before the first question that comes to it. */
+  private GapSearch search;
+
+  /** One for questions that are asked now and then; the next one of this thread sets it anew. */
+  public static Fall ofThread() {
+    return OF_THREAD.get();
   }
 
-  /** A disk and another one that moves straight on. */
-  static Fall ofDisks(
-      double x1,
-      double y1,
-      double r1,
-      double vx1,
-      double vy1,
-      double gx,
-      double gy,
-      double x2,
-      double y2,
-      double r2,
-      double vx2,
-      double vy2) {
-    Fall fall = of(x1, y1, r1, vx1, vy1, gx, gy, x2, y2, x2, y2, vx2, vy2);
-    fall.radius = r2;
-    return fall;
+  /** Sets the disk and its flight, before the obstacle. */
+  public Fall flight(
+      double x,
+      double y,
+      double itsRadius,
+      double itsVx,
+      double itsVy,
+      double itsGx,
+      double itsGy) {
+    px = x;
+    py = y;
+    r = itsRadius;
+    vx = itsVx;
+    vy = itsVy;
+    gx = itsGx;
+    gy = itsGy;
+    return this;
   }
 
-  private boolean isLine() {
-    return ax != bx || ay != by;
+  /** Sets a line that moves with the velocity u. */
+  public Fall line(
+      double startX, double startY, double endX, double endY, double itsUx, double itsUy) {
+    ax = startX;
+    ay = startY;
+    bx = endX;
+    by = endY;
+    radius = 0;
+    ux = itsUx;
+    uy = itsUy;
+    dx = px - ax;
+    dy = py - ay;
+    sx = vx - ux;
+    sy = vy - uy;
+    wx = bx - ax;
+    wy = by - ay;
+    isLine = ax != bx || ay != by;
+    isSegment = true;
+    return this;
   }
 
-  /** The time of the first contact up to T; NaN if a search leaves it open. */
-  double first(double T) {
-    return time(GapSearch.FIRST, 0, r + radius == 0, T);
+  /** Sets a disk that moves with the velocity u. */
+  public Fall disk(double x, double y, double itsRadius, double itsUx, double itsUy) {
+    line(x, y, x, y, itsUx, itsUy);
+    radius = itsRadius;
+    isSegment = false;
+    return this;
   }
 
-  /** The time of the first contact with a disk after a time of none. */
-  double firstAfter(double start, double T) {
-    return time(GapSearch.FIRST_AFTER, start, r + radius == 0, T);
+  /** Sets an obstacle from its row. */
+  public Fall obstacle(ObstacleShape shape, double[] rows, int k, double itsUx, double itsUy) {
+    int end = k + shape.toEnd;
+    double startX = rows[k + ObstacleShape.X];
+    double startY = rows[k + ObstacleShape.Y];
+    line(startX, startY, rows[end + ObstacleShape.X], rows[end + ObstacleShape.Y], itsUx, itsUy);
+    radius = shape.radius(rows, k);
+    isSegment = shape.toEnd > 0;
+    return this;
   }
 
-  /** The time of the first entry after s. */
-  double entryAfter(double s, double T) {
-    return time(GapSearch.ENTRY, s, r + radius == 0, T);
-  }
-
-  /**
-   * The time of the next contact with a line or a disk that is touched in a region at the start.
-   */
-  double next(int region, double T) {
-    return time(GapSearch.RETURN, region, isLine() && r == 0, T);
-  }
-
-  /**
-   * The answer of the rounded search, or of that without rounding. The gap of a point does not fall
-   * below 0 where it hits a line or another point: there the second one would see a graze.
-   */
-  private double time(int question, double of, boolean isPoint, double T) {
-    double reach = reach();
-    double time = rounded().time(question, of, reach, T);
-    boolean isOpen = Double.isNaN(time) && !isPoint;
-    return isOpen ? exact().time(question, of, reach, T) : time;
-  }
-
-  private GapSearch rounded() {
-    pool.reset();
-    roundedGaps.set(
-        pool.rounded(px - ax, vx - ux, half(gx)),
-        pool.rounded(py - ay, vy - uy, half(gy)),
-        pool.rounded(bx - ax),
-        pool.rounded(by - ay),
-        pool.rounded(r + radius));
-    return search.of(roundedGaps, isLine());
-  }
-
-  private GapSearch exact() {
-    return search.of(exactGaps(), isLine());
-  }
-
-  /** Half of an acceleration; not 0 if that underflows. */
-  private static double half(double g) {
-    return g != 0 && 0.5 * g == 0 ? g : 0.5 * g;
-  }
-
-  /** The gaps with coefficients without rounding. */
-  Gaps<GapPolynomial> exactGaps() {
-    return new Gaps<GapPolynomial>()
-        .set(
-            motion(px, ax, vx, ux, gx),
-            motion(py, ay, vy, uy, gy),
-            GapPolynomial.exact(Expansion.difference(bx, ax)),
-            GapPolynomial.exact(Expansion.difference(by, ay)),
-            GapPolynomial.exact(Expansion.sum(r, radius)));
-  }
-
-  private static GapPolynomial motion(double p, double q, double v, double u, double g) {
-    return GapPolynomial.exact(
-        Expansion.difference(p, q), Expansion.difference(v, u), HALF.times(Expansion.sum(g, 0)));
-  }
-
-  /** The double nearest to a root of the gap in a region, from a time near it; NaN in doubt. */
-  double nearest(int region, boolean isCounted, double start) {
-    double qx = region == Gaps.BEYOND ? bx : ax;
-    double qy = region == Gaps.BEYOND ? by : ay;
-    if (isCounted) {
-      return ParabolaReturn.nearest(px, py, vx, vy, gx, gy, qx, qy, ux, uy, start);
+  /** The second rung. */
+  GapSearch search() {
+    if (search == null) {
+      search = new GapSearch(this);
     }
-    return region == Gaps.BESIDE
-        ? ParabolaSegmentSweep.nearest(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy, start)
-        : ParabolaDiskSweep.nearest(px, py, r, vx, vy, gx, gy, qx, qy, radius, ux, uy, start);
+    return search;
   }
 
-  /** The {@link LineRegion} at a contact that is rounded to t. */
-  int regionAt(double t) {
-    return exact().regionAt(t);
+  public boolean isStraight() {
+    return gx == 0 && gy == 0;
   }
 
-  /** The same at the return from a region, -1 to 1, to the line that is touched there. */
-  int regionAtReturn(int region, int side, double t) {
-    return region == LineRegion.BESIDE
-        ? exact().regionAt(t, rise(side))
-        : exact().from(1 + region).regionAt(t);
+  /** The offset from a point q of the obstacle at a time, without its rounding error. */
+  double x(double qx, double t) {
+    return Offset.head(px, qx, vx, ux, gx, t);
   }
 
-  /** Whether a disk that is back at its height above a side, at t, is exactly at an end of it. */
-  boolean returnsAtEnd(int side, double t) {
-    Gaps<GapPolynomial> gaps = exactGaps();
-    boolean isAtEnd = gaps.fromStart().signAt(t, 0) == 0 || gaps.fromEnd().signAt(t, 0) == 0;
-    return isAtEnd && rise(side).fallsAt(t);
+  double y(double qy, double t) {
+    return Offset.head(py, qy, vy, uy, gy, t);
   }
 
-  /** The height above that at the start, times the length of the line. */
-  private GapPolynomial rise(int side) {
-    return exactGaps().height().signed(side).counted();
+  /** The rounding error of that offset. */
+  double xTail(double qx, double t) {
+    return Offset.tail(px, qx, vx, ux, gx, t);
   }
 
-  /** The time of the return to the height at the start. */
-  double toSide(int side, double T) {
-    return upTo(T, rise(side).overTime());
+  double yTail(double qy, double t) {
+    return Offset.tail(py, qy, vy, uy, gy, t);
   }
 
-  /** The time at which {@code inward (v + g t)} falls to 0. */
-  static double linear(double v, double g, int inward, double T) {
-    GapPolynomial speed = GapPolynomial.exact(Expansion.sum(v, 0), Expansion.sum(g, 0));
-    return upTo(T, speed.signed(inward));
+  /** The sum of the absolute values of the terms of that offset. */
+  double sizeX(double qx, double t) {
+    return Offset.size(px - qx, sx, gx, t);
   }
 
-  /** The root of a linear polynomial, half of its scale, up to T. */
-  private static double upTo(double T, GapPolynomial linear) {
-    double time = linear.nearestRoot(1, 0, linear.scale());
-    return time < T || (time == T && linear.signAt(T, 0) <= 0) ? time : time >= T ? NEVER : time;
+  double sizeY(double qy, double t) {
+    return Offset.size(py - qy, sy, gy, t);
   }
 
-  /** Of a wall on one axis: when does {@code s + v t + g t^2 / 2} with {@code s = h - r} fall? */
-  static double toWall(double p, double r, double v, double g, double wall, int inward, double T) {
-    GapPolynomial place = motion(p, wall, v, 0, g);
-    GapPolynomial gap = place.signed(inward).minus(GapPolynomial.exact(Expansion.sum(r, 0)));
-    double reach = ofDisks(p, 0, r, v, 0, g, 0, wall, 0, 0, 0, 0).reach();
-    return new GapSearch(gap).time(GapSearch.FIRST, 0, reach, T);
+  double speedX(double t) {
+    return Offset.speed(vx, ux, gx, t);
   }
 
-  /**
-   * A time after which there is no contact: later {@code g t^2 / 2}, on the axis on which it is
-   * greater, exceeds all other terms of a place.
-   */
-  private double reach() {
-    double size =
-        Math.abs(px - ax) + Math.abs(py - ay) + Math.abs(bx - ax) + Math.abs(by - ay) + r + radius;
-    double speed = Math.abs(vx - ux) + Math.abs(vy - uy);
-    double least = 0.5 * Math.max(Math.abs(gx), Math.abs(gy));
-    double reach = 1.001 * ((speed + Math.sqrt(speed * speed + 4 * least * size)) / (2 * least));
-    boolean isSafe = least > LEAST_SAFE && Math.max(speed * speed, least * size) > LEAST_SAFE;
-    return isSafe ? reach : NEVER;
+  double speedY(double t) {
+    return Offset.speed(vy, uy, gy, t);
   }
 
-  /** The last rung. */
-  ExactParabola exactly() {
-    return isLine()
-        ? ExactParabola.line(px, py, r, vx, vy, gx, gy, ax, ay, bx, by, ux, uy)
-        : ExactParabola.disk(px, py, r, vx, vy, gx, gy, ax, ay, radius, ux, uy);
+  // Where the centre is, seen from the line, at the time that t is the rounding of.
+
+  /** The region: before the start of the line, beside it, or beyond its end. */
+  int region(double t) {
+    int start = along(ax, ay, wx, wy, t);
+    if (start < 0) {
+      return Gaps.BEFORE;
+    }
+    int end = along(bx, by, wx, wy, t);
+    return end > 0 ? Gaps.BEYOND : start > 0 && end < 0 ? Gaps.BESIDE : Gaps.UNKNOWN;
+  }
+
+  /** The side of the line, +1 left or -1 right; 0 in doubt. */
+  int side(double t) {
+    return along(ax, ay, -wy, wx, t);
+  }
+
+  /** The sign of e.(p(t) - q); 0 in doubt. */
+  private int along(double qx, double qy, double ex, double ey, double t) {
+    double late = t + GapRoot.EARLIEST; // covers half an ulp of a subnormal time
+    double value = ex * x(qx, t) + ey * y(qy, t);
+    double terms = Math.abs(ex) * sizeX(qx, late) + Math.abs(ey) * sizeY(qy, late);
+    double bound = fma(PLACE_BOUND, terms, TINY);
+    boolean isCertain = Math.abs(value) > bound && t < MOST && Math.abs(ex) + Math.abs(ey) < MOST;
+    return isCertain ? UnitVectors.sign(value) : 0;
   }
 }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
+import static dev.carom.internal.exact.DoubleDouble.crossTail;
+import static dev.carom.internal.exact.DoubleDouble.differenceTail;
+import static dev.carom.internal.exact.DoubleDouble.productTail;
+import static dev.carom.internal.exact.DoubleDouble.sumTail;
 import static dev.carom.internal.exact.Fma.fma;
 
 /**
@@ -25,7 +29,7 @@ final class GapRoot {
   static final double MARGIN = 0x1p-20;
 
   /** The latest time. */
-  static final double LATEST = 0x1p150;
+  private static final double LATEST = 0x1p150;
 
   /** Above this, half an ulp of a time is a double. */
   static final double EARLIEST = 0x1p-1000;
@@ -113,5 +117,116 @@ final class GapRoot {
 
   private static double halfUlp(double t) {
     return 0.5 * Math.ulp(t);
+  }
+
+  // The gaps. Each answer is the double nearest to the root; DOUBT if some corrections do not tell.
+
+  /** The gap beside a line. */
+  static double nearestSide(Fall f, double start) {
+    double t = start;
+    double nearest = DOUBT;
+    for (int i = 0; i < CORRECTIONS && Double.isNaN(nearest); i++) {
+      double residue = residueOfSide(f, t);
+      double height = f.wx * f.y(f.ay, t) - f.wy * f.x(f.ax, t);
+      double slope = 2 * height * (f.wx * f.speedY(t) - f.wy * f.speedX(t));
+      double size =
+          Math.abs(f.wx) * (f.r + f.sizeY(f.ay, t)) + Math.abs(f.wy) * (f.r + f.sizeX(f.ax, t));
+      nearest = nearest(t, residue, slope, size);
+      t -= residue / slope;
+    }
+    return nearest;
+  }
+
+  /** {@code h^2 - r^2 w.w} at t. */
+  private static double residueOfSide(Fall f, double t) {
+    double wxl = differenceTail(f.bx, f.ax, f.wx);
+    double wyl = differenceTail(f.by, f.ay, f.wy);
+    double x = f.x(f.ax, t);
+    double y = f.y(f.ay, t);
+    double h0 = f.wx * y - f.wy * x;
+    double h1 = crossTail(f.wx, wxl, f.wy, wyl, x, f.xTail(f.ax, t), y, f.yTail(f.ay, t), h0);
+    double h = h0 + h1;
+    return SideSweep.gap(h, sumTail(h0, h1, h), f.wx, wxl, f.wy, wyl, f.r);
+  }
+
+  /** The gap of an end q of a line, or of a disk there. */
+  static double nearestEnd(Fall f, double qx, double qy, double start) {
+    double t = start;
+    double nearest = DOUBT;
+    for (int i = 0; i < CORRECTIONS && Double.isNaN(nearest); i++) {
+      double residue = residueOfEnd(f, qx, qy, t);
+      double slope = slopeOfEnd(f, qx, qy, t);
+      nearest = nearest(t, residue, slope, f.r + f.radius + f.sizeX(qx, t) + f.sizeY(qy, t));
+      t -= residue / slope;
+    }
+    return nearest;
+  }
+
+  static double slopeOfEnd(Fall f, double qx, double qy, double t) {
+    return 2 * (f.x(qx, t) * f.speedX(t) + f.y(qy, t) * f.speedY(t));
+  }
+
+  /** {@code d.d - r^2} at t. */
+  static double residueOfEnd(Fall f, double qx, double qy, double t) {
+    double x = f.x(qx, t);
+    double y = f.y(qy, t);
+    double xl = f.xTail(qx, t);
+    double yl = f.yTail(qy, t);
+    double r = f.r + f.radius;
+    double rl = sumTail(f.r, f.radius, r);
+    double xx = x * x;
+    double yy = y * y;
+    double rr = r * r;
+    double ee = xx + yy;
+    double gap = ee - rr;
+    return gap
+        + ((sumTail(xx, yy, ee) + differenceTail(ee, rr, gap))
+            + ((productTail(x, x, xx) + productTail(y, y, yy)) - productTail(r, r, rr))
+            + 2 * (x * xl + y * yl - r * rl));
+  }
+
+  /**
+   * The distance from an end q, or from the centre of a disk, that counts from the start. Over time
+   * its square is {@code e.(2 d + t e)} with {@code e = s + g t / 2}.
+   */
+  static double nearestReturn(Fall f, double qx, double qy, double start) {
+    double dx = f.px - qx;
+    double dy = f.py - qy;
+    double c2 = (f.sx * f.sx + f.sy * f.sy) + (dx * f.gx + dy * f.gy);
+    double c3 = f.sx * f.gx + f.sy * f.gy;
+    double c4 = 0.25 * (f.gx * f.gx + f.gy * f.gy);
+    double d = Math.abs(dx) + Math.abs(dy);
+    double s = Math.abs(f.sx) + Math.abs(f.sy);
+    double g = Math.abs(f.gx) + Math.abs(f.gy);
+    // (m0 + m1 t + m2 t^2)^2 exceeds the terms 2 d s, s s + d g, s g and g g / 4 one by one.
+    double m0 = Math.sqrt(2 * d * s);
+    double m1 = (s * s + d * g) / (2 * m0);
+    double m2 = s * g / (2 * m0);
+    double t = start;
+    double nearest = DOUBT;
+    for (int i = 0; i < CORRECTIONS && Double.isNaN(nearest); i++) {
+      double residue = residueOfReturn(f, qx, qy, t);
+      double slope = c2 + (2 * c3 + 3 * c4 * t) * t;
+      nearest = nearest(t, residue, slope, m0 + (m1 + m2 * t) * t);
+      t -= residue / slope;
+    }
+    return nearest;
+  }
+
+  private static double residueOfReturn(Fall f, double qx, double qy, double t) {
+    double ex = Offset.mean(f.vx, f.ux, f.gx, t);
+    double ey = Offset.mean(f.vy, f.uy, f.gy, t);
+    double exl = Offset.meanTail(f.vx, f.ux, f.gx, t);
+    double eyl = Offset.meanTail(f.vy, f.uy, f.gy, t);
+    double kx = 2 * (f.px - qx) + t * ex;
+    double ky = 2 * (f.py - qy) + t * ey;
+    double kxl = Offset.scaledTail(2, f.px, qx, t, ex, exl);
+    double kyl = Offset.scaledTail(2, f.py, qy, t, ey, eyl);
+    double px = ex * kx;
+    double py = ey * ky;
+    double sum = px + py;
+    return sum
+        + (sumTail(px, py, sum)
+            + (productTail(ex, exl, kx, kxl, px) + productTail(ey, eyl, ky, kyl, py)));
   }
 }

@@ -15,8 +15,8 @@ import java.util.Arrays;
  * of these for one sign of the gap and for one sign of its rate. A region is open where the gap may
  * be 0 or less and may fall. No region open: no contact. If the gaps fall in all regions in which
  * the centre may be, their signs at both ends tell. If one rate changes its sign once, the sign of
- * the gap at this turn tells. All else is halved. After an interval without contact the next one is
- * twice as long.
+ * the gap at this turn tells. An interval in which the centre comes to another region is cut there,
+ * and all else is halved. After an interval without contact the next one is twice as long.
  *
  * <p>With rounded coefficients a search answers most questions, and hands the rounding of a time to
  * a gap without rounding.
@@ -37,7 +37,7 @@ final class GapSearch {
   /** The least interval, of its end. Further halving costs time, and hardly tells more. */
   private static final double LEAST_WIDTH = 0x1p-44;
 
-  /** How far before a time, in proportion, the search for later entries begins. */
+  /** How far before a time, in proportion, an interval ends or begins that shall not have it. */
   private static final double MARGIN = 0x1p-20;
 
   private static final int REGIONS = 3;
@@ -51,6 +51,11 @@ final class GapSearch {
 
   /** Whose contact is asked for; null for that of a single gap. */
   private final Fall fall;
+
+  /** The polynomials with rounded coefficients are used again by the next question. */
+  private final GapPolynomial.Pool pool = new GapPolynomial.Pool();
+
+  private final Gaps<GapPolynomial> rounded = new Gaps<>();
 
   private Gaps<GapPolynomial> gaps;
 
@@ -96,8 +101,21 @@ final class GapSearch {
     made[Gaps.BEFORE] = gap;
   }
 
-  /** Takes the gaps of a line or a disk. */
-  GapSearch of(Gaps<GapPolynomial> newGaps, boolean isLine) {
+  /** An empty store of polynomials. */
+  GapPolynomial.Pool pool() {
+    pool.reset();
+    return pool;
+  }
+
+  /** Takes the motion and the obstacle, with rounded coefficients. */
+  GapSearch of(
+      GapPolynomial x, GapPolynomial y, GapPolynomial wx, GapPolynomial wy, GapPolynomial r) {
+    return of(rounded.set(x, y, wx, wy, r));
+  }
+
+  /** Takes the gaps. */
+  GapSearch of(Gaps<GapPolynomial> newGaps) {
+    boolean isLine = fall.isLine;
     gaps = newGaps;
     fromStart = isLine ? gaps.fromStart() : null;
     fromEnd = isLine ? gaps.fromEnd() : null;
@@ -145,14 +163,14 @@ final class GapSearch {
     return this;
   }
 
-  /** The {@link LineRegion} at a contact that is rounded to t. */
+  /** The region at a contact that is rounded to t, or {@link Gaps#UNKNOWN}. */
   int regionAt(double t) {
     int near = region(fromStart.signNear(t), fromEnd.signNear(t));
-    if (near != LineRegion.UNKNOWN) {
+    if (near != Gaps.UNKNOWN) {
       return near;
     }
     int exact = region(fromStart.signAt(t, 0), fromEnd.signAt(t, 0));
-    return exact != LineRegion.UNKNOWN && gap(1 + exact).fallsAt(t) ? exact : LineRegion.UNKNOWN;
+    return exact != Gaps.UNKNOWN && gap(exact).fallsAt(t) ? exact : Gaps.UNKNOWN;
   }
 
   /** The same for the return to a side, from the height above that at the start. */
@@ -163,8 +181,8 @@ final class GapSearch {
 
   private static int region(int start, int end) {
     boolean isKnown = start <= 0 || (start == 1 && end != UNKNOWN);
-    int region = start <= 0 ? LineRegion.BEFORE : end >= 0 ? LineRegion.BEYOND : LineRegion.BESIDE;
-    return isKnown ? region : LineRegion.UNKNOWN;
+    int region = start <= 0 ? Gaps.BEFORE : end >= 0 ? Gaps.BEYOND : Gaps.BESIDE;
+    return isKnown ? region : Gaps.UNKNOWN;
   }
 
   private double search(double start, double reach, double T) {
@@ -174,8 +192,16 @@ final class GapSearch {
     }
     low = start;
     double width = end - start;
+    boolean isCut = false;
     for (int i = 0; i < INTERVALS && low < end; i++) {
       high = Math.min(low + width, end);
+      possible = regions();
+      double cut = isOne(possible) ? high : beside(border());
+      if (cut < high) {
+        width = cut - low;
+        isCut = true;
+        continue;
+      }
       look();
       double time = open == 0 ? NEVER : contact();
       if (time == HALVE) {
@@ -184,8 +210,9 @@ final class GapSearch {
           return DOUBT;
         }
         width = low == 0 ? Math.min(width, scale()) : width;
+        isCut = false;
       } else if (time == NEVER || time <= after) {
-        width = 2 * (high - low);
+        width = isCut ? end - high : 2 * (high - low);
         low = high;
       } else {
         return time > T ? NEVER : time;
@@ -205,9 +232,8 @@ final class GapSearch {
 
   // One interval.
 
-  /** Finds out where the centre may be, and what the gaps do there. */
+  /** Finds out what the gaps do where the centre may be. */
   private void look() {
-    possible = regions();
     open = 0;
     falling = 0;
     isLost = false;
@@ -252,6 +278,28 @@ final class GapSearch {
     return polynomial.isZero() || polynomial.sign(low, high) == -sign;
   }
 
+  /** A time in the interval at which the centre comes to another region; NaN if none is sure. */
+  private double border() {
+    double fromStartOn = border(fromStart);
+    return Double.isNaN(fromStartOn) ? border(fromEnd) : fromStartOn;
+  }
+
+  private double border(GapPolynomial projection) {
+    int first = low == 0 ? projection.signAtStart() : projection.signAt(low, 0);
+    boolean isCrossed = first * projection.signAt(high, 0) == -1;
+    return isCrossed ? projection.root(first, low, high) : Double.NaN;
+  }
+
+  /** The end of an interval just before a time, or, from just before it, just after it. */
+  private double beside(double border) {
+    double margin = MARGIN * border;
+    return border - margin > low ? border - margin : border + margin;
+  }
+
+  private static boolean isOne(int regions) {
+    return (regions & (regions - 1)) == 0;
+  }
+
   /** Where the centre may be. A projection of exactly 0 is that of an end. */
   private int regions() {
     if (fromStart == null || fromStart.isZero()) {
@@ -272,116 +320,110 @@ final class GapSearch {
 
   /** The time of contact in the interval; NEVER for none, {@link #HALVE} or NaN if it is open. */
   private double contact() {
-    boolean isSingle = (open & (open - 1)) == 0;
-    return open == falling ? fall() : isSingle ? turn(Integer.numberOfTrailingZeros(open)) : HALVE;
+    double time = DOUBT;
+    for (int region = 0; region < REGIONS; region++) {
+      if (isIn(open, region)) {
+        double here = isIn(falling, region) ? fall(region) : turn(region);
+        boolean isOne = Double.isNaN(time) || here == time;
+        if (!isOne || here == HALVE || Double.isNaN(here)) {
+          return Double.isNaN(here) ? here : HALVE;
+        }
+        time = here;
+      }
+    }
+    return time == NEVER || open == possible ? time : HALVE;
   }
 
-  /** The gaps fall in all open regions. */
-  private double fall() {
-    int before = signAt(low);
-    int last = signAt(high);
+  /** The gap falls throughout. */
+  private double fall(int region) {
+    int before = signAt(region, low);
+    int last = signAt(region, high);
     if (before == UNKNOWN || last == UNKNOWN) {
       return HALVE;
     }
-    return before > 0 && last > 0 ? NEVER : before > 0 ? root(low, high) : within();
+    return before == 1 && last == 1 ? NEVER : before == 1 ? root(region, low, high) : within();
   }
 
-  /** The one sign of the gaps in the open regions at an end of the interval; 0 counts as below. */
-  private int signAt(double t) {
-    int sign = 0;
-    for (int region = 0; region < REGIONS; region++) {
-      if (isIn(open, region)) {
-        int rounded = t == 0 ? gap(region).signAtStart() : gap(region).signAt(t, 0);
-        int here = rounded != UNKNOWN ? rounded : exactGap(region).signAt(t, 0);
-        here = here == 0 ? -1 : here;
-        sign = sign == 0 || sign == here ? here : UNKNOWN;
-      }
-    }
-    return sign;
-  }
-
-  /** The time at which the gaps of all open regions fall to 0, each once in an interval. */
-  private double root(double from, double to) {
-    if (open != possible) {
-      return HALVE;
-    }
-    double root = -1;
-    for (int region = 0; region < REGIONS; region++) {
-      if (isIn(open, region)) {
-        double t = nearest(region, from, to);
-        if (Double.isNaN(t) || (root >= 0 && t != root)) {
-          return root >= 0 ? HALVE : DOUBT;
-        }
-        root = t;
-      }
-    }
-    return root;
+  /** The sign of a gap at an end of the interval. */
+  private int signAt(int region, double t) {
+    int sign = t == 0 ? gap(region).signAtStart() : gap(region).signAt(t, 0);
+    return sign != UNKNOWN ? sign : exactGap(region).signAt(t, 0);
   }
 
   /** The double nearest to the only root in an interval: by its residue, or without rounding. */
-  private double nearest(int region, double from, double to) {
+  private double root(int region, double from, double to) {
     double t = DOUBT;
     boolean hasSpeed = region != counted || gap(region).derivative().signAtStart() == 1;
     if (!gap(region).isExact() && hasSpeed) {
-      t = fall.nearest(region, region == counted, gap(region).root(1, from, to));
+      t = rounded(region, gap(region).root(1, from, to));
     }
     boolean isInside = from < Math.nextDown(t) && Math.nextUp(t) < to;
     return isInside ? t : exactGap(region).nearestRoot(1, from, to);
   }
 
-  /** The gaps are not above 0 where the interval begins, and fall from there on. */
-  private double within() {
-    if (isEntry) {
-      return NEVER;
+  /** A root, rounded by its residue. */
+  private double rounded(int region, double root) {
+    double qx = region == Gaps.BEYOND ? fall.bx : fall.ax;
+    double qy = region == Gaps.BEYOND ? fall.by : fall.ay;
+    if (region == counted) {
+      return GapRoot.nearestReturn(fall, qx, qy, root);
     }
-    return low == 0 && open == possible ? 0 : HALVE;
+    return region == Gaps.BESIDE
+        ? GapRoot.nearestSide(fall, root)
+        : GapRoot.nearestEnd(fall, qx, qy, root);
   }
 
-  /** The rate in the only open region changes its sign, once if it changes monotonically. */
+  /** The gap is not above 0 where the interval begins, and falls from there on. */
+  private double within() {
+    return isEntry ? NEVER : low == 0 ? 0 : HALVE;
+  }
+
+  /** The rate changes its sign at most once, if it changes monotonically. */
   private double turn(int region) {
     GapPolynomial gap = gap(region);
     GapPolynomial rate = gap.derivative();
-    if (!gap.isExact() || rate.derivative().sign(low, high) == 0) {
+    if (rate.derivative().sign(low, high) == 0) {
       return HALVE;
     }
     int first = low == 0 ? rate.signAtStart() : rate.signAt(low, 0);
     int last = rate.signAt(high, 0);
     if (first == last) {
-      return first < 0 ? fall() : first == 1 ? NEVER : HALVE;
+      return first == -1 ? fall(region) : first == 1 ? NEVER : HALVE;
     }
     if (first * last != -1) {
       return HALVE;
     }
     double t = rate.root(first, low, high);
-    double step = Math.ulp(t);
-    boolean isNear = rate.signAt(t, -step) == first && rate.signAt(t, step) == last;
-    int sign = isNear ? gap.signAtTurn(t) : UNKNOWN;
+    double width = gap.isExact() ? Math.ulp(t) : high - low;
+    boolean isNear =
+        !gap.isExact() || (rate.signAt(t, -width) == first && rate.signAt(t, width) == last);
+    int sign = isNear ? gap.signAtTurn(t, width) : UNKNOWN;
     if (sign == UNKNOWN) {
-      passed |= isPassed(region) ? open : 0;
+      passed |= gap.isExact() && isPassed(region) ? 1 << region : 0;
       return HALVE;
     }
-    return first < 0 ? valley(sign, t) : hill(sign, t, rate);
+    return first == -1 ? valley(region, sign, t) : hill(region, sign, t);
   }
 
   /** The gap falls to its least value at about t, which has a sign. */
-  private double valley(int sign, double t) {
+  private double valley(int region, int sign, double t) {
     if (sign >= 0) {
       return NEVER;
     }
-    int before = signAt(low);
-    return before == UNKNOWN ? HALVE : before > 0 ? root(low, t) : within();
+    int before = signAt(region, low);
+    return before == UNKNOWN ? HALVE : before == 1 ? root(region, low, t) : within();
   }
 
   /** The gap rises to its greatest value at about t, which has a sign, and falls then. */
-  private double hill(int sign, double t, GapPolynomial rate) {
+  private double hill(int region, int sign, double t) {
     if (sign > 0) {
-      int last = signAt(high);
-      return last == UNKNOWN ? HALVE : last > 0 ? NEVER : root(t, high);
+      int last = signAt(region, high);
+      return last == UNKNOWN ? HALVE : last == 1 ? NEVER : root(region, t, high);
     }
     if (isEntry) {
       return NEVER;
     }
-    return open != possible ? HALVE : sign == 0 ? t : rate.nearestRoot(1, low, high);
+    return sign == 0 ? t : exactGap(region).derivative().nearestRoot(1, low, high);
   }
 
   private GapPolynomial gap(int region) {
@@ -393,7 +435,8 @@ final class GapSearch {
 
   private GapPolynomial exactGap(int region) {
     if (madeExact[region] == null) {
-      madeExact[region] = gap(region).isExact() ? gap(region) : of(fall.exactGaps(), region);
+      madeExact[region] =
+          gap(region).isExact() ? gap(region) : of(FallSweep.exactGaps(fall), region);
     }
     return madeExact[region];
   }

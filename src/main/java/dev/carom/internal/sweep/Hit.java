@@ -3,7 +3,10 @@ package dev.carom.internal.sweep;
 
 import static dev.carom.internal.exact.Fma.fma;
 
+import dev.carom.internal.exact.ExactParabola;
+import dev.carom.internal.exact.PrecisionCounters;
 import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.exact.RealRoot;
 import dev.carom.internal.exact.UnitVector;
 
 /**
@@ -50,129 +53,116 @@ public final class Hit {
     return this;
   }
 
-  /** The hit on a line that moves with the velocity u, from a contact and a time. */
-  public Hit ofLine(
-      double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
-      double by, double ux, double uy, int contact, double t) {
-    return switch (contact & ~Contact.NOW) {
-      case Contact.START -> ofEnd(px, py, r, vx, vy, ax, ay, bx, by, ux, uy, t);
-      case Contact.END -> ofEnd(px, py, r, vx, vy, bx, by, ax, ay, ux, uy, t);
-      case Contact.LEFT -> ofSide(1, px, py, vx, vy, ax, ay, bx, by, ux, uy, t);
-      default -> ofSide(-1, px, py, vx, vy, ax, ay, bx, by, ux, uy, t);
-    };
+  /** The hit on a line or a disk, from a contact and a time of {@link FallSweep}. */
+  public Hit of(Fall f, int contact, double t) {
+    int part = Contact.withoutTime(contact);
+    if (!f.isSegment) {
+      setNormal(f, f.ax, f.ay, t);
+      boolean isNow = f.isStraight() ? contact == Contact.NOW : t == 0;
+      return isNow ? betweenCentres(f) : atEnd(f, f.ax, f.ay, t);
+    }
+    if (part == Contact.START) {
+      setNormal(f, f.ax, f.ay, t);
+      return atEnd(f, f.ax, f.ay, t);
+    }
+    if (part == Contact.END) {
+      setNormal(f, f.bx, f.by, t);
+      return atEnd(f, f.bx, f.by, t);
+    }
+    UnitVectors.normal(n, part == Contact.LEFT ? 1 : -1, f.ax, f.ay, f.bx, f.by);
+    double startX = place(f.ax, f.ux, 0, t);
+    double startY = place(f.ay, f.uy, 0, t);
+    double endX = place(f.bx, f.ux, 0, t);
+    double endY = place(f.by, f.uy, 0, t);
+    double centreX = place(f.px, f.vx, f.gx, t);
+    double centreY = place(f.py, f.vy, f.gy, t);
+    double s = Coordinates.fraction(startX, startY, endX, endY, centreX, centreY);
+    double atX = Coordinates.onSegment(s, startX, endX);
+    return of(f, t, atX, Coordinates.onSegment(s, startY, endY));
   }
 
-  /** The hit on the endpoint (x, y) of a line whose other endpoint is o. */
-  private Hit ofEnd(
-      double px, double py, double r, double vx, double vy, double x, double y, double ox,
-      double oy, double ux, double uy, double t) {
-    if (r == 0 && slides(vx, vy, x, y, ox, oy, ux, uy)) {
-      setSlideNormal(vx, vy, x, y, ox, oy, ux, uy);
-    } else {
-      DiskSweep.normal(n, px, py, r, vx, vy, x, y, 0, ux, uy, t);
+  /** The point of two disks in contact at the start, in the ratio of the radii. */
+  private Hit betweenCentres(Fall f) {
+    double share = Coordinates.share(f.radius, f.r);
+    double atX = Coordinates.between(share, f.ax, f.px);
+    return of(f, 0, atX, Coordinates.between(share, f.ay, f.py));
+  }
+
+  /** The point of an end q, or of a disk around it. */
+  private Hit atEnd(Fall f, double qx, double qy, double t) {
+    double atX = place(qx, f.ux, 0, t);
+    double atY = place(qy, f.uy, 0, t);
+    return f.isSegment
+        ? of(f, t, atX, atY)
+        : of(
+            f,
+            t,
+            Coordinates.within(fma(f.radius, n.x(), atX)),
+            Coordinates.within(fma(f.radius, n.y(), atY)));
+  }
+
+  /** Sets the normal of a hit on an end q of a line, or on a disk there. */
+  private void setNormal(Fall f, double qx, double qy, double t) {
+    if (!f.isStraight()) {
+      UnitVector unit = FallSweep.normal(f, qx, qy, t);
+      n.set(unit != null ? unit : exactNormal(f, t));
+      return;
     }
-    return of(place(x, ux, t), place(y, uy, t), vx, vy, ux, uy);
+    double ox = qx == f.ax && qy == f.ay ? f.bx : f.ax;
+    double oy = qx == f.ax && qy == f.ay ? f.by : f.ay;
+    if (f.isLine && f.r == 0 && Predicates.dot(f.vx, f.vy, f.ux, f.uy, ox, oy, qx, qy) < 0) {
+      // A point that comes along the side: the limit of the normals for radii that go to 0.
+      int drift = Predicates.cross(ox, oy, qx, qy, f.vx, f.vy, f.ux, f.uy);
+      UnitVectors.normal(n, -drift, qx, qy, ox, oy);
+    } else {
+      DiskSweep.normal(n, f.px, f.py, f.r, f.vx, f.vy, qx, qy, f.radius, f.ux, f.uy, t);
+    }
   }
 
   /**
-   * Whether a point particle reaches an endpoint along the line's side, not from beyond the end.
+   * The normal in algebraic numbers. A point that comes to an end of a line from beside that has
+   * the normal of the side.
    */
-  private static boolean slides(
-      double vx, double vy, double x, double y, double ox, double oy, double ux, double uy) {
-    return Predicates.dot(vx, vy, ux, uy, ox, oy, x, y) < 0;
+  private static UnitVector exactNormal(Fall f, double time) {
+    PrecisionCounters.exactNormal();
+    ExactParabola exact = FallSweep.exact(f);
+    RealRoot t = exact.at(time);
+    return f.isLine && f.r == 0 && exact.comesFromSide(t)
+        ? UnitVectors.normal(exact.side(t), f.ax, f.ay, f.bx, f.by)
+        : exact.normal(t);
   }
 
-  /**
-   * The normal of the side, against the velocity: the limit of the normals for radii that go to 0.
-   */
-  private void setSlideNormal(
-      double vx, double vy, double x, double y, double ox, double oy, double ux, double uy) {
-    int drift = Predicates.cross(ox, oy, x, y, vx, vy, ux, uy);
-    UnitVectors.normal(n, -drift, x, y, ox, oy);
-  }
-
-  private Hit ofSide(
-      int side, double px, double py, double vx, double vy, double ax, double ay, double bx,
-      double by, double ux, double uy, double t) {
-    UnitVectors.normal(n, side, ax, ay, bx, by);
-    double startX = place(ax, ux, t);
-    double startY = place(ay, uy, t);
-    double endX = place(bx, ux, t);
-    double endY = place(by, uy, t);
-    double s =
-        Coordinates.fraction(startX, startY, endX, endY, place(px, vx, t), place(py, vy, t));
-    double x = Coordinates.onSegment(s, startX, endX);
-    double y = Coordinates.onSegment(s, startY, endY);
-    return of(x, y, vx, vy, ux, uy);
-  }
-
-  /** The hit on the wall with a given code, at the given coordinate. */
-  public Hit ofWall(
-      double px, double py, double vx, double vy, int code, double wall, double t) {
-    if (code <= WallSweep.RIGHT) {
-      n.set(vx < 0 ? 1 : -1, 0);
-      return of(wall, place(py, vy, t), Math.abs(vx));
-    }
-    n.set(0, vy < 0 ? 1 : -1);
-    return of(place(px, vx, t), wall, Math.abs(vy));
-  }
-
-  /** The hit of disk 1 on disk 2, from a contact and a time of {@link DiskSweep}. */
-  public Hit ofDisks(
-      double x1, double y1, double r1, double vx1, double vy1, double x2, double y2, double r2,
-      double vx2, double vy2, int contact, double t) {
-    DiskSweep.normal(n, x1, y1, r1, vx1, vy1, x2, y2, r2, vx2, vy2, t);
-    double x;
-    double y;
-    if (contact == Contact.NOW) { // in the ratio of the radii
-      double share = Coordinates.share(r2, r1);
-      x = Coordinates.between(share, x2, x1);
-      y = Coordinates.between(share, y2, y1);
-    } else {
-      x = Coordinates.within(fma(r2, n.x(), place(x2, vx2, t)));
-      y = Coordinates.within(fma(r2, n.y(), place(y2, vy2, t)));
-    }
-    return of(x, y, vx1, vy1, vx2, vy2);
-  }
-
-  /** Sets a hit with a normal; disk 1 has the velocity v1, what it hits v2. */
-  Hit of(
-      double atX, double atY, UnitVector normal, double vx1, double vy1, double vx2, double vy2) {
-    n.set(normal);
-    return of(atX, atY, vx1, vy1, vx2, vy2);
-  }
-
-  /** Sets a hit. */
-  Hit of(double atX, double atY, double nx, double ny, double speed) {
-    n.set(nx, ny);
-    return of(atX, atY, speed);
-  }
-
-  private Hit of(
-      double atX, double atY, double vx1, double vy1, double vx2, double vy2) {
-    return of(atX, atY, approach(vx1, vy1, vx2, vy2, n));
-  }
-
-  private Hit of(double atX, double atY, double speed) {
-    x = atX;
-    y = atY;
-    approachSpeed = speed;
+  /** The hit on the wall with a given code, at the given coordinate, of the disk of a flight. */
+  public Hit ofWall(Fall f, int code, double wall, double t) {
+    boolean isVertical = code <= WallSweep.RIGHT;
+    int inward = ParabolaWallSweep.inward(code);
+    double speed = isVertical ? speed(f.vx, f.gx, t) : speed(f.vy, f.gy, t);
+    approachSpeed = Math.max(0, -inward * speed);
+    n.set(isVertical ? inward : 0, isVertical ? 0 : inward);
+    x = isVertical ? wall : place(f.px, f.vx, f.gx, t);
+    y = isVertical ? place(f.py, f.vy, f.gy, t) : wall;
     return this;
   }
 
-  private static double place(double p, double v, double t) {
-    return Coordinates.within(fma(v, t, p));
+  /** Sets a point; the speed is that along the normal at which the distance falls. */
+  private Hit of(Fall f, double t, double atX, double atY) {
+    double vx = speed(f.vx, f.gx, t);
+    double vy = speed(f.vy, f.gy, t);
+    double speed = -((vx - f.ux) * n.x() + (vy - f.uy) * n.y());
+    if (!(Math.abs(speed) <= Double.MAX_VALUE)) {
+      speed = 4 * -((vx / 4 - f.ux / 4) * n.x() + (vy / 4 - f.uy / 4) * n.y());
+    }
+    x = atX;
+    y = atY;
+    approachSpeed = Math.max(0, speed);
+    return this;
   }
 
-  /** The speed along the normal at which the distance falls: -(v1 - v2).n; it may be infinite. */
-  private static double approach(
-      double vx1, double vy1, double vx2, double vy2, UnitVector n) {
-    double speed = -((vx1 - vx2) * n.x() + (vy1 - vy2) * n.y());
-    if (!(Math.abs(speed) <= Double.MAX_VALUE)) {
-      double ux = vx1 / 4 - vx2 / 4;
-      double uy = vy1 / 4 - vy2 / 4;
-      speed = 4 * -(ux * n.x() + uy * n.y());
-    }
-    return Math.max(0, speed);
+  private static double place(double p, double v, double g, double t) {
+    return Coordinates.within(fma(g == 0 ? v : fma(0.5 * g, t, v), t, p));
+  }
+
+  private static double speed(double v, double g, double t) {
+    return g == 0 ? v : Coordinates.within(fma(g, t, v));
   }
 }

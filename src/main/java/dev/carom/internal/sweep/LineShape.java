@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
-import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.Predicates;
 
 /** A line from a to b: its spine, with no radius. */
@@ -23,95 +22,6 @@ public final class LineShape extends ObstacleShape {
 
   private LineShape() {
     super("line", 4, "ax", "ay", "bx", "by");
-  }
-
-  @Override
-  public int contact(
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double[] rows,
-      int k,
-      double ux,
-      double uy) {
-    return SegmentSweep.contact(
-        px, py, r, vx, vy, rows[k + AX], rows[k + AY], rows[k + BX], rows[k + BY], ux, uy);
-  }
-
-  @Override
-  public double time(
-      int contact,
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double[] rows,
-      int k,
-      double ux,
-      double uy) {
-    return SegmentSweep.time(
-        contact,
-        px,
-        py,
-        r,
-        vx,
-        vy,
-        rows[k + AX],
-        rows[k + AY],
-        rows[k + BX],
-        rows[k + BY],
-        ux,
-        uy,
-        Double.POSITIVE_INFINITY);
-  }
-
-  @Override
-  public ExactTime exactTime(
-      int contact,
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double[] rows,
-      int k,
-      double ux,
-      double uy) {
-    return SegmentSweep.exactTime(
-        contact, px, py, r, vx, vy, rows[k + AX], rows[k + AY], rows[k + BX], rows[k + BY], ux, uy);
-  }
-
-  @Override
-  public Hit hit(
-      Hit out,
-      int contact,
-      double t,
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double[] rows,
-      int k,
-      double ux,
-      double uy) {
-    return out.ofLine(
-        px,
-        py,
-        r,
-        vx,
-        vy,
-        rows[k + AX],
-        rows[k + AY],
-        rows[k + BX],
-        rows[k + BY],
-        ux,
-        uy,
-        contact,
-        t);
   }
 
   @Override

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
-import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.util.Check;
 import java.util.List;
 
@@ -71,61 +70,6 @@ public abstract class ObstacleShape {
       Check.notNegative(numbers.get(i), row[i]);
     }
   }
-
-  // The sweep.
-
-  /** The {@link Contact} at which a disk, followed for ever, first hits an obstacle, or MISS. */
-  public abstract int contact(
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double[] rows,
-      int k,
-      double ux,
-      double uy);
-
-  /** The correctly rounded time of such a contact. */
-  public abstract double time(
-      int contact,
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double[] rows,
-      int k,
-      double ux,
-      double uy);
-
-  /** The exact time of such a contact. */
-  public abstract ExactTime exactTime(
-      int contact,
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double[] rows,
-      int k,
-      double ux,
-      double uy);
-
-  /** The point and the normal of such a contact at its time t, put into a given hit. */
-  public abstract Hit hit(
-      Hit out,
-      int contact,
-      double t,
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double[] rows,
-      int k,
-      double ux,
-      double uy);
 
   // Distance and overlap.
 

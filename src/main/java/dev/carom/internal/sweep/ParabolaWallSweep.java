@@ -4,6 +4,8 @@ package dev.carom.internal.sweep;
 import static dev.carom.internal.exact.DoubleDouble.differenceTail;
 
 import dev.carom.internal.exact.ExactParabola;
+import dev.carom.internal.exact.Expansion;
+import dev.carom.internal.exact.GapPolynomial;
 import dev.carom.internal.exact.PrecisionCounters;
 
 /**
@@ -46,7 +48,11 @@ public final class ParabolaWallSweep {
     if (time > T) {
       return NEVER;
     }
-    time = Fall.toWall(p, r, v, g, wall, inward, T);
+    GapPolynomial place = FallSweep.motion(p, wall, v, 0, g).signed(inward);
+    GapPolynomial gap = place.minus(GapPolynomial.exact(Expansion.sum(r, 0)));
+    double reach =
+        FallSweep.reach(Fall.ofThread().flight(p, 0, r, v, 0, g, 0).disk(wall, 0, 0, 0, 0));
+    time = new GapSearch(gap).time(GapSearch.FIRST, 0, reach, T);
     return Double.isNaN(time) ? ExactParabola.wall(p, r, v, g, wall, inward).time(T) : time;
   }
 

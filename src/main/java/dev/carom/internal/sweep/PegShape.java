@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.internal.sweep;
 
-import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.Predicates;
 
 /** A disk; its spine is its centre. */
@@ -14,81 +13,6 @@ public final class PegShape extends ObstacleShape {
 
   private PegShape() {
     super("peg", 2, "x", "y", "radius");
-  }
-
-  @Override
-  public int contact(
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double[] rows,
-      int k,
-      double ux,
-      double uy) {
-    return DiskSweep.contact(px, py, r, vx, vy, rows[k + X], rows[k + Y], rows[k + RADIUS], ux, uy);
-  }
-
-  @Override
-  public double time(
-      int contact,
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double[] rows,
-      int k,
-      double ux,
-      double uy) {
-    return DiskSweep.time(
-        contact,
-        px,
-        py,
-        r,
-        vx,
-        vy,
-        rows[k + X],
-        rows[k + Y],
-        rows[k + RADIUS],
-        ux,
-        uy,
-        Double.POSITIVE_INFINITY);
-  }
-
-  @Override
-  public ExactTime exactTime(
-      int contact,
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double[] rows,
-      int k,
-      double ux,
-      double uy) {
-    return DiskSweep.exactTime(
-        contact, px, py, r, vx, vy, rows[k + X], rows[k + Y], rows[k + RADIUS], ux, uy);
-  }
-
-  @Override
-  public Hit hit(
-      Hit out,
-      int contact,
-      double t,
-      double px,
-      double py,
-      double r,
-      double vx,
-      double vy,
-      double[] rows,
-      int k,
-      double ux,
-      double uy) {
-    return out.ofDisks(
-        px, py, r, vx, vy, rows[k + X], rows[k + Y], rows[k + RADIUS], ux, uy, contact, t);
   }
 
   @Override

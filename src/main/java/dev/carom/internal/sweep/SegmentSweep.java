@@ -3,8 +3,6 @@ package dev.carom.internal.sweep;
 
 import static dev.carom.internal.exact.Fma.fma;
 
-import dev.carom.internal.exact.Exact;
-import dev.carom.internal.exact.ExactTime;
 import dev.carom.internal.exact.Predicates;
 
 /**
@@ -62,13 +60,6 @@ public final class SegmentSweep {
    */
   public static int contact(
       double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
-      double by) {
-    return contact(px, py, r, vx, vy, ax, ay, bx, by, 0, 0);
-  }
-
-  /** The same for a line that moves with the velocity u. */
-  public static int contact(
-      double px, double py, double r, double vx, double vy, double ax, double ay, double bx,
       double by, double ux, double uy) {
     double wx = bx - ax;
     double wy = by - ay;
@@ -107,16 +98,9 @@ public final class SegmentSweep {
   }
 
   /**
-   * The correctly rounded time of a contact with a line at rest, {@code +infinity} if it is a MISS
-   * or later than the window's end T.
+   * The correctly rounded time of a contact, {@code +infinity} if it is a MISS or later than the
+   * window's end T.
    */
-  public static double time(
-      int contact, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by, double T) {
-    return time(contact, px, py, r, vx, vy, ax, ay, bx, by, 0, 0, T);
-  }
-
-  /** The same for a line that moves with the velocity u. */
   public static double time(
       int contact, double px, double py, double r, double vx, double vy, double ax, double ay,
       double bx, double by, double ux, double uy, double T) {
@@ -134,20 +118,6 @@ public final class SegmentSweep {
     }
     int side = contact == Contact.LEFT ? 1 : -1;
     return SideSweep.time(side, px, py, r, vx, vy, ax, ay, bx, by, ux, uy, T);
-  }
-
-  /** The exact time of a contact that is no MISS. */
-  public static ExactTime exactTime(
-      int contact, double px, double py, double r, double vx, double vy, double ax, double ay,
-      double bx, double by, double ux, double uy) {
-    return switch (contact) {
-      case Contact.START ->
-          DiskSweep.exactTime(Contact.LATER, px, py, r, vx, vy, ax, ay, 0, ux, uy);
-      case Contact.END -> DiskSweep.exactTime(Contact.LATER, px, py, r, vx, vy, bx, by, 0, ux, uy);
-      case Contact.LEFT, Contact.RIGHT ->
-          Exact.Side.of(px, py, r, vx, vy, ax, ay, bx, by, ux, uy).exactTime();
-      default -> ExactTime.ZERO;
-    };
   }
 
   private static double timeOfEnd(

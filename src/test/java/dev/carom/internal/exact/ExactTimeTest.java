@@ -3,8 +3,9 @@ package dev.carom.internal.exact;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import dev.carom.internal.sweep.DiskSweep;
-import dev.carom.internal.sweep.SegmentSweep;
+import dev.carom.internal.sweep.Fall;
+import dev.carom.internal.sweep.FallSweep;
+import dev.carom.internal.sweep.Falls;
 import dev.carom.oracle.Draw;
 import dev.carom.oracle.Families;
 import dev.carom.oracle.Family;
@@ -122,19 +123,18 @@ class ExactTimeTest {
   }
 
   private static ExactTime exactTime(Query query) {
+    Fall fall;
     if (query instanceof SegmentQuery q) {
-      int contact =
-          SegmentSweep.contact(
-              q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by());
-      return SegmentSweep.exactTime(
-          contact, q.px(), q.py(), q.r(), q.vx(), q.vy(), q.ax(), q.ay(), q.bx(), q.by(), 0, 0);
+      fall =
+          Falls.line(
+              q.px(), q.py(), q.r(), q.vx(), q.vy(), 0, 0, q.ax(), q.ay(), q.bx(), q.by(), 0, 0);
+    } else {
+      PairQuery q = (PairQuery) query;
+      fall =
+          Falls.disk(
+              q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), 0, 0, q.x2(), q.y2(), q.r2(), q.vx2(),
+              q.vy2());
     }
-    PairQuery q = (PairQuery) query;
-    int contact =
-        DiskSweep.contact(
-            q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), q.x2(), q.y2(), q.r2(), q.vx2(), q.vy2());
-    return DiskSweep.exactTime(
-        contact, q.x1(), q.y1(), q.r1(), q.vx1(), q.vy1(), q.x2(), q.y2(), q.r2(), q.vx2(),
-        q.vy2());
+    return FallSweep.exactTime(fall, FallSweep.straightContact(fall));
   }
 }

@@ -11,11 +11,11 @@ class LaterEntryTest {
 
   /** A disk of radius 1 thrown up with 8 from a height, g = -2, beside the line y = 0. */
   private static double line(double y, double vx, double s, double T) {
-    return ParabolaSegmentSweep.timeAfter(0, y, 1, vx, 8, 0, -2, -9, 0, 9, 0, 0, 0, s, T);
+    return Falls.timeOfLineAfter(0, y, 1, vx, 8, 0, -2, -9, 0, 9, 0, 0, 0, s, T);
   }
 
   private static double disk(double y, double s, double T) {
-    return ParabolaDiskSweep.timeAfter(0, y, 1, 0, 8, 0, -2, 0, 0, 0, 0, 0, s, T);
+    return Falls.timeOfDiskAfter(0, y, 1, 0, 8, 0, -2, 0, 0, 0, 0, 0, s, T);
   }
 
   /** From -8, at -1 after 1, at 1 between, at 8 after 4, at 1 again after 4 + sqrt 7. */
@@ -52,34 +52,30 @@ class LaterEntryTest {
     double drift = 9.6 / (4 + Math.sqrt(7));
     double onEnd = line(-8, drift, 1, NEVER);
     assertThat(onEnd).isBetween(6.65, 6.75);
-    int contact = ParabolaSegmentSweep.contact(0, -8, 1, drift, 8, 0, -2, -9, 0, 9, 0, 0, 0, onEnd);
+    int contact = Falls.contact(0, -8, 1, drift, 8, 0, -2, -9, 0, 9, 0, 0, 0, onEnd);
     assertThat(contact).isEqualTo(Contact.END);
   }
 
   @Test
   void aStraightFlightEntersOnce() {
-    assertThat(ParabolaDiskSweep.timeAfter(0, -3, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 9))
-        .isEqualTo(1);
-    assertThat(ParabolaDiskSweep.timeAfter(0, -3, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 9))
+    assertThat(Falls.timeOfDiskAfter(0, -3, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 9)).isEqualTo(1);
+    assertThat(Falls.timeOfDiskAfter(0, -3, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 9)).isEqualTo(NEVER);
+    assertThat(Falls.timeOfDiskAfter(0, -2, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 9)).isEqualTo(NEVER);
+    assertThat(Falls.timeOfLineAfter(0, -3, 1, 0, 1, 0, 0, -9, 0, 9, 0, 0, -1, -1, 9)).isEqualTo(1);
+    assertThat(Falls.timeOfLineAfter(0, -3, 1, 0, 1, 0, 0, -9, 0, 9, 0, 0, -1, 1, 9))
         .isEqualTo(NEVER);
-    assertThat(ParabolaDiskSweep.timeAfter(0, -2, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 9))
-        .isEqualTo(NEVER);
-    assertThat(ParabolaSegmentSweep.timeAfter(0, -3, 1, 0, 1, 0, 0, -9, 0, 9, 0, 0, -1, -1, 9))
-        .isEqualTo(1);
-    assertThat(ParabolaSegmentSweep.timeAfter(0, -3, 1, 0, 1, 0, 0, -9, 0, 9, 0, 0, -1, 1, 9))
-        .isEqualTo(NEVER);
-    assertThat(ParabolaSegmentSweep.timeAfter(0, -1, 1, 0, 1, 0, 0, -9, 0, 9, 0, 0, -1, -1, 9))
+    assertThat(Falls.timeOfLineAfter(0, -1, 1, 0, 1, 0, 0, -9, 0, 9, 0, 0, -1, -1, 9))
         .isEqualTo(NEVER);
   }
 
   @Test
   void aGrazeIsNoEntry() {
     // At 1 exactly at the top of its flight.
-    assertThat(ParabolaDiskSweep.timeAfter(0, -17, 1, 0, 8, 0, -2, 0, 0, 0, 0, 0, -1, NEVER))
+    assertThat(Falls.timeOfDiskAfter(0, -17, 1, 0, 8, 0, -2, 0, 0, 0, 0, 0, -1, NEVER))
         .isEqualTo(NEVER);
-    assertThat(ParabolaSegmentSweep.timeAfter(0, -17, 1, 0, 8, 0, -2, -9, 0, 9, 0, 0, 0, -1, NEVER))
+    assertThat(Falls.timeOfLineAfter(0, -17, 1, 0, 8, 0, -2, -9, 0, 9, 0, 0, 0, -1, NEVER))
         .isEqualTo(NEVER);
-    assertThat(ParabolaSegmentSweep.timeAfter(0, -17, 1, 0, 8, 0, -2, 0, 0, 0, 0, 0, 0, -1, NEVER))
+    assertThat(Falls.timeOfLineAfter(0, -17, 1, 0, 8, 0, -2, 0, 0, 0, 0, 0, 0, -1, NEVER))
         .isEqualTo(NEVER);
   }
 }

@@ -13,53 +13,53 @@ class ParabolaReturnTest {
 
   @Test
   void aBounceOffAFloorTakesTwiceTheTimeToItsApex() {
-    assertThat(ParabolaReturn.toWall(3, -2, 1, NEVER)).isEqualTo(3);
-    assertThat(ParabolaReturn.toWall(-3, 2, -1, NEVER)).isEqualTo(3);
-    assertThat(ParabolaReturn.toWall(3, -2, 1, 3)).isEqualTo(3);
-    assertThat(ParabolaReturn.toWall(3, -2, 1, Math.nextDown(3.0))).isEqualTo(NEVER);
-    assertThat(ParabolaReturn.toSide(1, 1, 3, 0, -2, 0, 0, 10, 0, 0, 0, NEVER)).isEqualTo(3);
-    assertThat(ParabolaReturn.toSide(-1, 1, 3, 0, -2, 10, 0, 0, 0, 0, 0, 3)).isEqualTo(3);
-    assertThat(ParabolaReturn.toSide(1, 1, 3, 0, -2, 0, 0, 10, 0, 0, 0, Math.nextDown(3.0)))
+    assertThat(FallReturn.toWall(3, -2, 1, NEVER)).isEqualTo(3);
+    assertThat(FallReturn.toWall(-3, 2, -1, NEVER)).isEqualTo(3);
+    assertThat(FallReturn.toWall(3, -2, 1, 3)).isEqualTo(3);
+    assertThat(FallReturn.toWall(3, -2, 1, Math.nextDown(3.0))).isEqualTo(NEVER);
+    assertThat(Falls.returnToSide(1, 1, 3, 0, -2, 0, 0, 10, 0, 0, 0, NEVER)).isEqualTo(3);
+    assertThat(Falls.returnToSide(-1, 1, 3, 0, -2, 10, 0, 0, 0, 0, 0, 3)).isEqualTo(3);
+    assertThat(Falls.returnToSide(1, 1, 3, 0, -2, 0, 0, 10, 0, 0, 0, Math.nextDown(3.0)))
         .isEqualTo(NEVER);
     // From the top of a peg straight up.
-    assertThat(ParabolaReturn.toDisk(0, 1, 0, 3, 0, -2, 0, 0, 0, 0, NEVER)).isEqualTo(3);
-    assertThat(ParabolaReturn.toDisk(0, 1, 0, 3, 0, -2, 0, 0, 0, 0, 3)).isEqualTo(3);
-    assertThat(ParabolaReturn.toDisk(0, 1, 0, 3, 0, -2, 0, 0, 0, 0, Math.nextDown(3.0)))
+    assertThat(Falls.returnToDisk(0, 1, 0, 3, 0, -2, 0, 0, 0, 0, NEVER)).isEqualTo(3);
+    assertThat(Falls.returnToDisk(0, 1, 0, 3, 0, -2, 0, 0, 0, 0, 3)).isEqualTo(3);
+    assertThat(Falls.returnToDisk(0, 1, 0, 3, 0, -2, 0, 0, 0, 0, Math.nextDown(3.0)))
         .isEqualTo(NEVER);
   }
 
   @Test
   void withoutNormalSpeedTheAccelerationDecides() {
-    assertThat(ParabolaReturn.toWall(0, -2, 1, 9)).isZero();
-    assertThat(ParabolaReturn.toWall(-1e-300, -2, 1, 9)).isZero();
-    assertThat(ParabolaReturn.toWall(0, 2, 1, 9)).isEqualTo(NEVER);
-    assertThat(ParabolaReturn.toWall(5, 0, 1, 9)).isEqualTo(NEVER);
-    assertThat(ParabolaReturn.toSide(1, 1, 0, 0, -2, 0, 0, 10, 0, 0, 0, 9)).isZero();
-    assertThat(ParabolaReturn.toSide(1, 1, -1e-300, 0, -2, 0, 0, 10, 0, 0, 0, 9)).isZero();
-    assertThat(ParabolaReturn.toSide(1, 1, 1, 3, 0, 0, 0, 10, 0, 0, 0, 9)).isEqualTo(NEVER);
-    assertThat(ParabolaReturn.toDisk(0, 1, 0, 0, 0, -2, 0, 0, 0, 0, 9)).isZero();
-    assertThat(ParabolaReturn.toDisk(0, 1, 0, -1e-300, 0, -2, 0, 0, 0, 0, 9)).isZero();
-    assertThat(ParabolaReturn.toDisk(0, 1, 2, 0, 0, -2, 0, 0, 0, 0, 9)).isEqualTo(NEVER);
-    assertThat(ParabolaReturn.toDisk(0, -1, 0, 0, 0, -2, 0, 0, 0, 0, 9)).isEqualTo(NEVER);
+    assertThat(FallReturn.toWall(0, -2, 1, 9)).isZero();
+    assertThat(FallReturn.toWall(-1e-300, -2, 1, 9)).isZero();
+    assertThat(FallReturn.toWall(0, 2, 1, 9)).isEqualTo(NEVER);
+    assertThat(FallReturn.toWall(5, 0, 1, 9)).isEqualTo(NEVER);
+    assertThat(Falls.returnToSide(1, 1, 0, 0, -2, 0, 0, 10, 0, 0, 0, 9)).isZero();
+    assertThat(Falls.returnToSide(1, 1, -1e-300, 0, -2, 0, 0, 10, 0, 0, 0, 9)).isZero();
+    assertThat(Falls.returnToSide(1, 1, 1, 3, 0, 0, 0, 10, 0, 0, 0, 9)).isEqualTo(NEVER);
+    assertThat(Falls.returnToDisk(0, 1, 0, 0, 0, -2, 0, 0, 0, 0, 9)).isZero();
+    assertThat(Falls.returnToDisk(0, 1, 0, -1e-300, 0, -2, 0, 0, 0, 0, 9)).isZero();
+    assertThat(Falls.returnToDisk(0, 1, 2, 0, 0, -2, 0, 0, 0, 0, 9)).isEqualTo(NEVER);
+    assertThat(Falls.returnToDisk(0, -1, 0, 0, 0, -2, 0, 0, 0, 0, 9)).isEqualTo(NEVER);
   }
 
   /** It passes over the peg and falls past it, or comes down on it, whatever the rounded place. */
   @Test
   void thePlaceAtTheStartIsTheDistanceToComeBackTo() {
-    double near = ParabolaReturn.toDisk(0, 1, 0.1, 3, 0, -2, 0, 0, 0, 0, NEVER);
-    double off = ParabolaReturn.toDisk(0, Math.nextUp(1.0), 0.1, 3, 0, -2, 0, 0, 0, 0, NEVER);
+    double near = Falls.returnToDisk(0, 1, 0.1, 3, 0, -2, 0, 0, 0, 0, NEVER);
+    double off = Falls.returnToDisk(0, Math.nextUp(1.0), 0.1, 3, 0, -2, 0, 0, 0, 0, NEVER);
     assertThat(near).isBetween(3.0, 3.1);
     assertThat(off).isBetween(near - 1e-14, near + 1e-14);
-    assertThat(ParabolaReturn.toDisk(0, 1, 9, 3, 0, -2, 0, 0, 0, 0, NEVER)).isEqualTo(NEVER);
+    assertThat(Falls.returnToDisk(0, 1, 9, 3, 0, -2, 0, 0, 0, 0, NEVER)).isEqualTo(NEVER);
   }
 
   /** A disk of radius 1 on or near a line from (0, 0) to (10, 0), with an acceleration of -2. */
   private static double toFloor(double x, double y, double vx, double vy, double T) {
-    return ParabolaReturn.toLine(x, y, 1, vx, vy, 0, -2, 0, 0, 10, 0, 0, 0, T);
+    return Falls.returnToLine(x, y, 1, vx, vy, 0, -2, 0, 0, 10, 0, 0, 0, T);
   }
 
   private static int contact(double x, double y, double vx, double vy, double t) {
-    return ParabolaReturn.contactOfReturn(x, y, 1, vx, vy, 0, -2, 0, 0, 10, 0, 0, 0, t);
+    return Falls.contactOfReturn(x, y, 1, vx, vy, 0, -2, 0, 0, 10, 0, 0, 0, t);
   }
 
   @Test
@@ -117,7 +117,7 @@ class ParabolaReturnTest {
   @Test
   void aReturnIsRoundedCorrectlyWhereBothProductsCancel() {
     double time =
-        ParabolaReturn.toSide(
+        Falls.returnToSide(
             1,
             0x1.37aa731f746bbp-1,
             -0x1.751b08fb0b919p3,
@@ -136,19 +136,19 @@ class ParabolaReturnTest {
   /** A point that falls through the end that it touches has no speed towards it, as it counts. */
   @Test
   void aPointDoesNotHitTheEndThatItTouches() {
-    assertThat(ParabolaReturn.toLine(0, 5, 0, 0, -1, 0, -2, 0, 0, 10, 0, 0, 0, NEVER)).isZero();
-    assertThat(ParabolaReturn.toLine(0, 5, 0, 0, -10, 0, 2, 0, 0, 10, 0, 0, 0, NEVER))
+    assertThat(Falls.returnToLine(0, 5, 0, 0, -1, 0, -2, 0, 0, 10, 0, 0, 0, NEVER)).isZero();
+    assertThat(Falls.returnToLine(0, 5, 0, 0, -10, 0, 2, 0, 0, 10, 0, 0, 0, NEVER))
         .isEqualTo(NEVER);
   }
 
   /** Seen from a line that moves, only the difference of the velocities counts. */
   @Test
   void theLineMayMove() {
-    assertThat(ParabolaReturn.toLine(5, 1, 1, 3, 7, 0, -2, 0, 0, 10, 0, 2, 4, NEVER)).isEqualTo(3);
-    assertThat(ParabolaReturn.toSide(1, 3, 7, 0, -2, 0, 0, 10, 0, 2, 4, NEVER)).isEqualTo(3);
-    assertThat(ParabolaReturn.toLine(0, 1, 1, 0, 7, 0, -2, 0, 0, 0, 0, 0, 4, NEVER)).isEqualTo(3);
-    assertThat(ParabolaReturn.toLine(5, 1, 1, 0, 4, 0, -2, 0, 0, 10, 0, 0, 4, NEVER)).isZero();
-    assertThat(ParabolaReturn.toLine(5, 1, 1, 0, 4, 0, 0, 0, 0, 10, 0, 0, 5, 9)).isEqualTo(NEVER);
+    assertThat(Falls.returnToLine(5, 1, 1, 3, 7, 0, -2, 0, 0, 10, 0, 2, 4, NEVER)).isEqualTo(3);
+    assertThat(Falls.returnToSide(1, 3, 7, 0, -2, 0, 0, 10, 0, 2, 4, NEVER)).isEqualTo(3);
+    assertThat(Falls.returnToLine(0, 1, 1, 0, 7, 0, -2, 0, 0, 0, 0, 0, 4, NEVER)).isEqualTo(3);
+    assertThat(Falls.returnToLine(5, 1, 1, 0, 4, 0, -2, 0, 0, 10, 0, 0, 4, NEVER)).isZero();
+    assertThat(Falls.returnToLine(5, 1, 1, 0, 4, 0, 0, 0, 0, 10, 0, 0, 5, 9)).isEqualTo(NEVER);
   }
 
   @Test
@@ -160,15 +160,15 @@ class ParabolaReturnTest {
       double[] n = random.doubles(10, -scale, scale).toArray();
       double T = i % 3 == 0 ? random.nextDouble() * 3 : NEVER;
       double gx = i % 2 == 0 ? 0 : n[4];
-      double disk = ParabolaReturn.toDisk(n[0], n[1], n[2], n[3], gx, n[5], n[6], n[7], 0, 0, T);
+      double disk = Falls.returnToDisk(n[0], n[1], n[2], n[3], gx, n[5], n[6], n[7], 0, 0, T);
       assertThat(disk)
           .isEqualTo(
               ExactReturn.toDisk(n[0], n[1], n[2], n[3], gx, n[5], n[6], n[7], 0, 0).time(T));
-      double side = ParabolaReturn.toSide(1, n[2], n[3], gx, n[5], n[0], n[1], n[6], n[7], 0, 0, T);
+      double side = Falls.returnToSide(1, n[2], n[3], gx, n[5], n[0], n[1], n[6], n[7], 0, 0, T);
       assertThat(side)
           .isEqualTo(
               ExactReturn.toSide(1, n[2], n[3], gx, n[5], n[0], n[1], n[6], n[7], 0, 0).time(T));
-      assertThat(ParabolaReturn.toWall(n[2], n[5], 1, T))
+      assertThat(FallReturn.toWall(n[2], n[5], 1, T))
           .isEqualTo(ExactReturn.toWall(n[2], n[5], 1).time(T));
       hits += disk > 0 && disk < NEVER ? 1 : 0;
       hits += side > 0 && side < NEVER ? 1 : 0;

@@ -61,7 +61,7 @@ class ParabolaSweepTest {
       -6.856796655450329e-06, -4.641358343428964e-08, 1.21795643972811e-17, 0, 0
     };
     double time =
-        ParabolaDiskSweep.timeAfter(
+        Falls.timeOfDiskAfter(
             n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11],
             Double.MIN_VALUE, 10);
     double truth =
@@ -78,9 +78,9 @@ class ParabolaSweepTest {
     double y = 0x1p90 * 0.6;
     double r = 0x1p89;
     double v = 0x1p950 * 1.1;
-    double t = ParabolaDiskSweep.time(x, y, r, v, 0, 0, -1, 0, 0, r, 0, 0, 1);
+    double t = Falls.timeOfDisk(x, y, r, v, 0, 0, -1, 0, 0, r, 0, 0, 1);
     assertThat(t).isLessThan(1e-250);
-    assertThat(ParabolaDiskSweep.normal(x, y, r, v, 0, 0, -1, 0, 0, r, 0, 0, t)).isNull();
+    assertThat(Falls.normal(x, y, r, v, 0, 0, -1, 0, 0, r, 0, 0, t)).isNull();
   }
 
   /** The square of the radius underflows, and that of the line is nearly as large. */
@@ -90,7 +90,7 @@ class ParabolaSweepTest {
     double r = 0x1.d68f698580a8bp-522;
     double y = 0x1.d68f6985808b4p-522;
     double time =
-        ParabolaSegmentSweep.time(
+        Falls.timeOfLine(
             0, y, r, 0, -y * 0x1p-22, 0, y, -a, 0, a, 0, 0, 0, 100);
     assertThat(time).isZero();
   }
@@ -101,7 +101,7 @@ class ParabolaSweepTest {
     double y = 1 - 306 * 0x1p-53;
     double vy = 0x1p-22 + 0x1p-31;
     double time =
-        ParabolaSegmentSweep.time(
+        Falls.timeOfLine(
             -0x1p-22, y, 1, 1, vy, 0, -0x1p-26, 0, 0, 0x1p-30, 0, 0, 0, 100);
     assertThat(time).isEqualTo(NEVER);
   }
@@ -115,7 +115,7 @@ class ParabolaSweepTest {
     double px = 0x1.0000000000002p-2;
     double py = 0x0.0010000000002p-1022;
     double time =
-        ParabolaSegmentSweep.time(px, py, 0.1, 0, -0x1p700, 0, -1, ax, 0, bx, by, 0, 0, 1);
+        Falls.timeOfLine(px, py, 0.1, 0, -0x1p700, 0, -1, ax, 0, bx, by, 0, 0, 1);
     assertThat(time).isEqualTo(NEVER);
   }
 
@@ -133,10 +133,10 @@ class ParabolaSweepTest {
 
   /** The part of the contact of a falling disk with the line from 0 to 1 at k least times. */
   private static int contact(double px, double py, double r, double vx, double vy, int k) {
-    double time = ParabolaSegmentSweep.time(px, py, r, vx, vy, 0, -1, 0, 0, 1, 0, 0, 0, 1);
+    double time = Falls.timeOfLine(px, py, r, vx, vy, 0, -1, 0, 0, 1, 0, 0, 0, 1);
     assertThat(time).isEqualTo(k * Double.MIN_VALUE);
     int contact =
-        ParabolaSegmentSweep.contact(px, py, r, vx, vy, 0, -1, 0, 0, 1, 0, 0, 0, time);
+        Falls.contact(px, py, r, vx, vy, 0, -1, 0, 0, 1, 0, 0, 0, time);
     return contact & ~Contact.NOW;
   }
 
@@ -146,7 +146,7 @@ class ParabolaSweepTest {
     double px = -0x1.199999999999ap-50;
     double vx = 0x1p1023;
     double vy = 3 * Double.MIN_VALUE;
-    double time = ParabolaReturn.toLine(px, 1, 1, vx, vy, 0, -2.5, -1, 0, 0, 0, 0, 0, 1);
+    double time = Falls.returnToLine(px, 1, 1, vx, vy, 0, -2.5, -1, 0, 0, 0, 0, 0, 1);
     assertThat(time).isEqualTo(NEVER);
   }
 
@@ -156,7 +156,7 @@ class ParabolaSweepTest {
     double g = -0x1p499;
     double T = 0x1p-360;
     double time =
-        ParabolaDiskSweep.time(0x1p-222, 0, 0x1p-223, 0, 0x1p138, g, g, 0, 0, 0, 0, 0, T);
+        Falls.timeOfDisk(0x1p-222, 0, 0x1p-223, 0, 0x1p138, g, g, 0, 0, 0, 0, 0, T);
     assertThat(time).isBetween(0.625 * T, 0.75 * T);
   }
 
@@ -164,10 +164,10 @@ class ParabolaSweepTest {
   @Test
   void aNormalAfterTheTime0() {
     double v = -0x1p1023;
-    double t = ParabolaDiskSweep.time(0x1p-52, 0x1p-54, 0x1p-53, v, 0, 0, -1, 0, 0, 0, 0, 0, 1);
+    double t = Falls.timeOfDisk(0x1p-52, 0x1p-54, 0x1p-53, v, 0, 0, -1, 0, 0, 0, 0, 0, 1);
     assertThat(t).isZero();
     UnitVector n =
-        ParabolaDiskSweep.normal(0x1p-52, 0x1p-54, 0x1p-53, v, 0, 0, -1, 0, 0, 0, 0, 0, t);
+        Falls.normal(0x1p-52, 0x1p-54, 0x1p-53, v, 0, 0, -1, 0, 0, 0, 0, 0, t);
     assertThat(n).isNull();
   }
 
@@ -178,7 +178,7 @@ class ParabolaSweepTest {
     for (int i = 0; i < QUERIES; i++) {
       draw();
       double T = i % 2 == 0 ? 1 : NEVER;
-      double time = ParabolaDiskSweep.time(0, 0, r, v[0], v[1], 0, g, at[0], at[1], 0, 0, 0, T);
+      double time = Falls.timeOfDisk(0, 0, r, v[0], v[1], 0, g, at[0], at[1], 0, 0, 0, T);
       hits += time < NEVER ? 1 : 0;
     }
     assertThat(hits).isBetween(QUERIES / 5, 4 * QUERIES / 5);
@@ -198,9 +198,9 @@ class ParabolaSweepTest {
       double bx = at[0] + length * at[1];
       double by = at[1] - length * at[0];
       double T = i % 2 == 0 ? 1 : NEVER;
-      double time = ParabolaSegmentSweep.time(0, 0, r, v[0], v[1], 0, g, ax, ay, bx, by, 0, 0, T);
+      double time = Falls.timeOfLine(0, 0, r, v[0], v[1], 0, g, ax, ay, bx, by, 0, 0, T);
       if (time < NEVER) {
-        ParabolaSegmentSweep.contact(0, 0, r, v[0], v[1], 0, g, ax, ay, bx, by, 0, 0, time);
+        Falls.contact(0, 0, r, v[0], v[1], 0, g, ax, ay, bx, by, 0, 0, time);
         hits++;
       }
     }
@@ -243,9 +243,9 @@ class ParabolaSweepTest {
       double vy = up * n[7] + along * n[6];
       double T = i % 2 == 0 ? 1 : NEVER;
       double time =
-          ParabolaReturn.toLine(n[4], n[5], r, vx, vy, 0, g, n[0], n[1], n[2], n[3], 0, 0, T);
+          Falls.returnToLine(n[4], n[5], r, vx, vy, 0, g, n[0], n[1], n[2], n[3], 0, 0, T);
       if (time < NEVER) {
-        ParabolaReturn.contactOfReturn(
+        Falls.contactOfReturn(
             n[4], n[5], r, vx, vy, 0, g, n[0], n[1], n[2], n[3], 0, 0, time);
         hits++;
       }
@@ -282,10 +282,10 @@ class ParabolaSweepTest {
       for (int k = 0; k < 3 && s < NEVER; k++) {
         s =
             i % 2 == 0
-                ? ParabolaSegmentSweep.timeAfter(
+                ? Falls.timeOfLineAfter(
                     0, 0, r, v[0], v[1], 0, g, at[0] - wx, at[1] - wy, at[0] + wx, at[1] + wy, 0,
                     0, s, T)
-                : ParabolaDiskSweep.timeAfter(
+                : Falls.timeOfDiskAfter(
                     0, 0, r, v[0], v[1], 0, g, at[0], at[1], r / 2, 0, 0, s, T);
         entries[k] += s < NEVER ? 1 : 0;
       }
@@ -299,38 +299,38 @@ class ParabolaSweepTest {
   @Test
   void contactKnowsTheRegionWhereDoublesAreInDoubt() {
     // Falls beside the end by nothing: the centre is on its perpendicular.
-    assertThat(ParabolaSegmentSweep.contact(0, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 0, 2))
+    assertThat(Falls.contact(0, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 0, 2))
         .isEqualTo(Contact.START);
-    assertThat(ParabolaSegmentSweep.contact(10, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 0, 2))
+    assertThat(Falls.contact(10, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 0, 2))
         .isEqualTo(Contact.END);
-    assertThat(ParabolaSegmentSweep.contact(0x1p-60, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 0, 2))
+    assertThat(Falls.contact(0x1p-60, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 0, 2))
         .isEqualTo(Contact.LEFT);
-    assertThat(ParabolaSegmentSweep.contact(5, -9, 1, 0, 0, 0, 4, 0, 0, 10, 0, 0, 0, 2))
+    assertThat(Falls.contact(5, -9, 1, 0, 0, 0, 4, 0, 0, 10, 0, 0, 0, 2))
         .isEqualTo(Contact.RIGHT);
-    assertThat(ParabolaSegmentSweep.contact(5, 1, 1, 0, -1, 0, 4, 0, 0, 10, 0, 0, 0, 0))
+    assertThat(Falls.contact(5, 1, 1, 0, -1, 0, 4, 0, 0, 10, 0, 0, 0, 0))
         .isEqualTo(Contact.LEFT | Contact.NOW);
   }
 
   /** 8 - 6 t - 2 t^2 beside a line that rises with 6 and goes aside with 5. */
   @Test
   void aLineMayMove() {
-    assertThat(ParabolaSegmentSweep.time(5, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 6, NEVER))
+    assertThat(Falls.timeOfLine(5, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 0, 6, NEVER))
         .isEqualTo(1);
-    assertThat(ParabolaSegmentSweep.contact(5, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 5, 6, 1))
+    assertThat(Falls.contact(5, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 5, 6, 1))
         .isEqualTo(Contact.START);
-    Hit hit = ParabolaHit.ofLine(5, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 1, 6, Contact.LEFT, 1);
+    Hit hit = Falls.hitOfLine(5, 9, 1, 0, 0, 0, -4, 0, 0, 10, 0, 1, 6, Contact.LEFT, 1);
     assertThat(new double[] {hit.x(), hit.y(), hit.ny()}).containsExactly(5, 6, 1);
     assertThat(hit.approachSpeed()).isEqualTo(10);
-    assertThat(ParabolaSegmentSweep.time(5, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 5, 6, NEVER))
+    assertThat(Falls.timeOfLine(5, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 5, 6, NEVER))
         .isEqualTo(1);
   }
 
   @Test
   void exactNumbersKnowTheLineOfNoLength() {
     assertThat(ExactParabola.line(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0).time(NEVER)).isEqualTo(2);
-    assertThat(ParabolaSegmentSweep.time(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0, NEVER))
+    assertThat(Falls.timeOfLine(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0, NEVER))
         .isEqualTo(2);
-    assertThat(ParabolaSegmentSweep.contact(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0, 2))
+    assertThat(Falls.contact(0, 9, 1, 0, 0, 0, -4, 0, 0, 0, 0, 0, 0, 2))
         .isEqualTo(Contact.START);
   }
 
@@ -338,7 +338,7 @@ class ParabolaSweepTest {
   @Test
   void coefficientsThatOverflowGoToExactNumbers() {
     double time =
-        ParabolaDiskSweep.time(
+        Falls.timeOfDisk(
             -0x1.27f1c8b2c0d1dp7, 0x1.45b7f755df968p10, 0x1.bp7, 0x1.1c722cb03473ap301,
             0x1.10115440d2f73p301, 0x1.c6e9a7e5c62d6p593, -0x1.0115440d2f731p596, 0, 0x1.b98p9,
             0x1.69p8, 0, 0, 0x1.93e5939a08ceap-199);
@@ -376,7 +376,7 @@ class ParabolaSweepTest {
     for (String contact : CONTACTS.lines().toList()) {
       double[] n = Arrays.stream(contact.split(" +")).mapToDouble(Double::parseDouble).toArray();
       double time =
-          ParabolaSegmentSweep.time(
+          Falls.timeOfLine(
               n[0], n[1], n[2], n[3], n[4], 0, -10, n[5], n[6], n[7], n[8], 0, 0, n[9]);
       assertThat(time).isEqualTo(n[10]);
     }
@@ -388,18 +388,18 @@ class ParabolaSweepTest {
     long before = PrecisionCounters.COUNT.exactParabolas;
     // All but touching a peg, it comes nearer slowly, or fast.
     double slow =
-        ParabolaDiskSweep.time(
+        Falls.timeOfDisk(
             11.416835685962972, 35.47793244230939, 0.5, 2.520933829792924, -7.075144539578793, 0,
             -10, 10.666666666666666, 35.2, 0.3, 0, 0, NEVER);
     assertThat(slow).isEqualTo(2.790313288981091e-13);
     double fast =
-        ParabolaDiskSweep.time(
+        Falls.timeOfDisk(
             26.13076570168882, 35.79397824517049, 0.5, -6.982579459609074, -6.683683962449991, 0,
             -10, 26.666666666666668, 35.2, 0.3, 0, 0, NEVER);
     assertThat(fast).isEqualTo(8.870896863064536e-15);
     // It flies off a peg along the tangent.
     double back =
-        ParabolaReturn.toDisk(
+        Falls.returnToDisk(
             3.9505440914875583, 33.398469857360446, 3.3650186085693945, 0.20842371307317462, 0,
             -10, 4, 32.6, 0, 0, NEVER);
     assertThat(back).isEqualTo(NEVER);
@@ -452,9 +452,9 @@ class ParabolaSweepTest {
       double vy = random.nextDouble(-5, 5);
       double r = random.nextInt(1, 64) / 64.0;
       double aside = random.nextBoolean() ? 1 : -1;
-      assertThat(ParabolaDiskSweep.time(aside, y, 1 - r, 0, vy, 0, -10, 0, 0, r, 0, 0, NEVER))
+      assertThat(Falls.timeOfDisk(aside, y, 1 - r, 0, vy, 0, -10, 0, 0, r, 0, 0, NEVER))
           .isEqualTo(NEVER);
-      assertThat(ParabolaDiskSweep.time(y, aside, 1, vy, 3, -10, 0, 0, 0, 0, 0, 3, NEVER))
+      assertThat(Falls.timeOfDisk(y, aside, 1, vy, 3, -10, 0, 0, 0, 0, 0, 3, NEVER))
           .isEqualTo(NEVER);
     }
     assertThat(PrecisionCounters.COUNT.exactParabolas).isEqualTo(before);
@@ -468,9 +468,9 @@ class ParabolaSweepTest {
       double up = random.nextInt(-1 << 10, 1 << 10);
       double g = random.nextInt(1, 1 << 10);
       double fall = (up + Math.sqrt(up * up + 2 * g * y)) / g;
-      assertThat(ParabolaDiskSweep.time(3, y, 0, 0, up, 0, -g, 3, 0, 0, 0, 0, NEVER))
+      assertThat(Falls.timeOfDisk(3, y, 0, 0, up, 0, -g, 3, 0, 0, 0, 0, NEVER))
           .isCloseTo(fall, within(1e-14 * fall));
-      assertThat(ParabolaSegmentSweep.time(3, y, 0, 0, up, 0, -g, 3, 0, 3, 0, 0, 0, NEVER))
+      assertThat(Falls.timeOfLine(3, y, 0, 0, up, 0, -g, 3, 0, 3, 0, 0, 0, NEVER))
           .isCloseTo(fall, within(1e-14 * fall));
     }
   }
@@ -488,11 +488,11 @@ class ParabolaSweepTest {
     double length = 0x1.1a83bf6b20528p-586;
     double time = 0.33333333333333326;
     assertThat(
-            ParabolaSegmentSweep.time(
+            Falls.timeOfLine(
                 px, py, r, vx, vy, gx, gy, length, 0, 0, 0, 0, 0, Double.POSITIVE_INFINITY))
         .isEqualTo(time);
     assertThat(
-            ParabolaSegmentSweep.timeAfter(
+            Falls.timeOfLineAfter(
                 px, py, r, vx, vy, gx, gy, length, 0, 0, 0, 0, 0, -1, Double.POSITIVE_INFINITY))
         .isEqualTo(time);
   }

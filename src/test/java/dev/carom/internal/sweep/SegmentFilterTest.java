@@ -40,10 +40,10 @@ class SegmentFilterTest {
     int contact = SegmentFilter.contact(px, py, r, vx, vy, ax, ay, bx, by, margin);
     if (contact != Contact.DOUBT) {
       told++;
-      assertThat(contact).isEqualTo(SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by));
+      assertThat(contact).isEqualTo(SegmentSweep.contact(px, py, r, vx, vy, ax, ay, bx, by, 0, 0));
     }
     if (contact > Contact.MISS) {
-      double time = SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, NEVER);
+      double time = SegmentSweep.time(contact, px, py, r, vx, vy, ax, ay, bx, by, 0, 0, NEVER);
       assertThat(SegmentFilter.time(contact, px, py, r, vx, vy, ax, ay, bx, by))
           .isCloseTo(time, within(time * SegmentFilter.TIME_ERROR / 4));
     }
@@ -155,7 +155,7 @@ class SegmentFilterTest {
     double size = Math.abs(px) + Math.abs(py) + r + bx;
     double margin = SegmentFilter.margin(vx + vy, size);
     int told = SegmentFilter.contact(px, py, r, vx, vy, 0, 0, bx, 0, margin);
-    int contact = SegmentSweep.contact(px, py, r, vx, vy, 0, 0, bx, 0);
+    int contact = SegmentSweep.contact(px, py, r, vx, vy, 0, 0, bx, 0, 0, 0);
     assertThat(told).isIn(contact, Contact.DOUBT);
     return contact;
   }

@@ -41,7 +41,7 @@ class SegmentSweepTest {
   }
 
   private static int contact(double[] n) {
-    return SegmentSweep.contact(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3]);
+    return SegmentSweep.contact(n[4], n[5], n[6], n[7], n[8], n[0], n[1], n[2], n[3], 0, 0);
   }
 
   private static int corner(double[] n, double x, double y) {

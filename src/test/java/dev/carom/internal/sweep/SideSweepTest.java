@@ -23,7 +23,7 @@ class SideSweepTest {
       double scale = Math.scalb(1.0, random.nextInt(-20, 20));
       double[] n = random.doubles(8, -scale, scale).toArray();
       double r = scale * random.nextDouble() / 10;
-      int contact = SegmentSweep.contact(n[0], n[1], r, n[2], n[3], n[4], n[5], n[6], n[7]);
+      int contact = SegmentSweep.contact(n[0], n[1], r, n[2], n[3], n[4], n[5], n[6], n[7], 0, 0);
       if (contact == Contact.LEFT || contact == Contact.RIGHT) {
         met++;
         int side = contact == Contact.LEFT ? 1 : -1;

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+package dev.carom.internal.sweep;
+
+import static dev.carom.internal.exact.DoubleDouble.crossTail;
+import static dev.carom.internal.exact.DoubleDouble.differenceTail;
+import static dev.carom.internal.exact.Fma.fma;
+
+import dev.carom.internal.exact.ExactReturn;
+import dev.carom.internal.exact.Expansion;
+import dev.carom.internal.exact.GapPolynomial;
+import dev.carom.internal.exact.Gaps;
+import dev.carom.internal.exact.PrecisionCounters;
+import dev.carom.internal.exact.Predicates;
+import dev.carom.internal.exact.RealRoot;
+
+/**
+ * When a disk with a constant acceleration comes back to the thing that it has just hit.
+ *
+ * <p>Its gap at the start is 0 by definition, whatever its rounded place says. So the gap is
+ * counted from there, and its root at time 0 is divided out, exactly. A speed along the normal that
+ * is negative counts as 0: it is a rounding error of the response. Without that speed the
+ * acceleration decides: inward, the answer is 0, for the disk is supported; outward, it leaves.
+ *
+ * <p>A line has three parts, its side and its ends. The disk touches the part in whose region its
+ * centre is at the start, and the gap of this part counts from there. Those of the others are what
+ * the given numbers say. So the disk comes back
+ *
+ * <ul>
+ *   <li>from the side: when its height above the line is again that at the start, if its centre is
+ *       beside the line then; otherwise at the first impact from then on with the end that it has
+ *       passed. Until then it is above the line and its ends.
+ *   <li>from an end: when its distance from this end is again that at the start while its centre is
+ *       beyond it; or at an impact with the side, or with the other end; whichever is first.
+ * </ul>
+ */
+public final class FallReturn {
+
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+
+  /**
+   * The correction of a quotient of cross products, of their terms over the divisor. The products
+   * err by 64 u^2 of them. Their tails are below 4 u, so the numerator is below 5 u, and its sums
+   * err by 13 u^2. The divisor errs by 2 u, so the quotient does by 15 u^2; its sum with the bound
+   * takes 5 u^2: 97 u^2 in all.
+   *
+   * <p>The divisor does so if its terms are at most 2^46 times itself. Where they are more, this
+   * bound exceeds half an ulp of the quotient.
+   */
+  private static final double CROSS_BOUND = 128 * 0x1p-106;
+
+  private static final double LEAST_SAFE = 0x1p-400;
+
+  private static final double MOST_SAFE = 0x1p400;
+
+  private FallReturn() {}
+
+  /**
+   * The correctly rounded time of the return to a wall, {@code -2 v / g}; {@code +infinity} for
+   * none up to the window's end T.
+   *
+   * @param inward +1 if the disk is above the wall, -1 if below
+   */
+  public static double toWall(double v, double g, int inward, double T) {
+    if (!(inward * g < 0)) {
+      return NEVER;
+    }
+    if (!(inward * v > 0)) {
+      return 0;
+    }
+    double t = 2 * v / -g;
+    // A rounded time of T itself may be that of a later one.
+    if (t > LEAST_SAFE && t < MOST_SAFE && t != T) {
+      return t < T ? t : NEVER;
+    }
+    Expansion speed = Expansion.sum(inward * v, 0);
+    double time = upTo(T, GapPolynomial.exact(speed, Expansion.sum(inward * 0.5 * g, 0)));
+    return Double.isNaN(time) ? ExactReturn.toWall(v, g, inward).time(T) : time;
+  }
+
+  /**
+   * The correctly rounded time of the next hit on a line or a disk that is touched at the start;
+   * {@code +infinity} for none up to the window's end T.
+   *
+   * <p>Of a disk, or an end of a line, it is the first time at which the distance falls below that
+   * at the start. The acceleration along the normal has a part by the curvature: its sign is that
+   * of {@code s.s + d.g}.
+   */
+  public static double time(Fall f, double T) {
+    if (f.isStraight()) {
+      return NEVER;
+    }
+    PrecisionCounters.parabola();
+    int region = region(f);
+    double time =
+        region == Gaps.BESIDE ? fromSide(f, T) : FallSweep.searched(f, GapSearch.RETURN, region, T);
+    return Double.isNaN(time) ? exact(f).time(T) : time;
+  }
+
+  private static ExactReturn exact(Fall f) {
+    return f.isLine
+        ? ExactReturn.toLine(
+            f.px, f.py, f.r, f.vx, f.vy, f.gx, f.gy, f.ax, f.ay, f.bx, f.by, f.ux, f.uy)
+        : ExactReturn.toDisk(f.px, f.py, f.vx, f.vy, f.gx, f.gy, f.ax, f.ay, f.ux, f.uy);
+  }
+
+  /** The region in which the disk touches the obstacle. */
+  private static int region(Fall f) {
+    if (!f.isLine || SegmentSweep.along(f.px, f.py, f.ax, f.ay, f.ax, f.ay, f.bx, f.by) <= 0) {
+      return Gaps.BEFORE;
+    }
+    return SegmentSweep.along(f.px, f.py, f.bx, f.by, f.ax, f.ay, f.bx, f.by) >= 0
+        ? Gaps.BEYOND
+        : Gaps.BESIDE;
+  }
+
+  private static double fromSide(Fall f, double T) {
+    int side = side(f);
+    double back = toSide(f, side, T);
+    if (back == 0 || back == NEVER) {
+      return back;
+    }
+    int region = f.region(back);
+    if (region == Gaps.BESIDE || region == Gaps.UNKNOWN) {
+      return region == Gaps.BESIDE || isAtEnd(f, side, back) ? back : GapRoot.DOUBT;
+    }
+    double time = toEnd(f, region, back * (1 - GapRoot.MARGIN), T);
+    return time > back ? time : GapRoot.DOUBT;
+  }
+
+  /** The time of the first hit on an end of the line after a time of none. */
+  private static double toEnd(Fall f, int region, double start, double T) {
+    double startX = f.ax;
+    double startY = f.ay;
+    double endX = f.bx;
+    double endY = f.by;
+    boolean isStart = region == Gaps.BEFORE;
+    f.disk(isStart ? startX : endX, isStart ? startY : endY, 0, f.ux, f.uy);
+    double time = FallSweep.searched(f, GapSearch.FIRST_AFTER, start, T);
+    f.line(startX, startY, endX, endY, f.ux, f.uy);
+    return time;
+  }
+
+  /** Whether a disk that is back at its height above a side, at t, is exactly at an end of it. */
+  private static boolean isAtEnd(Fall f, int side, double t) {
+    Gaps<GapPolynomial> gaps = FallSweep.exactGaps(f);
+    boolean isAtEnd = gaps.fromStart().signAt(t, 0) == 0 || gaps.fromEnd().signAt(t, 0) == 0;
+    return isAtEnd && rise(f, side).fallsAt(t);
+  }
+
+  /** The height above that at the start, times the length of the line. */
+  private static GapPolynomial rise(Fall f, int side) {
+    return FallSweep.exactGaps(f).height().signed(side).counted();
+  }
+
+  /**
+   * The correctly rounded time of the return to the height above the infinite line at which the
+   * disk starts, {@code -2 w x s / w x g}; {@code +infinity} for none up to the window's end T. The
+   * centre may then be beyond an end.
+   *
+   * @param side +1 if the disk is left of the line, -1 if right
+   */
+  static double toSide(Fall f, int side, double T) {
+    if (side * Predicates.cross(f.bx, f.by, f.ax, f.ay, f.gx, f.gy, 0, 0) >= 0) {
+      return NEVER;
+    }
+    if (side * Predicates.cross(f.bx, f.by, f.ax, f.ay, f.vx, f.vy, f.ux, f.uy) <= 0) {
+      return 0;
+    }
+    double wxl = differenceTail(f.bx, f.ax, f.wx);
+    double wyl = differenceTail(f.by, f.ay, f.wy);
+    double sxl = differenceTail(f.vx, f.ux, f.sx);
+    double syl = differenceTail(f.vy, f.uy, f.sy);
+    double n = 2 * (f.wx * f.sy - f.wy * f.sx);
+    double nl = 2 * crossTail(f.wx, wxl, f.wy, wyl, f.sx, sxl, f.sy, syl, 0.5 * n);
+    double d = f.wy * f.gx - f.wx * f.gy;
+    double dl = -crossTail(f.wx, wxl, f.wy, wyl, f.gx, 0, f.gy, 0, -d);
+    double t = n / d;
+    double divisor = d + dl;
+    double step = (fma(-t, d, n) + (nl - t * dl)) / divisor;
+    double terms =
+        2 * (Math.abs(f.wx * f.sy) + Math.abs(f.wy * f.sx))
+            + t * (Math.abs(f.wx * f.gy) + Math.abs(f.wy * f.gx));
+    double error = CROSS_BOUND * (terms / Math.abs(divisor));
+    double low = t + (step - error);
+    boolean isCertain =
+        low == t + (step + error)
+            && low != T
+            && low > LEAST_SAFE
+            && Math.abs(divisor) > LEAST_SAFE
+            && t * terms < MOST_SAFE
+            && terms > LEAST_SAFE
+            && terms < MOST_SAFE;
+    if (isCertain) {
+      return low < T ? low : NEVER;
+    }
+    double time = upTo(T, rise(f, side).overTime());
+    return Double.isNaN(time)
+        ? ExactReturn.toSide(side, f.vx, f.vy, f.gx, f.gy, f.ax, f.ay, f.bx, f.by, f.ux, f.uy)
+            .time(T)
+        : time;
+  }
+
+  /** The root of a linear polynomial, half of its scale, up to T. */
+  private static double upTo(double T, GapPolynomial linear) {
+    double time = linear.nearestRoot(1, 0, linear.scale());
+    return time < T || (time == T && linear.signAt(T, 0) <= 0) ? time : time >= T ? NEVER : time;
+  }
+
+  /**
+   * The side of the line that a disk touches at the start: by its place. That of a point, or of a
+   * centre on the line, is the one to which it leaves; without a speed the acceleration pulls it
+   * off.
+   */
+  private static int side(Fall f) {
+    int place = Predicates.cross(f.bx, f.by, f.ax, f.ay, f.px, f.py, f.ax, f.ay);
+    if (f.r > 0 && place != 0) {
+      return place;
+    }
+    int speed = Predicates.cross(f.bx, f.by, f.ax, f.ay, f.vx, f.vy, f.ux, f.uy);
+    if (speed != 0 || place != 0) {
+      return speed != 0 ? speed : place;
+    }
+    return Predicates.cross(f.bx, f.by, f.ax, f.ay, f.gx, f.gy, 0, 0);
+  }
+
+  /**
+   * The {@link Contact} of the next hit on a line that the disk touches at the start.
+   *
+   * @param t its time, from {@link #time}
+   */
+  public static int contact(Fall f, double t) {
+    int now = t == 0 ? Contact.NOW : 0;
+    if (!f.isLine) {
+      return Contact.START | now;
+    }
+    int from = region(f);
+    int side = from == Gaps.BESIDE ? side(f) : f.side(t);
+    int region = f.region(t);
+    if (region == Gaps.UNKNOWN) {
+      GapSearch search = FallSweep.exactly(f);
+      region =
+          from == Gaps.BESIDE ? search.regionAt(t, rise(f, side)) : search.from(from).regionAt(t);
+    }
+    int contact = FallSweep.contact(region, side);
+    if (contact == Contact.DOUBT) {
+      ExactReturn exact = exact(f);
+      RealRoot root = exact.first(NEVER);
+      contact = FallSweep.contact(exact.region(root), exact.side(root));
+    }
+    return contact | now;
+  }
+}
