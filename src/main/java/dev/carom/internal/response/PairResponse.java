@@ -401,26 +401,29 @@ public final class PairResponse {
     write(a, b, log);
   }
 
-  /**
-   * Computes the relative velocity of two circles, their offset, and their approach. Circles that
-   * fall unlike from one centre may turn back before the places of their centres differ: then the
-   * offset has the direction of the mean velocity u - g tau / 2.
-   */
+  /** Computes the relative velocity of two circles, their offset, and their approach. */
   private void measure(MovingCircle a, MovingCircle b, double tau) {
     fast = exponent(a, b);
     ux = ScaledVectors.difference(a.vx, b.vx, fast);
     uy = ScaledVectors.difference(a.vy, b.vy, fast);
-    offset(a.x, a.y, b.x, b.y);
+    int large = ScaledVectors.exponent(a.x, a.y, b.x, b.y, Math.max(Math.abs(ux), Math.abs(uy)));
+    nx = ScaledVectors.difference(a.x, b.x, large);
+    ny = ScaledVectors.difference(a.y, b.y, large);
     if (nx == 0 && ny == 0) {
-      offset(ux, uy, 0.5 * tau * (a.gx - b.gx), 0.5 * tau * (a.gy - b.gy));
+      leaveCentre(0.5 * tau * (a.gx - b.gx), 0.5 * tau * (a.gy - b.gy));
     }
     un = scaled(ScaledVectors.dot(ux, uy, nx, ny), fast);
   }
 
-  private void offset(double px, double py, double qx, double qy) {
-    int large = ScaledVectors.exponent(px, py, qx, qy, Math.max(Math.abs(ux), Math.abs(uy)));
-    nx = ScaledVectors.difference(px, qx, large);
-    ny = ScaledVectors.difference(py, qy, large);
+  /**
+   * Circles that fall unlike from one centre may turn back before the places of their centres
+   * differ: then their offset has the direction of the mean velocity u - g tau / 2.
+   */
+  private void leaveCentre(double gainX, double gainY) {
+    double speed = Math.max(Math.abs(ux), Math.abs(uy));
+    int large = ScaledVectors.exponent(ux, uy, gainX, gainY, speed);
+    nx = ScaledVectors.difference(ux, gainX, large);
+    ny = ScaledVectors.difference(uy, gainY, large);
   }
 
   private void write(MovingCircle a, MovingCircle b, ImpactRows log) {
