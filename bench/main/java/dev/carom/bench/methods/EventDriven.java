@@ -5,9 +5,9 @@ import dev.carom.Scene;
 import java.util.Arrays;
 
 /**
- * The event-driven loop: after each impact a circle asks every line for the next one, or, with a
- * grid, only those of the cells on its way; until then it is not looked at. Every impact of a frame
- * is resolved at its own moment. Which detector answers is the knob.
+ * The event-driven loop: after each impact a circle asks every line for the next one; until then it
+ * is not looked at. Every impact of a frame is resolved at its own moment. Which detector answers
+ * is the knob.
  *
  * <p>A circle's arrays hold the start of its flight; {@code age} is the time since then.
  */
@@ -25,21 +25,13 @@ class EventDriven extends PlainMethod {
 
   final LineDetector detector;
 
-  /** Null for none. */
-  private final LineGrid grid;
-
   private final double[] age;
-  private final double[] due;
+  final double[] due;
   private final int[] hit;
 
   EventDriven(Scene scene, LineDetector detector) {
-    this(scene, detector, false);
-  }
-
-  EventDriven(Scene scene, LineDetector detector, boolean gridded) {
     super(PlainScene.checkCircles(scene));
     this.detector = detector;
-    grid = gridded && lines > 0 ? new LineGrid(this) : null;
     age = new double[circles];
     due = new double[circles];
     hit = new int[circles];
@@ -108,10 +100,11 @@ class EventDriven extends PlainMethod {
     double wallY = wall(y[i], vy[i], ymin + radius[i], ymax - radius[i]);
     double first = Math.min(wallX, wallY);
     int what = wallX <= wallY ? WALL_X : WALL_Y;
-    return grid == null ? searchAll(i, first, what) : searchCells(i, first, what);
+    return search(i, first, what);
   }
 
-  private int searchAll(int i, double wallTime, int wall) {
+  /** Among all lines; sets when, and returns with what. */
+  int search(int i, double wallTime, int wall) {
     double first = wallTime;
     int what = wall;
     for (int k = 0; k < lines; k++) {
@@ -128,49 +121,6 @@ class EventDriven extends PlainMethod {
   /** When a circle touches a line, infinite if not before another impact. */
   double test(int i, int k, double first) {
     return detector.time(x[i], y[i], radius[i], vx[i], vy[i], ax[k], ay[k], bx[k], by[k], first);
-  }
-
-  /** From cell to cell, until one is left after the first impact found so far, or the grid is. */
-  private int searchCells(int i, double wallTime, int wall) {
-    double px = x[i];
-    double py = y[i];
-    double ux = vx[i];
-    double uy = vy[i];
-    double first = wallTime;
-    int what = wall;
-    double start = grid.holds(px, py) ? 0 : grid.entry(px, py, ux, uy);
-    boolean inside = start < Double.POSITIVE_INFINITY;
-    int column = inside ? grid.column(px + start * ux) : 0;
-    int row = inside ? grid.row(py + start * uy) : 0;
-    int right = ux > 0 ? 1 : 0;
-    int up = uy > 0 ? 1 : 0;
-    double nextX = ux == 0 ? NEVER : (grid.xmin + (column + right) * grid.cell - px) / ux;
-    double nextY = uy == 0 ? NEVER : (grid.ymin + (row + up) * grid.cell - py) / uy;
-    double eachX = grid.cell / Math.abs(ux);
-    double eachY = grid.cell / Math.abs(uy);
-    while (inside) {
-      int c = row * grid.columns + column;
-      for (int n = grid.starts[c]; n < grid.starts[c + 1]; n++) {
-        int k = grid.listed[n];
-        double t = test(i, k, first);
-        if (t < first) {
-          first = t;
-          what = k;
-        }
-      }
-      inside = Math.min(nextX, nextY) < first;
-      if (nextX < nextY) {
-        column += 2 * right - 1;
-        nextX += eachX;
-        inside &= column >= 0 && column < grid.columns;
-      } else {
-        row += 2 * up - 1;
-        nextY += eachY;
-        inside &= row >= 0 && row < grid.rows;
-      }
-    }
-    due[i] = first;
-    return what;
   }
 
   private static double wall(double p, double v, double low, double high) {

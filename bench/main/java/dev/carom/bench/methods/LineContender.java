@@ -23,7 +23,12 @@ public record LineContender(String id, String method, String knob, LineDetector 
     all.add(new LineContender("carom", "carom", "", new CaromDetector()));
     all.add(new LineContender("plain", "plain", "", new PlainDetector()));
     all.add(new LineContender("textbook-double", "textbook-double", "", new TextbookDetector()));
-    all.add(new LineContender("textbook-float", "textbook-float", "", new TextbookFloatDetector()));
+    all.add(
+        new LineContender(
+            "textbook-float",
+            "textbook-float",
+            "",
+            new RoundedDetector(new FloatTextbookDetector())));
     all.add(new LineContender("poster", "poster", "", new PosterDetector()));
     for (int exponent = -2; exponent >= LEAST_TOLERANCE; exponent -= 2) {
       double tolerance = Double.parseDouble("1e" + exponent);

@@ -13,15 +13,19 @@ public final class Methods {
   public static final Contender CAROM = new Contender("carom", "carom", "", CaromMethod::new);
 
   /** The published algorithm, in float as published. */
-  public static final Contender POSTER = new Contender("poster", "poster", "", Poster::new);
+  public static final Contender POSTER = new Contender("poster", "poster", "", FloatPoster::new);
 
   /** The published algorithm in double. */
   public static final Contender POSTER_DOUBLE =
-      new Contender("poster-double", "poster-double", "", PosterDouble::new);
+      new Contender("poster-double", "poster-double", "", Poster::new);
 
   /** The quadratic of the textbooks in float, event-driven. */
   public static final Contender TEXTBOOK_FLOAT =
-      new Contender("textbook-float", "textbook-float", "", EventDrivenFloat::new);
+      new Contender(
+          "textbook-float",
+          "textbook-float",
+          "",
+          scene -> new FloatEventDriven(scene, new FloatTextbookDetector()).started());
 
   /** The quadratic of the textbooks in double, event-driven. */
   public static final Contender TEXTBOOK_DOUBLE =
@@ -37,7 +41,7 @@ public final class Methods {
           "textbook-grid",
           "textbook-grid",
           "",
-          scene -> new EventDriven(scene, new TextbookDetector(), true).started());
+          scene -> new GridEventDriven(scene, new TextbookDetector()).started());
 
   /** This library's own test in plain doubles, with its grid and without its contract. */
   public static final Contender PLAIN_GRID =

@@ -8,7 +8,7 @@ import dev.carom.Scene;
  * before the test, no bound of a rounding error, no log, no budget. Unit normals of the lines are
  * computed before. A line that is behind, or too far away to be the next, costs its distance only.
  */
-final class PlainGridMethod extends EventDriven {
+final class PlainGridMethod extends GridEventDriven {
 
   private final double[] nx;
   private final double[] ny;
@@ -16,7 +16,7 @@ final class PlainGridMethod extends EventDriven {
   private final double[] length;
 
   PlainGridMethod(Scene scene) {
-    super(scene, new PlainDetector(), true);
+    super(scene, new PlainDetector());
     nx = new double[lines];
     ny = new double[lines];
     offset = new double[lines];

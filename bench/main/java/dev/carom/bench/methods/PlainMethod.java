@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
+import static dev.carom.bench.methods.RealDouble.real;
+
 import dev.carom.Bounds;
 import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 
 /** State that the methods in plain doubles share: flat arrays of circles, lines and four walls. */
-abstract class PlainMethod extends DoubleCircles {
+abstract class PlainMethod extends Circles {
 
   final int lines;
   final double[] ax;
@@ -30,22 +32,22 @@ abstract class PlainMethod extends DoubleCircles {
     by = new double[lines];
     lineRestitution = new double[lines];
     for (int k = 0; k < lines; k++) {
-      lineRestitution[k] = scene.restitution(ObstacleKind.LINE, k);
+      lineRestitution[k] = real(scene.restitution(ObstacleKind.LINE, k));
       setLine(k, scene.line(k));
     }
     Bounds bounds = scene.bounds().orElse(null);
-    wallRestitution = bounds == null ? 1 : scene.restitution(ObstacleKind.WALL, 0);
-    xmin = bounds == null ? Double.NEGATIVE_INFINITY : bounds.xmin();
-    ymin = bounds == null ? Double.NEGATIVE_INFINITY : bounds.ymin();
-    xmax = bounds == null ? Double.POSITIVE_INFINITY : bounds.xmax();
-    ymax = bounds == null ? Double.POSITIVE_INFINITY : bounds.ymax();
+    wallRestitution = bounds == null ? 1 : real(scene.restitution(ObstacleKind.WALL, 0));
+    xmin = bounds == null ? Double.NEGATIVE_INFINITY : real(bounds.xmin());
+    ymin = bounds == null ? Double.NEGATIVE_INFINITY : real(bounds.ymin());
+    xmax = bounds == null ? Double.POSITIVE_INFINITY : real(bounds.xmax());
+    ymax = bounds == null ? Double.POSITIVE_INFINITY : real(bounds.ymax());
   }
 
   private void setLine(int k, Line line) {
-    ax[k] = line.ax();
-    ay[k] = line.ay();
-    bx[k] = line.bx();
-    by[k] = line.by();
+    ax[k] = real(line.ax());
+    ay[k] = real(line.ay());
+    bx[k] = real(line.bx());
+    by[k] = real(line.by());
   }
 
   /** Where on line k, from 0 at its start to 1 at its end, the point nearest to (px, py) is. */

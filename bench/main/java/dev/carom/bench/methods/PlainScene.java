@@ -4,6 +4,7 @@ package dev.carom.bench.methods;
 import static dev.carom.ObstacleKind.LINE;
 import static dev.carom.ObstacleKind.PEG;
 
+import dev.carom.Line;
 import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
@@ -16,16 +17,6 @@ import java.util.stream.IntStream;
 public final class PlainScene {
 
   private PlainScene() {}
-
-  /**
-   * Refuses what a plain method has no code for.
-   *
-   * @throws UnsupportedOperationException if it has pegs, obstacles that move, colliding circles or
-   *     gravity
-   */
-  public static Scene check(Scene scene) {
-    return checkObstacles(checkCircles(scene));
-  }
 
   /**
    * Refuses circles that collide or fall, and obstacles that move.
@@ -77,6 +68,14 @@ public final class PlainScene {
   /** Whether no line or peg moves. */
   public static boolean isAtRest(Scene scene) {
     return rest(scene, LINE, scene.lineCount()) && rest(scene, PEG, scene.pegCount());
+  }
+
+  /** The unit vector from the start to the end of a line; (1, 0) if they are one point. */
+  static Vec2 direction(Line line) {
+    double l = line.length();
+    return l > 0
+        ? new Vec2((line.bx() - line.ax()) / l, (line.by() - line.ay()) / l)
+        : new Vec2(1, 0);
   }
 
   private static boolean rest(Scene scene, ObstacleKind kind, int count) {

@@ -5,7 +5,7 @@ import dev.carom.Scene;
 
 /**
  * The published algorithm (2010), which this library is measured against: in every frame every
- * circle asks every line, in float. The circle moves to the earliest contact, is reflected, and
+ * circle asks every line, in double. The circle moves to the earliest contact, is reflected, and
  * spends the rest of the frame's travel in its new direction. That is one impact per circle and
  * frame: a second one waits for the next frame, which finds the circle overlapping and reflects it
  * at once.
@@ -15,7 +15,7 @@ import dev.carom.Scene;
  * rejection by distance, since the publication has none. Pegs count as lines of length zero; they
  * and restitution are there so that it can play any scene in which circles ignore each other.
  */
-final class Poster extends FloatCircles {
+final class Poster extends Circles {
 
   private static final int NONE = -1;
 
@@ -39,14 +39,14 @@ final class Poster extends FloatCircles {
   }
 
   private void move(int i) {
-    float px = x[i];
-    float py = y[i];
-    float r = radius[i];
-    float first = walls.contact(px, py, vx[i], vy[i], r);
+    double px = x[i];
+    double py = y[i];
+    double r = radius[i];
+    double first = walls.contact(px, py, vx[i], vy[i], r);
     int hit = NONE;
     for (int k = 0; k < lines.count; k++) {
       if (lines.candidate(k, px, py, vx[i], vy[i], r)) {
-        float t = lines.contact(k, px, py, vx[i], vy[i], r);
+        double t = lines.contact(k, px, py, vx[i], vy[i], r);
         if (t <= 1 && t < first) {
           first = t;
           hit = k;
@@ -64,11 +64,11 @@ final class Poster extends FloatCircles {
   }
 
   /** v -= (1+e) (v.n)/(n.n) n, n from the closest point of the line to the centre at contact. */
-  private void reflect(int i, int k, float cx, float cy, float rest) {
-    float nx = lines.normalX(k, cx, cy);
-    float ny = lines.normalY(k, cx, cy);
-    float e = restitution[i] * lines.restitution[k];
-    float s = (1 + e) * (vx[i] * nx + vy[i] * ny) / (nx * nx + ny * ny);
+  private void reflect(int i, int k, double cx, double cy, double rest) {
+    double nx = lines.normalX(k, cx, cy);
+    double ny = lines.normalY(k, cx, cy);
+    double e = restitution[i] * lines.restitution[k];
+    double s = (1 + e) * (vx[i] * nx + vy[i] * ny) / (nx * nx + ny * ny);
     vx[i] -= s * nx;
     vy[i] -= s * ny;
     x[i] = cx + rest * vx[i];
@@ -77,8 +77,8 @@ final class Poster extends FloatCircles {
   }
 
   /** Turns the component that carried the circle to the wall. */
-  private void bounce(int i, float cx, float cy, float rest) {
-    float e = restitution[i] * walls.restitution;
+  private void bounce(int i, double cx, double cy, double rest) {
+    double e = restitution[i] * walls.restitution;
     if (walls.isVertical(cx, cy, vx[i], vy[i], radius[i])) {
       vx[i] *= -e;
     } else {

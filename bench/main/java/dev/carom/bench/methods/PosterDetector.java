@@ -6,7 +6,7 @@ import dev.carom.Line;
 /** The published algorithm's answer, in float: the window is its frame. */
 final class PosterDetector extends LineDetector {
 
-  private final PosterLines lines = new PosterLines(1);
+  private final FloatPosterLines lines = new FloatPosterLines(1);
 
   @Override
   public double time(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
+import static dev.carom.bench.methods.RealDouble.real;
+
 /**
  * The test of the textbooks: first the line as if it had no ends; if the foot of that contact is
  * not on it, its two ends by the quadratic with c = e.e - r^2 and b^2 - a c. Right as mathematics;
@@ -30,7 +32,7 @@ public final class TextbookDetector extends LineDetector {
     if (cross * drift < 0) {
       squareRoots++;
       double ww = wx * wx + wy * wy;
-      double t = Math.max(0, (Math.abs(cross) - r * Math.sqrt(ww)) / Math.abs(drift));
+      double t = Math.max(0, (Math.abs(cross) - r * real(Math.sqrt(ww))) / Math.abs(drift));
       double along = wx * (ex + t * vx) + wy * (ey + t * vy);
       if (along > 0 && along < ww) {
         return t <= end ? t : NEVER;
@@ -55,7 +57,7 @@ public final class TextbookDetector extends LineDetector {
       return NEVER;
     }
     squareRoots++;
-    double t = (-b - Math.sqrt(discriminant)) / a;
+    double t = (-b - real(Math.sqrt(discriminant))) / a;
     return t <= end ? t : NEVER;
   }
 }

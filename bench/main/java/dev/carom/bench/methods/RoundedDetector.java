@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
-/** The test of the textbooks in float: the question is rounded first. */
-final class TextbookFloatDetector extends LineDetector {
+/** A detector in float: the question is rounded first. */
+final class RoundedDetector extends LineDetector {
 
-  private final TextbookFloatKernel kernel = new TextbookFloatKernel();
+  private final FloatLineDetector detector;
+
+  RoundedDetector(FloatLineDetector detector) {
+    this.detector = detector;
+  }
 
   @Override
   public double time(
@@ -18,7 +22,7 @@ final class TextbookFloatDetector extends LineDetector {
       double bx,
       double by,
       double end) {
-    return kernel.time(
+    return detector.time(
         (float) px,
         (float) py,
         (float) r,

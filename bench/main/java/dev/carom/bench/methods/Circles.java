@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 package dev.carom.bench.methods;
 
+import static dev.carom.bench.methods.RealDouble.real;
+
 import dev.carom.Circle;
 import dev.carom.ObstacleKind;
 import dev.carom.Scene;
 import dev.carom.Vec2;
 
 /** The circles of a method in double: a flat array for each of their numbers. */
-abstract class DoubleCircles implements Method {
+abstract class Circles implements Method {
 
   final int circles;
   final double[] x;
@@ -20,7 +22,7 @@ abstract class DoubleCircles implements Method {
   int impacts;
   int wallImpacts;
 
-  DoubleCircles(Scene scene) {
+  Circles(Scene scene) {
     circles = scene.circleCount();
     x = new double[circles];
     y = new double[circles];
@@ -31,12 +33,12 @@ abstract class DoubleCircles implements Method {
     for (int i = 0; i < circles; i++) {
       Circle circle = scene.circle(i);
       Vec2 velocity = scene.velocity(i);
-      x[i] = circle.x();
-      y[i] = circle.y();
-      vx[i] = velocity.x();
-      vy[i] = velocity.y();
-      radius[i] = circle.radius();
-      restitution[i] = scene.restitution(ObstacleKind.CIRCLE, i);
+      x[i] = real(circle.x());
+      y[i] = real(circle.y());
+      vx[i] = real(velocity.x());
+      vy[i] = real(velocity.y());
+      radius[i] = real(circle.radius());
+      restitution[i] = real(scene.restitution(ObstacleKind.CIRCLE, i));
     }
   }
 
